@@ -1,0 +1,40 @@
+# contrecoup_add_layer(<name> SOURCES ... [DEPENDS <lower layer>...])
+#
+# One static library per layer, contrecoup_<name>. The precompiled header is
+# compiled once, by the lowest layer.
+function(contrecoup_add_layer name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
+  set(target contrecoup_${name})
+  add_library(${target} STATIC ${ARG_SOURCES})
+  contrecoup_setup_target(${target})
+  foreach(_lower ${ARG_DEPENDS})
+    target_link_libraries(${target} contrecoup_${_lower})
+  endforeach()
+endfunction()
+
+# contrecoup_setup_target(<target>): includes, deal.II, flags, common header.
+function(contrecoup_setup_target target)
+  target_include_directories(${target} PRIVATE
+    ${PROJECT_SOURCE_DIR}/include ${PROJECT_BINARY_DIR}/include)
+  deal_ii_setup_target(${target})
+  target_compile_options(${target} PRIVATE ${CONTRECOUP_COMPILE_OPTIONS})
+  if(target STREQUAL "contrecoup_base")
+    target_precompile_headers(${target} PRIVATE
+      ${PROJECT_SOURCE_DIR}/include/contrecoup/base/precompiled.h)
+  else()
+    target_precompile_headers(${target} REUSE_FROM contrecoup_base)
+  endif()
+endfunction()
+
+# contrecoup_add_application(<name>): build/bin/<name> from
+# applications/<name>/main.cc, linked with the named layers.
+function(contrecoup_add_application name)
+  cmake_parse_arguments(ARG "" "" "DEPENDS" ${ARGN})
+  add_executable(${name} ${CMAKE_CURRENT_SOURCE_DIR}/${name}/main.cc)
+  contrecoup_setup_target(${name})
+  set_target_properties(${name} PROPERTIES
+    RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+  foreach(_layer ${ARG_DEPENDS})
+    target_link_libraries(${name} contrecoup_${_layer})
+  endforeach()
+endfunction()
