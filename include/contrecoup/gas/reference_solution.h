@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/gas/gas_state.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/point.h>
+
+#include <functional>
+#include <string>
+
+namespace contrecoup
+{
+class GasMaterial;
+}
+
+namespace contrecoup::gas
+{
+/// What a blast wave does first at a point.
+struct ShockArrival
+{
+  double overpressure = 0.; ///< peak pressure above the ambient one [Pa]
+  double time = 0.;         ///< arrival of the shock [s]
+};
+
+/**
+ * The solution that a run is measured against, as subsection "Reference"
+ * of the parameter file names it. The numbers of the problem come from
+ * subsection "Initial state", so that the two cannot disagree.
+ */
+template <int dim>
+class ReferenceSolution
+{
+public:
+  /// Declares subsection "Reference".
+  static void declare_parameters(dealii::ParameterHandler &prm);
+
+  /**
+   * Reads subsections "Reference", "Initial state" and "Domain/Geometry",
+   * all of which must have been declared. The material is copied.
+   *
+   * @throws InputError when the kind of reference does not fit the initial
+   * state or the material, or a table cannot be read.
+   */
+  void parse_parameters(dealii::ParameterHandler &prm,
+                        const GasMaterial &material);
+
+  /// The kind, as the parameter file names it; "none" without reference.
+  const std::string &name() const;
+
+  /// Whether value() may be called.
+  bool exists() const;
+
+  /// The exact state at @p point and @p time [s].
+  GasState<dim> value(const dealii::Point<dim> &point, double time) const;
+
+  /// Whether arrival() may be called.
+  bool has_arrivals() const;
+
+  /// The exact peak overpressure and arrival time of the shock at @p point.
+  ShockArrival arrival(const dealii::Point<dim> &point) const;
+
+private:
+  std::string name_ = "none";
+  std::function<GasState<dim>(const dealii::Point<dim> &, double)> value_;
+  std::function<ShockArrival(const dealii::Point<dim> &)> arrival_;
+};
+
+/// The kinds of reference solutions, in the syntax of
+/// dealii::Patterns::Selection.
+extern const char *const reference_solution_kinds;
+} // namespace contrecoup::gas
