@@ -1,0 +1,235 @@
+#!/usr/bin/env python3
+"""Checks of the source tree: check_tree.py CHECK [ROOT].
+
+CHECK is one of the functions listed in CHECKS below. Each takes the root
+folder of the repository and returns a list of problems, one line each, that
+start with file (and line). Exit code 0: none, 1: some, 77: skipped.
+"""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+# What each layer may include besides itself. Applications and the folders of
+# tests that are not named after a layer may include everything.
+BELOW = {"base": set()}
+BELOW["materials"] = {"base"}
+BELOW["geometry"] = {"base"}
+BELOW["numerics"] = {"base", "materials"}
+BELOW["io"] = {"base", "materials", "numerics", "geometry"}
+for _solver in ("gas", "solid", "mpm"):
+    BELOW[_solver] = BELOW["io"] | {"io"}
+for _upper in ("ale", "coupling", "study"):
+    BELOW[_upper] = BELOW["gas"] | {"gas", "solid", "mpm"}
+
+LONGEST_HEADER = 250
+LONGEST_SOURCE = 500
+LONGEST_MAIN = 40
+LONGEST_FUNCTION = 60
+
+LICENCE = ["// SPDX-License-Identifier: LGPL-2.1-or-later",
+           "// Copyright (C) 2026 by the Contrecoup authors"]
+
+SKIPPED = 77
+
+
+class Skip(Exception):
+    """The check cannot be made on this machine; says why."""
+
+
+def cpp_files(root, folders=("include", "source", "applications", "tests")):
+    """Yields the paths below @p root of all .h and .cc files, sorted."""
+    for folder in folders:
+        for here, subfolders, names in os.walk(os.path.join(root, folder)):
+            subfolders.sort()
+            for name in sorted(names):
+                if name.endswith((".h", ".cc")):
+                    yield os.path.relpath(os.path.join(here, name), root)
+
+
+def lines_of(root, path):
+    with open(os.path.join(root, path), encoding="utf-8") as file:
+        return file.read().splitlines()
+
+
+def layer_of(path):
+    """The layer that a file belongs to, or None above all layers."""
+    parts = path.split(os.sep)
+    if parts[0] == "include" and len(parts) > 3:
+        return parts[2]
+    if parts[0] == "source" and len(parts) > 2:
+        return parts[1]
+    if parts[0] == "tests" and len(parts) > 2 and parts[1] in BELOW:
+        return parts[1]
+    return None
+
+
+def layers(root):
+    """Layers include only downwards."""
+    include = re.compile(r'\s*#\s*include\s*[<"]contrecoup/(\w+)/')
+    problems = []
+    for path in cpp_files(root):
+        layer = layer_of(path)
+        if layer is None:
+            continue
+        if layer not in BELOW:
+            problems.append(f"{path}: '{layer}' is not a layer, known are: "
+                            + ", ".join(BELOW))
+            continue
+        for number, line in enumerate(lines_of(root, path), 1):
+            match = include.match(line)
+            if match and match[1] not in BELOW[layer] | {layer}:
+                problems.append(f"{path}:{number}: layer '{layer}' may not "
+                                f"include layer '{match[1]}'")
+    return problems
+
+
+def lengths(root):
+    """No file is longer than one reader holds."""
+    problems = []
+    for path in cpp_files(root):
+        if path.endswith(".h"):
+            limit = LONGEST_HEADER
+        elif os.path.basename(path) == "main.cc":
+            limit = LONGEST_MAIN
+        else:
+            limit = LONGEST_SOURCE
+        count = len(lines_of(root, path))
+        if count > limit:
+            problems.append(f"{path}: {count} lines, at most {limit}")
+    return problems
+
+
+def functions(root):
+    """No function is longer than one screen (clang-format's layout)."""
+    opens_scope = re.compile(
+        r"\s*(template|namespace|class|struct|union|enum|extern)\b")
+    problems = []
+    for path in cpp_files(root):
+        lines = lines_of(root, path)
+        number = 0
+        while number < len(lines):
+            brace = re.fullmatch(r"( *)\{", lines[number])
+            if not brace:
+                number += 1
+                continue
+            head = number - 1
+            while head > 0 and lines[head - 1].strip() and not re.search(
+                    r"[;{}:]\s*(//.*)?$", lines[head - 1]):
+                head -= 1
+            text = [line for line in lines[head:number]
+                    if not line.lstrip().startswith(("//", "#", "*", "/*"))]
+            is_scope = bool(text) and bool(opens_scope.match(text[-1]))
+            if is_scope or not any("(" in line for line in text):
+                number += 1
+                continue
+            last = number + 1
+            while last < len(lines) and not lines[last].startswith(
+                    brace[1] + "}"):
+                last += 1
+            length = last - number + 1
+            if length > LONGEST_FUNCTION:
+                problems.append(f"{path}:{number + 1}: function of {length} "
+                                f"lines, at most {LONGEST_FUNCTION}")
+            number = last + 1
+    return problems
+
+
+def mirror(root):
+    """source/x/y.cc stands beside include/contrecoup/x/y.h. A long source may
+    be split into y_<topic>.cc."""
+    problems = []
+    for path in cpp_files(root, ("source",)):
+        layer = layer_of(path)
+        if layer is None or not path.endswith(".cc"):
+            continue
+        folder = os.path.join(root, "include", "contrecoup", layer)
+        inner = os.path.relpath(path, os.path.join("source", layer))
+        words = inner[:-len(".cc")].split("_")
+        names = ["_".join(words[:n]) for n in range(len(words), 0, -1)]
+        if not any(os.path.exists(os.path.join(folder, name + ".h"))
+                   for name in names):
+            problems.append(f"{path}: no header include/contrecoup/{layer}/"
+                            f"{names[0]}.h")
+    return problems
+
+
+def licence(root):
+    """Each file names its licence; each header is included once."""
+    problems = []
+    for path in cpp_files(root):
+        lines = lines_of(root, path)
+        if lines[:2] != LICENCE:
+            problems.append(f"{path}:1: must begin with the two lines "
+                            + " / ".join(LICENCE))
+        if path.endswith(".h") and "#pragma once" not in lines:
+            problems.append(f"{path}: #pragma once is missing")
+    return problems
+
+
+def parameters(root):
+    """ParameterHandler::add_parameter rounds defaults to six digits in
+    deal.II 9.4, which ruins constants of equations of state."""
+    return [f"{path}:{number}: use declare_entry instead of add_parameter"
+            for path in cpp_files(root, ("include", "source", "applications"))
+            for number, line in enumerate(lines_of(root, path), 1)
+            if re.search(r"\badd_parameter\s*\(", line)]
+
+
+def clang_format():
+    """The name of a clang-format of version 14."""
+    for name in ("clang-format-14", "clang-format"):
+        if shutil.which(name):
+            version = subprocess.run([name, "--version"], check=True,
+                                     capture_output=True, text=True).stdout
+            if " 14." in version:
+                return name
+    raise Skip("clang-format 14 is not installed "
+               "(Debian 12: apt install clang-format)")
+
+
+def formatting(root):
+    """Every file is as clang-format 14 leaves it."""
+    name = clang_format()
+    style = "file:" + os.path.join(os.path.abspath(root), ".clang-format")
+    problems = []
+    for path in cpp_files(root):
+        run = subprocess.run(
+            [name, "--style=" + style, "--dry-run", path], cwd=root,
+            check=True, capture_output=True, text=True)
+        found = re.search(r":(\d+):\d+: warning", run.stderr)
+        if found:
+            problems.append(f"{path}:{found[1]}: not formatted; run "
+                            f"{name} -i {path}")
+    return problems
+
+
+CHECKS = {check.__name__: check for check in
+          (layers, lengths, functions, mirror, licence, parameters,
+           formatting)}
+
+
+def main(arguments):
+    if not 1 <= len(arguments) <= 2 or arguments[0] not in CHECKS:
+        print("usage: check_tree.py CHECK [ROOT]; CHECK is one of: "
+              + ", ".join(CHECKS), file=sys.stderr)
+        return 2
+    root = arguments[1] if len(arguments) == 2 else "."
+    if not any(True for _ in cpp_files(root)):
+        print(f"no .h or .cc files below {root}", file=sys.stderr)
+        return 2
+    try:
+        problems = CHECKS[arguments[0]](root)
+    except Skip as reason:
+        print(f"skipped: {reason}")
+        return SKIPPED
+    for problem in problems:
+        print(problem)
+    print(f"{arguments[0]}: {len(problems)} problem(s)")
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,146 @@
+#!/usr/bin/env python3
+"""Shows that each check of check_tree.py accepts a good tree and finds what
+is wrong in a bad one."""
+
+import os
+import subprocess
+import tempfile
+import unittest
+
+import check_tree
+
+REPOSITORY = os.path.dirname(os.path.dirname(os.path.dirname(
+    os.path.abspath(__file__))))
+TOP = "\n".join(check_tree.LICENCE) + "\n\n"
+
+GOOD_HEADER = TOP + """#pragma once
+
+namespace contrecoup
+{
+  /// Two.
+  double
+  two();
+} // namespace contrecoup
+"""
+
+GOOD_SOURCE = TOP + """#include <contrecoup/base/lanes.h>
+#include <contrecoup/numerics/two.h>
+
+namespace contrecoup
+{
+  double two()
+  {
+    return 2.;
+  }
+} // namespace contrecoup
+"""
+
+
+def function_of(lines):
+    """A function whose body has @p lines lines with its braces."""
+    return ("namespace contrecoup\n{\n  void count(int &i)\n  {\n"
+            + "    ++i;\n" * (lines - 2) + "  }\n} // namespace contrecoup\n")
+
+
+class TreeTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = folder.name
+        with open(os.path.join(REPOSITORY, ".clang-format")) as style:
+            self.write(".clang-format", style.read())
+        self.write("include/contrecoup/base/lanes.h", TOP + "#pragma once\n")
+        self.write("include/contrecoup/numerics/two.h", GOOD_HEADER)
+        self.write("source/numerics/two.cc", GOOD_SOURCE)
+        self.write("applications/blast/main.cc", TOP + "int main()\n{}\n")
+
+    def write(self, path, text):
+        path = os.path.join(self.root, path)
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        with open(path, "w") as file:
+            file.write(text)
+
+    def expect(self, check, *words):
+        """@p check finds exactly one problem, which has these words."""
+        problems = check_tree.CHECKS[check](self.root)
+        self.assertEqual(len(problems), 1, problems)
+        for word in words:
+            self.assertIn(word, problems[0])
+
+    def test_good_tree(self):
+        for name in ("layers", "lengths", "functions", "mirror", "licence",
+                     "parameters"):
+            self.assertEqual(check_tree.CHECKS[name](self.root), [], name)
+
+    def test_upward_include(self):
+        self.write("source/numerics/two.cc",
+                   GOOD_SOURCE + "#  include <contrecoup/gas/state.h>\n")
+        self.expect("layers", "two.cc:", "'gas'")
+
+    def test_sideways_include(self):
+        self.write("include/contrecoup/gas/state.h",
+                   TOP + '#include "contrecoup/solid/state.h"\n')
+        self.expect("layers", "state.h:4", "'solid'")
+
+    def test_upward_include_in_a_test(self):
+        self.write("tests/base/lanes.cc",
+                   TOP + "#include <contrecoup/io/summary.h>\n")
+        self.expect("layers", "tests/base/lanes.cc:4")
+
+    def test_unknown_layer(self):
+        self.write("source/extra/two.cc", GOOD_SOURCE)
+        self.expect("layers", "'extra' is not a layer")
+
+    def test_long_header(self):
+        self.write("include/contrecoup/base/long.h", "\n" * 251)
+        self.expect("lengths", "251 lines, at most 250")
+
+    def test_long_source(self):
+        self.write("source/base/long.cc", "\n" * 501)
+        self.expect("lengths", "501 lines, at most 500")
+
+    def test_long_main(self):
+        self.write("applications/blast/main.cc", "\n" * 41)
+        self.expect("lengths", "41 lines, at most 40")
+
+    def test_long_function(self):
+        self.write("source/base/lanes.cc", function_of(60))
+        self.assertEqual(check_tree.functions(self.root), [])
+        self.write("source/base/lanes.cc", function_of(61))
+        self.expect("functions", "lanes.cc:4", "61 lines")
+
+    def test_source_without_header(self):
+        self.write("source/numerics/two_and_a_half.cc", GOOD_SOURCE)
+        self.assertEqual(check_tree.mirror(self.root), [])
+        self.write("source/numerics/three.cc", GOOD_SOURCE)
+        self.expect("mirror", "include/contrecoup/numerics/three.h")
+
+    def test_missing_licence(self):
+        self.write("source/numerics/two.cc", "int two();\n")
+        self.expect("licence", "two.cc:1")
+
+    def test_missing_pragma(self):
+        self.write("include/contrecoup/numerics/two.h", TOP)
+        self.expect("licence", "#pragma once")
+
+    def test_add_parameter(self):
+        self.write("source/numerics/two.cc",
+                   GOOD_SOURCE + 'prm.add_parameter("Two", two);\n')
+        self.expect("parameters", "two.cc:14")
+
+    def test_badly_formatted(self):
+        try:
+            name = check_tree.clang_format()
+        except check_tree.Skip as reason:
+            self.skipTest(str(reason))
+        for path in check_tree.cpp_files(self.root):
+            subprocess.run([name, "-i", os.path.join(self.root, path)],
+                           check=True)
+        self.assertEqual(check_tree.formatting(self.root), [])
+        self.write("include/contrecoup/numerics/two.h",
+                   TOP + "#pragma once\n\nint   two();\n")
+        self.expect("formatting", "two.h:6")
+
+
+if __name__ == "__main__":
+    unittest.main()
