@@ -1,0 +1,89 @@
+# Shell functions shared by applications/quickstart and tests/run. The caller
+# has set: program (its name), root (the repository), log (a file for details).
+
+# say TEXT...: one line for the user, also in the log.
+say() {
+  printf '%s: %s\n' "$program" "$*" | tee -a "$log"
+}
+
+# fail TEXT...: one line on stderr, and the end.
+fail() {
+  printf '%s: %s\n' "$program" "$*" | tee -a "$log" >&2
+  exit 1
+}
+
+# quietly COMMAND...: its output goes to the log alone, and it reads nothing.
+quietly() {
+  printf '+ %s\n' "$*" >>"$log"
+  "$@" >>"$log" 2>&1 </dev/null
+}
+
+# missing_packages KIND...: the Debian packages of these kinds (second column
+# of cmake/debian_packages.txt) that are not installed.
+missing_packages() {
+  local package kind
+  while read -r package kind; do
+    case " $* " in
+      *" $kind "*)
+        dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null |
+          grep -qx installed || echo "$package" ;;
+    esac
+  done < <(grep -v '^#' "$root/cmake/debian_packages.txt")
+}
+
+# install_packages KIND...: installs what is missing, with apt-get alone.
+install_packages() {
+  if ! command -v dpkg-query >/dev/null; then
+    say "not a Debian system: taking it that the packages of" \
+      "cmake/debian_packages.txt are there under other names"
+    return
+  fi
+  local missing as_root=()
+  mapfile -t missing < <(missing_packages "$@")
+  [ ${#missing[@]} -eq 0 ] && return
+  local advice="apt-get install --no-install-recommends ${missing[*]}"
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null ||
+      fail "Debian packages are missing; as root, run: $advice"
+    as_root=(sudo)
+  fi
+  say "installing ${#missing[@]} Debian packages: ${missing[*]}"
+  as_root+=(env DEBIAN_FRONTEND=noninteractive)
+  quietly "${as_root[@]}" apt-get update ||
+    fail "apt-get update failed; see $log"
+  quietly "${as_root[@]}" apt-get install --yes --no-install-recommends \
+    "${missing[@]}" || fail "could not install packages (see $log): $advice"
+}
+
+# build_jobs: compilers at once; each core one, each with 6 GB of memory.
+build_jobs() {
+  local cores memory
+  cores=$(nproc)
+  memory=$(awk '/^MemTotal/ {print int($2 / 6e6)}' /proc/meminfo)
+  [ "$memory" -lt "$cores" ] && cores=$memory
+  [ "$cores" -lt 1 ] && cores=1
+  echo "$cores"
+}
+
+# build TARGET...: configures and builds with the release preset.
+build() {
+  local jobs target_options=()
+  jobs=$(build_jobs)
+  [ $# -gt 0 ] && target_options=(--target "$@")
+  say "configuring in $root/build"
+  quietly cmake --preset release ||
+    fail "configuring failed; see $log"
+  say "building with $jobs compiler(s) at once (about 10 minutes)"
+  quietly cmake --build --preset release -j "$jobs" "${target_options[@]}" ||
+    fail "building failed; see $log"
+}
+
+# Settings under which mpirun works in containers and as root.
+allow_mpi_anywhere() {
+  export OMPI_MCA_btl_vader_single_copy_mechanism=none
+  export OMPI_MCA_rmaps_base_oversubscribe=1
+  export OMP_NUM_THREADS=1
+  if [ "$(id -u)" -eq 0 ]; then
+    export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+  fi
+}
