@@ -67,3 +67,85 @@ function(_contrecoup_register_test name)
     TIMEOUT ${ARG_TIMEOUT}
     LABELS "${ARG_LABELS}")
 endfunction()
+
+# contrecoup_add_application_test(<name> <kind> FILE <application>/<x>.prm
+#   [SET "Section/Entry=value"...] [MPI <n>] [TIMEOUT <s>] [LABELS ...] ...)
+#
+# The ctest <application>_<name> runs a shipped parameter file (below
+# parameter_files/) with overrides. What it proves depends on <kind>:
+#   bounds        BOUNDS "errors.density_L1 < 1e-3" ...: of summary.json, with
+#                 <, > or ==; [EXIT <code>...] [MESSAGE <text>]
+#   regression    COMPARE <table>... TOLERANCE "-r 1e-8 -a 1e-6": numdiff with
+#                 tests/applications/references/<application>_<name>/
+#   ranks         COMPARE, TOLERANCE: one rank agrees with MPI <n> (default 2)
+#   convergence   VARY "Section/Entry=3|4|5" ERROR errors.x ORDER <number>
+#   resume        COMPARE: stop by SIGTERM and --resume equals straight through
+#   check         --check accepts the file and writes nothing
+#   refusal       MESSAGE <text> [EXIT <code>] [OUTPUT <folder>] [CONTENT
+#                 <lines appended to the file>] [ARGUMENTS ...]: bad input;
+#                 @FOLDER@ in OUTPUT is a folder that has a file named a_file
+#   damaged_checkpoint, foreign_checkpoint (OTHER_FILE or ARGUMENTS): refused
+#                 with MESSAGE
+#   disk          a full disk: exit code 3 with MESSAGE, checkpoint intact
+# No value may contain a semicolon.
+function(contrecoup_add_application_test name kind)
+  cmake_parse_arguments(ARG ""
+    "FILE;OTHER_FILE;MPI;TIMEOUT;TOLERANCE;MESSAGE;OUTPUT;CONTENT;VARY;ERROR;ORDER"
+    "SET;BOUNDS;COMPARE;EXIT;ARGUMENTS;LABELS" ${ARGN})
+  if(NOT ARG_FILE OR ARG_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "contrecoup_add_application_test(${name}): FILE is "
+      "missing or these words are unknown: ${ARG_UNPARSED_ARGUMENTS}")
+  endif()
+  string(REGEX REPLACE "/.*" "" _application ${ARG_FILE})
+  set(_test ${_application}_${name})
+  set(_ranks 1)
+  if(ARG_MPI)
+    set(_ranks ${ARG_MPI})
+  elseif(kind STREQUAL "ranks")
+    set(_ranks 2)
+  endif()
+  set(_files ${PROJECT_SOURCE_DIR}/parameter_files)
+  set(_options --name=${_test} --application=$<TARGET_FILE:${_application}>
+    --file=${_files}/${ARG_FILE} --ranks=${_ranks}
+    --mpiexec=${DEAL_II_MPIEXEC})
+  if(kind STREQUAL "regression")
+    list(APPEND _options --reference=${PROJECT_SOURCE_DIR}/tests/applications/references/${_test})
+  endif()
+  if(ARG_OTHER_FILE)
+    list(APPEND _options --other-file=${_files}/${ARG_OTHER_FILE})
+  endif()
+  foreach(_key TOLERANCE MESSAGE OUTPUT CONTENT VARY ERROR ORDER)
+    if(DEFINED ARG_${_key})
+      string(TOLOWER ${_key} _option)
+      list(APPEND _options "--${_option}=${ARG_${_key}}")
+    endif()
+  endforeach()
+  set(_option_BOUNDS bound)
+  set(_option_ARGUMENTS argument)
+  foreach(_key SET BOUNDS COMPARE EXIT ARGUMENTS)
+    string(TOLOWER ${_key} _option)
+    if(DEFINED _option_${_key})
+      set(_option ${_option_${_key}})
+    endif()
+    foreach(_value IN LISTS ARG_${_key})
+      list(APPEND _options "--${_option}=${_value}")
+    endforeach()
+  endforeach()
+  _contrecoup_register_test(${_test} RANKS ${_ranks} TIMEOUT ${ARG_TIMEOUT}
+    LABELS ${kind} ${ARG_LABELS}
+    COMMAND ${Python3_EXECUTABLE}
+      ${PROJECT_SOURCE_DIR}/tests/applications/run_case.py ${kind} ${_options})
+endfunction()
+
+# contrecoup_check_parameter_files(<application>): one test for each of its
+# parameter files, <application>_check_<path>, that --check accepts it.
+function(contrecoup_check_parameter_files application)
+  set(_folder ${PROJECT_SOURCE_DIR}/parameter_files)
+  file(GLOB_RECURSE _files CONFIGURE_DEPENDS RELATIVE ${_folder}
+    ${_folder}/${application}/*.prm)
+  foreach(_file ${_files})
+    string(REGEX REPLACE "^${application}/(.*)\\.prm$" "\\1" _name ${_file})
+    string(REPLACE "/" "_" _name ${_name})
+    contrecoup_add_application_test(check_${_name} check FILE ${_file})
+  endforeach()
+endfunction()

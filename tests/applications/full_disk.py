@@ -1,0 +1,69 @@
+"""A disk with too little room for one more checkpoint.
+
+Where this process may mount, the disk is a small tmpfs in a namespace of its
+own. Elsewhere no file may grow past half the size of the largest checkpoint
+file, which the application sees as a failing write just as well.
+"""
+
+import contextlib
+import os
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+
+NAMESPACE = "CONTRECOUP_TEST_NAMESPACE"
+
+
+def enter_namespace():
+    """Starts this program again where it may mount, if that is allowed."""
+    if NAMESPACE in os.environ:
+        return
+    mount = ["unshare", "--map-root-user", "--mount"]
+    probe = subprocess.run(mount + ["mount", "-t", "tmpfs", "tmpfs", "/mnt"],
+                           stdin=subprocess.DEVNULL, capture_output=True)
+    if probe.returncode == 0:
+        os.environ[NAMESPACE] = "1"
+        os.execvp("unshare", mount + [sys.executable] + sys.argv)
+
+
+def sizes(folder):
+    return [os.path.getsize(os.path.join(here, name))
+            for here, _, names in os.walk(folder) for name in names]
+
+
+@contextlib.contextmanager
+def nearly_full(output, checkpoint):
+    """Yields the folder to run in, which holds the files of @p output and has
+    room for half of @p checkpoint, and the function that sets the limits of
+    the process to be started."""
+    if NAMESPACE not in os.environ:
+        yield output, lambda: limit_files(max(sizes(checkpoint)) // 2)
+        return
+    disk = os.path.abspath(output) + "_disk"
+    os.makedirs(disk)
+    room = 4 * sum(sizes(output)) + (64 << 20)
+    subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={room}", "tmpfs",
+                    disk], check=True)
+    try:
+        folder = os.path.join(disk, "run")
+        shutil.copytree(output, folder)
+        free = shutil.disk_usage(disk).free - sum(sizes(checkpoint)) // 2
+        with open(os.path.join(disk, "ballast"), "wb") as ballast:
+            os.posix_fallocate(ballast.fileno(), 0, free)
+        print(f"tmpfs with {shutil.disk_usage(disk).free} bytes free")
+        yield folder, lambda: None
+        shutil.rmtree(output)
+        shutil.copytree(folder, output)
+    finally:
+        subprocess.run(["umount", disk], check=True)
+
+
+def limit_files(size):
+    """Lets writes beyond @p size bytes of a file fail instead of kill. MPI
+    must not lay its shared memory out in files then."""
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
+    os.environ["OMPI_MCA_btl"] = "self"
+    os.environ["PMIX_MCA_gds"] = "hash"
