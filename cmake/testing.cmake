@@ -79,7 +79,9 @@ endfunction()
 #                 tests/applications/references/<application>_<name>/
 #   ranks         COMPARE, TOLERANCE: one rank agrees with MPI <n> (default 2)
 #   convergence   VARY "Section/Entry=3|4|5" ERROR errors.x ORDER <number>
-#   resume        COMPARE: stop by SIGTERM and --resume equals straight through
+#   resume        COMPARE [STOP_AFTER <steps>]: stop and --resume equals
+#                 straight through, to the last bit on one rank
+#   sigterm       the same, stopped by SIGTERM; the run must last a second
 #   check         --check accepts the file and writes nothing
 #   refusal       MESSAGE <text> [EXIT <code>] [OUTPUT <folder>] [CONTENT
 #                 <lines appended to the file>] [ARGUMENTS ...]: bad input;
@@ -90,7 +92,8 @@ endfunction()
 # No value may contain a semicolon.
 function(contrecoup_add_application_test name kind)
   cmake_parse_arguments(ARG ""
-    "FILE;OTHER_FILE;MPI;TIMEOUT;TOLERANCE;MESSAGE;OUTPUT;CONTENT;VARY;ERROR;ORDER"
+    "FILE;OTHER_FILE;MPI;TIMEOUT;TOLERANCE;MESSAGE;OUTPUT;CONTENT;VARY;\
+ERROR;ORDER;STOP_AFTER"
     "SET;BOUNDS;COMPARE;EXIT;ARGUMENTS;LABELS" ${ARGN})
   if(NOT ARG_FILE OR ARG_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "contrecoup_add_application_test(${name}): FILE is "
@@ -114,9 +117,11 @@ function(contrecoup_add_application_test name kind)
   if(ARG_OTHER_FILE)
     list(APPEND _options --other-file=${_files}/${ARG_OTHER_FILE})
   endif()
-  foreach(_key TOLERANCE MESSAGE OUTPUT CONTENT VARY ERROR ORDER)
+  foreach(_key TOLERANCE MESSAGE OUTPUT CONTENT VARY ERROR ORDER
+          STOP_AFTER)
     if(DEFINED ARG_${_key})
       string(TOLOWER ${_key} _option)
+      string(REPLACE "_" "-" _option ${_option})
       list(APPEND _options "--${_option}=${ARG_${_key}}")
     endif()
   endforeach()

@@ -13,7 +13,8 @@ import sys
 import time
 
 ENTRIES = {"Steps": "60", "Checkpoint every": "15", "Flaw": "none",
-           "Step size": "0.01", "Scene": "decay"}
+           "Step size": "0.01", "Scene": "decay",
+           "Time/Steps in this run": "0"}
 
 
 def refuse(message, code=1):
@@ -98,12 +99,13 @@ def run():
     else:
         os.makedirs(output)
         open(os.path.join(output, "history.csv"), "w").write("step,x\n0,1.\n")
+    last = step + int(entries["Time/Steps in this run"])
     while step < int(entries["Steps"]):
         value = advance(value)
         step += 1
         with open(os.path.join(output, "history.csv"), "a") as history:
             history.write(f"{step},{value!r}\n")
-        if stopped:
+        if stopped or step == last:
             save(step, value)
             return summarise("stopped", step, value)
         if step % int(entries["Checkpoint every"]) == 0:

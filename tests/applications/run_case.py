@@ -205,9 +205,21 @@ def convergence(case):
                      f"{case.options.order}")
 
 
-def stop(case, output, rows=3):
-    """Starts a run, stops it by SIGTERM when its history has some rows, and
-    checks that it left in order."""
+def check_stopped(output):
+    check_bound(read_summary(output), "status == stopped")
+    if not checkpoints(output):
+        raise Failed("a stopped run left no checkpoint")
+
+
+def stop(case, output):
+    """Runs a few steps, up to a checkpoint."""
+    steps = f"Time/Steps in this run={case.options.stop_after}"
+    case.run(output, extra=["--set", steps])
+    check_stopped(output)
+
+
+def interrupt(case, output, rows=3):
+    """Starts a run and sends SIGTERM when its history has some rows."""
     process = case.start(output)
     history = os.path.join(output, "history.csv")
     while process.poll() is None:
@@ -221,17 +233,24 @@ def stop(case, output, rows=3):
     if process.returncode != 0:
         print(out[-4000:] + err[-4000:])
         raise Failed(f"exit code {process.returncode} after SIGTERM")
-    check_bound(read_summary(output), "status == stopped")
-    if not checkpoints(output):
-        raise Failed("no checkpoint after SIGTERM")
+    check_stopped(output)
 
 
 def resume(case):
-    """A run stopped by SIGTERM and resumed equals one that went straight
-    through, to the last bit in serial."""
+    """A run stopped after some steps and resumed equals one that went
+    straight through, to the last bit in serial."""
+    stop_and_go(case, stop)
+
+
+def sigterm(case):
+    """The same with a run that SIGTERM stops."""
+    stop_and_go(case, interrupt)
+
+
+def stop_and_go(case, stop_run):
     straight, stopped = case.folder("straight"), case.folder("stopped")
     case.run(straight)
-    stop(case, stopped)
+    stop_run(case, stopped)
     case.run(stopped, extra=["--resume"])
     check_bound(read_summary(stopped), "status == finished")
     if case.options.ranks > 1:
@@ -242,7 +261,8 @@ def resume(case):
               glob.glob(os.path.join(straight, "fields", "**", "*.vtu"),
                         recursive=True)]
     compare_bytes(straight, stopped, case.options.compare + fields)
-    ends = [{key: read_summary(run)[key] for key in ("conservation", "errors")}
+    ends = [{key: read_summary(run).get(key)
+             for key in ("conservation", "errors")}
             for run in (straight, stopped)]
     if ends[0] != ends[1]:
         raise Failed(f"summaries differ: {ends[0]} and {ends[1]}")
@@ -342,8 +362,8 @@ def disk(case):
 
 
 KINDS = {kind.__name__: kind for kind in
-         (bounds, regression, ranks, convergence, resume, check, refusal,
-          damaged_checkpoint, foreign_checkpoint, disk)}
+         (bounds, regression, ranks, convergence, resume, sigterm, check,
+          refusal, damaged_checkpoint, foreign_checkpoint, disk)}
 
 
 def parse(arguments):
@@ -365,6 +385,7 @@ def parse(arguments):
     parser.add_argument("--reference")
     parser.add_argument("--compare", action="append", default=[])
     parser.add_argument("--tolerance", default="-r 1e-10")
+    parser.add_argument("--stop-after", type=int, default=5)
     parser.add_argument("--vary")
     parser.add_argument("--error")
     parser.add_argument("--order", type=float)

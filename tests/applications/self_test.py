@@ -73,6 +73,10 @@ class RunCaseTest(unittest.TestCase):
         self.rejects("history.csv is not the same", "resume",
                      flaw="forgetful")
 
+    def test_sigterm(self):
+        self.accepts("sigterm")
+        self.rejects("not == stopped", "sigterm", "--set=Steps=1")
+
     def test_check(self):
         self.accepts("check")
         self.rejects("--check wrote", "check", flaw="hasty")
