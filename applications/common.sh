@@ -1,3 +1,4 @@
+# shellcheck shell=bash disable=SC2154
 # Shell functions shared by applications/quickstart and tests/run. The caller
 # has set: program (its name), root (the repository), log (a file for details).
 
@@ -65,17 +66,31 @@ build_jobs() {
   echo "$cores"
 }
 
-# build TARGET...: configures and builds with the release preset.
+# build TARGET...: configures, and builds these with the release preset.
 build() {
-  local jobs target_options=()
+  local jobs
   jobs=$(build_jobs)
-  [ $# -gt 0 ] && target_options=(--target "$@")
   say "configuring in $root/build"
   quietly cmake --preset release ||
     fail "configuring failed; see $log"
   say "building with $jobs compiler(s) at once (about 10 minutes)"
-  quietly cmake --build --preset release -j "$jobs" "${target_options[@]}" ||
-    fail "building failed; see $log"
+  local watcher=
+  if [ -t 1 ]; then
+    watch_build &
+    watcher=$!
+  fi
+  local ok=yes
+  quietly cmake --build --preset release -j "$jobs" --target "$@" ||
+    ok=no
+  [ -z "$watcher" ] || kill "$watcher"
+  [ $ok = yes ] || fail "building failed; see $log"
+}
+
+# watch_build: redraws how many files are compiled, on a terminal.
+watch_build() {
+  while sleep 1; do
+    printf '\r%s ' "$(grep -o '^\[[0-9]*/[0-9]*\]' "$log" | tail -n 1)"
+  done
 }
 
 # Settings under which mpirun works in containers and as root.

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""How all pictures look: fonts, colours, units."""
+
+import matplotlib
+
+matplotlib.use("Agg")
+
+import matplotlib.pyplot as plt  # noqa: E402 (after the choice of backend)
+
+# Okabe and Ito (2008): told apart by people with any colour vision.
+COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9",
+           "#000000", "#F0E442"]
+GREY = "#666666"
+
+# Perceptually uniform and readable without colour vision.
+SEQUENTIAL = "magma"
+DIVERGING = "RdBu_r"
+
+_PREFIXES = [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1., ""), (1e-3, "m"),
+             (1e-6, "µ"), (1e-9, "n")]
+_PREFIXED_UNITS = {"s", "Pa", "J", "W", "m", "N", "Pa s"}
+
+
+def set_up():
+    plt.rcParams.update({
+        "figure.dpi": 150,
+        "savefig.dpi": 150,
+        "figure.constrained_layout.use": True,
+        "font.family": "DejaVu Sans",
+        "font.size": 10,
+        "axes.titlesize": 11,
+        "axes.titlelocation": "left",
+        "axes.titleweight": "bold",
+        "axes.spines.top": False,
+        "axes.spines.right": False,
+        "axes.grid": True,
+        "axes.axisbelow": True,
+        "axes.prop_cycle": matplotlib.cycler(color=COLOURS),
+        "grid.color": "#dddddd",
+        "grid.linewidth": 0.6,
+        "lines.linewidth": 1.5,
+        "legend.frameon": False,
+        "legend.fontsize": 9,
+        "image.origin": "lower",
+    })
+
+
+def scale_unit(unit, largest):
+    """Factor and unit in which numbers up to @p largest are easy to read:
+    (1e-3, "kPa") for pascals of 1e5."""
+    if unit == "-":
+        return 1., ""
+    if unit not in _PREFIXED_UNITS or not largest > 0.:
+        return 1., unit
+    for size, prefix in _PREFIXES:
+        if largest >= size:
+            return 1. / size, prefix + unit
+    return 1., unit
+
+
+def label(name, unit):
+    """An axis label: name and unit."""
+    return f"{name} [{unit}]" if unit else name
+
+
+def save(figure, path):
+    figure.savefig(path)
+    plt.close(figure)
+    print(path)
