@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/exponential.h>
+#include <contrecoup/materials/jwl_parameters.h>
+
+namespace contrecoup
+{
+/// Cold curve and Grueneisen coefficient at one density and mass fraction.
+template <typename Number>
+struct ColdState
+{
+  Number pressure;       ///< p_c [Pa]
+  Number energy_density; ///< rho e_c [J/m^3]
+  Number slope;          ///< dp_c/drho at fixed mass fraction [m^2/s^2]
+  Number omega;          ///< [-]
+  Number inverse_omega;  ///< [-]
+};
+
+/**
+ * Cold curve, Grueneisen coefficient and specific heat of MieGrueneisen, from
+ * data. The exponentials are taken as zero below rho_0 / 100, where they are
+ * below 1e-38 of A; a lane group that lies there entirely, or that holds no
+ * products, skips them.
+ */
+class ColdCurve
+{
+public:
+  /// p_c = -p_infinity, omega = gamma - 1, c_v = R / omega.
+  static ColdCurve
+  stiffened_gas(double gamma, double p_infinity, double gas_constant);
+
+  /// That of the products, whatever the mass fraction is.
+  static ColdCurve jwl(const JwlParameters &products);
+
+  /// Weighted by the mass fraction of products.
+  static ColdCurve jwl_in_air(const JwlParameters &products,
+                              double gamma_air,
+                              double gas_constant);
+
+  /// Whether the mass fraction matters.
+  bool uses_products() const
+  {
+    return uses_products_;
+  }
+
+  /// Cold state at density [kg/m^3] and mass fraction [-], clipped to [0, 1].
+  template <typename Number>
+  DEAL_II_ALWAYS_INLINE ColdState<Number> at(const Number &density,
+                                             const Number &products) const
+  {
+    ColdState<Number> cold;
+    cold.pressure = Number(-p_infinity_);
+    cold.energy_density = Number(p_infinity_);
+    cold.slope = Number(0.);
+
+    const Number share = mix(products, cold);
+    const Number dense =
+      select_less(Number(dilute_density_), density, share, Number(0.));
+    if (any_less(Number(0.), dense))
+      add_exponentials(density, dense, cold);
+    return cold;
+  }
+
+  /// c_v of the mixture [J/(kg K)].
+  template <typename Number>
+  DEAL_II_ALWAYS_INLINE Number specific_heat(const Number &products) const
+  {
+    return uses_products_ ? Number(clip(products) * specific_heat_difference_ +
+                                   specific_heat_alone_)
+                          : Number(specific_heat_alone_);
+  }
+
+private:
+  template <typename Number>
+  static DEAL_II_ALWAYS_INLINE Number clip(const Number &products)
+  {
+    return std::min(std::max(products, Number(0.)), Number(1.));
+  }
+
+  /// Sets omega, and returns the weight w of the exponentials.
+  template <typename Number>
+  DEAL_II_ALWAYS_INLINE Number mix(const Number &products,
+                                   ColdState<Number> &cold) const
+  {
+    cold.omega = Number(omega_alone_);
+    cold.inverse_omega = Number(inverse_omega_alone_);
+    if (!uses_products_)
+      return Number(share_alone_);
+
+    Number share(0.);
+    if (any_less(Number(0.), products))
+    {
+      share =
+        clip(products) * specific_heat_products_ / specific_heat(products);
+      cold.omega = share * omega_difference_ + omega_alone_;
+      cold.inverse_omega = Number(1.) / cold.omega;
+    }
+    return share;
+  }
+
+  /// Adds the exponentials with the weight @p share.
+  template <typename Number>
+  void add_exponentials(const Number &density,
+                        const Number &share,
+                        ColdState<Number> &cold) const
+  {
+    const double reference = products_.reference_density;
+    const Number volume = Number(reference) / density;
+    const Number first =
+      share * products_.A * exponential(Number(volume * -products_.R1));
+    const Number second =
+      share * products_.B * exponential(Number(volume * -products_.R2));
+
+    cold.pressure = cold.pressure + (first + second);
+    cold.energy_density =
+      cold.energy_density +
+      density * (1. / reference) * (first * inverse_R1_ + second * inverse_R2_);
+    cold.slope = volume * volume * (1. / reference) *
+                 (first * products_.R1 + second * products_.R2);
+  }
+
+  JwlParameters products_;
+  bool uses_products_ = false;
+  double p_infinity_ = 0.;
+  double dilute_density_ = 0.;
+  double share_alone_ = 0.; ///< w where Y is not used
+  double omega_alone_ = 0.; ///< omega without products
+  double inverse_omega_alone_ = 0.;
+  double omega_difference_ = 0.;
+  double specific_heat_alone_ = 1.;
+  double specific_heat_products_ = 1.;
+  double specific_heat_difference_ = 0.;
+  double inverse_R1_ = 1.;
+  double inverse_R2_ = 1.;
+};
+} // namespace contrecoup

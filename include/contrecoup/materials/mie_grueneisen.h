@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/materials/cold_curve.h>
+
+namespace contrecoup
+{
+/**
+ * Mie-Grueneisen equation of state on a cold curve, driven by data:
+ *
+ *   p = p_c(rho, Y) + omega(Y) rho (e - e_c(rho, Y)),
+ *   p_c = -p_inf + w (A exp(-R1 V) + B exp(-R2 V)),
+ *   e_c = p_inf / rho + w (A/R1 exp(-R1 V) + B/R2 exp(-R2 V)) / rho_0,
+ *
+ * V = rho_0 / rho. It is the stiffened gas (w = 0), the pure JWL (w = 1), and
+ * JWL products of mass fraction Y mixed with air, with
+ * w = Y cv_p / (Y cv_p + (1 - Y) cv_a) and omega = omega_a + w (omega_p -
+ * omega_a), so that p stays linear in e. As de_c = -p_c d(1/rho), the sound
+ * speed at fixed Y, c^2 = dp/drho|_e + p/rho^2 dp/de|_rho, is
+ *
+ *   c^2 = p_c'(rho) + omega (1 + omega) (e - e_c)
+ *       = p_c'(rho) + (1 + omega) (p - p_c) / rho.
+ *
+ * With A, B >= 0 both terms are positive on {rho > 0, e > e_c}, and this set
+ * is convex at fixed Y since (rho e_c)'' = p_c' / rho >= 0.
+ *
+ * Arguments are as in IdealGas. Y is clipped to [0, 1]. Below rho_0 / 100
+ * the exponentials are below 1e-38 of A and taken as zero; a lane group
+ * that lies there entirely, or holds no products, skips them.
+ */
+class MieGrueneisen
+{
+public:
+  static constexpr bool has_products = true;
+
+  /// p = (gamma - 1) rho e - gamma p_infinity. @p gas_constant [J/(kg K)]
+  /// sets c_v = R / (gamma - 1) for the temperature.
+  static MieGrueneisen stiffened_gas(double gamma,
+                                     double p_infinity,
+                                     double gas_constant = 287.05287);
+
+  /// Products alone, whatever Y is.
+  static MieGrueneisen jwl(const JwlParameters &products);
+
+  /// Products mixed with an ideal gas. @p gamma_air and @p gas_constant are
+  /// those of the ideal gas.
+  static MieGrueneisen jwl_in_air(const JwlParameters &products,
+                                  double gamma_air = 1.4,
+                                  double gas_constant = 287.05287);
+
+  /// Whether the mass fraction of products matters to this gas.
+  bool uses_products() const
+  {
+    return curve_.uses_products();
+  }
+
+  /// Pressure [Pa].
+  template <typename Number>
+  DEAL_II_ALWAYS_INLINE Number pressure(const Number &density,
+                                        const Number &internal_energy_density,
+                                        const Number &products) const
+  {
+    const ColdState<Number> cold = curve_.at(density, products);
+    return pressure_at(cold, internal_energy_density);
+  }
+
+  /// Internal energy per volume rho e [J/m^3].
+  template <typename Number>
+  DEAL_II_ALWAYS_INLINE Number
+  internal_energy_density(const Number &density,
+                          const Number &pressure,
+                          const Number &products) const
+  {
+    const ColdState<Number> cold = curve_.at(density, products);
+    return energy_density_at(cold, pressure);
+  }
+
+  /// Square of the sound speed [m^2/s^2].
+  template <typename Number>
+  DEAL_II_ALWAYS_INLINE Number sound_speed_squared(const Number &density,
+                                                   const Number &pressure,
+                                                   const Number &products) const
+  {
+    const ColdState<Number> cold = curve_.at(density, products);
+    return sound_speed_squared_at(cold, density, pressure);
+  }
+
+  /// Lower bound of the admissible rho e [J/m^3]: that of the pure products
+  /// whatever Y is, which keeps the set {rho > 0, rho e > bound} convex in
+  /// (rho, rho u, rho E, rho Y) and lies above the mixture's rho e_c. In air
+  /// below 100 kg/m^3 the difference is less than 2 J/kg.
+  template <typename Number>
+  DEAL_II_ALWAYS_INLINE Number
+  cold_energy_density(const Number &density, const Number & /*products*/) const
+  {
+    return curve_.at(density, Number(1.)).energy_density;
+  }
+
+  /// Temperature (e - e_c) / c_v [K].
+  template <typename Number>
+  DEAL_II_ALWAYS_INLINE Number temperature(const Number &density,
+                                           const Number &pressure,
+                                           const Number &products) const
+  {
+    const ColdState<Number> cold = curve_.at(density, products);
+    return (pressure - cold.pressure) * cold.inverse_omega /
+           (density * curve_.specific_heat(products));
+  }
+
+  /// Pressure [Pa] and square of the sound speed from density and rho e.
+  template <typename Number>
+  DEAL_II_ALWAYS_INLINE void
+  pressure_and_sound_speed(const Number &density,
+                           const Number &internal_energy_density,
+                           const Number &products,
+                           Number &pressure,
+                           Number &sound_speed_squared) const
+  {
+    const ColdState<Number> cold = curve_.at(density, products);
+    pressure = pressure_at(cold, internal_energy_density);
+    sound_speed_squared = sound_speed_squared_at(cold, density, pressure);
+  }
+
+  /// rho e [J/m^3] and square of the sound speed from density and pressure.
+  template <typename Number>
+  DEAL_II_ALWAYS_INLINE void
+  energy_and_sound_speed(const Number &density,
+                         const Number &pressure,
+                         const Number &products,
+                         Number &internal_energy_density,
+                         Number &sound_speed_squared) const
+  {
+    const ColdState<Number> cold = curve_.at(density, products);
+    internal_energy_density = energy_density_at(cold, pressure);
+    sound_speed_squared = sound_speed_squared_at(cold, density, pressure);
+  }
+
+private:
+  explicit MieGrueneisen(const ColdCurve &curve)
+    : curve_(curve)
+  {}
+
+  template <typename Number>
+  static DEAL_II_ALWAYS_INLINE Number
+  pressure_at(const ColdState<Number> &cold,
+              const Number &internal_energy_density)
+  {
+    return cold.pressure +
+           cold.omega * (internal_energy_density - cold.energy_density);
+  }
+
+  template <typename Number>
+  static DEAL_II_ALWAYS_INLINE Number
+  energy_density_at(const ColdState<Number> &cold, const Number &pressure)
+  {
+    return cold.energy_density +
+           cold.inverse_omega * (pressure - cold.pressure);
+  }
+
+  template <typename Number>
+  static DEAL_II_ALWAYS_INLINE Number
+  sound_speed_squared_at(const ColdState<Number> &cold,
+                         const Number &density,
+                         const Number &pressure)
+  {
+    return cold.slope + (cold.omega + 1.) * (pressure - cold.pressure) *
+                          (Number(1.) / density);
+  }
+
+  ColdCurve curve_;
+};
+} // namespace contrecoup

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/materials/cold_curve.h>
+
+namespace contrecoup
+{
+namespace
+{
+  /// Relative volume above which the exponentials are taken as zero.
+  constexpr double dilute_volume = 100.;
+} // namespace
+
+ColdCurve ColdCurve::stiffened_gas(const double gamma,
+                                   const double p_infinity,
+                                   const double gas_constant)
+{
+  ColdCurve curve;
+  curve.p_infinity_ = p_infinity;
+  curve.dilute_density_ = std::numeric_limits<double>::max();
+  curve.omega_alone_ = gamma - 1.;
+  curve.inverse_omega_alone_ = 1. / curve.omega_alone_;
+  curve.specific_heat_alone_ = gas_constant / curve.omega_alone_;
+  return curve;
+}
+
+ColdCurve ColdCurve::jwl(const JwlParameters &products)
+{
+  ColdCurve curve;
+  curve.products_ = products;
+  curve.dilute_density_ = products.reference_density / dilute_volume;
+  curve.share_alone_ = 1.;
+  curve.omega_alone_ = products.omega;
+  curve.inverse_omega_alone_ = 1. / products.omega;
+  curve.specific_heat_alone_ = products.specific_heat;
+  curve.inverse_R1_ = 1. / products.R1;
+  curve.inverse_R2_ = 1. / products.R2;
+  return curve;
+}
+
+ColdCurve ColdCurve::jwl_in_air(const JwlParameters &products,
+                                const double gamma_air,
+                                const double gas_constant)
+{
+  ColdCurve curve = jwl(products);
+  curve.uses_products_ = true;
+  curve.omega_alone_ = gamma_air - 1.;
+  curve.inverse_omega_alone_ = 1. / curve.omega_alone_;
+  curve.omega_difference_ = products.omega - curve.omega_alone_;
+  curve.specific_heat_alone_ = gas_constant / curve.omega_alone_;
+  curve.specific_heat_products_ = products.specific_heat;
+  curve.specific_heat_difference_ =
+    products.specific_heat - curve.specific_heat_alone_;
+  return curve;
+}
+} // namespace contrecoup
