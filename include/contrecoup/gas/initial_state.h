@@ -9,6 +9,8 @@
 #include <deal.II/base/point.h>
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace contrecoup
 {
@@ -38,8 +40,8 @@ public:
   static void declare_parameters(dealii::ParameterHandler &prm);
 
   /**
-   * Reads subsection "Initial state", and "Domain/Geometry", which must
-   * have been declared. The material is copied.
+   * Reads subsections "Initial state" and "Domain", which must have been
+   * declared. The material is copied.
    *
    * @throws InputError for a density that is not positive, a pressure that
    * @p material cannot have, a product fraction outside [0, 1], an
@@ -71,7 +73,6 @@ private:
   std::unique_ptr<const InitialField<dim>> field_;
 };
 
-/// The kinds of initial states, in the syntax of
-/// dealii::Patterns::Selection.
-extern const char *const initial_state_kinds;
+/// The kinds of initial states.
+extern const std::vector<std::string> initial_state_kinds;
 } // namespace contrecoup::gas

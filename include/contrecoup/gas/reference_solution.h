@@ -10,6 +10,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace contrecoup
 {
@@ -38,7 +39,7 @@ public:
   static void declare_parameters(dealii::ParameterHandler &prm);
 
   /**
-   * Reads subsections "Reference", "Initial state" and "Domain/Geometry",
+   * Reads subsections "Reference", "Initial state" and "Domain",
    * all of which must have been declared. The material is copied.
    *
    * @throws InputError when the kind of reference does not fit the initial
@@ -63,12 +64,14 @@ public:
   ShockArrival arrival(const dealii::Point<dim> &point) const;
 
 private:
+  void parse_exact_solution(dealii::ParameterHandler &prm,
+                            const GasMaterial &material);
+
   std::string name_ = "none";
   std::function<GasState<dim>(const dealii::Point<dim> &, double)> value_;
   std::function<ShockArrival(const dealii::Point<dim> &)> arrival_;
 };
 
-/// The kinds of reference solutions, in the syntax of
-/// dealii::Patterns::Selection.
-extern const char *const reference_solution_kinds;
+/// The kinds of reference solutions.
+extern const std::vector<std::string> reference_solution_kinds;
 } // namespace contrecoup::gas

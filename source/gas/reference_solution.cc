@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/gas/classical_fields.h>
+#include <contrecoup/gas/initial_state.h>
+#include <contrecoup/gas/layer_fields.h>
+#include <contrecoup/gas/reference_solution.h>
+#include <contrecoup/gas/table_profile.h>
+#include <contrecoup/numerics/exact_riemann.h>
+#include <contrecoup/numerics/noh_solution.h>
+#include <contrecoup/numerics/point_source.h>
+#include <contrecoup/numerics/sedov_solution.h>
+
+#include <cmath>
+
+namespace contrecoup::gas
+{
+const std::vector<std::string> reference_solution_kinds{"none",
+                                                        "initial",
+                                                        "riemann",
+                                                        "vortex",
+                                                        "noh",
+                                                        "sedov",
+                                                        "point source",
+                                                        "table"};
+
+namespace
+{
+  template <int dim>
+  using Field =
+    std::function<GasState<dim>(const dealii::Point<dim> &, double)>;
+
+
+  /// A radial flow around @p center in an otherwise uniform gas.
+  template <int dim>
+  GasState<dim> around(const dealii::Point<dim> &center,
+                       const dealii::Point<dim> &point,
+                       const RadialState &radial)
+  {
+    const double radius = point.distance(center);
+    GasState<dim> state;
+    state.density = radial.density;
+    state.pressure = radial.pressure;
+    if (radius > 0.)
+      state.velocity = (point - center) * (radial.velocity / radius);
+    return state;
+  }
+
+
+  double ideal_gamma(const GasMaterial &material, const std::string &kind)
+  {
+    if (!material.is_ideal())
+      throw InputError("Reference: Kind = " + kind +
+                       " needs an ideal gas as the material");
+    return material.ideal().gamma();
+  }
+
+
+  template <int dim>
+  Field<dim> sedov_field(const SedovField<dim> &problem, const double gamma)
+  {
+    const SedovSolution solution(
+      problem.spreading, gamma, problem.ambient.density, problem.energy);
+    return [=](const dealii::Point<dim> &point, const double time) {
+      if (time <= 0.)
+        return problem.value(point);
+      const double radius = point.distance(problem.center);
+      if (radius > solution.shock_radius(time))
+        return problem.ambient;
+      return around(problem.center, point, solution.value(radius, time));
+    };
+  }
+
+
+  template <int dim>
+  Field<dim> noh_field(const NohField<dim> &problem, const double gamma)
+  {
+    const NohSolution solution(
+      problem.spreading, gamma, problem.ambient.density, problem.speed);
+    return [=](const dealii::Point<dim> &point, const double time) {
+      RadialState state = solution.value(point.distance(problem.center), time);
+      // Ahead of the shock the little pressure that there is rises
+      // adiabatically.
+      if (state.pressure == 0.)
+        state.pressure =
+          problem.ambient.pressure *
+          std::pow(state.density / problem.ambient.density, gamma);
+      return around(problem.center, point, state);
+    };
+  }
+
+
+  @ @RIEMANN @ @ template <int dim>
+  std::function<ShockArrival(const dealii::Point<dim> &)>
+  point_source(const SedovField<dim> &problem, const double gamma)
+  {
+    if (problem.spreading != 3)
+      throw InputError("Reference: Kind = point source needs a domain in which "
+                       "waves spread in 3 dimensions");
+    if (std::abs(gamma - PointSourceSolution::gamma) > 1e-12)
+      throw InputError(
+        "Reference: Kind = point source has a table for gamma = " +
+        brief(PointSourceSolution::gamma) + " alone, not " + brief(gamma, 8));
+    const PointSourceSolution solution(
+      problem.energy, problem.ambient.pressure, problem.ambient.density);
+    return [=](const dealii::Point<dim> &point) {
+      const double radius = point.distance(problem.center);
+      return ShockArrival{solution.overpressure(radius),
+                          solution.arrival_time(radius)};
+    };
+  }
+
+
+  template <int dim>
+  Field<dim> table_field(const std::string &file)
+  {
+    const TableProfile table(file);
+    return [=](const dealii::Point<dim> &point, const double) {
+      const GasState<1> at = table.value(point[0]);
+      GasState<dim> state;
+      state.density = at.density;
+      state.velocity[0] = at.velocity[0];
+      state.pressure = at.pressure;
+      state.products = at.products;
+      return state;
+    };
+  }
+} // namespace
+
+
+template <int dim>
+void ReferenceSolution<dim>::declare_parameters(ParameterHandler &prm)
+{
+  const Section section(prm, "Reference");
+  declare_selection(prm,
+                    "Kind",
+                    "none",
+                    reference_solution_kinds,
+                    "What the run is measured against: nothing, the initial "
+                    "state itself, the exact solution of the initial state of "
+                    "the same name, the point source that Initial state/Sedov "
+                    "describes (at probes), or a table.");
+  prm.declare_entry("Table",
+                    "",
+                    dealii::Patterns::FileName(),
+                    "CSV file with columns position [m] (along x, or the "
+                    "radius), density [kg/m^3], velocity [m/s], pressure [Pa] "
+                    "and, at will, products [-]: the profile at the end time.");
+}
+
+
+template <int dim>
+void ReferenceSolution<dim>::parse_parameters(ParameterHandler &prm,
+                                              const GasMaterial &material)
+{
+  std::string table;
+  {
+    const Section section(prm, "Reference");
+    name_ = prm.get("Kind");
+    table = prm.get("Table");
+  }
+  value_ = nullptr;
+  arrival_ = nullptr;
+  if (name_ == "table")
+    value_ = table_field<dim>(table);
+  else if (name_ == "initial")
+  {
+    const auto initial = std::make_shared<InitialState<dim>>();
+    initial->parse_parameters(prm, material);
+    value_ = [=](const dealii::Point<dim> &point, const double) {
+      return initial->value(point);
+    };
+  }
+  else if (name_ != "none")
+    parse_exact_solution(prm, material);
+}
+
+
+template <int dim>
+void ReferenceSolution<dim>::parse_exact_solution(ParameterHandler &prm,
+                                                  const GasMaterial &material)
+{
+  CoarseMesh<dim> mesh;
+  mesh.parse_parameters(prm);
+  const Geometry geometry = mesh.geometry();
+
+  const Section section(prm, "Initial state");
+  const std::string problem = (name_ == "point source") ? "sedov" : name_;
+  if (prm.get("Kind") != problem)
+    throw InputError("Reference: Kind = " + name_ +
+                     " needs Initial state/Kind = " + problem);
+
+  if (name_ == "riemann")
+    value_ = riemann_field(RiemannField<dim>(prm, material), material);
+  else if (name_ == "noh")
+    value_ = noh_field(NohField<dim>(prm, material, geometry),
+                       ideal_gamma(material, name_));
+  else if (name_ == "sedov")
+    value_ = sedov_field(SedovField<dim>(prm, material, geometry),
+                         ideal_gamma(material, name_));
+  else if (name_ == "point source")
+    arrival_ = point_source(SedovField<dim>(prm, material, geometry),
+                            ideal_gamma(material, name_));
+  else if (name_ == "vortex")
+  {
+    const VortexField<dim> vortex(prm, material, geometry);
+    value_ = [=](const dealii::Point<dim> &point, const double time) {
+      return vortex.value(point, time);
+    };
+  }
+}
+
+
+template <int dim>
+const std::string &ReferenceSolution<dim>::name() const
+{
+  return name_;
+}
+
+
+template <int dim>
+bool ReferenceSolution<dim>::exists() const
+{
+  return static_cast<bool>(value_);
+}
+
+
+template <int dim>
+GasState<dim> ReferenceSolution<dim>::value(const dealii::Point<dim> &point,
+                                            const double time) const
+{
+  return value_(point, time);
+}
+
+
+template <int dim>
+bool ReferenceSolution<dim>::has_arrivals() const
+{
+  return static_cast<bool>(arrival_);
+}
+
+
+template <int dim>
+ShockArrival
+ReferenceSolution<dim>::arrival(const dealii::Point<dim> &point) const
+{
+  return arrival_(point);
+}
+
+
+template class ReferenceSolution<1>;
+template class ReferenceSolution<2>;
+template class ReferenceSolution<3>;
+} // namespace contrecoup::gas
