@@ -218,17 +218,15 @@ def stop(case, output):
     check_stopped(output)
 
 
-def interrupt(case, output, rows=3):
-    """Starts a run and sends SIGTERM when its history has some rows."""
+def interrupt(case, output):
+    """Starts a run and sends SIGTERM soon after its first output."""
     process = case.start(output)
-    history = os.path.join(output, "history.csv")
-    while process.poll() is None:
-        if os.path.exists(history):
-            with open(history, encoding="utf-8") as file:
-                if file.read().count("\n") > rows:
-                    process.send_signal(signal.SIGTERM)
-                    break
-        time.sleep(0.002)
+    while process.poll() is None and not (
+            glob.glob(os.path.join(output, "fields", "*"))
+            or os.path.exists(os.path.join(output, "history.csv"))):
+        time.sleep(0.01)
+    time.sleep(0.1)
+    process.send_signal(signal.SIGTERM)
     out, err = process.communicate()
     if process.returncode != 0:
         print(out[-4000:] + err[-4000:])

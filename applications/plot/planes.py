@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""Plane cuts through fields, NAME.npy with NAME.json, and their pictures."""
+
+import glob
+import json
+import os
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.colors import PowerNorm
+
+import look
+
+MOST_PANELS = 6
+
+
+class Plane:
+    """One quantity on a regular grid: values[second axis, first axis]."""
+
+    def __init__(self, description, path):
+        self.quantity = description["quantity"]
+        self.unit = description["unit"]
+        self.time = description["time"]
+        self.axes = description["axes"]
+        self.lower = description["lower"]
+        self.upper = description["upper"]
+        self.values = np.load(path)
+
+    def extent(self, factor):
+        """Left, right, bottom, top for imshow, whose pixels are centred on
+        the points of the grid."""
+        extent = []
+        for axis in range(2):
+            points = self.values.shape[1 - axis]
+            half = 0.5 * (self.upper[axis] - self.lower[axis]) / max(
+                points - 1, 1)
+            extent += [(self.lower[axis] - half) * factor,
+                       (self.upper[axis] + half) * factor]
+        return extent
+
+    def positions(self):
+        """Coordinates along the first axis [m]."""
+        return np.linspace(self.lower[0], self.upper[0],
+                           self.values.shape[1])
+
+
+def open_planes(folder):
+    """All planes of a run, by (quantity, axes), each list by time."""
+    found = {}
+    for path in glob.glob(os.path.join(folder, "**", "*.json"),
+                          recursive=True):
+        array = path[:-len(".json")] + ".npy"
+        if not os.path.exists(array):
+            continue
+        with open(path, encoding="utf-8") as file:
+            plane = Plane(json.load(file), array)
+        found.setdefault((plane.quantity, *plane.axes), []).append(plane)
+    for planes in found.values():
+        planes.sort(key=lambda plane: plane.time)
+    return found
+
+
+def _pick(planes, count):
+    """At most @p count of the planes after the first, evenly spread."""
+    later = planes[1:] or planes
+    picks = np.unique(np.linspace(0, len(later) - 1, count).round())
+    return [later[int(pick)] for pick in picks]
+
+
+def _background(planes):
+    """The undisturbed pressure: the commonest value at the start."""
+    return float(np.nanmedian(planes[0].values))
+
+
+def _time(plane, planes):
+    """The time of a plane, in one unit for all planes."""
+    factor, unit = look.scale_unit("s", planes[-1].time)
+    return f"{plane.time * factor:.3g} {unit}"
+
+
+def _shown(plane, background):
+    """What is drawn: overpressure for a pressure, else the quantity."""
+    if plane.quantity == "pressure":
+        return plane.values - background
+    return plane.values
+
+
+def draw_planes(planes, path):
+    """The quantity at up to six times, each with its own colour scale."""
+    background = _background(planes)
+    picked = _pick(planes, MOST_PANELS)
+    columns = min(len(picked), 3)
+    rows = -(-len(picked) // columns)
+    width = planes[0].upper[0] - planes[0].lower[0]
+    height = planes[0].upper[1] - planes[0].lower[1]
+    panel = np.clip(3.4 * height / width, 1.2, 5.)
+    figure, axes = plt.subplots(
+        rows, columns, squeeze=False, sharex=True, sharey=True,
+        figsize=(4.4 * columns, (panel + 0.6) * rows))
+    for axis in axes.flat[len(picked):]:
+        axis.set_axis_off()
+    for axis, plane in zip(axes.flat, picked):
+        _draw_panel(figure, axis, plane, _shown(plane, background))
+        axis.set_title(_time(plane, picked))
+    for axis in axes[:, 0]:
+        axis.set_ylabel(look.label(planes[0].axes[1], "m"))
+    for axis in axes[-1, :]:
+        axis.set_xlabel(look.label(planes[0].axes[0], "m"))
+    look.save(figure, path)
+
+
+def _draw_panel(figure, axis, plane, values):
+    finite = values[np.isfinite(values)]
+    largest = np.max(np.abs(finite))
+    factor, unit = look.scale_unit(plane.unit, largest)
+    low, high = np.min(finite) * factor, np.max(finite) * factor
+    if low == high:
+        high = low + 1.
+    image = axis.imshow(values * factor, extent=plane.extent(1.),
+                        cmap=look.SEQUENTIAL, interpolation="bilinear",
+                        norm=PowerNorm(0.5, low, high))
+    name = "over" * (plane.quantity == "pressure") + plane.quantity
+    bar = figure.colorbar(image, cax=axis.inset_axes([1.02, 0., 0.03, 1.]))
+    bar.set_label(look.label(name, unit), fontsize=9)
+    bar.outline.set_visible(False)
+    axis.grid(False)
+
+
+def draw_lines(planes, path):
+    """The quantity along the first axis at the lower edge of the planes,
+    which is the ground in a vertical cut, at up to six times."""
+    background = _background(planes)
+    picked = _pick(planes, MOST_PANELS)
+    largest = max(np.nanmax(np.abs(_shown(plane, background)[0]))
+                  for plane in picked)
+    factor, unit = look.scale_unit(planes[0].unit, largest)
+    figure, axis = plt.subplots(figsize=(7., 3.8))
+    colours = plt.get_cmap("viridis")(np.linspace(0., 0.9, len(picked)))
+    for plane, colour in zip(picked, colours):
+        axis.plot(plane.positions(), _shown(plane, background)[0] * factor,
+                  color=colour, label=_time(plane, picked))
+    name = "over" * (planes[0].quantity == "pressure") + planes[0].quantity
+    edge = f"{planes[0].axes[1]} = {planes[0].lower[1]:g} m"
+    axis.set_title(f"{name} along {edge}")
+    axis.set_xlabel(look.label(planes[0].axes[0], "m"))
+    axis.set_ylabel(look.label(name, unit))
+    axis.legend(title="time")
+    look.save(figure, path)

@@ -1,0 +1,45 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""Draws what a run left: plot_run.py OUTPUT_FOLDER
+
+Writes PNG files into OUTPUT_FOLDER/pictures and prints their paths: the
+history, the pressure at the probes, plane cuts through fields, and profiles
+along the lower edge of these cuts.
+"""
+
+import os
+import sys
+
+import look
+import planes
+import tables
+
+
+def main(arguments):
+    if len(arguments) != 1:
+        print("usage: plot_run.py OUTPUT_FOLDER", file=sys.stderr)
+        return 1
+    folder = arguments[0]
+    history = tables.open_table(folder, "history.csv")
+    if history is None:
+        print(f"plot_run.py: {folder} has no history.csv; is it the output "
+              "folder of a run?", file=sys.stderr)
+        return 1
+
+    look.set_up()
+    pictures = os.path.join(folder, "pictures")
+    os.makedirs(pictures, exist_ok=True)
+    tables.draw_history(history, os.path.join(pictures, "history.png"))
+    probes = tables.open_table(folder, "probes.csv")
+    if probes is not None:
+        tables.draw_probes(probes, os.path.join(pictures, "probes.png"))
+    for (quantity, first, second), cuts in planes.open_planes(folder).items():
+        stem = os.path.join(pictures, f"{quantity}_{first}{second}")
+        planes.draw_planes(cuts, stem + ".png")
+        planes.draw_lines(cuts, stem + "_ground.png")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
