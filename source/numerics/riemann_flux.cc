@@ -2,26 +2,25 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/text.h>
 #include <contrecoup/numerics/riemann_flux.h>
+
+#include <algorithm>
 
 namespace contrecoup
 {
-std::string riemann_flux_names()
+std::vector<std::string> riemann_flux_names()
 {
-  return "hllc|hll|rusanov|hllc shock stable";
+  return {"hllc", "hll", "rusanov", "hllc shock stable"};
 }
 
 RiemannFlux parse_riemann_flux(const std::string &name)
 {
-  if (name == "hllc")
-    return RiemannFlux::hllc;
-  if (name == "hll")
-    return RiemannFlux::hll;
-  if (name == "rusanov")
-    return RiemannFlux::rusanov;
-  if (name == "hllc shock stable")
-    return RiemannFlux::hllc_shock_stable;
-  throw InputError("There is no flux named '" + name +
-                   "'; choose one of: " + riemann_flux_names() + ".");
+  const std::vector<std::string> names = riemann_flux_names();
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end())
+    throw InputError("There is no Riemann flux named '" + name + "'" +
+                     suggestion(name, names));
+  return static_cast<RiemannFlux>(found - names.begin());
 }
 } // namespace contrecoup

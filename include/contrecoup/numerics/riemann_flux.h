@@ -6,6 +6,7 @@
 #include <contrecoup/numerics/wave_speeds.h>
 
 #include <string>
+#include <vector>
 
 namespace contrecoup
 {
@@ -28,8 +29,8 @@ enum class RiemannFlux
   hllc_shock_stable
 };
 
-/// All names of fluxes, separated by "|" as ParameterHandler wants them.
-std::string riemann_flux_names();
+/// All names of fluxes.
+std::vector<std::string> riemann_flux_names();
 
 /// The flux of this name. @throws InputError when there is none.
 RiemannFlux parse_riemann_flux(const std::string &name);
