@@ -27,6 +27,9 @@ namespace contrecoup
     std::string name;
     std::string unit;
     double      value = 0.;
+    /// Whether a closed run keeps it: its first and last value and relative
+    /// change then stand under "conservation" in the summary.
+    bool conserved = false;
   };
 
   /// What a run would cost, for --check and the printed plan.

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/collective.h>
+#include <contrecoup/base/simulation.h>
+#include <contrecoup/base/time_control.h>
+
+#include <chrono>
+#include <memory>
+#include <vector>
+
+namespace contrecoup
+{
+class Progress;
+
+/// Where a run loop leaves what a run says. Every function is collective.
+class RunOutput
+{
+public:
+  virtual ~RunOutput() = default;
+  virtual void write_history(const RunState &state,
+                             const std::vector<NamedValue> &values) = 0;
+  virtual void write_probes(const RunState &state,
+                            const std::vector<NamedValue> &values) = 0;
+  /// Writes output number state.field_index.
+  virtual void write_fields(const RunState &state, Simulation &simulation) = 0;
+  virtual void write_checkpoint(const RunState &state,
+                                Simulation &simulation) = 0;
+};
+
+enum class RunStatus
+{
+  finished, ///< end time or largest number of steps
+  stopped   ///< by a signal or by "Steps in this run", with a checkpoint
+};
+
+/**
+ * The one time loop of all applications: steps, adaptation, output ticks,
+ * checkpoints, signals, progress.
+ */
+class RunLoop
+{
+public:
+  RunLoop(const TimeParameters &parameters,
+          Simulation &simulation,
+          RunOutput &output,
+          Collective &collective);
+  ~RunLoop();
+
+  /**
+   * Goes on from @p state to the end. A state of step 0 is a fresh start,
+   * whose initial state is written.
+   * @throws NumericsError after the fields were written once more, when a
+   *   step failed or a quantity of the history is not finite.
+   */
+  RunStatus run(RunState &state);
+
+private:
+  RunStatus loop(RunState &state);
+  unsigned int step(RunState &state);
+  void advance(RunState &state);
+  void write_due(RunState &state);
+  void write_all(RunState &state);
+  void history(RunState &state);
+  void probes(RunState &state);
+  void fields(RunState &state);
+  void checkpoint(RunState &state);
+  void write_last_words(RunState &state);
+
+  TimeControl control_;
+  Simulation &simulation_;
+  RunOutput &output_;
+  Collective &collective_;
+  std::uint64_t first_step_ = 0;
+
+  std::unique_ptr<Progress> progress_;
+  std::chrono::steady_clock::time_point last_checkpoint_;
+};
+} // namespace contrecoup

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/simulation.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/parameter_handler.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace contrecoup
+{
+namespace io
+{
+  /// An application as its main() describes it.
+  struct ApplicationDescription
+  {
+    std::string name;
+    std::string purpose; ///< one sentence
+
+    /// Declares every entry of the solver; "Time" and "Output" are there.
+    std::function<void(dealii::ParameterHandler &)> declare_parameters;
+
+    /// Parses the entries and makes the solver, which allocates nothing
+    /// large yet. Throws InputError for a scene that makes no sense.
+    std::function<std::unique_ptr<Simulation>(dealii::ParameterHandler &,
+                                              MPI_Comm)>
+      create;
+
+    /// Entries that may differ on --resume besides those of the run loop,
+    /// as "Section/Entry", or "Section/" for a whole subsection.
+    std::vector<std::string> free_on_resume = {};
+  };
+
+  /**
+   * Everything between main() and the solver: command line, parameters, run
+   * loop, output folder, errors. Initialises MPI unless that was done.
+   * Returns the exit code; writes one line to stderr unless it is 0.
+   */
+  int run_application(int argc,
+                      char **argv,
+                      const ApplicationDescription &description);
+} // namespace io
+} // namespace contrecoup

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <deal.II/base/data_out_base.h>
+#include <deal.II/base/mpi.h>
+
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace contrecoup
+{
+namespace io
+{
+  /// One quantity of the patches: a scalar, or a vector of dim components.
+  struct FieldName
+  {
+    std::string name;
+    std::string unit;
+    bool is_vector = false;
+  };
+
+  /**
+   * Writes fields that a solver laid out as patches: one patch per octree
+   * leaf with n_subdivisions cells per direction, hence
+   * (n_subdivisions + 1)^dim points, numbered with x fastest. Each patch
+   * holds its 2^dim vertices in deal.II's order and
+   * `data(component, point)`. A vector takes dim components in a row.
+   * Neighbouring patches share no points, so jumps stay visible.
+   *
+   * @code
+   *   io::FieldOutput<dim> output({{"density", "kg/m^3"},
+   *                                {"velocity", "m/s", true}});
+   *   for (...)
+   *     output.add_patch(std::move(patch));
+   *   return output.write_vtu(folder, "fields", index, communicator);
+   * @endcode
+   */
+  template <int dim>
+  class FieldOutput : public dealii::DataOutInterface<dim>
+  {
+  public:
+    using Patch = dealii::DataOutBase::Patch<dim>;
+
+    explicit FieldOutput(const std::vector<FieldName> &names);
+
+    /// Number of components of all quantities: rows of Patch::data.
+    unsigned int n_components() const;
+
+    /// A patch with data of the right size; set its vertices and data.
+    Patch make_patch(unsigned int n_subdivisions) const;
+
+    /// Adds a patch; its neighbours and index need not be set.
+    void add_patch(Patch &&patch);
+
+    /**
+     * Writes `stem_0012.0003.vtu`, one piece per rank that has patches, and
+     * `stem_0012.pvtu`. With a single rank `stem_0012.vtu` alone. Collective.
+     * @return the name of the file to open, without folder
+     * @throws SystemError when the disk is full; the piece is then removed
+     */
+    std::string write_vtu(const std::string &folder,
+                          const std::string &stem,
+                          unsigned int index,
+                          MPI_Comm communicator);
+
+    /**
+     * Writes `stem_0012.h5` (double precision) and `stem_0012.xdmf`, for
+     * dim 2 and 3. Collective. Returns the XDMF file's name.
+     * @param time simulated time that the XDMF file names [s]
+     * @throws InputError for dim 1
+     * @throws SystemError when the disk is full
+     */
+    std::string write_hdf5(const std::string &folder,
+                           const std::string &stem,
+                           unsigned int index,
+                           double time,
+                           MPI_Comm communicator);
+
+  protected:
+    const std::vector<Patch> &get_patches() const override;
+    std::vector<std::string> get_dataset_names() const override;
+
+    using Range = std::tuple<
+      unsigned int,
+      unsigned int,
+      std::string,
+      dealii::DataComponentInterpretation::DataComponentInterpretation>;
+    std::vector<Range> get_nonscalar_data_ranges() const override;
+
+  private:
+    std::vector<FieldName> names_;
+    std::vector<Patch> patches_;
+  };
+
+  /// Writes the .pvd collection of (time [s], file) pairs for ParaView.
+  void
+  write_collection(const std::string &file,
+                   const std::vector<std::pair<double, std::string>> &entries);
+} // namespace io
+} // namespace contrecoup

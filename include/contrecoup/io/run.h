@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/run_loop.h>
+#include <contrecoup/io/application.h>
+#include <contrecoup/io/command_line.h>
+#include <contrecoup/io/output_folder.h>
+
+#include <chrono>
+#include <string>
+
+namespace contrecoup
+{
+namespace io
+{
+  /**
+   * One run of a solver in its output folder: checks its cost, sets up or
+   * restores, loops, sums up. Every function is collective.
+   */
+  class Run
+  {
+  public:
+    Run(const CommandLine &command,
+        const ApplicationDescription &description,
+        dealii::ParameterHandler &prm,
+        Simulation &simulation,
+        Collective &collective);
+
+    /// Prints what would be run and what it would cost; writes nothing.
+    /// @throws InputError when the mesh does not fit into the memory.
+    void check();
+
+    /// Runs. @throws InputError, NumericsError, SystemError.
+    void execute();
+
+  private:
+    CostEstimate estimate();
+    void prepare();
+    void summarise(const std::string &status, const std::string &message);
+
+    const CommandLine &command_;
+    const ApplicationDescription &description_;
+    std::string parameter_text_;
+    TimeParameters time_;
+    Simulation &simulation_;
+    Collective &collective_;
+    OutputFolder folder_;
+    RunState state_;
+    double updates_before_ = 0.;
+
+    std::chrono::steady_clock::time_point begin_;
+    std::chrono::steady_clock::time_point loop_begin_;
+  };
+} // namespace io
+} // namespace contrecoup

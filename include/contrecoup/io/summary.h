@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/simulation.h>
+#include <contrecoup/base/time_control.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace contrecoup
+{
+namespace io
+{
+  /// What summary.json says of a run.
+  struct Summary
+  {
+    std::string application;
+    std::string status;  ///< finished, stopped, failed
+    std::string message; ///< why it failed
+    RunState state;
+    double wall_seconds = 0.; ///< all of this start
+    double loop_seconds = 0.; ///< of this start, without setup
+    double updates = 0.;      ///< of this start
+    unsigned int ranks = 1;
+    std::uint64_t cells = 0;
+    std::uint64_t unknowns = 0;
+    double peak_memory = 0.; ///< [byte]
+    std::vector<NamedValue> first_values;
+    std::vector<NamedValue> last_values;
+    std::vector<NamedValue> errors;
+    std::vector<NamedValue> assumptions;
+    std::map<std::string, double> timers; ///< [s]
+  };
+
+  /**
+   * The text of summary.json. For each conserved quantity Q of the history,
+   * "conservation" has Q_first, Q_last and Q_relative_change = (last -
+   * first) / |first|. A number that is not finite is written as null.
+   */
+  std::string to_text(const Summary &summary);
+} // namespace io
+} // namespace contrecoup

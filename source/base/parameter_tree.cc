@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameter_tree.h>
+#include <contrecoup/base/text.h>
+
+#include <deal.II/base/patterns.h>
+
+#include <nlohmann/json.hpp>
+
+#include <sstream>
+
+namespace contrecoup
+{
+namespace
+{
+  using Tree = nlohmann::ordered_json;
+  using dealii::ParameterHandler;
+
+  /// The declared entries as deal.II prints them, in order of declaration.
+  Tree tree_of(const ParameterHandler &prm)
+  {
+    std::ostringstream text;
+    prm.print_parameters(
+      text, ParameterHandler::JSON | ParameterHandler::KeepDeclarationOrder);
+    return trim(text.str()).empty() ? Tree::object() : Tree::parse(text.str());
+  }
+
+  bool is_entry(const Tree &node)
+  {
+    return node.is_object() && node.contains("pattern_description") &&
+           node["pattern_description"].is_string();
+  }
+
+  bool is_pattern(const std::string &section)
+  {
+    return section.size() > 2 &&
+           section.compare(section.size() - 2, 2, " *") == 0;
+  }
+
+  std::vector<std::string> names(const Tree &node, const bool entries)
+  {
+    std::vector<std::string> result;
+    if (node.is_object())
+      for (const auto &item : node.items())
+        if (is_entry(item.value()) == entries)
+          result.push_back(item.key());
+    return result;
+  }
+
+  /// The pattern subsection that allows @p section, or an empty string.
+  std::string pattern_of(const Tree &node, const std::string &section)
+  {
+    for (const std::string &name : names(node, false))
+      if (is_pattern(name) && section.size() >= name.size() &&
+          section.compare(0, name.size() - 1, name, 0, name.size() - 1) == 0)
+        return name;
+    return "";
+  }
+
+  /// Declares the entries of @p node in the current subsection of @p prm.
+  void declare_copy(const Tree &node, ParameterHandler &prm)
+  {
+    if (!node.is_object())
+      return;
+    for (const auto &item : node.items())
+      if (is_entry(item.value()))
+      {
+        const auto text = [&](const char *field) {
+          return item.value()[field].get<std::string>();
+        };
+        prm.declare_entry(
+          item.key(),
+          text("default_value"),
+          *dealii::Patterns::pattern_factory(text("pattern_description")),
+          text("documentation"));
+      }
+      else
+      {
+        prm.enter_subsection(item.key());
+        declare_copy(item.value(), prm);
+        prm.leave_subsection();
+      }
+  }
+
+  std::string where(const std::vector<std::string> &sections,
+                    const std::size_t depth)
+  {
+    if (depth == 0)
+      return "at the top level";
+    return "in \"" + join({sections.begin(), sections.begin() + depth}, "/") +
+           "\"";
+  }
+
+  /// Makes the named items that @p assignment mentions and checks that its
+  /// entry exists. Returns the entry's node.
+  const Tree &
+  find_entry(const Assignment &assignment, ParameterHandler &prm, Tree &tree)
+  {
+    Tree *node = &tree;
+    const auto &sections = assignment.sections;
+    for (std::size_t depth = 0; depth < sections.size(); ++depth)
+    {
+      const std::string &section = sections[depth];
+      const std::vector<std::string> known = names(*node, false);
+      const bool declared =
+        std::find(known.begin(), known.end(), section) != known.end();
+      const std::string pattern = pattern_of(*node, section);
+      if (is_pattern(section) || (!declared && pattern.empty()))
+        throw InputError(assignment.origin + ": unknown subsection \"" +
+                         section + "\" " + where(sections, depth) +
+                         suggestion(section, known));
+      if (!declared)
+      {
+        const Tree copy = (*node)[pattern];
+        for (std::size_t i = 0; i <= depth; ++i)
+          prm.enter_subsection(sections[i]);
+        declare_copy(copy, prm);
+        for (std::size_t i = 0; i <= depth; ++i)
+          prm.leave_subsection();
+        (*node)[section] = copy;
+      }
+      node = &(*node)[section];
+    }
+    const std::vector<std::string> known = names(*node, true);
+    if (std::find(known.begin(), known.end(), assignment.entry) == known.end())
+      throw InputError(
+        assignment.origin + ": unknown entry \"" + assignment.entry + "\" " +
+        where(sections, sections.size()) + suggestion(assignment.entry, known));
+    return (*node)[assignment.entry];
+  }
+
+  /// What stands between two marks of a pattern description.
+  std::string between(const std::string &text,
+                      const std::string &first,
+                      const std::string &last)
+  {
+    const std::size_t begin = text.find(first) + first.size();
+    return text.substr(begin, text.rfind(last) - begin);
+  }
+
+  std::string plain_range(const std::string &kind, const std::string &range)
+  {
+    const std::size_t dots = range.find("...");
+    std::string lower = range.substr(0, dots);
+    std::string upper = range.substr(dots + 3);
+    if (lower == "-MAX_DOUBLE" || lower == "-2147483648")
+      lower.clear();
+    if (upper == "MAX_DOUBLE" || upper == "2147483647")
+      upper.clear();
+    if (lower.empty() && upper.empty())
+      return kind;
+    if (upper.empty())
+      return kind + " of at least " + lower;
+    if (lower.empty())
+      return kind + " of at most " + upper;
+    return kind + " from " + lower + " to " + upper;
+  }
+
+  void write_entry(const Tree &entry,
+                   const std::string &name,
+                   const std::string &indent,
+                   const bool annotated,
+                   std::ostream &out)
+  {
+    const auto text = [&](const char *field) {
+      return entry[field].get<std::string>();
+    };
+    if (annotated)
+    {
+      const std::string allowed = plain_words(text("pattern_description"));
+      std::string comment = text("documentation");
+      if (!allowed.empty())
+        comment += " Allowed: " + allowed + ".";
+      if (text("value") != text("default_value"))
+        comment += " Default: " + text("default_value");
+      for (const std::string &line : wrap(comment, 76 - indent.size()))
+        out << indent << "# " << line << '\n';
+    }
+    out << indent << "set " << name << " = " << text("value") << '\n';
+  }
+
+  void write_section(const Tree &node,
+                     const std::string &indent,
+                     const bool annotated,
+                     std::ostream &out)
+  {
+    if (!node.is_object())
+      return;
+    bool first = true;
+    for (const std::string &name : names(node, true))
+    {
+      if (annotated && !first)
+        out << '\n';
+      first = false;
+      write_entry(node[name], name, indent, annotated, out);
+    }
+    for (const std::string &name : names(node, false))
+    {
+      if (is_pattern(name) && !annotated)
+        continue;
+      if (!first)
+        out << '\n';
+      first = false;
+      if (is_pattern(name))
+        out << indent << "# any number of times, a name for the *\n";
+      out << indent << "subsection " << name << '\n';
+      write_section(node[name], indent + "  ", annotated, out);
+      out << indent << "end\n";
+    }
+  }
+
+  void collect(const Tree &node,
+               const std::string &path,
+               std::map<std::string, std::string> &values)
+  {
+    if (!node.is_object())
+      return;
+    for (const auto &item : node.items())
+      if (is_entry(item.value()))
+        values[path + item.key()] = item.value()["value"].get<std::string>();
+      else if (!is_pattern(item.key()))
+        collect(item.value(), path + item.key() + "/", values);
+  }
+} // namespace
+
+void apply_assignments(const std::vector<Assignment> &assignments,
+                       ParameterHandler &prm)
+{
+  Tree tree = tree_of(prm);
+  for (const Assignment &assignment : assignments)
+  {
+    const Tree &entry = find_entry(assignment, prm, tree);
+    const auto description = entry["pattern_description"].get<std::string>();
+    std::vector<std::string> path = assignment.sections;
+    path.push_back(assignment.entry);
+    if (!dealii::Patterns::pattern_factory(description)
+           ->match(assignment.value))
+    {
+      std::vector<std::string> choices;
+      if (description.find("[Selection ") == 0)
+        choices = split(between(description, "[Selection ", "]"), '|');
+      const std::string meant = nearest(assignment.value, choices);
+      throw InputError(assignment.origin + ": entry \"" + join(path, "/") +
+                       "\" cannot be \"" + assignment.value + "\"" +
+                       (meant.empty()
+                          ? "; allowed: "
+                          : "; did you mean \"" + meant + "\"? Allowed: ") +
+                       plain_words(description));
+    }
+    for (const std::string &section : assignment.sections)
+      prm.enter_subsection(section);
+    prm.set(assignment.entry, assignment.value);
+    for (std::size_t i = 0; i < assignment.sections.size(); ++i)
+      prm.leave_subsection();
+  }
+}
+
+std::vector<std::string> item_names(const ParameterHandler &prm,
+                                    const std::string &kind)
+{
+  const Tree tree = tree_of(prm);
+  const Tree *node = &tree;
+  std::vector<std::string> path = split(kind, '/');
+  const std::string stem = path.back() + " ";
+  path.pop_back();
+  for (const std::string &section : path)
+    node = &node->at(section);
+  std::vector<std::string> items;
+  for (const std::string &name : names(*node, false))
+    if (!is_pattern(name) && name.compare(0, stem.size(), stem) == 0)
+      items.push_back(name.substr(stem.size()));
+  return items;
+}
+
+std::map<std::string, std::string> parameter_values(const ParameterHandler &prm)
+{
+  std::map<std::string, std::string> values;
+  collect(tree_of(prm), "", values);
+  return values;
+}
+
+std::string parameter_text(const ParameterHandler &prm, const bool annotated)
+{
+  std::ostringstream text;
+  write_section(tree_of(prm), "", annotated, text);
+  return text.str();
+}
+
+std::string plain_words(const std::string &pattern)
+{
+  if (pattern.find("[Double ") == 0)
+    return plain_range("a number", between(pattern, "[Double ", " (incl"));
+  if (pattern.find("[Integer range ") == 0)
+    return plain_range("a whole number",
+                       between(pattern, "[Integer range ", " (incl"));
+  if (pattern == "[Integer]")
+    return "a whole number";
+  if (pattern == "[Bool]")
+    return "true, false";
+  if (pattern.find("[Selection ") == 0)
+    return join(split(between(pattern, "[Selection ", "]"), '|'), ", ");
+  if (pattern.find("[List of <[List of <") == 0)
+    return "points of one to three numbers, as in \"0,0,1; 0,0,2\"";
+  if (pattern.find("[List of <") == 0)
+  {
+    const std::string count = between(pattern, "> of length ", " (inclusive)");
+    const std::size_t dots = count.find("...");
+    const std::string most = count.substr(dots + 3);
+    return count.substr(0, dots) +
+           (most == "4294967295" ? " or more" : " to " + most) +
+           " values separated by commas, each " +
+           plain_words(between(pattern, "[List of <", "> of length"));
+  }
+  return "";
+}
+} // namespace contrecoup

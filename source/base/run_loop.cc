@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/log.h>
+#include <contrecoup/base/progress.h>
+#include <contrecoup/base/run_loop.h>
+#include <contrecoup/base/signals.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/base/timers.h>
+
+#include <cmath>
+
+namespace contrecoup
+{
+namespace
+{
+  // Bits that the ranks agree on after each step.
+  constexpr unsigned int stop_bit = 1;
+  constexpr unsigned int checkpoint_bit = 2;
+} // namespace
+
+RunLoop::RunLoop(const TimeParameters &parameters,
+                 Simulation &simulation,
+                 RunOutput &output,
+                 Collective &collective)
+  : control_(parameters)
+  , simulation_(simulation)
+  , output_(output)
+  , collective_(collective)
+{}
+
+RunLoop::~RunLoop() = default;
+
+RunStatus RunLoop::run(RunState &state)
+{
+  try
+  {
+    return loop(state);
+  }
+  catch (const NumericsError &)
+  {
+    write_last_words(state);
+    throw;
+  }
+}
+
+RunStatus RunLoop::loop(RunState &state)
+{
+  state.time = simulation_.time();
+  first_step_ = state.step;
+  last_checkpoint_ = std::chrono::steady_clock::now();
+  const auto &parameters = control_.parameters();
+  progress_ = std::make_unique<Progress>(state.time, parameters.end_time);
+  if (state.step == 0)
+  {
+    control_.start(state);
+    collective_.run([&]() { write_all(state); });
+  }
+
+  while (!control_.finished(state))
+  {
+    const unsigned int flags = collective_.run_with_flags(
+      [&]() { return step(state); }, ExitCode::numerics_failed);
+    const bool enough =
+      parameters.steps_in_this_run > 0 &&
+      state.step - first_step_ >= parameters.steps_in_this_run;
+    const bool ended = control_.finished(state);
+    if (!ended && (enough || (flags & stop_bit) != 0))
+    {
+      checkpoint(state);
+      return RunStatus::stopped;
+    }
+    if (!ended && (flags & checkpoint_bit) != 0)
+      checkpoint(state);
+  }
+
+  // A run that is resumed with a later end time must not find the rows and
+  // fields of this end in its past, hence the checkpoint first.
+  if (parameters.checkpoint_at_the_end)
+    checkpoint(state);
+  collective_.run([&]() { write_all(state); });
+  return RunStatus::finished;
+}
+
+unsigned int RunLoop::step(RunState &state)
+{
+  advance(state);
+  write_due(state);
+  Log::instance().check();
+
+  const auto &parameters = control_.parameters();
+  using Minutes = std::chrono::duration<double, std::ratio<60>>;
+  const Minutes since = std::chrono::steady_clock::now() - last_checkpoint_;
+  unsigned int flags = 0;
+  if (SignalGuard::stop_requested())
+    flags |= stop_bit;
+  if ((parameters.checkpoint_every_steps > 0 &&
+       state.step % parameters.checkpoint_every_steps == 0) ||
+      (parameters.checkpoint_every_minutes > 0. &&
+       since.count() > parameters.checkpoint_every_minutes))
+    flags |= checkpoint_bit;
+  return flags;
+}
+
+void RunLoop::advance(RunState &state)
+{
+  const double bound = control_.bound(state);
+  StepReport report;
+  {
+    const TimerScope timer("advance");
+    report = simulation_.advance(bound);
+  }
+  const double time = simulation_.time();
+  if (!std::isfinite(time) || !(time > state.time))
+    throw NumericsError("step " + std::to_string(state.step + 1) + " at time " +
+                        exact(state.time) + " s: the step size " +
+                        brief(report.step_size) + " s does not move the time");
+  control_.after_step(state, time, report.step_size, bound);
+  state.retries += report.retries;
+  state.updates += report.updates;
+  {
+    const TimerScope timer("adaptation");
+    simulation_.adapt();
+  }
+  progress_->step(state.step, state.time, state.step_size, report.updates);
+}
+
+void RunLoop::write_due(RunState &state)
+{
+  if (control_.history_due(state))
+    history(state);
+  if (control_.probes_due(state))
+    probes(state);
+  if (control_.fields_due(state))
+    fields(state);
+  control_.consume_ticks(state);
+}
+
+void RunLoop::write_all(RunState &state)
+{
+  history(state);
+  probes(state);
+  if (control_.parameters().fields)
+    fields(state);
+}
+
+void RunLoop::history(RunState &state)
+{
+  if (state.history_step == static_cast<std::int64_t>(state.step))
+    return;
+  const TimerScope timer("history");
+  const std::vector<NamedValue> values = simulation_.history();
+  output_.write_history(state, values);
+  state.history_step = static_cast<std::int64_t>(state.step);
+  for (const NamedValue &value : values)
+    if (!std::isfinite(value.value))
+      throw NumericsError("step " + std::to_string(state.step) + " at time " +
+                          exact(state.time) + " s: \"" + value.name +
+                          "\" is not a finite number");
+}
+
+void RunLoop::probes(RunState &state)
+{
+  if (state.probe_step == static_cast<std::int64_t>(state.step))
+    return;
+  const TimerScope timer("probes");
+  const std::vector<NamedValue> values = simulation_.probes();
+  if (!values.empty())
+    output_.write_probes(state, values);
+  state.probe_step = static_cast<std::int64_t>(state.step);
+}
+
+void RunLoop::fields(RunState &state)
+{
+  if (state.field_step == static_cast<std::int64_t>(state.step))
+    return;
+  const TimerScope timer("field output");
+  output_.write_fields(state, simulation_);
+  state.field_step = static_cast<std::int64_t>(state.step);
+  ++state.field_index;
+}
+
+void RunLoop::checkpoint(RunState &state)
+{
+  const TimerScope timer("checkpoint");
+  collective_.run([&]() { output_.write_checkpoint(state, simulation_); });
+  last_checkpoint_ = std::chrono::steady_clock::now();
+}
+
+void RunLoop::write_last_words(RunState &state)
+{
+  if (!control_.parameters().fields)
+    return;
+  try
+  {
+    state.time = simulation_.time();
+    state.field_step = -1;
+    collective_.run([&]() { fields(state); });
+  }
+  catch (const std::exception &error)
+  {
+    log_line("The fields of the failed state could not be written: " +
+             std::string(error.what()));
+  }
+}
+} // namespace contrecoup

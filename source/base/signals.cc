@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/signals.h>
+
+#include <csignal>
+
+namespace contrecoup
+{
+namespace
+{
+  volatile std::sig_atomic_t stop_flag = 0;
+
+  void request_stop(const int signal)
+  {
+    stop_flag = 1;
+    std::signal(signal, SIG_DFL);
+  }
+} // namespace
+
+SignalGuard::SignalGuard()
+{
+  stop_flag = 0;
+  old_terminate_ = std::signal(SIGTERM, request_stop);
+  old_interrupt_ = std::signal(SIGINT, request_stop);
+  old_file_size_ = std::signal(SIGXFSZ, SIG_IGN);
+}
+
+SignalGuard::~SignalGuard()
+{
+  std::signal(SIGTERM, old_terminate_);
+  std::signal(SIGINT, old_interrupt_);
+  std::signal(SIGXFSZ, old_file_size_);
+}
+
+bool SignalGuard::stop_requested()
+{
+  return stop_flag != 0;
+}
+} // namespace contrecoup

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/collective.h>
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/log.h>
+#include <contrecoup/base/parameter_tree.h>
+#include <contrecoup/base/signals.h>
+#include <contrecoup/base/timers.h>
+#include <contrecoup/base/version.h>
+#include <contrecoup/io/application.h>
+#include <contrecoup/io/command_line.h>
+#include <contrecoup/io/run.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <iostream>
+
+namespace contrecoup
+{
+namespace io
+{
+  namespace
+  {
+    using dealii::ParameterHandler;
+
+    void read_parameters(const CommandLine &command,
+                         const ApplicationDescription &description,
+                         ParameterHandler &prm)
+    {
+      TimeParameters::declare_parameters(prm);
+      description.declare_parameters(prm);
+      std::vector<Assignment> assignments;
+      if (!command.parameter_file.empty())
+        assignments = read_assignments(command.parameter_file);
+      for (const std::string &text : command.overrides)
+        assignments.push_back(parse_override(text));
+      apply_assignments(assignments, prm);
+    }
+
+    /// Prints what is asked for without a run. Returns whether that was so.
+    bool only_told(const CommandLine &command,
+                   const ApplicationDescription &description,
+                   const bool first_rank)
+    {
+      std::string text;
+      if (command.help)
+        text = help_text(description.name, description.purpose);
+      else if (command.version)
+        text = description.name + " " + version() + " (" + git_revision() + ")";
+      else if (command.print_parameters)
+      {
+        ParameterHandler prm;
+        read_parameters(command, description, prm);
+        text = "# " + description.name + ": " + description.purpose + "\n\n" +
+               parameter_text(prm, true);
+      }
+      else
+        return false;
+      if (first_rank)
+        std::cout << text << std::endl;
+      return true;
+    }
+
+    void execute(const int argc,
+                 char **argv,
+                 const ApplicationDescription &description,
+                 Collective &collective)
+    {
+      const MPI_Comm all = collective.communicator();
+      const bool first_rank =
+        dealii::Utilities::MPI::this_mpi_process(all) == 0;
+      Log::instance().close();
+      Log::instance().set_active(first_rank);
+      Timers::instance().reset();
+
+      CommandLine command;
+      ParameterHandler prm;
+      std::unique_ptr<Simulation> simulation;
+      bool told = false;
+      collective.run(
+        [&]() {
+          command = parse_command_line(argc, argv);
+          told = only_told(command, description, first_rank);
+          if (!told)
+            read_parameters(command, description, prm);
+        },
+        ExitCode::bad_input);
+      if (told)
+        return;
+      collective.run([&]() { simulation = description.create(prm, all); },
+                     ExitCode::bad_input);
+      Run run(command, description, prm, *simulation, collective);
+      if (command.check)
+        run.check();
+      else
+        run.execute();
+    }
+  } // namespace
+
+  int run_application(int argc,
+                      char **argv,
+                      const ApplicationDescription &description)
+  {
+    dealii::deal_II_exceptions::disable_abort_on_exception();
+    dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
+
+    int initialised = 0;
+    MPI_Initialized(&initialised);
+    std::unique_ptr<dealii::Utilities::MPI::MPI_InitFinalize> mpi;
+    if (initialised == 0)
+      mpi = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(
+        argc, argv, 1);
+    const SignalGuard signals;
+    Failure failure;
+    {
+      // What the inner one could not agree on, the outer one brings to an
+      // end.
+      Collective outer(MPI_COMM_WORLD);
+      Collective inner(MPI_COMM_WORLD);
+      try
+      {
+        outer.run([&]() { execute(argc, argv, description, inner); });
+      }
+      catch (...)
+      {
+        failure = to_failure(std::current_exception(), ExitCode::system_failed);
+      }
+    }
+    Log::instance().close();
+    if (failure.code != ExitCode::done &&
+        dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      std::cerr << "error: " << failure.message << std::endl;
+    return static_cast<int>(failure.code);
+  }
+} // namespace io
+} // namespace contrecoup

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/io/checked_file.h>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace contrecoup
+{
+namespace io
+{
+  namespace
+  {
+    SystemError failed(const std::string &file, const int reason)
+    {
+      return SystemError(
+        "cannot write \"" + file +
+        "\": " + (reason != 0 ? std::strerror(reason) : "is the disk full?"));
+    }
+  } // namespace
+
+  void write_file(const std::string &file,
+                  const std::function<void(std::ostream &)> &write)
+  {
+    const std::string partial = file + ".partial";
+    errno = 0;
+    try
+    {
+      std::ofstream output(partial, std::ios::binary);
+      if (!output)
+        throw failed(file, errno);
+      write(output);
+      const bool written = static_cast<bool>(output.flush());
+      const int reason = errno;
+      output.close();
+      if (!written || !output)
+        throw failed(file, reason);
+    }
+    catch (...)
+    {
+      const int reason = errno;
+      remove_quietly(partial);
+      // Writers that test their stream themselves know less than errno.
+      if (reason == ENOSPC || reason == EFBIG || reason == EDQUOT)
+        throw failed(file, reason);
+      throw;
+    }
+    std::error_code error;
+    std::filesystem::rename(partial, file, error);
+    if (error)
+    {
+      remove_quietly(partial);
+      throw failed(file, error.value());
+    }
+  }
+
+  std::string read_file(const std::string &file)
+  {
+    std::ifstream input(file, std::ios::binary);
+    std::ostringstream content;
+    if (!input || !(content << input.rdbuf()))
+      throw SystemError("cannot read \"" + file + "\"");
+    return content.str();
+  }
+
+  void sync(const std::string &path)
+  {
+    const int descriptor = open(path.c_str(), O_RDONLY);
+    const int result = descriptor < 0 ? -1 : fsync(descriptor);
+    const int reason = errno;
+    if (descriptor >= 0)
+      close(descriptor);
+    if (result != 0)
+      throw failed(path, reason);
+  }
+
+  void remove_quietly(const std::string &path) noexcept
+  {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
+  }
+} // namespace io
+} // namespace contrecoup

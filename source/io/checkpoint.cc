@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/log.h>
+#include <contrecoup/io/checked_file.h>
+#include <contrecoup/io/checkpoint.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <nlohmann/json.hpp>
+#include <zlib.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <vector>
+
+namespace contrecoup
+{
+namespace io
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+    using Json = nlohmann::ordered_json;
+
+    const char *const marker = "complete.json";
+    const char *const run_file = "run.json";
+
+    /// Checkpoint folders by number.
+    std::map<unsigned long, fs::path> numbered(const std::string &folder)
+    {
+      std::map<unsigned long, fs::path> found;
+      std::error_code error;
+      for (const auto &item : fs::directory_iterator(folder, error))
+      {
+        const std::string name = item.path().filename().string();
+        if (item.is_directory() && name.size() >= 4 &&
+            name.find_first_not_of("0123456789") == std::string::npos)
+          found[std::stoul(name)] = item.path();
+      }
+      return found;
+    }
+
+    bool is_complete(const fs::path &checkpoint)
+    {
+      return fs::exists(checkpoint / marker);
+    }
+
+    unsigned long checksum(const fs::path &file)
+    {
+      std::ifstream input(file, std::ios::binary);
+      std::vector<char> block(1 << 20);
+      unsigned long sum = crc32(0, Z_NULL, 0);
+      while (input)
+      {
+        input.read(block.data(), static_cast<long>(block.size()));
+        sum = crc32(sum,
+                    reinterpret_cast<const Bytef *>(block.data()),
+                    static_cast<unsigned int>(input.gcount()));
+      }
+      return sum;
+    }
+
+    void write_marker(const fs::path &checkpoint)
+    {
+      Json files = Json::object();
+      for (const auto &item : fs::directory_iterator(checkpoint))
+      {
+        sync(item.path().string());
+        files[item.path().filename().string()] = {
+          {"bytes", fs::file_size(item.path())},
+          {"crc32", checksum(item.path())}};
+      }
+      write_file((checkpoint / marker).string(), [&](std::ostream &out) {
+        out << Json{{"files", files}}.dump(1) << '\n';
+      });
+      sync((checkpoint / marker).string());
+      sync(checkpoint.string());
+    }
+
+    /// What is wrong with a checkpoint in one clause; empty if nothing is.
+    std::string damage(const fs::path &checkpoint)
+    {
+      if (!is_complete(checkpoint))
+        return "it is incomplete: the run ended while writing it";
+      const Json list =
+        Json::parse(read_file((checkpoint / marker).string()), nullptr, false);
+      if (list.is_discarded() || !list.contains("files"))
+        return "the file \"" + std::string(marker) + "\" is damaged";
+      for (const auto &item : list["files"].items())
+      {
+        const fs::path file = checkpoint / item.key();
+        const Json &want = item.value();
+        std::error_code error;
+        const auto size = fs::file_size(file, error);
+        if (error)
+          return "the file \"" + item.key() + "\" is missing";
+        const auto bytes = want.value("bytes", std::uint64_t(0));
+        if (size != bytes)
+          return "the file \"" + item.key() + "\" has " + std::to_string(size) +
+                 " bytes instead of " + std::to_string(bytes);
+        if (checksum(file) != want.value("crc32", 0ul))
+          return "the content of the file \"" + item.key() + "\" is damaged";
+      }
+      return "";
+    }
+
+    void remove_old(const std::string &folder)
+    {
+      constexpr unsigned int kept = 2;
+      unsigned int complete = 0;
+      const auto all = numbered(folder);
+      for (auto item = all.rbegin(); item != all.rend(); ++item)
+      {
+        if (is_complete(item->second) && complete < kept)
+          ++complete;
+        else
+          remove_quietly(item->second.string());
+      }
+    }
+  } // namespace
+
+  Checkpoints::Checkpoints(const std::string &folder, Collective &collective)
+    : folder_(folder)
+    , collective_(collective)
+  {}
+
+  void Checkpoints::write(const std::string &run,
+                          const std::function<void(const std::string &)> &save)
+  {
+    namespace MPI = dealii::Utilities::MPI;
+    const MPI_Comm all = collective_.communicator();
+    const bool first_rank = MPI::this_mpi_process(all) == 0;
+    std::string checkpoint;
+    try
+    {
+      collective_.run([&]() {
+        if (!first_rank)
+          return;
+        const auto existing = numbered(folder_);
+        unsigned long next =
+          existing.empty() ? 1 : existing.rbegin()->first + 1;
+        char name[24];
+        std::snprintf(name, sizeof(name), "%04lu", next);
+        checkpoint = folder_ + "/" + name;
+        std::error_code error;
+        fs::create_directories(checkpoint, error);
+        if (error)
+          throw SystemError("cannot make the folder \"" + checkpoint +
+                            "\": " + error.message());
+      });
+      checkpoint = MPI::broadcast(all, checkpoint, 0);
+      collective_.run([&]() { save(checkpoint); });
+      collective_.run([&]() {
+        if (!first_rank)
+          return;
+        write_file(checkpoint + "/" + run_file,
+                   [&](std::ostream &out) { out << run; });
+        write_marker(checkpoint);
+        remove_old(folder_);
+      });
+    }
+    catch (...)
+    {
+      if (first_rank && !checkpoint.empty())
+        remove_quietly(checkpoint);
+      throw;
+    }
+  }
+
+  std::optional<Checkpoints::Found> Checkpoints::newest() const
+  {
+    namespace MPI = dealii::Utilities::MPI;
+    const MPI_Comm all = collective_.communicator();
+    Found found;
+    collective_.run(
+      [&]() {
+        if (MPI::this_mpi_process(all) != 0)
+          return;
+        std::string first_damage;
+        const auto existing = numbered(folder_);
+        for (auto item = existing.rbegin(); item != existing.rend(); ++item)
+        {
+          const std::string path = item->second.string();
+          const std::string problem = damage(item->second);
+          if (problem.empty())
+          {
+            found = {path, read_file(path + "/" + run_file)};
+            if (!first_damage.empty())
+              log_line(first_damage + "; using \"" + path + "\"");
+            return;
+          }
+          if (first_damage.empty())
+            first_damage = "checkpoint \"" + path + "\": " + problem;
+        }
+        if (!first_damage.empty())
+          throw InputError(first_damage + "; there is no other to resume "
+                                          "from");
+      },
+      ExitCode::bad_input);
+    found.folder = MPI::broadcast(all, found.folder, 0);
+    found.run = MPI::broadcast(all, found.run, 0);
+    if (found.folder.empty())
+      return std::nullopt;
+    return found;
+  }
+
+  void Checkpoints::clear()
+  {
+    collective_.run([&]() {
+      if (dealii::Utilities::MPI::this_mpi_process(
+            collective_.communicator()) == 0)
+        for (const auto &item : numbered(folder_))
+          remove_quietly(item.second.string());
+    });
+  }
+} // namespace io
+} // namespace contrecoup

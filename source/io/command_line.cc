@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/io/command_line.h>
+
+#include <filesystem>
+
+namespace contrecoup
+{
+namespace io
+{
+  namespace
+  {
+    const std::vector<std::string> options = {"--set",
+                                              "--output",
+                                              "--resume",
+                                              "--check",
+                                              "--print-parameters",
+                                              "--help",
+                                              "--version"};
+
+    bool takes_value(const std::string &option)
+    {
+      return option == "--set" || option == "--output";
+    }
+
+    void apply(const std::string &option,
+               const std::string &value,
+               CommandLine &command)
+    {
+      if (option == "--set")
+        command.overrides.push_back(value);
+      else if (option == "--output")
+        command.output_folder = value;
+      else if (option == "--resume")
+        command.resume = true;
+      else if (option == "--check")
+        command.check = true;
+      else if (option == "--print-parameters")
+        command.print_parameters = true;
+      else if (option == "--help" || option == "-h")
+        command.help = true;
+      else if (option == "--version")
+        command.version = true;
+      else
+        throw InputError("unknown option \"" + option + "\"" +
+                         suggestion(option, options));
+    }
+
+    void accept_file(const std::string &file, CommandLine &command)
+    {
+      if (!command.parameter_file.empty())
+        throw InputError("two parameter files are given, \"" +
+                         command.parameter_file + "\" and \"" + file +
+                         "\"; one is allowed");
+      command.parameter_file = file;
+    }
+  } // namespace
+
+  CommandLine parse_command_line(const int argc, const char *const *argv)
+  {
+    CommandLine command;
+    for (int i = 1; i < argc; ++i)
+    {
+      std::string word = argv[i];
+      if (word.empty() || word[0] != '-')
+      {
+        accept_file(word, command);
+        continue;
+      }
+      std::string value;
+      const std::size_t equals = word.find('=');
+      if (equals != std::string::npos && takes_value(word.substr(0, equals)))
+      {
+        value = word.substr(equals + 1);
+        word = word.substr(0, equals);
+      }
+      else if (takes_value(word) && i + 1 < argc)
+        value = argv[++i];
+      if (takes_value(word) && value.empty())
+        throw InputError(
+          "the option " + word + " needs a value" +
+          (word == "--set" ? ", \"Section/Entry=value\"" : ", a folder"));
+      apply(word, value, command);
+    }
+    const bool only_tells =
+      command.help || command.version || command.print_parameters;
+    if (command.parameter_file.empty() && !only_tells)
+      throw InputError("no parameter file is given; --help shows how");
+    if (command.output_folder.empty())
+      command.output_folder =
+        "output/" +
+        std::filesystem::path(command.parameter_file).stem().string();
+    return command;
+  }
+
+  std::string help_text(const std::string &application,
+                        const std::string &purpose)
+  {
+    return application + ": " + purpose + "\n\n  " + application +
+           " FILE.prm [options]\n\n"
+           "  --set \"Section/Subsection/Entry=value\"\n"
+           "                      overrides one entry of the file; any "
+           "number of times\n"
+           "  --output DIR        the output folder "
+           "(default: output/<name of FILE>)\n"
+           "  --resume            goes on from the last complete checkpoint "
+           "there\n"
+           "  --check             says what would be run and what it would "
+           "cost\n"
+           "  --print-parameters  prints all entries with meaning, allowed "
+           "values, default\n"
+           "  --help              prints this\n"
+           "  --version           prints version and git revision\n\n"
+           "Exit codes: 0 done, 1 bad input, 2 the numerics failed, 3 the "
+           "system failed.\nRuns on several cores with mpirun -np N " +
+           application + " FILE.prm ...";
+  }
+} // namespace io
+} // namespace contrecoup

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/io/checked_file.h>
+#include <contrecoup/io/field_output.h>
+
+#include <deal.II/base/utilities.h>
+
+namespace contrecoup
+{
+namespace io
+{
+  namespace
+  {
+#if DEAL_II_VERSION_GTE(9, 5, 0)
+    constexpr auto best_speed =
+      dealii::DataOutBase::CompressionLevel::best_speed;
+#else
+    constexpr auto best_speed = dealii::DataOutBase::VtkFlags::best_speed;
+#endif
+
+    std::string numbered(const std::string &stem, const unsigned int index)
+    {
+      return stem + "_" + dealii::Utilities::int_to_string(index, 4);
+    }
+  } // namespace
+
+  template <int dim>
+  FieldOutput<dim>::FieldOutput(const std::vector<FieldName> &names)
+    : names_(names)
+  {
+    dealii::DataOutBase::VtkFlags flags;
+    flags.compression_level = best_speed;
+    for (const FieldName &name : names)
+      if (!name.unit.empty())
+        flags.physical_units[name.name] = name.unit;
+    this->set_flags(flags);
+  }
+
+  template <int dim>
+  unsigned int FieldOutput<dim>::n_components() const
+  {
+    unsigned int n = 0;
+    for (const FieldName &name : names_)
+      n += name.is_vector ? dim : 1;
+    return n;
+  }
+
+  template <int dim>
+  typename FieldOutput<dim>::Patch
+  FieldOutput<dim>::make_patch(const unsigned int n_subdivisions) const
+  {
+    Patch patch;
+    patch.n_subdivisions = n_subdivisions;
+    patch.data.reinit(n_components(),
+                      dealii::Utilities::fixed_power<dim>(n_subdivisions + 1));
+    return patch;
+  }
+
+  template <int dim>
+  void FieldOutput<dim>::add_patch(Patch &&patch)
+  {
+    patch.patch_index = static_cast<unsigned int>(patches_.size());
+    patches_.push_back(std::move(patch));
+  }
+
+  template <int dim>
+  std::string FieldOutput<dim>::write_vtu(const std::string &folder,
+                                          const std::string &stem,
+                                          const unsigned int index,
+                                          const MPI_Comm communicator)
+  {
+    namespace MPI = dealii::Utilities::MPI;
+    const unsigned int n = MPI::n_mpi_processes(communicator);
+    const unsigned int rank = MPI::this_mpi_process(communicator);
+    const std::string name = numbered(stem, index);
+    const auto piece = [&](const unsigned int of_rank) {
+      const std::string number =
+        n > 1 ? "." + dealii::Utilities::int_to_string(of_rank, 4) : "";
+      return name + number + ".vtu";
+    };
+    // A rank without patches has no piece.
+    if (!patches_.empty() || n == 1)
+      write_file(folder + "/" + piece(rank), [&](std::ostream &out) {
+        dealii::DataOutInterface<dim>::write_vtu(out);
+      });
+    if (n == 1)
+      return piece(0);
+
+    const auto n_patches = MPI::gather(communicator, patches_.size(), 0);
+    if (rank == 0)
+    {
+      std::vector<std::string> pieces;
+      for (unsigned int r = 0; r < n; ++r)
+        if (n_patches[r] > 0)
+          pieces.push_back(piece(r));
+      write_file(folder + "/" + name + ".pvtu", [&](std::ostream &out) {
+        this->write_pvtu_record(out, pieces);
+      });
+    }
+    return name + ".pvtu";
+  }
+
+  template <int dim>
+  std::string FieldOutput<dim>::write_hdf5(const std::string &folder,
+                                           const std::string &stem,
+                                           const unsigned int index,
+                                           const double time,
+                                           const MPI_Comm communicator)
+  {
+    if constexpr (dim == 1)
+      throw InputError("HDF5/XDMF fields need two or three dimensions");
+    else
+    {
+      const std::string name = numbered(stem, index);
+      try
+      {
+        dealii::DataOutBase::DataOutFilter filter(
+          dealii::DataOutBase::DataOutFilterFlags(false, true));
+        this->write_filtered_data(filter);
+        this->write_hdf5_parallel(
+          filter, folder + "/" + name + ".h5", communicator);
+        const auto entry =
+          this->create_xdmf_entry(filter, name + ".h5", time, communicator);
+        this->write_xdmf_file(
+          {entry}, folder + "/" + name + ".xdmf", communicator);
+      }
+      catch (const dealii::ExceptionBase &)
+      {
+        remove_quietly(folder + "/" + name + ".h5");
+        remove_quietly(folder + "/" + name + ".xdmf");
+        throw SystemError("cannot write \"" + folder + "/" + name +
+                          ".h5\": is the disk full?");
+      }
+      return name + ".xdmf";
+    }
+  }
+
+  template <int dim>
+  const std::vector<typename FieldOutput<dim>::Patch> &
+  FieldOutput<dim>::get_patches() const
+  {
+    return patches_;
+  }
+
+  template <int dim>
+  std::vector<std::string> FieldOutput<dim>::get_dataset_names() const
+  {
+    std::vector<std::string> components;
+    for (const FieldName &name : names_)
+      components.insert(components.end(), name.is_vector ? dim : 1, name.name);
+    return components;
+  }
+
+  template <int dim>
+  std::vector<typename FieldOutput<dim>::Range>
+  FieldOutput<dim>::get_nonscalar_data_ranges() const
+  {
+    namespace Interpretation = dealii::DataComponentInterpretation;
+    std::vector<Range> ranges;
+    unsigned int component = 0;
+    for (const FieldName &name : names_)
+    {
+      if (name.is_vector)
+        ranges.emplace_back(component,
+                            component + dim - 1,
+                            name.name,
+                            Interpretation::component_is_part_of_vector);
+      component += name.is_vector ? dim : 1;
+    }
+    return ranges;
+  }
+
+  void
+  write_collection(const std::string &file,
+                   const std::vector<std::pair<double, std::string>> &entries)
+  {
+    write_file(file, [&](std::ostream &out) {
+      out.precision(17);
+      dealii::DataOutBase::write_pvd_record(out, entries);
+    });
+  }
+
+  template class FieldOutput<1>;
+  template class FieldOutput<2>;
+  template class FieldOutput<3>;
+} // namespace io
+} // namespace contrecoup

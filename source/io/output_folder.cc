@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/io/checked_file.h>
+#include <contrecoup/io/field_output.h>
+#include <contrecoup/io/output_folder.h>
+
+#include <filesystem>
+
+namespace contrecoup
+{
+namespace io
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    bool is_first_rank(const Collective &collective)
+    {
+      return dealii::Utilities::MPI::this_mpi_process(
+               collective.communicator()) == 0;
+    }
+
+    NamedValue
+    number(const std::string &name, const std::string &unit, const double value)
+    {
+      return {name, unit, value};
+    }
+  } // namespace
+
+  OutputFolder::OutputFolder(
+    const std::string &path,
+    const std::string &application,
+    const std::map<std::string, std::string> &parameters,
+    Collective &collective)
+    : collective_(collective)
+    , path_(path)
+    , writes_(is_first_rank(collective))
+    , history_(path + "/history.csv")
+    , probes_(path + "/probes.csv")
+    , checkpoints_(path + "/checkpoint", collective)
+  {
+    run_.application = application;
+    run_.parameters = parameters;
+  }
+
+  void OutputFolder::create()
+  {
+    collective_.run([&]() {
+      if (!writes_)
+        return;
+      std::error_code error;
+      created_ = fs::create_directories(path_, error);
+      if (!error)
+        try
+        {
+          write_file(path("writable"), [](std::ostream &out) { out << 1; });
+          remove_quietly(path("writable"));
+          return;
+        }
+        catch (const SystemError &reason)
+        {
+          throw InputError("the output folder takes no files: " +
+                           std::string(reason.what()));
+        }
+      throw InputError("cannot make the output folder \"" + path_ +
+                       "\": " + error.message());
+    });
+  }
+
+  void OutputFolder::discard()
+  {
+    std::error_code ignored;
+    if (writes_ && created_)
+      fs::remove(path_, ignored);
+  }
+
+  void OutputFolder::start()
+  {
+    checkpoints_.clear();
+    run_.fields.clear();
+    collective_.run([&]() {
+      if (!writes_)
+        return;
+      history_.start();
+      probes_.start();
+      remove_quietly(path("fields"));
+      for (const char *name : {"fields.pvd", "summary.json", "log.txt"})
+        remove_quietly(path(name));
+    });
+  }
+
+  std::string
+  OutputFolder::find_checkpoint(const std::vector<std::string> &exempt)
+  {
+    const auto found = checkpoints_.newest();
+    if (!found)
+      throw InputError("--resume: \"" + path_ +
+                       "\" holds no complete checkpoint");
+    const RunDescription earlier = from_text(found->run);
+    if (earlier.application != run_.application)
+      throw InputError("\"" + found->folder + "\" is a checkpoint of \"" +
+                       earlier.application + "\", not of \"" +
+                       run_.application + "\"");
+    require_same_scene(earlier.parameters, run_.parameters, exempt);
+    const auto parameters = run_.parameters;
+    run_ = earlier;
+    run_.parameters = parameters;
+    return found->folder;
+  }
+
+  RunState OutputFolder::resume()
+  {
+    collective_.run(
+      [&]() {
+        if (!writes_)
+          return;
+        history_.resume(run_.history_bytes);
+        probes_.resume(run_.probes_bytes);
+      },
+      ExitCode::bad_input);
+    return run_.state;
+  }
+
+  void OutputFolder::write_history(const RunState &state,
+                                   const std::vector<NamedValue> &values)
+  {
+    if (run_.first_values.empty())
+      run_.first_values = values;
+    last_values_ = values;
+    if (!writes_)
+      return;
+    std::vector<NamedValue> row = {
+      number("step", "", static_cast<double>(state.step)),
+      number("time", "s", state.time),
+      number("step size", "s", state.step_size)};
+    row.insert(row.end(), values.begin(), values.end());
+    history_.add_row(row);
+  }
+
+  void OutputFolder::write_probes(const RunState &state,
+                                  const std::vector<NamedValue> &values)
+  {
+    if (!writes_)
+      return;
+    std::vector<NamedValue> row = {number("time", "s", state.time)};
+    row.insert(row.end(), values.begin(), values.end());
+    probes_.add_row(row);
+  }
+
+  void OutputFolder::write_fields(const RunState &state, Simulation &simulation)
+  {
+    collective_.run([&]() {
+      if (writes_)
+        fs::create_directories(path("fields"));
+    });
+    std::string file;
+    collective_.run([&]() {
+      file = simulation.write_fields(
+        path("fields"), static_cast<unsigned int>(state.field_index));
+    });
+    if (file.empty())
+      return;
+    // A failed attempt at the same index must not be listed twice.
+    const std::string entry = "fields/" + fs::path(file).filename().string();
+    if (run_.fields.empty() || run_.fields.back().second != entry)
+      run_.fields.emplace_back(state.time, entry);
+    collective_.run([&]() {
+      if (!writes_)
+        return;
+      history_.flush();
+      probes_.flush();
+      write_collection(path("fields.pvd"), run_.fields);
+    });
+  }
+
+  void OutputFolder::write_checkpoint(const RunState &state,
+                                      Simulation &simulation)
+  {
+    flush();
+    run_.state = state;
+    run_.history_bytes = history_.size();
+    run_.probes_bytes = probes_.size();
+    checkpoints_.write(to_text(run_), [&](const std::string &folder) {
+      simulation.save(folder);
+    });
+  }
+
+  void OutputFolder::flush()
+  {
+    collective_.run([&]() {
+      history_.flush();
+      probes_.flush();
+    });
+  }
+
+  void OutputFolder::write_text(const std::string &name,
+                                const std::string &text)
+  {
+    collective_.run([&]() {
+      if (writes_)
+        write_file(path(name), [&](std::ostream &out) { out << text; });
+    });
+  }
+
+  std::string OutputFolder::path(const std::string &name) const
+  {
+    return name.empty() ? path_ : path_ + "/" + name;
+  }
+
+  const std::vector<NamedValue> &OutputFolder::first_values() const
+  {
+    return run_.first_values;
+  }
+
+  const std::vector<NamedValue> &OutputFolder::last_values() const
+  {
+    return last_values_;
+  }
+} // namespace io
+} // namespace contrecoup
