@@ -9,6 +9,8 @@
 #include <boost/math/constants/constants.hpp>
 
 #include <array>
+#include <iostream>
+#include <map>
 #include <sstream>
 
 namespace contrecoup::gas
@@ -26,6 +28,39 @@ namespace
       names.end(), velocity_names.begin(), velocity_names.begin() + dim);
     names.insert(names.end(), {"Pressure", "Products"});
     return names;
+  }
+
+
+  /// deal.II tells std::cerr about a bad expression before it throws; the
+  /// message of the exception says it all.
+  class Silence
+  {
+  public:
+    Silence()
+      : before_(std::cerr.rdbuf(unread_.rdbuf()))
+    {}
+
+    ~Silence()
+    {
+      std::cerr.rdbuf(before_);
+    }
+
+  private:
+    std::ostringstream unread_;
+    std::streambuf *before_;
+  };
+
+
+  /// Throws whatever deal.II throws for an expression it cannot read.
+  template <int dim>
+  void try_expression(const std::string &variables,
+                      const std::string &expression,
+                      const std::map<std::string, double> &constants)
+  {
+    const Silence silence;
+    dealii::FunctionParser<dim> function(1);
+    function.initialize(variables, expression, constants);
+    function.value(dealii::Point<dim>());
   }
 } // namespace
 
@@ -64,9 +99,7 @@ ExpressionField<dim>::ExpressionField(ParameterHandler &prm,
     expressions.push_back(prm.get(name));
     try
     {
-      dealii::FunctionParser<dim> single(1);
-      single.initialize(variables, expressions.back(), constants);
-      single.value(dealii::Point<dim>());
+      try_expression<dim>(variables, expressions.back(), constants);
     }
     catch (const std::exception &)
     {

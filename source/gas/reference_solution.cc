@@ -93,7 +93,7 @@ namespace
   }
 
 
-  @ @RIEMANN @ @ template <int dim>
+  template <int dim>
   std::function<ShockArrival(const dealii::Point<dim> &)>
   point_source(const SedovField<dim> &problem, const double gamma)
   {

@@ -55,6 +55,13 @@ namespace
                  unbounded,
                  "-",
                  "Outward normal of a half space, of any length.");
+    declare_bool(
+      prm,
+      "Burned explosive",
+      "false",
+      "Whether the region is the explosive of the Material, burned "
+      "at constant volume and still at rest; then Density, Pressure, "
+      "Energy and Products have no effect.");
     declare_state(prm);
     declare_double(prm,
                    "Energy",
@@ -65,6 +72,24 @@ namespace
                    "If above 0: internal energy of the whole region, from "
                    "which the pressure follows. The mesh holds it as "
                    "exactly as its cells sample the region's volume.");
+  }
+
+
+  /// The explosive of @p material, burned at constant volume, at rest.
+  template <int dim>
+  GasState<dim> burned_explosive(const GasMaterial &material,
+                                 const std::string &where)
+  {
+    if (!(material.reference_density() > 0.))
+      throw InputError(where + ": Burned explosive = true needs a Material "
+                               "with an explosive, jwl or jwl in air");
+    GasState<dim> state;
+    state.density = material.reference_density();
+    state.products = 1.;
+    state.pressure = material.pressure(
+      state.density, state.density * material.reference_energy(), 1.);
+    check_state(state, material, where);
+    return state;
   }
 } // namespace
 
@@ -129,13 +154,17 @@ RegionField<dim>::read_region(ParameterHandler &prm,
           ": each coordinate of Lower corner = " + prm.get("Lower corner") +
           " must be below that of Upper corner = " + prm.get("Upper corner"));
 
+  if (prm.get_bool("Burned explosive"))
+    region.state = burned_explosive<dim>(material, where);
+  else
+    region.state = read_state<dim>(prm, material, where);
+
   const double energy = read_double(prm, "Energy");
-  if (energy > 0. && region.shape == "half space")
-    throw InputError(where + ": Energy must be 0 for Shape = half space, "
-                             "which has no finite volume");
-  region.state = read_state<dim>(prm, material, where);
-  if (energy > 0.)
+  if (energy > 0. && !prm.get_bool("Burned explosive"))
   {
+    if (region.shape == "half space")
+      throw InputError(where + ": Energy must be 0 for Shape = half space, "
+                               "which has no finite volume");
     region.state.pressure = material.pressure(region.state.density,
                                               energy / volume(region, geometry),
                                               region.state.products);

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameter_tree.h>
+#include <contrecoup/gas/initial_state.h>
+#include <contrecoup/gas/reference_solution.h>
+#include <contrecoup/geometry/coarse_mesh.h>
+#include <contrecoup/materials/gas_material.h>
+
+#include <string>
+#include <vector>
+
+namespace contrecoup::gas
+{
+/// Initial state and reference as a parameter file with the given
+/// "Section/Entry=value" lines would set them.
+template <int dim>
+class Scene
+{
+public:
+  explicit Scene(const std::vector<std::string> &lines)
+  {
+    CoarseMesh<dim>::declare_parameters(prm_);
+    GasMaterial::declare_parameters(prm_);
+    InitialState<dim>::declare_parameters(prm_);
+    ReferenceSolution<dim>::declare_parameters(prm_);
+
+    std::vector<Assignment> assignments;
+    for (const std::string &line : lines)
+      assignments.push_back(parse_override(line));
+    apply_assignments(assignments, prm_);
+
+    material.parse_parameters(prm_);
+    initial.parse_parameters(prm_, material);
+    reference.parse_parameters(prm_, material);
+  }
+
+  GasMaterial material;
+  InitialState<dim> initial;
+  ReferenceSolution<dim> reference;
+
+private:
+  dealii::ParameterHandler prm_;
+};
+
+/// The message with which a scene is refused; empty when it is not.
+template <int dim>
+std::string refusal(const std::vector<std::string> &lines)
+{
+  try
+  {
+    Scene<dim> scene(lines);
+  }
+  catch (const InputError &error)
+  {
+    return error.what();
+  }
+  return "";
+}
+} // namespace contrecoup::gas
