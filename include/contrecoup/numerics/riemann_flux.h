@@ -3,23 +3,13 @@
 
 #pragma once
 
-#include <contrecoup/numerics/wave_speeds.h>
+#include <contrecoup/numerics/hll_flux.h>
 
 #include <string>
 #include <vector>
 
 namespace contrecoup
 {
-/// Flux through a face, along its normal, per area and time.
-template <int dim, typename Number>
-struct FaceFlux
-{
-  Number mass;                      ///< [kg/(m^2 s)]
-  std::array<Number, dim> momentum; ///< [Pa], [0] normal, rest tangential
-  Number energy;                    ///< [W/m^2]
-  Number products;                  ///< rho Y u [kg/(m^2 s)]
-};
-
 /// The numerical fluxes to choose from.
 enum class RiemannFlux
 {
@@ -37,83 +27,6 @@ RiemannFlux parse_riemann_flux(const std::string &name);
 
 namespace internal
 {
-  /// The flux of the Euler equations.
-  template <int dim, typename Number>
-  inline DEAL_II_ALWAYS_INLINE FaceFlux<dim, Number>
-  euler_flux(const FaceState<dim, Number> &state)
-  {
-    FaceFlux<dim, Number> flux;
-    flux.mass = state.density * state.velocity[0];
-    for (int d = 0; d < dim; ++d)
-      flux.momentum[d] = flux.mass * state.velocity[d];
-    flux.momentum[0] = flux.momentum[0] + state.pressure;
-    flux.energy = (state.energy_density + state.pressure) * state.velocity[0];
-    flux.products = flux.mass * state.products;
-    return flux;
-  }
-
-  /// (F_L + F_R)/2 + lean (F_L - F_R) + viscosity (U_L - U_R): exact at
-  /// rest, and mirrored exactly when the states are.
-  template <int dim, typename Number>
-  inline DEAL_II_ALWAYS_INLINE FaceFlux<dim, Number>
-  blended_flux(const FaceState<dim, Number> &left,
-               const FaceState<dim, Number> &right,
-               const Number &lean,
-               const Number &viscosity)
-  {
-    const FaceFlux<dim, Number> a = euler_flux(left);
-    const FaceFlux<dim, Number> b = euler_flux(right);
-
-    const auto blend =
-      [&](const Number &flux_a, const Number &flux_b, const Number &jump) {
-        return (flux_a + flux_b) * 0.5 +
-               (lean * (flux_a - flux_b) + viscosity * jump);
-      };
-    FaceFlux<dim, Number> flux;
-    flux.mass = blend(a.mass, b.mass, left.density - right.density);
-    for (int d = 0; d < dim; ++d)
-      flux.momentum[d] = blend(a.momentum[d],
-                               b.momentum[d],
-                               left.density * left.velocity[d] -
-                                 right.density * right.velocity[d]);
-    flux.energy =
-      blend(a.energy, b.energy, left.energy_density - right.energy_density);
-    flux.products =
-      blend(a.products,
-            b.products,
-            left.density * left.products - right.density * right.products);
-    return flux;
-  }
-
-  /// Harten, Lax and van Leer (1983) between two wave speeds.
-  template <int dim, typename Number>
-  inline DEAL_II_ALWAYS_INLINE FaceFlux<dim, Number>
-  hll_flux(const FaceState<dim, Number> &left,
-           const FaceState<dim, Number> &right,
-           const WaveSpeeds<Number> &speeds)
-  {
-    const Number tiny(std::numeric_limits<float>::min());
-    const Number lowest = std::min(speeds.left, Number(-tiny));
-    const Number highest = std::max(speeds.right, tiny);
-    const Number inverse = Number(1.) / (highest - lowest);
-    return blended_flux(left,
-                        right,
-                        Number((highest + lowest) * inverse * 0.5),
-                        Number(-(lowest * highest) * inverse));
-  }
-
-  /// Rusanov (1961): the largest wave speed as viscosity.
-  template <int dim, typename Number>
-  inline DEAL_II_ALWAYS_INLINE FaceFlux<dim, Number>
-  rusanov_flux(const FaceState<dim, Number> &left,
-               const FaceState<dim, Number> &right,
-               const WaveSpeeds<Number> &speeds)
-  {
-    const Number fastest =
-      std::max(std::abs(speeds.left), std::abs(speeds.right));
-    return blended_flux(left, right, Number(0.), Number(fastest * 0.5));
-  }
-
   /// Lane by lane a < b ? chosen : flux, for each component.
   template <int dim, typename Number>
   inline DEAL_II_ALWAYS_INLINE void
@@ -128,6 +41,46 @@ namespace internal
         select_less(a, b, chosen.momentum[d], flux.momentum[d]);
     flux.energy = select_less(a, b, chosen.energy, flux.energy);
     flux.products = select_less(a, b, chosen.products, flux.products);
+  }
+
+  /// Lane by lane speed < 0 ? right : left.
+  template <int dim, typename Number>
+  inline DEAL_II_ALWAYS_INLINE FaceState<dim, Number>
+  upwind_state(const Number &speed,
+               const FaceState<dim, Number> &left,
+               const FaceState<dim, Number> &right)
+  {
+    const Number zero(0.);
+    FaceState<dim, Number> state;
+    state.density = select_less(speed, zero, right.density, left.density);
+    for (int d = 0; d < dim; ++d)
+      state.velocity[d] =
+        select_less(speed, zero, right.velocity[d], left.velocity[d]);
+    state.pressure = select_less(speed, zero, right.pressure, left.pressure);
+    state.energy_density =
+      select_less(speed, zero, right.energy_density, left.energy_density);
+    state.sound_speed =
+      select_less(speed, zero, right.sound_speed, left.sound_speed);
+    state.products = select_less(speed, zero, right.products, left.products);
+    return state;
+  }
+
+  /// Positive where the state behind an outer wave of speed S = u + @p reach
+  /// is admissible: S - s has the sign of S - u, and the internal energy
+  /// (e + (s - u)^2 / 2 + p (s - u) / (rho (S - u))) is positive.
+  template <int dim, typename Number>
+  inline DEAL_II_ALWAYS_INLINE Number
+  middle_state_soundness(const FaceState<dim, Number> &state,
+                         const Number &contact,
+                         const Number &reach)
+  {
+    const Number change = contact - state.velocity[0];
+    Number square = change * change;
+    for (int d = 0; d < dim; ++d)
+      square = square - state.velocity[d] * state.velocity[d];
+    const Number energy = state.energy_density + state.density * square * 0.5;
+    return std::min(Number((reach - change) * reach),
+                    Number((energy * reach + state.pressure * change) * reach));
   }
 
   /// HLLC (Toro, Spruce and Speares 1994), written for the one side that the
@@ -152,54 +105,40 @@ namespace internal
       ((right.pressure - right_rate * right.velocity[0]) -
        (left.pressure - left_rate * left.velocity[0])) *
       inverse;
-    const Number contact = plain_contact - (one - shear_factor) *
-                                             (right.pressure - left.pressure) *
-                                             inverse;
+    const Number correction =
+      (one - shear_factor) * (right.pressure - left.pressure) * inverse;
+    const Number contact = plain_contact - correction;
 
-    const auto pick = [&](const Number &from_left, const Number &from_right) {
-      return select_less(contact, zero, from_right, from_left);
-    };
-    const Number density = pick(left.density, right.density);
-    const Number normal = pick(left.velocity[0], right.velocity[0]);
-    const Number pressure = pick(left.pressure, right.pressure);
-    const Number energy = pick(left.energy_density, right.energy_density);
-    const Number rate = pick(left_rate, right_rate);
-    const Number outer =
-      pick(std::min(speeds.left, Number(-tiny)), std::max(speeds.right, tiny));
+    const FaceState<dim, Number> side = upwind_state(contact, left, right);
+    const Number normal = side.velocity[0];
+    const Number rate = select_less(contact, zero, right_rate, left_rate);
+    const Number bow = select_less(contact, zero, speeds.right, speeds.left);
+    const Number outer = select_less(
+      contact, zero, std::max(bow, tiny), std::min(bow, Number(-tiny)));
 
-    const Number middle = pressure + rate * (plain_contact - normal);
+    const Number middle = side.pressure + rate * (plain_contact - normal);
     const Number weight = contact / (contact - outer);
     const Number rest = one - weight;
     const Number relative = normal - outer;
 
     FaceFlux<dim, Number> flux;
-    flux.mass = weight * (density * relative);
-    flux.momentum[0] = flux.mass * normal + weight * pressure + rest * middle;
-    for (int d = 1; d < dim; ++d)
-      flux.momentum[d] = flux.mass * pick(left.velocity[d], right.velocity[d]);
-    flux.energy = weight * (energy * relative + pressure * normal) +
-                  rest * (middle * contact);
-    flux.products = flux.mass * pick(left.products, right.products);
-
-    // Both the order of the waves and the internal energy behind the outer
-    // one must hold: S - s has the sign of S - u, and, without divisions,
-    // (rho e + rho (s - u)^2 / 2) (S - u)^2 + p (s - u) (S - u) > 0.
-    const Number reach = pick(speeds.left, speeds.right) - normal;
-    const Number change = contact - normal;
-    Number heat = energy + density * (change * change) * 0.5;
+    flux.mass = weight * (side.density * relative);
     for (int d = 0; d < dim; ++d)
-    {
-      const Number velocity = pick(left.velocity[d], right.velocity[d]);
-      heat = heat - density * (velocity * velocity) * 0.5;
-    }
-    const Number sound =
-      std::min(Number((reach - change) * reach),
-               Number((heat * reach + pressure * change) * reach));
-    if (!all_greater(sound, zero))
+      flux.momentum[d] = flux.mass * side.velocity[d];
+    flux.momentum[0] =
+      flux.momentum[0] + (weight * side.pressure + rest * middle);
+    flux.energy =
+      weight * (side.energy_density * relative + side.pressure * normal) +
+      rest * (middle * contact);
+    flux.products = flux.mass * side.products;
+
+    const Number soundness =
+      middle_state_soundness(side, contact, Number(bow - normal));
+    if (!all_greater(soundness, zero))
     {
       const FaceFlux<dim, Number> hllc = flux;
       flux = hll_flux(left, right, speeds);
-      replace_where_less(zero, sound, hllc, flux);
+      replace_where_less(zero, soundness, hllc, flux);
     }
     return flux;
   }
