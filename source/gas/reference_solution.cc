@@ -93,6 +93,32 @@ namespace
   }
 
 
+  /// Two waves that run from the plane of @p problem.
+  template <int dim>
+  Field<dim> riemann_field(const RiemannField<dim> &problem,
+                           const GasMaterial &material)
+  {
+    const auto side = [](const GasState<1> &state) {
+      return RiemannState{
+        state.density, state.velocity[0], state.pressure, state.products};
+    };
+    const ExactRiemann solution(
+      side(problem.left()), side(problem.right()), material);
+    return [=](const dealii::Point<dim> &point, const double time) {
+      if (time <= 0.)
+        return problem.value(point);
+      const RiemannState state =
+        solution.value(problem.distance(point, time) / time);
+      GasState<1> seen_from_frame;
+      seen_from_frame.density = state.density;
+      seen_from_frame.velocity[0] = state.velocity;
+      seen_from_frame.pressure = state.pressure;
+      seen_from_frame.products = state.products;
+      return problem.in_space(seen_from_frame);
+    };
+  }
+
+
   template <int dim>
   std::function<ShockArrival(const dealii::Point<dim> &)>
   point_source(const SedovField<dim> &problem, const double gamma)
