@@ -3,12 +3,14 @@
 
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameter_tree.h>
+#include <contrecoup/base/parameters.h>
 #include <contrecoup/base/text.h>
 
 #include <deal.II/base/patterns.h>
 
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <sstream>
 
 namespace contrecoup
@@ -16,7 +18,6 @@ namespace contrecoup
 namespace
 {
   using Tree = nlohmann::ordered_json;
-  using dealii::ParameterHandler;
 
   /// The declared entries as deal.II prints them, in order of declaration.
   Tree tree_of(const ParameterHandler &prm)
@@ -59,6 +60,16 @@ namespace
     return "";
   }
 
+  /// The pattern that describes itself so. deal.II's own function does not
+  /// know separators other than commas.
+  std::unique_ptr<dealii::Patterns::PatternBase>
+  pattern_of_text(const std::string &description)
+  {
+    if (description.find("[List of <[List of <") == 0)
+      return points_pattern().clone();
+    return dealii::Patterns::pattern_factory(description);
+  }
+
   /// Declares the entries of @p node in the current subsection of @p prm.
   void declare_copy(const Tree &node, ParameterHandler &prm)
   {
@@ -70,11 +81,10 @@ namespace
         const auto text = [&](const char *field) {
           return item.value()[field].get<std::string>();
         };
-        prm.declare_entry(
-          item.key(),
-          text("default_value"),
-          *dealii::Patterns::pattern_factory(text("pattern_description")),
-          text("documentation"));
+        prm.declare_entry(item.key(),
+                          text("default_value"),
+                          *pattern_of_text(text("pattern_description")),
+                          text("documentation"));
       }
       else
       {
@@ -211,6 +221,40 @@ namespace
     }
   }
 
+  /// The value of an assignment; the name of a file made absolute if there
+  /// is such a file.
+  std::string resolve_file(const Assignment &assignment,
+                           const std::string &description)
+  {
+    namespace fs = std::filesystem;
+    if (description.find("[FileName ") != 0 || assignment.value.empty())
+      return assignment.value;
+    for (const fs::path &folder : {fs::path(assignment.folder), fs::path()})
+      if (fs::is_regular_file(folder / assignment.value))
+        return fs::absolute(folder / assignment.value)
+          .lexically_normal()
+          .string();
+    return assignment.value;
+  }
+
+  /// What an entry may be instead of the value that does not match.
+  std::string refusal(const Assignment &assignment,
+                      const std::string &description)
+  {
+    std::vector<std::string> path = assignment.sections;
+    path.push_back(assignment.entry);
+    std::vector<std::string> choices;
+    if (description.find("[Selection ") == 0)
+      choices = split(between(description, "[Selection ", "]"), '|');
+    const std::string meant = nearest(assignment.value, choices);
+    const std::string help = meant.empty()
+                               ? "; allowed: "
+                               : "; did you mean \"" + meant + "\"? Allowed: ";
+    return assignment.origin + ": entry \"" + join(path, "/") +
+           "\" cannot be \"" + assignment.value + "\"" + help +
+           plain_words(description);
+  }
+
   void collect(const Tree &node,
                const std::string &path,
                std::map<std::string, std::string> &values)
@@ -233,25 +277,16 @@ void apply_assignments(const std::vector<Assignment> &assignments,
   {
     const Tree &entry = find_entry(assignment, prm, tree);
     const auto description = entry["pattern_description"].get<std::string>();
-    std::vector<std::string> path = assignment.sections;
-    path.push_back(assignment.entry);
-    if (!dealii::Patterns::pattern_factory(description)
-           ->match(assignment.value))
-    {
-      std::vector<std::string> choices;
-      if (description.find("[Selection ") == 0)
-        choices = split(between(description, "[Selection ", "]"), '|');
-      const std::string meant = nearest(assignment.value, choices);
-      throw InputError(assignment.origin + ": entry \"" + join(path, "/") +
-                       "\" cannot be \"" + assignment.value + "\"" +
-                       (meant.empty()
-                          ? "; allowed: "
-                          : "; did you mean \"" + meant + "\"? Allowed: ") +
-                       plain_words(description));
-    }
     for (const std::string &section : assignment.sections)
       prm.enter_subsection(section);
-    prm.set(assignment.entry, assignment.value);
+    try
+    {
+      prm.set(assignment.entry, resolve_file(assignment, description));
+    }
+    catch (const ParameterHandler::ExcValueDoesNotMatchPattern &)
+    {
+      throw InputError(refusal(assignment, description));
+    }
     for (std::size_t i = 0; i < assignment.sections.size(); ++i)
       prm.leave_subsection();
   }
@@ -297,6 +332,8 @@ std::string plain_words(const std::string &pattern)
                        between(pattern, "[Integer range ", " (incl"));
   if (pattern == "[Integer]")
     return "a whole number";
+  if (pattern.find("[FileName ") == 0)
+    return "the name of a file";
   if (pattern == "[Bool]")
     return "true, false";
   if (pattern.find("[Selection ") == 0)

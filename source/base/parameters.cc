@@ -6,12 +6,14 @@
 #include <contrecoup/base/text.h>
 
 #include <cmath>
+#include <cstdlib>
 
 namespace contrecoup
 {
+namespace Patterns = dealii::Patterns;
+
 namespace
 {
-  namespace Patterns = dealii::Patterns;
 
   std::string documentation(const std::string &unit,
                             const std::string &sentence)
@@ -21,17 +23,9 @@ namespace
 
   double to_double(const std::string &text, const std::string &name)
   {
-    std::size_t used = 0;
-    double value = std::numeric_limits<double>::quiet_NaN();
-    try
-    {
-      value = std::stod(text, &used);
-    }
-    catch (const std::exception &)
-    {
-      used = 0;
-    }
-    if (used == 0 || used != text.size() || !std::isfinite(value))
+    char *end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    if (text.empty() || *end != '\0' || !std::isfinite(value))
       throw InputError("entry \"" + name + "\": \"" + text +
                        "\" is not a finite number");
     return value;
@@ -114,6 +108,14 @@ void declare_string(ParameterHandler &prm,
   prm.declare_entry(name, default_value, Patterns::Anything(), sentence);
 }
 
+void declare_file(ParameterHandler &prm,
+                  const std::string &name,
+                  const std::string &default_value,
+                  const std::string &sentence)
+{
+  prm.declare_entry(name, default_value, Patterns::FileName(), sentence);
+}
+
 void declare_list(ParameterHandler &prm,
                   const std::string &name,
                   const std::string &default_value,
@@ -137,13 +139,16 @@ void declare_points(ParameterHandler &prm,
                     const std::string &unit,
                     const std::string &sentence)
 {
-  prm.declare_entry(name,
-                    default_value,
-                    Patterns::List(Patterns::List(Patterns::Double(), 1, 3),
-                                   0,
-                                   Patterns::List::max_int_value,
-                                   ";"),
-                    documentation(unit, sentence));
+  prm.declare_entry(
+    name, default_value, points_pattern(), documentation(unit, sentence));
+}
+
+Patterns::List points_pattern()
+{
+  return Patterns::List(Patterns::List(Patterns::Double(), 1, 3),
+                        0,
+                        Patterns::List::max_int_value,
+                        ";");
 }
 
 double read_double(const ParameterHandler &prm, const std::string &name)

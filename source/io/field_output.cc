@@ -32,6 +32,7 @@ namespace io
   {
     dealii::DataOutBase::VtkFlags flags;
     flags.compression_level = best_speed;
+    flags.print_date_and_time = false;
     for (const FieldName &name : names)
       if (!name.unit.empty())
         flags.physical_units[name.name] = name.unit;
@@ -80,6 +81,9 @@ namespace io
         n > 1 ? "." + dealii::Utilities::int_to_string(of_rank, 4) : "";
       return name + number + ".vtu";
     };
+    // Nothing is sent from here on: a rank whose disk is full must not leave
+    // the others waiting.
+    const auto n_patches = MPI::gather(communicator, patches_.size(), 0);
     // A rank without patches has no piece.
     if (!patches_.empty() || n == 1)
       write_file(folder + "/" + piece(rank), [&](std::ostream &out) {
@@ -87,8 +91,6 @@ namespace io
       });
     if (n == 1)
       return piece(0);
-
-    const auto n_patches = MPI::gather(communicator, patches_.size(), 0);
     if (rank == 0)
     {
       std::vector<std::string> pieces;

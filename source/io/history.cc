@@ -33,7 +33,6 @@ namespace io
 
   HistoryFile::HistoryFile(const std::string &file)
     : file_(file)
-    , last_flush_(std::chrono::steady_clock::now())
   {}
 
   HistoryFile::~HistoryFile()

@@ -26,8 +26,6 @@ namespace io
       visit("retries", state.retries);
       visit("updates", state.updates);
       visit("field_index", state.field_index);
-      visit("field_tick", state.field_tick);
-      visit("history_tick", state.history_tick);
       visit("history_step", state.history_step);
       visit("probe_step", state.probe_step);
       visit("field_step", state.field_step);

@@ -74,6 +74,14 @@ void declare_string(ParameterHandler &prm,
                     const std::string &default_value,
                     const std::string &sentence);
 
+/// A file that is read. A relative name is looked for beside the parameter
+/// file that gives it first, then in the working directory; the run keeps the
+/// absolute one. Empty: none.
+void declare_file(ParameterHandler &prm,
+                  const std::string &name,
+                  const std::string &default_value,
+                  const std::string &sentence);
+
 /// @p least to @p most finite numbers in [@p smallest, @p largest],
 /// separated by commas.
 void declare_list(ParameterHandler &prm,
@@ -92,6 +100,8 @@ void declare_points(ParameterHandler &prm,
                     const std::string &default_value,
                     const std::string &unit,
                     const std::string &sentence);
+/// What declare_points() allows.
+dealii::Patterns::List points_pattern();
 /// @}
 
 /// @name Reading entries of the current subsection, after they passed

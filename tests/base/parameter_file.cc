@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameter_file.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+using namespace contrecoup;
+
+namespace
+{
+/// Writes @p text into a file of this name and returns the name.
+std::string file_with(const std::string &name, const std::string &text)
+{
+  std::ofstream(name) << text;
+  return name;
+}
+
+/// The message of the InputError that reading @p text gives.
+std::string refusal(const std::string &text)
+{
+  try
+  {
+    read_assignments(file_with("refused.prm", text));
+  }
+  catch (const InputError &error)
+  {
+    return error.what();
+  }
+  return "accepted";
+}
+} // namespace
+
+TEST(ParameterFile, ReadsSectionsCommentsAndContinuedLines)
+{
+  const auto assignments = read_assignments(file_with("read.prm",
+                                                      "# a comment\n"
+                                                      "set A = 1 # one\n"
+                                                      "subsection Outer part\n"
+                                                      "  subsection Inner\n"
+                                                      "    set B b =  2, \\\n"
+                                                      "      3\n"
+                                                      "  end\n"
+                                                      "  set C = x = y\n"
+                                                      "end"));
+  ASSERT_EQ(assignments.size(), 3u);
+  EXPECT_EQ(assignments[0].entry, "A");
+  EXPECT_EQ(assignments[0].value, "1");
+  EXPECT_EQ(assignments[1].sections,
+            (std::vector<std::string>{"Outer part", "Inner"}));
+  EXPECT_EQ(assignments[1].entry, "B b");
+  EXPECT_EQ(assignments[1].value, "2, 3");
+  EXPECT_EQ(assignments[1].origin, "\"read.prm\", line 5");
+  EXPECT_EQ(assignments[2].value, "x = y");
+  EXPECT_EQ(assignments[2].origin, "\"read.prm\", line 8");
+}
+
+TEST(ParameterFile, IncludesRelativeToTheIncludingFile)
+{
+  std::filesystem::create_directories("folder/deeper");
+  file_with("folder/deeper/inner.prm", "set A = 1\n");
+  file_with("folder/middle.prm", "include deeper/inner.prm\n");
+  const auto assignments = read_assignments(
+    file_with("outer.prm", "subsection S\ninclude folder/middle.prm\nend\n"));
+  ASSERT_EQ(assignments.size(), 1u);
+  EXPECT_EQ(assignments[0].sections, std::vector<std::string>{"S"});
+  EXPECT_EQ(assignments[0].folder, "folder/deeper");
+}
+
+TEST(ParameterFile, SaysFileAndLineOfEachMistake)
+{
+  EXPECT_EQ(refusal("set A = 1\nend\n"),
+            "\"refused.prm\", line 2: \"end\" without a subsection");
+  EXPECT_EQ(refusal("\nsubsection S\nset A = 1\n"),
+            "\"refused.prm\", line 2: subsection \"S\" has no \"end\"");
+  EXPECT_EQ(refusal("set A\n"),
+            "\"refused.prm\", line 1: \"set A\" is not of the form \"set ENTRY "
+            "= VALUE\"");
+  EXPECT_NE(refusal("A = 1\n").find("line 1: cannot understand \"A = 1\""),
+            std::string::npos);
+  EXPECT_EQ(refusal("include nowhere.prm\n"),
+            "cannot read the parameter file \"nowhere.prm\" that "
+            "\"refused.prm\" includes");
+  EXPECT_NE(refusal("include refused.prm\n").find("include each other"),
+            std::string::npos);
+  EXPECT_THROW(read_assignments("missing.prm"), InputError);
+  EXPECT_THROW(read_assignments("folder"), InputError);
+}
+
+TEST(ParameterFile, ReadsOverrides)
+{
+  const Assignment assignment = parse_override("A/B c/D e = f/g=h");
+  EXPECT_EQ(assignment.sections, (std::vector<std::string>{"A", "B c"}));
+  EXPECT_EQ(assignment.entry, "D e");
+  EXPECT_EQ(assignment.value, "f/g=h");
+  EXPECT_THROW(parse_override("A/B"), InputError);
+  EXPECT_THROW(parse_override("=1"), InputError);
+  EXPECT_THROW(parse_override("A//B=1"), InputError);
+}

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameter_tree.h>
+#include <contrecoup/base/parameters.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+using namespace contrecoup;
+
+namespace
+{
+void declare_all(ParameterHandler &prm)
+{
+  declare_double(prm, "Density", "1.4", 0., 1e5, "kg/m^3", "Of the gas.");
+  declare_double(prm, "Shift", "0", -unbounded, unbounded, "m", "Any.");
+  declare_integer(prm, "Degree", "3", 0, 3, "Of the polynomials.");
+  declare_bool(prm, "Adapt", "true", "Whether the mesh changes.");
+  {
+    const Section section(prm, "Flux");
+    declare_selection(
+      prm, "Kind", "HLLC", {"HLLC", "HLL", "Rusanov"}, "At faces.");
+    declare_list(prm, "Weights", "1, 2", 1, 3, 0., 9., "-", "Of each.");
+  }
+  declare_points(prm, "Places", "0,0; 1,2.5", "m", "Of probes.");
+  declare_file(prm, "Table", "", "Numbers.");
+  const Section section(prm, "Region *");
+  declare_double(prm, "Radius", "1", 0., unbounded, "m", "Of the ball.");
+  declare_points(prm, "Centres", "0,0; 1,1", "m", "Of its copies.");
+  const Section inner(prm, "State");
+  declare_string(prm, "Pressure", "1e5", "An expression.");
+}
+
+void set(ParameterHandler &prm, const std::string &text)
+{
+  apply_assignments({parse_override(text)}, prm);
+}
+
+std::string refusal(const std::string &text)
+{
+  ParameterHandler prm;
+  declare_all(prm);
+  try
+  {
+    set(prm, text);
+  }
+  catch (const InputError &error)
+  {
+    return error.what();
+  }
+  return "accepted";
+}
+} // namespace
+
+TEST(Parameters, ReadsWhatWasSet)
+{
+  ParameterHandler prm;
+  declare_all(prm);
+  set(prm, "Density = 0.1234567890123456789");
+  set(prm, "Flux/Weights = 3,4 ,5");
+  EXPECT_EQ(read_double(prm, "Density"), 0.1234567890123456789);
+  EXPECT_EQ(read_unsigned(prm, "Degree"), 3u);
+  EXPECT_EQ(read_points<2>(prm, "Places")[1], dealii::Point<2>(1., 2.5));
+  EXPECT_THROW(read_points<3>(prm, "Places"), InputError);
+  const Section section(prm, "Flux");
+  EXPECT_EQ(read_list(prm, "Weights"), (std::vector<double>{3., 4., 5.}));
+  EXPECT_EQ(read_point<3>(prm, "Weights"), dealii::Point<3>(3., 4., 5.));
+  EXPECT_THROW(read_point<2>(prm, "Weights"), InputError);
+}
+
+TEST(Parameters, SaysWhatIsAllowed)
+{
+  EXPECT_EQ(refusal("Density=-1"),
+            "--set: entry \"Density\" cannot be \"-1\"; allowed: a number from "
+            "0 to 100000");
+  EXPECT_EQ(refusal("Degree=2.5"),
+            "--set: entry \"Degree\" cannot be \"2.5\"; allowed: a whole "
+            "number from 0 to 3");
+  EXPECT_EQ(refusal("Flux/Kind=Rusnov"),
+            "--set: entry \"Flux/Kind\" cannot be \"Rusnov\"; did you mean "
+            "\"Rusanov\"? Allowed: HLLC, HLL, Rusanov");
+  EXPECT_EQ(refusal("Flux/Weights=1,10"),
+            "--set: entry \"Flux/Weights\" cannot be \"1,10\"; allowed: 1 to 3 "
+            "values separated by commas, each a number from 0 to 9");
+  EXPECT_EQ(refusal("Adapt=maybe"),
+            "--set: entry \"Adapt\" cannot be \"maybe\"; allowed: true, false");
+  EXPECT_NE(refusal("Places=1,2,3,4").find("points of one to three numbers"),
+            std::string::npos);
+  for (const char *value : {"nan", "inf", "-inf", "1e400", "1 m", ""})
+    EXPECT_NE(refusal(std::string("Shift=") + value), "accepted") << value;
+}
+
+TEST(Parameters, NamesTheNearestForWhatIsUnknown)
+{
+  EXPECT_EQ(refusal("Flux/Kid=HLL"),
+            "--set: unknown entry \"Kid\" in \"Flux\"; did you mean \"Kind\"? "
+            "Known are: Kind, Weights");
+  EXPECT_EQ(refusal("Flx/Kind=HLL"),
+            "--set: unknown subsection \"Flx\" at the top level; did you mean "
+            "\"Flux\"? Known are: Flux, Region *");
+  EXPECT_EQ(refusal("Region ball/Stat/Pressure=1"),
+            "--set: unknown subsection \"Stat\" in \"Region ball\"; did you "
+            "mean \"State\"? Known are: State");
+  EXPECT_NE(refusal("Region */Radius=1"), "accepted");
+}
+
+TEST(Parameters, NamedItemsHaveTheEntriesOfTheirPattern)
+{
+  ParameterHandler prm;
+  declare_all(prm);
+  EXPECT_TRUE(item_names(prm, "Region").empty());
+  set(prm, "Region outer/Radius = 2");
+  set(prm, "Region inner ball/State/Pressure = 3e5");
+  EXPECT_EQ(item_names(prm, "Region"),
+            (std::vector<std::string>{"outer", "inner ball"}));
+  const Section section(prm, "Region inner ball");
+  EXPECT_EQ(read_double(prm, "Radius"), 1.);
+  EXPECT_EQ(read_points<2>(prm, "Centres").size(), 2u);
+  const Section inner(prm, "State");
+  EXPECT_EQ(prm.get("Pressure"), "3e5");
+}
+
+TEST(Parameters, TextReadBackGivesTheSameValues)
+{
+  ParameterHandler prm;
+  declare_all(prm);
+  set(prm, "Density = 0.12345678901234567");
+  set(prm, "Region b/State/Pressure = 1e5*(x < 0.5)");
+  set(prm, "Region a/Radius = 4");
+  for (const bool annotated : {false, true})
+  {
+    std::ofstream("written.prm") << parameter_text(prm, annotated);
+    ParameterHandler again;
+    declare_all(again);
+    if (annotated)
+      EXPECT_THROW(apply_assignments(read_assignments("written.prm"), again),
+                   InputError)
+        << "the pattern is for people";
+    else
+    {
+      apply_assignments(read_assignments("written.prm"), again);
+      EXPECT_EQ(parameter_values(prm), parameter_values(again));
+      EXPECT_EQ(item_names(again, "Region"), item_names(prm, "Region"));
+    }
+  }
+}
+
+TEST(Parameters, AnnotationHasMeaningUnitAndRange)
+{
+  ParameterHandler prm;
+  declare_all(prm);
+  EXPECT_NE(parameter_text(prm, true).find(
+              "# [kg/m^3] Of the gas. Allowed: a number from 0 to 100000.\n"
+              "set Density = 1.4\n"),
+            std::string::npos);
+}
+
+TEST(Parameters, FilesAreFoundBesideTheParameterFile)
+{
+  std::filesystem::create_directories("beside");
+  std::ofstream("beside/table.csv") << "1\n";
+  std::ofstream("beside/scene.prm") << "set Table = table.csv\n";
+  ParameterHandler prm;
+  declare_all(prm);
+  apply_assignments(read_assignments("beside/scene.prm"), prm);
+  EXPECT_EQ(prm.get("Table"),
+            (std::filesystem::current_path() / "beside/table.csv").string());
+  set(prm, "Table=nowhere.csv");
+  EXPECT_EQ(prm.get("Table"), "nowhere.csv");
+}
