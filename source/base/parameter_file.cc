@@ -101,10 +101,12 @@ namespace
     if (equals == std::string::npos || trim(rest.substr(0, equals)).empty())
       throw InputError(where + ": \"set " + rest +
                        "\" is not of the form \"set ENTRY = VALUE\"");
-    assignments_.push_back({sections_,
-                            trim(rest.substr(0, equals)),
-                            trim(rest.substr(equals + 1)),
-                            where});
+    assignments_.push_back(
+      {sections_,
+       trim(rest.substr(0, equals)),
+       trim(rest.substr(equals + 1)),
+       where,
+       std::filesystem::path(files_.back()).parent_path().string()});
   }
 
   void FileReader::include(const std::string &rest, const std::string &where)

@@ -18,6 +18,16 @@ namespace
   // Bits that the ranks agree on after each step.
   constexpr unsigned int stop_bit = 1;
   constexpr unsigned int checkpoint_bit = 2;
+
+  void require_finite(const std::vector<NamedValue> &values,
+                      const RunState &state)
+  {
+    for (const NamedValue &value : values)
+      if (!std::isfinite(value.value))
+        throw NumericsError("step " + std::to_string(state.step) + " at time " +
+                            exact(state.time) + " s: \"" + value.name +
+                            "\" is not a finite number");
+  }
 } // namespace
 
 RunLoop::RunLoop(const TimeParameters &parameters,
@@ -48,13 +58,13 @@ RunStatus RunLoop::run(RunState &state)
 RunStatus RunLoop::loop(RunState &state)
 {
   state.time = simulation_.time();
+  control_.set_ticks(state);
   first_step_ = state.step;
   last_checkpoint_ = std::chrono::steady_clock::now();
   const auto &parameters = control_.parameters();
   progress_ = std::make_unique<Progress>(state.time, parameters.end_time);
   if (state.step == 0)
   {
-    control_.start(state);
     collective_.run([&]() { write_all(state); });
   }
 
@@ -134,7 +144,7 @@ void RunLoop::write_due(RunState &state)
     probes(state);
   if (control_.fields_due(state))
     fields(state);
-  control_.consume_ticks(state);
+  control_.set_ticks(state);
 }
 
 void RunLoop::write_all(RunState &state)
@@ -153,11 +163,7 @@ void RunLoop::history(RunState &state)
   const std::vector<NamedValue> values = simulation_.history();
   output_.write_history(state, values);
   state.history_step = static_cast<std::int64_t>(state.step);
-  for (const NamedValue &value : values)
-    if (!std::isfinite(value.value))
-      throw NumericsError("step " + std::to_string(state.step) + " at time " +
-                          exact(state.time) + " s: \"" + value.name +
-                          "\" is not a finite number");
+  require_finite(values, state);
 }
 
 void RunLoop::probes(RunState &state)
@@ -169,6 +175,7 @@ void RunLoop::probes(RunState &state)
   if (!values.empty())
     output_.write_probes(state, values);
   state.probe_step = static_cast<std::int64_t>(state.step);
+  require_finite(values, state);
 }
 
 void RunLoop::fields(RunState &state)

@@ -14,7 +14,8 @@ namespace
   void request_stop(const int signal)
   {
     stop_flag = 1;
-    std::signal(signal, SIG_DFL);
+    if (signal == SIGINT)
+      std::signal(signal, SIG_DFL);
   }
 } // namespace
 

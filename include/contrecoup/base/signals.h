@@ -7,7 +7,7 @@ namespace contrecoup
 {
 /**
  * Catches SIGTERM and SIGINT for as long as it lives, so that a run can
- * write a checkpoint and leave; a second signal ends the process at once.
+ * write a checkpoint and leave; a second SIGINT ends the process at once.
  * Ignores SIGXFSZ, so that a file size limit shows as a failed write.
  */
 class SignalGuard

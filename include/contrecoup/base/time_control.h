@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <deal.II/base/parameter_handler.h>
+#include <contrecoup/base/time_parameters.h>
 
 #include <cstdint>
 
@@ -22,36 +22,16 @@ struct RunState
   /// The step size that the solver takes when nothing bounds it, as last
   /// seen [s].
   double free_step = 0.;
-  std::uint64_t retries = 0;      ///< steps that were cut back, in all
-  double updates = 0.;            ///< unknowns updated, in all
-  std::uint64_t field_index = 0;  ///< number of the next field output
-  std::uint64_t field_tick = 1;   ///< next multiple of the field interval
-  std::uint64_t history_tick = 1; ///< next multiple of the history interval
+  std::uint64_t retries = 0;     ///< steps that were cut back, in all
+  double updates = 0.;           ///< unknowns updated, in all
+  std::uint64_t field_index = 0; ///< number of the next field output
   /// Steps after which rows and fields were written last; -1: never.
   std::int64_t history_step = -1;
   std::int64_t probe_step = -1;
   std::int64_t field_step = -1;
-};
-
-/// When a run ends and when it writes: subsections "Time" and "Output".
-struct TimeParameters
-{
-  double end_time = 1.;
-  double largest_step = 0.;                  ///< 0: no bound
-  std::uint64_t largest_number_of_steps = 0; ///< 0: no bound
-  std::uint64_t steps_in_this_run = 0;       ///< 0: no bound
-  std::uint64_t history_every_steps = 1;
-  double history_interval = 0.; ///< 0: by steps
-  std::uint64_t probes_every_steps = 1;
-  bool fields = true;
-  double fields_interval = 0.;              ///< 0: start and end only
-  std::uint64_t fields_every_steps = 0;     ///< 0: off
-  std::uint64_t checkpoint_every_steps = 0; ///< 0: off
-  double checkpoint_every_minutes = 0.;     ///< 0: off
-  bool checkpoint_at_the_end = false;
-
-  static void declare_parameters(dealii::ParameterHandler &prm);
-  void parse_parameters(dealii::ParameterHandler &prm);
+  /// Next multiples of the output intervals; follow from the time.
+  std::uint64_t field_tick = 1;
+  std::uint64_t history_tick = 1;
 };
 
 /**
@@ -64,8 +44,8 @@ class TimeControl
 public:
   explicit TimeControl(const TimeParameters &parameters);
 
-  /// Sets the ticks of a run that starts at state.time.
-  void start(RunState &state) const;
+  /// Sets the output ticks to the next ones after state.time.
+  void set_ticks(RunState &state) const;
 
   /// The largest next step [s].
   double bound(const RunState &state) const;
@@ -78,11 +58,10 @@ public:
 
   bool finished(const RunState &state) const;
 
-  /// Whether output is due now; consume_ticks() then moves on.
+  /// Whether output is due now; set_ticks() then moves on.
   bool history_due(const RunState &state) const;
   bool probes_due(const RunState &state) const;
   bool fields_due(const RunState &state) const;
-  void consume_ticks(RunState &state) const;
 
   const TimeParameters &parameters() const;
 

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/base/time_parameters.h>
+
+namespace contrecoup
+{
+namespace
+{
+  constexpr int many = std::numeric_limits<int>::max();
+
+  void declare_time(ParameterHandler &prm)
+  {
+    const Section section(prm, "Time");
+    declare_double(
+      prm, "End time", "1", 0., unbounded, "s", "Simulated time at the end.");
+    declare_double(prm,
+                   "Largest step",
+                   "0",
+                   0.,
+                   unbounded,
+                   "s",
+                   "Bound of the step size; 0: only the solver's own.");
+    declare_integer(prm,
+                    "Largest number of steps",
+                    "0",
+                    0,
+                    many,
+                    "The run is finished after so many steps; 0: no bound.");
+    declare_integer(prm,
+                    "Steps in this run",
+                    "0",
+                    0,
+                    many,
+                    "Writes a checkpoint and stops after so many steps from "
+                    "start or resume; 0: no bound.");
+  }
+
+  void declare_tables(ParameterHandler &prm)
+  {
+    const Section section(prm, "Output");
+    declare_integer(prm,
+                    "History every steps",
+                    "1",
+                    1,
+                    many,
+                    "Steps between rows of history.csv.");
+    declare_double(prm,
+                   "History interval",
+                   "0",
+                   0.,
+                   unbounded,
+                   "s",
+                   "Time between rows of history.csv, met exactly; 0: by "
+                   "steps.");
+    declare_integer(prm,
+                    "Probes every steps",
+                    "1",
+                    1,
+                    many,
+                    "Steps between rows of probes.csv.");
+  }
+
+  void declare_fields(ParameterHandler &prm)
+  {
+    const Section section(prm, "Output");
+    declare_bool(prm,
+                 "Fields",
+                 "true",
+                 "Whether to write fields at all; at least at start and end.");
+    declare_double(prm,
+                   "Fields interval",
+                   "0",
+                   0.,
+                   unbounded,
+                   "s",
+                   "Time between field outputs, met exactly; 0: none between "
+                   "start and end.");
+    declare_integer(prm,
+                    "Fields every steps",
+                    "0",
+                    0,
+                    many,
+                    "Steps between field outputs; 0: not by steps.");
+  }
+
+  void declare_checkpoints(ParameterHandler &prm)
+  {
+    const Section section(prm, "Output");
+    declare_integer(prm,
+                    "Checkpoint every steps",
+                    "0",
+                    0,
+                    many,
+                    "Steps between checkpoints; 0: not by steps.");
+    declare_double(prm,
+                   "Checkpoint every minutes",
+                   "30",
+                   0.,
+                   1e6,
+                   "min",
+                   "Wall time between checkpoints; 0: not by wall time.");
+    declare_bool(prm,
+                 "Checkpoint at the end",
+                 "false",
+                 "Whether a finished run leaves a checkpoint, to be resumed "
+                 "with a later end time.");
+  }
+} // namespace
+
+void TimeParameters::declare_parameters(ParameterHandler &prm)
+{
+  declare_time(prm);
+  declare_tables(prm);
+  declare_fields(prm);
+  declare_checkpoints(prm);
+}
+
+void TimeParameters::parse_parameters(ParameterHandler &prm)
+{
+  {
+    Section section(prm, "Time");
+    end_time = read_double(prm, "End time");
+    largest_step = read_double(prm, "Largest step");
+    largest_number_of_steps = read_unsigned(prm, "Largest number of steps");
+    steps_in_this_run = read_unsigned(prm, "Steps in this run");
+  }
+  Section section(prm, "Output");
+  history_every_steps = read_unsigned(prm, "History every steps");
+  history_interval = read_double(prm, "History interval");
+  probes_every_steps = read_unsigned(prm, "Probes every steps");
+  fields = prm.get_bool("Fields");
+  fields_interval = read_double(prm, "Fields interval");
+  fields_every_steps = read_unsigned(prm, "Fields every steps");
+  checkpoint_every_steps = read_unsigned(prm, "Checkpoint every steps");
+  checkpoint_every_minutes = read_double(prm, "Checkpoint every minutes");
+  checkpoint_at_the_end = prm.get_bool("Checkpoint at the end");
+  for (const double interval : {history_interval, fields_interval})
+    if (interval > 0. && end_time / interval > 1e9)
+      throw InputError("an output interval of " + brief(interval) +
+                       " s makes more than 1e9 outputs until the end time " +
+                       brief(end_time) + " s");
+}
+} // namespace contrecoup
