@@ -169,12 +169,12 @@ void ReferenceSolution<dim>::declare_parameters(ParameterHandler &prm)
                     "state itself, the exact solution of the initial state of "
                     "the same name, the point source that Initial state/Sedov "
                     "describes (at probes), or a table.");
-  prm.declare_entry("Table",
-                    "",
-                    dealii::Patterns::FileName(),
-                    "CSV file with columns position [m] (along x, or the "
-                    "radius), density [kg/m^3], velocity [m/s], pressure [Pa] "
-                    "and, at will, products [-]: the profile at the end time.");
+  declare_file(prm,
+               "Table",
+               "",
+               "CSV file with columns position [m] (along x, or the radius), "
+               "density [kg/m^3], velocity [m/s], pressure [Pa] and, at will, "
+               "products [-]: the profile at the end time.");
 }
 
 
