@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/materials/explosives.h>
+#include <contrecoup/materials/mie_grueneisen.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+
+using namespace contrecoup;
+
+// Recomputed by hand for each set, in m/s and GPa.
+TEST(Explosives, ReproduceTheirChapmanJouguetState)
+{
+  struct Expected
+  {
+    double speed, pressure;
+  };
+  const std::map<std::string, Expected> expected{
+    {"tnt", {6930., 21.00}},
+    {"tnt dobratz", {6929., 21.00}},
+    {"c-4", {8193., 28.00}},
+    {"composition b", {7980., 29.50}},
+    {"petn 1.77", {8301., 33.51}},
+    {"petn 1.50", {7453., 22.00}},
+    {"anfo", {4159., 5.15}},
+    {"pentolite", {7530., 25.50}}};
+  EXPECT_EQ(explosive_library().size(), expected.size());
+  for (const Explosive &explosive : explosive_library())
+  {
+    SCOPED_TRACE(explosive.name);
+    const ChapmanJouguetState cj = chapman_jouguet(explosive.jwl);
+    const Expected &values = expected.at(explosive.name);
+    EXPECT_NEAR(cj.detonation_speed, values.speed, 0.6);
+    EXPECT_NEAR(cj.pressure, values.pressure * 1e9, 0.005e9);
+    // The published figures, which have three or four digits.
+    EXPECT_NEAR(cj.detonation_speed / explosive.detonation_speed, 1., 6e-4);
+    EXPECT_NEAR(cj.pressure / explosive.cj_pressure, 1., 6e-4);
+    EXPECT_FALSE(explosive.source.empty());
+  }
+}
+
+// Mass, momentum and energy over the front, the sonic condition, and that no
+// other state on the Hugoniot curve belongs to a slower detonation.
+TEST(Explosives, ChapmanJouguetStateObeysItsDefinition)
+{
+  for (const Explosive &explosive : explosive_library())
+  {
+    SCOPED_TRACE(explosive.name);
+    const JwlParameters &jwl = explosive.jwl;
+    const MieGrueneisen gas = MieGrueneisen::jwl(jwl);
+    const ChapmanJouguetState cj = chapman_jouguet(jwl);
+    const double rho_0 = jwl.reference_density, D = cj.detonation_speed;
+    EXPECT_NEAR(rho_0 * D / (cj.density * (D - cj.velocity)), 1., 1e-13);
+    EXPECT_NEAR(cj.pressure / (rho_0 * D * cj.velocity), 1., 1e-13);
+    const double energy =
+      gas.internal_energy_density(cj.density, cj.pressure, 1.) / cj.density;
+    EXPECT_NEAR(energy,
+                jwl.energy_density / rho_0 +
+                  0.5 * cj.pressure * (1. / rho_0 - 1. / cj.density),
+                1e-12 * energy);
+    EXPECT_NEAR(
+      std::sqrt(gas.sound_speed_squared(cj.density, cj.pressure, 1.)) +
+        cj.velocity,
+      D,
+      1e-9 * D);
+
+    for (const double factor : {0.9, 0.97, 1.03, 1.1})
+    {
+      const double density = factor * cj.density;
+      const double e_0 = jwl.energy_density * density / rho_0;
+      const double strain = 1. - rho_0 / density;
+      const double pressure = gas.pressure(density, e_0, 1.) /
+                              (1. - 0.5 * jwl.omega * strain * density / rho_0);
+      EXPECT_GT(std::sqrt(pressure / (rho_0 * strain)), D);
+    }
+  }
+}
+
+TEST(Explosives, AreFoundByName)
+{
+  std::set<std::string> names;
+  for (const std::string &name : explosive_names())
+  {
+    EXPECT_TRUE(names.insert(name).second);
+    EXPECT_EQ(find_explosive(name).name, name);
+  }
+  EXPECT_EQ(find_explosive("tnt").jwl.reference_density, 1630.);
+  EXPECT_NEAR(
+    find_explosive("tnt").jwl.energy_density / 1630., 3.68e6, 0.005e6);
+}
+
+TEST(Explosives, RefuseAnUnknownName)
+{
+  try
+  {
+    find_explosive("c4");
+    FAIL() << "no exception";
+  }
+  catch (const InputError &error)
+  {
+    EXPECT_NE(std::string(error.what()).find("c-4"), std::string::npos);
+  }
+}
+
+TEST(Explosives, RefuseConstantsWithoutDetonation)
+{
+  JwlParameters inert = find_explosive("tnt").jwl;
+  inert.A = 0.;
+  inert.B = 0.;
+  inert.energy_density = 0.;
+  EXPECT_THROW(chapman_jouguet(inert), InputError);
+}

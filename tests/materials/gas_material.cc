@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/materials/explosives.h>
+#include <contrecoup/materials/gas_material.h>
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+using namespace contrecoup;
+
+namespace
+{
+GasMaterial parse(const std::string &entries)
+{
+  dealii::ParameterHandler prm;
+  GasMaterial::declare_parameters(prm);
+  prm.parse_input_from_string("subsection Material\n" + entries + "end\n");
+  GasMaterial material;
+  material.parse_parameters(prm);
+  return material;
+}
+} // namespace
+
+TEST(GasMaterial, IsAirByDefault)
+{
+  const GasMaterial material = parse("");
+  ASSERT_TRUE(material.is_ideal());
+  EXPECT_EQ(material.ideal().gamma(), 1.4);
+  EXPECT_FALSE(material.has_products());
+  EXPECT_EQ(material.reference_density(), 0.);
+  EXPECT_EQ(material.reference_energy(), 0.);
+  EXPECT_EQ(material.pressure(1., 2.5, 0.),
+            GasMaterial().pressure(1., 2.5, 0.));
+}
+
+TEST(GasMaterial, ReadsEachEquationOfState)
+{
+  EXPECT_NEAR(
+    parse("set Gamma = 1.6666666666666667\n").pressure(1., 1.5, 0.), 1., 1e-15);
+
+  const GasMaterial water =
+    parse("set Equation of state = stiffened gas\nset Gamma = 4.4\n"
+          "set Stiffening pressure = 6e8\n");
+  EXPECT_FALSE(water.is_ideal());
+  EXPECT_FALSE(water.has_products());
+  EXPECT_NEAR(
+    water.sound_speed_squared(1000., 1e5, 0.), 4.4 * 6.001e8 / 1000., 1e-6);
+
+  const GasMaterial tnt = parse("set Equation of state = jwl\n");
+  EXPECT_FALSE(tnt.has_products());
+  EXPECT_EQ(tnt.reference_density(), 1630.);
+  EXPECT_NEAR(tnt.reference_energy(), 6e9 / 1630., 1e-6);
+
+  const GasMaterial mixture =
+    parse("set Equation of state = jwl in air\nset Explosive = c-4\n");
+  EXPECT_TRUE(mixture.has_products());
+  EXPECT_EQ(mixture.explosive().A, find_explosive("c-4").jwl.A);
+  EXPECT_DOUBLE_EQ(mixture.pressure(1.2, 250000., 0.), 100000.);
+}
+
+TEST(GasMaterial, ReadsCustomConstantsInFullPrecision)
+{
+  const GasMaterial material =
+    parse("set Equation of state = jwl\nset Explosive = custom\n"
+          "subsection Custom explosive\n"
+          "  set A = 373.8123456789e9\n  set B = 3.7471234567891e9\n"
+          "  set R1 = 4.1512345678912\n  set R2 = 0.91234567891234\n"
+          "  set Omega = 0.35123456789123\n  set Density = 1630.1234567891\n"
+          "  set Energy density = 6.0123456789123e9\n"
+          "  set Specific heat = 613.51234567891\nend\n");
+  const JwlParameters &jwl = material.explosive();
+  EXPECT_EQ(jwl.A, 373.8123456789e9);
+  EXPECT_EQ(jwl.B, 3.7471234567891e9);
+  EXPECT_EQ(jwl.R1, 4.1512345678912);
+  EXPECT_EQ(jwl.R2, 0.91234567891234);
+  EXPECT_EQ(jwl.omega, 0.35123456789123);
+  EXPECT_EQ(jwl.reference_density, 1630.1234567891);
+  EXPECT_EQ(jwl.energy_density, 6.0123456789123e9);
+  EXPECT_EQ(jwl.specific_heat, 613.51234567891);
+}
+
+TEST(GasMaterial, AnswersAsItsModelDoes)
+{
+  const GasMaterial material = parse("set Equation of state = jwl in air\n");
+  const auto &gas = std::get<MieGrueneisen>(material.model());
+  const double density = 800., energy = 3e9, products = 0.7;
+  const double p = gas.pressure(density, energy, products);
+  EXPECT_EQ(material.pressure(density, energy, products), p);
+  EXPECT_EQ(material.internal_energy_density(density, p, products),
+            gas.internal_energy_density(density, p, products));
+  EXPECT_EQ(material.sound_speed_squared(density, p, products),
+            gas.sound_speed_squared(density, p, products));
+  EXPECT_EQ(material.cold_energy_density(density, products),
+            gas.cold_energy_density(density, products));
+  EXPECT_EQ(material.temperature(density, p, products),
+            gas.temperature(density, p, products));
+}
+
+TEST(GasMaterial, RefusesWhatIsOutOfRange)
+{
+  EXPECT_ANY_THROW(parse("set Equation of state = van der waals\n"));
+  EXPECT_ANY_THROW(parse("set Gamma = 1\n"));
+  EXPECT_ANY_THROW(parse("set Stiffening pressure = -1\n"));
+  EXPECT_ANY_THROW(parse("set Explosive = rdx\n"));
+  EXPECT_ANY_THROW(parse("subsection Custom explosive\n set B = -1e9\nend\n"));
+}
