@@ -6,6 +6,7 @@
 #include <contrecoup/io/field_output.h>
 
 #include <deal.II/base/utilities.h>
+#include <deal.II/grid/reference_cell.h>
 
 namespace contrecoup
 {
@@ -63,6 +64,7 @@ namespace io
   void FieldOutput<dim>::add_patch(Patch &&patch)
   {
     patch.patch_index = static_cast<unsigned int>(patches_.size());
+    patch.reference_cell = dealii::ReferenceCells::get_hypercube<dim>();
     patches_.push_back(std::move(patch));
   }
 
@@ -128,12 +130,13 @@ namespace io
         this->write_xdmf_file(
           {entry}, folder + "/" + name + ".xdmf", communicator);
       }
-      catch (const dealii::ExceptionBase &)
+      catch (const dealii::ExceptionBase &error)
       {
         remove_quietly(folder + "/" + name + ".h5");
         remove_quietly(folder + "/" + name + ".xdmf");
         throw SystemError("cannot write \"" + folder + "/" + name +
-                          ".h5\": is the disk full?");
+                          ".h5\": is the disk full? (" + error.get_exc_name() +
+                          ")");
       }
       return name + ".xdmf";
     }
@@ -179,7 +182,6 @@ namespace io
                    const std::vector<std::pair<double, std::string>> &entries)
   {
     write_file(file, [&](std::ostream &out) {
-      out.precision(17);
       dealii::DataOutBase::write_pvd_record(out, entries);
     });
   }

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include "harness.h"
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+using namespace contrecoup::io;
+using Json = nlohmann::json;
+
+namespace
+{
+Json summary(const std::string &folder)
+{
+  return Json::parse(content(folder + "/summary.json"));
+}
+
+std::ptrdiff_t n_lines(const std::string &text)
+{
+  return std::count(text.begin(), text.end(), '\n');
+}
+
+void expect_same_results(const std::string &one, const std::string &two)
+{
+  for (const char *name : {"history.csv", "probes.csv"})
+  {
+    EXPECT_GT(n_lines(content(one + "/" + name)), 40) << name;
+    EXPECT_EQ(content(one + "/" + name), content(two + "/" + name)) << name;
+  }
+  EXPECT_EQ(summary(one)["conservation"], summary(two)["conservation"]);
+  EXPECT_EQ(summary(one)["errors"], summary(two)["errors"]);
+  const auto listed = [](const std::string &folder) {
+    const std::string text = content(folder + "/fields.pvd");
+    return text.substr(text.find("<Collection>"));
+  };
+  EXPECT_EQ(listed(one), listed(two));
+}
+} // namespace
+
+TEST(Application, LeavesTheFilesOfTheContract)
+{
+  const std::string folder = local("plain");
+  remove(folder);
+  const Result result = run_scene(folder);
+  EXPECT_EQ(result.code, 0);
+  EXPECT_EQ(result.err, "");
+  if (is_first_rank())
+    EXPECT_EQ(content(folder + "/log.txt"), result.out);
+  else
+    EXPECT_EQ(result.out, "");
+
+  const std::string history = content(folder + "/history.csv");
+  EXPECT_EQ(history.substr(0, history.find('\n')),
+            "step,time [s],step size [s],mass [kg],position [m],energy [J]");
+  EXPECT_NE(history.find("\n0,0,0,1,1,0.5\n"), std::string::npos);
+  const std::string probes = content(folder + "/probes.csv");
+  EXPECT_EQ(probes.substr(0, probes.find('\n')),
+            "time [s],mass position [m],mass velocity [m/s]");
+
+  const Json json = summary(folder);
+  EXPECT_EQ(json["application"], "oscillator");
+  EXPECT_EQ(json["status"], "finished");
+  EXPECT_EQ(json["ranks"], n_ranks());
+  EXPECT_EQ(json["steps"].get<int>() + 2, n_lines(history));
+  EXPECT_EQ(json["time"], 3.3);
+  EXPECT_EQ(json["conservation"]["mass_relative_change"], 0.);
+  EXPECT_EQ(json["conservation"]["energy_first"], 0.5);
+  EXPECT_LT(
+    std::abs(json["conservation"]["energy_relative_change"].get<double>()),
+    0.1);
+  EXPECT_FALSE(json["conservation"].contains("position_first"));
+  EXPECT_LT(json["errors"]["position"].get<double>(), 0.1);
+  EXPECT_TRUE(json["assumptions"]["largest_angle"].is_null());
+  EXPECT_GT(json["performance"]["updates_per_second_per_core"], 0.);
+  EXPECT_GT(json["performance"]["peak_memory_bytes"], 1e6);
+  EXPECT_TRUE(json["timers"].contains("advance"));
+}
+
+TEST(Application, FieldsAreListedWithTheirTimes)
+{
+  const std::string folder = local("plain");
+  run_scene(folder);
+  const std::string list = content(folder + "/fields.pvd");
+  const std::string end = n_ranks() > 1 ? "pvtu" : "vtu";
+  const char *const times[] = {"0", "1", "2", "3", "3.3"};
+  for (int i = 0; i < 5; ++i)
+  {
+    const std::string file =
+      "fields/oscillator_000" + std::to_string(i) + "." + end;
+    EXPECT_TRUE(exists(folder + "/" + file));
+    EXPECT_NE(list.find("timestep=\"" + std::string(times[i]) +
+                        "\" group=\"\" part=\"0\" file=\"" + file),
+              std::string::npos)
+      << list;
+  }
+}
+
+TEST(Application, WrittenParametersGiveTheSameRun)
+{
+  const std::string one = local("first"), two = local("again");
+  remove(one);
+  remove(two);
+  run_scene(one, {"--set", "Oscillator/Damping=0.12345678901234567"});
+  EXPECT_EQ(run_oscillator({one + "/parameters.prm", "--output", two}).code, 0);
+  expect_same_results(one, two);
+}
+
+TEST(Application, OverridesWinOverTheFile)
+{
+  const std::string folder = local("override");
+  remove(folder);
+  EXPECT_EQ(run_scene(folder,
+                      {"--set",
+                       "Time/End time=2",
+                       "--set=Time/End time = 0.25",
+                       "--set",
+                       "Output/History interval=0.1"})
+              .code,
+            0);
+  EXPECT_EQ(summary(folder)["time"], 0.25);
+  EXPECT_EQ(n_lines(content(folder + "/history.csv")), 5);
+}
+
+TEST(Application, StopAndResumeEqualsStraightThrough)
+{
+  const std::string straight = local("straight"), parts = local("parts");
+  remove(straight);
+  remove(parts);
+  EXPECT_EQ(run_scene(straight).code, 0);
+  EXPECT_EQ(run_scene(parts, {"--set", "Time/Steps in this run=17"}).code, 0);
+  EXPECT_EQ(summary(parts)["status"], "stopped");
+  EXPECT_EQ(run_scene(parts,
+                      {"--resume",
+                       "--set",
+                       "Time/Steps in this run=11",
+                       "--set",
+                       "Output/Checkpoint every steps=3"})
+              .code,
+            0);
+  // Rows and fields after the checkpoint must vanish on resume.
+  if (is_first_rank())
+    for (const char *name : {"/history.csv", "/probes.csv"})
+    {
+      std::FILE *file = std::fopen((parts + name).c_str(), "a");
+      std::fputs("99,99,99,99,99,99\n", file);
+      std::fclose(file);
+    }
+  EXPECT_EQ(run_scene(parts, {"--resume"}).code, 0);
+  EXPECT_EQ(summary(parts)["status"], "finished");
+  EXPECT_EQ(summary(parts)["steps"], summary(straight)["steps"]);
+  expect_same_results(straight, parts);
+}
+
+TEST(Application, CheckpointsDoNotChangeTheRun)
+{
+  const std::string straight = local("straight"), marked = local("marked");
+  remove(marked);
+  run_scene(straight);
+  EXPECT_EQ(
+    run_scene(marked, {"--set", "Output/Checkpoint every steps=4"}).code, 0);
+  expect_same_results(straight, marked);
+}
+
+TEST(Application, AFinishedRunGoesOnToALaterEnd)
+{
+  const std::string folder = local("later");
+  remove(folder);
+  const std::string keep = "Output/Checkpoint at the end=true";
+  EXPECT_EQ(
+    run_scene(folder, {"--set", "Time/End time=1.5", "--set", keep}).code, 0);
+  EXPECT_EQ(run_scene(folder, {"--resume", "--set", keep}).code, 0);
+  EXPECT_EQ(summary(folder)["time"], 3.3);
+  const std::string history = content(folder + "/history.csv");
+  EXPECT_EQ(summary(folder)["steps"].get<int>() + 2, n_lines(history));
+}
+
+TEST(Application, SigtermWritesACheckpointAndLeavesWithZero)
+{
+  const std::string straight = local("straight"), folder = local("terminated");
+  remove(folder);
+  run_scene(straight);
+  const Result result = run_scene(
+    folder, {"--set", "Mishap/Kind=signal", "--set", "Mishap/Step=9"});
+  EXPECT_EQ(result.code, 0);
+  EXPECT_EQ(result.err, "");
+  EXPECT_EQ(summary(folder)["status"], "stopped");
+  EXPECT_EQ(summary(folder)["steps"], 9);
+  EXPECT_EQ(run_scene(folder, {"--resume"}).code, 0);
+  expect_same_results(straight, folder);
+}
+
+TEST(Application, LargestNumberOfStepsFinishesTheRun)
+{
+  const std::string folder = local("few");
+  remove(folder);
+  run_scene(folder, {"--set", "Time/Largest number of steps=7"});
+  EXPECT_EQ(summary(folder)["status"], "finished");
+  EXPECT_EQ(summary(folder)["steps"], 7);
+}
+
+TEST(Application, CheckSaysTheCostAndWritesNothing)
+{
+  const std::string folder = local("checked");
+  remove(folder);
+  const Result result = run_scene(folder, {"--check"});
+  EXPECT_EQ(result.code, 0);
+  EXPECT_FALSE(exists(folder));
+  for (const char *word : {"cells", "unknowns", "steps", "memory", "time"})
+    EXPECT_EQ(result.out.find(word) != std::string::npos, is_first_rank())
+      << word;
+}
+
+TEST(Application, PrintsParametersHelpAndVersion)
+{
+  const Result parameters =
+    run_oscillator({"--print-parameters", "--set", "Oscillator/Mass=2.5"});
+  const Result help = run_oscillator({"--help"});
+  const Result version = run_oscillator({"--version"});
+  for (const Result *result : {&parameters, &help, &version})
+  {
+    EXPECT_EQ(result->code, 0);
+    EXPECT_EQ(result->err, "");
+  }
+  if (!is_first_rank())
+    return;
+  EXPECT_NE(parameters.out.find("  # [kg] The mass that swings."),
+            std::string::npos);
+  EXPECT_NE(parameters.out.find("  set Mass = 2.5\n"), std::string::npos);
+  for (const char *option : {"--set", "--output", "--resume", "--check"})
+    EXPECT_NE(help.out.find(option), std::string::npos) << option;
+  EXPECT_EQ(version.out.find("oscillator 0."), 0u);
+}

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/io/checked_file.h>
+#include <contrecoup/io/history.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+using namespace contrecoup;
+using namespace contrecoup::io;
+
+TEST(History, HasHeaderAndExactNumbers)
+{
+  HistoryFile file("table.csv");
+  file.start();
+  file.add_row({{"time", "s", 0.1}, {"count", "", 3.}});
+  file.add_row({{"time", "s", 1. / 3.}, {"count", "", -1e-300}});
+  file.flush();
+  const std::string text = read_file("table.csv");
+  EXPECT_EQ(text,
+            "time [s],count\n0.10000000000000001,3\n"
+            "0.33333333333333331,-1e-300\n");
+  EXPECT_EQ(file.size(), text.size());
+}
+
+TEST(History, ResumeCutsBack)
+{
+  std::uint64_t size = 0;
+  {
+    HistoryFile file("cut.csv");
+    file.start();
+    file.add_row({{"a", "m", 1.}});
+    file.flush();
+    size = file.size();
+    file.add_row({{"a", "m", 2.}});
+  }
+  HistoryFile file("cut.csv");
+  file.resume(size);
+  file.add_row({{"a", "m", 3.}});
+  EXPECT_THROW(file.add_row({{"b", "m", 3.}}), InputError);
+  file.flush();
+  EXPECT_EQ(read_file("cut.csv"), "a [m]\n1\n3\n");
+  EXPECT_THROW(file.resume(100), InputError);
+  file.resume(0);
+  EXPECT_FALSE(std::filesystem::exists("cut.csv"));
+}
+
+TEST(CheckedFile, LeavesNothingOfAFileThatCannotBeWritten)
+{
+  EXPECT_THROW(write_file("no_such_folder/file", [](std::ostream &) {}),
+               SystemError);
+  write_file("whole.txt", [](std::ostream &out) { out << "old"; });
+  EXPECT_THROW(write_file("whole.txt",
+                          [](std::ostream &out) {
+                            out << "new";
+                            throw SystemError("half-way");
+                          }),
+               SystemError);
+  EXPECT_EQ(read_file("whole.txt"), "old");
+  EXPECT_FALSE(std::filesystem::exists("whole.txt.partial"));
+  EXPECT_THROW(read_file("no_such_file"), SystemError);
+  // A device that is always full.
+  std::filesystem::remove("full.partial");
+  std::filesystem::create_symlink("/dev/full", "full.partial");
+  EXPECT_THROW(write_file("full", [](std::ostream &out) { out << "x"; }),
+               SystemError);
+  EXPECT_FALSE(std::filesystem::exists("full"));
+}
