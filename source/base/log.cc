@@ -10,8 +10,10 @@
 
 namespace contrecoup
 {
+// mpirun gives its ranks a terminal as stdout even when its own is a file, but
+// never as stderr.
 Log::Log()
-  : terminal_(isatty(STDOUT_FILENO) != 0)
+  : terminal_(isatty(STDOUT_FILENO) != 0 && isatty(STDERR_FILENO) != 0)
 {}
 
 Log &Log::instance()

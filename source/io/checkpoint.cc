@@ -214,7 +214,11 @@ namespace io
       if (dealii::Utilities::MPI::this_mpi_process(
             collective_.communicator()) == 0)
         for (const auto &item : numbered(folder_))
+        {
+          log_line("removed the earlier run's \"" + item.second.string() +
+                   "\"; --resume would have gone on from there");
           remove_quietly(item.second.string());
+        }
     });
   }
 } // namespace io

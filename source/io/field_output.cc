@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameters.h>
 #include <contrecoup/io/checked_file.h>
 #include <contrecoup/io/field_output.h>
 
@@ -21,11 +22,25 @@ namespace io
     constexpr auto best_speed = dealii::DataOutBase::VtkFlags::best_speed;
 #endif
 
+    const char *const vtu = "vtu";
+    const char *const hdf5 = "hdf5";
+
     std::string numbered(const std::string &stem, const unsigned int index)
     {
       return stem + "_" + dealii::Utilities::int_to_string(index, 4);
     }
   } // namespace
+
+  void declare_field_format(dealii::ParameterHandler &prm)
+  {
+    declare_selection(prm,
+                      "Field format",
+                      vtu,
+                      {vtu, hdf5},
+                      "Files of the fields: VTU pieces with a .pvd "
+                      "collection, or one HDF5 file with an XDMF file per "
+                      "output (2-D and 3-D).");
+  }
 
   template <int dim>
   FieldOutput<dim>::FieldOutput(const std::vector<FieldName> &names)
@@ -66,6 +81,19 @@ namespace io
     patch.patch_index = static_cast<unsigned int>(patches_.size());
     patch.reference_cell = dealii::ReferenceCells::get_hypercube<dim>();
     patches_.push_back(std::move(patch));
+  }
+
+  template <int dim>
+  std::string FieldOutput<dim>::write(const std::string &format,
+                                      const std::string &folder,
+                                      const std::string &stem,
+                                      const unsigned int index,
+                                      const double time,
+                                      const MPI_Comm communicator)
+  {
+    if (format == hdf5)
+      return write_hdf5(folder, stem, index, time, communicator);
+    return write_vtu(folder, stem, index, communicator);
   }
 
   template <int dim>
@@ -113,32 +141,46 @@ namespace io
                                            const double time,
                                            const MPI_Comm communicator)
   {
+    const std::string name = numbered(stem, index);
     if constexpr (dim == 1)
-      throw InputError("HDF5/XDMF fields need two or three dimensions");
+      throw InputError("\"Field format\" cannot be \"hdf5\" in one dimension; "
+                       "allowed: vtu");
     else
     {
-      const std::string name = numbered(stem, index);
-      try
-      {
-        dealii::DataOutBase::DataOutFilter filter(
-          dealii::DataOutBase::DataOutFilterFlags(false, true));
-        this->write_filtered_data(filter);
-        this->write_hdf5_parallel(
-          filter, folder + "/" + name + ".h5", communicator);
-        const auto entry =
-          this->create_xdmf_entry(filter, name + ".h5", time, communicator);
-        this->write_xdmf_file(
-          {entry}, folder + "/" + name + ".xdmf", communicator);
-      }
-      catch (const dealii::ExceptionBase &error)
-      {
-        remove_quietly(folder + "/" + name + ".h5");
-        remove_quietly(folder + "/" + name + ".xdmf");
-        throw SystemError("cannot write \"" + folder + "/" + name +
-                          ".h5\": is the disk full? (" + error.get_exc_name() +
-                          ")");
-      }
-      return name + ".xdmf";
+      // deal.II 9.4 cannot write the file with ranks that have no patches.
+      MPI_Comm writers;
+      MPI_Comm_split(communicator, patches_.empty() ? 1 : 0, 0, &writers);
+      if (!patches_.empty())
+        write_hdf5_files(folder, name, time, writers);
+      MPI_Comm_free(&writers);
+    }
+    return name + ".xdmf";
+  }
+
+  template <int dim>
+  void FieldOutput<dim>::write_hdf5_files(const std::string &folder,
+                                          const std::string &name,
+                                          const double time,
+                                          const MPI_Comm writers)
+  {
+    const std::string file = folder + "/" + name;
+    try
+    {
+      dealii::DataOutBase::DataOutFilter filter(
+        dealii::DataOutBase::DataOutFilterFlags(false, true));
+      this->write_filtered_data(filter);
+      this->write_hdf5_parallel(filter, file + ".h5", writers);
+      const auto entry =
+        this->create_xdmf_entry(filter, name + ".h5", time, writers);
+      this->write_xdmf_file({entry}, file + ".xdmf", writers);
+    }
+    catch (const dealii::ExceptionBase &error)
+    {
+      remove_quietly(file + ".h5");
+      remove_quietly(file + ".xdmf");
+      throw SystemError("cannot write \"" + file +
+                        ".h5\": is the disk full? (" + error.get_exc_name() +
+                        ")");
     }
   }
 

@@ -61,6 +61,7 @@ namespace io
         }
         catch (const SystemError &reason)
         {
+          discard();
           throw InputError("the output folder takes no files: " +
                            std::string(reason.what()));
         }
@@ -160,7 +161,9 @@ namespace io
       file = simulation.write_fields(
         path("fields"), static_cast<unsigned int>(state.field_index));
     });
-    if (file.empty())
+    // A collection cannot list other formats.
+    if (fs::path(file).extension() != ".vtu" &&
+        fs::path(file).extension() != ".pvtu")
       return;
     // A failed attempt at the same index must not be listed twice.
     const std::string entry = "fields/" + fs::path(file).filename().string();

@@ -97,6 +97,16 @@ TEST(Application, FieldsAreListedWithTheirTimes)
   }
 }
 
+TEST(Application, FieldsCanBeHdf5)
+{
+  const std::string folder = local("hdf5");
+  remove(folder);
+  EXPECT_EQ(run_scene(folder, {"--set", "Output/Field format=hdf5"}).code, 0);
+  EXPECT_TRUE(exists(folder + "/fields/oscillator_0004.h5"));
+  EXPECT_TRUE(exists(folder + "/fields/oscillator_0004.xdmf"));
+  EXPECT_FALSE(exists(folder + "/fields.pvd"));
+}
+
 TEST(Application, WrittenParametersGiveTheSameRun)
 {
   const std::string one = local("first"), two = local("again");

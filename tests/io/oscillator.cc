@@ -25,6 +25,10 @@ namespace io
   void Oscillator::declare_parameters(ParameterHandler &prm)
   {
     {
+      Section section(prm, "Output");
+      declare_field_format(prm);
+    }
+    {
       Section section(prm, "Oscillator");
       declare_double(
         prm, "Mass", "1", 1e-300, unbounded, "kg", "The mass that swings.");
@@ -75,6 +79,10 @@ namespace io
 
   void Oscillator::parse_parameters(ParameterHandler &prm)
   {
+    {
+      Section section(prm, "Output");
+      field_format_ = prm.get("Field format");
+    }
     {
       Section section(prm, "Oscillator");
       mass_ = read_double(prm, "Mass");
@@ -196,7 +204,8 @@ namespace io
       }
       output.add_patch(std::move(patch));
     }
-    return output.write_vtu(folder, "oscillator", index, communicator_);
+    return output.write(
+      field_format_, folder, "oscillator", index, time_, communicator_);
   }
 
   std::vector<NamedValue> Oscillator::errors()

@@ -49,6 +49,7 @@ namespace io
     double damping_ = 0.;
     double cells_ = 1.;
     std::string mishap_;
+    std::string field_format_;
     int mishap_step_ = 0;
     int mishap_rank_ = -1;
 

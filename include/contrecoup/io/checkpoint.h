@@ -48,7 +48,7 @@ namespace io
     /// @throws InputError when all are damaged or incomplete.
     std::optional<Found> newest() const;
 
-    /// Removes all checkpoints.
+    /// Removes all checkpoints, and says so in the log.
     void clear();
 
   private:

@@ -5,6 +5,7 @@
 
 #include <deal.II/base/data_out_base.h>
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/parameter_handler.h>
 
 #include <string>
 #include <tuple>
@@ -15,6 +16,9 @@ namespace contrecoup
 {
 namespace io
 {
+  /// Declares "Field format" in the current subsection: vtu or hdf5.
+  void declare_field_format(dealii::ParameterHandler &prm);
+
   /// One quantity of the patches: a scalar, or a vector of dim components.
   struct FieldName
   {
@@ -56,6 +60,15 @@ namespace io
     /// Adds a patch; its neighbours and index need not be set.
     void add_patch(Patch &&patch);
 
+    /// Calls the function below that belongs to @p format, the value of
+    /// "Field format".
+    std::string write(const std::string &format,
+                      const std::string &folder,
+                      const std::string &stem,
+                      unsigned int index,
+                      double time,
+                      MPI_Comm communicator);
+
     /**
      * Writes `stem_0012.0003.vtu`, one piece per rank that has patches, and
      * `stem_0012.pvtu`. With a single rank `stem_0012.vtu` alone. Collective.
@@ -92,6 +105,11 @@ namespace io
     std::vector<Range> get_nonscalar_data_ranges() const override;
 
   private:
+    void write_hdf5_files(const std::string &folder,
+                          const std::string &name,
+                          double time,
+                          MPI_Comm writers);
+
     std::vector<FieldName> names_;
     std::vector<Patch> patches_;
   };
