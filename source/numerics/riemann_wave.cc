@@ -175,6 +175,8 @@ double RiemannWave::shocked_volume(const double pressure) const
 
   // The Hugoniot curve is the first root when the gas is compressed.
   double larger = volume;
+  if (excess(larger) <= 0.) // weaker than rounding
+    return larger;
   for (unsigned int i = 0; i < 1000; ++i)
   {
     const double smaller = 0.97 * larger;

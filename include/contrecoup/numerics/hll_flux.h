@@ -38,7 +38,7 @@ namespace internal
   }
 
   /// (F_L + F_R)/2 + lean (F_L - F_R) + viscosity (U_L - U_R): exact at
-  /// rest, and mirrored exactly when the states are.
+  /// rest.
   template <int dim, typename Number>
   inline DEAL_II_ALWAYS_INLINE FaceFlux<dim, Number>
   blended_flux(const FaceState<dim, Number> &left,

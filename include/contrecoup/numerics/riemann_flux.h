@@ -101,13 +101,16 @@ namespace internal
       right.density * (speeds.right - right.velocity[0]);
     const Number inverse =
       one / std::min(Number(left_rate - right_rate), Number(-tiny));
+    // About the mean velocity, so that equal pressures and velocities give
+    // exactly that velocity.
+    const Number jump = right.pressure - left.pressure;
     const Number plain_contact =
-      ((right.pressure - right_rate * right.velocity[0]) -
-       (left.pressure - left_rate * left.velocity[0])) *
-      inverse;
-    const Number correction =
-      (one - shear_factor) * (right.pressure - left.pressure) * inverse;
-    const Number contact = plain_contact - correction;
+      (left.velocity[0] + right.velocity[0]) * 0.5 +
+      (jump - (right.velocity[0] - left.velocity[0]) *
+                ((left_rate + right_rate) * 0.5)) *
+        inverse;
+    const Number contact =
+      plain_contact - (one - shear_factor) * jump * inverse;
 
     const FaceState<dim, Number> side = upwind_state(contact, left, right);
     const Number normal = side.velocity[0];
