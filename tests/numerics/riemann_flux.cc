@@ -299,7 +299,8 @@ TEST(RiemannFlux, ShockStableHllcIsHllcWithoutShocks)
 
 
 // Both may fuse multiplications and additions differently; where the pressure
-// between strong waves is a small difference, the wave speeds amplify that.
+// between strong waves is a small difference, the wave speeds amplify the
+// rounding by up to 1e4 (two steps, each bounded from below by 1/100).
 TEST(RiemannFlux, LanesAgreeWithPlainNumbers)
 {
   using Number = Lanes<double>;
@@ -339,7 +340,7 @@ TEST(RiemannFlux, LanesAgreeWithPlainNumbers)
           components(numerical_flux(kind, left[lane], right[lane], 0.9));
         const auto scale = scales(left[lane], right[lane]);
         for (unsigned int c = 0; c < plain.size(); ++c)
-          ASSERT_NEAR(flux[c][lane], plain[c], 1e-12 * scale[c]);
+          ASSERT_NEAR(flux[c][lane], plain[c], 1e-11 * scale[c]);
       }
     }
   }
