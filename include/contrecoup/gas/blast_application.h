@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/io/application.h>
+
+namespace contrecoup::gas
+{
+/// The application "blast": gas dynamics in 1 to 3 dimensions.
+io::ApplicationDescription blast_application();
+} // namespace contrecoup::gas

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/gas/hanging_group.h>
+#include <contrecoup/gas/primitive.h>
+#include <contrecoup/gas/scheme.h>
+#include <contrecoup/gas/stage.h>
+
+#include <deal.II/base/aligned_vector.h>
+
+namespace contrecoup::gas
+{
+/**
+ * Fluxes and halo values of hanging faces for the finite-volume scheme on
+ * axis-aligned leaves. The flux is computed once for each fine subcell
+ * face, from a linear reconstruction on both sides; the coarse side gets
+ * the mean of the fluxes on its face, so that nothing is lost.
+ */
+template <int dim, typename Gas>
+class FiniteVolumeHanging
+{
+public:
+  using Number = Lanes<double>;
+  static constexpr unsigned int nc = n_conserved<dim, Gas>;
+  using Values = std::array<Number, nc>;
+
+  FiniteVolumeHanging(const LeafLayout &layout,
+                      const Scheme &scheme,
+                      const Gas &gas);
+
+  void compute(const HangingGroup<dim> &group,
+               const double *state,
+               HangingData<dim> &hanging);
+
+private:
+  static constexpr unsigned int n_fine = HangingFace<dim>::n_fine;
+
+  void load(const HangingGroup<dim> &group, const double *state);
+  void average_fine_side(const HangingGroup<dim> &group);
+  void part_fluxes(const HangingGroup<dim> &group, const unsigned int part);
+  void store(const HangingGroup<dim> &group, HangingData<dim> &hanging) const;
+
+  /// Slope of the coarse values along face coordinate @p t at a point,
+  /// from the neighbours on the same leaf.
+  Values tangential_slope(const unsigned int point, const unsigned int t) const;
+
+  /// Coarse face point that fine point (a, b) of a part lies in, and its
+  /// distance from that point's centre in coarse subcells.
+  unsigned int
+  coarse_point(const unsigned int part,
+               const unsigned int fine_point,
+               std::array<double, dim == 1 ? 1 : dim - 1> &distance) const;
+
+  /// Fine face point in the fine leaf's own numbering.
+  unsigned int fine_point(const HangingGroup<dim> &group,
+                          const unsigned int point) const;
+
+  const LeafLayout layout_;
+  const Scheme &scheme_;
+  const Gas gas_;
+
+  /// Primitive values by [layer][face point], coarse numbering.
+  std::array<dealii::AlignedVector<Values>, 2> coarse_;
+  std::array<std::array<dealii::AlignedVector<Values>, 2>, n_fine> fine_;
+  dealii::AlignedVector<Values> coarse_halo_;
+  std::array<dealii::AlignedVector<Values>, n_fine> fine_halo_;
+  dealii::AlignedVector<Values> coarse_flux_;
+  std::array<dealii::AlignedVector<Values>, n_fine> fine_flux_;
+};
+} // namespace contrecoup::gas

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/gas/hanging_group.h>
+#include <contrecoup/gas/primitive.h>
+#include <contrecoup/gas/scheme.h>
+#include <contrecoup/gas/stage.h>
+#include <contrecoup/numerics/lobatto_basis.h>
+
+#include <deal.II/base/aligned_vector.h>
+
+namespace contrecoup::gas
+{
+/**
+ * Fluxes of hanging faces for the discontinuous Galerkin scheme on
+ * axis-aligned leaves, by mortars: the coarse trace is interpolated to the
+ * nodes of each fine face, the flux computed there once, and its L2
+ * projection given to the coarse side (Kopriva 1996), which keeps the
+ * integral.
+ */
+template <int dim, typename Gas>
+class GalerkinHanging
+{
+public:
+  using Number = Lanes<double>;
+  static constexpr unsigned int nc = n_conserved<dim, Gas>;
+  using Values = std::array<Number, nc>;
+
+  GalerkinHanging(const LeafLayout &layout,
+                  const Scheme &scheme,
+                  const Gas &gas);
+
+  void compute(const HangingGroup<dim> &group,
+               const double *state,
+               HangingData<dim> &hanging);
+
+private:
+  static constexpr unsigned int n_fine = HangingFace<dim>::n_fine;
+  using Trace = dealii::AlignedVector<Values>;
+
+  Values gather(const double *state,
+                const unsigned int *offsets,
+                const unsigned int point) const;
+  void interpolate(const unsigned int part);
+  void restore_positivity();
+  void part_fluxes(const HangingGroup<dim> &group, const unsigned int part);
+  void project(const unsigned int part);
+  void store(const HangingGroup<dim> &group, HangingData<dim> &hanging) const;
+  unsigned int fine_point(const HangingGroup<dim> &group,
+                          const unsigned int point) const;
+  /// Applies to each direction of the face the matrix of that half.
+  template <typename Matrices>
+  void apply(const Matrices &matrices,
+             const unsigned int part,
+             const Trace &from,
+             Trace &to) const;
+
+  const LeafLayout layout_;
+  const Scheme &scheme_;
+  const Gas gas_;
+  const LobattoBasis basis_;
+
+  Trace coarse_;                   ///< conserved, at the coarse nodes
+  Trace mortar_;                   ///< the same at the fine nodes
+  std::array<Trace, n_fine> fine_; ///< conserved, coarse numbering
+  std::array<Trace, n_fine> fine_flux_;
+  Trace coarse_flux_;
+  Trace projected_;
+};
+} // namespace contrecoup::gas

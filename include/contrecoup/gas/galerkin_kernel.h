@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/gas/leaf_kernel.h>
+#include <contrecoup/numerics/lobatto_basis.h>
+
+#include <array>
+
+namespace contrecoup::gas
+{
+/**
+ * One stage of the discontinuous Galerkin scheme of degree n - 1 on one
+ * batch of axis-aligned leaves: collocation at Gauss-Lobatto nodes (Kopriva
+ * 2009, section 8), in troubled leaves blended with a finite-volume scheme
+ * on the subcells that the quadrature weights define (Hennemann,
+ * Rueda-Ramirez, Hindenlang and Gassner 2021), and scaled towards the mean
+ * where a node would lose positivity (Zhang and Shu 2010). Both schemes
+ * share the flux at leaf faces, so that the mean is conservative.
+ */
+template <int dim, int n, typename Gas>
+class GalerkinKernel : private LeafKernel<dim, Gas>
+{
+public:
+  using Base = LeafKernel<dim, Gas>;
+  using Number = typename Base::Number;
+  using Values = typename Base::Values;
+  using C = Component<dim>;
+
+  GalerkinKernel(const LeafMesh<dim> &mesh,
+                 const LeafLayout &layout,
+                 const Scheme &scheme,
+                 const Gas &gas,
+                 const Boundary<dim> &boundary);
+
+  /// Does @p stage on the leaves of @p batch.
+  void update(const unsigned int batch,
+              const Stage &stage,
+              const HangingData<dim> &hanging);
+
+  /// Computes only sensor and signal rate of the state stage.out.
+  void analyse(const unsigned int batch, const Stage &stage);
+
+private:
+  using Base::batch_;
+  using Base::gas_;
+  using Base::layout_;
+  using Base::mesh_;
+  using Base::nc;
+  using Base::scheme_;
+  static constexpr unsigned int n_points = dealii::Utilities::pow(n, dim);
+  static constexpr unsigned int n_lines = n_points / n;
+  using Line = std::array<Values, n>;
+
+  void load(const double *state);
+  void set_blending();
+  void sweep(const unsigned int direction, const HangingData<dim> &hanging);
+  void load_line(const unsigned int direction, const unsigned int line);
+  void end_fluxes(const unsigned int direction,
+                  const unsigned int line,
+                  const HangingData<dim> &hanging);
+  Values end_flux(const unsigned int direction,
+                  const unsigned int line,
+                  const bool high,
+                  const Values &inside,
+                  const Values &outside);
+  void volume_terms();
+  void subcell_terms(const unsigned int direction, const unsigned int line);
+  Number compression(const unsigned int direction,
+                     const unsigned int point) const;
+  void add_line(const unsigned int direction, const unsigned int line);
+  void finish(const Stage &stage);
+  void restore_positivity(const Stage &stage);
+  Values mean() const;
+  void scale_to_mean(const Values &mean,
+                     const Number &theta,
+                     const bool densities_only);
+  Number blending_factor() const;
+
+  const LobattoBasis basis_;
+  /// w_j D_ji / w_i: the volume term of the weak form at node i.
+  std::array<std::array<double, n>, n> weak_derivative_;
+  std::array<std::array<double, n>, n> modal_;
+  std::array<double, n> node_;
+  std::array<double, n> weight_;
+  std::array<double, n + 1> subface_;
+
+  bool any_blending_ = false;
+  Number blending_;
+  Number reference_pressure_;
+
+  std::array<std::array<Number, n_points>, nc> conserved_;
+  std::array<std::array<Number, n_points>, nc> primitive_;
+  std::array<std::array<Number, n_points>, nc> residual_;
+  Line line_; ///< primitive
+  Line line_conserved_;
+  Line line_residual_;
+  Values low_flux_;
+  Values high_flux_;
+};
+} // namespace contrecoup::gas

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/simulation.h>
+#include <contrecoup/gas/gas_field.h>
+#include <contrecoup/gas/leaf_points.h>
+#include <contrecoup/gas/leaf_sampling.h>
+#include <contrecoup/gas/reference_solution.h>
+
+#include <vector>
+
+namespace contrecoup::gas
+{
+/// The leaf as a box.
+template <int dim>
+LeafBox<dim> leaf_box(const LeafMesh<dim> &mesh, const unsigned int leaf);
+
+/**
+ * Totals of the conserved quantities over the whole body of gas, and the
+ * extremes of density and pressure. Collective.
+ */
+template <int dim>
+std::vector<NamedValue> gas_totals(const LeafMesh<dim> &mesh,
+                                   const LeafPoints<dim> &points,
+                                   const GasField &field,
+                                   const GasMaterial &material);
+
+/**
+ * Mean absolute (L1), root mean square (L2) and largest (Linf) difference
+ * of density, velocity and pressure from the reference: of cell means for
+ * finite volumes, of the polynomials for Galerkin schemes. Collective.
+ */
+template <int dim>
+std::vector<NamedValue> gas_errors(const LeafMesh<dim> &mesh,
+                                   const LeafPoints<dim> &points,
+                                   const GasField &field,
+                                   const GasMaterial &material,
+                                   const ReferenceSolution<dim> &reference,
+                                   const double time);
+} // namespace contrecoup::gas

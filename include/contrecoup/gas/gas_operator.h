@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/gas/boundary.h>
+#include <contrecoup/gas/leaf_layout.h>
+#include <contrecoup/gas/scheme.h>
+#include <contrecoup/gas/stage.h>
+#include <contrecoup/materials/gas_material.h>
+
+#include <memory>
+
+namespace contrecoup::gas
+{
+/**
+ * The spatial discretisation of one scheme, for the leaves of this rank:
+ * what the time stepping needs of it, without templates on scheme or
+ * equation of state.
+ */
+template <int dim>
+class GasOperator
+{
+public:
+  virtual ~GasOperator() = default;
+
+  /// Renews what depends on the mesh. Call after LeafMesh::rebuild().
+  virtual void reinit() = 0;
+
+  /// Does one Runge-Kutta stage on all owned leaves.
+  virtual void apply(const Stage &stage) = 0;
+
+  /// Computes stage.sensor_out and stage.signal_rate of stage.out.
+  virtual void analyse(const Stage &stage) = 0;
+};
+
+/// The operator that @p scheme and @p material ask for; the arguments must
+/// outlive it.
+template <int dim>
+std::unique_ptr<GasOperator<dim>>
+make_gas_operator(const LeafMesh<dim> &mesh,
+                  const LeafLayout &layout,
+                  const Scheme &scheme,
+                  const GasMaterial &material,
+                  const Boundary<dim> &boundary);
+
+/// Makes finite-volume operators; see make_gas_operator().
+template <int dim>
+std::unique_ptr<GasOperator<dim>>
+make_finite_volume_operator(const LeafMesh<dim> &mesh,
+                            const LeafLayout &layout,
+                            const Scheme &scheme,
+                            const GasMaterial &material,
+                            const Boundary<dim> &boundary);
+
+/// Makes discontinuous Galerkin operators; see make_gas_operator().
+template <int dim>
+std::unique_ptr<GasOperator<dim>>
+make_galerkin_operator(const LeafMesh<dim> &mesh,
+                       const LeafLayout &layout,
+                       const Scheme &scheme,
+                       const GasMaterial &material,
+                       const Boundary<dim> &boundary);
+} // namespace contrecoup::gas

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/gas/gas_field.h>
+#include <contrecoup/gas/leaf_points.h>
+#include <contrecoup/gas/leaf_sampling.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+#include <vector>
+
+namespace contrecoup::gas
+{
+/// What is written at each output tick, as subsection "Pictures" says
+/// beyond the fields themselves.
+template <int dim>
+class GasOutput
+{
+public:
+  /// Declares subsection "Pictures".
+  static void declare_parameters(dealii::ParameterHandler &prm);
+
+  /// @throws InputError for planes that the mesh does not have.
+  void parse_parameters(dealii::ParameterHandler &prm,
+                        const CoarseMesh<dim> &mesh);
+
+  /**
+   * Writes density, velocity, pressure, level and sensor of all leaves as
+   * VTU, and the planes as arrays. Collective.
+   * @return the file for the .pvd collection
+   */
+  std::string write(const std::string &folder,
+                    const unsigned int index,
+                    const double time,
+                    const LeafMesh<dim> &mesh,
+                    const LeafPoints<dim> &points,
+                    const GasField &field,
+                    const GasMaterial &material) const;
+
+private:
+  struct Plane
+  {
+    unsigned int direction;
+    double position; ///< [m]
+  };
+
+  std::string write_leaves(const std::string &folder,
+                           const unsigned int index,
+                           const LeafMesh<dim> &mesh,
+                           const LeafPoints<dim> &points,
+                           const GasField &field,
+                           const GasMaterial &material) const;
+  void write_plane(const Plane &plane,
+                   const std::string &folder,
+                   const unsigned int index,
+                   const double time,
+                   const LeafMesh<dim> &mesh,
+                   const LeafPoints<dim> &points,
+                   const GasField &field,
+                   const GasMaterial &material) const;
+
+  std::vector<Plane> planes_;
+  unsigned int resolution_ = 256;
+};
+} // namespace contrecoup::gas

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/simulation.h>
+#include <contrecoup/gas/adaptation.h>
+#include <contrecoup/gas/boundary.h>
+#include <contrecoup/gas/gas_field.h>
+#include <contrecoup/gas/gas_operator.h>
+#include <contrecoup/gas/gas_output.h>
+#include <contrecoup/gas/initial_state.h>
+#include <contrecoup/gas/leaf_mesh.h>
+#include <contrecoup/gas/leaf_points.h>
+#include <contrecoup/gas/probe_set.h>
+#include <contrecoup/gas/reference_solution.h>
+#include <contrecoup/gas/scheme.h>
+#include <contrecoup/gas/time_stepper.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace contrecoup::gas
+{
+/// A compressible gas in a domain: everything that application blast does.
+template <int dim>
+class GasSimulation : public Simulation
+{
+public:
+  explicit GasSimulation(const MPI_Comm communicator);
+
+  static void declare_parameters(dealii::ParameterHandler &prm);
+  void parse_parameters(dealii::ParameterHandler &prm);
+
+  CostEstimate estimate() override;
+  void setup() override;
+  void restore(const std::string &folder) override;
+  void save(const std::string &folder) override;
+  double time() const override
+  {
+    return time_;
+  }
+  StepReport advance(double largest_step) override;
+  bool adapt() override;
+  std::vector<NamedValue> history() override;
+  std::vector<NamedValue> probes() override;
+  std::string write_fields(const std::string &folder,
+                           unsigned int index) override;
+  std::vector<NamedValue> errors() override;
+  std::vector<NamedValue> assumptions() override;
+  std::pair<std::uint64_t, std::uint64_t> size() const override;
+
+private:
+  void create_octree();
+  void set_initial_state();
+  bool wants_initial_refinement(const unsigned int leaf) const;
+  void mesh_changed();
+  [[noreturn]] void give_up(const typename TimeStepper<dim>::Result &result);
+  std::string describe_leaf(const unsigned int leaf);
+
+  GasMaterial material_;
+  CoarseMesh<dim> coarse_mesh_;
+  Scheme scheme_;
+  InitialState<dim> initial_state_;
+  ReferenceSolution<dim> reference_;
+  Boundary<dim> boundary_;
+  AdaptationParameters adaptation_parameters_;
+  ProbeSet<dim> probes_;
+  GasOutput<dim> output_;
+  double end_time_ = 0.;
+
+  LeafMesh<dim> mesh_;
+  LeafLayout layout_;
+  LeafPoints<dim> points_;
+  GasField field_;
+  std::unique_ptr<GasOperator<dim>> operator_;
+  std::unique_ptr<TimeStepper<dim>> stepper_;
+  std::unique_ptr<Adaptation<dim>> adaptation_;
+
+  double time_ = 0.;
+  std::uint64_t n_steps_ = 0;
+};
+} // namespace contrecoup::gas

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/gas/leaf_layout.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <vector>
+
+namespace contrecoup::gas
+{
+/**
+ * Brings the state of ghost leaves, and one number for each, from the
+ * ranks that own them.
+ */
+template <int dim>
+class GhostExchange
+{
+public:
+  /// Agrees with the neighbouring ranks on what is sent. Collective.
+  void reinit(const LeafMesh<dim> &mesh, const LeafLayout &layout);
+
+  /// Fills the ghost leaves of @p state and the ghost part of
+  /// @p leaf_values (one number per stored leaf). Collective.
+  void update(double *state, double *leaf_values);
+
+private:
+  struct Partner
+  {
+    unsigned int rank;
+    std::vector<unsigned int> leaves; ///< leaf numbers on this rank
+    std::vector<double> buffer;
+  };
+
+  void pack(Partner &partner, const double *state, const double *values);
+  void unpack(const Partner &partner, double *state, double *values);
+
+  MPI_Comm communicator_ = MPI_COMM_SELF;
+  LeafLayout layout_;
+  std::vector<Partner> owners_;  ///< of this rank's ghost leaves
+  std::vector<Partner> readers_; ///< of this rank's own leaves
+  std::vector<MPI_Request> requests_;
+};
+} // namespace contrecoup::gas

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/gas/leaf_layout.h>
+
+#include <array>
+#include <vector>
+
+namespace contrecoup::gas
+{
+/// Up to W hanging faces that lie alike, side by side in lanes.
+template <int dim>
+struct HangingGroup
+{
+  static constexpr unsigned int n_fine = HangingFace<dim>::n_fine;
+
+  unsigned char coarse_face = 0;
+  FaceMatch match;
+  unsigned int n_filled = 0;
+  /// Index of the face of each filled lane; others repeat the first.
+  std::array<unsigned int, W> face;
+  /// Positions in the state array, one for each lane.
+  std::array<unsigned int, W> coarse_offset;
+  std::array<std::array<unsigned int, W>, n_fine> fine_offset;
+};
+
+/// Sorts the hanging faces of @p mesh into groups. A fine leaf that this
+/// rank does not need is stood in for by another one of the same face.
+template <int dim>
+std::vector<HangingGroup<dim>> group_hanging_faces(const LeafMesh<dim> &mesh,
+                                                   const LeafLayout &layout);
+} // namespace contrecoup::gas

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/gas/boundary.h>
+#include <contrecoup/gas/leaf_layout.h>
+#include <contrecoup/gas/primitive.h>
+#include <contrecoup/gas/scheme.h>
+#include <contrecoup/gas/stage.h>
+
+#include <vector>
+
+namespace contrecoup::gas
+{
+/**
+ * What the kernels of all schemes share on one batch of axis-aligned
+ * leaves: reading the neighbours, the gas beyond the domain's boundary,
+ * fluxes of hanging faces, and the shear factor of the shock-stable flux.
+ *
+ * A line is a row of points of a leaf along one direction; it is numbered
+ * like the points of the leaf face that it starts from.
+ */
+template <int dim, typename Gas>
+class LeafKernel
+{
+public:
+  using Number = Lanes<double>;
+  static constexpr unsigned int nc = n_conserved<dim, Gas>;
+  using Values = std::array<Number, nc>;
+  using C = Component<dim>;
+
+protected:
+  /// @param positions places of the points along an edge, from 0 to 1
+  LeafKernel(const LeafMesh<dim> &mesh,
+             const LeafLayout &layout,
+             const Scheme &scheme,
+             const Gas &gas,
+             const Boundary<dim> &boundary,
+             const std::vector<double> &positions);
+
+  /// Prepares for the leaves of @p batch.
+  void bind(const unsigned int batch, const Stage &stage);
+
+  /// Primitive state of a point of the neighbours across @p face.
+  Values neighbor_primitive(const unsigned int face,
+                            const unsigned int point) const;
+
+  /// Primitive state beyond the boundary in the lane of @p special, from
+  /// and to values in the frame of the line.
+  void fill_boundary(const SpecialFace &special,
+                     const unsigned int line,
+                     const Values &inside,
+                     Values &outside) const;
+
+  /// Takes the hanging faces' fluxes, in the frame of the line, at its low
+  /// and high end.
+  void replace_hanging_fluxes(const unsigned int direction,
+                              const unsigned int line,
+                              const HangingData<dim> &hanging,
+                              Values &low,
+                              Values &high) const;
+
+  /// Slot of a hanging face's data that belongs to this side.
+  static unsigned int slot_of(const SpecialFace &special)
+  {
+    return special.kind == SpecialFace::Kind::coarse_side ? 0
+                                                          : 1 + special.part;
+  }
+
+  /// Most negative velocity difference across a direction other than
+  /// @p direction between point and its neighbours on the leaf [m/s];
+  /// @p velocity(t, point) gives velocity component t.
+  template <typename Velocity>
+  Number transverse_compression(const unsigned int direction,
+                                const unsigned int point,
+                                const Velocity &velocity) const;
+
+  /// The same for the neighbours' point next to @p line across @p face.
+  Number neighbor_compression(const unsigned int face,
+                              const unsigned int line) const;
+
+  /// Whether shocked leaves are among the batch and its neighbours and the
+  /// flux asks for shear factors.
+  bool needs_shear_factor() const
+  {
+    return needs_shear_factor_;
+  }
+
+  /// Shear factor where either side is shocked, else one.
+  static Number gated_shear_factor(const Number &shock,
+                                   const Number &sound_speed,
+                                   const Number &normal_difference,
+                                   const Number &transverse_difference);
+
+  const LeafMesh<dim> &mesh_;
+  const LeafLayout layout_;
+  const Scheme &scheme_;
+  const Gas gas_;
+  const Boundary<dim> &boundary_;
+  const std::vector<double> positions_;
+
+  unsigned int batch_ = 0;
+  double time_ = 0.;
+  const double *in_ = nullptr;
+  Number sensor_; ///< of the leaves themselves
+  std::array<Number, 2 * dim> neighbor_sensor_;
+
+private:
+  bool needs_shear_factor_ = false;
+  std::array<std::array<unsigned int, W>, 2 * dim> neighbor_offset_;
+};
+
+
+template <int dim, typename Gas>
+template <typename Velocity>
+DEAL_II_ALWAYS_INLINE inline typename LeafKernel<dim, Gas>::Number
+LeafKernel<dim, Gas>::transverse_compression(const unsigned int direction,
+                                             const unsigned int point,
+                                             const Velocity &velocity) const
+{
+  Number smallest(0.);
+  for (unsigned int t = 0; t < dim; ++t)
+    if (t != direction)
+    {
+      const unsigned int s = layout_.stride(t);
+      const unsigned int index = (point / s) % layout_.n;
+      const Number here = velocity(t, point);
+      if (index > 0)
+        smallest = std::min(smallest, Number(here - velocity(t, point - s)));
+      if (index + 1 < layout_.n)
+        smallest = std::min(smallest, Number(velocity(t, point + s) - here));
+    }
+  return smallest;
+}
+} // namespace contrecoup::gas

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/lanes.h>
+
+#include <contrecoup/geometry/coarse_mesh.h>
+
+#include <deal.II/base/aligned_vector.h>
+#include <deal.II/base/mpi.h>
+#include <deal.II/distributed/tria.h>
+#include <deal.II/grid/tria.h>
+
+#include <array>
+#include <memory>
+#include <type_traits>
+#include <vector>
+
+namespace contrecoup::gas
+{
+/// Width of the lanes over leaves in double precision.
+inline constexpr unsigned int W = n_lanes<double>;
+
+/// Marks "no leaf".
+inline constexpr unsigned int no_leaf = static_cast<unsigned int>(-1);
+
+/**
+ * How the points of one leaf face meet those of its neighbour's face. The
+ * points of face f (direction d = f/2) are numbered (a, b) along the other
+ * directions in increasing order, on an n^(dim-1) grid.
+ */
+struct FaceMatch
+{
+  unsigned char face = 0; ///< face number within the neighbour
+  /// Bit 0: a and b change places (applied first), bit 1: a runs
+  /// backwards, bit 2: b runs backwards.
+  unsigned char orientation = 0;
+
+  friend bool operator==(const FaceMatch &x, const FaceMatch &y)
+  {
+    return x.face == y.face && x.orientation == y.orientation;
+  }
+};
+
+/// Index on the neighbour's face of my face point (a, b), n points a side.
+inline unsigned int matched_face_point(const unsigned int orientation,
+                                       unsigned int a,
+                                       unsigned int b,
+                                       const unsigned int n)
+{
+  if (orientation & 1)
+    std::swap(a, b);
+  if (orientation & 2)
+    a = n - 1 - a;
+  if (orientation & 4)
+    b = n - 1 - b;
+  return a + n * b;
+}
+
+/// A face with one coarse leaf on one side and 2^(dim-1) fine ones on the
+/// other.
+template <int dim>
+struct HangingFace
+{
+  static constexpr unsigned int n_fine = 1U << (dim - 1);
+
+  unsigned int coarse_leaf = no_leaf;
+  unsigned char coarse_face = 0;
+  /// The face of the fine leaves, as seen from the coarse one.
+  FaceMatch match;
+  /// Fine leaf of each quarter (bit 0: upper half of a, bit 1: of b, in the
+  /// coarse face's numbering); no_leaf where this rank does not need it.
+  std::array<unsigned int, n_fine> fine_leaf;
+};
+
+/// What a leaf face has instead of one neighbour of equal size.
+struct SpecialFace
+{
+  enum class Kind : unsigned char
+  {
+    boundary,    ///< index: boundary id
+    coarse_side, ///< index: hanging face; the neighbours are finer
+    fine_side,   ///< index: hanging face, part: quarter of the coarse face
+  };
+  Kind kind;
+  unsigned char lane;
+  unsigned char face;
+  unsigned char part;
+  unsigned int index;
+};
+
+/**
+ * The octree as the kernels see it: its locally owned leaves in Morton
+ * order, W side by side in a batch, with their neighbours, sizes and the
+ * faces that are not ordinary. Leaf numbers: owned leaves from 0, padded to
+ * whole batches, then the ghost leaves that share a face with an owned one.
+ */
+template <int dim>
+class LeafMesh
+{
+public:
+  /// p4est has no 1-D meshes; these live on one rank.
+  using Tria =
+    std::conditional_t<dim == 1,
+                       dealii::Triangulation<dim>,
+                       dealii::parallel::distributed::Triangulation<dim>>;
+  using CellIterator = typename Tria::cell_iterator;
+
+  explicit LeafMesh(const MPI_Comm communicator);
+
+  /// Builds the coarse mesh, unrefined. Call rebuild() when refined.
+  void create(const CoarseMesh<dim> &coarse_mesh);
+
+  /// Renews leaf numbers and connectivity after the octree changed.
+  void rebuild();
+
+  Tria &triangulation()
+  {
+    return *triangulation_;
+  }
+  const Tria &triangulation() const
+  {
+    return *triangulation_;
+  }
+  const CoarseMesh<dim> &coarse_mesh() const
+  {
+    return coarse_mesh_;
+  }
+  /// Ranks that share this mesh: one in 1-D.
+  MPI_Comm communicator() const
+  {
+    return communicator_;
+  }
+
+  unsigned int n_owned() const
+  {
+    return static_cast<unsigned int>(cells_.size());
+  }
+  unsigned int n_batches() const
+  {
+    return (n_owned() + W - 1) / W;
+  }
+  unsigned int n_ghosts() const
+  {
+    return static_cast<unsigned int>(ghosts_.size());
+  }
+  /// Batches of owned and ghost leaves together.
+  unsigned int n_stored_batches() const
+  {
+    return n_batches() + (n_ghosts() + W - 1) / W;
+  }
+  /// Leaves of this batch that exist; the other lanes are padding.
+  unsigned int n_filled_lanes(const unsigned int batch) const
+  {
+    return std::min(W, n_owned() - batch * W);
+  }
+  /// Leaves of all ranks.
+  double n_global() const;
+
+  const CellIterator &cell(const unsigned int leaf) const
+  {
+    return cells_[leaf];
+  }
+  /// Leaf number of an active cell that is owned; no_leaf for others.
+  unsigned int leaf_of(const CellIterator &cell) const
+  {
+    return leaf_of_cell_[cell->active_cell_index()];
+  }
+
+  /// Neighbouring leaf of equal size across a face; the leaf itself where
+  /// the face is special, and for padding.
+  const std::array<unsigned int, W> &neighbors(const unsigned int batch,
+                                               const unsigned int face) const
+  {
+    return neighbors_[batch * 2 * dim + face];
+  }
+  /// How the face points meet, for each lane; see neighbors().
+  const std::array<FaceMatch, W> &matches(const unsigned int batch,
+                                          const unsigned int face) const
+  {
+    return matches_[batch * 2 * dim + face];
+  }
+
+  /// Special faces of a batch, ordered by face number.
+  const SpecialFace *special_begin(const unsigned int batch) const
+  {
+    return special_faces_.data() + special_start_[batch];
+  }
+  const SpecialFace *special_end(const unsigned int batch) const
+  {
+    return special_faces_.data() + special_start_[batch + 1];
+  }
+
+  const std::vector<HangingFace<dim>> &hanging_faces() const
+  {
+    return hanging_faces_;
+  }
+
+  /// Edge lengths of axis-aligned leaves [m], one lane per leaf.
+  const std::array<Lanes<double>, dim> &extents(const unsigned int batch) const
+  {
+    return extents_[batch];
+  }
+  /// Corner of smallest coordinates of axis-aligned leaves [m].
+  const std::array<Lanes<double>, dim> &origins(const unsigned int batch) const
+  {
+    return origins_[batch];
+  }
+
+  /// Ghost leaves in the order of their numbers: owner rank and number of
+  /// the leaf there (its global active cell index).
+  struct Ghost
+  {
+    unsigned int owner;
+    std::uint64_t global_index;
+  };
+  const std::vector<Ghost> &ghosts() const
+  {
+    return ghosts_;
+  }
+  /// Leaf number of a locally owned cell given by its global index.
+  unsigned int leaf_of_global(const std::uint64_t global_index) const;
+
+  /// Bytes held by the connectivity and the octree on this rank.
+  std::size_t memory() const;
+
+private:
+  void number_leaves();
+  void append_leaves_below(const CellIterator &cell);
+  void connect_leaf(const unsigned int leaf);
+  void connect_face(const unsigned int leaf, const unsigned int face);
+  void connect_periodic_line();
+  void connect_finer(const unsigned int leaf,
+                     const unsigned int face,
+                     const CellIterator &neighbor,
+                     const bool periodic);
+  void connect_coarser(const unsigned int leaf,
+                       const unsigned int face,
+                       const CellIterator &neighbor,
+                       const bool periodic);
+  unsigned int stored_leaf(const CellIterator &cell);
+  unsigned int hanging_face(const CellIterator &coarse,
+                            const unsigned int face,
+                            const FaceMatch &match);
+  void set_geometry();
+  void sort_special_faces();
+
+  MPI_Comm communicator_;
+  std::unique_ptr<Tria> triangulation_;
+  CoarseMesh<dim> coarse_mesh_;
+
+  std::vector<CellIterator> cells_;
+  std::vector<unsigned int> leaf_of_cell_;
+  std::vector<Ghost> ghosts_;
+  std::vector<unsigned int> leaf_of_own_index_;
+  std::uint64_t first_global_index_ = 0;
+
+  std::vector<std::array<unsigned int, W>> neighbors_;
+  std::vector<std::array<FaceMatch, W>> matches_;
+
+  std::vector<std::pair<unsigned int, SpecialFace>> unsorted_special_;
+  std::vector<SpecialFace> special_faces_;
+  std::vector<unsigned int> special_start_;
+  std::vector<HangingFace<dim>> hanging_faces_;
+  std::map<std::pair<unsigned int, unsigned int>, unsigned int> hanging_index_;
+
+  dealii::AlignedVector<std::array<Lanes<double>, dim>> extents_;
+  dealii::AlignedVector<std::array<Lanes<double>, dim>> origins_;
+};
+
+/**
+ * The match of two faces of cells of equal level, found from their vertex
+ * indices, so that it holds for any orientation of the mesh.
+ */
+template <int dim>
+FaceMatch
+match_faces(const typename dealii::Triangulation<dim>::cell_iterator &cell,
+            const unsigned int face,
+            const typename dealii::Triangulation<dim>::cell_iterator &neighbor,
+            const unsigned int neighbor_face);
+} // namespace contrecoup::gas

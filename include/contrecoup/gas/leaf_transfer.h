@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/gas/gas_field.h>
+#include <contrecoup/gas/leaf_points.h>
+#include <contrecoup/gas/leaf_sampling.h>
+#include <contrecoup/materials/gas_material.h>
+
+#include <functional>
+#include <vector>
+
+namespace contrecoup::gas
+{
+/**
+ * Carries the conserved quantities of leaves over to their children and
+ * back, conserving each of them to round-off and keeping every state
+ * admissible. Leaf values are [component][point].
+ */
+template <int dim>
+class LeafTransfer
+{
+public:
+  static constexpr unsigned int n_children = 1U << dim;
+
+  LeafTransfer(const LeafPoints<dim> &points,
+               const LeafLayout &layout,
+               const GasMaterial &material);
+
+  /// Values of all children of a leaf, in deal.II's order. Finite volumes:
+  /// limited linear reconstruction, given up in a subcell whose parts it
+  /// would make inadmissible; Galerkin: the same polynomial, scaled towards
+  /// the mean of the leaf, by one factor for all children, where one of
+  /// them would not be admissible.
+  std::vector<std::vector<double>>
+  to_children(const std::vector<double> &parent,
+              const LeafBox<dim> &parent_box) const;
+
+  /// Values of a leaf from those of all its children: volume means (finite
+  /// volumes) or the L2 projection (Galerkin).
+  std::vector<double>
+  from_children(const std::vector<std::vector<double>> &children,
+                const LeafBox<dim> &parent_box) const;
+
+private:
+  using Matrices =
+    std::function<const dealii::FullMatrix<double> &(unsigned int)>;
+
+  /// Whether state @p first, @p first + stride, ... is admissible.
+  bool is_admissible(const double *first, const unsigned int stride) const;
+  bool is_admissible(const std::vector<double> &values) const;
+  std::vector<double> apply(const std::vector<double> &values,
+                            const Matrices &matrices,
+                            const unsigned int child) const;
+  std::vector<std::vector<double>>
+  interpolated_children(const std::vector<double> &parent) const;
+  std::vector<std::vector<double>>
+  reconstructed_children(const std::vector<double> &parent,
+                         const LeafBox<dim> &parent_box) const;
+  /// The 2^dim parts of one subcell, [part][component].
+  std::array<std::vector<double>, n_children>
+  subcell_parts(const std::vector<double> &parent,
+                const LeafBox<dim> &parent_box,
+                const unsigned int point) const;
+  void scale(std::vector<double> &values,
+             const std::vector<double> &mean,
+             const double theta) const;
+  std::vector<double> mean(const std::vector<double> &values) const;
+
+  const LeafPoints<dim> points_;
+  const LeafLayout layout_;
+  const GasMaterial material_;
+};
+} // namespace contrecoup::gas

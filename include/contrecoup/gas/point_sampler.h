@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/gas/gas_field.h>
+#include <contrecoup/gas/leaf_points.h>
+#include <contrecoup/gas/leaf_sampling.h>
+#include <contrecoup/materials/gas_material.h>
+
+#include <vector>
+
+namespace contrecoup::gas
+{
+/**
+ * The gas at given places, interpolated within the leaf that holds each:
+ * the result depends neither on the number of ranks nor on when the mesh
+ * was adapted. Axis-aligned meshes.
+ */
+template <int dim>
+class PointSampler
+{
+public:
+  /// Finds the leaves of @p places. Call again when the mesh changed.
+  void reinit(const std::vector<dealii::Point<dim>> &places,
+              const LeafMesh<dim> &mesh,
+              const LeafPoints<dim> &points);
+
+  /// The primitive states at all places, on every rank. Collective.
+  std::vector<GasState<dim>> sample(const GasField &field,
+                                    const GasMaterial &material) const;
+
+private:
+  struct Place
+  {
+    unsigned int index; ///< in the list of places
+    unsigned int leaf;
+    std::vector<double> weights; ///< of each point of the leaf
+  };
+
+  MPI_Comm communicator_ = MPI_COMM_SELF;
+  std::size_t n_places_ = 0;
+  std::vector<Place> places_; ///< on leaves of this rank
+};
+} // namespace contrecoup::gas

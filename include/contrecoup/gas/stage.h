@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/gas/leaf_layout.h>
+
+#include <deal.II/base/aligned_vector.h>
+
+#include <array>
+#include <vector>
+
+namespace contrecoup::gas
+{
+/**
+ * One Runge-Kutta stage in Shu-Osher form,
+ * out = a start + (1 - a) (in + step L(in)).
+ * The arrays are laid out as LeafLayout says; @p in has its ghost leaves
+ * filled.
+ */
+struct Stage
+{
+  const double *start = nullptr;
+  const double *in = nullptr;
+  double *out = nullptr;
+  double a = 0.;
+  double step = 0.; ///< [s]
+  double time = 0.; ///< of the state @p in [s]
+  /// Per stored leaf, from the previous stage: the blending factor (DG) or
+  /// one where a shock stands (finite volume) [-].
+  const double *sensor_in = nullptr;
+  /// Per owned leaf, of the new state; may be null.
+  double *sensor_out = nullptr;
+  /// Per owned leaf: largest sum_d (|u_d| + c) / h_d, h_d the leaf's edge
+  /// lengths [1/s], of the new state; may be null.
+  double *signal_rate = nullptr;
+  /// Set to the number of a leaf whose new state is not physical.
+  unsigned int *unphysical_leaf = nullptr;
+};
+
+/// Fluxes and halo values of the hanging faces, computed once for both
+/// sides. Slot 0 of a face is the coarse side's, 1 + part the fine ones'.
+template <int dim>
+class HangingData
+{
+public:
+  static constexpr unsigned int n_slots = 1 + HangingFace<dim>::n_fine;
+
+  void resize(const unsigned int n_faces, const LeafLayout &layout)
+  {
+    n_face_points_ = layout.n_face_points;
+    n_components_ = layout.n_components;
+    flux_.resize(std::size_t(n_faces) * n_slots * n_components_ *
+                 n_face_points_);
+    halo_.resize(flux_.size());
+  }
+
+  /// Numerical flux towards positive coordinates, in the numbering of the
+  /// face points of that side; consecutive values belong to consecutive
+  /// face points.
+  double *flux(const unsigned int face,
+               const unsigned int slot,
+               const unsigned int component)
+  {
+    return flux_.data() + position(face, slot, component);
+  }
+  const double *flux(const unsigned int face,
+                     const unsigned int slot,
+                     const unsigned int component) const
+  {
+    return flux_.data() + position(face, slot, component);
+  }
+
+  /// Primitive value of a cell of that side's size beyond the face.
+  double *halo(const unsigned int face,
+               const unsigned int slot,
+               const unsigned int component)
+  {
+    return halo_.data() + position(face, slot, component);
+  }
+  const double *halo(const unsigned int face,
+                     const unsigned int slot,
+                     const unsigned int component) const
+  {
+    return halo_.data() + position(face, slot, component);
+  }
+
+private:
+  std::size_t position(const unsigned int face,
+                       const unsigned int slot,
+                       const unsigned int component) const
+  {
+    return ((std::size_t(face) * n_slots + slot) * n_components_ + component) *
+           n_face_points_;
+  }
+
+  unsigned int n_face_points_ = 1;
+  unsigned int n_components_ = 1;
+  std::vector<double> flux_;
+  std::vector<double> halo_;
+};
+} // namespace contrecoup::gas

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/gas/gas_field.h>
+#include <contrecoup/gas/gas_operator.h>
+
+#include <deal.II/base/aligned_vector.h>
+
+#include <optional>
+
+namespace contrecoup::gas
+{
+/**
+ * Strong-stability-preserving Runge-Kutta steps of a gas field, each undone
+ * and halved where it would leave the physical states.
+ */
+template <int dim>
+class TimeStepper
+{
+public:
+  TimeStepper(const LeafMesh<dim> &mesh,
+              const Scheme &scheme,
+              GasOperator<dim> &gas_operator);
+
+  /// Renews what depends on the mesh and computes sensor and signal rate
+  /// of the current state.
+  void reinit(GasField &field);
+
+  /// Brings the ghosts of the current state up to date. Collective.
+  void update_ghosts(GasField &field)
+  {
+    exchange_.update(field.state(), field.sensor());
+  }
+
+  /// Largest stable step from the current state [s]. Collective.
+  double stable_step() const;
+
+  struct Result
+  {
+    double step = 0.; ///< taken [s]
+    unsigned int retries = 0;
+    /// On the rank where no step size helped, a leaf that turned
+    /// unphysical; its state is in stage 0 of the field.
+    std::optional<unsigned int> unphysical_leaf;
+    bool failed = false; ///< on any rank
+  };
+
+  /// Goes ahead by @p step [s] or, after retries, by less. Collective.
+  Result advance(GasField &field, const double time, const double step);
+
+  /// Largest signal rate of a leaf, see Stage::signal_rate [1/s].
+  double signal_rate(const unsigned int leaf) const
+  {
+    return signal_rate_[leaf];
+  }
+
+private:
+  /// @returns number of the stage copy that holds the result, or nothing
+  /// when a state turned unphysical on any rank
+  std::optional<unsigned int>
+  try_step(GasField &field, const double time, const double step);
+
+  const LeafMesh<dim> &mesh_;
+  const Scheme &scheme_;
+  GasOperator<dim> &operator_;
+  GhostExchange<dim> exchange_;
+  dealii::AlignedVector<double> signal_rate_;
+  unsigned int unphysical_leaf_ = no_leaf;
+};
+} // namespace contrecoup::gas

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/gas/adaptation.h>
+#include <contrecoup/gas/jump_sensor.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <cstring>
+#include <optional>
+
+namespace contrecoup::gas
+{
+void AdaptationParameters::declare_parameters(ParameterHandler &prm)
+{
+  const Section section(prm, "Adaptation");
+  declare_bool(prm,
+               "Active",
+               "false",
+               "Whether leaves are halved and merged during the run (2-D "
+               "and 3-D).");
+  declare_integer(prm,
+                  "Interval",
+                  "5",
+                  1,
+                  1000000,
+                  "Steps between adaptations; a front must not cross a "
+                  "buffer leaf in between.");
+  declare_integer(prm,
+                  "Smallest level",
+                  "0",
+                  0,
+                  20,
+                  "Times that every coarse leaf stays halved at least.");
+  declare_integer(prm,
+                  "Largest level",
+                  "0",
+                  0,
+                  20,
+                  "Times that a coarse leaf may be halved at most.");
+  declare_double(prm,
+                 "Refine above",
+                 "0.5",
+                 0.,
+                 1.,
+                 "-",
+                 "Sensor value, the bend of density and pressure relative "
+                 "to their slope, above which a leaf is halved.");
+  declare_double(prm,
+                 "Coarsen below",
+                 "0.2",
+                 0.,
+                 1.,
+                 "-",
+                 "Sensor value below which sibling leaves are merged.");
+  declare_double(prm,
+                 "Noise",
+                 "0.02",
+                 1e-12,
+                 1.,
+                 "-",
+                 "Relative differences between neighbouring points that "
+                 "the sensor takes for noise.");
+  declare_integer(prm,
+                  "Buffer",
+                  "1",
+                  0,
+                  10,
+                  "Layers of leaves around marked ones that are halved "
+                  "with them.");
+}
+
+
+void AdaptationParameters::parse_parameters(
+  ParameterHandler &prm,
+  const unsigned int dim,
+  const unsigned int initial_refinement,
+  const unsigned int n_points,
+  const bool is_finite_volume,
+  const bool is_axis_aligned)
+{
+  const Section section(prm, "Adaptation");
+  active = prm.get_bool("Active");
+  interval = read_unsigned(prm, "Interval");
+  least_level = read_unsigned(prm, "Smallest level");
+  most_level =
+    std::max(read_unsigned(prm, "Largest level"), initial_refinement);
+  refine = read_double(prm, "Refine above");
+  coarsen = read_double(prm, "Coarsen below");
+  noise = read_double(prm, "Noise");
+  buffer = read_unsigned(prm, "Buffer");
+  if (!active)
+    return;
+  if (dim == 1)
+    throw InputError("Adaptation/Active: in 1 dimension meshes are uniform; "
+                     "use more leaves instead");
+  if (is_finite_volume && n_points % 2 == 1 && n_points != 1)
+    throw InputError("Adaptation/Active needs Method/Subcells = 1 or an even "
+                     "number, not " +
+                     std::to_string(n_points));
+  if (!is_axis_aligned)
+    throw InputError("Adaptation/Active needs Domain/Mesh = box");
+  if (coarsen > refine)
+    throw InputError("Adaptation/Coarsen below must not be larger than "
+                     "Adaptation/Refine above");
+  if (least_level > most_level)
+    throw InputError("Adaptation/Smallest level must not be larger than "
+                     "Adaptation/Largest level");
+}
+
+
+template <int dim>
+Adaptation<dim>::Adaptation(const AdaptationParameters &parameters,
+                            LeafMesh<dim> &mesh,
+                            const LeafPoints<dim> &points,
+                            const GasMaterial &material)
+  : parameters_(parameters)
+  , mesh_(mesh)
+  , points_(points)
+  , material_(material)
+{}
+
+
+template <int dim>
+std::vector<double> Adaptation<dim>::sensors(const GasField &field) const
+{
+  return jump_sensor(mesh_, points_, material_, field, parameters_.noise);
+}
+
+
+template <int dim>
+bool Adaptation<dim>::adapt(GasField &field)
+{
+  if constexpr (dim == 1)
+    return false;
+  else
+  {
+    std::vector<double> marks = sensors(field);
+    for (unsigned int layer = 0; layer < parameters_.buffer; ++layer)
+      spread(marks);
+    set_flags(marks);
+    mesh_.triangulation().prepare_coarsening_and_refinement();
+    bool any = false;
+    for (const auto &cell : mesh_.triangulation().active_cell_iterators())
+      any = any || (cell->is_locally_owned() &&
+                    (cell->refine_flag_set() || cell->coarsen_flag_set()));
+    if (dealii::Utilities::MPI::max(any ? 1U : 0U, mesh_.communicator()) == 0)
+      return false;
+    carry_over(field);
+    return true;
+  }
+}
+
+
+template <int dim>
+void Adaptation<dim>::spread(std::vector<double> &marks) const
+{
+  if constexpr (dim > 1)
+  {
+    std::map<dealii::CellId, double> ghost_marks;
+    const auto pack =
+      [&](const typename dealii::Triangulation<dim>::active_cell_iterator &cell)
+      -> std::optional<double> { return marks[mesh_.leaf_of(cell)]; };
+    const auto unpack =
+      [&](const typename dealii::Triangulation<dim>::active_cell_iterator &cell,
+          const double &mark) { ghost_marks[cell->id()] = mark; };
+    dealii::GridTools::exchange_cell_data_to_ghosts<double,
+                                                    dealii::Triangulation<dim>>(
+      mesh_.triangulation(), pack, unpack);
+
+    std::vector<double> result = marks;
+    for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
+    {
+      const auto &cell = mesh_.cell(leaf);
+      const auto look = [&](const auto &neighbor) {
+        const double mark = neighbor->is_locally_owned()
+                              ? marks[mesh_.leaf_of(neighbor)]
+                              : ghost_marks[neighbor->id()];
+        if (mark >= parameters_.refine && neighbor->level() >= cell->level())
+          result[leaf] = std::max(result[leaf], parameters_.refine);
+      };
+      for (const unsigned int f : cell->face_indices())
+      {
+        const bool periodic = cell->has_periodic_neighbor(f);
+        if (cell->at_boundary(f) && !periodic)
+          continue;
+        const auto neighbor =
+          periodic ? cell->periodic_neighbor(f) : cell->neighbor(f);
+        if (!neighbor->has_children())
+          look(neighbor);
+        else
+          for (unsigned int c = 0; c < neighbor->n_children(); ++c)
+            if (neighbor->child(c)->is_active() &&
+                !neighbor->child(c)->is_artificial())
+              look(neighbor->child(c));
+      }
+    }
+    marks.swap(result);
+  }
+}
+
+
+template <int dim>
+void Adaptation<dim>::set_flags(const std::vector<double> &marks)
+{
+  for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
+  {
+    const auto &cell = mesh_.cell(leaf);
+    const unsigned int level = cell->level();
+    cell->clear_refine_flag();
+    cell->clear_coarsen_flag();
+    if (marks[leaf] >= parameters_.refine && level < parameters_.most_level)
+      cell->set_refine_flag();
+    else if ((marks[leaf] < parameters_.coarsen &&
+              level > parameters_.least_level) ||
+             level > parameters_.most_level)
+      cell->set_coarsen_flag();
+  }
+}
+
+
+template <int dim>
+bool Adaptation<dim>::refine_where(
+  const std::function<bool(const unsigned int leaf)> &wanted)
+{
+  bool any = false;
+  for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
+    if (static_cast<unsigned int>(mesh_.cell(leaf)->level()) <
+          parameters_.most_level &&
+        wanted(leaf))
+    {
+      mesh_.cell(leaf)->set_refine_flag();
+      any = true;
+    }
+  if (dealii::Utilities::MPI::max(any ? 1U : 0U, mesh_.communicator()) == 0)
+    return false;
+  mesh_.triangulation().execute_coarsening_and_refinement();
+  mesh_.rebuild();
+  return true;
+}
+
+
+template <int dim>
+void Adaptation<dim>::carry_over(GasField &field)
+{
+  if constexpr (dim > 1)
+  {
+    using Tria = typename LeafMesh<dim>::Tria;
+    const LeafLayout layout = field.layout();
+    const LeafTransfer<dim> transfer(points_, layout, material_);
+    const auto box = [](const auto &cell) {
+      LeafBox<dim> result;
+      result.origin = cell->vertex(0);
+      result.extents = cell->vertex((1U << dim) - 1) - cell->vertex(0);
+      return result;
+    };
+    const std::size_t n_bytes =
+      sizeof(double) * layout.n_components * layout.n_points;
+
+    const auto pack = [&](const typename Tria::cell_iterator &cell,
+                          const typename Tria::CellStatus status) {
+      std::vector<double> values;
+      if (status == Tria::CELL_COARSEN)
+      {
+        std::vector<std::vector<double>> children;
+        for (unsigned int c = 0; c < cell->n_children(); ++c)
+          children.push_back(field.leaf(mesh_.leaf_of(cell->child(c))));
+        values = transfer.from_children(children, box(cell));
+      }
+      else
+        values = field.leaf(mesh_.leaf_of(cell));
+      std::vector<char> bytes(n_bytes);
+      std::memcpy(bytes.data(), values.data(), n_bytes);
+      return bytes;
+    };
+    auto &tria = mesh_.triangulation();
+    const auto handle = tria.register_data_attach(pack, false);
+    tria.execute_coarsening_and_refinement();
+    mesh_.rebuild();
+    field.reinit(layout, mesh_.n_stored_batches());
+
+    const auto unpack =
+      [&](
+        const typename Tria::cell_iterator &cell,
+        const typename Tria::CellStatus status,
+        const boost::iterator_range<std::vector<char>::const_iterator> &bytes) {
+        std::vector<double> values(n_bytes / sizeof(double));
+        std::memcpy(values.data(), &*bytes.begin(), n_bytes);
+        if (status != Tria::CELL_REFINE)
+        {
+          field.set_leaf(mesh_.leaf_of(cell), values);
+          return;
+        }
+        const auto children = transfer.to_children(values, box(cell));
+        for (unsigned int c = 0; c < children.size(); ++c)
+          field.set_leaf(mesh_.leaf_of(cell->child(c)), children[c]);
+      };
+    tria.notify_ready_to_unpack(handle, unpack);
+    field.fill_padding(mesh_.n_owned());
+  }
+}
+
+
+template class Adaptation<1>;
+template class Adaptation<2>;
+template class Adaptation<3>;
+} // namespace contrecoup::gas

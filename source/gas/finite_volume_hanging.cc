@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/gas/finite_volume_hanging.h>
+#include <contrecoup/materials/ideal_gas.h>
+#include <contrecoup/materials/mie_grueneisen.h>
+
+namespace contrecoup::gas
+{
+template <int dim, typename Gas>
+FiniteVolumeHanging<dim, Gas>::FiniteVolumeHanging(const LeafLayout &layout,
+                                                   const Scheme &scheme,
+                                                   const Gas &gas)
+  : layout_(layout)
+  , scheme_(scheme)
+  , gas_(gas)
+  , coarse_halo_(layout.n_face_points)
+  , coarse_flux_(layout.n_face_points)
+{
+  for (unsigned int layer = 0; layer < 2; ++layer)
+  {
+    coarse_[layer].resize(layout.n_face_points);
+    for (unsigned int part = 0; part < n_fine; ++part)
+      fine_[part][layer].resize(layout.n_face_points);
+  }
+  for (unsigned int part = 0; part < n_fine; ++part)
+  {
+    fine_halo_[part].resize(layout.n_face_points);
+    fine_flux_[part].resize(layout.n_face_points);
+  }
+}
+
+
+template <int dim, typename Gas>
+void FiniteVolumeHanging<dim, Gas>::compute(const HangingGroup<dim> &group,
+                                            const double *state,
+                                            HangingData<dim> &hanging)
+{
+  load(group, state);
+  average_fine_side(group);
+  for (unsigned int q = 0; q < layout_.n_face_points; ++q)
+    coarse_flux_[q].fill(Number(0.));
+  for (unsigned int part = 0; part < n_fine; ++part)
+    part_fluxes(group, part);
+  store(group, hanging);
+}
+
+
+template <int dim, typename Gas>
+void FiniteVolumeHanging<dim, Gas>::load(const HangingGroup<dim> &group,
+                                         const double *state)
+{
+  const auto gather = [&](const unsigned int *offsets,
+                          const unsigned int point) {
+    Values u;
+    for (unsigned int c = 0; c < nc; ++c)
+      u[c].gather(state + layout_.value(c, point), offsets);
+    return to_primitive<dim>(gas_, u);
+  };
+  for (unsigned int layer = 0; layer < 2; ++layer)
+  {
+    const unsigned int depth = std::min(layer, layout_.n - 1);
+    for (unsigned int q = 0; q < layout_.n_face_points; ++q)
+    {
+      coarse_[layer][q] =
+        gather(group.coarse_offset.data(),
+               layout_.face_point(group.coarse_face, q, depth));
+      for (unsigned int part = 0; part < n_fine; ++part)
+        fine_[part][layer][q] = gather(
+          group.fine_offset[part].data(),
+          layout_.face_point(group.match.face, fine_point(group, q), depth));
+    }
+  }
+}
+
+
+template <int dim, typename Gas>
+unsigned int
+FiniteVolumeHanging<dim, Gas>::fine_point(const HangingGroup<dim> &group,
+                                          const unsigned int point) const
+{
+  if (dim == 1)
+    return 0;
+  return matched_face_point(group.match.orientation,
+                            point % layout_.n,
+                            dim == 3 ? point / layout_.n : 0,
+                            layout_.n);
+}
+
+
+template <int dim, typename Gas>
+unsigned int FiniteVolumeHanging<dim, Gas>::coarse_point(
+  const unsigned int part,
+  const unsigned int fine_point,
+  std::array<double, dim == 1 ? 1 : dim - 1> &distance) const
+{
+  const unsigned int n = layout_.n;
+  unsigned int result = 0, factor = 1, q = fine_point;
+  for (unsigned int t = 0; t + 1 < dim; ++t)
+  {
+    const unsigned int position = ((part >> t) % 2) * n + q % n;
+    distance[t] = position % 2 ? 0.25 : -0.25;
+    result += position / 2 * factor;
+    factor *= n;
+    q /= n;
+  }
+  return result;
+}
+
+
+template <int dim, typename Gas>
+void FiniteVolumeHanging<dim, Gas>::average_fine_side(
+  const HangingGroup<dim> & /*group*/)
+{
+  // A coarse subcell beyond the face holds 2^(dim-1) fine ones in each of
+  // two layers, or of one where a leaf is a single cell deep.
+  const unsigned int n_layers = std::min(2U, layout_.n);
+  const double weight = 1. / (n_fine * n_layers);
+  for (unsigned int q = 0; q < layout_.n_face_points; ++q)
+    coarse_halo_[q].fill(Number(0.));
+  std::array<double, dim == 1 ? 1 : dim - 1> distance;
+  for (unsigned int part = 0; part < n_fine; ++part)
+    for (unsigned int q = 0; q < layout_.n_face_points; ++q)
+      for (unsigned int layer = 0; layer < n_layers; ++layer)
+        for (unsigned int c = 0; c < nc; ++c)
+          coarse_halo_[coarse_point(part, q, distance)][c] +=
+            fine_[part][layer][q][c] * weight;
+}
+
+
+template <int dim, typename Gas>
+typename FiniteVolumeHanging<dim, Gas>::Values
+FiniteVolumeHanging<dim, Gas>::tangential_slope(const unsigned int point,
+                                                const unsigned int t) const
+{
+  const unsigned int n = layout_.n;
+  Values slope;
+  slope.fill(Number(0.));
+  if (n < 2)
+    return slope;
+  // The two differences next to the point; at the rim of the leaf those on
+  // its inner side.
+  const unsigned int s = t == 0 ? 1 : n;
+  const unsigned int index = (point / s) % n;
+  const unsigned int first =
+    n == 2 ? 0 : std::min(index > 0 ? index - 1 : 0, n - 3);
+  const unsigned int second = n == 2 ? 0 : first + 1;
+  const Values *line = &coarse_[0][point - index * s];
+  for (unsigned int c = 0; c < nc; ++c)
+    slope[c] =
+      limited_slope(scheme_.limiter,
+                    Number(line[(first + 1) * s][c] - line[first * s][c]),
+                    Number(line[(second + 1) * s][c] - line[second * s][c]));
+  return slope;
+}
+
+
+template <int dim, typename Gas>
+void FiniteVolumeHanging<dim, Gas>::part_fluxes(const HangingGroup<dim> &group,
+                                                const unsigned int part)
+{
+  const unsigned int direction = group.coarse_face / 2;
+  const bool coarse_is_left = group.coarse_face % 2;
+  std::array<double, dim == 1 ? 1 : dim - 1> distance;
+  for (unsigned int q = 0; q < layout_.n_face_points; ++q)
+  {
+    const unsigned int at = coarse_point(part, q, distance);
+    Values inside = coarse_[0][at]; // trace, coarse side
+    Values outside = fine_[part][0][q];
+    Values &halo = fine_halo_[part][q];
+    halo = inside;
+    if (scheme_.linear)
+    {
+      for (unsigned int t = 0; t + 1 < dim; ++t)
+      {
+        const Values slope = tangential_slope(at, t);
+        for (unsigned int c = 0; c < nc; ++c)
+          inside[c] += slope[c] * distance[t];
+      }
+      halo = inside;
+      for (unsigned int c = 0; c < nc; ++c)
+      {
+        const Number normal =
+          limited_slope(scheme_.limiter,
+                        Number(coarse_[0][at][c] - coarse_[1][at][c]),
+                        Number(coarse_halo_[at][c] - coarse_[0][at][c]));
+        inside[c] += normal * 0.5;
+        // The fine subcell next to the face is a quarter of a coarse
+        // one away from the coarse centre.
+        halo[c] += normal * 0.25;
+      }
+      restore_if_inadmissible<dim>(gas_, coarse_[0][at], inside);
+      restore_if_inadmissible<dim>(gas_, coarse_[0][at], halo);
+      for (unsigned int c = 0; c < nc; ++c)
+        outside[c] +=
+          limited_slope(scheme_.limiter,
+                        Number(fine_[part][0][q][c] - fine_[part][1][q][c]),
+                        Number(halo[c] - fine_[part][0][q][c])) *
+          0.5;
+      restore_if_inadmissible<dim>(gas_, fine_[part][0][q], outside);
+    }
+    Values left, right;
+    for (unsigned int c = 0; c < nc; ++c)
+    {
+      const unsigned int from = rotated_component<dim>(c, direction);
+      left[c] = coarse_is_left ? inside[from] : outside[from];
+      right[c] = coarse_is_left ? outside[from] : inside[from];
+    }
+    const Values flux =
+      to_array<dim, Gas>(numerical_flux(scheme_.flux,
+                                        to_face_state<dim>(gas_, left),
+                                        to_face_state<dim>(gas_, right),
+                                        Number(1.)));
+    for (unsigned int c = 0; c < nc; ++c)
+    {
+      const unsigned int to = rotated_component<dim>(c, direction);
+      fine_flux_[part][q][to] = flux[c];
+      coarse_flux_[at][to] += flux[c] * (1. / n_fine);
+    }
+  }
+}
+
+
+template <int dim, typename Gas>
+void FiniteVolumeHanging<dim, Gas>::store(const HangingGroup<dim> &group,
+                                          HangingData<dim> &hanging) const
+{
+  for (unsigned int lane = 0; lane < group.n_filled; ++lane)
+    for (unsigned int c = 0; c < nc; ++c)
+    {
+      const unsigned int face = group.face[lane];
+      double *coarse_flux = hanging.flux(face, 0, c);
+      double *coarse_halo = hanging.halo(face, 0, c);
+      for (unsigned int q = 0; q < layout_.n_face_points; ++q)
+      {
+        coarse_flux[q] = coarse_flux_[q][c][lane];
+        coarse_halo[q] = coarse_halo_[q][c][lane];
+      }
+      for (unsigned int part = 0; part < n_fine; ++part)
+      {
+        double *fine_flux = hanging.flux(face, 1 + part, c);
+        double *fine_halo = hanging.halo(face, 1 + part, c);
+        for (unsigned int q = 0; q < layout_.n_face_points; ++q)
+        {
+          const unsigned int at = fine_point(group, q);
+          fine_flux[at] = fine_flux_[part][q][c][lane];
+          fine_halo[at] = fine_halo_[part][q][c][lane];
+        }
+      }
+    }
+}
+
+
+template class FiniteVolumeHanging<1, IdealGas>;
+template class FiniteVolumeHanging<2, IdealGas>;
+template class FiniteVolumeHanging<3, IdealGas>;
+template class FiniteVolumeHanging<1, MieGrueneisen>;
+template class FiniteVolumeHanging<2, MieGrueneisen>;
+template class FiniteVolumeHanging<3, MieGrueneisen>;
+} // namespace contrecoup::gas

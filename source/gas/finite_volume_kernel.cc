@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/lane_math.h>
+#include <contrecoup/gas/finite_volume_kernel.h>
+#include <contrecoup/materials/ideal_gas.h>
+#include <contrecoup/materials/mie_grueneisen.h>
+
+namespace contrecoup::gas
+{
+namespace
+{
+  std::vector<double> subcell_centers(const unsigned int n)
+  {
+    std::vector<double> centers(n);
+    for (unsigned int i = 0; i < n; ++i)
+      centers[i] = (i + 0.5) / n;
+    return centers;
+  }
+} // namespace
+
+
+template <int dim, typename Gas>
+FiniteVolumeKernel<dim, Gas>::FiniteVolumeKernel(const LeafMesh<dim> &mesh,
+                                                 const LeafLayout &layout,
+                                                 const Scheme &scheme,
+                                                 const Gas &gas,
+                                                 const Boundary<dim> &boundary)
+  : Base(mesh, layout, scheme, gas, boundary, subcell_centers(layout.n))
+  , radial_(radial_exponent(mesh.coarse_mesh().geometry()), layout.n)
+  , primitive_(nc * layout.n_points)
+  , residual_(nc * layout.n_points)
+  , line_(layout.n + 2 * ghosts)
+  , left_(layout.n + 1)
+  , right_(layout.n + 1)
+  , flux_(layout.n + 1)
+  , compression_(layout.n + 2)
+{}
+
+
+template <int dim, typename Gas>
+void FiniteVolumeKernel<dim, Gas>::update(const unsigned int batch,
+                                          const Stage &stage,
+                                          const HangingData<dim> &hanging)
+{
+  Base::bind(batch, stage);
+  load(stage.in);
+  residual_.fill(Number(0.));
+  if (!radial_.is_plane())
+    radial_.reinit(mesh_.origins(batch)[0], mesh_.extents(batch)[0]);
+  for (unsigned int direction = 0; direction < dim; ++direction)
+    sweep(direction, hanging);
+  finish(stage);
+  // The sensor of the last stage serves a whole step.
+  if (stage.signal_rate != nullptr)
+    analyse(batch, stage);
+  else
+    Base::sensor_.store(stage.sensor_out + batch * W);
+}
+
+
+template <int dim, typename Gas>
+void FiniteVolumeKernel<dim, Gas>::load(const double *state)
+{
+  const double *values = state + batch_ * layout_.batch_size();
+  for (unsigned int q = 0; q < layout_.n_points; ++q)
+  {
+    Values u;
+    for (unsigned int c = 0; c < nc; ++c)
+      u[c].load(values + layout_.value(c, q));
+    const Values p = to_primitive<dim>(gas_, u);
+    for (unsigned int c = 0; c < nc; ++c)
+      primitive_[c * layout_.n_points + q] = p[c];
+  }
+}
+
+
+template <int dim, typename Gas>
+void FiniteVolumeKernel<dim, Gas>::sweep(const unsigned int direction,
+                                         const HangingData<dim> &hanging)
+{
+  for (unsigned int line = 0; line < layout_.n_face_points; ++line)
+  {
+    fill_line(direction, line);
+    fill_line_ends(direction, line, hanging);
+    if (Base::needs_shear_factor())
+      fill_compression(direction, line);
+    reconstruct();
+    line_fluxes(direction);
+    Base::replace_hanging_fluxes(
+      direction, line, hanging, flux_[0], flux_[layout_.n]);
+    add_flux_differences(direction, line);
+  }
+}
+
+
+template <int dim, typename Gas>
+void FiniteVolumeKernel<dim, Gas>::fill_line(const unsigned int direction,
+                                             const unsigned int line)
+{
+  const unsigned int stride = layout_.stride(direction);
+  const unsigned int first = layout_.face_point(2 * direction, line, 0);
+  for (unsigned int c = 0; c < nc; ++c)
+  {
+    const Number *values =
+      &primitive_[rotated_component<dim>(c, direction) * layout_.n_points +
+                  first];
+    for (unsigned int i = 0; i < layout_.n; ++i)
+      cell(i)[c] = values[i * stride];
+  }
+}
+
+
+template <int dim, typename Gas>
+void FiniteVolumeKernel<dim, Gas>::fill_line_ends(
+  const unsigned int direction,
+  const unsigned int line,
+  const HangingData<dim> &hanging)
+{
+  const int n = layout_.n;
+  const unsigned int depth = std::min(1U, layout_.n - 1);
+  for (unsigned int side = 0; side < 2; ++side)
+  {
+    const unsigned int face = 2 * direction + side;
+    const int near = side == 0 ? -1 : n;
+    const int far = side == 0 ? -2 : n + 1;
+    const Values p =
+      Base::neighbor_primitive(face, layout_.face_point(face ^ 1U, line, 0));
+    const Values q = Base::neighbor_primitive(
+      face, layout_.face_point(face ^ 1U, line, depth));
+    for (unsigned int c = 0; c < nc; ++c)
+    {
+      const unsigned int from = rotated_component<dim>(c, direction);
+      cell(near)[c] = p[from];
+      cell(far)[c] = q[from];
+    }
+  }
+  for (auto s = mesh_.special_begin(batch_); s != mesh_.special_end(batch_);
+       ++s)
+    if (s->face / 2 == direction)
+      fill_ghost_lane(*s, line, hanging);
+}
+
+
+template <int dim, typename Gas>
+void FiniteVolumeKernel<dim, Gas>::fill_ghost_lane(
+  const SpecialFace &special,
+  const unsigned int line,
+  const HangingData<dim> &hanging)
+{
+  const int n = layout_.n;
+  const bool high = special.face % 2;
+  if (special.kind == SpecialFace::Kind::boundary)
+  {
+    // A wall mirrors layer by layer; other boundaries repeat the first.
+    const bool is_wall =
+      Base::boundary_.kind(special.index) == Boundary<dim>::Kind::wall;
+    for (int layer = 0; layer < ghosts; ++layer)
+    {
+      const int depth = is_wall ? std::min(layer, n - 1) : 0;
+      Base::fill_boundary(special,
+                          line,
+                          cell(high ? n - 1 - depth : depth),
+                          cell(high ? n + layer : -1 - layer));
+    }
+    return;
+  }
+  for (unsigned int c = 0; c < nc; ++c)
+  {
+    const double value =
+      hanging.halo(special.index,
+                   Base::slot_of(special),
+                   rotated_component<dim>(c, special.face / 2))[line];
+    cell(high ? n : -1)[c][special.lane] = value;
+    cell(high ? n + 1 : -2)[c][special.lane] = value;
+  }
+}
+
+
+template <int dim, typename Gas>
+void FiniteVolumeKernel<dim, Gas>::reconstruct()
+{
+  const int n = layout_.n;
+  if (!scheme_.linear)
+  {
+    for (int f = 0; f <= n; ++f)
+    {
+      left_[f] = cell(f - 1);
+      right_[f] = cell(f);
+    }
+    return;
+  }
+  for (int i = -1; i <= n; ++i)
+  {
+    Values low, high;
+    for (unsigned int c = 0; c < nc; ++c)
+    {
+      const Number half = limited_slope(scheme_.limiter,
+                                        Number(cell(i)[c] - cell(i - 1)[c]),
+                                        Number(cell(i + 1)[c] - cell(i)[c])) *
+                          0.5;
+      low[c] = cell(i)[c] - half;
+      high[c] = cell(i)[c] + half;
+    }
+    if constexpr (Gas::has_products)
+    {
+      restore_if_inadmissible<dim>(gas_, cell(i), low);
+      restore_if_inadmissible<dim>(gas_, cell(i), high);
+    }
+    if (i >= 0)
+      right_[i] = low;
+    if (i < n)
+      left_[i + 1] = high;
+  }
+}
+
+
+template <int dim, typename Gas>
+void FiniteVolumeKernel<dim, Gas>::line_fluxes(const unsigned int direction)
+{
+  for (unsigned int f = 0; f <= layout_.n; ++f)
+  {
+    const auto left = to_face_state<dim>(gas_, left_[f]);
+    const auto right = to_face_state<dim>(gas_, right_[f]);
+    Number theta = 1.;
+    if (Base::needs_shear_factor())
+    {
+      Number shock = Base::sensor_;
+      if (f == 0)
+        shock = std::max(shock, Base::neighbor_sensor_[2 * direction]);
+      else if (f == layout_.n)
+        shock = std::max(shock, Base::neighbor_sensor_[2 * direction + 1]);
+      theta = Base::gated_shear_factor(
+        shock,
+        std::max(left.sound_speed, right.sound_speed),
+        cell(f)[C::momentum] - cell(f - 1)[C::momentum],
+        std::min(compression_[f], compression_[f + 1]));
+    }
+    flux_[f] =
+      to_array<dim, Gas>(numerical_flux(scheme_.flux, left, right, theta));
+  }
+}
+
+
+template <int dim, typename Gas>
+void FiniteVolumeKernel<dim, Gas>::add_flux_differences(
+  const unsigned int direction,
+  const unsigned int line)
+{
+  const unsigned int stride = layout_.stride(direction);
+  const unsigned int first = layout_.face_point(2 * direction, line, 0);
+  const bool radial = direction == 0 && !radial_.is_plane();
+  const Number inverse_size =
+    Number(layout_.n) / mesh_.extents(batch_)[direction];
+  for (unsigned int i = 0; i < layout_.n; ++i)
+    for (unsigned int c = 0; c < nc; ++c)
+    {
+      Number &residual =
+        residual_[rotated_component<dim>(c, direction) * layout_.n_points +
+                  first + i * stride];
+      if (!radial)
+      {
+        residual += (flux_[i][c] - flux_[i + 1][c]) * inverse_size;
+        continue;
+      }
+      // The pressure of the cell itself exerts no net force on it.
+      const Number base = c == C::momentum ? cell(i)[C::energy] : Number(0.);
+      residual += ((flux_[i][c] - base) * radial_.area(i) -
+                   (flux_[i + 1][c] - base) * radial_.area(i + 1)) *
+                  radial_.inverse_volume(i);
+    }
+}
+
+
+template <int dim, typename Gas>
+void FiniteVolumeKernel<dim, Gas>::finish(const Stage &stage)
+{
+  const double *in = stage.in + batch_ * layout_.batch_size();
+  const double *start = stage.start + batch_ * layout_.batch_size();
+  double *out = stage.out + batch_ * layout_.batch_size();
+  Number smallest(1.);
+  for (unsigned int q = 0; q < layout_.n_points; ++q)
+  {
+    Values u;
+    for (unsigned int c = 0; c < nc; ++c)
+    {
+      u[c].load(in + layout_.value(c, q));
+      u[c] += residual_[c * layout_.n_points + q] * stage.step;
+      if (stage.a != 0.)
+      {
+        // Written so that a state at rest keeps every bit.
+        Number old;
+        old.load(start + layout_.value(c, q));
+        u[c] += (old - u[c]) * stage.a;
+      }
+      u[c].store(out + layout_.value(c, q));
+    }
+    smallest = std::min(smallest, is_admissible<dim>(gas_, u));
+  }
+  for (unsigned int lane = 0; lane < mesh_.n_filled_lanes(batch_); ++lane)
+    if (!(smallest[lane] > 0.))
+      *stage.unphysical_leaf = batch_ * W + lane;
+  // Padding lanes copy the first, so that they never overflow.
+  for (unsigned int lane = mesh_.n_filled_lanes(batch_); lane < W; ++lane)
+    for (std::size_t i = 0; i < layout_.batch_size(); i += W)
+      out[i + lane] = out[i];
+}
+
+
+template <int dim, typename Gas>
+void FiniteVolumeKernel<dim, Gas>::fill_compression(
+  const unsigned int direction,
+  const unsigned int line)
+{
+  const auto velocity = [this](const unsigned int t, const unsigned int q) {
+    return primitive_[(C::momentum + t) * layout_.n_points + q];
+  };
+  const unsigned int stride = layout_.stride(direction);
+  const unsigned int first = layout_.face_point(2 * direction, line, 0);
+  for (unsigned int i = 0; i < layout_.n; ++i)
+    compression_[i + 1] =
+      Base::transverse_compression(direction, first + i * stride, velocity);
+  compression_[0] = Base::neighbor_compression(2 * direction, line);
+  compression_[layout_.n + 1] =
+    Base::neighbor_compression(2 * direction + 1, line);
+}
+
+
+template <int dim, typename Gas>
+void FiniteVolumeKernel<dim, Gas>::analyse(const unsigned int batch,
+                                           const Stage &stage)
+{
+  // A jump of the pressure by a tenth in compressed gas counts as a shock.
+  const double threshold = 0.1;
+  batch_ = batch;
+  load(stage.out);
+  Number rate(0.);
+  for (unsigned int q = 0; q < layout_.n_points; ++q)
+  {
+    Values p;
+    for (unsigned int c = 0; c < nc; ++c)
+      p[c] = primitive_[c * layout_.n_points + q];
+    rate = std::max(rate, signal_rate<dim>(gas_, p, mesh_.extents(batch_)));
+  }
+  Number shock(0.);
+  for (unsigned int d = 0; d < dim; ++d)
+  {
+    const unsigned int s = layout_.stride(d);
+    for (unsigned int q = 0; q < layout_.n_points; ++q)
+      if ((q / s) % layout_.n + 1 < layout_.n)
+      {
+        const Number *p = &primitive_[C::energy * layout_.n_points + q];
+        const Number *u = &primitive_[(C::momentum + d) * layout_.n_points + q];
+        const Number jump =
+          std::abs(p[s] - p[0]) - std::min(p[0], p[s]) * threshold;
+        shock = std::max(shock, select_less(u[s], u[0], jump, Number(0.)));
+      }
+  }
+  shock = select_less(Number(0.), shock, Number(1.), Number(0.));
+  rate.store(stage.signal_rate + batch_ * W);
+  shock.store(stage.sensor_out + batch_ * W);
+}
+
+
+template class FiniteVolumeKernel<1, IdealGas>;
+template class FiniteVolumeKernel<2, IdealGas>;
+template class FiniteVolumeKernel<3, IdealGas>;
+template class FiniteVolumeKernel<1, MieGrueneisen>;
+template class FiniteVolumeKernel<2, MieGrueneisen>;
+template class FiniteVolumeKernel<3, MieGrueneisen>;
+} // namespace contrecoup::gas

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/gas/finite_volume_hanging.h>
+#include <contrecoup/gas/finite_volume_kernel.h>
+#include <contrecoup/gas/leaf_operator.h>
+
+namespace contrecoup::gas
+{
+template <int dim>
+std::unique_ptr<GasOperator<dim>>
+make_finite_volume_operator(const LeafMesh<dim> &mesh,
+                            const LeafLayout &layout,
+                            const Scheme &scheme,
+                            const GasMaterial &material,
+                            const Boundary<dim> &boundary)
+{
+  return std::visit(
+    [&](const auto &gas) -> std::unique_ptr<GasOperator<dim>> {
+      using Gas = std::decay_t<decltype(gas)>;
+      return std::make_unique<LeafOperator<dim,
+                                           Gas,
+                                           FiniteVolumeKernel<dim, Gas>,
+                                           FiniteVolumeHanging<dim, Gas>>>(
+        mesh, layout, scheme, gas, boundary);
+    },
+    material.model());
+}
+
+
+template std::unique_ptr<GasOperator<1>>
+make_finite_volume_operator(const LeafMesh<1> &,
+                            const LeafLayout &,
+                            const Scheme &,
+                            const GasMaterial &,
+                            const Boundary<1> &);
+template std::unique_ptr<GasOperator<2>>
+make_finite_volume_operator(const LeafMesh<2> &,
+                            const LeafLayout &,
+                            const Scheme &,
+                            const GasMaterial &,
+                            const Boundary<2> &);
+template std::unique_ptr<GasOperator<3>>
+make_finite_volume_operator(const LeafMesh<3> &,
+                            const LeafLayout &,
+                            const Scheme &,
+                            const GasMaterial &,
+                            const Boundary<3> &);
+} // namespace contrecoup::gas

@@ -1,0 +1,491 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exponential.h>
+#include <contrecoup/base/lane_math.h>
+#include <contrecoup/gas/galerkin_kernel.h>
+#include <contrecoup/materials/ideal_gas.h>
+#include <contrecoup/materials/mie_grueneisen.h>
+
+namespace contrecoup::gas
+{
+template <int dim, int n, typename Gas>
+GalerkinKernel<dim, n, Gas>::GalerkinKernel(const LeafMesh<dim> &mesh,
+                                            const LeafLayout &layout,
+                                            const Scheme &scheme,
+                                            const Gas &gas,
+                                            const Boundary<dim> &boundary)
+  : Base(mesh, layout, scheme, gas, boundary, LobattoBasis(n).nodes())
+  , basis_(n)
+{
+  subface_[0] = 0.;
+  for (unsigned int i = 0; i < n; ++i)
+  {
+    node_[i] = basis_.nodes()[i];
+    weight_[i] = basis_.weights()[i];
+    subface_[i + 1] = subface_[i] + weight_[i];
+    for (unsigned int j = 0; j < n; ++j)
+    {
+      weak_derivative_[i][j] =
+        basis_.weights()[j] * basis_.derivative()(j, i) / basis_.weights()[i];
+      modal_[i][j] = basis_.to_modal()(i, j);
+    }
+  }
+}
+
+
+template <int dim, int n, typename Gas>
+void GalerkinKernel<dim, n, Gas>::update(const unsigned int batch,
+                                         const Stage &stage,
+                                         const HangingData<dim> &hanging)
+{
+  Base::bind(batch, stage);
+  load(stage.in);
+  set_blending();
+  for (unsigned int c = 0; c < nc; ++c)
+    residual_[c].fill(Number(0.));
+  for (unsigned int direction = 0; direction < dim; ++direction)
+    sweep(direction, hanging);
+  finish(stage);
+}
+
+
+template <int dim, int n, typename Gas>
+void GalerkinKernel<dim, n, Gas>::analyse(const unsigned int batch,
+                                          const Stage &stage)
+{
+  batch_ = batch;
+  load(stage.out);
+  blending_factor().store(stage.sensor_out + batch * W);
+  if (stage.signal_rate == nullptr)
+    return;
+  Number rate(0.);
+  for (unsigned int q = 0; q < n_points; ++q)
+  {
+    Values p;
+    for (unsigned int c = 0; c < nc; ++c)
+      p[c] = primitive_[c][q];
+    rate = std::max(rate, signal_rate<dim>(gas_, p, mesh_.extents(batch)));
+  }
+  rate.store(stage.signal_rate + batch * W);
+}
+
+
+template <int dim, int n, typename Gas>
+void GalerkinKernel<dim, n, Gas>::load(const double *state)
+{
+  const double *values = state + batch_ * layout_.batch_size();
+  for (unsigned int q = 0; q < n_points; ++q)
+  {
+    Values u;
+    for (unsigned int c = 0; c < nc; ++c)
+    {
+      u[c].load(values + (c * n_points + q) * W);
+      conserved_[c][q] = u[c];
+    }
+    const Values p = to_primitive<dim>(gas_, u);
+    for (unsigned int c = 0; c < nc; ++c)
+      primitive_[c][q] = p[c];
+  }
+  // Only differences of the pressure act inside a leaf; measured from one
+  // of its nodes they vanish exactly in gas at rest.
+  reference_pressure_ = primitive_[C::energy][0];
+}
+
+
+template <int dim, int n, typename Gas>
+void GalerkinKernel<dim, n, Gas>::set_blending()
+{
+  // Half of a neighbour's blending spreads, so that a shock that enters a
+  // leaf finds it prepared (Hennemann et al. 2021, eq. 48).
+  Number neighbor(0.);
+  for (unsigned int face = 0; face < 2 * dim; ++face)
+    neighbor = std::max(neighbor, Base::neighbor_sensor_[face]);
+  blending_ = std::max(Base::sensor_, neighbor * 0.5);
+  any_blending_ = scheme_.blending && largest_lane(blending_) > 0.;
+}
+
+
+template <int dim, int n, typename Gas>
+void GalerkinKernel<dim, n, Gas>::sweep(const unsigned int direction,
+                                        const HangingData<dim> &hanging)
+{
+  for (unsigned int line = 0; line < n_lines; ++line)
+  {
+    load_line(direction, line);
+    end_fluxes(direction, line, hanging);
+    volume_terms();
+    if (any_blending_)
+      subcell_terms(direction, line);
+    add_line(direction, line);
+  }
+}
+
+
+template <int dim, int n, typename Gas>
+void GalerkinKernel<dim, n, Gas>::load_line(const unsigned int direction,
+                                            const unsigned int line)
+{
+  const unsigned int stride = layout_.stride(direction);
+  const unsigned int first = layout_.face_point(2 * direction, line, 0);
+  for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int c = 0; c < nc; ++c)
+    {
+      const unsigned int from = rotated_component<dim>(c, direction);
+      line_[i][c] = primitive_[from][first + i * stride];
+      line_conserved_[i][c] = conserved_[from][first + i * stride];
+    }
+}
+
+
+template <int dim, int n, typename Gas>
+void GalerkinKernel<dim, n, Gas>::end_fluxes(const unsigned int direction,
+                                             const unsigned int line,
+                                             const HangingData<dim> &hanging)
+{
+  std::array<Values, 2> outside;
+  for (unsigned int side = 0; side < 2; ++side)
+  {
+    const unsigned int face = 2 * direction + side;
+    const Values p =
+      Base::neighbor_primitive(face, layout_.face_point(face ^ 1U, line, 0));
+    for (unsigned int c = 0; c < nc; ++c)
+      outside[side][c] = p[rotated_component<dim>(c, direction)];
+  }
+  for (auto s = mesh_.special_begin(batch_); s != mesh_.special_end(batch_);
+       ++s)
+    if (s->face / 2 == direction && s->kind == SpecialFace::Kind::boundary)
+      Base::fill_boundary(
+        *s, line, line_[s->face % 2 ? n - 1 : 0], outside[s->face % 2]);
+  low_flux_ = end_flux(direction, line, false, line_[0], outside[0]);
+  high_flux_ = end_flux(direction, line, true, line_[n - 1], outside[1]);
+  Base::replace_hanging_fluxes(direction, line, hanging, low_flux_, high_flux_);
+  low_flux_[C::momentum] -= reference_pressure_;
+  high_flux_[C::momentum] -= reference_pressure_;
+}
+
+
+template <int dim, int n, typename Gas>
+typename GalerkinKernel<dim, n, Gas>::Values
+GalerkinKernel<dim, n, Gas>::end_flux(const unsigned int direction,
+                                      const unsigned int line,
+                                      const bool high,
+                                      const Values &inside,
+                                      const Values &outside)
+{
+  const auto here = to_face_state<dim>(gas_, inside);
+  const auto there = to_face_state<dim>(gas_, outside);
+  Number theta(1.);
+  if (Base::needs_shear_factor())
+  {
+    const unsigned int face = 2 * direction + high;
+    const unsigned int point = layout_.face_point(face, line, 0);
+    const Number jump =
+      (outside[C::momentum] - inside[C::momentum]) * (high ? 1. : -1.);
+    theta = Base::gated_shear_factor(
+      std::max(Base::sensor_, Base::neighbor_sensor_[face]),
+      std::max(here.sound_speed, there.sound_speed),
+      jump,
+      std::min(compression(direction, point),
+               Base::neighbor_compression(face, line)));
+  }
+  return to_array<dim, Gas>(
+    high ? numerical_flux(scheme_.flux, here, there, theta)
+         : numerical_flux(scheme_.flux, there, here, theta));
+}
+
+
+template <int dim, int n, typename Gas>
+typename GalerkinKernel<dim, n, Gas>::Number
+GalerkinKernel<dim, n, Gas>::compression(const unsigned int direction,
+                                         const unsigned int point) const
+{
+  return Base::transverse_compression(
+    direction, point, [this](const unsigned int t, const unsigned int q) {
+      return primitive_[C::momentum + t][q];
+    });
+}
+
+
+template <int dim, int n, typename Gas>
+void GalerkinKernel<dim, n, Gas>::volume_terms()
+{
+  Line flux;
+  for (unsigned int i = 0; i < n; ++i)
+  {
+    const Values &p = line_[i];
+    for (unsigned int c = 0; c < nc; ++c)
+      flux[i][c] = line_conserved_[i][c] * p[C::momentum];
+    flux[i][C::momentum] += p[C::energy] - reference_pressure_;
+    flux[i][C::energy] += p[C::energy] * p[C::momentum];
+  }
+  for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int c = 0; c < nc; ++c)
+    {
+      Number sum = flux[0][c] * weak_derivative_[i][0];
+      for (unsigned int j = 1; j < n; ++j)
+        sum += flux[j][c] * weak_derivative_[i][j];
+      line_residual_[i][c] = sum;
+    }
+  for (unsigned int c = 0; c < nc; ++c)
+  {
+    line_residual_[0][c] += low_flux_[c] * (1. / weight_[0]);
+    line_residual_[n - 1][c] -= high_flux_[c] * (1. / weight_[n - 1]);
+  }
+}
+
+
+template <int dim, int n, typename Gas>
+void GalerkinKernel<dim, n, Gas>::subcell_terms(const unsigned int direction,
+                                                const unsigned int line)
+{
+  const unsigned int stride = layout_.stride(direction);
+  const unsigned int first = layout_.face_point(2 * direction, line, 0);
+  Line slope;
+  for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int c = 0; c < nc; ++c)
+      slope[i][c] = i == 0 || i + 1 == n
+                      ? Number(0.)
+                      : limited_slope(scheme_.limiter,
+                                      Number((line_[i][c] - line_[i - 1][c]) *
+                                             (1. / (node_[i] - node_[i - 1]))),
+                                      Number((line_[i + 1][c] - line_[i][c]) *
+                                             (1. / (node_[i + 1] - node_[i]))));
+  std::array<Values, n + 1> flux;
+  flux[0] = low_flux_;
+  flux[n] = high_flux_;
+  for (unsigned int f = 1; f < n; ++f)
+  {
+    Values left, right;
+    for (unsigned int c = 0; c < nc; ++c)
+    {
+      left[c] =
+        line_[f - 1][c] + slope[f - 1][c] * (subface_[f] - node_[f - 1]);
+      right[c] = line_[f][c] + slope[f][c] * (subface_[f] - node_[f]);
+    }
+    restore_if_inadmissible<dim>(gas_, line_[f - 1], left);
+    restore_if_inadmissible<dim>(gas_, line_[f], right);
+    const auto a = to_face_state<dim>(gas_, left);
+    const auto b = to_face_state<dim>(gas_, right);
+    Number theta(1.);
+    if (Base::needs_shear_factor())
+      theta = Base::gated_shear_factor(
+        blending_,
+        std::max(a.sound_speed, b.sound_speed),
+        line_[f][C::momentum] - line_[f - 1][C::momentum],
+        std::min(compression(direction, first + (f - 1) * stride),
+                 compression(direction, first + f * stride)));
+    flux[f] = to_array<dim, Gas>(numerical_flux(scheme_.flux, a, b, theta));
+    flux[f][C::momentum] -= reference_pressure_;
+  }
+  for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int c = 0; c < nc; ++c)
+      line_residual_[i][c] +=
+        blending_ * ((flux[i][c] - flux[i + 1][c]) * (1. / weight_[i]) -
+                     line_residual_[i][c]);
+}
+
+
+template <int dim, int n, typename Gas>
+void GalerkinKernel<dim, n, Gas>::add_line(const unsigned int direction,
+                                           const unsigned int line)
+{
+  const unsigned int stride = layout_.stride(direction);
+  const unsigned int first = layout_.face_point(2 * direction, line, 0);
+  const Number inverse = Number(1.) / mesh_.extents(batch_)[direction];
+  for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int c = 0; c < nc; ++c)
+      residual_[rotated_component<dim>(c, direction)][first + i * stride] +=
+        line_residual_[i][c] * inverse;
+}
+
+
+template <int dim, int n, typename Gas>
+void GalerkinKernel<dim, n, Gas>::finish(const Stage &stage)
+{
+  const double *start = stage.start + batch_ * layout_.batch_size();
+  double *out = stage.out + batch_ * layout_.batch_size();
+  for (unsigned int c = 0; c < nc; ++c)
+    for (unsigned int q = 0; q < n_points; ++q)
+    {
+      Number &u = conserved_[c][q];
+      u += residual_[c][q] * stage.step;
+      if (stage.a != 0.)
+      {
+        // Written so that a state at rest keeps every bit.
+        Number old;
+        old.load(start + (c * n_points + q) * W);
+        u += (old - u) * stage.a;
+      }
+    }
+  restore_positivity(stage);
+  for (unsigned int c = 0; c < nc; ++c)
+    for (unsigned int q = 0; q < n_points; ++q)
+      conserved_[c][q].store(out + (c * n_points + q) * W);
+
+  // Padding lanes copy the first, so that they never overflow.
+  for (unsigned int lane = mesh_.n_filled_lanes(batch_); lane < W; ++lane)
+    for (std::size_t i = 0; i < layout_.batch_size(); i += W)
+      out[i + lane] = out[i];
+  analyse(batch_, stage);
+}
+
+
+template <int dim, int n, typename Gas>
+typename GalerkinKernel<dim, n, Gas>::Values
+GalerkinKernel<dim, n, Gas>::mean() const
+{
+  Values sum;
+  sum.fill(Number(0.));
+  for (unsigned int q = 0; q < n_points; ++q)
+  {
+    double weight = 1.;
+    unsigned int rest = q;
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      weight *= weight_[rest % n];
+      rest /= n;
+    }
+    for (unsigned int c = 0; c < nc; ++c)
+      sum[c] += conserved_[c][q] * weight;
+  }
+  return sum;
+}
+
+
+template <int dim, int n, typename Gas>
+void GalerkinKernel<dim, n, Gas>::scale_to_mean(const Values &mean,
+                                                const Number &theta,
+                                                const bool densities_only)
+{
+  for (unsigned int c = 0; c < nc; ++c)
+    if (!densities_only || c == C::density || c == C::products)
+      for (unsigned int q = 0; q < n_points; ++q)
+        conserved_[c][q] = mean[c] + theta * (conserved_[c][q] - mean[c]);
+}
+
+
+template <int dim, int n, typename Gas>
+void GalerkinKernel<dim, n, Gas>::restore_positivity(const Stage &stage)
+{
+  // How close to the boundary of the admissible set a node may come,
+  // relative to the mean.
+  const double margin = 1e-8;
+  const Number one(1.), zero(0.);
+
+  Number density(std::numeric_limits<double>::max());
+  Number good(1.);
+  for (unsigned int q = 0; q < n_points; ++q)
+  {
+    Values u;
+    for (unsigned int c = 0; c < nc; ++c)
+      u[c] = conserved_[c][q];
+    density = std::min(density, u[C::density]);
+    good = std::min(good, is_admissible<dim>(gas_, u));
+  }
+  if (!any_less(good, one))
+    return;
+
+  const Values average = mean();
+  const Number valid = is_admissible<dim>(gas_, average);
+  for (unsigned int lane = 0; lane < mesh_.n_filled_lanes(batch_); ++lane)
+    if (valid[lane] < 1. || (!scheme_.positivity && good[lane] < 1.))
+      *stage.unphysical_leaf = batch_ * W + lane;
+
+  const Number least = average[C::density] * margin;
+  Number theta = (average[C::density] - least) /
+                 std::max(average[C::density] - density, least);
+  theta = select_less(density, least, std::min(theta, one), one);
+  scale_to_mean(average, theta, true);
+
+  const Number spare = spare_energy<dim>(gas_, average);
+  theta = one;
+  for (unsigned int q = 0; q < n_points; ++q)
+  {
+    Values u;
+    for (unsigned int c = 0; c < nc; ++c)
+      u[c] = conserved_[c][q];
+    const Number here = spare_energy<dim>(gas_, u);
+    const Number goal = spare * (1. - margin);
+    theta = std::min(
+      theta, select_less(here, spare * margin, goal / (spare - here), one));
+  }
+  scale_to_mean(average, std::max(theta, zero), false);
+}
+
+
+template <int dim, int n, typename Gas>
+typename GalerkinKernel<dim, n, Gas>::Number
+GalerkinKernel<dim, n, Gas>::blending_factor() const
+{
+  if (!scheme_.blending)
+    return Number(0.);
+  // Modal energies of rho p (Hennemann et al. 2021, section 3.3).
+  std::array<Number, n_points> modes;
+  for (unsigned int q = 0; q < n_points; ++q)
+    modes[q] = primitive_[C::density][q] * primitive_[C::energy][q];
+  unsigned int stride = 1;
+  for (unsigned int d = 0; d < dim; ++d, stride *= n)
+    for (unsigned int line = 0; line < n_lines; ++line)
+    {
+      const unsigned int first = layout_.face_point(2 * d, line, 0);
+      std::array<Number, n> nodal;
+      for (unsigned int i = 0; i < n; ++i)
+        nodal[i] = modes[first + i * stride];
+      for (unsigned int i = 0; i < n; ++i)
+      {
+        Number sum = nodal[0] * modal_[i][0];
+        for (unsigned int j = 1; j < n; ++j)
+          sum += nodal[j] * modal_[i][j];
+        modes[first + i * stride] = sum;
+      }
+    }
+  std::array<Number, n> energy; // by the largest degree in any direction
+  energy.fill(Number(0.));
+  for (unsigned int q = 0; q < n_points; ++q)
+  {
+    unsigned int degree = 0, rest = q;
+    for (unsigned int d = 0; d < dim; ++d, rest /= n)
+      degree = std::max(degree, rest % n);
+    energy[degree] += modes[q] * modes[q];
+  }
+  const Number tiny(std::numeric_limits<double>::min());
+  Number below = tiny;
+  for (unsigned int i = 0; i + 1 < n; ++i)
+    below += energy[i];
+  Number ratio = energy[n - 1] / (below + energy[n - 1]);
+  if (n > 2)
+    ratio = std::max(ratio, energy[n - 2] / below);
+
+  const double threshold =
+    0.5 * std::pow(10., -1.8 * std::pow(double(n), 0.25));
+  const double sharpness = std::log((1. - 1e-4) / 1e-4);
+  Number alpha =
+    Number(1.) / (Number(1.) + exponential(Number((ratio - threshold) *
+                                                  (-sharpness / threshold))));
+  // Where the transition is far from either end, it is the end.
+  alpha = select_less(alpha, Number(1e-3), Number(0.), alpha);
+  alpha = select_less(Number(1. - 1e-3), alpha, Number(1.), alpha);
+  return std::min(alpha, Number(scheme_.largest_blending));
+}
+
+
+template class GalerkinKernel<1, 2, IdealGas>;
+template class GalerkinKernel<1, 3, IdealGas>;
+template class GalerkinKernel<1, 4, IdealGas>;
+template class GalerkinKernel<2, 2, IdealGas>;
+template class GalerkinKernel<2, 3, IdealGas>;
+template class GalerkinKernel<2, 4, IdealGas>;
+template class GalerkinKernel<3, 2, IdealGas>;
+template class GalerkinKernel<3, 3, IdealGas>;
+template class GalerkinKernel<3, 4, IdealGas>;
+template class GalerkinKernel<1, 2, MieGrueneisen>;
+template class GalerkinKernel<1, 3, MieGrueneisen>;
+template class GalerkinKernel<1, 4, MieGrueneisen>;
+template class GalerkinKernel<2, 2, MieGrueneisen>;
+template class GalerkinKernel<2, 3, MieGrueneisen>;
+template class GalerkinKernel<2, 4, MieGrueneisen>;
+template class GalerkinKernel<3, 2, MieGrueneisen>;
+template class GalerkinKernel<3, 3, MieGrueneisen>;
+template class GalerkinKernel<3, 4, MieGrueneisen>;
+} // namespace contrecoup::gas

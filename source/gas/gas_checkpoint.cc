@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/gas/gas_checkpoint.h>
+#include <contrecoup/io/checked_file.h>
+
+#include <deal.II/grid/cell_id.h>
+
+#include <cstring>
+#include <filesystem>
+#include <unordered_map>
+
+namespace contrecoup::gas
+{
+namespace
+{
+  using Id = dealii::CellId::binary_type;
+
+  struct Header
+  {
+    std::uint64_t dim;
+    std::uint64_t n_points;
+    std::uint64_t n_components;
+    std::uint64_t n_files;
+    std::uint64_t n_leaves;
+  };
+
+  /// Where the state of a saved leaf is.
+  struct Location
+  {
+    unsigned int file;
+    std::uint64_t position; ///< [byte]
+  };
+
+  struct IdHash
+  {
+    std::size_t operator()(const Id &id) const
+    {
+      std::size_t result = 0;
+      for (const auto part : id)
+        result = result * 0x9e3779b97f4a7c15ULL + part;
+      return result;
+    }
+  };
+  using Locations = std::unordered_map<Id, Location, IdHash>;
+
+  std::string file_name(const std::string &folder, const unsigned int rank)
+  {
+    return folder + "/octree." + std::to_string(rank) + ".bin";
+  }
+
+  Header read_header(const std::string &file, std::ifstream &stream)
+  {
+    Header header{};
+    stream.open(file, std::ios::binary);
+    stream.read(reinterpret_cast<char *>(&header), sizeof(header));
+    if (!stream)
+      throw InputError("Checkpoint file " + file + " cannot be read");
+    return header;
+  }
+
+  /// The place of every saved leaf, from the tables of all files.
+  Locations read_tables(const std::string &folder,
+                        const unsigned int dim,
+                        const LeafLayout &layout)
+  {
+    Locations locations;
+    unsigned int n_files = 1;
+    for (unsigned int rank = 0; rank < n_files; ++rank)
+    {
+      std::ifstream stream;
+      const Header header = read_header(file_name(folder, rank), stream);
+      if (header.dim != dim || header.n_points != layout.n_points ||
+          header.n_components != layout.n_components)
+        throw InputError("Checkpoint " + folder +
+                         " belongs to another scene: dimension, method or "
+                         "material differ");
+      n_files = header.n_files;
+      std::vector<Id> ids(header.n_leaves);
+      stream.read(reinterpret_cast<char *>(ids.data()),
+                  ids.size() * sizeof(Id));
+      const std::uint64_t start = sizeof(Header) + ids.size() * sizeof(Id);
+      const std::uint64_t size =
+        sizeof(double) * layout.n_points * layout.n_components;
+      for (std::size_t i = 0; i < ids.size(); ++i)
+        locations[ids[i]] = {rank, start + i * size};
+    }
+    return locations;
+  }
+
+  /// Refines until every owned leaf is one of the saved ones.
+  template <int dim>
+  void refine_to(LeafMesh<dim> &mesh, const Locations &locations)
+  {
+    auto &tria = mesh.triangulation();
+    for (;;)
+    {
+      bool any = false;
+      for (const auto &cell : tria.active_cell_iterators())
+        if (cell->is_locally_owned() &&
+            locations.count(cell->id().template to_binary<dim>()) == 0)
+        {
+          cell->set_refine_flag();
+          any = true;
+        }
+      if (dealii::Utilities::MPI::max(any ? 1U : 0U, mesh.communicator()) == 0)
+        return;
+      if (tria.n_global_levels() > 21)
+        throw InputError("The checkpoint belongs to another mesh");
+      tria.execute_coarsening_and_refinement();
+    }
+  }
+} // namespace
+
+
+template <int dim>
+void save_leaves(const LeafMesh<dim> &mesh,
+                 const GasField &field,
+                 const std::string &folder)
+{
+  const auto communicator = mesh.communicator();
+  const unsigned int rank =
+    dealii::Utilities::MPI::this_mpi_process(communicator);
+  // In 1-D every rank has the whole mesh: the first one writes it.
+  if (dim == 1 && dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+    return;
+  io::write_file(file_name(folder, rank), [&](std::ostream &out) {
+    const Header header = {
+      dim,
+      field.layout().n_points,
+      field.layout().n_components,
+      dealii::Utilities::MPI::n_mpi_processes(communicator),
+      mesh.n_owned()};
+    out.write(reinterpret_cast<const char *>(&header), sizeof(header));
+    for (unsigned int leaf = 0; leaf < mesh.n_owned(); ++leaf)
+    {
+      const Id id = mesh.cell(leaf)->id().template to_binary<dim>();
+      out.write(reinterpret_cast<const char *>(&id), sizeof(id));
+    }
+    for (unsigned int leaf = 0; leaf < mesh.n_owned(); ++leaf)
+    {
+      const auto values = field.leaf(leaf);
+      out.write(reinterpret_cast<const char *>(values.data()),
+                values.size() * sizeof(double));
+    }
+  });
+}
+
+
+template <int dim>
+void restore_leaves(LeafMesh<dim> &mesh,
+                    GasField &field,
+                    const LeafLayout &layout,
+                    const std::string &folder)
+{
+  const Locations locations = read_tables(folder, dim, layout);
+  refine_to(mesh, locations);
+  mesh.rebuild();
+  field.reinit(layout, mesh.n_stored_batches());
+
+  std::map<unsigned int, std::ifstream> streams;
+  std::vector<double> values(layout.n_points * layout.n_components);
+  for (unsigned int leaf = 0; leaf < mesh.n_owned(); ++leaf)
+  {
+    const Location location =
+      locations.at(mesh.cell(leaf)->id().template to_binary<dim>());
+    auto &stream = streams[location.file];
+    if (!stream.is_open())
+      stream.open(file_name(folder, location.file), std::ios::binary);
+    stream.seekg(location.position);
+    stream.read(reinterpret_cast<char *>(values.data()),
+                values.size() * sizeof(double));
+    if (!stream)
+      throw InputError("Checkpoint file " + file_name(folder, location.file) +
+                       " ends too early");
+    field.set_leaf(leaf, values);
+  }
+  field.fill_padding(mesh.n_owned());
+}
+
+
+#define CONTRECOUP_INSTANTIATE(dim)                                \
+  template void save_leaves(                                       \
+    const LeafMesh<dim> &, const GasField &, const std::string &); \
+  template void restore_leaves(                                    \
+    LeafMesh<dim> &, GasField &, const LeafLayout &, const std::string &)
+
+CONTRECOUP_INSTANTIATE(1);
+CONTRECOUP_INSTANTIATE(2);
+CONTRECOUP_INSTANTIATE(3);
+#undef CONTRECOUP_INSTANTIATE
+} // namespace contrecoup::gas

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/timers.h>
+#include <contrecoup/gas/gas_checkpoint.h>
+#include <contrecoup/gas/gas_measures.h>
+#include <contrecoup/gas/gas_simulation.h>
+#include <contrecoup/io/checked_file.h>
+
+#include <sstream>
+
+namespace contrecoup::gas
+{
+template <int dim>
+GasSimulation<dim>::GasSimulation(const MPI_Comm communicator)
+  : mesh_(communicator)
+{}
+
+
+template <int dim>
+void GasSimulation<dim>::declare_parameters(ParameterHandler &prm)
+{
+  CoarseMesh<dim>::declare_parameters(prm);
+  GasMaterial::declare_parameters(prm);
+  Scheme::declare_parameters(prm);
+  InitialState<dim>::declare_parameters(prm);
+  ReferenceSolution<dim>::declare_parameters(prm);
+  Boundary<dim>::declare_parameters(prm);
+  AdaptationParameters::declare_parameters(prm);
+  ProbeSet<dim>::declare_parameters(prm);
+  GasOutput<dim>::declare_parameters(prm);
+}
+
+
+template <int dim>
+void GasSimulation<dim>::parse_parameters(ParameterHandler &prm)
+{
+  coarse_mesh_.parse_parameters(prm);
+  if (!coarse_mesh_.is_axis_aligned())
+    throw InputError("Domain/Mesh: box is available in this version");
+  material_.parse_parameters(prm);
+  scheme_.parse_parameters(
+    prm, dim, coarse_mesh_.geometry() == Geometry::plane);
+  initial_state_.parse_parameters(prm, material_);
+  reference_.parse_parameters(prm, material_);
+  boundary_.parse_parameters(
+    prm, material_, coarse_mesh_, initial_state_, reference_);
+  adaptation_parameters_.parse_parameters(prm,
+                                          dim,
+                                          coarse_mesh_.initial_refinement(),
+                                          scheme_.n_points,
+                                          scheme_.kind ==
+                                            Scheme::Kind::finite_volume,
+                                          coarse_mesh_.is_axis_aligned());
+  probes_.parse_parameters(prm, coarse_mesh_);
+  probes_.set_ambient(initial_state_);
+  output_.parse_parameters(prm, coarse_mesh_);
+  const Section section(prm, "Time");
+  end_time_ = read_double(prm, "End time");
+
+  layout_ = LeafLayout(
+    dim, scheme_.n_points, dim + 2 + (material_.has_products() ? 1 : 0));
+  points_ = LeafPoints<dim>(scheme_, coarse_mesh_.geometry());
+}
+
+
+template <int dim>
+void GasSimulation<dim>::create_octree()
+{
+  mesh_.create(coarse_mesh_);
+  operator_ = make_gas_operator(mesh_, layout_, scheme_, material_, boundary_);
+  stepper_ = std::make_unique<TimeStepper<dim>>(mesh_, scheme_, *operator_);
+  adaptation_ = std::make_unique<Adaptation<dim>>(
+    adaptation_parameters_, mesh_, points_, material_);
+}
+
+
+template <int dim>
+void GasSimulation<dim>::setup()
+{
+  create_octree();
+  mesh_.triangulation().refine_global(coarse_mesh_.initial_refinement());
+  mesh_.rebuild();
+  if (adaptation_parameters_.active)
+  {
+    while (adaptation_->refine_where([this](const unsigned int leaf) {
+      return wants_initial_refinement(leaf);
+    }))
+      ;
+    // The sensor then sees what distances alone cannot tell.
+    for (unsigned int level = 0; level < adaptation_parameters_.most_level;
+         ++level)
+    {
+      set_initial_state();
+      stepper_->update_ghosts(field_);
+      if (!adaptation_->adapt(field_))
+        break;
+      mesh_changed();
+    }
+  }
+  set_initial_state();
+  probes_.read(field_, material_, time_);
+}
+
+
+template <int dim>
+bool GasSimulation<dim>::wants_initial_refinement(const unsigned int leaf) const
+{
+  const LeafBox<dim> box = leaf_box(mesh_, leaf);
+  const dealii::Point<dim> centre =
+    box.origin + dealii::Tensor<1, dim>(box.extents * 0.5);
+  const double distance = initial_state_.distance_to_feature(centre);
+  // Smooth fields have no features to go by; the sensor finds their shape.
+  return distance > 0. && distance < 0.5 * box.extents.norm() * (1. + 1e-10);
+}
+
+
+template <int dim>
+void GasSimulation<dim>::set_initial_state()
+{
+  const TimerScope timer("initial state");
+  field_.reinit(layout_, mesh_.n_stored_batches());
+  const auto value = [this](const dealii::Point<dim> &p) {
+    return initial_state_.value(p);
+  };
+  for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
+  {
+    const LeafBox<dim> box = leaf_box(mesh_, leaf);
+    const dealii::Point<dim> centre =
+      box.origin + dealii::Tensor<1, dim>(box.extents * 0.5);
+    const double distance = initial_state_.distance_to_feature(centre);
+    const bool near_feature =
+      distance > 0. && distance <= 0.5 * box.extents.norm();
+    field_.set_leaf(leaf,
+                    sample_leaf<dim>(value,
+                                     box,
+                                     points_,
+                                     material_,
+                                     layout_.n_components,
+                                     near_feature,
+                                     dim == 3 ? 4 : 8));
+  }
+  field_.fill_padding(mesh_.n_owned());
+  mesh_changed();
+}
+
+
+template <int dim>
+void GasSimulation<dim>::mesh_changed()
+{
+  stepper_->reinit(field_);
+  probes_.reinit(mesh_, points_);
+}
+
+
+template <int dim>
+StepReport GasSimulation<dim>::advance(const double largest_step)
+{
+  const double stable = stepper_->stable_step();
+  const auto result =
+    stepper_->advance(field_, time_, std::min(stable, largest_step));
+  if (result.failed)
+    give_up(result);
+  time_ += result.step;
+  ++n_steps_;
+  probes_.read(field_, material_, time_);
+
+  StepReport report;
+  report.step_size = result.step;
+  report.retries = result.retries;
+  report.updates =
+    static_cast<double>(size().second) * scheme_.time_stepping.stages.size();
+  return report;
+}
+
+
+template <int dim>
+void GasSimulation<dim>::give_up(
+  const typename TimeStepper<dim>::Result &result)
+{
+  // The first rank with a bad leaf speaks for all.
+  const std::string mine =
+    result.unphysical_leaf ? describe_leaf(*result.unphysical_leaf) : "";
+  const auto all =
+    dealii::Utilities::MPI::all_gather(mesh_.communicator(), mine);
+  std::string text;
+  for (const auto &candidate : all)
+    if (text.empty())
+      text = candidate;
+  std::ostringstream message;
+  message << "The gas turned unphysical at time " << time_
+          << " s although the step was halved " << result.retries
+          << " times to " << result.step << " s" << text;
+  throw NumericsError(message.str());
+}
+
+
+template <int dim>
+std::string GasSimulation<dim>::describe_leaf(const unsigned int leaf)
+{
+  const LeafBox<dim> box = leaf_box(mesh_, leaf);
+  const auto values = field_.leaf(leaf);
+  std::ostringstream message;
+  message << "; in the leaf from " << box.origin << " m with edges "
+          << box.extents << " m, whose first point held before the step";
+  for (unsigned int c = 0; c < layout_.n_components; ++c)
+    message << (c == 0 ? " " : ", ") << values[c * layout_.n_points];
+  message << " (density, momentum, energy per volume)";
+  return message.str();
+}
+
+
+template <int dim>
+bool GasSimulation<dim>::adapt()
+{
+  if (!adaptation_parameters_.active ||
+      n_steps_ % adaptation_parameters_.interval != 0)
+    return false;
+  stepper_->update_ghosts(field_);
+  if (!adaptation_->adapt(field_))
+    return false;
+  mesh_changed();
+  return true;
+}
+
+
+template <int dim>
+std::vector<NamedValue> GasSimulation<dim>::history()
+{
+  return gas_totals(mesh_, points_, field_, material_);
+}
+
+
+template <int dim>
+std::vector<NamedValue> GasSimulation<dim>::probes()
+{
+  return probes_.values(material_.has_products());
+}
+
+
+template <int dim>
+std::string GasSimulation<dim>::write_fields(const std::string &folder,
+                                             unsigned int index)
+{
+  return output_.write(folder, index, time_, mesh_, points_, field_, material_);
+}
+
+
+template <int dim>
+std::vector<NamedValue> GasSimulation<dim>::errors()
+{
+  std::vector<NamedValue> values = probes_.errors(reference_);
+  if (reference_.exists())
+    for (const auto &value :
+         gas_errors(mesh_, points_, field_, material_, reference_, time_))
+      values.push_back(value);
+  return values;
+}
+
+
+template <int dim>
+std::vector<NamedValue> GasSimulation<dim>::assumptions()
+{
+  return probes_.peaks();
+}
+
+
+template <int dim>
+std::pair<std::uint64_t, std::uint64_t> GasSimulation<dim>::size() const
+{
+  const auto leaves = static_cast<std::uint64_t>(mesh_.n_global());
+  return {leaves, leaves * layout_.n_points * layout_.n_components};
+}
+
+
+template <int dim>
+void GasSimulation<dim>::save(const std::string &folder)
+{
+  save_leaves(mesh_, field_, folder);
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    io::write_file(folder + "/gas.bin", [&](std::ostream &out) {
+      out.write(reinterpret_cast<const char *>(&time_), sizeof(time_));
+      out.write(reinterpret_cast<const char *>(&n_steps_), sizeof(n_steps_));
+      probes_.save(out);
+    });
+}
+
+
+template <int dim>
+void GasSimulation<dim>::restore(const std::string &folder)
+{
+  create_octree();
+  restore_leaves(mesh_, field_, layout_, folder);
+  std::istringstream stream(io::read_file(folder + "/gas.bin"));
+  stream.read(reinterpret_cast<char *>(&time_), sizeof(time_));
+  stream.read(reinterpret_cast<char *>(&n_steps_), sizeof(n_steps_));
+  probes_.load(stream);
+  mesh_changed();
+  if (!stream)
+    throw InputError("Checkpoint file " + folder +
+                     "/gas.bin belongs to another scene");
+}
+
+
+template class GasSimulation<1>;
+template class GasSimulation<2>;
+template class GasSimulation<3>;
+} // namespace contrecoup::gas

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/gas/hanging_group.h>
+
+#include <tuple>
+
+namespace contrecoup::gas
+{
+namespace
+{
+  template <int dim>
+  auto kind_of(const HangingFace<dim> &face)
+  {
+    return std::make_tuple(
+      face.coarse_face, face.match.face, face.match.orientation);
+  }
+
+  template <int dim>
+  void fill_lane(HangingGroup<dim> &group,
+                 const unsigned int lane,
+                 const unsigned int index,
+                 const HangingFace<dim> &face,
+                 const LeafLayout &layout)
+  {
+    group.face[lane] = index;
+    group.coarse_offset[lane] = layout.offset(face.coarse_leaf);
+    unsigned int present = no_leaf;
+    for (const unsigned int leaf : face.fine_leaf)
+      if (leaf != no_leaf)
+        present = leaf;
+    for (unsigned int part = 0; part < face.n_fine; ++part)
+      group.fine_offset[part][lane] = layout.offset(
+        face.fine_leaf[part] != no_leaf ? face.fine_leaf[part] : present);
+  }
+} // namespace
+
+
+template <int dim>
+std::vector<HangingGroup<dim>> group_hanging_faces(const LeafMesh<dim> &mesh,
+                                                   const LeafLayout &layout)
+{
+  const auto &faces = mesh.hanging_faces();
+  std::vector<unsigned int> order(faces.size());
+  for (unsigned int i = 0; i < order.size(); ++i)
+    order[i] = i;
+  std::stable_sort(order.begin(),
+                   order.end(),
+                   [&](const unsigned int i, const unsigned int j) {
+                     return kind_of(faces[i]) < kind_of(faces[j]);
+                   });
+
+  std::vector<HangingGroup<dim>> groups;
+  for (const unsigned int index : order)
+  {
+    const auto &face = faces[index];
+    if (groups.empty() || groups.back().n_filled == W ||
+        groups.back().coarse_face != face.coarse_face ||
+        !(groups.back().match == face.match))
+    {
+      groups.emplace_back();
+      groups.back().coarse_face = face.coarse_face;
+      groups.back().match = face.match;
+      for (unsigned int lane = 0; lane < W; ++lane)
+        fill_lane(groups.back(), lane, index, face, layout);
+    }
+    fill_lane(groups.back(), groups.back().n_filled++, index, face, layout);
+  }
+  return groups;
+}
+
+
+template std::vector<HangingGroup<1>> group_hanging_faces(const LeafMesh<1> &,
+                                                          const LeafLayout &);
+template std::vector<HangingGroup<2>> group_hanging_faces(const LeafMesh<2> &,
+                                                          const LeafLayout &);
+template std::vector<HangingGroup<3>> group_hanging_faces(const LeafMesh<3> &,
+                                                          const LeafLayout &);
+} // namespace contrecoup::gas

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/lane_math.h>
+#include <contrecoup/gas/leaf_kernel.h>
+#include <contrecoup/materials/ideal_gas.h>
+#include <contrecoup/materials/mie_grueneisen.h>
+#include <contrecoup/numerics/shear_factor.h>
+
+namespace contrecoup::gas
+{
+template <int dim, typename Gas>
+LeafKernel<dim, Gas>::LeafKernel(const LeafMesh<dim> &mesh,
+                                 const LeafLayout &layout,
+                                 const Scheme &scheme,
+                                 const Gas &gas,
+                                 const Boundary<dim> &boundary,
+                                 const std::vector<double> &positions)
+  : mesh_(mesh)
+  , layout_(layout)
+  , scheme_(scheme)
+  , gas_(gas)
+  , boundary_(boundary)
+  , positions_(positions)
+{}
+
+
+template <int dim, typename Gas>
+void LeafKernel<dim, Gas>::bind(const unsigned int batch, const Stage &stage)
+{
+  batch_ = batch;
+  time_ = stage.time;
+  in_ = stage.in;
+  sensor_.load(stage.sensor_in + batch * W);
+  Number any = sensor_;
+  for (unsigned int face = 0; face < 2 * dim; ++face)
+  {
+    const auto &neighbors = mesh_.neighbors(batch, face);
+    for (unsigned int lane = 0; lane < W; ++lane)
+    {
+      neighbor_offset_[face][lane] = layout_.offset(neighbors[lane]);
+      neighbor_sensor_[face][lane] = stage.sensor_in[neighbors[lane]];
+    }
+    any = std::max(any, neighbor_sensor_[face]);
+  }
+  needs_shear_factor_ = dim > 1 &&
+                        scheme_.flux == RiemannFlux::hllc_shock_stable &&
+                        largest_lane(any) > 0.;
+}
+
+
+template <int dim, typename Gas>
+typename LeafKernel<dim, Gas>::Values
+LeafKernel<dim, Gas>::neighbor_primitive(const unsigned int face,
+                                         const unsigned int point) const
+{
+  Values u;
+  for (unsigned int c = 0; c < nc; ++c)
+    u[c].gather(in_ + layout_.value(c, point), neighbor_offset_[face].data());
+  return to_primitive<dim>(gas_, u);
+}
+
+
+template <int dim, typename Gas>
+void LeafKernel<dim, Gas>::fill_boundary(const SpecialFace &special,
+                                         const unsigned int line,
+                                         const Values &inside,
+                                         Values &outside) const
+{
+  const unsigned int direction = special.face / 2;
+  const unsigned int lane = special.lane;
+  dealii::Tensor<1, dim> normal;
+  normal[direction] = special.face % 2 ? 1. : -1.;
+
+  dealii::Point<dim> point;
+  unsigned int q = line;
+  for (unsigned int d = 0; d < dim; ++d)
+  {
+    double position = special.face % 2;
+    if (d != direction)
+    {
+      position = positions_[q % layout_.n];
+      q /= layout_.n;
+    }
+    point[d] = mesh_.origins(batch_)[d][lane] +
+               mesh_.extents(batch_)[d][lane] * position;
+  }
+
+  GasState<dim> state;
+  state.density = inside[C::density][lane];
+  state.pressure = inside[C::energy][lane];
+  for (unsigned int d = 0; d < dim; ++d)
+    state.velocity[(direction + d) % dim] = inside[C::momentum + d][lane];
+  if constexpr (Gas::has_products)
+    state.products = inside[C::products][lane];
+  state = boundary_.outside(special.index, state, normal, point, time_);
+  outside[C::density][lane] = state.density;
+  outside[C::energy][lane] = state.pressure;
+  for (unsigned int d = 0; d < dim; ++d)
+    outside[C::momentum + d][lane] = state.velocity[(direction + d) % dim];
+  if constexpr (Gas::has_products)
+    outside[C::products][lane] = state.products;
+}
+
+
+template <int dim, typename Gas>
+void LeafKernel<dim, Gas>::replace_hanging_fluxes(
+  const unsigned int direction,
+  const unsigned int line,
+  const HangingData<dim> &hanging,
+  Values &low,
+  Values &high) const
+{
+  for (auto s = mesh_.special_begin(batch_); s != mesh_.special_end(batch_);
+       ++s)
+    if (s->face / 2 == direction && s->kind != SpecialFace::Kind::boundary)
+      for (unsigned int c = 0; c < nc; ++c)
+        (s->face % 2 ? high : low)[c][s->lane] = hanging.flux(
+          s->index, slot_of(*s), rotated_component<dim>(c, direction))[line];
+}
+
+
+template <int dim, typename Gas>
+typename LeafKernel<dim, Gas>::Number
+LeafKernel<dim, Gas>::neighbor_compression(const unsigned int face,
+                                           const unsigned int line) const
+{
+  const auto velocity = [&](const unsigned int t,
+                            const unsigned int q) -> Number {
+    const unsigned int *offsets = neighbor_offset_[face].data();
+    Number density, momentum;
+    density.gather(in_ + layout_.value(C::density, q), offsets);
+    momentum.gather(in_ + layout_.value(C::momentum + t, q), offsets);
+    return momentum / density;
+  };
+  return transverse_compression(
+    face / 2, layout_.face_point(face ^ 1U, line, 0), velocity);
+}
+
+
+template <int dim, typename Gas>
+typename LeafKernel<dim, Gas>::Number
+LeafKernel<dim, Gas>::gated_shear_factor(const Number &shock,
+                                         const Number &sound_speed,
+                                         const Number &normal_difference,
+                                         const Number &transverse_difference)
+{
+  return select_less(
+    Number(0.),
+    shock,
+    shear_factor(sound_speed, normal_difference, transverse_difference),
+    Number(1.));
+}
+
+
+template class LeafKernel<1, IdealGas>;
+template class LeafKernel<2, IdealGas>;
+template class LeafKernel<3, IdealGas>;
+template class LeafKernel<1, MieGrueneisen>;
+template class LeafKernel<2, MieGrueneisen>;
+template class LeafKernel<3, MieGrueneisen>;
+} // namespace contrecoup::gas

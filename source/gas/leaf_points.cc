@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/gas/leaf_points.h>
+
+#include <deal.II/base/numbers.h>
+
+namespace contrecoup::gas
+{
+namespace
+{
+  double full_angle(const Geometry geometry)
+  {
+    switch (geometry)
+    {
+      case Geometry::plane:
+        return 1.;
+      case Geometry::cylindrical:
+      case Geometry::axisymmetric:
+        return 2. * dealii::numbers::PI;
+      case Geometry::spherical:
+        return 4. * dealii::numbers::PI;
+    }
+    return 1.;
+  }
+
+  /// Integral of r^m from a to b.
+  double radial_integral(const unsigned int m, const double a, const double b)
+  {
+    if (m == 0)
+      return b - a;
+    if (m == 1)
+      return (b - a) * (a + b) / 2.;
+    return (b - a) * (a * a + a * b + b * b) / 3.;
+  }
+} // namespace
+
+
+template <int dim>
+LeafPoints<dim>::LeafPoints(const Scheme &scheme, const Geometry geometry)
+  : exponent_(radial_exponent(geometry))
+  , angle_(full_angle(geometry))
+{
+  const unsigned int n = scheme.n_points;
+  if (scheme.kind == Scheme::Kind::discontinuous_galerkin)
+  {
+    basis_.emplace(n);
+    positions_ = basis_->nodes();
+    weights_ = basis_->weights();
+  }
+  else
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      positions_.push_back((i + 0.5) / n);
+      weights_.push_back(1. / n);
+    }
+  subfaces_.push_back(0.);
+  for (unsigned int i = 0; i < n; ++i)
+    subfaces_.push_back(basis_ ? subfaces_.back() + weights_[i]
+                               : double(i + 1) / n);
+  subfaces_.back() = 1.;
+}
+
+
+template <int dim>
+double LeafPoints<dim>::volume(const dealii::Point<dim> &origin,
+                               const dealii::Tensor<1, dim> &extents,
+                               const unsigned int q) const
+{
+  const auto index = indices(q);
+  dealii::Point<dim> begin, end;
+  if (exponent_ != 0)
+  {
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      begin[d] = subcell_begin(index[d]);
+      end[d] = subcell_end(index[d]);
+    }
+    return volume(origin, extents, begin, end);
+  }
+  double result = 1.;
+  for (unsigned int d = 0; d < dim; ++d)
+    result *= weights_[index[d]] * extents[d];
+  return result;
+}
+
+
+template <int dim>
+double LeafPoints<dim>::volume(const dealii::Point<dim> &origin,
+                               const dealii::Tensor<1, dim> &extents,
+                               const dealii::Point<dim> &begin,
+                               const dealii::Point<dim> &end) const
+{
+  double result = angle_ * radial_integral(exponent_,
+                                           origin[0] + extents[0] * begin[0],
+                                           origin[0] + extents[0] * end[0]);
+  for (unsigned int d = 1; d < dim; ++d)
+    result *= extents[d] * (end[d] - begin[d]);
+  return result;
+}
+
+
+template <int dim>
+std::vector<double> LeafPoints<dim>::interpolation(const double x) const
+{
+  if (is_galerkin())
+    return basis_->values(x);
+  std::vector<double> values(n(), 0.);
+  if (n() == 1)
+  {
+    values[0] = 1.;
+    return values;
+  }
+  // Up to the leaf's ends the outermost difference goes on.
+  const double place = x * n() - 0.5;
+  const unsigned int i = static_cast<unsigned int>(
+    std::min(std::max(std::floor(place), 0.), n() - 2.));
+  values[i] = 1. - (place - i);
+  values[i + 1] = place - i;
+  return values;
+}
+
+
+template class LeafPoints<1>;
+template class LeafPoints<2>;
+template class LeafPoints<3>;
+} // namespace contrecoup::gas

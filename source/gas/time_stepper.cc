@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/timers.h>
+#include <contrecoup/gas/time_stepper.h>
+
+namespace contrecoup::gas
+{
+template <int dim>
+TimeStepper<dim>::TimeStepper(const LeafMesh<dim> &mesh,
+                              const Scheme &scheme,
+                              GasOperator<dim> &gas_operator)
+  : mesh_(mesh)
+  , scheme_(scheme)
+  , operator_(gas_operator)
+{}
+
+
+template <int dim>
+void TimeStepper<dim>::reinit(GasField &field)
+{
+  operator_.reinit();
+  exchange_.reinit(mesh_, field.layout());
+  signal_rate_.resize(std::size_t(mesh_.n_batches()) * W);
+  Stage stage;
+  stage.out = field.state();
+  stage.sensor_out = field.sensor();
+  stage.signal_rate = signal_rate_.data();
+  operator_.analyse(stage);
+}
+
+
+template <int dim>
+double TimeStepper<dim>::stable_step() const
+{
+  double largest = 0.;
+  for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
+    largest = std::max(largest, signal_rate_[leaf]);
+  largest = dealii::Utilities::MPI::max(largest, mesh_.communicator());
+  return scheme_.cfl * scheme_.stability_limit() / largest;
+}
+
+
+template <int dim>
+std::optional<unsigned int> TimeStepper<dim>::try_step(GasField &field,
+                                                       const double time,
+                                                       const double step)
+{
+  const auto &stages = scheme_.time_stepping.stages;
+  double *in = field.state();
+  double *sensor = field.sensor();
+  unsigned int target = 0;
+  unphysical_leaf_ = no_leaf;
+  for (unsigned int s = 0; s < stages.size(); ++s)
+  {
+    {
+      const TimerScope timer("ghost exchange");
+      exchange_.update(in, sensor);
+    }
+    target = s % 2;
+    Stage stage;
+    stage.start = field.state();
+    stage.in = in;
+    stage.out = field.stage(target);
+    stage.a = stages[s].initial_weight;
+    stage.step = step;
+    stage.time = time + stages[s].time * step;
+    stage.sensor_in = sensor;
+    stage.sensor_out = field.stage_sensor(target);
+    stage.signal_rate = s + 1 == stages.size() ? signal_rate_.data() : nullptr;
+    stage.unphysical_leaf = &unphysical_leaf_;
+    operator_.apply(stage);
+    in = field.stage(target);
+    sensor = field.stage_sensor(target);
+  }
+  // One agreement for all stages: later ones of a bad step do no harm.
+  const bool is_bad = unphysical_leaf_ != no_leaf;
+  if (dealii::Utilities::MPI::max(is_bad ? 1U : 0U, mesh_.communicator()) > 0)
+    return {};
+  return target;
+}
+
+
+template <int dim>
+typename TimeStepper<dim>::Result
+TimeStepper<dim>::advance(GasField &field, const double time, const double step)
+{
+  Result result;
+  result.step = step;
+  for (;;)
+  {
+    const auto target = try_step(field, time, result.step);
+    if (target)
+    {
+      field.accept_stage(*target);
+      return result;
+    }
+    if (result.retries == scheme_.largest_retries)
+    {
+      result.failed = true;
+      if (unphysical_leaf_ != no_leaf)
+        result.unphysical_leaf = unphysical_leaf_;
+      return result;
+    }
+    ++result.retries;
+    result.step *= 0.5;
+  }
+}
+
+
+template class TimeStepper<1>;
+template class TimeStepper<2>;
+template class TimeStepper<3>;
+} // namespace contrecoup::gas
