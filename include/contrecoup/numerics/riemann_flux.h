@@ -13,10 +13,10 @@ namespace contrecoup
 /// The numerical fluxes to choose from.
 enum class RiemannFlux
 {
-  hllc,
-  hll,
-  rusanov,
-  hllc_shock_stable
+  hllc,             ///< resolves contacts and shear; grid-aligned shocks break
+  hll,              ///< two waves: robust, smears contacts and shear
+  rusanov,          ///< one wave speed: the most diffusive
+  hllc_shock_stable ///< HLLC, blended with HLL along grid-aligned shocks
 };
 
 /// All names of fluxes.
@@ -91,8 +91,7 @@ namespace internal
   inline DEAL_II_ALWAYS_INLINE FaceFlux<dim, Number>
   hllc_flux(const FaceState<dim, Number> &left,
             const FaceState<dim, Number> &right,
-            const WaveSpeeds<Number> &speeds,
-            const Number &shear_factor)
+            const WaveSpeeds<Number> &speeds)
   {
     const Number zero(0.), one(1.), tiny(std::numeric_limits<float>::min());
 
@@ -103,14 +102,11 @@ namespace internal
       one / std::min(Number(left_rate - right_rate), Number(-tiny));
     // About the mean velocity, so that equal pressures and velocities give
     // exactly that velocity.
-    const Number jump = right.pressure - left.pressure;
-    const Number plain_contact =
-      (left.velocity[0] + right.velocity[0]) * 0.5 +
-      (jump - (right.velocity[0] - left.velocity[0]) *
-                ((left_rate + right_rate) * 0.5)) *
-        inverse;
-    const Number contact =
-      plain_contact - (one - shear_factor) * jump * inverse;
+    const Number contact = (left.velocity[0] + right.velocity[0]) * 0.5 +
+                           ((right.pressure - left.pressure) -
+                            (right.velocity[0] - left.velocity[0]) *
+                              ((left_rate + right_rate) * 0.5)) *
+                             inverse;
 
     const FaceState<dim, Number> side = upwind_state(contact, left, right);
     const Number normal = side.velocity[0];
@@ -119,7 +115,7 @@ namespace internal
     const Number outer = select_less(
       contact, zero, std::max(bow, tiny), std::min(bow, Number(-tiny)));
 
-    const Number middle = side.pressure + rate * (plain_contact - normal);
+    const Number middle = side.pressure + rate * (contact - normal);
     const Number weight = contact / (contact - outer);
     const Number rest = one - weight;
     const Number relative = normal - outer;
@@ -145,6 +141,22 @@ namespace internal
     }
     return flux;
   }
+
+  /// flux + (1 - share) (other - flux), which is exact where both are equal
+  /// and where share is 1.
+  template <int dim, typename Number>
+  inline DEAL_II_ALWAYS_INLINE void blend(const Number &share,
+                                          const FaceFlux<dim, Number> &other,
+                                          FaceFlux<dim, Number> &flux)
+  {
+    const Number rest = Number(1.) - share;
+    flux.mass = flux.mass + rest * (other.mass - flux.mass);
+    for (int d = 0; d < dim; ++d)
+      flux.momentum[d] =
+        flux.momentum[d] + rest * (other.momentum[d] - flux.momentum[d]);
+    flux.energy = flux.energy + rest * (other.energy - flux.energy);
+    flux.products = flux.products + rest * (other.products - flux.products);
+  }
 } // namespace internal
 
 /**
@@ -156,9 +168,8 @@ namespace internal
  * side (rho = p = c = 0) is allowed. HLLC falls back to HLL in the lanes
  * where its middle state is inadmissible.
  *
- * @param shear_factor used by hllc_shock_stable alone: theta in [0, 1] of
- * Minoshima and Miyoshi (2021), see shear_factor(), which multiplies the
- * pressure difference in the contact speed; 1 gives HLLC to the last bit.
+ * @param shear_factor used by hllc_shock_stable alone: the share of HLLC in
+ * [0, 1], from shear_factor(); the rest is HLL. 1 gives HLLC to the last bit.
  */
 template <int dim, typename Number>
 inline DEAL_II_ALWAYS_INLINE FaceFlux<dim, Number>
@@ -168,17 +179,16 @@ numerical_flux(const RiemannFlux kind,
                const Number &shear_factor)
 {
   const WaveSpeeds<Number> speeds = wave_speeds(left, right);
-  switch (kind)
-  {
-    case RiemannFlux::hll:
-      return internal::hll_flux(left, right, speeds);
-    case RiemannFlux::rusanov:
-      return internal::rusanov_flux(left, right, speeds);
-    case RiemannFlux::hllc:
-      return internal::hllc_flux(left, right, speeds, Number(1.));
-    case RiemannFlux::hllc_shock_stable:
-    default:
-      return internal::hllc_flux(left, right, speeds, shear_factor);
-  }
+  if (kind == RiemannFlux::hll)
+    return internal::hll_flux(left, right, speeds);
+  if (kind == RiemannFlux::rusanov)
+    return internal::rusanov_flux(left, right, speeds);
+
+  FaceFlux<dim, Number> flux = internal::hllc_flux(left, right, speeds);
+  if (kind == RiemannFlux::hllc_shock_stable &&
+      any_less(shear_factor, Number(1.)))
+    internal::blend(
+      shear_factor, internal::hll_flux(left, right, speeds), flux);
+  return flux;
 }
 } // namespace contrecoup
