@@ -136,6 +136,10 @@ Assignment parse_override(const std::string &text)
   if (!complete)
     throw InputError("--set \"" + text +
                      "\" is not of the form \"Section/Entry=value\"");
+  if (text.find_first_of("#\n") != std::string::npos)
+    throw InputError("--set \"" + one_line(text) +
+                     "\" holds a \"#\" or a line end, which a parameter file "
+                     "could not give back");
   Assignment assignment;
   assignment.entry = path.back();
   path.pop_back();

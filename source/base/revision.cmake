@@ -2,7 +2,7 @@
 # Called at build time with -D SOURCE=... -D VERSION=... -D OUTPUT=...
 find_program(GIT git)
 set(_revision "")
-if(GIT)
+if(GIT AND EXISTS ${SOURCE}/.git)
   execute_process(COMMAND ${GIT} -C ${SOURCE} rev-parse --short=12 HEAD
     OUTPUT_VARIABLE _revision OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
   execute_process(COMMAND ${GIT} -C ${SOURCE} status --porcelain

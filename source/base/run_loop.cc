@@ -60,7 +60,8 @@ RunStatus RunLoop::loop(RunState &state)
   state.time = simulation_.time();
   control_.set_ticks(state);
   first_step_ = state.step;
-  last_checkpoint_ = std::chrono::steady_clock::now();
+  begin_ = Clock::now();
+  last_checkpoint_ = begin_;
   const auto &parameters = control_.parameters();
   progress_ = std::make_unique<Progress>(state.time, parameters.end_time);
   if (state.step == 0)
@@ -100,15 +101,17 @@ unsigned int RunLoop::step(RunState &state)
   Log::instance().check();
 
   const auto &parameters = control_.parameters();
-  using Minutes = std::chrono::duration<double, std::ratio<60>>;
-  const Minutes since = std::chrono::steady_clock::now() - last_checkpoint_;
+  const auto passed = [](const Clock::time_point since, const double minutes) {
+    using Minutes = std::chrono::duration<double, std::ratio<60>>;
+    return minutes > 0. && Minutes(Clock::now() - since).count() > minutes;
+  };
   unsigned int flags = 0;
-  if (SignalGuard::stop_requested())
+  if (SignalGuard::stop_requested() ||
+      passed(begin_, parameters.minutes_in_this_run))
     flags |= stop_bit;
   if ((parameters.checkpoint_every_steps > 0 &&
        state.step % parameters.checkpoint_every_steps == 0) ||
-      (parameters.checkpoint_every_minutes > 0. &&
-       since.count() > parameters.checkpoint_every_minutes))
+      passed(last_checkpoint_, parameters.checkpoint_every_minutes))
     flags |= checkpoint_bit;
   return flags;
 }
@@ -192,7 +195,7 @@ void RunLoop::checkpoint(RunState &state)
 {
   const TimerScope timer("checkpoint");
   collective_.run([&]() { output_.write_checkpoint(state, simulation_); });
-  last_checkpoint_ = std::chrono::steady_clock::now();
+  last_checkpoint_ = Clock::now();
 }
 
 void RunLoop::write_last_words(RunState &state)

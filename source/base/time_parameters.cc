@@ -37,6 +37,14 @@ namespace
                     many,
                     "Writes a checkpoint and stops after so many steps from "
                     "start or resume; 0: no bound.");
+    declare_double(prm,
+                   "Minutes in this run",
+                   "0",
+                   0.,
+                   1e6,
+                   "min",
+                   "Writes a checkpoint and stops after so much wall time "
+                   "from start or resume; 0: no bound.");
   }
 
   void declare_tables(ParameterHandler &prm)
@@ -127,6 +135,7 @@ void TimeParameters::parse_parameters(ParameterHandler &prm)
     largest_step = read_double(prm, "Largest step");
     largest_number_of_steps = read_unsigned(prm, "Largest number of steps");
     steps_in_this_run = read_unsigned(prm, "Steps in this run");
+    minutes_in_this_run = read_double(prm, "Minutes in this run");
   }
   Section section(prm, "Output");
   history_every_steps = read_unsigned(prm, "History every steps");

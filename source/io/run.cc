@@ -22,6 +22,7 @@ namespace io
       "Time/End time",
       "Time/Largest number of steps",
       "Time/Steps in this run",
+      "Time/Minutes in this run",
       "Output/"};
 
     TimeParameters parse_time(dealii::ParameterHandler &prm)

@@ -99,5 +99,6 @@ TEST(ParameterFile, ReadsOverrides)
   EXPECT_EQ(assignment.value, "f/g=h");
   EXPECT_THROW(parse_override("A/B"), InputError);
   EXPECT_THROW(parse_override("=1"), InputError);
+  EXPECT_THROW(parse_override("A=1#2"), InputError);
   EXPECT_THROW(parse_override("A//B=1"), InputError);
 }

@@ -163,6 +163,16 @@ TEST(Application, StopAndResumeEqualsStraightThrough)
   expect_same_results(straight, parts);
 }
 
+TEST(Application, WallTimeStopsARun)
+{
+  const std::string folder = local("short_of_time");
+  remove(folder);
+  EXPECT_EQ(run_scene(folder, {"--set", "Time/Minutes in this run=1e-9"}).code,
+            0);
+  EXPECT_EQ(summary(folder)["status"], "stopped");
+  EXPECT_EQ(summary(folder)["steps"], 1);
+}
+
 TEST(Application, CheckpointsDoNotChangeTheRun)
 {
   const std::string straight = local("straight"), marked = local("marked");

@@ -33,7 +33,7 @@ public:
 enum class RunStatus
 {
   finished, ///< end time or largest number of steps
-  stopped   ///< by a signal or by "Steps in this run", with a checkpoint
+  stopped ///< with a checkpoint: by a signal, "Steps" or "Minutes in this run"
 };
 
 /**
@@ -58,6 +58,8 @@ public:
   RunStatus run(RunState &state);
 
 private:
+  using Clock = std::chrono::steady_clock;
+
   RunStatus loop(RunState &state);
   unsigned int step(RunState &state);
   void advance(RunState &state);
@@ -76,6 +78,7 @@ private:
   std::uint64_t first_step_ = 0;
 
   std::unique_ptr<Progress> progress_;
-  std::chrono::steady_clock::time_point last_checkpoint_;
+  Clock::time_point begin_;
+  Clock::time_point last_checkpoint_;
 };
 } // namespace contrecoup

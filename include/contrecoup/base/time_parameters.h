@@ -16,6 +16,7 @@ struct TimeParameters
   double largest_step = 0.;                  ///< 0: no bound
   std::uint64_t largest_number_of_steps = 0; ///< 0: no bound
   std::uint64_t steps_in_this_run = 0;       ///< 0: no bound
+  double minutes_in_this_run = 0.;           ///< wall time, 0: no bound
   std::uint64_t history_every_steps = 1;
   double history_interval = 0.; ///< 0: by steps
   std::uint64_t probes_every_steps = 1;
