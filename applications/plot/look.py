@@ -13,9 +13,9 @@ COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9",
            "#000000", "#F0E442"]
 GREY = "#666666"
 
-# Perceptually uniform and readable without colour vision.
+# Both are readable with any colour vision.
 SEQUENTIAL = "magma"
-DIVERGING = "RdBu_r"
+DIVERGING = "RdBu_r"  # white where nothing happens
 
 _PREFIXES = [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1., ""), (1e-3, "m"),
              (1e-6, "µ"), (1e-9, "n")]
@@ -61,6 +61,8 @@ def scale_unit(unit, largest):
 
 def label(name, unit):
     """An axis label: name and unit."""
+    name = name.replace("_", " ")
+    unit = unit.replace("^2", "²").replace("^3", "³")
     return f"{name} [{unit}]" if unit else name
 
 

@@ -8,7 +8,8 @@ import os
 
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.colors import PowerNorm
+from matplotlib.colors import FuncNorm, PowerNorm
+from matplotlib.ticker import MaxNLocator
 
 import look
 
@@ -27,7 +28,7 @@ class Plane:
         self.upper = description["upper"]
         self.values = np.load(path)
 
-    def extent(self, factor):
+    def extent(self):
         """Left, right, bottom, top for imshow, whose pixels are centred on
         the points of the grid."""
         extent = []
@@ -35,8 +36,7 @@ class Plane:
             points = self.values.shape[1 - axis]
             half = 0.5 * (self.upper[axis] - self.lower[axis]) / max(
                 points - 1, 1)
-            extent += [(self.lower[axis] - half) * factor,
-                       (self.upper[axis] + half) * factor]
+            extent += [self.lower[axis] - half, self.upper[axis] + half]
         return extent
 
     def positions(self):
@@ -46,7 +46,8 @@ class Plane:
 
 
 def open_planes(folder):
-    """All planes of a run, by (quantity, axes), each list by time."""
+    """All planes of a run, by the names of their files without the number
+    of the output at the end, each list by time."""
     found = {}
     for path in glob.glob(os.path.join(folder, "**", "*.json"),
                           recursive=True):
@@ -55,17 +56,19 @@ def open_planes(folder):
             continue
         with open(path, encoding="utf-8") as file:
             plane = Plane(json.load(file), array)
-        found.setdefault((plane.quantity, *plane.axes), []).append(plane)
+        stem = os.path.basename(array).rsplit("_", 1)[0]
+        found.setdefault(stem, []).append(plane)
     for planes in found.values():
         planes.sort(key=lambda plane: plane.time)
     return found
 
 
-def _pick(planes, count):
-    """At most @p count of the planes after the first, evenly spread."""
-    later = planes[1:] or planes
-    picks = np.unique(np.linspace(0, len(later) - 1, count).round())
-    return [later[int(pick)] for pick in picks]
+def _pick(planes):
+    """Evenly spread planes, the first one only if there are few."""
+    if len(planes) > MOST_PANELS:
+        planes = planes[1:]
+    picks = np.unique(np.linspace(0, len(planes) - 1, MOST_PANELS).round())
+    return [planes[int(pick)] for pick in picks]
 
 
 def _background(planes):
@@ -79,6 +82,10 @@ def _time(plane, planes):
     return f"{plane.time * factor:.3g} {unit}"
 
 
+def _name(plane):
+    return "over" * (plane.quantity == "pressure") + plane.quantity
+
+
 def _shown(plane, background):
     """What is drawn: overpressure for a pressure, else the quantity."""
     if plane.quantity == "pressure":
@@ -89,7 +96,7 @@ def _shown(plane, background):
 def draw_planes(planes, path):
     """The quantity at up to six times, each with its own colour scale."""
     background = _background(planes)
-    picked = _pick(planes, MOST_PANELS)
+    picked = _pick(planes)
     columns = min(len(picked), 3)
     rows = -(-len(picked) // columns)
     width = planes[0].upper[0] - planes[0].lower[0]
@@ -110,6 +117,12 @@ def draw_planes(planes, path):
     look.save(figure, path)
 
 
+def _about_zero(largest):
+    """Square roots to both sides of zero, so that weak waves show as well."""
+    return FuncNorm((lambda x: np.sign(x) * np.sqrt(np.abs(x)),
+                     lambda x: np.sign(x) * x * x), -largest, largest)
+
+
 def _draw_panel(figure, axis, plane, values):
     finite = values[np.isfinite(values)]
     largest = np.max(np.abs(finite))
@@ -117,12 +130,16 @@ def _draw_panel(figure, axis, plane, values):
     low, high = np.min(finite) * factor, np.max(finite) * factor
     if low == high:
         high = low + 1.
-    image = axis.imshow(values * factor, extent=plane.extent(1.),
-                        cmap=look.SEQUENTIAL, interpolation="bilinear",
-                        norm=PowerNorm(0.5, low, high))
-    name = "over" * (plane.quantity == "pressure") + plane.quantity
+    if plane.quantity == "pressure":
+        colours, norm = look.DIVERGING, _about_zero(max(-low, high))
+    else:
+        colours, norm = look.SEQUENTIAL, PowerNorm(0.5, low, high)
+    image = axis.imshow(values * factor, extent=plane.extent(), norm=norm,
+                        cmap=colours, interpolation="bilinear")
     bar = figure.colorbar(image, cax=axis.inset_axes([1.02, 0., 0.03, 1.]))
-    bar.set_label(look.label(name, unit), fontsize=9)
+    bar.set_label(look.label(_name(plane), unit), fontsize=9)
+    bar.ax.yaxis.set_major_locator(MaxNLocator(5))
+    bar.ax.set_ylim(low, high)
     bar.outline.set_visible(False)
     axis.grid(False)
 
@@ -131,7 +148,7 @@ def draw_lines(planes, path):
     """The quantity along the first axis at the lower edge of the planes,
     which is the ground in a vertical cut, at up to six times."""
     background = _background(planes)
-    picked = _pick(planes, MOST_PANELS)
+    picked = _pick(planes)
     largest = max(np.nanmax(np.abs(_shown(plane, background)[0]))
                   for plane in picked)
     factor, unit = look.scale_unit(planes[0].unit, largest)
@@ -140,10 +157,10 @@ def draw_lines(planes, path):
     for plane, colour in zip(picked, colours):
         axis.plot(plane.positions(), _shown(plane, background)[0] * factor,
                   color=colour, label=_time(plane, picked))
-    name = "over" * (planes[0].quantity == "pressure") + planes[0].quantity
-    edge = f"{planes[0].axes[1]} = {planes[0].lower[1]:g} m"
-    axis.set_title(f"{name} along {edge}")
-    axis.set_xlabel(look.label(planes[0].axes[0], "m"))
-    axis.set_ylabel(look.label(name, unit))
+    first = planes[0]
+    axis.set_title(f"{_name(first)} along the lowest samples, "
+                   f"{first.axes[1]} = {first.lower[1]:.2g} m")
+    axis.set_xlabel(look.label(first.axes[0], "m"))
+    axis.set_ylabel(look.label(_name(first), unit))
     axis.legend(title="time")
     look.save(figure, path)

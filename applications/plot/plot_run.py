@@ -5,7 +5,7 @@
 
 Writes PNG files into OUTPUT_FOLDER/pictures and prints their paths: the
 history, the pressure at the probes, plane cuts through fields, and profiles
-along the lower edge of these cuts.
+along their lowest row of samples.
 """
 
 import os
@@ -34,10 +34,10 @@ def main(arguments):
     probes = tables.open_table(folder, "probes.csv")
     if probes is not None:
         tables.draw_probes(probes, os.path.join(pictures, "probes.png"))
-    for (quantity, first, second), cuts in planes.open_planes(folder).items():
-        stem = os.path.join(pictures, f"{quantity}_{first}{second}")
+    for name, cuts in sorted(planes.open_planes(folder).items()):
+        stem = os.path.join(pictures, name)
         planes.draw_planes(cuts, stem + ".png")
-        planes.draw_lines(cuts, stem + "_ground.png")
+        planes.draw_lines(cuts, stem + "_lowest.png")
     return 0
 
 

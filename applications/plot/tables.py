@@ -3,7 +3,6 @@
 """Tables of a run, history.csv and probes.csv, and their pictures."""
 
 import csv
-import math
 import os
 import re
 
@@ -54,44 +53,66 @@ def _time_axis(table):
     return time * factor, look.label("time", unit)
 
 
-def _panels(count):
-    columns = 1 if count == 1 else 2
-    rows = math.ceil(count / columns)
-    figure, axes = plt.subplots(rows, columns, squeeze=False, sharex=True,
-                                figsize=(4.6 * columns + 0.4,
-                                         2.3 * rows + 0.4))
-    for spare in axes.flat[count:]:
-        spare.set_axis_off()
-    return figure, axes.flat
+def _groups(table):
+    """Columns that go into one panel: those of one unit."""
+    groups = {}
+    for name in table.others("step", "time"):
+        groups.setdefault(table.unit(name), []).append(name)
+    return groups
 
 
 def draw_history(table, path):
-    """One panel for each column of the history."""
-    names = table.others("step", "time")
-    time, time_label = _time_axis(table)
-    figure, axes = _panels(len(names))
-    for axis, name in zip(axes, names):
-        values = table[name]
-        factor, unit = look.scale_unit(table.unit(name),
-                                       np.max(np.abs(values)))
-        axis.plot(time, values * factor, color=look.COLOURS[0])
-        axis.set_title(name)
-        axis.set_ylabel(unit or "-")
-        axis.set_xlabel(time_label)
-        axis.ticklabel_format(axis="y", useOffset=False)
-        spread = np.ptp(values)
-        if spread <= 1e-9 * np.max(np.abs(values)):
-            _show_as_constant(axis, values, factor)
+    """One panel for each unit among the columns of the history."""
+    groups = _groups(table)
+    rows = -(-len(groups) // 2)
+    figure, axes = plt.subplots(rows, 2, squeeze=False, sharex=True,
+                                figsize=(9.6, 2.5 * rows + 0.4))
+    for spare in axes.flat[len(groups):]:
+        spare.set_axis_off()
+    for axis, (unit, names) in zip(axes.flat, groups.items()):
+        _draw_group(axis, table, unit, names)
+    for axis in axes[-1, :]:
+        axis.set_xlabel(_time_axis(table)[1])
     look.save(figure, path)
 
 
-def _show_as_constant(axis, values, factor):
+def _draw_group(axis, table, unit, names):
+    time = _time_axis(table)[0]
+    columns = [table[name] for name in names]
+    largest = max(np.max(np.abs(values)) for values in columns)
+    positive = [values[values > 0.] for values in columns]
+    smallest = min((np.min(part) for part in positive if part.size),
+                   default=largest)
+    is_log = (all(np.all(values >= 0.) for values in columns)
+              and largest > 100. * smallest > 0.)
+    factor, shown = look.scale_unit(unit, largest)
+    for name, values in zip(names, columns):
+        if np.max(np.abs(values)) < 1e-9 * largest:
+            values = np.zeros_like(values)
+        if is_log:
+            values = np.where(values > 0., values, np.nan)
+        axis.plot(time, values * factor, label=name.replace("_", " "))
+    if is_log:
+        axis.set_yscale("log")
+    else:
+        axis.ticklabel_format(axis="y", useOffset=False)
+        _tell_constant(axis, columns, factor)
+    axis.set_ylabel(look.label("", shown).strip())
+    if len(names) > 1:
+        axis.legend()
+    else:
+        axis.set_title(names[0].replace("_", " "))
+
+
+def _tell_constant(axis, columns, factor):
     """A conserved total: the axis hides round-off, a note tells it."""
-    middle = values[0] * factor
-    width = 0.1 * abs(middle) if middle != 0. else 1.
-    axis.set_ylim(middle - width, middle + width)
-    if middle != 0.:
-        change = np.max(np.abs(values / values[0] - 1.))
+    if len(columns) > 1 or columns[0][0] == 0.:
+        return
+    first = columns[0][0]
+    change = np.max(np.abs(columns[0] / first - 1.))
+    if change < 1e-9:
+        width = 0.1 * abs(first) * factor
+        axis.set_ylim(first * factor - width, first * factor + width)
         axis.annotate(f"relative change at most {change:.0e}", (0.02, 0.85),
                       xycoords="axes fraction", color=look.GREY, fontsize=9)
 
@@ -117,7 +138,7 @@ def draw_probes(table, path):
         axis.annotate(f"{over[peak] * factor:.3g} {unit}",
                       (time[peak], over[peak] * factor), (6, -4),
                       textcoords="offset points", fontsize=9)
-        axis.set_title(name)
+        axis.set_title(name.replace("_pressure", "").replace("_", " "))
         axis.set_ylabel(unit)
     axes[-1, 0].set_xlabel(time_label)
     figure.suptitle("Overpressure at the probes", x=0.01, ha="left")
