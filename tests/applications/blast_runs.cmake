@@ -1,0 +1,39 @@
+# One rank and two agree, stopped runs go on as if nothing had happened, and a
+# full disk harms no checkpoint. The scenes are shortened shipped files.
+set(_quickstart FILE blast/quickstart.prm)
+set(_short "Time/Largest number of steps=12" "Output/History every steps=1"
+  "Adaptation/Largest level=2" "Adaptation/Interval=2")
+set(_tables COMPARE history.csv probes.csv)
+
+# The momentum of a symmetric explosion is round-off: fields 5 to 7.
+contrecoup_add_application_test(ranks_quickstart ranks ${_quickstart}
+  SET ${_short} COMPARE history.csv TOLERANCE "-r 1e-10 -a 1e-9:5-7"
+  TIMEOUT 120)
+contrecoup_add_application_test(ranks_galerkin ranks ${_quickstart}
+  SET ${_short} "Method/Scheme=discontinuous galerkin" "Method/Degree=2"
+  COMPARE history.csv TOLERANCE "-r 1e-10 -a 1e-9:5-7" TIMEOUT 120)
+contrecoup_add_application_test(ranks_sedov_2d ranks
+  FILE blast/verification/sedov_2d.prm
+  SET "Time/Largest number of steps=40" TOLERANCE "-r 1e-10" TIMEOUT 120)
+
+contrecoup_add_application_test(resume_sod resume
+  FILE blast/verification/sod.prm STOP_AFTER 33 TIMEOUT 120)
+contrecoup_add_application_test(resume_galerkin resume
+  FILE blast/verification/sod.prm SET "Method/Scheme=discontinuous galerkin"
+  "Method/Degree=2" STOP_AFTER 33 TIMEOUT 120)
+contrecoup_add_application_test(resume_products resume
+  FILE blast/verification/tnt_air.prm STOP_AFTER 50 TIMEOUT 120)
+contrecoup_add_application_test(resume_quickstart resume ${_quickstart}
+  SET ${_short} ${_tables} STOP_AFTER 7 TIMEOUT 120)
+contrecoup_add_application_test(resume_quickstart_galerkin resume
+  ${_quickstart} SET ${_short} "Method/Scheme=discontinuous galerkin"
+  "Method/Degree=2" ${_tables} STOP_AFTER 7 TIMEOUT 120)
+contrecoup_add_application_test(resume_quickstart_two_ranks resume
+  ${_quickstart} MPI 2 SET ${_short} COMPARE history.csv
+  TOLERANCE "-r 1e-10 -a 1e-9:5-7" STOP_AFTER 7 TIMEOUT 120)
+contrecoup_add_application_test(sigterm_quickstart sigterm ${_quickstart}
+  SET ${_short} "Time/Largest number of steps=60" ${_tables} TIMEOUT 120)
+contrecoup_add_application_test(full_disk disk ${_quickstart}
+  SET ${_short} "Time/Largest number of steps=30"
+  "Output/Checkpoint every steps=5" ${_tables} EXIT 3 MESSAGE "error: "
+  TIMEOUT 120)
