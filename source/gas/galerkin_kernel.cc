@@ -236,21 +236,56 @@ void GalerkinKernel<dim, n, Gas>::volume_terms()
 
 
 template <int dim, int n, typename Gas>
+typename GalerkinKernel<dim, n, Gas>::Line
+GalerkinKernel<dim, n, Gas>::subcell_slopes(const unsigned int direction,
+                                            const unsigned int line) const
+{
+  // The nodes beyond the ends; those on the leaf's own end nodes are passed
+  // over.
+  std::array<Values, 2> beyond;
+  for (unsigned int side = 0; side < 2; ++side)
+  {
+    const unsigned int face = 2 * direction + side;
+    const Values p =
+      Base::neighbor_primitive(face, layout_.face_point(face ^ 1U, line, 1));
+    for (unsigned int c = 0; c < nc; ++c)
+      beyond[side][c] = p[rotated_component<dim>(c, direction)];
+  }
+  // Without an equal neighbour the end nodes have no slope.
+  for (auto s = mesh_.special_begin(batch_); s != mesh_.special_end(batch_);
+       ++s)
+    if (s->face / 2 == direction)
+      for (unsigned int c = 0; c < nc; ++c)
+        beyond[s->face % 2][c][s->lane] =
+          line_[s->face % 2 ? n - 1 : 0][c][s->lane];
+
+  std::array<double, n + 1> inverse_distance;
+  for (unsigned int i = 1; i < n; ++i)
+    inverse_distance[i] = 1. / (node_[i] - node_[i - 1]);
+  inverse_distance[0] = inverse_distance[n] = inverse_distance[1];
+  Line slope;
+  for (unsigned int c = 0; c < nc; ++c)
+  {
+    Number backward = (line_[0][c] - beyond[0][c]) * inverse_distance[0];
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      const Number next = i + 1 < n ? line_[i + 1][c] : beyond[1][c];
+      const Number forward = (next - line_[i][c]) * inverse_distance[i + 1];
+      slope[i][c] = limited_slope(scheme_.limiter, backward, forward);
+      backward = forward;
+    }
+  }
+  return slope;
+}
+
+
+template <int dim, int n, typename Gas>
 void GalerkinKernel<dim, n, Gas>::subcell_terms(const unsigned int direction,
                                                 const unsigned int line)
 {
   const unsigned int stride = layout_.stride(direction);
   const unsigned int first = layout_.face_point(2 * direction, line, 0);
-  Line slope;
-  for (unsigned int i = 0; i < n; ++i)
-    for (unsigned int c = 0; c < nc; ++c)
-      slope[i][c] = i == 0 || i + 1 == n
-                      ? Number(0.)
-                      : limited_slope(scheme_.limiter,
-                                      Number((line_[i][c] - line_[i - 1][c]) *
-                                             (1. / (node_[i] - node_[i - 1]))),
-                                      Number((line_[i + 1][c] - line_[i][c]) *
-                                             (1. / (node_[i + 1] - node_[i]))));
+  const Line slope = subcell_slopes(direction, line);
   std::array<Values, n + 1> flux;
   flux[0] = low_flux_;
   flux[n] = high_flux_;

@@ -8,6 +8,19 @@
 
 namespace contrecoup::gas
 {
+template <int dim>
+LeafBox<dim> leaf_box(const LeafMesh<dim> &mesh, const unsigned int leaf)
+{
+  LeafBox<dim> box;
+  for (unsigned int d = 0; d < dim; ++d)
+  {
+    box.origin[d] = mesh.origins(leaf / W)[d][leaf % W];
+    box.extents[d] = mesh.extents(leaf / W)[d][leaf % W];
+  }
+  return box;
+}
+
+
 namespace
 {
   /// Density, velocity, pressure of one leaf and of the exact solution at
@@ -95,20 +108,84 @@ namespace
     }
     return result;
   }
-} // namespace
 
-
-template <int dim>
-LeafBox<dim> leaf_box(const LeafMesh<dim> &mesh, const unsigned int leaf)
-{
-  LeafBox<dim> box;
-  for (unsigned int d = 0; d < dim; ++d)
+  /// Sums over the gas, and negated smallest and largest values.
+  struct Totals
   {
-    box.origin[d] = mesh.origins(leaf / W)[d][leaf % W];
-    box.extents[d] = mesh.extents(leaf / W)[d][leaf % W];
+    explicit Totals(const unsigned int n_components)
+      : sums(n_components + 1, 0.)
+      , largest(4, std::numeric_limits<double>::lowest())
+    {}
+
+    std::vector<double> sums;    ///< conserved quantities, kinetic energy
+    std::vector<double> largest; ///< -density, density, -pressure, pressure
+  };
+
+  /// Volumes of point @p q in the leaves of a batch; zero for padding.
+  template <int dim>
+  Lanes<double> batch_volumes(const unsigned int batch,
+                              const unsigned int q,
+                              const LeafMesh<dim> &mesh,
+                              const LeafPoints<dim> &points)
+  {
+    Lanes<double> volumes(0.);
+    for (unsigned int lane = 0; lane < mesh.n_filled_lanes(batch); ++lane)
+    {
+      const LeafBox<dim> box = leaf_box(mesh, batch * W + lane);
+      volumes[lane] = points.volume(box.origin, box.extents, q);
+    }
+    return volumes;
   }
-  return box;
-}
+
+  template <int dim, typename Gas>
+  void add_batch(const unsigned int batch,
+                 const LeafMesh<dim> &mesh,
+                 const LeafPoints<dim> &points,
+                 const GasField &field,
+                 const Gas &gas,
+                 Totals &totals)
+  {
+    using Number = Lanes<double>;
+    using C = Component<dim>;
+    constexpr unsigned int nc = n_conserved<dim, Gas>;
+    const LeafLayout &layout = field.layout();
+    const double *state = field.state() + batch * layout.batch_size();
+
+    // In plane geometry the volumes of all points are alike up to a factor.
+    const bool is_plane = points.exponent() == 0;
+    const double first = points.relative_volume(0);
+    const Number whole = batch_volumes(batch, 0, mesh, points) * (1. / first);
+    std::array<Number, nc + 1> sums;
+    sums.fill(Number(0.));
+    std::array<Number, 4> largest;
+    largest.fill(Number(std::numeric_limits<double>::lowest()));
+    for (unsigned int q = 0; q < layout.n_points; ++q)
+    {
+      const Number volume = is_plane ? whole * points.relative_volume(q)
+                                     : batch_volumes(batch, q, mesh, points);
+      std::array<Number, nc> u;
+      for (unsigned int c = 0; c < nc; ++c)
+      {
+        u[c].load(state + layout.value(c, q));
+        sums[c] += volume * u[c];
+      }
+      const auto p = to_primitive<dim>(gas, u);
+      for (unsigned int d = 0; d < dim; ++d)
+        sums[nc] += volume * p[C::momentum + d] * u[C::momentum + d] * 0.5;
+      largest[0] = std::max(largest[0], Number(-p[C::density]));
+      largest[1] = std::max(largest[1], p[C::density]);
+      largest[2] = std::max(largest[2], Number(-p[C::energy]));
+      largest[3] = std::max(largest[3], p[C::energy]);
+    }
+    for (unsigned int lane = 0; lane < mesh.n_filled_lanes(batch); ++lane)
+    {
+      for (unsigned int c = 0; c <= nc; ++c)
+        totals.sums[c] += sums[c][lane];
+      for (unsigned int i = 0; i < 4; ++i)
+        totals.largest[i] = std::max(totals.largest[i], largest[i][lane]);
+    }
+  }
+} // namespace
 
 
 template <int dim>
@@ -119,48 +196,32 @@ std::vector<NamedValue> gas_totals(const LeafMesh<dim> &mesh,
 {
   using C = Component<dim>;
   const unsigned int nc = field.layout().n_components;
-  const unsigned int np = field.layout().n_points;
-  std::vector<double> totals(nc + 1, 0.); // and kinetic energy
-  double extremes[4];
-  std::fill(extremes, extremes + 4, std::numeric_limits<double>::lowest());
-  for (unsigned int leaf = 0; leaf < mesh.n_owned(); ++leaf)
-  {
-    const auto box = leaf_box(mesh, leaf);
-    const auto values = field.leaf(leaf);
-    std::vector<double> sums(nc + 1, 0.);
-    for (unsigned int q = 0; q < np; ++q)
-    {
-      const double volume = points.volume(box.origin, box.extents, q);
-      const GasState<dim> state = state_at<dim>(values, q, np, material);
-      for (unsigned int c = 0; c < nc; ++c)
-        sums[c] += volume * values[c * np + q];
-      sums[nc] += 0.5 * volume * state.density * state.velocity.norm_square();
-      extremes[0] = std::max(extremes[0], -state.density);
-      extremes[1] = std::max(extremes[1], state.density);
-      extremes[2] = std::max(extremes[2], -state.pressure);
-      extremes[3] = std::max(extremes[3], state.pressure);
-    }
-    for (unsigned int c = 0; c <= nc; ++c)
-      totals[c] += sums[c];
-  }
-  dealii::Utilities::MPI::sum(totals, mesh.communicator(), totals);
-  for (double &extreme : extremes)
-    extreme = dealii::Utilities::MPI::max(extreme, mesh.communicator());
+  Totals totals(nc);
+  std::visit(
+    [&](const auto &gas) {
+      for (unsigned int batch = 0; batch < mesh.n_batches(); ++batch)
+        add_batch(batch, mesh, points, field, gas, totals);
+    },
+    material.model());
+  dealii::Utilities::MPI::sum(totals.sums, mesh.communicator(), totals.sums);
+  dealii::Utilities::MPI::max(
+    totals.largest, mesh.communicator(), totals.largest);
 
   const std::array<const char *, 3> axes = {{"x", "y", "z"}};
   std::vector<NamedValue> result;
-  result.push_back({"mass", "kg", totals[C::density], true});
+  result.push_back({"mass", "kg", totals.sums[C::density], true});
   for (unsigned int d = 0; d < dim; ++d)
-    result.push_back(
-      {std::string("momentum_") + axes[d], "kg m/s", totals[C::momentum + d]});
-  result.push_back({"energy", "J", totals[C::energy], true});
-  result.push_back({"kinetic_energy", "J", totals[nc]});
-  if (nc > C::products)
-    result.push_back({"products_mass", "kg", totals[C::products], true});
-  result.push_back({"smallest_density", "kg/m^3", -extremes[0]});
-  result.push_back({"largest_density", "kg/m^3", extremes[1]});
-  result.push_back({"smallest_pressure", "Pa", -extremes[2]});
-  result.push_back({"largest_pressure", "Pa", extremes[3]});
+    result.push_back({std::string("momentum_") + axes[d],
+                      "kg m/s",
+                      totals.sums[C::momentum + d]});
+  result.push_back({"energy", "J", totals.sums[C::energy], true});
+  result.push_back({"kinetic_energy", "J", totals.sums[nc]});
+  if (material.has_products())
+    result.push_back({"products_mass", "kg", totals.sums[C::products], true});
+  result.push_back({"smallest_density", "kg/m^3", -totals.largest[0]});
+  result.push_back({"largest_density", "kg/m^3", totals.largest[1]});
+  result.push_back({"smallest_pressure", "Pa", -totals.largest[2]});
+  result.push_back({"largest_pressure", "Pa", totals.largest[3]});
   return result;
 }
 

@@ -60,8 +60,8 @@ void GasSimulation<dim>::parse_parameters(ParameterHandler &prm)
   const Section section(prm, "Time");
   end_time_ = read_double(prm, "End time");
 
-  layout_ = LeafLayout(
-    dim, scheme_.n_points, dim + 2 + (material_.has_products() ? 1 : 0));
+  layout_ =
+    LeafLayout(dim, scheme_.n_points, dim + 2 + (material_.is_ideal() ? 0 : 1));
   points_ = LeafPoints<dim>(scheme_, coarse_mesh_.geometry());
 }
 

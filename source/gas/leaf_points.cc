@@ -78,9 +78,9 @@ double LeafPoints<dim>::volume(const dealii::Point<dim> &origin,
     }
     return volume(origin, extents, begin, end);
   }
-  double result = 1.;
+  double result = relative_volume(q);
   for (unsigned int d = 0; d < dim; ++d)
-    result *= weights_[index[d]] * extents[d];
+    result *= extents[d];
   return result;
 }
 
@@ -101,6 +101,16 @@ double LeafPoints<dim>::volume(const dealii::Point<dim> &origin,
 
 
 template <int dim>
+double LeafPoints<dim>::relative_volume(const unsigned int q) const
+{
+  double result = 1.;
+  for (const unsigned int i : indices(q))
+    result *= weights_[i];
+  return result;
+}
+
+
+template <int dim>
 std::vector<double> LeafPoints<dim>::interpolation(const double x) const
 {
   if (is_galerkin())
@@ -111,10 +121,10 @@ std::vector<double> LeafPoints<dim>::interpolation(const double x) const
     values[0] = 1.;
     return values;
   }
-  // Up to the leaf's ends the outermost difference goes on.
-  const double place = x * n() - 0.5;
-  const unsigned int i = static_cast<unsigned int>(
-    std::min(std::max(std::floor(place), 0.), n() - 2.));
+  // Beyond the outermost centres the value stays: going on linearly could
+  // leave the admissible states.
+  const double place = std::min(std::max(x * n() - 0.5, 0.), n() - 1.);
+  const unsigned int i = std::min(static_cast<unsigned int>(place), n() - 2);
   values[i] = 1. - (place - i);
   values[i + 1] = place - i;
   return values;

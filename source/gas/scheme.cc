@@ -30,7 +30,7 @@ void Scheme::declare_parameters(ParameterHandler &prm)
                     "subcell; constant is first order, linear second.");
   declare_selection(prm,
                     "Limiter",
-                    "van leer",
+                    "mc",
                     slope_limiter_names(),
                     "Limiter of the slopes, in finite volumes and in the "
                     "subcells of troubled Galerkin leaves.");
@@ -74,7 +74,7 @@ void Scheme::declare_parameters(ParameterHandler &prm)
                     "Runge-Kutta method.");
   declare_double(prm,
                  "CFL number",
-                 "0.5",
+                 "0.4",
                  1e-6,
                  10.,
                  "-",

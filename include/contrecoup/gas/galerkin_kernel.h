@@ -67,6 +67,8 @@ private:
                   const Values &outside);
   void volume_terms();
   void subcell_terms(const unsigned int direction, const unsigned int line);
+  Line subcell_slopes(const unsigned int direction,
+                      const unsigned int line) const;
   Number compression(const unsigned int direction,
                      const unsigned int point) const;
   void add_line(const unsigned int direction, const unsigned int line);

@@ -75,6 +75,10 @@ public:
                 const dealii::Point<dim> &begin,
                 const dealii::Point<dim> &end) const;
 
+  /// The part of a leaf's volume that point @p q stands for in plane
+  /// geometry.
+  double relative_volume(const unsigned int q) const;
+
   /// Values l_i(x), i < n, that interpolate between the points at relative
   /// place @p x: polynomials, or piecewise linear between centres.
   std::vector<double> interpolation(const double x) const;
