@@ -65,9 +65,7 @@ RunStatus RunLoop::loop(RunState &state)
   const auto &parameters = control_.parameters();
   progress_ = std::make_unique<Progress>(state.time, parameters.end_time);
   if (state.step == 0)
-  {
     collective_.run([&]() { write_all(state); });
-  }
 
   while (!control_.finished(state))
   {

@@ -58,6 +58,7 @@ namespace io
               parameter_values(prm),
               collective)
     , begin_(std::chrono::steady_clock::now())
+    , loop_begin_(begin_)
   {}
 
   CostEstimate Run::estimate()

@@ -39,9 +39,10 @@ namespace io
   };
 
   /**
-   * The text of summary.json. For each conserved quantity Q of the history,
-   * "conservation" has Q_first, Q_last and Q_relative_change = (last -
-   * first) / |first|. A number that is not finite is written as null.
+   * The text of summary.json. "wall_seconds" at the top counts everything,
+   * that under "performance" the time loop. For each conserved quantity Q of
+   * the history, "conservation" has Q_first, Q_last and Q_relative_change =
+   * (last - first) / |first|. A number that is not finite is written as null.
    */
   std::string to_text(const Summary &summary);
 } // namespace io
