@@ -39,6 +39,12 @@ inline const GasMaterial &mixture()
   return gas;
 }
 
+inline const GasMaterial &products()
+{
+  static const GasMaterial gas{MieGrueneisen::jwl(find_explosive("tnt").jwl)};
+  return gas;
+}
+
 inline const GasMaterial &water()
 {
   static const GasMaterial gas{MieGrueneisen::stiffened_gas(4.4, 6e8)};
