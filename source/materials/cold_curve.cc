@@ -3,12 +3,15 @@
 
 #include <contrecoup/materials/cold_curve.h>
 
+#include <algorithm>
+#include <limits>
+
 namespace contrecoup
 {
 namespace
 {
-  /// Relative volume above which the exponentials are taken as zero.
-  constexpr double dilute_volume = 100.;
+  /// Largest exponent R V that is computed: exp(-90) = 8e-40.
+  constexpr double largest_exponent = 90.;
 } // namespace
 
 ColdCurve ColdCurve::stiffened_gas(const double gamma,
@@ -28,7 +31,8 @@ ColdCurve ColdCurve::jwl(const JwlParameters &products)
 {
   ColdCurve curve;
   curve.products_ = products;
-  curve.dilute_density_ = products.reference_density / dilute_volume;
+  curve.dilute_density_ = products.reference_density *
+                          std::min(products.R1, products.R2) / largest_exponent;
   curve.share_alone_ = 1.;
   curve.omega_alone_ = products.omega;
   curve.inverse_omega_alone_ = 1. / products.omega;

@@ -387,3 +387,20 @@ TEST(EquationsOfState, WorkInSinglePrecision)
       EXPECT_NEAR(c_squared_float, c_squared, 1e-4 * scale / density);
     }
 }
+
+
+// However slowly the exponentials decay, they are left out only where they do
+// not count any more.
+TEST(Jwl, KeepsSlowlyDecayingExponentials)
+{
+  JwlParameters jwl = tnt();
+  jwl.R2 = 0.01;
+  const MieGrueneisen gas = MieGrueneisen::jwl(jwl);
+  for (const double volume : {10., 200., 1000., 5000., 8000.})
+  {
+    const double expected =
+      jwl.B / jwl.R2 / volume * std::exp(-jwl.R2 * volume);
+    EXPECT_NEAR(
+      gas.cold_energy_density(1630. / volume, 1.) / expected, 1., 1e-6);
+  }
+}

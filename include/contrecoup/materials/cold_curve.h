@@ -21,9 +21,9 @@ struct ColdState
 
 /**
  * Cold curve, Grueneisen coefficient and specific heat of MieGrueneisen, from
- * data. The exponentials are taken as zero below rho_0 / 100, where they are
- * below 1e-38 of A; a lane group that lies there entirely, or that holds no
- * products, skips them.
+ * data. The exponentials are taken as zero where they are below 1e-39 (for
+ * TNT: below rho_0 / 100); a lane group that lies there entirely, or that
+ * holds no products, skips them.
  */
 class ColdCurve
 {

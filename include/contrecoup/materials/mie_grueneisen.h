@@ -26,9 +26,8 @@ namespace contrecoup
  * With A, B >= 0 both terms are positive on {rho > 0, e > e_c}, and this set
  * is convex at fixed Y since (rho e_c)'' = p_c' / rho >= 0.
  *
- * Arguments are as in IdealGas. Y is clipped to [0, 1]. Below rho_0 / 100
- * the exponentials are below 1e-38 of A and taken as zero; a lane group
- * that lies there entirely, or holds no products, skips them.
+ * Arguments are as in IdealGas. Y is clipped to [0, 1]. Where the exponentials
+ * vanish, a group of lanes skips them (see ColdCurve).
  */
 class MieGrueneisen
 {
