@@ -6,7 +6,6 @@
 
 int main(int argc, char **argv)
 {
-  return contrecoup::io::run_application(argc,
-                                         argv,
-                                         contrecoup::gas::blast_application());
+  return contrecoup::io::run_application(
+    argc, argv, contrecoup::gas::blast_application());
 }

@@ -156,6 +156,46 @@ FiniteVolumeHanging<dim, Gas>::tangential_slope(const unsigned int point,
 
 
 template <int dim, typename Gas>
+void FiniteVolumeHanging<dim, Gas>::reconstruct(const unsigned int part,
+                                                const unsigned int point,
+                                                Values &inside,
+                                                Values &outside)
+{
+  std::array<double, dim == 1 ? 1 : dim - 1> distance;
+  const unsigned int at = coarse_point(part, point, distance);
+  const Values &coarse = coarse_[0][at];
+  const Values &fine = fine_[part][0][point];
+  Values &halo = fine_halo_[part][point];
+  for (unsigned int t = 0; t + 1 < dim; ++t)
+  {
+    const Values slope = tangential_slope(at, t);
+    for (unsigned int c = 0; c < nc; ++c)
+      inside[c] += slope[c] * distance[t];
+  }
+  halo = inside;
+  for (unsigned int c = 0; c < nc; ++c)
+  {
+    const Number normal =
+      limited_slope(scheme_.limiter,
+                    Number(coarse[c] - coarse_[1][at][c]),
+                    Number(coarse_halo_[at][c] - coarse[c]));
+    inside[c] += normal * 0.5;
+    // The fine subcell next to the face is a quarter of a coarse one away
+    // from the coarse centre.
+    halo[c] += normal * 0.25;
+  }
+  restore_if_inadmissible<dim>(gas_, coarse, inside);
+  restore_if_inadmissible<dim>(gas_, coarse, halo);
+  for (unsigned int c = 0; c < nc; ++c)
+    outside[c] += limited_slope(scheme_.limiter,
+                                Number(fine[c] - fine_[part][1][point][c]),
+                                Number(halo[c] - fine[c])) *
+                  0.5;
+  restore_if_inadmissible<dim>(gas_, fine, outside);
+}
+
+
+template <int dim, typename Gas>
 void FiniteVolumeHanging<dim, Gas>::part_fluxes(const HangingGroup<dim> &group,
                                                 const unsigned int part)
 {
@@ -165,40 +205,11 @@ void FiniteVolumeHanging<dim, Gas>::part_fluxes(const HangingGroup<dim> &group,
   for (unsigned int q = 0; q < layout_.n_face_points; ++q)
   {
     const unsigned int at = coarse_point(part, q, distance);
-    Values inside = coarse_[0][at]; // trace, coarse side
+    Values inside = coarse_[0][at];
     Values outside = fine_[part][0][q];
-    Values &halo = fine_halo_[part][q];
-    halo = inside;
+    fine_halo_[part][q] = inside;
     if (scheme_.linear)
-    {
-      for (unsigned int t = 0; t + 1 < dim; ++t)
-      {
-        const Values slope = tangential_slope(at, t);
-        for (unsigned int c = 0; c < nc; ++c)
-          inside[c] += slope[c] * distance[t];
-      }
-      halo = inside;
-      for (unsigned int c = 0; c < nc; ++c)
-      {
-        const Number normal =
-          limited_slope(scheme_.limiter,
-                        Number(coarse_[0][at][c] - coarse_[1][at][c]),
-                        Number(coarse_halo_[at][c] - coarse_[0][at][c]));
-        inside[c] += normal * 0.5;
-        // The fine subcell next to the face is a quarter of a coarse
-        // one away from the coarse centre.
-        halo[c] += normal * 0.25;
-      }
-      restore_if_inadmissible<dim>(gas_, coarse_[0][at], inside);
-      restore_if_inadmissible<dim>(gas_, coarse_[0][at], halo);
-      for (unsigned int c = 0; c < nc; ++c)
-        outside[c] +=
-          limited_slope(scheme_.limiter,
-                        Number(fine_[part][0][q][c] - fine_[part][1][q][c]),
-                        Number(halo[c] - fine_[part][0][q][c])) *
-          0.5;
-      restore_if_inadmissible<dim>(gas_, fine_[part][0][q], outside);
-    }
+      reconstruct(part, q, inside, outside);
     Values left, right;
     for (unsigned int c = 0; c < nc; ++c)
     {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exponential.h>
 #include <contrecoup/base/lane_math.h>
 #include <contrecoup/gas/galerkin_kernel.h>
 #include <contrecoup/materials/ideal_gas.h>
@@ -17,6 +16,7 @@ GalerkinKernel<dim, n, Gas>::GalerkinKernel(const LeafMesh<dim> &mesh,
                                             const Boundary<dim> &boundary)
   : Base(mesh, layout, scheme, gas, boundary, LobattoBasis(n).nodes())
   , basis_(n)
+  , indicator_(basis_)
 {
   subface_[0] = 0.;
   for (unsigned int i = 0; i < n; ++i)
@@ -25,11 +25,8 @@ GalerkinKernel<dim, n, Gas>::GalerkinKernel(const LeafMesh<dim> &mesh,
     weight_[i] = basis_.weights()[i];
     subface_[i + 1] = subface_[i] + weight_[i];
     for (unsigned int j = 0; j < n; ++j)
-    {
       weak_derivative_[i][j] =
         basis_.weights()[j] * basis_.derivative()(j, i) / basis_.weights()[i];
-      modal_[i][j] = basis_.to_modal()(i, j);
-    }
   }
 }
 
@@ -455,53 +452,11 @@ GalerkinKernel<dim, n, Gas>::blending_factor() const
 {
   if (!scheme_.blending)
     return Number(0.);
-  // Modal energies of rho p (Hennemann et al. 2021, section 3.3).
-  std::array<Number, n_points> modes;
+  std::array<Number, n_points> values;
   for (unsigned int q = 0; q < n_points; ++q)
-    modes[q] = primitive_[C::density][q] * primitive_[C::energy][q];
-  unsigned int stride = 1;
-  for (unsigned int d = 0; d < dim; ++d, stride *= n)
-    for (unsigned int line = 0; line < n_lines; ++line)
-    {
-      const unsigned int first = layout_.face_point(2 * d, line, 0);
-      std::array<Number, n> nodal;
-      for (unsigned int i = 0; i < n; ++i)
-        nodal[i] = modes[first + i * stride];
-      for (unsigned int i = 0; i < n; ++i)
-      {
-        Number sum = nodal[0] * modal_[i][0];
-        for (unsigned int j = 1; j < n; ++j)
-          sum += nodal[j] * modal_[i][j];
-        modes[first + i * stride] = sum;
-      }
-    }
-  std::array<Number, n> energy; // by the largest degree in any direction
-  energy.fill(Number(0.));
-  for (unsigned int q = 0; q < n_points; ++q)
-  {
-    unsigned int degree = 0, rest = q;
-    for (unsigned int d = 0; d < dim; ++d, rest /= n)
-      degree = std::max(degree, rest % n);
-    energy[degree] += modes[q] * modes[q];
-  }
-  const Number tiny(std::numeric_limits<double>::min());
-  Number below = tiny;
-  for (unsigned int i = 0; i + 1 < n; ++i)
-    below += energy[i];
-  Number ratio = energy[n - 1] / (below + energy[n - 1]);
-  if (n > 2)
-    ratio = std::max(ratio, energy[n - 2] / below);
-
-  const double threshold =
-    0.5 * std::pow(10., -1.8 * std::pow(double(n), 0.25));
-  const double sharpness = std::log((1. - 1e-4) / 1e-4);
-  Number alpha =
-    Number(1.) / (Number(1.) + exponential(Number((ratio - threshold) *
-                                                  (-sharpness / threshold))));
-  // Where the transition is far from either end, it is the end.
-  alpha = select_less(alpha, Number(1e-3), Number(0.), alpha);
-  alpha = select_less(Number(1. - 1e-3), alpha, Number(1.), alpha);
-  return std::min(alpha, Number(scheme_.largest_blending));
+    values[q] = primitive_[C::density][q] * primitive_[C::energy][q];
+  return std::min(indicator_.blending_factor(values),
+                  Number(scheme_.largest_blending));
 }
 
 

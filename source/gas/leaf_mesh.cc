@@ -7,61 +7,6 @@
 
 namespace contrecoup::gas
 {
-namespace
-{
-  /// Vertex of a cell at corner (i, j) of one of its faces.
-  template <int dim>
-  unsigned int face_corner(const unsigned int face,
-                           const unsigned int i,
-                           const unsigned int j)
-  {
-    const unsigned int d = face / 2;
-    unsigned int vertex = (face % 2) << d;
-    unsigned int index = i;
-    for (unsigned int t = 0; t < dim; ++t)
-      if (t != d)
-      {
-        vertex |= index << t;
-        index = j;
-      }
-    return vertex;
-  }
-} // namespace
-
-
-template <int dim>
-FaceMatch
-match_faces(const typename dealii::Triangulation<dim>::cell_iterator &cell,
-            const unsigned int face,
-            const typename dealii::Triangulation<dim>::cell_iterator &neighbor,
-            const unsigned int neighbor_face)
-{
-  FaceMatch match;
-  match.face = neighbor_face;
-  const unsigned int n_corners = 1U << (dim - 1);
-  const unsigned int n_candidates = dim == 3 ? 8 : (dim == 2 ? 2 : 1);
-  for (unsigned int candidate = 0; candidate < n_candidates; ++candidate)
-  {
-    // In 2-D only the reversal of a exists.
-    match.orientation = dim == 2 ? 2 * candidate : candidate;
-    bool agrees = true;
-    for (unsigned int corner = 0; corner < n_corners && agrees; ++corner)
-    {
-      const unsigned int i = corner % 2, j = corner / 2;
-      const unsigned int other =
-        dim == 1 ? 0 : matched_face_point(match.orientation, i, j, 2);
-      agrees = cell->vertex_index(face_corner<dim>(face, i, j)) ==
-               neighbor->vertex_index(
-                 face_corner<dim>(neighbor_face, other % 2, other / 2));
-    }
-    if (agrees)
-      return match;
-  }
-  AssertThrow(false, dealii::ExcMessage("faces do not share their vertices"));
-  return match;
-}
-
-
 template <int dim>
 LeafMesh<dim>::LeafMesh(const MPI_Comm communicator)
   : communicator_(dim == 1 ? MPI_COMM_SELF : communicator)
@@ -373,21 +318,6 @@ std::size_t LeafMesh<dim>::memory() const
 }
 
 
-template FaceMatch
-match_faces<1>(const dealii::Triangulation<1>::cell_iterator &,
-               unsigned int,
-               const dealii::Triangulation<1>::cell_iterator &,
-               unsigned int);
-template FaceMatch
-match_faces<2>(const dealii::Triangulation<2>::cell_iterator &,
-               unsigned int,
-               const dealii::Triangulation<2>::cell_iterator &,
-               unsigned int);
-template FaceMatch
-match_faces<3>(const dealii::Triangulation<3>::cell_iterator &,
-               unsigned int,
-               const dealii::Triangulation<3>::cell_iterator &,
-               unsigned int);
 template class LeafMesh<1>;
 template class LeafMesh<2>;
 template class LeafMesh<3>;

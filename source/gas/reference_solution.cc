@@ -14,6 +14,7 @@
 #include <contrecoup/numerics/point_source.h>
 #include <contrecoup/numerics/sedov_solution.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace contrecoup::gas
@@ -110,7 +111,8 @@ namespace
       const RiemannState state =
         solution.value(problem.distance(point, time) / time);
       GasState<1> seen_from_frame;
-      seen_from_frame.density = state.density;
+      // A vacuum keeps its velocity as a gas of vanishing density.
+      seen_from_frame.density = std::max(state.density, 1e-100);
       seen_from_frame.velocity[0] = state.velocity;
       seen_from_frame.pressure = state.pressure;
       seen_from_frame.products = state.products;

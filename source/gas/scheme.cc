@@ -7,6 +7,67 @@
 
 namespace contrecoup::gas
 {
+namespace
+{
+  void declare_galerkin(ParameterHandler &prm)
+  {
+    declare_integer(prm,
+                    "Degree",
+                    "3",
+                    1,
+                    3,
+                    "Discontinuous Galerkin: polynomial degree in a leaf.");
+    declare_bool(prm,
+                 "Blending",
+                 "true",
+                 "Discontinuous Galerkin: whether troubled leaves are blended "
+                 "with finite volumes on their nodes' subcells; needed "
+                 "wherever there are shocks.");
+    declare_double(prm,
+                   "Largest blending",
+                   "1",
+                   0.,
+                   1.,
+                   "-",
+                   "Discontinuous Galerkin: most that finite volumes may "
+                   "take over of a troubled leaf.");
+    declare_bool(prm,
+                 "Positivity",
+                 "true",
+                 "Discontinuous Galerkin: whether nodes without positive "
+                 "density or energy are scaled towards the leaf's mean; "
+                 "without it they stop the step.");
+  }
+
+
+  void declare_time_stepping(ParameterHandler &prm)
+  {
+    declare_selection(prm,
+                      "Time stepping",
+                      "ssp rk2",
+                      runge_kutta_names(),
+                      "Runge-Kutta method.");
+    declare_double(prm,
+                   "CFL number",
+                   "0.4",
+                   1e-6,
+                   10.,
+                   "-",
+                   "Step size as a part of 1 / max sum_d (|u_d| + c) / h_d, h "
+                   "a subcell's edge (Galerkin: a leaf's edge over 2 degree + "
+                   "1); up to 0.5 keeps densities positive, beyond 1 steps "
+                   "are refused and retried.");
+    declare_integer(prm,
+                    "Largest number of retries",
+                    "10",
+                    0,
+                    50,
+                    "Times that a step with an unphysical result is halved "
+                    "before the run gives up.");
+  }
+} // namespace
+
+
 void Scheme::declare_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "Method");
@@ -34,32 +95,7 @@ void Scheme::declare_parameters(ParameterHandler &prm)
                     slope_limiter_names(),
                     "Limiter of the slopes, in finite volumes and in the "
                     "subcells of troubled Galerkin leaves.");
-  declare_integer(prm,
-                  "Degree",
-                  "3",
-                  1,
-                  3,
-                  "Discontinuous Galerkin: polynomial degree in a leaf.");
-  declare_bool(prm,
-               "Blending",
-               "true",
-               "Discontinuous Galerkin: whether troubled leaves are blended "
-               "with finite volumes on their nodes' subcells; needed "
-               "wherever there are shocks.");
-  declare_double(prm,
-                 "Largest blending",
-                 "1",
-                 0.,
-                 1.,
-                 "-",
-                 "Discontinuous Galerkin: most that finite volumes may "
-                 "take over of a troubled leaf.");
-  declare_bool(prm,
-               "Positivity",
-               "true",
-               "Discontinuous Galerkin: whether nodes without positive "
-               "density or energy are scaled towards the leaf's mean; "
-               "without it they stop the step.");
+  declare_galerkin(prm);
   declare_selection(prm,
                     "Flux",
                     "hllc shock stable",
@@ -67,28 +103,7 @@ void Scheme::declare_parameters(ParameterHandler &prm)
                     "Riemann flux between subcells and between leaves; the "
                     "shock stable one equals HLLC away from shocks and "
                     "suppresses the carbuncle along them.");
-  declare_selection(prm,
-                    "Time stepping",
-                    "ssp rk2",
-                    runge_kutta_names(),
-                    "Runge-Kutta method.");
-  declare_double(prm,
-                 "CFL number",
-                 "0.4",
-                 1e-6,
-                 10.,
-                 "-",
-                 "Step size as a part of 1 / max sum_d (|u_d| + c) / h_d, h "
-                 "a subcell's edge (Galerkin: a leaf's edge over 2 degree + "
-                 "1); up to 0.5 keeps densities positive, beyond 1 steps "
-                 "are refused and retried.");
-  declare_integer(prm,
-                  "Largest number of retries",
-                  "10",
-                  0,
-                  50,
-                  "Times that a step with an unphysical result is halved "
-                  "before the run gives up.");
+  declare_time_stepping(prm);
 }
 
 

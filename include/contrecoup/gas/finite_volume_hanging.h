@@ -39,6 +39,12 @@ private:
 
   void load(const HangingGroup<dim> &group, const double *state);
   void average_fine_side(const HangingGroup<dim> &group);
+  /// Adds the slopes to the traces on the coarse side (inside) and the fine
+  /// one (outside) at a fine face point, and sets the fine side's halo.
+  void reconstruct(const unsigned int part,
+                   const unsigned int point,
+                   Values &inside,
+                   Values &outside);
   void part_fluxes(const HangingGroup<dim> &group, const unsigned int part);
   void store(const HangingGroup<dim> &group, HangingData<dim> &hanging) const;
 

@@ -5,6 +5,7 @@
 
 #include <contrecoup/gas/leaf_kernel.h>
 #include <contrecoup/numerics/lobatto_basis.h>
+#include <contrecoup/numerics/trouble_indicator.h>
 
 #include <array>
 
@@ -81,9 +82,9 @@ private:
   Number blending_factor() const;
 
   const LobattoBasis basis_;
+  const TroubleIndicator<dim, n> indicator_;
   /// w_j D_ji / w_i: the volume term of the weak form at node i.
   std::array<std::array<double, n>, n> weak_derivative_;
-  std::array<std::array<double, n>, n> modal_;
   std::array<double, n> node_;
   std::array<double, n> weight_;
   std::array<double, n + 1> subface_;

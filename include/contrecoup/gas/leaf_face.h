@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/lanes.h>
+
+#include <deal.II/grid/tria.h>
+
+#include <array>
+#include <utility>
+
+namespace contrecoup::gas
+{
+/// Marks "no leaf".
+inline constexpr unsigned int no_leaf = static_cast<unsigned int>(-1);
+
+/**
+ * How the points of one leaf face meet those of its neighbour's face. The
+ * points of face f (direction d = f/2) are numbered (a, b) along the other
+ * directions in increasing order, on an n^(dim-1) grid.
+ */
+struct FaceMatch
+{
+  unsigned char face = 0; ///< face number within the neighbour
+  /// Bit 0: a and b change places (applied first), bit 1: a runs
+  /// backwards, bit 2: b runs backwards.
+  unsigned char orientation = 0;
+
+  friend bool operator==(const FaceMatch &x, const FaceMatch &y)
+  {
+    return x.face == y.face && x.orientation == y.orientation;
+  }
+};
+
+/// Index on the neighbour's face of my face point (a, b), n points a side.
+inline unsigned int matched_face_point(const unsigned int orientation,
+                                       unsigned int a,
+                                       unsigned int b,
+                                       const unsigned int n)
+{
+  if (orientation & 1)
+    std::swap(a, b);
+  if (orientation & 2)
+    a = n - 1 - a;
+  if (orientation & 4)
+    b = n - 1 - b;
+  return a + n * b;
+}
+
+/// Vertex of a cell at corner (i, j) of one of its faces.
+template <int dim>
+inline unsigned int
+face_corner(const unsigned int face, const unsigned int i, const unsigned int j)
+{
+  const unsigned int d = face / 2;
+  unsigned int vertex = (face % 2) << d;
+  unsigned int index = i;
+  for (unsigned int t = 0; t < dim; ++t)
+    if (t != d)
+    {
+      vertex |= index << t;
+      index = j;
+    }
+  return vertex;
+}
+
+/// A face with one coarse leaf on one side and 2^(dim-1) fine ones on the
+/// other.
+template <int dim>
+struct HangingFace
+{
+  static constexpr unsigned int n_fine = 1U << (dim - 1);
+
+  unsigned int coarse_leaf = no_leaf;
+  unsigned char coarse_face = 0;
+  /// The face of the fine leaves, as seen from the coarse one.
+  FaceMatch match;
+  /// Fine leaf of each quarter (bit 0: upper half of a, bit 1: of b, in the
+  /// coarse face's numbering); no_leaf where this rank does not need it.
+  std::array<unsigned int, n_fine> fine_leaf;
+};
+
+/// What a leaf face has instead of one neighbour of equal size.
+struct SpecialFace
+{
+  enum class Kind : unsigned char
+  {
+    boundary,    ///< index: boundary id
+    coarse_side, ///< index: hanging face; the neighbours are finer
+    fine_side,   ///< index: hanging face, part: quarter of the coarse face
+  };
+  Kind kind;
+  unsigned char lane;
+  unsigned char face;
+  unsigned char part;
+  unsigned int index;
+};
+
+/**
+ * The match of two faces of cells of equal level, found from their vertex
+ * indices, so that it holds for any orientation of the mesh.
+ */
+template <int dim>
+FaceMatch
+match_faces(const typename dealii::Triangulation<dim>::cell_iterator &cell,
+            const unsigned int face,
+            const typename dealii::Triangulation<dim>::cell_iterator &neighbor,
+            const unsigned int neighbor_face);
+} // namespace contrecoup::gas
