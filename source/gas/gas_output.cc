@@ -27,6 +27,35 @@ namespace
     return dim > 1 ||
            dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
   }
+
+  /// For each of the equidistant points of a leaf, m a side, which points of
+  /// the scheme it takes and with what weights.
+  template <int dim>
+  std::vector<std::vector<std::pair<unsigned int, double>>>
+  output_stencils(const LeafPoints<dim> &points, const unsigned int m)
+  {
+    std::vector<std::vector<double>> line;
+    for (unsigned int i = 0; i < m; ++i)
+      line.push_back(points.interpolation(double(i) / (m - 1)));
+    const unsigned int n_points = dealii::Utilities::pow(points.n(), dim);
+    std::vector<std::vector<std::pair<unsigned int, double>>> stencils(
+      dealii::Utilities::pow(m, dim));
+    for (unsigned int o = 0; o < stencils.size(); ++o)
+      for (unsigned int q = 0; q < n_points; ++q)
+      {
+        const auto index = points.indices(q);
+        double weight = 1.;
+        unsigned int rest = o;
+        for (unsigned int d = 0; d < dim; ++d)
+        {
+          weight *= line[rest % m][index[d]];
+          rest /= m;
+        }
+        if (weight != 0.)
+          stencils[o].emplace_back(q, weight);
+      }
+    return stencils;
+  }
 } // namespace
 
 
@@ -125,9 +154,7 @@ std::string GasOutput<dim>::write_leaves(const std::string &folder,
   const LeafLayout &layout = field.layout();
   const unsigned int n = std::max(1U, layout.n - 1);
   const unsigned int n_output = dealii::Utilities::pow(n + 1, dim);
-  std::vector<std::vector<double>> line;
-  for (unsigned int i = 0; i <= n; ++i)
-    line.push_back(points.interpolation(double(i) / n));
+  const auto stencils = output_stencils(points, n + 1);
 
   for (unsigned int leaf = 0; is_writer<dim>() && leaf < mesh.n_owned(); ++leaf)
   {
@@ -138,20 +165,9 @@ std::string GasOutput<dim>::write_leaves(const std::string &folder,
     for (unsigned int o = 0; o < n_output; ++o)
     {
       std::vector<double> u(layout.n_components, 0.);
-      for (unsigned int q = 0; q < layout.n_points; ++q)
-      {
-        const auto index_q = points.indices(q);
-        double weight = 1.;
-        unsigned int rest = o;
-        for (unsigned int d = 0; d < dim; ++d)
-        {
-          weight *= line[rest % (n + 1)][index_q[d]];
-          rest /= n + 1;
-        }
-        if (weight != 0.)
-          for (unsigned int c = 0; c < layout.n_components; ++c)
-            u[c] += weight * values[c * layout.n_points + q];
-      }
+      for (const auto &[q, weight] : stencils[o])
+        for (unsigned int c = 0; c < layout.n_components; ++c)
+          u[c] += weight * values[c * layout.n_points + q];
       const auto state = primitive_state<dim>(u.data(), material);
       unsigned int row = 0;
       patch.data(row++, o) = state.density;
