@@ -37,3 +37,15 @@ contrecoup_add_application_test(full_disk disk ${_quickstart}
   SET ${_short} "Time/Largest number of steps=30"
   "Output/Checkpoint every steps=5" ${_tables} EXIT 3 MESSAGE "error: "
   TIMEOUT 120)
+
+# An explosion in a closed box conserves mass and energy while its mesh adapts.
+foreach(_ranks 1 2)
+  contrecoup_add_application_test(conserves_on_${_ranks} bounds ${_quickstart}
+    MPI ${_ranks} SET "Boundaries/x low=wall" "Boundaries/x high=wall"
+    "Boundaries/y low=wall" "Boundaries/y high=wall" "Boundaries/z high=wall"
+    "Domain/Upper corner=0.3, 0.3, 1.05" "Domain/Lower corner=-0.3, -0.3, 0.45"
+    "Domain/Coarse leaves=1, 1, 1" "Probes/Points="
+    "Time/Largest number of steps=150" "Output/Fields=false"
+    BOUNDS "conservation.mass_relative_change < 1e-12"
+    "conservation.energy_relative_change < 1e-12" TIMEOUT 300)
+endforeach()

@@ -51,3 +51,45 @@ contrecoup_add_application_test(vortex_finite_volume convergence
   "Method/Scheme=finite volume" "Time/End time=2"
   VARY "Domain/Initial refinement=3|4" ERROR errors.density_L1 ORDER 1.8
   LABELS verification)
+
+# Three dimensions, on meshes that are an eighth of the shipped ones.
+blast_verifies(noh_3d noh_3d "errors.density_L1 < 0.09"
+  "Domain/Initial refinement=2")
+blast_verifies(sedov_3d sedov_3d "errors.density_L1 < 0.09;${_closed}"
+  "Domain/Initial refinement=2")
+
+# A gas at rest stays at rest in every geometry, to round-off.
+set(_lower_1 "0")
+set(_lower_2 "0, 0")
+set(_lower_3 "0, 0, 0")
+set(_upper_1 "2")
+set(_upper_2 "2, 2")
+set(_upper_3 "2, 2, 2")
+function(blast_rests name dimension geometry)
+  contrecoup_add_application_test(rest_${name} bounds
+    FILE blast/extremes/rest_100000_steps.prm
+    SET "Time/Largest number of steps=1000" "Output/Fields=false"
+    "Domain/Dimension=${dimension}" "Domain/Geometry=${geometry}"
+    "Domain/Lower corner=${_lower_${dimension}}"
+    "Domain/Upper corner=${_upper_${dimension}}"
+    "Domain/Coarse leaves=${_upper_${dimension}}" ${ARGN}
+    BOUNDS "errors.density_Linf < 1e-12" "errors.velocity_Linf < 1e-9"
+    "errors.pressure_Linf < 1e-6"
+    LABELS verification TIMEOUT 300)
+endfunction()
+blast_rests(plane_1d 1 plane)
+blast_rests(cylindrical 1 cylindrical)
+blast_rests(spherical 1 spherical)
+blast_rests(plane_2d 2 plane)
+blast_rests(axisymmetric 2 axisymmetric)
+blast_rests(plane_3d 3 plane)
+blast_rests(galerkin 3 plane ${_galerkin})
+
+# A shock of Mach 1.5 (overpressure 1.458 times ambient) leaves through an open
+# end, and less than a hundredth of it comes back.
+blast_verifies(open_boundary sod "errors.pressure_Linf < 0.01458"
+  "Initial state/Riemann/Left density=1.862069"
+  "Initial state/Riemann/Left velocity=0.821678"
+  "Initial state/Riemann/Left pressure=2.458333"
+  "Initial state/Riemann/Right density=1"
+  "Initial state/Riemann/Right pressure=1" "Time/End time=0.4")
