@@ -4,8 +4,8 @@
 """Draws what a run left: plot_run.py OUTPUT_FOLDER
 
 Writes PNG files into OUTPUT_FOLDER/pictures and prints their paths: the
-history, the pressure at the probes, plane cuts through fields, and profiles
-along their lowest row of samples.
+history, the pressure at the probes, plane cuts through fields, values along
+their lowest row of samples, and profiles of one-dimensional runs.
 """
 
 import os
@@ -13,6 +13,7 @@ import sys
 
 import look
 import planes
+import profiles
 import tables
 
 
@@ -38,6 +39,9 @@ def main(arguments):
         stem = os.path.join(pictures, name)
         planes.draw_planes(cuts, stem + ".png")
         planes.draw_lines(cuts, stem + "_lowest.png")
+    lines = profiles.open_profiles(folder)
+    if lines:
+        profiles.draw_profiles(lines, os.path.join(pictures, "profiles.png"))
     return 0
 
 

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""Profiles of one-dimensional runs, from their VTU files."""
+
+import base64
+import os
+import xml.etree.ElementTree as xml
+import zlib
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+import look
+
+QUANTITIES = ("density", "velocity", "pressure", "products")
+MOST_TIMES = 6
+_TYPES = {"Float32": np.float32, "Float64": np.float64}
+
+
+def _decode(element):
+    """The numbers of a compressed VTU array: a header of four-byte counts
+    (blocks, sizes), then the blocks, each half coded by itself."""
+    text = element.text.strip()
+    blocks = np.frombuffer(base64.b64decode(text[:8])[:4], np.uint32)[0]
+    header = 4 * -(-4 * (3 + int(blocks)) // 3)
+    sizes = np.frombuffer(base64.b64decode(text[:header]), np.uint32)
+    data = base64.b64decode(text[header:])
+    content, begin = b"", 0
+    for size in sizes[3:3 + blocks]:
+        content += zlib.decompress(data[begin:begin + size])
+        begin += size
+    numbers = np.frombuffer(content, _TYPES[element.get("type")])
+    return numbers.reshape(-1, int(element.get("NumberOfComponents", 1)))
+
+
+class Profile:
+    """Quantities at the points of a VTU file, in the order of x."""
+
+    def __init__(self, path, time):
+        piece = xml.parse(path).find("UnstructuredGrid/Piece")
+        points = _decode(piece.find("Points/DataArray"))
+        self.is_line = not np.any(points[:, 1:])
+        order = np.argsort(points[:, 0], kind="stable")
+        self.time = time
+        self.x = points[order, 0]
+        self.values, self.units = {}, {}
+        for array in piece.findall("PointData/DataArray"):
+            name = array.get("Name")
+            if name in QUANTITIES:
+                self.values[name] = _decode(array)[order, 0]
+                self.units[name] = array.get("units", "-")
+
+
+def open_profiles(folder):
+    """Profiles of a one-dimensional run, evenly spread; else none."""
+    collection = os.path.join(folder, "fields.pvd")
+    if not os.path.exists(collection):
+        return []
+    entries = [(float(entry.get("timestep")), entry.get("file"))
+               for entry in xml.parse(collection).iter("DataSet")
+               if entry.get("file").endswith(".vtu")]
+    picks = np.unique(np.linspace(0, len(entries) - 1, MOST_TIMES).round())
+    profiles = []
+    for pick in picks.astype(int):
+        time, file = entries[pick]
+        profile = Profile(os.path.join(folder, file), time)
+        if not profile.is_line:
+            return []
+        profiles.append(profile)
+    return profiles
+
+
+def draw_profiles(profiles, path):
+    """One panel for each quantity, one line for each time."""
+    names = [name for name in QUANTITIES if name in profiles[0].values]
+    figure, axes = plt.subplots(len(names), 1, squeeze=False, sharex=True,
+                                figsize=(7., 2. * len(names) + 0.6))
+    colours = plt.get_cmap("viridis")(np.linspace(0., 0.85, len(profiles)))
+    time_factor, time_unit = look.scale_unit("s", profiles[-1].time)
+    for axis, name in zip(axes[:, 0], names):
+        largest = max(np.max(np.abs(p.values[name])) for p in profiles)
+        factor, unit = look.scale_unit(profiles[0].units[name], largest)
+        for profile, colour in zip(profiles, colours):
+            axis.plot(profile.x, profile.values[name] * factor, color=colour,
+                      label=f"{profile.time * time_factor:.3g} {time_unit}")
+        axis.set_ylabel(look.label(name, unit))
+    axes[0, 0].legend(title="time")
+    axes[-1, 0].set_xlabel(look.label("x", "m"))
+    look.save(figure, path)
