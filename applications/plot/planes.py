@@ -97,14 +97,15 @@ def draw_planes(planes, path):
     """The quantity at up to six times, each with its own colour scale."""
     background = _background(planes)
     picked = _pick(planes)
-    columns = min(len(picked), 3)
+    columns = 1 if len(picked) < 3 else 3
     rows = -(-len(picked) // columns)
     width = planes[0].upper[0] - planes[0].lower[0]
     height = planes[0].upper[1] - planes[0].lower[1]
-    panel = np.clip(3.4 * height / width, 1.2, 5.)
+    side = 8. if columns == 1 else 4.4
+    panel = np.clip((side - 1.) * height / width, 1.2, 8.)
     figure, axes = plt.subplots(
         rows, columns, squeeze=False, sharex=True, sharey=True,
-        figsize=(4.4 * columns, (panel + 0.6) * rows))
+        figsize=(side * columns, (panel + 0.6) * rows))
     for axis in axes.flat[len(picked):]:
         axis.set_axis_off()
     for axis, plane in zip(axes.flat, picked):
