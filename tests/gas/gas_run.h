@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameter_tree.h>
+#include <contrecoup/gas/adaptation.h>
+#include <contrecoup/gas/boundary.h>
+#include <contrecoup/gas/gas_measures.h>
+#include <contrecoup/gas/gas_operator.h>
+#include <contrecoup/gas/leaf_mesh.h>
+#include <contrecoup/gas/time_stepper.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace contrecoup::gas
+{
+/// Place and primitive state of the gas.
+template <int dim>
+using StateFunction = std::function<GasState<dim>(const dealii::Point<dim> &)>;
+
+/// The solver of a small scene without files: "Section/Entry=value" lines
+/// set mesh, material, method, boundaries and adaptation; the test refines
+/// the mesh and gives the state.
+template <int dim>
+class GasRun
+{
+public:
+  explicit GasRun(const std::vector<std::string> &lines,
+                  const MPI_Comm communicator = MPI_COMM_WORLD)
+    : mesh(communicator)
+  {
+    dealii::ParameterHandler prm;
+    CoarseMesh<dim>::declare_parameters(prm);
+    GasMaterial::declare_parameters(prm);
+    Scheme::declare_parameters(prm);
+    InitialState<dim>::declare_parameters(prm);
+    ReferenceSolution<dim>::declare_parameters(prm);
+    Boundary<dim>::declare_parameters(prm);
+    AdaptationParameters::declare_parameters(prm);
+    std::vector<Assignment> assignments;
+    for (const std::string &line : lines)
+      assignments.push_back(parse_override(line));
+    apply_assignments(assignments, prm);
+
+    coarse_mesh.parse_parameters(prm);
+    material.parse_parameters(prm);
+    scheme.parse_parameters(
+      prm, dim, coarse_mesh.geometry() == Geometry::plane);
+    initial.parse_parameters(prm, material);
+    reference.parse_parameters(prm, material);
+    boundary.parse_parameters(prm, material, coarse_mesh, initial, reference);
+    adaptation_parameters.parse_parameters(prm,
+                                           dim,
+                                           coarse_mesh.initial_refinement(),
+                                           scheme.n_points,
+                                           scheme.kind ==
+                                             Scheme::Kind::finite_volume,
+                                           coarse_mesh.is_axis_aligned());
+    layout =
+      LeafLayout(dim, scheme.n_points, dim + 2 + (material.is_ideal() ? 0 : 1));
+    points = LeafPoints<dim>(scheme, coarse_mesh.geometry());
+
+    mesh.create(coarse_mesh);
+    mesh.triangulation().refine_global(coarse_mesh.initial_refinement());
+    mesh.rebuild();
+    gas_operator = make_gas_operator(mesh, layout, scheme, material, boundary);
+    stepper = std::make_unique<TimeStepper<dim>>(mesh, scheme, *gas_operator);
+    adaptation = std::make_unique<Adaptation<dim>>(
+      adaptation_parameters, mesh, points, material);
+  }
+
+  /// Halves the leaves whose centre is @p wanted.
+  void refine(const std::function<bool(const dealii::Point<dim> &)> &wanted)
+  {
+    for (unsigned int leaf = 0; leaf < mesh.n_owned(); ++leaf)
+      if (wanted(mesh.cell(leaf)->center()))
+        mesh.cell(leaf)->set_refine_flag();
+    mesh.triangulation().execute_coarsening_and_refinement();
+    mesh.rebuild();
+  }
+
+  void set_state(const StateFunction<dim> &state,
+                 const bool near_feature = false)
+  {
+    field.reinit(layout, mesh.n_stored_batches());
+    for (unsigned int leaf = 0; leaf < mesh.n_owned(); ++leaf)
+      field.set_leaf(leaf,
+                     sample_leaf<dim>(state,
+                                      leaf_box(mesh, leaf),
+                                      points,
+                                      material,
+                                      layout.n_components,
+                                      near_feature,
+                                      4));
+    field.fill_padding(mesh.n_owned());
+    stepper->reinit(field);
+  }
+
+  /// Takes one stable step, times @p factor.
+  typename TimeStepper<dim>::Result step(const double factor = 1.)
+  {
+    const auto result =
+      stepper->advance(field, time, factor * stepper->stable_step());
+    if (!result.failed)
+      time += result.step;
+    return result;
+  }
+
+  void steps(const unsigned int n)
+  {
+    for (unsigned int i = 0; i < n; ++i)
+      if (step().failed)
+        throw NumericsError("step " + std::to_string(i) + " failed");
+  }
+
+  /// Adapts the mesh once; whether it changed.
+  bool adapt()
+  {
+    stepper->update_ghosts(field);
+    if (!adaptation->adapt(field))
+      return false;
+    stepper->reinit(field);
+    return true;
+  }
+
+  std::map<std::string, double> totals() const
+  {
+    std::map<std::string, double> result;
+    for (const auto &value : gas_totals(mesh, points, field, material))
+      result[value.name] = value.value;
+    return result;
+  }
+
+  /// Values of the leaves of this rank by the names of their cells.
+  std::map<std::string, std::vector<double>> leaves() const
+  {
+    std::map<std::string, std::vector<double>> result;
+    for (unsigned int leaf = 0; leaf < mesh.n_owned(); ++leaf)
+      result[mesh.cell(leaf)->id().to_string()] = field.leaf(leaf);
+    return result;
+  }
+
+  CoarseMesh<dim> coarse_mesh;
+  GasMaterial material;
+  Scheme scheme;
+  InitialState<dim> initial;
+  ReferenceSolution<dim> reference;
+  Boundary<dim> boundary;
+  AdaptationParameters adaptation_parameters;
+  LeafMesh<dim> mesh;
+  LeafLayout layout;
+  LeafPoints<dim> points;
+  GasField field;
+  std::unique_ptr<GasOperator<dim>> gas_operator;
+  std::unique_ptr<TimeStepper<dim>> stepper;
+  std::unique_ptr<Adaptation<dim>> adaptation;
+  double time = 0.;
+};
+
+
+/// Lines joined to one list.
+inline std::vector<std::string> operator+(std::vector<std::string> a,
+                                          const std::vector<std::string> &b)
+{
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+
+/// Lines for finite volumes with @p n subcells a side.
+inline std::vector<std::string> finite_volume(const unsigned int n)
+{
+  return {"Method/Scheme=finite volume",
+          "Method/Subcells=" + std::to_string(n),
+          std::string("Method/Reconstruction=") +
+            (n == 1 ? "constant" : "linear")};
+}
+
+
+/// Lines for a Galerkin scheme.
+inline std::vector<std::string> galerkin(const unsigned int degree)
+{
+  return {"Method/Scheme=discontinuous galerkin",
+          "Method/Degree=" + std::to_string(degree),
+          "Method/Time stepping=ssp rk3"};
+}
+
+
+/// Lines for a mixture of TNT products and air.
+inline std::vector<std::string> products_in_air()
+{
+  return {"Material/Equation of state=jwl in air", "Material/Explosive=tnt"};
+}
+
+
+/// Numbers between -1 and 1 that look irregular, the same on every rank.
+inline double ripple(const double x, const unsigned int seed)
+{
+  return std::sin(6.283185307179586 * x * (1 + seed % 3) + 1.7 * seed);
+}
+} // namespace contrecoup::gas
