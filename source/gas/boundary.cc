@@ -88,6 +88,10 @@ void Boundary<dim>::parse_parameters(ParameterHandler &prm,
     kinds_[dealii::Utilities::string_to_int(words[0])] =
       parse_kind<dim>(words[1], "Boundaries/By id");
   }
+  kind_of_id_.assign(kinds_.empty() ? 0 : kinds_.rbegin()->first + 1,
+                     default_kind_);
+  for (const auto &[id, kind] : kinds_)
+    kind_of_id_[id] = kind;
   for (const auto &[id, kind] : kinds_)
     if (kind == Kind::exact && !reference.exists())
       throw InputError("Boundaries: boundary " + std::to_string(id) +
@@ -95,15 +99,6 @@ void Boundary<dim>::parse_parameters(ParameterHandler &prm,
 
   const Section inflow(prm, "Inflow");
   inflow_ = read_state<dim>(prm, material, "Boundaries/Inflow");
-}
-
-
-template <int dim>
-typename Boundary<dim>::Kind
-Boundary<dim>::kind(const unsigned int boundary_id) const
-{
-  const auto found = kinds_.find(boundary_id);
-  return found == kinds_.end() ? default_kind_ : found->second;
 }
 
 

@@ -238,6 +238,9 @@ void FiniteVolumeKernel<dim, Gas>::line_fluxes(const unsigned int direction)
     }
     flux_[f] =
       to_array<dim, Gas>(numerical_flux(scheme_.flux, left, right, theta));
+    // Faces to other leaves keep the flux that the neighbour computes too.
+    if (Base::any_open(direction) && f > 0 && f < layout_.n)
+      Base::widen_open_flux(direction, cell(f - 1), cell(f), flux_[f]);
   }
 }
 

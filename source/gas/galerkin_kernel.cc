@@ -99,6 +99,9 @@ void GalerkinKernel<dim, n, Gas>::set_blending()
   for (unsigned int face = 0; face < 2 * dim; ++face)
     neighbor = std::max(neighbor, Base::neighbor_sensor_[face]);
   blending_ = std::max(Base::sensor_, neighbor * 0.5);
+  // At open ends finite volumes: an extrapolated polynomial would grow.
+  for (unsigned int d = 0; d < dim; ++d)
+    blending_ = std::max(blending_, Base::open_[d]);
   any_blending_ = scheme_.blending && largest_lane(blending_) > 0.;
 }
 
@@ -308,6 +311,8 @@ void GalerkinKernel<dim, n, Gas>::subcell_terms(const unsigned int direction,
         std::min(compression(direction, first + (f - 1) * stride),
                  compression(direction, first + f * stride)));
     flux[f] = to_array<dim, Gas>(numerical_flux(scheme_.flux, a, b, theta));
+    if (Base::any_open(direction))
+      Base::widen_open_flux(direction, line_[f - 1], line_[f], flux[f]);
     flux[f][C::momentum] -= reference_pressure_;
   }
   for (unsigned int i = 0; i < n; ++i)

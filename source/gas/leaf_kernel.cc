@@ -46,6 +46,39 @@ void LeafKernel<dim, Gas>::bind(const unsigned int batch, const Stage &stage)
   needs_shear_factor_ = dim > 1 &&
                         scheme_.flux == RiemannFlux::hllc_shock_stable &&
                         largest_lane(any) > 0.;
+  find_open_leaves();
+}
+
+
+template <int dim, typename Gas>
+void LeafKernel<dim, Gas>::find_open_leaves()
+{
+  open_.fill(Number(0.));
+  any_open_.fill(false);
+  for (auto s = mesh_.special_begin(batch_); s != mesh_.special_end(batch_);
+       ++s)
+    if (s->kind == SpecialFace::Kind::boundary &&
+        boundary_.kind(s->index) == Boundary<dim>::Kind::open)
+    {
+      open_[s->face / 2][s->lane] = 1.;
+      any_open_[s->face / 2] = true;
+    }
+}
+
+
+template <int dim, typename Gas>
+void LeafKernel<dim, Gas>::widen_open_flux(const unsigned int direction,
+                                           const Values &left,
+                                           const Values &right,
+                                           Values &flux) const
+{
+  const Values wide =
+    to_array<dim, Gas>(numerical_flux(RiemannFlux::rusanov,
+                                      to_face_state<dim>(gas_, left),
+                                      to_face_state<dim>(gas_, right),
+                                      Number(1.)));
+  for (unsigned int c = 0; c < nc; ++c)
+    flux[c] = select_less(Number(0.), open_[direction], wide[c], flux[c]);
 }
 
 

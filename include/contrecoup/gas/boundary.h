@@ -14,7 +14,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <map>
-#include <memory>
+#include <vector>
 
 namespace contrecoup::gas
 {
@@ -50,7 +50,11 @@ public:
     return kind == Kind::initial || kind == Kind::exact;
   }
 
-  Kind kind(const unsigned int boundary_id) const;
+  Kind kind(const unsigned int boundary_id) const
+  {
+    return boundary_id < kind_of_id_.size() ? kind_of_id_[boundary_id]
+                                            : default_kind_;
+  }
 
   /// Whether every boundary is a wall (then mass and energy stay).
   bool is_closed(const CoarseMesh<dim> &coarse_mesh) const;
@@ -67,6 +71,7 @@ public:
 
 private:
   std::map<unsigned int, Kind> kinds_;
+  std::vector<Kind> kind_of_id_; ///< the same, to look up fast
   Kind default_kind_ = Kind::wall;
   GasState<dim> inflow_;
   const InitialState<dim> *initial_state_ = nullptr;

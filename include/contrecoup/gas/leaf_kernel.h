@@ -93,6 +93,23 @@ protected:
                                    const Number &normal_difference,
                                    const Number &transverse_difference);
 
+  /// Whether any leaf of the batch has an open boundary along a direction.
+  bool any_open(const unsigned int direction) const
+  {
+    return any_open_[direction];
+  }
+
+  /**
+   * Replaces a flux between two points of a leaf by the Rusanov flux of the
+   * points' own states, in the lanes of leaves with an open boundary along
+   * @p direction: the wider a front is numerically when it leaves, the less
+   * of it comes back.
+   */
+  void widen_open_flux(const unsigned int direction,
+                       const Values &left,
+                       const Values &right,
+                       Values &flux) const;
+
   const LeafMesh<dim> &mesh_;
   const LeafLayout layout_;
   const Scheme &scheme_;
@@ -105,8 +122,13 @@ protected:
   const double *in_ = nullptr;
   Number sensor_; ///< of the leaves themselves
   std::array<Number, 2 * dim> neighbor_sensor_;
+  /// One in lanes with an open boundary along a direction, else zero.
+  std::array<Number, dim> open_;
+  std::array<bool, dim> any_open_;
 
 private:
+  void find_open_leaves();
+
   bool needs_shear_factor_ = false;
   std::array<std::array<unsigned int, W>, 2 * dim> neighbor_offset_;
 };

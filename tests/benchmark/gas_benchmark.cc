@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+// Throughput of the gas solver on a periodic cube, one row per case. Started
+// without arguments it runs itself under mpirun, on one rank and on two.
+
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/gas/gas_simulation.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+
+namespace
+{
+using namespace contrecoup;
+using Settings = std::map<std::string, std::string>;
+
+const Settings galerkin_3 = {{"Method/Scheme", "discontinuous galerkin"},
+                             {"Method/Degree", "3"},
+                             {"Method/Time stepping", "ssp rk3"},
+                             {"Domain/Coarse leaves", "32, 32, 32"}};
+const Settings galerkin_2 = {{"Method/Scheme", "discontinuous galerkin"},
+                             {"Method/Degree", "2"},
+                             {"Method/Time stepping", "ssp rk3"},
+                             {"Domain/Coarse leaves", "40, 40, 40"}};
+const Settings finite_volume = {{"Method/Scheme", "finite volume"},
+                                {"Method/Subcells", "8"},
+                                {"Domain/Coarse leaves", "16, 16, 16"}};
+const Settings jwl = {{"Material/Equation of state", "jwl in air"}};
+const Settings slab = {{"Initial state/Expression/Pressure",
+                        "1e5 * (1 + 4 * (abs(x + 0.3*y - 0.65) < 0.1))"}};
+
+Settings operator+(Settings a, const Settings &b)
+{
+  for (const auto &[entry, value] : b)
+    a[entry] = value;
+  return a;
+}
+
+void set(ParameterHandler &prm, const Settings &settings)
+{
+  for (const auto &[entry, value] : settings)
+  {
+    auto path = dealii::Utilities::split_string_list(entry, '/');
+    const std::string name = path.back();
+    path.pop_back();
+    for (const auto &section : path)
+      prm.enter_subsection(section);
+    prm.set(name, value);
+    for (std::size_t i = 0; i < path.size(); ++i)
+      prm.leave_subsection();
+  }
+}
+
+/// What a case reached.
+struct Throughput
+{
+  double unknowns_per_second = 0.; ///< updates per stage and core
+  double troubled = 0.;            ///< share of troubled leaves [-]
+  double components = 5.;
+};
+
+Throughput measure(const Settings &settings,
+                   const MPI_Comm communicator = MPI_COMM_WORLD)
+{
+  ParameterHandler prm;
+  gas::GasSimulation<3>::declare_parameters(prm);
+  {
+    const Section section(prm, "Time");
+    declare_double(prm, "End time", "1", 0., 1., "s", "Unused.");
+  }
+  const Settings flow = {
+    {"Domain/Periodic directions", "x, y, z"},
+    {"Initial state/Kind", "expression"},
+    {"Initial state/Expression/Density", "1 + 0.1 * sin(2*pi*x)*cos(2*pi*y)"},
+    {"Initial state/Expression/Velocity x", "30"},
+    {"Initial state/Expression/Velocity y", "20"},
+    {"Initial state/Expression/Pressure", "1e5"}};
+  set(prm, flow + settings);
+  gas::GasSimulation<3> simulation(communicator);
+  simulation.parse_parameters(prm);
+  simulation.setup();
+  simulation.advance(1.);
+
+  Throughput best;
+  for (unsigned int repetition = 0; repetition < 3; ++repetition)
+  {
+    const auto start = std::chrono::steady_clock::now();
+    double updates = 0.;
+    for (unsigned int step = 0; step < 3; ++step)
+      updates += simulation.advance(1.).updates;
+    const std::chrono::duration<double> time =
+      std::chrono::steady_clock::now() - start;
+    const double rate = updates / time.count() /
+                        dealii::Utilities::MPI::n_mpi_processes(communicator);
+    best.unknowns_per_second = std::max(best.unknowns_per_second, rate);
+  }
+  for (const auto &value : simulation.assumptions())
+    if (value.name == "troubled_leaves")
+      best.troubled = value.value;
+  best.components = settings.count("Material/Equation of state") ? 6. : 5.;
+  return best;
+}
+
+void print(const char *name, const double value, const char *unit)
+{
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    std::printf("%s,%.6g,%s\n", name, value, unit);
+}
+
+void measure_one_rank()
+{
+  const char *const unknowns = "unknown-updates/(s core) per stage";
+  const char *const cells = "cell-updates/(s core) per stage";
+  print("gas_dg3_clean", measure(galerkin_3).unknowns_per_second, unknowns);
+  const Throughput troubled = measure(galerkin_3 + slab);
+  print("gas_dg3_troubled", troubled.unknowns_per_second, unknowns);
+  print("gas_dg3_troubled_share", troubled.troubled, "-");
+  print("gas_dg2_clean", measure(galerkin_2).unknowns_per_second, unknowns);
+  const Throughput ideal = measure(finite_volume);
+  const Throughput mixture = measure(finite_volume + jwl);
+  const double ideal_cells = ideal.unknowns_per_second / ideal.components;
+  const double jwl_cells = mixture.unknowns_per_second / mixture.components;
+  print("gas_fv2", ideal_cells, cells);
+  print("gas_jwl_over_ideal", ideal_cells / jwl_cells, "time ratio");
+}
+
+/// How much faster two ranks are than one of them alone.
+void measure_two_ranks()
+{
+  double alone = 0.;
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    alone = measure(finite_volume, MPI_COMM_SELF).unknowns_per_second;
+  MPI_Barrier(MPI_COMM_WORLD);
+  const double each = measure(finite_volume).unknowns_per_second;
+  print("gas_two_ranks", 2. * each / alone, "speed ratio");
+}
+
+/// Runs this program on so many ranks; false when that fails.
+bool run_on(const std::string &program, const unsigned int n_ranks)
+{
+  const std::string command =
+    "mpirun --allow-run-as-root --oversubscribe -np " +
+    std::to_string(n_ranks) + " " + program + " worker";
+  return std::system(command.c_str()) == 0;
+}
+} // namespace
+
+
+int main(int argc, char **argv)
+{
+  if (argc == 1)
+    return run_on(argv[0], 1) && run_on(argv[0], 2) ? 0 : 1;
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)
+    measure_one_rank();
+  else
+    measure_two_ranks();
+  return 0;
+}
