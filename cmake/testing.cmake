@@ -83,6 +83,7 @@ endfunction()
 #                 straight through, to the last bit on one rank
 #   sigterm       the same, stopped by SIGTERM; the run must last a second
 #   check         --check accepts the file and writes nothing
+#   pictures      COMPARE <png>...: plot_run.py draws these from the run
 #   refusal       MESSAGE <text> [EXIT <code>] [OUTPUT <folder>] [CONTENT
 #                 <lines appended to the file>] [ARGUMENTS ...]: bad input;
 #                 @FOLDER@ in OUTPUT is a folder that has a file named a_file

@@ -59,6 +59,8 @@ def open_profiles(folder):
     entries = [(float(entry.get("timestep")), entry.get("file"))
                for entry in xml.parse(collection).iter("DataSet")
                if entry.get("file").endswith(".vtu")]
+    if not entries:
+        return []
     picks = np.unique(np.linspace(0, len(entries) - 1, MOST_TIMES).round())
     profiles = []
     for pick in picks.astype(int):

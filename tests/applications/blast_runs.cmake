@@ -49,3 +49,9 @@ foreach(_ranks 1 2)
     BOUNDS "conservation.mass_relative_change < 1e-12"
     "conservation.energy_relative_change < 1e-12" TIMEOUT 300)
 endforeach()
+
+contrecoup_add_application_test(pictures_1d pictures
+  FILE blast/verification/sod.prm COMPARE history.png profiles.png)
+contrecoup_add_application_test(pictures_3d pictures ${_quickstart} MPI 2
+  SET ${_short} COMPARE history.png probes.png plane_y_0_pressure.png
+  plane_y_0_density.png plane_y_0_pressure_lowest.png)

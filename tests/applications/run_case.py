@@ -23,6 +23,10 @@ import time
 import full_disk
 
 
+REPOSITORY = os.path.dirname(os.path.dirname(os.path.dirname(
+    os.path.abspath(__file__))))
+
+
 class Failed(Exception):
     """What was to be proven does not hold."""
 
@@ -276,6 +280,24 @@ def check(case):
         raise Failed(f"--check wrote {os.listdir(output)} into {output}")
 
 
+def pictures(case):
+    """plot_run.py draws the named pictures of the run, and they are not
+    empty."""
+    output = case.folder("run")
+    case.run(output)
+    plot = os.path.join(REPOSITORY, "applications", "plot", "plot_run.py")
+    run = subprocess.run([plot, output], capture_output=True, text=True)
+    print(run.stdout + run.stderr)
+    if run.returncode != 0:
+        raise Failed("plot_run.py failed")
+    for name in case.options.compare:
+        path = os.path.join(output, "pictures", name)
+        with open(path, "rb") as file:
+            content = file.read()
+        if content[:4] != b"\x89PNG" or len(content) < 10000:
+            raise Failed(f"{path} is not a picture of any content")
+
+
 def expect_refusal(case, output, **keywords):
     """The application stops with one line on stderr that has the message."""
     codes = case.options.exit or (1,)
@@ -361,7 +383,7 @@ def disk(case):
 
 KINDS = {kind.__name__: kind for kind in
          (bounds, regression, ranks, convergence, resume, sigterm, check,
-          refusal, damaged_checkpoint, foreign_checkpoint, disk)}
+          pictures, refusal, damaged_checkpoint, foreign_checkpoint, disk)}
 
 
 def parse(arguments):
