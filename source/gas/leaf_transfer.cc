@@ -129,17 +129,25 @@ std::vector<std::vector<double>> LeafTransfer<dim>::interpolated_children(
         return points_.basis().to_child(half);
       },
       child));
+  make_admissible(children, mean(parent));
+  return children;
+}
+
+
+template <int dim>
+void LeafTransfer<dim>::make_admissible(
+  std::vector<std::vector<double>> &leaves,
+  const std::vector<double> &mean) const
+{
   const auto all_admissible = [&]() {
-    return std::all_of(children.begin(),
-                       children.end(),
-                       [&](const auto &child) { return is_admissible(child); });
+    return std::all_of(leaves.begin(), leaves.end(), [&](const auto &leaf) {
+      return is_admissible(leaf);
+    });
   };
   // The admissible set is convex and holds the mean: halving arrives.
-  const auto average = mean(parent);
   for (unsigned int cut = 0; cut < 10 && !all_admissible(); ++cut)
-    for (auto &child : children)
-      scale(child, average, cut < 9 ? 0.5 : 0.);
-  return children;
+    for (auto &leaf : leaves)
+      scale(leaf, mean, cut < 9 ? 0.5 : 0.);
 }
 
 
@@ -238,22 +246,40 @@ std::vector<double> LeafTransfer<dim>::from_children(
   const std::vector<std::vector<double>> &children,
   const LeafBox<dim> &parent_box) const
 {
+  return points_.is_galerkin() ? projected_parent(children)
+                               : averaged_parent(children, parent_box);
+}
+
+
+template <int dim>
+std::vector<double> LeafTransfer<dim>::projected_parent(
+  const std::vector<std::vector<double>> &children) const
+{
   std::vector<double> result(children[0].size(), 0.);
-  if (points_.is_galerkin())
+  for (unsigned int child = 0; child < n_children; ++child)
   {
-    for (unsigned int child = 0; child < n_children; ++child)
-    {
-      const auto part = apply(
-        children[child],
-        [this](const unsigned int half) -> const dealii::FullMatrix<double> & {
-          return points_.basis().from_child(half);
-        },
-        child);
-      for (std::size_t i = 0; i < result.size(); ++i)
-        result[i] += part[i];
-    }
-    return result;
+    const auto part = apply(
+      children[child],
+      [this](const unsigned int half) -> const dealii::FullMatrix<double> & {
+        return points_.basis().from_child(half);
+      },
+      child);
+    for (std::size_t i = 0; i < result.size(); ++i)
+      result[i] += part[i];
   }
+  // A projection may overshoot next to a jump.
+  std::vector<std::vector<double>> parent = {std::move(result)};
+  make_admissible(parent, mean(parent[0]));
+  return parent[0];
+}
+
+
+template <int dim>
+std::vector<double> LeafTransfer<dim>::averaged_parent(
+  const std::vector<std::vector<double>> &children,
+  const LeafBox<dim> &parent_box) const
+{
+  std::vector<double> result(children[0].size(), 0.);
   const unsigned int n = layout_.n;
   std::vector<double> volume(layout_.n_points, 0.);
   for (unsigned int child = 0; child < n_children; ++child)

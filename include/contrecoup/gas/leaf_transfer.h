@@ -38,7 +38,8 @@ public:
               const LeafBox<dim> &parent_box) const;
 
   /// Values of a leaf from those of all its children: volume means (finite
-  /// volumes) or the L2 projection (Galerkin).
+  /// volumes) or the L2 projection (Galerkin), scaled towards its mean where
+  /// a node would not be admissible.
   std::vector<double>
   from_children(const std::vector<std::vector<double>> &children,
                 const LeafBox<dim> &parent_box) const;
@@ -58,6 +59,15 @@ private:
   std::vector<std::vector<double>>
   reconstructed_children(const std::vector<double> &parent,
                          const LeafBox<dim> &parent_box) const;
+  std::vector<double>
+  projected_parent(const std::vector<std::vector<double>> &children) const;
+  std::vector<double>
+  averaged_parent(const std::vector<std::vector<double>> &children,
+                  const LeafBox<dim> &parent_box) const;
+  /// Scales all leaves towards @p mean by one factor until each point is
+  /// admissible.
+  void make_admissible(std::vector<std::vector<double>> &leaves,
+                       const std::vector<double> &mean) const;
   /// The 2^dim parts of one subcell, [part][component].
   std::array<std::vector<double>, n_children>
   subcell_parts(const std::vector<double> &parent,
