@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include "gas_run.h"
+#include <gtest/gtest.h>
+
+using namespace contrecoup;
+using namespace contrecoup::gas;
+using dealii::Point;
+
+namespace
+{
+/// A number that belongs to one value of one cell of the whole mesh.
+double signature(const std::uint64_t cell, const unsigned int i)
+{
+  return 1000. * cell + i + 1. / (1. + cell + 3. * i);
+}
+
+
+template <int dim>
+void check_exchange(const std::vector<std::string> &lines)
+{
+  GasRun<dim> run(finite_volume(4) + lines);
+  run.refine([](const Point<dim> &p) { return p[0] + p[1] < 0.9; });
+  run.field.reinit(run.layout, run.mesh.n_stored_batches());
+  const unsigned int n_values = run.layout.n_points * run.layout.n_components;
+  for (unsigned int leaf = 0; leaf < run.mesh.n_owned(); ++leaf)
+  {
+    const auto cell = run.mesh.cell(leaf)->global_active_cell_index();
+    std::vector<double> values(n_values);
+    for (unsigned int i = 0; i < n_values; ++i)
+      values[i] = signature(cell, i);
+    run.field.set_leaf(leaf, values);
+    run.field.sensor()[leaf] = signature(cell, n_values);
+  }
+
+  GhostExchange<dim> exchange;
+  exchange.reinit(run.mesh, run.layout);
+  // Twice: the second finds its buffers used.
+  for (unsigned int repeat = 0; repeat < 2; ++repeat)
+    exchange.update(run.field.state(), run.field.sensor());
+
+  for (unsigned int i = 0; i < run.mesh.n_ghosts(); ++i)
+  {
+    const auto cell = run.mesh.ghosts()[i].global_index;
+    const unsigned int leaf = run.mesh.n_batches() * W + i;
+    const auto values = run.field.leaf(leaf);
+    for (unsigned int k = 0; k < n_values; ++k)
+      ASSERT_EQ(values[k], signature(cell, k));
+    EXPECT_EQ(run.field.sensor()[leaf], signature(cell, n_values));
+  }
+  for (unsigned int leaf = 0; leaf < run.mesh.n_owned(); ++leaf)
+    EXPECT_EQ(run.field.leaf(leaf)[0],
+              signature(run.mesh.cell(leaf)->global_active_cell_index(), 0));
+  const unsigned int n_ranks =
+    dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+  EXPECT_EQ(run.mesh.n_ghosts() > 0, n_ranks > 1);
+}
+} // namespace
+
+
+TEST(GhostExchange, GhostsEqualTheirOwners)
+{
+  check_exchange<2>({"Domain/Initial refinement=2"});
+  check_exchange<3>({"Domain/Initial refinement=2"});
+}
+
+
+TEST(GhostExchange, AcrossPeriodicSides)
+{
+  check_exchange<2>({"Domain/Coarse leaves=3, 2",
+                     "Domain/Periodic directions=x, y",
+                     "Domain/Initial refinement=1"});
+  check_exchange<3>({"Domain/Coarse leaves=1, 1, 2",
+                     "Domain/Periodic directions=z",
+                     "Domain/Initial refinement=1"});
+}
+
+
+TEST(GhostExchange, MixturesHaveOneMoreComponent)
+{
+  check_exchange<2>(products_in_air() +
+                    std::vector<std::string>{"Domain/Initial refinement=2"});
+}
