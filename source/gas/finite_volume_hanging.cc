@@ -16,6 +16,7 @@ FiniteVolumeHanging<dim, Gas>::FiniteVolumeHanging(const LeafLayout &layout,
   , gas_(gas)
   , coarse_halo_(layout.n_face_points)
   , coarse_flux_(layout.n_face_points)
+  , first_flux_(layout.n_face_points)
 {
   for (unsigned int layer = 0; layer < 2; ++layer)
   {
@@ -38,10 +39,9 @@ void FiniteVolumeHanging<dim, Gas>::compute(const HangingGroup<dim> &group,
 {
   load(group, state);
   average_fine_side(group);
-  for (unsigned int q = 0; q < layout_.n_face_points; ++q)
-    coarse_flux_[q].fill(Number(0.));
   for (unsigned int part = 0; part < n_fine; ++part)
     part_fluxes(group, part);
+  average_fluxes(group);
   store(group, hanging);
 }
 
@@ -223,12 +223,41 @@ void FiniteVolumeHanging<dim, Gas>::part_fluxes(const HangingGroup<dim> &group,
                                         to_face_state<dim>(gas_, right),
                                         Number(1.)));
     for (unsigned int c = 0; c < nc; ++c)
-    {
-      const unsigned int to = rotated_component<dim>(c, direction);
-      fine_flux_[part][q][to] = flux[c];
-      coarse_flux_[at][to] += flux[c] * (1. / n_fine);
-    }
+      fine_flux_[part][q][rotated_component<dim>(c, direction)] = flux[c];
   }
+}
+
+
+template <int dim, typename Gas>
+void FiniteVolumeHanging<dim, Gas>::average_fluxes(
+  const HangingGroup<dim> &group)
+{
+  const unsigned int n = layout_.n;
+  Number inner;
+  inner.load(group.inner_radius.data());
+  std::array<double, dim == 1 ? 1 : dim - 1> distance{};
+  for (unsigned int part = 0; part < n_fine; ++part)
+    for (unsigned int q = 0; q < layout_.n_face_points; ++q)
+    {
+      const unsigned int at = coarse_point(part, q, distance);
+      const Values &flux = fine_flux_[part][q];
+      const bool is_first = std::all_of(distance.begin(),
+                                        distance.end(),
+                                        [](const double x) { return x <= 0.; });
+      if (is_first)
+      {
+        coarse_flux_[at] = flux;
+        first_flux_[at] = flux;
+        continue;
+      }
+      // Areas grow with the radius. Measured from the first flux, equal
+      // fluxes have just that mean, to the last bit.
+      const Number area =
+        (Number(distance[0]) / (inner * double(n) + (at % n + 0.5)) + 1.) *
+        (1. / n_fine);
+      for (unsigned int c = 0; c < nc; ++c)
+        coarse_flux_[at][c] += (flux[c] - first_flux_[at][c]) * area;
+    }
 }
 
 

@@ -3,6 +3,7 @@
 
 #include <contrecoup/gas/hanging_group.h>
 
+#include <limits>
 #include <tuple>
 
 namespace contrecoup::gas
@@ -16,14 +17,29 @@ namespace
       face.coarse_face, face.match.face, face.match.orientation);
   }
 
+  /// See HangingGroup::inner_radius. Ghosts need no right value: only the
+  /// owner of the coarse leaf takes the flux that it weights.
+  template <int dim>
+  double inner_radius(const LeafMesh<dim> &mesh, const HangingFace<dim> &face)
+  {
+    const unsigned int leaf = face.coarse_leaf;
+    if (radial_exponent(mesh.coarse_mesh().geometry()) == 0 ||
+        face.coarse_face / 2 == 0 || leaf >= mesh.n_owned())
+      return std::numeric_limits<double>::infinity();
+    return mesh.origins(leaf / W)[0][leaf % W] /
+           mesh.extents(leaf / W)[0][leaf % W];
+  }
+
   template <int dim>
   void fill_lane(HangingGroup<dim> &group,
                  const unsigned int lane,
                  const unsigned int index,
-                 const HangingFace<dim> &face,
+                 const LeafMesh<dim> &mesh,
                  const LeafLayout &layout)
   {
+    const HangingFace<dim> &face = mesh.hanging_faces()[index];
     group.face[lane] = index;
+    group.inner_radius[lane] = inner_radius(mesh, face);
     group.coarse_offset[lane] = layout.offset(face.coarse_leaf);
     unsigned int present = no_leaf;
     for (const unsigned int leaf : face.fine_leaf)
@@ -62,9 +78,9 @@ std::vector<HangingGroup<dim>> group_hanging_faces(const LeafMesh<dim> &mesh,
       groups.back().coarse_face = face.coarse_face;
       groups.back().match = face.match;
       for (unsigned int lane = 0; lane < W; ++lane)
-        fill_lane(groups.back(), lane, index, face, layout);
+        fill_lane(groups.back(), lane, index, mesh, layout);
     }
-    fill_lane(groups.back(), groups.back().n_filled++, index, face, layout);
+    fill_lane(groups.back(), groups.back().n_filled++, index, mesh, layout);
   }
   return groups;
 }

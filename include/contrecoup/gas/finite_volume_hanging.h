@@ -16,7 +16,7 @@ namespace contrecoup::gas
  * Fluxes and halo values of hanging faces for the finite-volume scheme on
  * axis-aligned leaves. The flux is computed once for each fine subcell
  * face, from a linear reconstruction on both sides; the coarse side gets
- * the mean of the fluxes on its face, so that nothing is lost.
+ * the mean of the fluxes over its face's area, so that nothing is lost.
  */
 template <int dim, typename Gas>
 class FiniteVolumeHanging
@@ -46,6 +46,7 @@ private:
                    Values &inside,
                    Values &outside);
   void part_fluxes(const HangingGroup<dim> &group, const unsigned int part);
+  void average_fluxes(const HangingGroup<dim> &group);
   void store(const HangingGroup<dim> &group, HangingData<dim> &hanging) const;
 
   /// Slope of the coarse values along face coordinate @p t at a point,
@@ -73,6 +74,7 @@ private:
   dealii::AlignedVector<Values> coarse_halo_;
   std::array<dealii::AlignedVector<Values>, n_fine> fine_halo_;
   dealii::AlignedVector<Values> coarse_flux_;
+  dealii::AlignedVector<Values> first_flux_; ///< of each coarse subcell face
   std::array<dealii::AlignedVector<Values>, n_fine> fine_flux_;
 };
 } // namespace contrecoup::gas

@@ -24,6 +24,9 @@ struct HangingGroup
   /// Positions in the state array, one for each lane.
   std::array<unsigned int, W> coarse_offset;
   std::array<std::array<unsigned int, W>, n_fine> fine_offset;
+  /// Inner radius of the coarse leaf in units of its radial edge, where the
+  /// face runs along the radius of an axisymmetric mesh; infinite elsewhere.
+  std::array<double, W> inner_radius;
 };
 
 /// Sorts the hanging faces of @p mesh into groups. A fine leaf that this
