@@ -19,7 +19,6 @@ GalerkinHanging<dim, Gas>::GalerkinHanging(const LeafLayout &layout,
   , coarse_(layout.n_face_points)
   , mortar_(layout.n_face_points)
   , coarse_flux_(layout.n_face_points)
-  , projected_(layout.n_face_points)
 {
   for (unsigned int part = 0; part < n_fine; ++part)
   {
@@ -66,7 +65,6 @@ void GalerkinHanging<dim, Gas>::compute(const HangingGroup<dim> &group,
     coarse_[q] = gather(state,
                         group.coarse_offset.data(),
                         layout_.face_point(group.coarse_face, q, 0));
-    coarse_flux_[q].fill(Number(0.));
     for (unsigned int part = 0; part < n_fine; ++part)
       fine_[part][q] =
         gather(state,
@@ -75,26 +73,29 @@ void GalerkinHanging<dim, Gas>::compute(const HangingGroup<dim> &group,
   }
   for (unsigned int part = 0; part < n_fine; ++part)
   {
+    mortar_.fill(coarse_[0]);
     apply(
       [this](const unsigned int half) -> const auto & {
         return basis_.to_child(half);
       },
       part,
+      coarse_[0],
       coarse_,
       mortar_);
     restore_positivity();
     part_fluxes(group, part);
+  }
+  const Values base = fine_flux_[0][0];
+  coarse_flux_.fill(base);
+  for (unsigned int part = 0; part < n_fine; ++part)
     apply(
       [this](const unsigned int half) -> const auto & {
         return basis_.from_child(half);
       },
       part,
+      base,
       fine_flux_[part],
-      projected_);
-    for (unsigned int q = 0; q < layout_.n_face_points; ++q)
-      for (unsigned int c = 0; c < nc; ++c)
-        coarse_flux_[q][c] += projected_[q][c];
-  }
+      coarse_flux_);
   store(group, hanging);
 }
 
@@ -103,13 +104,12 @@ template <int dim, typename Gas>
 template <typename Matrices>
 void GalerkinHanging<dim, Gas>::apply(const Matrices &matrices,
                                       const unsigned int part,
+                                      const Values &base,
                                       const Trace &from,
                                       Trace &to) const
 {
   const unsigned int n = layout_.n;
   for (unsigned int q = 0; q < layout_.n_face_points; ++q)
-  {
-    to[q].fill(Number(0.));
     for (unsigned int p = 0; p < layout_.n_face_points; ++p)
     {
       double factor = 1.;
@@ -118,9 +118,8 @@ void GalerkinHanging<dim, Gas>::apply(const Matrices &matrices,
       if (dim > 2)
         factor *= matrices(part / 2)(q / n, p / n);
       for (unsigned int c = 0; c < nc; ++c)
-        to[q][c] += from[p][c] * factor;
+        to[q][c] += (from[p][c] - base[c]) * factor;
     }
-  }
 }
 
 

@@ -43,17 +43,18 @@ private:
   Values gather(const double *state,
                 const unsigned int *offsets,
                 const unsigned int point) const;
-  void interpolate(const unsigned int part);
   void restore_positivity();
   void part_fluxes(const HangingGroup<dim> &group, const unsigned int part);
-  void project(const unsigned int part);
   void store(const HangingGroup<dim> &group, HangingData<dim> &hanging) const;
   unsigned int fine_point(const HangingGroup<dim> &group,
                           const unsigned int point) const;
-  /// Applies to each direction of the face the matrix of that half.
+  /// Adds to @p to the difference of @p from and @p base after the matrix of
+  /// that half was applied to it in each direction of the face. Equal values
+  /// then stay what they are, to the last bit.
   template <typename Matrices>
   void apply(const Matrices &matrices,
              const unsigned int part,
+             const Values &base,
              const Trace &from,
              Trace &to) const;
 
@@ -67,6 +68,5 @@ private:
   std::array<Trace, n_fine> fine_; ///< conserved, coarse numbering
   std::array<Trace, n_fine> fine_flux_;
   Trace coarse_flux_;
-  Trace projected_;
 };
 } // namespace contrecoup::gas
