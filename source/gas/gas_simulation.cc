@@ -252,7 +252,7 @@ template <int dim>
 std::vector<NamedValue> GasSimulation<dim>::errors()
 {
   std::vector<NamedValue> values = probes_.errors(reference_);
-  if (reference_.exists())
+  if (reference_.is_measured())
     for (const auto &value :
          gas_errors(mesh_, points_, field_, material_, reference_, time_))
       values.push_back(value);

@@ -171,6 +171,11 @@ void ReferenceSolution<dim>::declare_parameters(ParameterHandler &prm)
                     "state itself, the exact solution of the initial state of "
                     "the same name, the point source that Initial state/Sedov "
                     "describes (at probes), or a table.");
+  declare_bool(prm,
+               "Measure errors",
+               "true",
+               "Whether the summary holds the distance from the reference; "
+               "false where it serves exact boundaries alone.");
   declare_file(prm,
                "Table",
                "",
@@ -189,6 +194,7 @@ void ReferenceSolution<dim>::parse_parameters(ParameterHandler &prm,
     const Section section(prm, "Reference");
     name_ = prm.get("Kind");
     table = prm.get("Table");
+    measure_errors_ = prm.get_bool("Measure errors");
   }
   value_ = nullptr;
   arrival_ = nullptr;
@@ -253,6 +259,13 @@ template <int dim>
 bool ReferenceSolution<dim>::exists() const
 {
   return static_cast<bool>(value_);
+}
+
+
+template <int dim>
+bool ReferenceSolution<dim>::is_measured() const
+{
+  return exists() && measure_errors_;
 }
 
 

@@ -53,6 +53,17 @@ TEST(ReferenceSolution, InitialStateStays)
   EXPECT_EQ(scene.reference.value(Point<1>(0.95), 7.).pressure, 100.);
 }
 
+TEST(ReferenceSolution, MayServeBoundariesAlone)
+{
+  const Scene<1> measured({"Reference/Kind=initial"});
+  EXPECT_TRUE(measured.reference.is_measured());
+  const Scene<1> boundary(
+    {"Reference/Kind=initial", "Reference/Measure errors=false"});
+  EXPECT_TRUE(boundary.reference.exists());
+  EXPECT_FALSE(boundary.reference.is_measured());
+  EXPECT_FALSE(Scene<1>({}).reference.is_measured());
+}
+
 // E. F. Toro (Riemann Solvers and Numerical Methods for Fluid Dynamics, 2009,
 // table 4.2) and the shock speed of his test 1's relative, Sod's tube.
 TEST(ReferenceSolution, RiemannOfSod)

@@ -54,6 +54,10 @@ public:
   /// Whether value() may be called.
   bool exists() const;
 
+  /// Whether the run is to be measured against value(), which may instead
+  /// serve exact boundaries alone.
+  bool is_measured() const;
+
   /// The exact state at @p point and @p time [s].
   GasState<dim> value(const dealii::Point<dim> &point, double time) const;
 
@@ -68,6 +72,7 @@ private:
                             const GasMaterial &material);
 
   std::string name_ = "none";
+  bool measure_errors_ = true;
   std::function<GasState<dim>(const dealii::Point<dim> &, double)> value_;
   std::function<ShockArrival(const dealii::Point<dim> &)> arrival_;
 };
