@@ -9,7 +9,9 @@
 
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace contrecoup::gas
 {
@@ -44,6 +46,7 @@ namespace
     }
   };
   using Locations = std::unordered_map<Id, Location, IdHash>;
+  using IdSet = std::unordered_set<Id, IdHash>;
 
   std::string file_name(const std::string &folder, const unsigned int rank)
   {
@@ -77,16 +80,42 @@ namespace
                          " belongs to another scene: dimension, method or "
                          "material differ");
       n_files = header.n_files;
+      const std::uint64_t size =
+        sizeof(double) * layout.n_points * layout.n_components;
+      const std::string file = file_name(folder, rank);
+      if (std::filesystem::file_size(file) !=
+          sizeof(Header) + header.n_leaves * (sizeof(Id) + size))
+        throw InputError("Checkpoint file " + file +
+                         " is damaged: it has not the size of its leaves");
       std::vector<Id> ids(header.n_leaves);
       stream.read(reinterpret_cast<char *>(ids.data()),
                   ids.size() * sizeof(Id));
       const std::uint64_t start = sizeof(Header) + ids.size() * sizeof(Id);
-      const std::uint64_t size =
-        sizeof(double) * layout.n_points * layout.n_components;
       for (std::size_t i = 0; i < ids.size(); ++i)
         locations[ids[i]] = {rank, start + i * size};
     }
     return locations;
+  }
+
+  /// All cells above the saved leaves.
+  template <int dim>
+  IdSet ancestors_of(const Locations &locations)
+  {
+    IdSet result;
+    for (const auto &[leaf, location] : locations)
+    {
+      const dealii::CellId id(leaf);
+      const auto path = id.get_child_indices();
+      std::vector<std::uint8_t> above(path.begin(), path.end());
+      while (!above.empty())
+      {
+        above.pop_back();
+        const dealii::CellId parent(id.get_coarse_cell_id(), above);
+        if (!result.insert(parent.template to_binary<dim>()).second)
+          break;
+      }
+    }
+    return result;
   }
 
   /// Refines until every owned leaf is one of the saved ones.
@@ -94,20 +123,29 @@ namespace
   void refine_to(LeafMesh<dim> &mesh, const Locations &locations)
   {
     auto &tria = mesh.triangulation();
+    const IdSet ancestors = ancestors_of<dim>(locations);
     for (;;)
     {
-      bool any = false;
+      // 0: all leaves found, 1: some are to be halved, 2: some are foreign
+      unsigned int state = 0;
       for (const auto &cell : tria.active_cell_iterators())
-        if (cell->is_locally_owned() &&
-            locations.count(cell->id().template to_binary<dim>()) == 0)
+        if (cell->is_locally_owned())
         {
-          cell->set_refine_flag();
-          any = true;
+          const Id id = cell->id().template to_binary<dim>();
+          if (locations.count(id) > 0)
+            continue;
+          if (ancestors.count(id) > 0)
+            cell->set_refine_flag();
+          state = std::max(state, ancestors.count(id) > 0 ? 1U : 2U);
         }
-      if (dealii::Utilities::MPI::max(any ? 1U : 0U, mesh.communicator()) == 0)
+      state = dealii::Utilities::MPI::max(state, mesh.communicator());
+      const bool is_complete =
+        state == 0 && tria.n_global_active_cells() == locations.size();
+      if (is_complete)
         return;
-      if (tria.n_global_levels() > 21)
-        throw InputError("The checkpoint belongs to another mesh");
+      if (state != 1)
+        throw InputError("The checkpoint belongs to another mesh: the leaves "
+                         "that it holds are not those of this one");
       tria.execute_coarsening_and_refinement();
     }
   }
