@@ -192,10 +192,11 @@ void Adaptation<dim>::spread(std::vector<double> &marks) const
         if (!neighbor->has_children())
           look(neighbor);
         else
-          for (unsigned int c = 0; c < neighbor->n_children(); ++c)
-            if (neighbor->child(c)->is_active() &&
-                !neighbor->child(c)->is_artificial())
-              look(neighbor->child(c));
+          // Only the children on the face: farther ones would widen the
+          // buffer beside coarse leaves, to be merged again the next time.
+          for (unsigned int c = 0; c < HangingFace<dim>::n_fine; ++c)
+            look(periodic ? cell->periodic_neighbor_child_on_subface(f, c)
+                          : cell->neighbor_child_on_subface(f, c));
       }
     }
     marks.swap(result);
