@@ -14,6 +14,40 @@
 
 namespace contrecoup::gas
 {
+namespace
+{
+  void declare_fine_box(ParameterHandler &prm)
+  {
+    declare_list(prm,
+                 "Fine box lower corner",
+                 "0, 0, 0",
+                 1,
+                 3,
+                 -unbounded,
+                 unbounded,
+                 "m",
+                 "Corner of smallest coordinates of a box that stays fine.");
+    declare_list(prm,
+                 "Fine box upper corner",
+                 "1, 1, 1",
+                 1,
+                 3,
+                 -unbounded,
+                 unbounded,
+                 "m",
+                 "Its corner of largest coordinates.");
+    declare_integer(prm,
+                    "Fine box levels",
+                    "0",
+                    0,
+                    20,
+                    "Times that leaves with their centre in this box stay "
+                    "halved beyond the initial refinement, also where the mesh "
+                    "does not adapt; 0 for no such box.");
+  }
+} // namespace
+
+
 void AdaptationParameters::declare_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "Adaptation");
@@ -71,6 +105,7 @@ void AdaptationParameters::declare_parameters(ParameterHandler &prm)
                   10,
                   "Layers of leaves around marked ones that are halved "
                   "with them.");
+  declare_fine_box(prm);
 }
 
 
@@ -92,23 +127,40 @@ void AdaptationParameters::parse_parameters(
   coarsen = read_double(prm, "Coarsen below");
   noise = read_double(prm, "Noise");
   buffer = read_unsigned(prm, "Buffer");
-  if (!active)
-    return;
+  fine_lower = read_list(prm, "Fine box lower corner");
+  fine_upper = read_list(prm, "Fine box upper corner");
+  const unsigned int fine_levels = read_unsigned(prm, "Fine box levels");
+  fine_level = fine_levels > 0 ? initial_refinement + fine_levels : 0;
+  most_level = std::max(most_level, fine_level);
+  if (active || fine_level > 0)
+    check(dim, n_points, is_finite_volume, is_axis_aligned);
+}
+
+
+void AdaptationParameters::check(const unsigned int dim,
+                                 const unsigned int n_points,
+                                 const bool is_finite_volume,
+                                 const bool is_axis_aligned) const
+{
   if (dim == 1)
-    throw InputError("Adaptation/Active: in 1 dimension meshes are uniform; "
-                     "use more leaves instead");
+    throw InputError(
+      "Adaptation/Active: in 1 dimension meshes are uniform; use "
+      "more leaves instead");
   if (is_finite_volume && n_points % 2 == 1 && n_points != 1)
-    throw InputError("Adaptation/Active needs Method/Subcells = 1 or an even "
-                     "number, not " +
+    throw InputError("Adaptation needs Method/Subcells = 1 or an even number, "
+                     "not " +
                      std::to_string(n_points));
   if (!is_axis_aligned)
-    throw InputError("Adaptation/Active needs Domain/Mesh = box");
+    throw InputError("Adaptation needs Domain/Mesh = box");
   if (coarsen > refine)
     throw InputError("Adaptation/Coarsen below must not be larger than "
                      "Adaptation/Refine above");
   if (least_level > most_level)
     throw InputError("Adaptation/Smallest level must not be larger than "
                      "Adaptation/Largest level");
+  if (fine_level > 0 && (fine_lower.size() < dim || fine_upper.size() < dim))
+    throw InputError("Adaptation/Fine box lower corner and upper corner need " +
+                     std::to_string(dim) + " numbers, one for each direction");
 }
 
 
@@ -215,8 +267,7 @@ void Adaptation<dim>::set_flags(const std::vector<double> &marks)
     cell->clear_coarsen_flag();
     if (marks[leaf] >= parameters_.refine && level < parameters_.most_level)
       cell->set_refine_flag();
-    else if ((marks[leaf] < parameters_.coarsen &&
-              level > parameters_.least_level) ||
+    else if ((marks[leaf] < parameters_.coarsen && level > least_level(leaf)) ||
              level > parameters_.most_level)
       cell->set_coarsen_flag();
   }
@@ -224,18 +275,51 @@ void Adaptation<dim>::set_flags(const std::vector<double> &marks)
 
 
 template <int dim>
+unsigned int Adaptation<dim>::least_level(const unsigned int leaf) const
+{
+  if (parameters_.fine_level == 0)
+    return parameters_.least_level;
+  const auto centre = mesh_.cell(leaf)->center();
+  for (unsigned int d = 0; d < dim; ++d)
+    if (centre[d] < parameters_.fine_lower[d] ||
+        centre[d] > parameters_.fine_upper[d])
+      return parameters_.least_level;
+  return std::max(parameters_.least_level, parameters_.fine_level);
+}
+
+
+template <int dim>
+void Adaptation<dim>::refine_fine_box()
+{
+  do
+    for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
+      if (parameters_.fine_level > 0 &&
+          static_cast<unsigned int>(mesh_.cell(leaf)->level()) <
+            least_level(leaf))
+        mesh_.cell(leaf)->set_refine_flag();
+  while (refine_flagged());
+}
+
+
+template <int dim>
 bool Adaptation<dim>::refine_where(
   const std::function<bool(const unsigned int leaf)> &wanted)
 {
-  bool any = false;
   for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
     if (static_cast<unsigned int>(mesh_.cell(leaf)->level()) <
           parameters_.most_level &&
         wanted(leaf))
-    {
       mesh_.cell(leaf)->set_refine_flag();
-      any = true;
-    }
+  return refine_flagged();
+}
+
+
+template <int dim>
+bool Adaptation<dim>::refine_flagged()
+{
+  bool any = false;
+  for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
+    any = any || mesh_.cell(leaf)->refine_flag_set();
   if (dealii::Utilities::MPI::max(any ? 1U : 0U, mesh_.communicator()) == 0)
     return false;
   mesh_.triangulation().execute_coarsening_and_refinement();

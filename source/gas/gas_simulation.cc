@@ -83,6 +83,7 @@ void GasSimulation<dim>::setup()
   create_octree();
   mesh_.triangulation().refine_global(coarse_mesh_.initial_refinement());
   mesh_.rebuild();
+  adaptation_->refine_fine_box();
   if (adaptation_parameters_.active)
   {
     while (adaptation_->refine_where([this](const unsigned int leaf) {

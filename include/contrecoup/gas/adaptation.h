@@ -32,6 +32,16 @@ struct AdaptationParameters
   double coarsen = 0.1;    ///< sensor below which they are merged
   double noise = 0.02;     ///< relative jump that counts as noise
   unsigned int buffer = 1; ///< layers of leaves around marked ones
+  /// A box whose leaves stay at this level at least; level 0: none.
+  unsigned int fine_level = 0;
+  std::vector<double> fine_lower; ///< [m]
+  std::vector<double> fine_upper; ///< [m]
+
+private:
+  void check(const unsigned int dim,
+             const unsigned int n_points,
+             const bool is_finite_volume,
+             const bool is_axis_aligned) const;
 };
 
 /**
@@ -56,11 +66,17 @@ public:
   /// true, without carrying the field over. Returns whether any was.
   bool refine_where(const std::function<bool(const unsigned int leaf)> &wanted);
 
+  /// Halves the leaves in the fine box until they have its level.
+  void refine_fine_box();
+
   /// Sensor of each owned leaf, from 0 (smooth) to 1 (a jump). The field's
   /// ghosts must be up to date.
   std::vector<double> sensors(const GasField &field) const;
 
 private:
+  /// Level that a leaf must not fall below.
+  unsigned int least_level(const unsigned int leaf) const;
+  bool refine_flagged();
   void spread(std::vector<double> &marks) const;
   void set_flags(const std::vector<double> &marks);
   void carry_over(GasField &field);
