@@ -18,6 +18,8 @@ FiniteVolumeHanging<dim, Gas>::FiniteVolumeHanging(const LeafLayout &layout,
   , coarse_flux_(layout.n_face_points)
   , first_flux_(layout.n_face_points)
 {
+  for (auto &slope : coarse_slope_)
+    slope.resize(layout.n_face_points);
   for (unsigned int layer = 0; layer < 2; ++layer)
   {
     coarse_[layer].resize(layout.n_face_points);
@@ -39,6 +41,8 @@ void FiniteVolumeHanging<dim, Gas>::compute(const HangingGroup<dim> &group,
 {
   load(group, state);
   average_fine_side(group);
+  if (scheme_.linear)
+    limit_coarse_slopes();
   for (unsigned int part = 0; part < n_fine; ++part)
     part_fluxes(group, part);
   average_fluxes(group);
@@ -156,6 +160,51 @@ FiniteVolumeHanging<dim, Gas>::tangential_slope(const unsigned int point,
 
 
 template <int dim, typename Gas>
+void FiniteVolumeHanging<dim, Gas>::limit_coarse_slopes()
+{
+  const Number zero(0.);
+  for (unsigned int q = 0; q < layout_.n_face_points; ++q)
+  {
+    const Values &coarse = coarse_[0][q];
+    for (unsigned int t = 0; t + 1 < dim; ++t)
+      coarse_slope_[t][q] = tangential_slope(q, t);
+    for (unsigned int c = 0; c < nc; ++c)
+      coarse_slope_[dim - 1][q][c] =
+        limited_slope(scheme_.limiter,
+                      Number(coarse[c] - coarse_[1][q][c]),
+                      Number(coarse_halo_[q][c] - coarse[c]));
+    Number good(1.);
+    for (unsigned int corner = 0; corner < (1U << dim); ++corner)
+    {
+      Values part = coarse;
+      for (unsigned int d = 0; d < dim; ++d)
+      {
+        const double distance = d + 1 == dim ? 0.5 : 0.25;
+        for (unsigned int c = 0; c < nc; ++c)
+          part[c] += coarse_slope_[d][q][c] *
+                     ((corner >> d) & 1U ? distance : -distance);
+      }
+      Number products(0.);
+      if constexpr (Gas::has_products)
+        products = part[C::products];
+      good =
+        std::min(good,
+                 select_less(
+                   zero,
+                   part[C::density],
+                   Number(gas_.internal_energy_density(
+                            part[C::density], part[C::energy], products) -
+                          gas_.cold_energy_density(part[C::density], products)),
+                   zero));
+    }
+    for (auto &slope : coarse_slope_)
+      for (unsigned int c = 0; c < nc; ++c)
+        slope[q][c] = select_less(zero, good, slope[q][c], zero);
+  }
+}
+
+
+template <int dim, typename Gas>
 void FiniteVolumeHanging<dim, Gas>::reconstruct(const unsigned int part,
                                                 const unsigned int point,
                                                 Values &inside,
@@ -163,29 +212,20 @@ void FiniteVolumeHanging<dim, Gas>::reconstruct(const unsigned int part,
 {
   std::array<double, dim == 1 ? 1 : dim - 1> distance;
   const unsigned int at = coarse_point(part, point, distance);
-  const Values &coarse = coarse_[0][at];
   const Values &fine = fine_[part][0][point];
   Values &halo = fine_halo_[part][point];
   for (unsigned int t = 0; t + 1 < dim; ++t)
-  {
-    const Values slope = tangential_slope(at, t);
     for (unsigned int c = 0; c < nc; ++c)
-      inside[c] += slope[c] * distance[t];
-  }
+      inside[c] += coarse_slope_[t][at][c] * distance[t];
   halo = inside;
+  // The fine subcell next to the face is a quarter of a coarse one away
+  // from the coarse centre.
   for (unsigned int c = 0; c < nc; ++c)
   {
-    const Number normal =
-      limited_slope(scheme_.limiter,
-                    Number(coarse[c] - coarse_[1][at][c]),
-                    Number(coarse_halo_[at][c] - coarse[c]));
-    inside[c] += normal * 0.5;
-    // The fine subcell next to the face is a quarter of a coarse one away
-    // from the coarse centre.
-    halo[c] += normal * 0.25;
+    inside[c] += coarse_slope_[dim - 1][at][c] * 0.5;
+    halo[c] += coarse_slope_[dim - 1][at][c] * 0.25;
   }
-  restore_if_inadmissible<dim>(gas_, coarse, inside);
-  restore_if_inadmissible<dim>(gas_, coarse, halo);
+  restore_if_inadmissible<dim>(gas_, coarse_[0][at], halo);
   for (unsigned int c = 0; c < nc; ++c)
     outside[c] += limited_slope(scheme_.limiter,
                                 Number(fine[c] - fine_[part][1][point][c]),

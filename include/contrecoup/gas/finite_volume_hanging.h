@@ -25,6 +25,7 @@ public:
   using Number = Lanes<double>;
   static constexpr unsigned int nc = n_conserved<dim, Gas>;
   using Values = std::array<Number, nc>;
+  using C = Component<dim>;
 
   FiniteVolumeHanging(const LeafLayout &layout,
                       const Scheme &scheme,
@@ -39,6 +40,10 @@ private:
 
   void load(const HangingGroup<dim> &group, const double *state);
   void average_fine_side(const HangingGroup<dim> &group);
+  /// Slopes of the coarse subcells, zero where the subcell's own parts
+  /// would not all be admissible: then no trace holds more than twice what
+  /// the subcell has.
+  void limit_coarse_slopes();
   /// Adds the slopes to the traces on the coarse side (inside) and the fine
   /// one (outside) at a fine face point, and sets the fine side's halo.
   void reconstruct(const unsigned int part,
@@ -71,6 +76,9 @@ private:
   /// Primitive values by [layer][face point], coarse numbering.
   std::array<dealii::AlignedVector<Values>, 2> coarse_;
   std::array<std::array<dealii::AlignedVector<Values>, 2>, n_fine> fine_;
+  /// Slopes by [direction][face point]: along the face coordinates, then
+  /// out of the leaf.
+  std::array<dealii::AlignedVector<Values>, dim> coarse_slope_;
   dealii::AlignedVector<Values> coarse_halo_;
   std::array<dealii::AlignedVector<Values>, n_fine> fine_halo_;
   dealii::AlignedVector<Values> coarse_flux_;
