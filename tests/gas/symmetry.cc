@@ -29,15 +29,78 @@ GasState<dim> flow(const Point<dim> &p)
 }
 
 
-/// The cell-wise largest relative difference between a run and the run of
-/// the mapped flow; @p map moves places and is its own inverse, @p turn
-/// velocities.
 template <int dim>
-double largest_difference(
-  const std::vector<std::string> &method,
-  const Map<dim> &map,
-  const std::function<dealii::Tensor<1, dim>(const dealii::Tensor<1, dim> &)>
-    &turn)
+using Turn =
+  std::function<dealii::Tensor<1, dim>(const dealii::Tensor<1, dim> &)>;
+
+
+/// A place, to be found again in spite of round-off.
+template <int dim>
+std::array<long, dim> key(const Point<dim> &p)
+{
+  std::array<long, dim> result;
+  for (unsigned int d = 0; d < dim; ++d)
+    result[d] = std::lround(1.2345678e6 * p[d]);
+  return result;
+}
+
+
+/// A place and the conserved quantities there.
+template <int dim>
+using PointValue = std::pair<Point<dim>, std::vector<double>>;
+
+
+template <int dim>
+std::vector<PointValue<dim>> point_values(const GasRun<dim> &run)
+{
+  std::vector<PointValue<dim>> result;
+  const unsigned int n_points = run.layout.n_points;
+  for (unsigned int leaf = 0; leaf < run.mesh.n_owned(); ++leaf)
+  {
+    const auto values = run.field.leaf(leaf);
+    const auto box = leaf_box(run.mesh, leaf);
+    for (unsigned int q = 0; q < n_points; ++q)
+    {
+      Point<dim> x;
+      const auto index = run.points.indices(q);
+      // Slightly inside the leaf, so that shared nodes stay apart.
+      for (unsigned int d = 0; d < dim; ++d)
+        x[d] = 0.5 + 0.99 * (run.points.position(index[d]) - 0.5);
+      std::vector<double> u;
+      for (unsigned int c = 0; c < run.layout.n_components; ++c)
+        u.push_back(values[c * n_points + q]);
+      result.push_back({box.place(x), u});
+    }
+  }
+  return result;
+}
+
+
+/// Largest relative difference of two states, the first one turned.
+template <int dim>
+double difference(const std::vector<double> &u,
+                  const std::vector<double> &v,
+                  const Turn<dim> &turn)
+{
+  dealii::Tensor<1, dim> momentum;
+  for (unsigned int d = 0; d < dim; ++d)
+    momentum[d] = u[1 + d];
+  momentum = turn(momentum);
+  double largest = std::max(std::abs(u[0] - v[0]) / u[0],
+                            std::abs(u[dim + 1] - v[dim + 1]) / u[dim + 1]);
+  for (unsigned int d = 0; d < dim; ++d)
+    largest = std::max(
+      largest, std::abs(momentum[d] - v[1 + d]) / std::sqrt(u[0] * u[dim + 1]));
+  return largest;
+}
+
+
+/// Largest relative difference between a run and the run of the mapped
+/// flow; @p map moves places and is its own inverse, @p turn velocities.
+template <int dim>
+double largest_difference(const std::vector<std::string> &method,
+                          const Map<dim> &map,
+                          const Turn<dim> &turn)
 {
   const std::vector<std::string> box = {"Domain/Initial refinement=2"};
   GasRun<dim> run(box + method), image(box + method);
@@ -56,39 +119,11 @@ double largest_difference(
   image.steps(20);
   EXPECT_NEAR(run.time, image.time, 1e-12 * run.time);
 
-  // Compare points with their images.
-  const auto points_of = [](const GasRun<dim> &r) {
-    std::vector<std::pair<Point<dim>, std::vector<double>>> result;
-    for (unsigned int leaf = 0; leaf < r.mesh.n_owned(); ++leaf)
-    {
-      const auto values = r.field.leaf(leaf);
-      const auto box = leaf_box(r.mesh, leaf);
-      for (unsigned int q = 0; q < r.layout.n_points; ++q)
-      {
-        Point<dim> x;
-        const auto index = r.points.indices(q);
-        // Slightly inside the leaf, so that shared nodes stay apart.
-        for (unsigned int d = 0; d < dim; ++d)
-          x[d] = 0.5 + 0.99 * (r.points.position(index[d]) - 0.5);
-        std::vector<double> u;
-        for (unsigned int c = 0; c < r.layout.n_components; ++c)
-          u.push_back(values[c * r.layout.n_points + q]);
-        result.push_back({box.place(x), u});
-      }
-    }
-    return result;
-  };
   std::map<std::array<long, dim>, std::vector<double>> images;
-  const auto key = [](const Point<dim> &p) {
-    std::array<long, dim> result;
-    for (unsigned int d = 0; d < dim; ++d)
-      result[d] = std::lround(1.2345678e6 * p[d]);
-    return result;
-  };
-  for (const auto &[place, u] : points_of(image))
+  for (const auto &[place, u] : point_values(image))
     images[key(place)] = u;
   double largest = 0.;
-  for (const auto &[place, u] : points_of(run))
+  for (const auto &[place, u] : point_values(run))
   {
     const auto found = images.find(key(map(place)));
     if (found == images.end())
@@ -96,16 +131,7 @@ double largest_difference(
       ADD_FAILURE() << "no image of " << place;
       return 1.;
     }
-    const std::vector<double> &v = found->second;
-    dealii::Tensor<1, dim> momentum;
-    for (unsigned int d = 0; d < dim; ++d)
-      momentum[d] = u[1 + d];
-    momentum = turn(momentum);
-    const double scale = std::sqrt(u[0] * u[dim + 1]);
-    largest = std::max(largest, std::abs(u[0] - v[0]) / u[0]);
-    largest = std::max(largest, std::abs(u[dim + 1] - v[dim + 1]) / u[dim + 1]);
-    for (unsigned int d = 0; d < dim; ++d)
-      largest = std::max(largest, std::abs(momentum[d] - v[1 + d]) / scale);
+    largest = std::max(largest, difference<dim>(u, found->second, turn));
   }
   return largest;
 }

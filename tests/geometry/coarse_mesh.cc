@@ -238,9 +238,10 @@ TEST(CoarseMesh, BadBoxesAreRefused)
 TEST(CoarseMesh, GeneratorsMakeTheirMesh)
 {
   Triangulation<3> ball;
-  const auto mesh = parse<3>({"Domain/Mesh=generator",
-                              "Domain/Generator=hyper_ball",
-                              "Domain/Generator arguments=1, 0, 0 : 2 : false"});
+  const auto mesh =
+    parse<3>({"Domain/Mesh=generator",
+              "Domain/Generator=hyper_ball",
+              "Domain/Generator arguments=1, 0, 0 : 2 : false"});
   EXPECT_FALSE(mesh.is_axis_aligned());
   EXPECT_EQ(mesh.n_coarse_cells(), 0.);
   mesh.create(ball);
