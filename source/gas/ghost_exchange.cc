@@ -21,38 +21,67 @@ void GhostExchange<dim>::reinit(const LeafMesh<dim> &mesh,
   layout_ = layout;
   owners_.clear();
   readers_.clear();
+  values_of_.clear();
   if (dealii::Utilities::MPI::n_mpi_processes(communicator_) == 1)
     return;
 
-  // What this rank needs, by owner; the owners answer by sending it in the
-  // same order.
+  // What this rank needs, by owner: numbers of leaves and masks of faces in
+  // turn. The owners answer by sending it in the same order.
   std::map<unsigned int, std::vector<std::uint64_t>> wanted;
   std::map<unsigned int, Partner> partners;
   for (unsigned int i = 0; i < mesh.n_ghosts(); ++i)
   {
     const auto &ghost = mesh.ghosts()[i];
     wanted[ghost.owner].push_back(ghost.global_index);
+    wanted[ghost.owner].push_back(ghost.faces);
     partners[ghost.owner].rank = ghost.owner;
-    partners[ghost.owner].leaves.push_back(mesh.n_batches() * W + i);
+    add(partners[ghost.owner], mesh.n_batches() * W + i, ghost.faces);
   }
-  const std::size_t leaf_size =
-    std::size_t(layout.n_components) * layout.n_points + 1;
   for (auto &[rank, partner] : partners)
-  {
-    partner.buffer.resize(partner.leaves.size() * leaf_size);
     owners_.push_back(std::move(partner));
-  }
   const auto requests =
     dealii::Utilities::MPI::some_to_some(communicator_, wanted);
-  for (const auto &[rank, indices] : requests)
+  for (const auto &[rank, request] : requests)
   {
     Partner partner;
     partner.rank = rank;
-    for (const std::uint64_t index : indices)
-      partner.leaves.push_back(mesh.leaf_of_global(index));
-    partner.buffer.resize(partner.leaves.size() * leaf_size);
+    for (std::size_t i = 0; i < request.size(); i += 2)
+      add(partner, mesh.leaf_of_global(request[i]), request[i + 1]);
     readers_.push_back(std::move(partner));
   }
+}
+
+
+template <int dim>
+void GhostExchange<dim>::add(Partner &partner,
+                             const unsigned int leaf,
+                             const unsigned char faces)
+{
+  partner.leaves.push_back(leaf);
+  partner.faces.push_back(faces);
+  partner.buffer.resize(partner.buffer.size() + values_of(faces).size() + 1);
+}
+
+
+template <int dim>
+const std::vector<std::size_t> &
+GhostExchange<dim>::values_of(const unsigned char faces)
+{
+  const auto entry = values_of_.try_emplace(faces);
+  auto &values = entry.first->second;
+  if (!entry.second)
+    return values;
+  std::vector<bool> needed(layout_.n_points, false);
+  for (unsigned int face = 0; face < 2 * dim; ++face)
+    if ((faces >> face) & 1U)
+      for (unsigned int q = 0; q < layout_.n_face_points; ++q)
+        for (unsigned int depth = 0; depth < std::min(2U, layout_.n); ++depth)
+          needed[layout_.face_point(face, q, depth)] = true;
+  for (unsigned int c = 0; c < layout_.n_components; ++c)
+    for (unsigned int q = 0; q < layout_.n_points; ++q)
+      if (needed[q])
+        values.push_back(layout_.value(c, q));
+  return values;
 }
 
 
@@ -94,14 +123,13 @@ void GhostExchange<dim>::pack(Partner &partner,
                               const double *state,
                               const double *values)
 {
-  const unsigned int n = layout_.n_components * layout_.n_points;
   double *next = partner.buffer.data();
-  for (const unsigned int leaf : partner.leaves)
+  for (std::size_t i = 0; i < partner.leaves.size(); ++i)
   {
-    const double *from = state + layout_.offset(leaf);
-    for (unsigned int i = 0; i < n; ++i)
-      *next++ = from[i * W];
-    *next++ = values[leaf];
+    const double *from = state + layout_.offset(partner.leaves[i]);
+    for (const std::size_t position : values_of(partner.faces[i]))
+      *next++ = from[position];
+    *next++ = values[partner.leaves[i]];
   }
 }
 
@@ -111,14 +139,13 @@ void GhostExchange<dim>::unpack(const Partner &partner,
                                 double *state,
                                 double *values)
 {
-  const unsigned int n = layout_.n_components * layout_.n_points;
   const double *next = partner.buffer.data();
-  for (const unsigned int leaf : partner.leaves)
+  for (std::size_t i = 0; i < partner.leaves.size(); ++i)
   {
-    double *to = state + layout_.offset(leaf);
-    for (unsigned int i = 0; i < n; ++i)
-      to[i * W] = *next++;
-    values[leaf] = *next++;
+    double *to = state + layout_.offset(partner.leaves[i]);
+    for (const std::size_t position : values_of(partner.faces[i]))
+      to[position] = *next++;
+    values[partner.leaves[i]] = *next++;
   }
 }
 

@@ -136,10 +136,12 @@ void LeafMesh<dim>::connect_face(const unsigned int leaf,
   {
     const unsigned int batch = leaf / W;
     const unsigned int lane = leaf % W;
-    neighbors_[batch * 2 * dim + face][lane] = stored_leaf(neighbor);
+    FaceMatch &match = matches_[batch * 2 * dim + face][lane];
     if (!periodic)
-      matches_[batch * 2 * dim + face][lane] = match_faces<dim>(
+      match = match_faces<dim>(
         cell, face, neighbor, cell->neighbor_of_neighbor(face));
+    neighbors_[batch * 2 * dim + face][lane] =
+      stored_leaf(neighbor, match.face);
   }
 }
 
@@ -174,7 +176,8 @@ void LeafMesh<dim>::connect_finer(const unsigned int leaf,
     const unsigned int other =
       matched_face_point(match.orientation, part % 2, part / 2, 2);
     hanging_faces_[index].fine_leaf[part] = stored_leaf(
-      neighbor->child(face_corner<dim>(match.face, other % 2, other / 2)));
+      neighbor->child(face_corner<dim>(match.face, other % 2, other / 2)),
+      match.face);
   }
   unsorted_special_.push_back({leaf / W,
                                {SpecialFace::Kind::coarse_side,
@@ -201,7 +204,7 @@ void LeafMesh<dim>::connect_coarser(const unsigned int leaf,
     match = match_faces<dim>(neighbor, coarse_face, parent, face);
   }
   const unsigned int index = hanging_face(neighbor, coarse_face, match);
-  hanging_faces_[index].coarse_leaf = stored_leaf(neighbor);
+  hanging_faces_[index].coarse_leaf = stored_leaf(neighbor, coarse_face);
   unsigned int my_part = 0;
   for (unsigned int part = 0; part < HangingFace<dim>::n_fine; ++part)
   {
@@ -221,14 +224,18 @@ void LeafMesh<dim>::connect_coarser(const unsigned int leaf,
 
 
 template <int dim>
-unsigned int LeafMesh<dim>::stored_leaf(const CellIterator &cell)
+unsigned int LeafMesh<dim>::stored_leaf(const CellIterator &cell,
+                                        const unsigned int face)
 {
   unsigned int &leaf = leaf_of_cell_[cell->active_cell_index()];
   if (leaf == no_leaf)
   {
     leaf = n_batches() * W + n_ghosts();
-    ghosts_.push_back({cell->subdomain_id(), cell->global_active_cell_index()});
+    ghosts_.push_back(
+      {cell->subdomain_id(), cell->global_active_cell_index(), 0});
   }
+  if (leaf >= n_batches() * W)
+    ghosts_[leaf - n_batches() * W].faces |= 1U << face;
   return leaf;
 }
 

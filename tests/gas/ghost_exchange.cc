@@ -45,8 +45,17 @@ void check_exchange(const std::vector<std::string> &lines)
     const auto cell = run.mesh.ghosts()[i].global_index;
     const unsigned int leaf = run.mesh.n_batches() * W + i;
     const auto values = run.field.leaf(leaf);
-    for (unsigned int k = 0; k < n_values; ++k)
-      ASSERT_EQ(values[k], signature(cell, k));
+    ASSERT_NE(run.mesh.ghosts()[i].faces, 0);
+    for (unsigned int face = 0; face < 2 * dim; ++face)
+      if ((run.mesh.ghosts()[i].faces >> face) & 1U)
+        for (unsigned int q = 0; q < run.layout.n_face_points; ++q)
+          for (unsigned int c = 0; c < run.layout.n_components; ++c)
+            for (unsigned int depth = 0; depth < 2; ++depth)
+            {
+              const unsigned int k =
+                c * run.layout.n_points + run.layout.face_point(face, q, depth);
+              ASSERT_EQ(values[k], signature(cell, k));
+            }
     EXPECT_EQ(run.field.sensor()[leaf], signature(cell, n_values));
   }
   for (unsigned int leaf = 0; leaf < run.mesh.n_owned(); ++leaf)

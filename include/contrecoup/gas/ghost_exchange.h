@@ -12,8 +12,9 @@
 namespace contrecoup::gas
 {
 /**
- * Brings the state of ghost leaves, and one number for each, from the
- * ranks that own them.
+ * Brings the state of ghost leaves, and one number for each, from the ranks
+ * that own them: the two layers of points at each face where this rank's own
+ * leaves meet the ghost, which is all that the schemes read of it.
  */
 template <int dim>
 class GhostExchange
@@ -31,14 +32,20 @@ private:
   {
     unsigned int rank;
     std::vector<unsigned int> leaves; ///< leaf numbers on this rank
+    std::vector<unsigned char> faces; ///< of each, bit f: face f is needed
     std::vector<double> buffer;
   };
 
+  /// Positions of the values that the faces of a mask need.
+  const std::vector<std::size_t> &values_of(const unsigned char faces);
+  void
+  add(Partner &partner, const unsigned int leaf, const unsigned char faces);
   void pack(Partner &partner, const double *state, const double *values);
   void unpack(const Partner &partner, double *state, double *values);
 
   MPI_Comm communicator_ = MPI_COMM_SELF;
   LeafLayout layout_;
+  std::map<unsigned char, std::vector<std::size_t>> values_of_;
   std::vector<Partner> owners_;  ///< of this rank's ghost leaves
   std::vector<Partner> readers_; ///< of this rank's own leaves
   std::vector<MPI_Request> requests_;

@@ -147,6 +147,8 @@ public:
   {
     unsigned int owner;
     std::uint64_t global_index;
+    /// Bit f: an owned leaf meets the ghost at its face f.
+    unsigned char faces;
   };
   const std::vector<Ghost> &ghosts() const
   {
@@ -172,7 +174,9 @@ private:
                        const unsigned int face,
                        const CellIterator &neighbor,
                        const bool periodic);
-  unsigned int stored_leaf(const CellIterator &cell);
+  /// Number of a leaf that an owned one meets at face @p face of @p cell; a
+  /// ghost gets one when it is first seen.
+  unsigned int stored_leaf(const CellIterator &cell, const unsigned int face);
   unsigned int hanging_face(const CellIterator &coarse,
                             const unsigned int face,
                             const FaceMatch &match);
