@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/gas/gas_measures.h>
+#include <contrecoup/gas/leaf_metric.h>
 #include <contrecoup/gas/primitive.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -12,6 +13,16 @@ template <int dim>
 LeafBox<dim> leaf_box(const LeafMesh<dim> &mesh, const unsigned int leaf)
 {
   LeafBox<dim> box;
+  if (!mesh.coarse_mesh().is_axis_aligned())
+  {
+    const auto &cell = mesh.cell(leaf);
+    for (const unsigned int v : cell->vertex_indices())
+      box.vertices.push_back(cell->vertex(v));
+    const auto around = cell->bounding_box().get_boundary_points();
+    box.origin = around.first;
+    box.extents = around.second - around.first;
+    return box;
+  }
   for (unsigned int d = 0; d < dim; ++d)
   {
     box.origin[d] = mesh.origins(leaf / W)[d][leaf % W];
@@ -65,7 +76,7 @@ namespace
     for (unsigned int q = 0; q < n_points; ++q)
       result.push_back({state_at<dim>(leaf, q, n_points, material),
                         state_at<dim>(exact, q, n_points, material),
-                        points.volume(box.origin, box.extents, q)});
+                        point_volume(box, points, q)});
     return result;
   }
 
@@ -141,6 +152,7 @@ namespace
   void add_batch(const unsigned int batch,
                  const LeafMesh<dim> &mesh,
                  const LeafPoints<dim> &points,
+                 const LeafMetric<std::max(dim, 2)> *metric,
                  const GasField &field,
                  const Gas &gas,
                  Totals &totals)
@@ -161,8 +173,9 @@ namespace
     largest.fill(Number(std::numeric_limits<double>::lowest()));
     for (unsigned int q = 0; q < layout.n_points; ++q)
     {
-      const Number volume = is_plane ? whole * points.relative_volume(q)
-                                     : batch_volumes(batch, q, mesh, points);
+      const Number volume = metric     ? metric->volume(q)
+                            : is_plane ? whole * points.relative_volume(q)
+                                       : batch_volumes(batch, q, mesh, points);
       std::array<Number, nc> u;
       for (unsigned int c = 0; c < nc; ++c)
       {
@@ -197,10 +210,19 @@ std::vector<NamedValue> gas_totals(const LeafMesh<dim> &mesh,
   using C = Component<dim>;
   const unsigned int nc = field.layout().n_components;
   Totals totals(nc);
+  std::optional<LeafMetric<std::max(dim, 2)>> metric;
+  if (!mesh.coarse_mesh().is_axis_aligned())
+    metric.emplace(field.layout().n);
   std::visit(
     [&](const auto &gas) {
       for (unsigned int batch = 0; batch < mesh.n_batches(); ++batch)
-        add_batch(batch, mesh, points, field, gas, totals);
+      {
+        if constexpr (dim > 1)
+          if (metric)
+            metric->reinit(mesh, batch);
+        add_batch(
+          batch, mesh, points, metric ? &*metric : nullptr, field, gas, totals);
+      }
     },
     material.model());
   dealii::Utilities::MPI::sum(totals.sums, mesh.communicator(), totals.sums);

@@ -38,11 +38,10 @@ template <int dim>
 void GasSimulation<dim>::parse_parameters(ParameterHandler &prm)
 {
   coarse_mesh_.parse_parameters(prm);
-  if (!coarse_mesh_.is_axis_aligned())
-    throw InputError("Domain/Mesh: box is available in this version");
   material_.parse_parameters(prm);
   scheme_.parse_parameters(
     prm, dim, coarse_mesh_.geometry() == Geometry::plane);
+  scheme_.check_mesh(coarse_mesh_.is_axis_aligned());
   initial_state_.parse_parameters(prm, material_);
   reference_.parse_parameters(prm, material_);
   boundary_.parse_parameters(

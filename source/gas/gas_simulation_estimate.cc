@@ -4,6 +4,8 @@
 #include <contrecoup/gas/gas_measures.h>
 #include <contrecoup/gas/gas_simulation.h>
 
+#include <deal.II/base/quadrature_lib.h>
+
 namespace contrecoup::gas
 {
 namespace
@@ -15,47 +17,101 @@ namespace
   /// Bytes for each unknown: three copies of the state and what output and
   /// octree need.
   constexpr double bytes_per_unknown = 40.;
+
+  /// |u| + c [m/s].
+  template <int dim>
+  double signal_speed(const GasState<dim> &state, const GasMaterial &material)
+  {
+    const double square = material.sound_speed_squared(
+      state.density, state.pressure, state.products);
+    return std::sqrt(std::max(0., square)) + state.velocity.norm();
+  }
+
+  /// Coarse cells, and the largest signal rate in one [1/s].
+  struct CoarseRate
+  {
+    double n_cells = 0.;
+    double rate = 0.;
+  };
+
+  /// Of a box, from samples along its diagonal.
+  template <int dim>
+  CoarseRate rate_in_box(const CoarseMesh<dim> &mesh,
+                         const InitialState<dim> &initial_state,
+                         const GasMaterial &material)
+  {
+    const unsigned int n_samples = 64;
+    const auto edges = mesh.upper_corner() - mesh.lower_corner();
+    double fastest = 0.;
+    for (unsigned int i = 0; i < n_samples; ++i)
+      fastest = std::max(
+        fastest,
+        signal_speed(initial_state.value(mesh.lower_corner() +
+                                         edges * ((i + 0.5) / n_samples)),
+                     material));
+    CoarseRate result;
+    result.n_cells = mesh.n_coarse_cells();
+    for (unsigned int d = 0; d < dim; ++d)
+      result.rate += fastest * mesh.coarse_cells(d) / edges[d];
+    return result;
+  }
+
+  /// Of any mesh, which is built for this: sums over directions of the
+  /// inverse shortest edge, and samples in each cell.
+  template <int dim>
+  CoarseRate rate_in_cells(const CoarseMesh<dim> &mesh,
+                           const InitialState<dim> &initial_state,
+                           const GasMaterial &material)
+  {
+    dealii::Triangulation<dim> triangulation;
+    mesh.create(triangulation);
+    const dealii::QIterated<dim> samples(dealii::QMidpoint<1>(), 4);
+    CoarseRate result;
+    result.n_cells = triangulation.n_active_cells();
+    for (const auto &cell : triangulation.active_cell_iterators())
+    {
+      LeafBox<dim> shape;
+      std::array<double, dim> shortest;
+      shortest.fill(std::numeric_limits<double>::max());
+      for (const unsigned int v : cell->vertex_indices())
+      {
+        shape.vertices.push_back(cell->vertex(v));
+        for (unsigned int d = 0; d < dim; ++d)
+          shortest[d] = std::min(
+            shortest[d],
+            cell->vertex(v | (1U << d)).distance(cell->vertex(v & ~(1U << d))));
+      }
+      double fastest = 0., rate = 0.;
+      for (const auto &x : samples.get_points())
+        fastest = std::max(
+          fastest, signal_speed(initial_state.value(shape.place(x)), material));
+      for (unsigned int d = 0; d < dim; ++d)
+        rate += fastest / shortest[d];
+      result.rate = std::max(result.rate, rate);
+    }
+    return result;
+  }
 } // namespace
 
 
 template <int dim>
 CostEstimate GasSimulation<dim>::estimate()
 {
+  const CoarseRate coarse =
+    coarse_mesh_.is_axis_aligned()
+      ? rate_in_box(coarse_mesh_, initial_state_, material_)
+      : rate_in_cells(coarse_mesh_, initial_state_, material_);
   CostEstimate result;
-  double coarse = coarse_mesh_.n_coarse_cells();
-  result.cells = coarse * std::pow(2., dim * coarse_mesh_.initial_refinement());
+  result.cells =
+    coarse.n_cells * std::pow(2., dim * coarse_mesh_.initial_refinement());
   result.unknowns = result.cells * layout_.n_points * layout_.n_components;
   result.memory = result.unknowns * bytes_per_unknown;
 
-  // The signal rate of the initial state, at the centre of each of at most
-  // so many sample cells along an edge, at the finest level.
-  const unsigned int n_samples = 64;
   const unsigned int levels = adaptation_parameters_.active
                                 ? adaptation_parameters_.most_level
                                 : coarse_mesh_.initial_refinement();
-  double fastest = 0.;
-  for (unsigned int i = 0; i < n_samples; ++i)
-  {
-    dealii::Point<dim> place;
-    for (unsigned int d = 0; d < dim; ++d)
-      place[d] =
-        coarse_mesh_.lower_corner()[d] +
-        (coarse_mesh_.upper_corner()[d] - coarse_mesh_.lower_corner()[d]) *
-          (i + 0.5) / n_samples;
-    const auto state = initial_state_.value(place);
-    fastest = std::max(
-      fastest,
-      std::sqrt(std::max(0.,
-                         material_.sound_speed_squared(
-                           state.density, state.pressure, state.products))) +
-        state.velocity.norm());
-  }
-  double rate = 0.;
-  for (unsigned int d = 0; d < dim; ++d)
-    rate += fastest * coarse_mesh_.coarse_cells(d) * std::pow(2., levels) /
-            (coarse_mesh_.upper_corner()[d] - coarse_mesh_.lower_corner()[d]);
-  result.steps =
-    std::ceil(end_time_ * rate / (scheme_.cfl * scheme_.stability_limit()));
+  result.steps = std::ceil(end_time_ * coarse.rate * std::pow(2., levels) /
+                           (scheme_.cfl * scheme_.stability_limit()));
   result.seconds =
     result.steps * result.unknowns * scheme_.time_stepping.stages.size() /
     (typical_throughput *

@@ -4,6 +4,7 @@
 #include <contrecoup/gas/finite_volume_hanging.h>
 #include <contrecoup/gas/finite_volume_kernel.h>
 #include <contrecoup/gas/leaf_operator.h>
+#include <contrecoup/gas/mapped_finite_volume_kernel.h>
 
 namespace contrecoup::gas
 {
@@ -18,6 +19,14 @@ make_finite_volume_operator(const LeafMesh<dim> &mesh,
   return std::visit(
     [&](const auto &gas) -> std::unique_ptr<GasOperator<dim>> {
       using Gas = std::decay_t<decltype(gas)>;
+      if constexpr (dim > 1)
+        if (!mesh.coarse_mesh().is_axis_aligned())
+          return std::make_unique<
+            LeafOperator<dim,
+                         Gas,
+                         MappedFiniteVolumeKernel<dim, Gas>,
+                         FiniteVolumeHanging<dim, Gas>>>(
+            mesh, layout, scheme, gas, boundary);
       return std::make_unique<LeafOperator<dim,
                                            Gas,
                                            FiniteVolumeKernel<dim, Gas>,

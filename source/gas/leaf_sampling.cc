@@ -4,6 +4,7 @@
 #include <contrecoup/gas/leaf_sampling.h>
 #include <contrecoup/gas/primitive.h>
 
+#include <deal.II/base/geometry_info.h>
 #include <deal.II/base/quadrature_lib.h>
 
 namespace contrecoup::gas
@@ -19,6 +20,65 @@ namespace
     return dealii::QIterated<1>(dealii::QMidpoint<1>(), n_samples);
   }
 } // namespace
+
+
+template <int dim>
+dealii::Point<dim> LeafBox<dim>::place(const dealii::Point<dim> &x) const
+{
+  if (!is_box())
+  {
+    dealii::Point<dim> result;
+    for (unsigned int v = 0; v < vertices.size(); ++v)
+      result +=
+        dealii::GeometryInfo<dim>::d_linear_shape_function(x, v) * vertices[v];
+    return result;
+  }
+  dealii::Point<dim> result = origin;
+  for (unsigned int d = 0; d < dim; ++d)
+    result[d] += extents[d] * x[d];
+  return result;
+}
+
+
+template <int dim>
+double LeafBox<dim>::jacobian(const dealii::Point<dim> &x) const
+{
+  dealii::Tensor<2, dim> derivative;
+  for (unsigned int v = 0; v < vertices.size(); ++v)
+    derivative += dealii::outer_product(
+      vertices[v],
+      dealii::GeometryInfo<dim>::d_linear_shape_function_gradient(x, v));
+  if (is_box())
+    for (unsigned int d = 0; d < dim; ++d)
+      derivative[d][d] = extents[d];
+  return dealii::determinant(derivative);
+}
+
+
+template <int dim>
+double point_volume(const LeafBox<dim> &box,
+                    const LeafPoints<dim> &points,
+                    const unsigned int q)
+{
+  if (box.is_box())
+    return points.volume(box.origin, box.extents, q);
+  const auto index = points.indices(q);
+  double sum = 0.;
+  // Exact for the Jacobian of a multilinear map.
+  const dealii::QGauss<dim> samples(2);
+  for (unsigned int s = 0; s < samples.size(); ++s)
+  {
+    dealii::Point<dim> x;
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      const double begin = points.subcell_begin(index[d]);
+      const double end = points.subcell_end(index[d]);
+      x[d] = begin + samples.point(s)[d] * (end - begin);
+    }
+    sum += samples.weight(s) * box.jacobian(x);
+  }
+  return sum * points.relative_volume(q);
+}
 
 
 template <int dim>
@@ -78,7 +138,9 @@ std::vector<double> sample_leaf(
   for (unsigned int q = 0; q < n_points; ++q)
   {
     const auto index = points.indices(q);
-    std::vector<double> sum(n_components, 0.);
+    // The mean as a deviation from the first sample, so that all subcells of
+    // a uniform field hold the same bits.
+    std::vector<double> first, sum(n_components, 0.);
     double volume = 0.;
     dealii::Point<dim> x;
     if (points.is_galerkin() && !near_feature)
@@ -86,7 +148,7 @@ std::vector<double> sample_leaf(
       for (unsigned int d = 0; d < dim; ++d)
         x[d] = points.position(index[d]) +
                inwards * (0.5 - points.position(index[d]));
-      sum = conserved_state(field(box.place(x)), material, n_components);
+      first = conserved_state(field(box.place(x)), material, n_components);
       volume = 1.;
     }
     else
@@ -100,23 +162,29 @@ std::vector<double> sample_leaf(
         }
         const double radius = box.place(x)[0];
         const double weight =
-          samples.weight(s) * (points.exponent() == 0   ? 1.
+          samples.weight(s) * (!box.is_box()            ? box.jacobian(x)
+                               : points.exponent() == 0 ? 1.
                                : points.exponent() == 1 ? radius
                                                         : radius * radius);
         const auto u =
           conserved_state(field(box.place(x)), material, n_components);
+        if (first.empty())
+          first = u;
         volume += weight;
         for (unsigned int c = 0; c < n_components; ++c)
-          sum[c] += weight * u[c];
+          sum[c] += weight * (u[c] - first[c]);
       }
     for (unsigned int c = 0; c < n_components; ++c)
-      result[c * n_points + q] = sum[c] / volume;
+      result[c * n_points + q] = first[c] + sum[c] / volume;
   }
   return result;
 }
 
 
 #define CONTRECOUP_INSTANTIATE(dim)                                   \
+  template struct LeafBox<dim>;                                       \
+  template double point_volume(                                       \
+    const LeafBox<dim> &, const LeafPoints<dim> &, unsigned int);     \
   template std::vector<double> conserved_state(                       \
     const GasState<dim> &, const GasMaterial &, unsigned int);        \
   template GasState<dim> primitive_state<dim>(const double *,         \

@@ -37,10 +37,8 @@ void ProbeSet<dim>::parse_parameters(ParameterHandler &prm,
 {
   const Section section(prm, "Probes");
   places_ = read_points<dim>(prm, "Points");
-  if (!places_.empty() && !mesh.is_axis_aligned())
-    throw InputError("Probes/Points need Domain/Mesh = box");
   for (const auto &place : places_)
-    for (unsigned int d = 0; d < dim; ++d)
+    for (unsigned int d = 0; d < dim && mesh.is_axis_aligned(); ++d)
       if (place[d] < mesh.lower_corner()[d] ||
           place[d] > mesh.upper_corner()[d])
       {

@@ -9,6 +9,14 @@ namespace contrecoup::gas
 {
 namespace
 {
+  std::vector<std::string> gradient_limiters_or_none()
+  {
+    std::vector<std::string> names = gradient_limiter_names();
+    names.insert(names.begin(), "none");
+    return names;
+  }
+
+
   void declare_galerkin(ParameterHandler &prm)
   {
     declare_integer(prm,
@@ -95,6 +103,14 @@ void Scheme::declare_parameters(ParameterHandler &prm)
                     slope_limiter_names(),
                     "Limiter of the slopes, in finite volumes and in the "
                     "subcells of troubled Galerkin leaves.");
+  declare_selection(prm,
+                    "Gradient limiter",
+                    "none",
+                    gradient_limiters_or_none(),
+                    "Finite volume on meshes other than boxes: limiter of "
+                    "the changes in all directions together; at the faces "
+                    "between leaves the limiter above stays. None: it "
+                    "serves everywhere, direction by direction.");
   declare_galerkin(prm);
   declare_selection(prm,
                     "Flux",
@@ -116,6 +132,9 @@ void Scheme::parse_parameters(ParameterHandler &prm,
                                               : Kind::discontinuous_galerkin;
   linear = prm.get("Reconstruction") == "linear";
   limiter = parse_slope_limiter(prm.get("Limiter"));
+  gradient_limiter.reset();
+  if (prm.get("Gradient limiter") != "none")
+    gradient_limiter = parse_gradient_limiter(prm.get("Gradient limiter"));
   flux = parse_riemann_flux(prm.get("Flux"));
   time_stepping = parse_runge_kutta(prm.get("Time stepping"));
   cfl = read_double(prm, "CFL number");
@@ -135,6 +154,18 @@ void Scheme::parse_parameters(ParameterHandler &prm,
                      "of 2 or more (8 is a good number in " +
                      std::to_string(dim) +
                      "-D); with one subcell use constant");
+}
+
+
+void Scheme::check_mesh(const bool is_axis_aligned) const
+{
+  if (is_axis_aligned && gradient_limiter)
+    throw InputError("Method/Gradient limiter: for Domain/Mesh = box only "
+                     "none is available");
+  if (!is_axis_aligned && kind == Kind::discontinuous_galerkin)
+    throw InputError(
+      "Method/Scheme = discontinuous galerkin needs Domain/Mesh = box; on "
+      "meshes from a generator or a file use finite volume");
 }
 
 

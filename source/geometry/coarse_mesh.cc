@@ -117,14 +117,16 @@ void CoarseMesh<dim>::declare_parameters(ParameterHandler &prm)
   prm.declare_entry("Generator arguments",
                     "",
                     Patterns::Anything(),
-                    "Its arguments after the triangulation, separated by "
-                    "colons, lengths in m.");
+                    "All its arguments after the triangulation, also those "
+                    "with defaults, separated by colons, lengths in m; a "
+                    "hyper_ball in 2-D has \"0, 0 : 1 : true\".");
   prm.declare_entry("Mesh file",
                     "",
-                    Patterns::Anything(),
+                    Patterns::FileName(),
                     "Path of a mesh of hexahedra or quadrilaterals in a "
                     "format that deal.II reads by ending (.msh, .inp, .vtk, "
-                    ".ucd, .unv), lengths in m.");
+                    ".ucd, .unv), lengths in m; a relative one is looked for "
+                    "beside the parameter file first.");
   prm.leave_subsection();
 }
 
@@ -228,7 +230,8 @@ void CoarseMesh<dim>::create(dealii::Triangulation<dim> &triangulation) const
       throw InputError(
         "Domain/Generator = " + generator_ + "(" + generator_arguments_ +
         "): deal.II has no such generator in " + std::to_string(dim) +
-        " dimensions or does not take these arguments");
+        " dimensions or does not take these arguments (all of them must be "
+        "given, separated by colons)");
     }
   }
   check_cells(triangulation);

@@ -12,22 +12,34 @@
 
 namespace contrecoup::gas
 {
-/// A box-shaped leaf.
+/// The shape of a leaf: a box, or the multilinear image of the unit cube.
 template <int dim>
 struct LeafBox
 {
-  dealii::Point<dim> origin;      ///< corner of smallest coordinates [m]
-  dealii::Tensor<1, dim> extents; ///< edge lengths [m]
+  /// Corner of smallest coordinates of the leaf or the box around it [m].
+  dealii::Point<dim> origin;
+  dealii::Tensor<1, dim> extents; ///< edge lengths of that box [m]
+  /// Vertices, in deal.II's order, of a leaf that is no box; else empty [m].
+  std::vector<dealii::Point<dim>> vertices;
+
+  bool is_box() const
+  {
+    return vertices.empty();
+  }
 
   /// The place at relative coordinates @p x.
-  dealii::Point<dim> place(const dealii::Point<dim> &x) const
-  {
-    dealii::Point<dim> result = origin;
-    for (unsigned int d = 0; d < dim; ++d)
-      result[d] += extents[d] * x[d];
-    return result;
-  }
+  dealii::Point<dim> place(const dealii::Point<dim> &x) const;
+
+  /// Volume of the leaf per volume of relative coordinates at @p x [m^dim].
+  double jacobian(const dealii::Point<dim> &x) const;
 };
+
+/// Volume of the gas that point @p q of a leaf stands for; see
+/// LeafPoints::volume().
+template <int dim>
+double point_volume(const LeafBox<dim> &box,
+                    const LeafPoints<dim> &points,
+                    const unsigned int q);
 
 /// Conserved quantities (density, momentum, energy, products if
 /// @p n_components says so) of a primitive state.

@@ -15,13 +15,15 @@ namespace contrecoup::gas
 /**
  * The gas at given places, interpolated within the leaf that holds each:
  * the result depends neither on the number of ranks nor on when the mesh
- * was adapted. Axis-aligned meshes.
+ * was adapted. A place that leaves share belongs to the upper one in a box,
+ * in other meshes to the one whose cell's name comes first.
  */
 template <int dim>
 class PointSampler
 {
 public:
   /// Finds the leaves of @p places. Call again when the mesh changed.
+  /// Collective. @throws InputError for a place outside of the mesh.
   void reinit(const std::vector<dealii::Point<dim>> &places,
               const LeafMesh<dim> &mesh,
               const LeafPoints<dim> &points);
@@ -31,6 +33,19 @@ public:
                                     const GasMaterial &material) const;
 
 private:
+  /// Takes @p place, at relative coordinates @p x of the leaf @p cell.
+  void add_place(const unsigned int index,
+                 const typename LeafMesh<dim>::CellIterator &cell,
+                 const dealii::Point<dim> &x,
+                 const LeafMesh<dim> &mesh,
+                 const LeafPoints<dim> &points);
+  void find_in_box(const std::vector<dealii::Point<dim>> &places,
+                   const LeafMesh<dim> &mesh,
+                   const LeafPoints<dim> &points);
+  void find_in_cells(const std::vector<dealii::Point<dim>> &places,
+                     const LeafMesh<dim> &mesh,
+                     const LeafPoints<dim> &points);
+
   struct Place
   {
     unsigned int index; ///< in the list of places

@@ -6,11 +6,13 @@
 #include <contrecoup/base/lanes.h>
 
 #include <contrecoup/numerics/limiters.h>
+#include <contrecoup/numerics/multidimensional_limiter.h>
 #include <contrecoup/numerics/riemann_flux.h>
 #include <contrecoup/numerics/runge_kutta.h>
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <optional>
 #include <string>
 
 namespace contrecoup::gas
@@ -32,10 +34,16 @@ public:
                         const unsigned int dim,
                         const bool plane_geometry);
 
+  /// @throws InputError when the scheme does not work on boxes or, unless
+  /// @p is_axis_aligned, on meshes of other shapes.
+  void check_mesh(const bool is_axis_aligned) const;
+
   Kind kind = Kind::finite_volume;
   unsigned int n_points = 8; ///< points a side of a leaf
   bool linear = true;        ///< reconstructed in finite volumes
   SlopeLimiter limiter = SlopeLimiter::van_leer;
+  /// Of all directions together, on mapped meshes.
+  std::optional<GradientLimiter> gradient_limiter;
   RiemannFlux flux = RiemannFlux::hllc;
   RungeKuttaTable time_stepping;
   double cfl = 0.5;             ///< CFL number [-]

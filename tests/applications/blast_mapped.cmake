@@ -1,0 +1,54 @@
+# Meshes of any hexahedra and quadrilaterals, from generators and files.
+set(_vortex blast/verification/mapped_vortex.prm)
+set(_ball blast/verification/mapped_ball.prm)
+set(_meshes ${PROJECT_SOURCE_DIR}/parameter_files/blast/meshes)
+set(_brief "Output/Fields=false" "Output/History every steps=100")
+set(_steps_20 "Time/Largest number of steps=20" "Output/History every steps=1")
+set(_small "Domain/Initial refinement=1" ${_steps_20})
+set(_uniform "Initial state/Kind=uniform" "Reference/Kind=initial"
+  "Boundaries/By id=0: initial" "Initial state/Background/Density=1.4"
+  "Initial state/Background/Pressure=1" "Output/Fields=false"
+  "Time/Largest number of steps=20")
+set(_unchanged "status == finished" "errors.density_Linf < 1e-12"
+  "errors.velocity_Linf < 1e-12" "errors.pressure_Linf < 1e-12")
+
+contrecoup_add_application_test(mapped_vortex convergence FILE ${_vortex}
+  SET ${_brief} VARY "Domain/Initial refinement=2|3" ERROR errors.density_L1
+  ORDER 1.8 LABELS verification)
+contrecoup_add_application_test(mapped_wind_2d bounds FILE ${_vortex}
+  SET ${_uniform} "Domain/Initial refinement=2"
+  "Initial state/Background/Velocity=0.3,-0.5" BOUNDS ${_unchanged}
+  LABELS verification)
+contrecoup_add_application_test(mapped_wind_3d bounds FILE ${_ball}
+  SET ${_uniform} "Domain/Mesh=file" "Domain/Initial refinement=1"
+  "Domain/Mesh file=${_meshes}/distorted_cube.msh"
+  "Initial state/Background/Velocity=0.3,-0.5,0.7" BOUNDS ${_unchanged}
+  LABELS verification)
+foreach(_limiter "none" "barth jespersen" "venkatakrishnan")
+  string(REPLACE " " "_" _name ${_limiter})
+  contrecoup_add_application_test(mapped_ball_${_name} bounds FILE ${_ball}
+    SET "Domain/Initial refinement=1" "Output/Fields=false"
+    "Method/Gradient limiter=${_limiter}" BOUNDS "status == finished"
+    "conservation.mass_relative_change < 1e-12"
+    "conservation.energy_relative_change < 1e-12" LABELS verification)
+endforeach()
+
+contrecoup_add_application_test(ranks_mapped_ball ranks FILE ${_ball}
+  SET ${_small} COMPARE history.csv probes.csv TOLERANCE "-r 1e-10 -a 1e-12")
+contrecoup_add_application_test(ranks_mapped_file ranks FILE ${_vortex}
+  SET "Domain/Initial refinement=2" ${_steps_20} COMPARE history.csv
+  TOLERANCE "-r 1e-10")
+contrecoup_add_application_test(resume_mapped_ball resume FILE ${_ball}
+  SET ${_small} COMPARE history.csv probes.csv STOP_AFTER 7)
+
+contrecoup_add_application_test(refuses_inverted_cell refusal FILE ${_vortex}
+  SET "Domain/Mesh file=${CMAKE_CURRENT_SOURCE_DIR}/inverted_cell.msh"
+  MESSAGE "cell 1 with centre")
+contrecoup_add_application_test(refuses_unknown_generator refusal FILE ${_ball}
+  SET "Domain/Generator=hyper_bal" MESSAGE "Domain/Generator = hyper_bal")
+contrecoup_add_application_test(refuses_mapped_galerkin refusal FILE ${_ball}
+  SET "Method/Scheme=discontinuous galerkin" MESSAGE "use finite volume")
+contrecoup_add_application_test(refuses_mapped_adaptation refusal
+  FILE ${_ball} SET "Adaptation/Active=true" MESSAGE "needs Domain/Mesh = box")
+contrecoup_add_application_test(refuses_mapped_probe refusal FILE ${_ball}
+  SET "Probes/Points=0.9,0.9,0" MESSAGE "is outside of the mesh")
