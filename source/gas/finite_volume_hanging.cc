@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/gas/finite_volume_hanging.h>
+#include <contrecoup/gas/velocity_slope.h>
 #include <contrecoup/materials/ideal_gas.h>
 #include <contrecoup/materials/mie_grueneisen.h>
 
@@ -173,7 +174,16 @@ void FiniteVolumeHanging<dim, Gas>::limit_coarse_slopes()
         limited_slope(scheme_.limiter,
                       Number(coarse[c] - coarse_[1][q][c]),
                       Number(coarse_halo_[q][c] - coarse[c]));
-    Number good(1.);
+    Number square(0.);
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      Number largest(0.);
+      for (unsigned int t = 0; t < dim; ++t)
+        largest += std::abs(coarse_slope_[t][q][C::momentum + d]) *
+                   (t + 1 == dim ? 0.5 : 0.25);
+      square += largest * largest;
+    }
+    Number good = energy_left<dim>(gas_, coarse, square);
     for (unsigned int corner = 0; corner < (1U << dim); ++corner)
     {
       Values part = coarse;
@@ -226,11 +236,15 @@ void FiniteVolumeHanging<dim, Gas>::reconstruct(const unsigned int part,
     halo[c] += coarse_slope_[dim - 1][at][c] * 0.25;
   }
   restore_if_inadmissible<dim>(gas_, coarse_[0][at], halo);
+  Values half;
   for (unsigned int c = 0; c < nc; ++c)
-    outside[c] += limited_slope(scheme_.limiter,
-                                Number(fine[c] - fine_[part][1][point][c]),
-                                Number(halo[c] - fine[c])) *
-                  0.5;
+    half[c] = limited_slope(scheme_.limiter,
+                            Number(fine[c] - fine_[part][1][point][c]),
+                            Number(halo[c] - fine[c])) *
+              0.5;
+  limit_velocity_slope<dim>(gas_, fine, half);
+  for (unsigned int c = 0; c < nc; ++c)
+    outside[c] += half[c];
   restore_if_inadmissible<dim>(gas_, fine, outside);
 }
 

@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/lane_math.h>
 #include <contrecoup/gas/finite_volume_kernel.h>
+#include <contrecoup/gas/velocity_slope.h>
 #include <contrecoup/materials/ideal_gas.h>
 #include <contrecoup/materials/mie_grueneisen.h>
 
@@ -192,15 +193,17 @@ void FiniteVolumeKernel<dim, Gas>::reconstruct()
   }
   for (int i = -1; i <= n; ++i)
   {
-    Values low, high;
+    Values half, low, high;
+    for (unsigned int c = 0; c < nc; ++c)
+      half[c] = limited_slope(scheme_.limiter,
+                              Number(cell(i)[c] - cell(i - 1)[c]),
+                              Number(cell(i + 1)[c] - cell(i)[c])) *
+                0.5;
+    limit_velocity_slope<dim>(gas_, cell(i), half);
     for (unsigned int c = 0; c < nc; ++c)
     {
-      const Number half = limited_slope(scheme_.limiter,
-                                        Number(cell(i)[c] - cell(i - 1)[c]),
-                                        Number(cell(i + 1)[c] - cell(i)[c])) *
-                          0.5;
-      low[c] = cell(i)[c] - half;
-      high[c] = cell(i)[c] + half;
+      low[c] = cell(i)[c] - half[c];
+      high[c] = cell(i)[c] + half[c];
     }
     if constexpr (Gas::has_products)
     {
