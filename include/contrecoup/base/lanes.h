@@ -16,7 +16,6 @@
  */
 
 #include <deal.II/base/config.h>
-
 #include <deal.II/base/numbers.h>
 
 #if DEAL_II_VECTORIZATION_WIDTH_IN_BITS == 0
@@ -47,14 +46,14 @@
 
 namespace contrecoup
 {
-  /// Number of values of type @p Number that one instruction works on.
-  template <typename Number>
-  inline constexpr unsigned int n_lanes =
-    (CONTRECOUP_LANE_BITS / (8 * sizeof(Number)) > 0) ?
-      CONTRECOUP_LANE_BITS / (8 * sizeof(Number)) :
-      1;
+/// Number of values of type @p Number that one instruction works on.
+template <typename Number>
+inline constexpr unsigned int
+  n_lanes = (CONTRECOUP_LANE_BITS / (8 * sizeof(Number)) > 0)
+              ? CONTRECOUP_LANE_BITS / (8 * sizeof(Number))
+              : 1;
 
-  /// The lane type of all kernels: n_lanes<Number> values side by side.
-  template <typename Number>
-  using Lanes = dealii::VectorizedArray<Number, n_lanes<Number>>;
+/// The lane type of all kernels: n_lanes<Number> values side by side.
+template <typename Number>
+using Lanes = dealii::VectorizedArray<Number, n_lanes<Number>>;
 } // namespace contrecoup

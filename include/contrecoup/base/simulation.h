@@ -10,90 +10,90 @@
 
 namespace contrecoup
 {
-  /// What one time step did.
-  struct StepReport
-  {
-    /// Step size taken [s].
-    double step_size = 0.;
-    /// Unknowns updated, all ranks and Runge-Kutta stages together [-].
-    double updates = 0.;
-    /// Times that the step was cut back because a state turned unphysical.
-    unsigned int retries = 0;
-  };
+/// What one time step did.
+struct StepReport
+{
+  /// Step size taken [s].
+  double step_size = 0.;
+  /// Unknowns updated, all ranks and Runge-Kutta stages together [-].
+  double updates = 0.;
+  /// Times that the step was cut back because a state turned unphysical.
+  unsigned int retries = 0;
+};
 
-  /// A named number with its unit, for histories and the summary.
-  struct NamedValue
-  {
-    std::string name;
-    std::string unit;
-    double      value = 0.;
-    /// Whether a closed run keeps it: its first and last value and relative
-    /// change then stand under "conservation" in the summary.
-    bool conserved = false;
-  };
+/// A named number with its unit, for histories and the summary.
+struct NamedValue
+{
+  std::string name;
+  std::string unit;
+  double value = 0.;
+  /// Whether a closed run keeps it: its first and last value and relative
+  /// change then stand under "conservation" in the summary.
+  bool conserved = false;
+};
 
-  /// What a run would cost, for --check and the printed plan.
-  struct CostEstimate
-  {
-    double cells    = 0.; ///< mesh cells, all ranks [-]
-    double unknowns = 0.; ///< unknowns, all ranks [-]
-    double steps    = 0.; ///< time steps to the end time [-]
-    double memory   = 0.; ///< peak memory, all ranks [byte]
-    double seconds  = 0.; ///< wall time [s]
-  };
+/// What a run would cost, for --check and the printed plan.
+struct CostEstimate
+{
+  double cells = 0.;    ///< mesh cells, all ranks [-]
+  double unknowns = 0.; ///< unknowns, all ranks [-]
+  double steps = 0.;    ///< time steps to the end time [-]
+  double memory = 0.;   ///< peak memory, all ranks [byte]
+  double seconds = 0.;  ///< wall time [s]
+};
 
-  /**
-   * One solver as the run loop sees it: setup, advance, adapt, output, and a
-   * state that can be saved and restored. Every function is collective.
-   */
-  class Simulation
-  {
-  public:
-    virtual ~Simulation() = default;
+/**
+ * One solver as the run loop sees it: setup, advance, adapt, output, and a
+ * state that can be saved and restored. Every function is collective.
+ */
+class Simulation
+{
+public:
+  virtual ~Simulation() = default;
 
-    /// Checks the scene and estimates its cost without allocating its fields.
-    /// @throws InputError when the scene is impossible.
-    virtual CostEstimate estimate() = 0;
+  /// Checks the scene and estimates its cost without allocating its fields.
+  /// @throws InputError when the scene is impossible.
+  virtual CostEstimate estimate() = 0;
 
-    /// Builds mesh and initial state at time 0.
-    virtual void setup() = 0;
+  /// Builds mesh and initial state at time 0.
+  virtual void setup() = 0;
 
-    /// Builds mesh and state from the files that save() left in @p folder.
-    /// @throws InputError when they belong to another scene.
-    virtual void restore(const std::string &folder) = 0;
+  /// Builds mesh and state from the files that save() left in @p folder.
+  /// @throws InputError when they belong to another scene.
+  virtual void restore(const std::string &folder) = 0;
 
-    /// Writes mesh and state into the existing @p folder.
-    virtual void save(const std::string &folder) = 0;
+  /// Writes mesh and state into the existing @p folder.
+  virtual void save(const std::string &folder) = 0;
 
-    /// Simulated time [s].
-    virtual double time() const = 0;
+  /// Simulated time [s].
+  virtual double time() const = 0;
 
-    /// Goes one step ahead, by at most @p largest_step [s].
-    /// @throws NumericsError when no step size keeps the state physical.
-    virtual StepReport advance(double largest_step) = 0;
+  /// Goes one step ahead, by at most @p largest_step [s].
+  /// @throws NumericsError when no step size keeps the state physical.
+  virtual StepReport advance(double largest_step) = 0;
 
-    /// Adapts the mesh if the solver finds it due. Returns whether it changed.
-    virtual bool adapt() = 0;
+  /// Adapts the mesh if the solver finds it due. Returns whether it changed.
+  virtual bool adapt() = 0;
 
-    /// Conserved totals, energies, extrema: one row of history.csv. Names and
-    /// order never change during a run.
-    virtual std::vector<NamedValue> history() = 0;
+  /// Conserved totals, energies, extrema: one row of history.csv. Names and
+  /// order never change during a run.
+  virtual std::vector<NamedValue> history() = 0;
 
-    /// Probe values at this time: one row of probes.csv; empty without probes.
-    virtual std::vector<NamedValue> probes() = 0;
+  /// Probe values at this time: one row of probes.csv; empty without probes.
+  virtual std::vector<NamedValue> probes() = 0;
 
-    /// Writes the fields of output number @p index into @p folder, and
-    /// returns the file that the .pvd collection should name (empty: none).
-    virtual std::string write_fields(const std::string &folder,
-                                     unsigned int       index) = 0;
+  /// Writes the fields of output number @p index into @p folder, and
+  /// returns the file that the .pvd collection should name (empty: none).
+  virtual std::string write_fields(const std::string &folder,
+                                   unsigned int index) = 0;
 
-    /// Errors against the scene's reference, for the summary; may be empty.
-    virtual std::vector<NamedValue> errors() = 0;
+  /// Errors against the scene's reference, for the summary; may be empty.
+  virtual std::vector<NamedValue> errors() = 0;
 
-    /// Measured modelling assumptions, for the summary; may be empty.
-    virtual std::vector<NamedValue> assumptions() = 0;
+  /// Measured modelling assumptions, for the summary; may be empty.
+  virtual std::vector<NamedValue> assumptions() = 0;
 
-    /// Number of cells and of unknowns, all ranks.
-    virtual std::pair<std::uint64_t, std::uint64_t> size() const = 0;
-  };
+  /// Number of cells and of unknowns, all ranks.
+  virtual std::pair<std::uint64_t, std::uint64_t> size() const = 0;
+};
 } // namespace contrecoup
