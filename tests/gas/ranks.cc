@@ -61,6 +61,32 @@ TEST(Ranks, FiniteVolumes)
 }
 
 
+TEST(Ranks, FewerLeavesThanRanks)
+{
+  // A rank without leaves takes part in everything.
+  for (const std::string periodic : {"", "x, y"})
+  {
+    GasRun<2> run(finite_volume(8) + std::vector<std::string>{
+                                       "Domain/Periodic directions=" + periodic,
+                                       "Adaptation/Active=true",
+                                       "Adaptation/Largest level=2"});
+    EXPECT_EQ(run.mesh.n_global(), 1.);
+    run.set_state([](const Point<2> &p) {
+      GasState<2> state;
+      state.pressure = p.norm() < 0.5 ? 5. : 1.;
+      return state;
+    });
+    const auto before = run.totals();
+    run.steps(3);
+    EXPECT_TRUE(run.adapt());
+    run.steps(3);
+    for (const std::string name : {"mass", "energy"})
+      EXPECT_NEAR(
+        run.totals().at(name), before.at(name), 1e-13 * before.at(name));
+  }
+}
+
+
 TEST(Ranks, Galerkin)
 {
   check<2>(galerkin(3));
