@@ -34,6 +34,24 @@ namespace
                        "inflow, initial or exact");
     return found->second;
   }
+
+  /// Builds a mesh that is no box and throws unless it has all @p ids.
+  template <int dim, typename Kinds>
+  void check_ids(const CoarseMesh<dim> &coarse_mesh, const Kinds &kinds)
+  {
+    if (coarse_mesh.is_axis_aligned() || kinds.empty())
+      return;
+    dealii::Triangulation<dim> triangulation;
+    coarse_mesh.create(triangulation);
+    const auto ids = triangulation.get_boundary_ids();
+    std::string known;
+    for (const auto id : ids)
+      known += (known.empty() ? "" : ", ") + std::to_string(id);
+    for (const auto &[id, kind] : kinds)
+      if (std::find(ids.begin(), ids.end(), id) == ids.end())
+        throw InputError("Boundaries/By id: the mesh has no boundary " +
+                         std::to_string(id) + ", only " + known);
+  }
 } // namespace
 
 
@@ -77,6 +95,12 @@ void Boundary<dim>::parse_parameters(ParameterHandler &prm,
     for (unsigned int side = 0; side < 2 * dim; ++side)
       kinds_[side] = parse_kind<dim>(prm.get(box_sides[side]),
                                      "Boundaries/" + box_sides[side]);
+  else
+    for (const std::string &side : box_sides)
+      if (prm.get(side) != "wall")
+        throw InputError("Boundaries/" + side +
+                         " needs Domain/Mesh = box; name the boundaries of "
+                         "other meshes in Boundaries/By id");
   for (const auto &item :
        dealii::Utilities::split_string_list(prm.get("By id")))
   {
@@ -92,6 +116,7 @@ void Boundary<dim>::parse_parameters(ParameterHandler &prm,
                      default_kind_);
   for (const auto &[id, kind] : kinds_)
     kind_of_id_[id] = kind;
+  check_ids(coarse_mesh, kinds_);
   for (const auto &[id, kind] : kinds_)
     if (kind == Kind::exact && !reference.exists())
       throw InputError("Boundaries: boundary " + std::to_string(id) +

@@ -270,6 +270,9 @@ template <int dim>
 void CoarseMesh<dim>::check_cells(
   const dealii::Triangulation<dim> &triangulation) const
 {
+  if (!triangulation.all_reference_cells_are_hyper_cube())
+    throw InputError("Domain/Mesh " + kind_ + ": some cells are no " +
+                     (dim == 3 ? "hexahedra" : "quadrilaterals"));
   for (const auto &cell : triangulation.active_cell_iterators())
     for (const unsigned int v : cell->vertex_indices())
     {

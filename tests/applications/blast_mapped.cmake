@@ -44,11 +44,21 @@ contrecoup_add_application_test(resume_mapped_ball resume FILE ${_ball}
 contrecoup_add_application_test(refuses_inverted_cell refusal FILE ${_vortex}
   SET "Domain/Mesh file=${CMAKE_CURRENT_SOURCE_DIR}/inverted_cell.msh"
   MESSAGE "cell 1 with centre")
+contrecoup_add_application_test(refuses_triangle refusal FILE ${_vortex}
+  SET "Domain/Mesh file=${CMAKE_CURRENT_SOURCE_DIR}/triangle.msh"
+  MESSAGE "quadrilaterals")
 contrecoup_add_application_test(refuses_unknown_generator refusal FILE ${_ball}
   SET "Domain/Generator=hyper_bal" MESSAGE "Domain/Generator = hyper_bal")
 contrecoup_add_application_test(refuses_mapped_galerkin refusal FILE ${_ball}
   SET "Method/Scheme=discontinuous galerkin" MESSAGE "use finite volume")
 contrecoup_add_application_test(refuses_mapped_adaptation refusal
   FILE ${_ball} SET "Adaptation/Active=true" MESSAGE "needs Domain/Mesh = box")
+contrecoup_add_application_test(refuses_unknown_boundary refusal
+  FILE ${_vortex} SET "Boundaries/By id=7: open"
+  MESSAGE "the mesh has no boundary 7, only 0")
+contrecoup_add_application_test(refuses_box_side refusal FILE ${_vortex}
+  SET "Boundaries/x low=open" MESSAGE "Boundaries/By id")
+contrecoup_add_application_test(refuses_huge_mapped_mesh refusal FILE ${_ball}
+  SET "Domain/Initial refinement=9" MESSAGE "of memory")
 contrecoup_add_application_test(refuses_mapped_probe refusal FILE ${_ball}
   SET "Probes/Points=0.9,0.9,0" MESSAGE "is outside of the mesh")

@@ -70,7 +70,7 @@ namespace
                       "Initial state/Background/Density=1.4",
                       "Initial state/Background/Velocity=0.3,-0.5",
                       "Initial state/Background/Pressure=1",
-                      "Boundaries/By id=0: initial, 1: initial"};
+                      "Boundaries/By id=0: initial"};
 
   const Lines explosion = {"Initial state/Kind=regions",
                            "Initial state/Background/Density=1",
