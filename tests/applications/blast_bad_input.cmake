@@ -49,9 +49,9 @@ blast_refuses(unwritable_output "output folder" FILE ${_sod}
   OUTPUT "@FOLDER@/a_file/run")
 blast_refuses(resume_from_nothing "no complete checkpoint" FILE ${_sod}
   ARGUMENTS --resume)
-blast_refuses(missing_mesh_file "Domain/Mesh" FILE blast/quickstart.prm
-  SET "Domain/Mesh=file" "Domain/Mesh file=no_such.msh" "Probes/Points="
-  "Adaptation/Active=false" "Pictures/Planes=")
+blast_refuses(missing_mesh_file "cannot be opened"
+  FILE blast/extremes/rest_100000_steps.prm SET "Domain/Mesh=file"
+  "Domain/Geometry=plane" "Domain/Mesh file=no_such.msh")
 
 contrecoup_add_application_test(refuses_truncated_checkpoint damaged_checkpoint
   FILE ${_sod} MESSAGE "bytes instead of" TIMEOUT 60)
