@@ -20,7 +20,7 @@ quietly() {
 }
 
 # missing_packages KIND...: the Debian packages of these kinds (second column
-# of cmake/debian_packages.txt) that are not installed.
+# of source/cmake/debian_packages.txt) that are not installed.
 missing_packages() {
   local package kind
   while read -r package kind; do
@@ -29,14 +29,14 @@ missing_packages() {
         dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null |
           grep -qx installed || echo "$package" ;;
     esac
-  done < <(grep -v '^#' "$root/cmake/debian_packages.txt")
+  done < <(grep -v '^#' "$root/source/cmake/debian_packages.txt")
 }
 
 # install_packages KIND...: installs what is missing, with apt-get alone.
 install_packages() {
   if ! command -v dpkg-query >/dev/null; then
     say "not a Debian system: taking it that the packages of" \
-      "cmake/debian_packages.txt are there under other names"
+      "source/cmake/debian_packages.txt are there under other names"
     return
   fi
   local missing as_root=()
