@@ -15,6 +15,15 @@ set(_unchanged "status == finished" "errors.density_Linf < 1e-12"
 contrecoup_add_application_test(mapped_vortex convergence FILE ${_vortex}
   SET ${_brief} VARY "Domain/Initial refinement=2|3" ERROR errors.density_L1
   ORDER 1.8 LABELS verification)
+# Bounds: the errors when the tests were written and a tenth more.
+contrecoup_add_application_test(mapped_vortex_barth_jespersen bounds
+  FILE ${_vortex} SET ${_brief} "Domain/Initial refinement=2"
+  "Method/Gradient limiter=barth jespersen"
+  BOUNDS "errors.density_L1 < 1.22e-4" LABELS verification)
+contrecoup_add_application_test(mapped_vortex_venkatakrishnan bounds
+  FILE ${_vortex} SET ${_brief} "Domain/Initial refinement=2"
+  "Method/Gradient limiter=venkatakrishnan"
+  BOUNDS "errors.density_L1 < 1.37e-4" LABELS verification)
 contrecoup_add_application_test(mapped_wind_2d bounds FILE ${_vortex}
   SET ${_uniform} "Domain/Initial refinement=2"
   "Initial state/Background/Velocity=0.3,-0.5" BOUNDS ${_unchanged}

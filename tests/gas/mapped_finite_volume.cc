@@ -135,6 +135,27 @@ TEST(MappedFiniteVolume, ClosedBallKeepsMassAndEnergy)
   expect_conservation<3>(mesh(3, "hyper_ball", "0,0,0:1:true", 1));
 }
 
+TEST(MappedFiniteVolume, ProductsInAirAreKept)
+{
+  const Lines charge = {"Material/Equation of state=jwl in air",
+                        "Material/Explosive=tnt",
+                        "Initial state/Kind=regions",
+                        "Initial state/Region charge/Radius=0.4",
+                        "Initial state/Region charge/Center=0.2,0.1",
+                        "Initial state/Region charge/Burned explosive=true"};
+  for (const std::string limiter : {"none", "venkatakrishnan"})
+  {
+    const auto [before, after] =
+      run<3>(mesh(3, "hyper_ball", "0,0,0:1:true", 1) + charge +
+               Lines{"Method/Gradient limiter=" + limiter},
+             20);
+    for (const std::string name : {"mass", "energy", "products_mass"})
+      EXPECT_NEAR(after.at(name) / before.at(name), 1., 1e-13) << name;
+    EXPECT_GT(after.at("smallest_pressure"), 0.);
+    EXPECT_GT(after.at("kinetic_energy"), 1e3);
+  }
+}
+
 TEST(MappedFiniteVolume, GradientLimitersConserveAndStaySound)
 {
   for (const std::string name : {"barth jespersen", "venkatakrishnan"})
