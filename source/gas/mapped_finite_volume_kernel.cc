@@ -4,6 +4,7 @@
 #include <contrecoup/base/lane_math.h>
 #include <contrecoup/gas/face_frame.h>
 #include <contrecoup/gas/mapped_finite_volume_kernel.h>
+#include <contrecoup/gas/velocity_slope.h>
 #include <contrecoup/materials/ideal_gas.h>
 #include <contrecoup/materials/mie_grueneisen.h>
 
@@ -248,22 +249,26 @@ void MappedFiniteVolumeKernel<dim, Gas>::reconstruct(
   const unsigned int first = layout_.face_point(2 * direction, line, 0);
   for (int i = -1; i <= n; ++i)
   {
-    Values low = cell(i), high = cell(i);
+    Values half = {}, inner = {};
     for (unsigned int c = 0; c < nc && scheme_.linear; ++c)
     {
       const Number backward = cell(i)[c] - cell(i - 1)[c];
       const Number forward = cell(i + 1)[c] - cell(i)[c];
-      Number half = limited_slope(scheme_.limiter, backward, forward) * 0.5;
-      low[c] = cell(i)[c] - half;
-      high[c] = cell(i)[c] + half;
-      if (!scheme_.gradient_limiter || i < 0 || i == n)
-        continue;
-      half = (backward + forward) *
-             factor_[c * layout_.n_points + first + i * stride] * 0.25;
-      if (i > 0)
-        low[c] = cell(i)[c] - half;
-      if (i + 1 < n)
-        high[c] = cell(i)[c] + half;
+      half[c] = limited_slope(scheme_.limiter, backward, forward) * 0.5;
+      if (scheme_.gradient_limiter && i >= 0 && i < n)
+        inner[c] = (backward + forward) *
+                   factor_[c * layout_.n_points + first + i * stride] * 0.25;
+    }
+    limit_velocity_slope<dim>(gas_, cell(i), half);
+    if (scheme_.gradient_limiter)
+      limit_velocity_slope<dim>(gas_, cell(i), inner);
+    else
+      inner = half;
+    Values low, high;
+    for (unsigned int c = 0; c < nc; ++c)
+    {
+      low[c] = cell(i)[c] - (i > 0 && i < n ? inner : half)[c];
+      high[c] = cell(i)[c] + (i >= 0 && i + 1 < n ? inner : half)[c];
     }
     restore_if_inadmissible<dim>(gas_, cell(i), low);
     restore_if_inadmissible<dim>(gas_, cell(i), high);
