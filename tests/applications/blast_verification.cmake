@@ -29,9 +29,7 @@ blast_verifies(leblanc leblanc "errors.density_L1 < 7.5e-4;${_closed}")
 blast_verifies(jwl_shyue jwl_shyue "errors.density_L1 < 2.6e-2;${_closed}")
 blast_verifies(tnt_air tnt_air "errors.density_L1 < 3.9;${_closed}")
 blast_verifies(noh_1d noh_1d "errors.density_L1 < 9.4e-3")
-# In the cold gas of Noh's implosion velocity slopes are bounded by the internal
-# energy, without which rough hypersonic fields die; unbounded: 1.7e-2.
-blast_verifies(noh_2d noh_2d "errors.density_L1 < 2.7e-2")
+blast_verifies(noh_2d noh_2d "errors.density_L1 < 2.0e-2")
 blast_verifies(sedov_1d sedov_1d "errors.density_L1 < 2.7e-2;${_closed}")
 blast_verifies(sedov_2d sedov_2d "errors.density_L1 < 6.0e-2;${_closed}")
 
@@ -78,7 +76,7 @@ blast_converges(degree_3 3.8 4 5 ${_galerkin} "Method/Degree=3"
 blast_converges(finite_volume 1.8 3 4 "Method/Scheme=finite volume")
 
 # Three dimensions, on meshes an eighth of the shipped ones.
-blast_verifies(noh_3d noh_3d "errors.density_L1 < 0.095"
+blast_verifies(noh_3d noh_3d "errors.density_L1 < 0.09"
   "Domain/Initial refinement=2")
 # The shock stays clear of the open sides until the end of this shorter run.
 blast_verifies(sedov_3d sedov_3d "errors.density_L1 < 0.062;${_closed}"
