@@ -37,10 +37,11 @@ FiniteVolumeHanging<dim, Gas>::FiniteVolumeHanging(const LeafLayout &layout,
 
 template <int dim, typename Gas>
 void FiniteVolumeHanging<dim, Gas>::compute(const HangingGroup<dim> &group,
-                                            const double *state,
+                                            const Stage &stage,
                                             HangingData<dim> &hanging)
 {
-  load(group, state);
+  careful_ = stage.careful;
+  load(group, stage.in);
   average_fine_side(group);
   if (scheme_.linear)
     limit_coarse_slopes();
@@ -183,7 +184,9 @@ void FiniteVolumeHanging<dim, Gas>::limit_coarse_slopes()
                    (t + 1 == dim ? 0.5 : 0.25);
       square += largest * largest;
     }
-    Number good = energy_left<dim>(gas_, coarse, square);
+    Number good(1.);
+    if (careful_)
+      good = energy_left<dim>(gas_, coarse, square);
     for (unsigned int corner = 0; corner < (1U << dim); ++corner)
     {
       Values part = coarse;
@@ -242,7 +245,8 @@ void FiniteVolumeHanging<dim, Gas>::reconstruct(const unsigned int part,
                             Number(fine[c] - fine_[part][1][point][c]),
                             Number(halo[c] - fine[c])) *
               0.5;
-  limit_velocity_slope<dim>(gas_, fine, half);
+  if (careful_)
+    limit_velocity_slope<dim>(gas_, fine, half);
   for (unsigned int c = 0; c < nc; ++c)
     outside[c] += half[c];
   restore_if_inadmissible<dim>(gas_, fine, outside);

@@ -199,7 +199,8 @@ void FiniteVolumeKernel<dim, Gas>::reconstruct()
                               Number(cell(i)[c] - cell(i - 1)[c]),
                               Number(cell(i + 1)[c] - cell(i)[c])) *
                 0.5;
-    limit_velocity_slope<dim>(gas_, cell(i), half);
+    if (Base::careful_)
+      limit_velocity_slope<dim>(gas_, cell(i), half);
     for (unsigned int c = 0; c < nc; ++c)
     {
       low[c] = cell(i)[c] - half[c];

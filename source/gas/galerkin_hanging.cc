@@ -57,17 +57,17 @@ GalerkinHanging<dim, Gas>::fine_point(const HangingGroup<dim> &group,
 
 template <int dim, typename Gas>
 void GalerkinHanging<dim, Gas>::compute(const HangingGroup<dim> &group,
-                                        const double *state,
+                                        const Stage &stage,
                                         HangingData<dim> &hanging)
 {
   for (unsigned int q = 0; q < layout_.n_face_points; ++q)
   {
-    coarse_[q] = gather(state,
+    coarse_[q] = gather(stage.in,
                         group.coarse_offset.data(),
                         layout_.face_point(group.coarse_face, q, 0));
     for (unsigned int part = 0; part < n_fine; ++part)
       fine_[part][q] =
-        gather(state,
+        gather(stage.in,
                group.fine_offset[part].data(),
                layout_.face_point(group.match.face, fine_point(group, q), 0));
   }

@@ -164,6 +164,7 @@ StepReport GasSimulation<dim>::advance(const double largest_step)
   if (result.failed)
     give_up(result);
   time_ += result.step;
+  n_careful_steps_ += result.careful ? 1. : 0.;
   ++n_steps_;
   probes_.read(field_, material_, time_);
 
@@ -270,6 +271,7 @@ std::vector<NamedValue> GasSimulation<dim>::assumptions()
   troubled = dealii::Utilities::MPI::sum(troubled, mesh_.communicator());
   std::vector<NamedValue> values = probes_.peaks();
   values.push_back({"troubled_leaves", "-", troubled / mesh_.n_global()});
+  values.push_back({"careful_steps", "-", n_careful_steps_});
   return values;
 }
 

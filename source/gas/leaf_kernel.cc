@@ -31,6 +31,7 @@ void LeafKernel<dim, Gas>::bind(const unsigned int batch, const Stage &stage)
   batch_ = batch;
   time_ = stage.time;
   in_ = stage.in;
+  careful_ = stage.careful;
   sensor_.load(stage.sensor_in + batch * W);
   Number any = sensor_;
   for (unsigned int face = 0; face < 2 * dim; ++face)

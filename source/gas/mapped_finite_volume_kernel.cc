@@ -259,10 +259,12 @@ void MappedFiniteVolumeKernel<dim, Gas>::reconstruct(
         inner[c] = (backward + forward) *
                    factor_[c * layout_.n_points + first + i * stride] * 0.25;
     }
-    limit_velocity_slope<dim>(gas_, cell(i), half);
-    if (scheme_.gradient_limiter)
+    if (Base::careful_)
+    {
+      limit_velocity_slope<dim>(gas_, cell(i), half);
       limit_velocity_slope<dim>(gas_, cell(i), inner);
-    else
+    }
+    if (!scheme_.gradient_limiter)
       inner = half;
     Values low, high;
     for (unsigned int c = 0; c < nc; ++c)

@@ -44,7 +44,8 @@ double TimeStepper<dim>::stable_step() const
 template <int dim>
 std::optional<unsigned int> TimeStepper<dim>::try_step(GasField &field,
                                                        const double time,
-                                                       const double step)
+                                                       const double step,
+                                                       const bool careful)
 {
   const auto &stages = scheme_.time_stepping.stages;
   double *in = field.state();
@@ -68,6 +69,7 @@ std::optional<unsigned int> TimeStepper<dim>::try_step(GasField &field,
     stage.sensor_in = sensor;
     stage.sensor_out = field.stage_sensor(target);
     stage.signal_rate = s + 1 == stages.size() ? signal_rate_.data() : nullptr;
+    stage.careful = careful;
     stage.unphysical_leaf = &unphysical_leaf_;
     operator_.apply(stage);
     in = field.stage(target);
@@ -89,7 +91,11 @@ TimeStepper<dim>::advance(GasField &field, const double time, const double step)
   result.step = step;
   for (;;)
   {
-    const auto target = try_step(field, time, result.step);
+    // First as accurate as the scheme is, then bounded, then shorter.
+    auto target = try_step(field, time, result.step, false);
+    result.careful = !target && can_be_careful();
+    if (result.careful)
+      target = try_step(field, time, result.step, true);
     if (target)
     {
       field.accept_stage(*target);

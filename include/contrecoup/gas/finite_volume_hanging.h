@@ -32,7 +32,7 @@ public:
                       const Gas &gas);
 
   void compute(const HangingGroup<dim> &group,
-               const double *state,
+               const Stage &stage,
                HangingData<dim> &hanging);
 
 private:
@@ -72,6 +72,7 @@ private:
   const LeafLayout layout_;
   const Scheme &scheme_;
   const Gas gas_;
+  bool careful_ = false; ///< see Stage::careful
 
   /// Primitive values by [layer][face point], coarse numbering.
   std::array<dealii::AlignedVector<Values>, 2> coarse_;

@@ -33,7 +33,7 @@ public:
                   const Gas &gas);
 
   void compute(const HangingGroup<dim> &group,
-               const double *state,
+               const Stage &stage,
                HangingData<dim> &hanging);
 
 private:

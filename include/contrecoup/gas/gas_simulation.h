@@ -78,5 +78,6 @@ private:
 
   double time_ = 0.;
   std::uint64_t n_steps_ = 0;
+  double n_careful_steps_ = 0.; ///< in this run, see Stage::careful
 };
 } // namespace contrecoup::gas

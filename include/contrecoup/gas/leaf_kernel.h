@@ -120,7 +120,8 @@ protected:
   unsigned int batch_ = 0;
   double time_ = 0.;
   const double *in_ = nullptr;
-  Number sensor_; ///< of the leaves themselves
+  bool careful_ = false; ///< see Stage::careful
+  Number sensor_;        ///< of the leaves themselves
   std::array<Number, 2 * dim> neighbor_sensor_;
   /// One in lanes with an open boundary along a direction, else zero.
   std::array<Number, dim> open_;

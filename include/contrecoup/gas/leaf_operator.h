@@ -36,7 +36,7 @@ public:
   void apply(const Stage &stage) override
   {
     for (const auto &group : groups_)
-      hanging_kernel_.compute(group, stage.in, hanging_);
+      hanging_kernel_.compute(group, stage, hanging_);
     for (unsigned int batch = 0; batch < mesh_.n_batches(); ++batch)
       kernel_.update(batch, stage, hanging_);
   }

@@ -34,6 +34,9 @@ struct Stage
   /// Per owned leaf: largest sum_d (|u_d| + c) / h_d, h_d the leaf's edge
   /// lengths [1/s], of the new state; may be null.
   double *signal_rate = nullptr;
+  /// Whether finite volumes bound their velocity slopes by the energy of each
+  /// subcell: needed where a step failed without, and first order in cold gas.
+  bool careful = false;
   /// Set to the number of a leaf whose new state is not physical.
   unsigned int *unphysical_leaf = nullptr;
 };

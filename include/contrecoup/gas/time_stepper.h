@@ -14,7 +14,8 @@ namespace contrecoup::gas
 {
 /**
  * Strong-stability-preserving Runge-Kutta steps of a gas field, each undone
- * and halved where it would leave the physical states.
+ * where it would leave the physical states, done again with bounded slopes,
+ * and halved where that does not help.
  */
 template <int dim>
 class TimeStepper
@@ -39,8 +40,9 @@ public:
 
   struct Result
   {
-    double step = 0.; ///< taken [s]
-    unsigned int retries = 0;
+    double step = 0.;         ///< taken [s]
+    unsigned int retries = 0; ///< times that the step was halved
+    bool careful = false;     ///< taken with Stage::careful
     /// On the rank where no step size helped, a leaf that turned
     /// unphysical; its state is in stage 0 of the field.
     std::optional<unsigned int> unphysical_leaf;
@@ -59,8 +61,15 @@ public:
 private:
   /// @returns number of the stage copy that holds the result, or nothing
   /// when a state turned unphysical on any rank
-  std::optional<unsigned int>
-  try_step(GasField &field, const double time, const double step);
+  std::optional<unsigned int> try_step(GasField &field,
+                                       const double time,
+                                       const double step,
+                                       const bool careful);
+  /// Whether the scheme has slopes that Stage::careful bounds.
+  bool can_be_careful() const
+  {
+    return scheme_.kind == Scheme::Kind::finite_volume && scheme_.linear;
+  }
 
   const LeafMesh<dim> &mesh_;
   const Scheme &scheme_;
