@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/lane_math.h>
 #include <contrecoup/gas/galerkin_hanging.h>
+#include <contrecoup/gas/radial_nodes.h>
 #include <contrecoup/materials/ideal_gas.h>
 #include <contrecoup/materials/mie_grueneisen.h>
 
@@ -20,6 +21,9 @@ GalerkinHanging<dim, Gas>::GalerkinHanging(const LeafLayout &layout,
   , mortar_(layout.n_face_points)
   , coarse_flux_(layout.n_face_points)
 {
+  for (unsigned int i = 0; i < layout.n; ++i)
+    subcell_begin_.push_back(
+      i == 0 ? 0. : subcell_begin_.back() + basis_.weights()[i - 1]);
   for (unsigned int part = 0; part < n_fine; ++part)
   {
     fine_[part].resize(layout.n_face_points);
@@ -96,7 +100,55 @@ void GalerkinHanging<dim, Gas>::compute(const HangingGroup<dim> &group,
       base,
       fine_flux_[part],
       coarse_flux_);
+  if (group.is_radial)
+    conserve_radially(group, base);
   store(group, hanging);
+}
+
+
+// Along the radius the nodes' areas grow. What the projection, made for equal
+// ones, leaves of the difference between both sides' sums is spread evenly;
+// it vanishes with equal fluxes.
+template <int dim, typename Gas>
+void GalerkinHanging<dim, Gas>::conserve_radially(
+  const HangingGroup<dim> &group,
+  const Values &base)
+{
+  const unsigned int n = layout_.n;
+  Number inner;
+  inner.load(group.inner_radius.data());
+  // In units of the coarse radial edge and of the area at its middle, which
+  // holds for infinite radii too.
+  const auto area = [&](const unsigned int i,
+                        const Number &begin,
+                        const double extent) -> Number {
+    const Number from = begin + extent * subcell_begin_[i];
+    const Number to = from + extent * basis_.weights()[i];
+    const Number place = select_less(inner + begin,
+                                     Number(extent * least_collocated_radius),
+                                     Number((from + to) * 0.5),
+                                     begin + extent * basis_.nodes()[i]);
+    return (Number(1.) + (place - 0.5) / (inner + 0.5)) *
+           (basis_.weights()[i] * extent);
+  };
+  Values missing;
+  missing.fill(Number(0.));
+  for (unsigned int q = 0; q < n; ++q)
+  {
+    const Number coarse = area(q, Number(0.), 1.);
+    for (unsigned int c = 0; c < nc; ++c)
+      missing[c] -= (coarse_flux_[q][c] - base[c]) * coarse;
+    for (unsigned int part = 0; part < n_fine; ++part)
+    {
+      const Number fine = area(q, Number(0.5 * part), 0.5);
+      for (unsigned int c = 0; c < nc; ++c)
+        missing[c] += (fine_flux_[part][q][c] - base[c]) * fine;
+    }
+  }
+  // All areas together make one.
+  for (unsigned int q = 0; q < n; ++q)
+    for (unsigned int c = 0; c < nc; ++c)
+      coarse_flux_[q][c] += missing[c];
 }
 
 

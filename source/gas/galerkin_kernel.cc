@@ -17,6 +17,7 @@ GalerkinKernel<dim, n, Gas>::GalerkinKernel(const LeafMesh<dim> &mesh,
   : Base(mesh, layout, scheme, gas, boundary, LobattoBasis(n).nodes())
   , basis_(n)
   , indicator_(basis_)
+  , radial_(radial_exponent(mesh.coarse_mesh().geometry()), n)
 {
   subface_[0] = 0.;
   for (unsigned int i = 0; i < n; ++i)
@@ -39,6 +40,8 @@ void GalerkinKernel<dim, n, Gas>::update(const unsigned int batch,
   Base::bind(batch, stage);
   load(stage.in);
   set_blending();
+  if (!radial_.is_plane())
+    radial_.reinit(mesh_.origins(batch)[0], mesh_.extents(batch)[0]);
   for (unsigned int c = 0; c < nc; ++c)
     residual_[c].fill(Number(0.));
   for (unsigned int direction = 0; direction < dim; ++direction)
@@ -110,12 +113,16 @@ template <int dim, int n, typename Gas>
 void GalerkinKernel<dim, n, Gas>::sweep(const unsigned int direction,
                                         const HangingData<dim> &hanging)
 {
+  const bool is_radial = direction == 0 && !radial_.is_plane();
   for (unsigned int line = 0; line < n_lines; ++line)
   {
     load_line(direction, line);
     end_fluxes(direction, line, hanging);
-    volume_terms();
-    if (any_blending_)
+    if (is_radial)
+      radial_volume_terms();
+    else
+      volume_terms();
+    if (any_blending_ || (is_radial && radial_.any_near_axis()))
       subcell_terms(direction, line);
     add_line(direction, line);
   }
@@ -315,6 +322,11 @@ void GalerkinKernel<dim, n, Gas>::subcell_terms(const unsigned int direction,
       Base::widen_open_flux(direction, line_[f - 1], line_[f], flux[f]);
     flux[f][C::momentum] -= reference_pressure_;
   }
+  if (direction == 0 && !radial_.is_plane())
+  {
+    radial_subcell_terms(flux);
+    return;
+  }
   for (unsigned int i = 0; i < n; ++i)
     for (unsigned int c = 0; c < nc; ++c)
       line_residual_[i][c] +=
@@ -365,28 +377,6 @@ void GalerkinKernel<dim, n, Gas>::finish(const Stage &stage)
     for (std::size_t i = 0; i < layout_.batch_size(); i += W)
       out[i + lane] = out[i];
   analyse(batch_, stage);
-}
-
-
-template <int dim, int n, typename Gas>
-typename GalerkinKernel<dim, n, Gas>::Values
-GalerkinKernel<dim, n, Gas>::mean() const
-{
-  Values sum;
-  sum.fill(Number(0.));
-  for (unsigned int q = 0; q < n_points; ++q)
-  {
-    double weight = 1.;
-    unsigned int rest = q;
-    for (unsigned int d = 0; d < dim; ++d)
-    {
-      weight *= weight_[rest % n];
-      rest /= n;
-    }
-    for (unsigned int c = 0; c < nc; ++c)
-      sum[c] += conserved_[c][q] * weight;
-  }
-  return sum;
 }
 
 

@@ -4,6 +4,7 @@
 #include <contrecoup/gas/gas_measures.h>
 #include <contrecoup/gas/leaf_metric.h>
 #include <contrecoup/gas/primitive.h>
+#include <contrecoup/gas/radial_nodes.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -97,12 +98,10 @@ namespace
     {
       const auto &x = quadrature.point(s);
       std::array<std::vector<double>, dim> line;
-      double volume = quadrature.weight(s);
+      const double volume = quadrature.weight(s) * box.jacobian(x) *
+                            radial_power(points.exponent(), box.place(x)[0]);
       for (unsigned int d = 0; d < dim; ++d)
-      {
         line[d] = points.interpolation(x[d]);
-        volume *= box.extents[d];
-      }
       std::vector<double> u(n_components, 0.);
       for (unsigned int q = 0; q < n_points; ++q)
       {

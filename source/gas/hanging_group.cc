@@ -3,6 +3,7 @@
 
 #include <contrecoup/gas/hanging_group.h>
 
+#include <cmath>
 #include <limits>
 #include <tuple>
 
@@ -40,6 +41,8 @@ namespace
     const HangingFace<dim> &face = mesh.hanging_faces()[index];
     group.face[lane] = index;
     group.inner_radius[lane] = inner_radius(mesh, face);
+    group.is_radial =
+      group.is_radial || std::isfinite(group.inner_radius[lane]);
     group.coarse_offset[lane] = layout.offset(face.coarse_leaf);
     unsigned int present = no_leaf;
     for (const unsigned int leaf : face.fine_leaf)

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/gas/leaf_points.h>
+#include <contrecoup/gas/radial_nodes.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -22,16 +23,6 @@ namespace
         return 4. * dealii::numbers::PI;
     }
     return 1.;
-  }
-
-  /// Integral of r^m from a to b.
-  double radial_integral(const unsigned int m, const double a, const double b)
-  {
-    if (m == 0)
-      return b - a;
-    if (m == 1)
-      return (b - a) * (a + b) / 2.;
-    return (b - a) * (a * a + a * b + b * b) / 3.;
   }
 } // namespace
 
@@ -69,7 +60,7 @@ double LeafPoints<dim>::volume(const dealii::Point<dim> &origin,
 {
   const auto index = indices(q);
   dealii::Point<dim> begin, end;
-  if (exponent_ != 0)
+  if (exponent_ != 0 && !is_galerkin())
   {
     for (unsigned int d = 0; d < dim; ++d)
     {
@@ -79,6 +70,14 @@ double LeafPoints<dim>::volume(const dealii::Point<dim> &origin,
     return volume(origin, extents, begin, end);
   }
   double result = relative_volume(q);
+  if (exponent_ != 0)
+    result *= angle_ * radial_jacobian(exponent_,
+                                       n(),
+                                       origin[0],
+                                       extents[0],
+                                       position(index[0]),
+                                       subcell_begin(index[0]),
+                                       subcell_end(index[0]));
   for (unsigned int d = 0; d < dim; ++d)
     result *= extents[d];
   return result;
@@ -91,10 +90,10 @@ double LeafPoints<dim>::volume(const dealii::Point<dim> &origin,
                                const dealii::Point<dim> &begin,
                                const dealii::Point<dim> &end) const
 {
-  double result = angle_ * radial_integral(exponent_,
-                                           origin[0] + extents[0] * begin[0],
-                                           origin[0] + extents[0] * end[0]);
-  for (unsigned int d = 1; d < dim; ++d)
+  double result = angle_ * radial_mean(exponent_,
+                                       origin[0] + extents[0] * begin[0],
+                                       origin[0] + extents[0] * end[0]);
+  for (unsigned int d = 0; d < dim; ++d)
     result *= extents[d] * (end[d] - begin[d]);
   return result;
 }

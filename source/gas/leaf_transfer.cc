@@ -7,6 +7,31 @@
 
 namespace contrecoup::gas
 {
+namespace
+{
+  template <int dim>
+  LeafBox<dim> child_box(const LeafBox<dim> &parent_box,
+                         const unsigned int child)
+  {
+    LeafBox<dim> box = parent_box;
+    box.extents *= 0.5;
+    for (unsigned int d = 0; d < dim; ++d)
+      if ((child >> d) & 1U)
+        box.origin[d] += box.extents[d];
+    return box;
+  }
+
+  template <int dim>
+  std::vector<LeafBox<dim>> child_boxes(const LeafBox<dim> &parent_box)
+  {
+    std::vector<LeafBox<dim>> boxes;
+    for (unsigned int child = 0; child < (1U << dim); ++child)
+      boxes.push_back(child_box(parent_box, child));
+    return boxes;
+  }
+} // namespace
+
+
 template <int dim>
 LeafTransfer<dim>::LeafTransfer(const LeafPoints<dim> &points,
                                 const LeafLayout &layout,
@@ -64,25 +89,68 @@ std::vector<std::vector<double>>
 LeafTransfer<dim>::to_children(const std::vector<double> &parent,
                                const LeafBox<dim> &parent_box) const
 {
-  return points_.is_galerkin() ? interpolated_children(parent)
+  return points_.is_galerkin() ? interpolated_children(parent, parent_box)
                                : reconstructed_children(parent, parent_box);
 }
 
 
 template <int dim>
-std::vector<double>
-LeafTransfer<dim>::mean(const std::vector<double> &values) const
+std::vector<double> LeafTransfer<dim>::mean(const std::vector<double> &values,
+                                            const LeafBox<dim> &box) const
 {
   std::vector<double> result(layout_.n_components, 0.);
+  double volume = 0.;
   for (unsigned int q = 0; q < layout_.n_points; ++q)
   {
-    double weight = 1.;
-    for (const unsigned int i : points_.indices(q))
-      weight *= points_.subcell_end(i) - points_.subcell_begin(i);
+    const double weight = points_.exponent() == 0
+                            ? points_.relative_volume(q)
+                            : points_.volume(box.origin, box.extents, q);
+    volume += weight;
     for (unsigned int c = 0; c < layout_.n_components; ++c)
       result[c] += weight * values[c * layout_.n_points + q];
   }
+  if (points_.exponent() != 0)
+    for (double &value : result)
+      value /= volume;
   return result;
+}
+
+
+template <int dim>
+void LeafTransfer<dim>::balance(const std::vector<std::vector<double>> &from,
+                                const std::vector<LeafBox<dim>> &from_boxes,
+                                std::vector<std::vector<double>> &to,
+                                const std::vector<LeafBox<dim>> &to_boxes) const
+{
+  if (points_.exponent() == 0)
+    return;
+  // Measured from one value, what is uniform needs no balance, to the bit.
+  const auto excess = [&](const std::vector<std::vector<double>> &leaves,
+                          const std::vector<LeafBox<dim>> &boxes,
+                          const unsigned int c,
+                          double &volume) {
+    double sum = 0.;
+    volume = 0.;
+    for (unsigned int leaf = 0; leaf < leaves.size(); ++leaf)
+      for (unsigned int q = 0; q < layout_.n_points; ++q)
+      {
+        const double part =
+          points_.volume(boxes[leaf].origin, boxes[leaf].extents, q);
+        volume += part;
+        sum += part * (leaves[leaf][c * layout_.n_points + q] -
+                       from[0][c * layout_.n_points]);
+      }
+    return sum;
+  };
+  for (unsigned int c = 0; c < layout_.n_components; ++c)
+  {
+    double volume = 0.;
+    const double missing =
+      excess(from, from_boxes, c, volume) - excess(to, to_boxes, c, volume);
+    for (auto &leaf : to)
+      for (unsigned int q = 0; q < layout_.n_points; ++q)
+        leaf[c * layout_.n_points + q] += missing / volume;
+  }
 }
 
 
@@ -118,8 +186,9 @@ std::vector<double> LeafTransfer<dim>::apply(const std::vector<double> &values,
 
 
 template <int dim>
-std::vector<std::vector<double>> LeafTransfer<dim>::interpolated_children(
-  const std::vector<double> &parent) const
+std::vector<std::vector<double>>
+LeafTransfer<dim>::interpolated_children(const std::vector<double> &parent,
+                                         const LeafBox<dim> &parent_box) const
 {
   std::vector<std::vector<double>> children;
   for (unsigned int child = 0; child < n_children; ++child)
@@ -129,7 +198,8 @@ std::vector<std::vector<double>> LeafTransfer<dim>::interpolated_children(
         return points_.basis().to_child(half);
       },
       child));
-  make_admissible(children, mean(parent));
+  balance({parent}, {parent_box}, children, child_boxes(parent_box));
+  make_admissible(children, mean(parent, parent_box));
   return children;
 }
 
@@ -246,14 +316,15 @@ std::vector<double> LeafTransfer<dim>::from_children(
   const std::vector<std::vector<double>> &children,
   const LeafBox<dim> &parent_box) const
 {
-  return points_.is_galerkin() ? projected_parent(children)
+  return points_.is_galerkin() ? projected_parent(children, parent_box)
                                : averaged_parent(children, parent_box);
 }
 
 
 template <int dim>
 std::vector<double> LeafTransfer<dim>::projected_parent(
-  const std::vector<std::vector<double>> &children) const
+  const std::vector<std::vector<double>> &children,
+  const LeafBox<dim> &parent_box) const
 {
   std::vector<double> result(children[0].size(), 0.);
   for (unsigned int child = 0; child < n_children; ++child)
@@ -267,9 +338,10 @@ std::vector<double> LeafTransfer<dim>::projected_parent(
     for (std::size_t i = 0; i < result.size(); ++i)
       result[i] += part[i];
   }
-  // A projection may overshoot next to a jump.
   std::vector<std::vector<double>> parent = {std::move(result)};
-  make_admissible(parent, mean(parent[0]));
+  balance(children, child_boxes(parent_box), parent, {parent_box});
+  // A projection may overshoot next to a jump.
+  make_admissible(parent, mean(parent[0], parent_box));
   return parent[0];
 }
 
@@ -284,11 +356,7 @@ std::vector<double> LeafTransfer<dim>::averaged_parent(
   std::vector<double> volume(layout_.n_points, 0.);
   for (unsigned int child = 0; child < n_children; ++child)
   {
-    LeafBox<dim> box = parent_box;
-    box.extents *= 0.5;
-    for (unsigned int d = 0; d < dim; ++d)
-      if ((child >> d) & 1U)
-        box.origin[d] += box.extents[d];
+    const LeafBox<dim> box = child_box(parent_box, child);
     for (unsigned int q = 0; q < layout_.n_points; ++q)
     {
       const auto index = points_.indices(q);

@@ -125,7 +125,7 @@ void Scheme::declare_parameters(ParameterHandler &prm)
 
 void Scheme::parse_parameters(ParameterHandler &prm,
                               const unsigned int dim,
-                              const bool plane_geometry)
+                              const bool /*plane_geometry*/)
 {
   const Section section(prm, "Method");
   kind = prm.get("Scheme") == "finite volume" ? Kind::finite_volume
@@ -144,11 +144,6 @@ void Scheme::parse_parameters(ParameterHandler &prm,
   largest_retries = read_unsigned(prm, "Largest number of retries");
   n_points = kind == Kind::finite_volume ? read_unsigned(prm, "Subcells")
                                          : read_unsigned(prm, "Degree") + 1;
-  if (kind == Kind::discontinuous_galerkin && !plane_geometry)
-    throw InputError(
-      "Method/Scheme = discontinuous galerkin works in plane geometry; use "
-      "finite volume where Domain/Geometry is cylindrical, spherical or "
-      "axisymmetric");
   if (kind == Kind::finite_volume && linear && n_points == 1)
     throw InputError("Method/Reconstruction = linear needs Method/Subcells "
                      "of 2 or more (8 is a good number in " +

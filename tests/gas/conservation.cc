@@ -132,39 +132,48 @@ TEST(Conservation, EveryFlux)
 
 TEST(Conservation, ClosedAxisymmetricVessel)
 {
-  GasRun<2> run(finite_volume(8) +
-                std::vector<std::string>{"Domain/Geometry=axisymmetric",
-                                         "Domain/Initial refinement=2"});
-  run.refine([](const Point<2> &p) { return p.norm() < 0.6; });
-  run.set_state([](const Point<2> &p) {
-    GasState<2> state = waves(p, false);
-    state.velocity[0] *= p[0] * (1. - p[0]);
-    return state;
-  });
-  const auto before = run.totals();
-  run.steps(10);
-  const auto after = run.totals();
-  for (const std::string name : {"mass", "energy"})
-    EXPECT_NEAR(after.at(name), before.at(name), 1e-13 * before.at(name));
+  for (const bool blending : {true, false})
+    for (const auto &method :
+         {finite_volume(8), galerkin(1), galerkin(2), galerkin(3)})
+    {
+      GasRun<2> run(method +
+                    std::vector<std::string>{"Domain/Geometry=axisymmetric",
+                                             "Domain/Initial refinement=2",
+                                             std::string("Method/Blending=") +
+                                               (blending ? "true" : "false")});
+      run.refine([](const Point<2> &p) { return p.norm() < 0.6; });
+      run.set_state([](const Point<2> &p) {
+        GasState<2> state = waves(p, false);
+        state.velocity[0] *= p[0] * (1. - p[0]);
+        return state;
+      });
+      const auto before = run.totals();
+      run.steps(10);
+      const auto after = run.totals();
+      for (const std::string name : {"mass", "energy"})
+        EXPECT_NEAR(after.at(name), before.at(name), 1e-13 * before.at(name));
+    }
 }
 
 
 TEST(Conservation, ClosedSphereAndCylinder)
 {
   for (const std::string geometry : {"spherical", "cylindrical"})
-  {
-    GasRun<1> run(finite_volume(8) +
-                  std::vector<std::string>{"Domain/Geometry=" + geometry,
-                                           "Domain/Coarse leaves=11"});
-    run.set_state([](const Point<1> &p) {
-      GasState<1> state = waves(p, false);
-      state.velocity[0] *= p[0] * (1. - p[0]);
-      return state;
-    });
-    const auto before = run.totals();
-    run.steps(50);
-    const auto after = run.totals();
-    for (const std::string name : {"mass", "energy"})
-      EXPECT_NEAR(after.at(name), before.at(name), 1e-13 * before.at(name));
-  }
+    for (const auto &method :
+         {finite_volume(8), galerkin(1), galerkin(2), galerkin(3)})
+    {
+      GasRun<1> run(method +
+                    std::vector<std::string>{"Domain/Geometry=" + geometry,
+                                             "Domain/Coarse leaves=11"});
+      run.set_state([](const Point<1> &p) {
+        GasState<1> state = waves(p, false);
+        state.velocity[0] *= p[0] * (1. - p[0]);
+        return state;
+      });
+      const auto before = run.totals();
+      run.steps(50);
+      const auto after = run.totals();
+      for (const std::string name : {"mass", "energy"})
+        EXPECT_NEAR(after.at(name), before.at(name), 1e-13 * before.at(name));
+    }
 }

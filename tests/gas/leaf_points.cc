@@ -111,22 +111,31 @@ TEST(LeafPoints, VolumesAddUpToTheBody)
         0.25 * 0.5 * 0.75,
         1e-15);
     }
-  for (const unsigned int n : {1U, 2U, 8U})
-  {
-    const Scheme scheme = make_scheme(false, n);
-    const auto line = make_box<1>();
-    EXPECT_NEAR(whole_volume(LeafPoints<1>(scheme, Geometry::spherical), line),
-                4. / 3. * M_PI * (0.75 * 0.75 * 0.75 - 0.5 * 0.5 * 0.5),
-                1e-14);
-    EXPECT_NEAR(
-      whole_volume(LeafPoints<1>(scheme, Geometry::cylindrical), line),
-      M_PI * (0.75 * 0.75 - 0.5 * 0.5),
-      1e-14);
-    EXPECT_NEAR(whole_volume(LeafPoints<2>(scheme, Geometry::axisymmetric),
-                             make_box<2>()),
-                M_PI * (0.75 * 0.75 - 0.5 * 0.5) * 0.5,
-                1e-14);
-  }
+  for (const bool is_galerkin : {false, true})
+    for (const unsigned int n : {1U, 2U, 3U, 4U, 8U})
+      for (const double inner : {0., 0.2, 0.25, 0.5})
+      {
+        if (is_galerkin && (n < 2 || n > 4))
+          continue;
+        const Scheme scheme = make_scheme(is_galerkin, n);
+        auto line = make_box<1>();
+        line.origin[0] = inner;
+        auto box = make_box<2>();
+        box.origin[0] = inner;
+        const double outer = inner + 0.25;
+        EXPECT_NEAR(
+          whole_volume(LeafPoints<1>(scheme, Geometry::spherical), line),
+          4. / 3. * M_PI * (outer * outer * outer - inner * inner * inner),
+          1e-14);
+        EXPECT_NEAR(
+          whole_volume(LeafPoints<1>(scheme, Geometry::cylindrical), line),
+          M_PI * (outer * outer - inner * inner),
+          1e-14);
+        EXPECT_NEAR(
+          whole_volume(LeafPoints<2>(scheme, Geometry::axisymmetric), box),
+          M_PI * (outer * outer - inner * inner) * 0.5,
+          1e-14);
+      }
 }
 
 

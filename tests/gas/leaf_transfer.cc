@@ -280,6 +280,12 @@ TEST(LeafTransfer, GalerkinConserves)
     check_conservation(Parent<2>(true, n, Geometry::plane, false));
     check_conservation(Parent<2>(true, n, Geometry::plane, true));
     check_conservation(Parent<3>(true, n, Geometry::plane, false));
+    for (const double inner : {0., 0.3, 0.7})
+    {
+      Parent<2> parent(true, n, Geometry::axisymmetric, true);
+      parent.box.origin[0] = inner;
+      check_conservation(parent);
+    }
   }
   check_conservation(Parent<3>(true, 4, Geometry::plane, true));
 }

@@ -113,8 +113,13 @@ TEST(GasAtRest, OneDimensionalGeometries)
                       std::vector<std::string>{"Domain/Geometry=" + geometry,
                                                "Domain/Lower corner=" + lower,
                                                "Domain/Coarse leaves=3"});
-  for (const unsigned int degree : {1U, 2U, 3U})
-    check_rest<1>(galerkin(degree));
+  for (const std::string geometry : {"plane", "cylindrical", "spherical"})
+    for (const unsigned int degree : {1U, 2U, 3U})
+      for (const std::string lower : {"0", "0.1"})
+        check_rest<1>(galerkin(degree) +
+                      std::vector<std::string>{"Domain/Geometry=" + geometry,
+                                               "Domain/Lower corner=" + lower,
+                                               "Domain/Coarse leaves=3"});
 }
 
 
@@ -129,11 +134,15 @@ TEST(GasAtRest, PlaneWithHangingFaces)
 
 TEST(GasAtRest, AxisymmetricWithHangingFaces)
 {
-  for (const unsigned int n : {1U, 2U, 8U})
-    for (const std::string lower : {"0, 0", "0.05, -0.1"})
-      check_rest<2>(finite_volume(n) +
-                    std::vector<std::string>{"Domain/Geometry=axisymmetric",
-                                             "Domain/Lower corner=" + lower});
+  for (const std::string lower : {"0, 0", "0.05, -0.1"})
+  {
+    const std::vector<std::string> vessel = {"Domain/Geometry=axisymmetric",
+                                             "Domain/Lower corner=" + lower};
+    for (const unsigned int n : {1U, 2U, 8U})
+      check_rest<2>(finite_volume(n) + vessel);
+    for (const unsigned int degree : {1U, 2U, 3U})
+      check_rest<2>(galerkin(degree) + vessel);
+  }
 }
 
 
@@ -153,9 +162,10 @@ TEST(GasAtRest, ProductsInAir)
     check_rest<2>(galerkin(3) + products_in_air(), state);
   }
   for (const auto &state : mixtures<1>())
-    check_rest<1>(finite_volume(8) + products_in_air() +
-                    std::vector<std::string>{"Domain/Geometry=spherical"},
-                  state);
+    for (const auto &method : {finite_volume(8), galerkin(3)})
+      check_rest<1>(method + products_in_air() +
+                      std::vector<std::string>{"Domain/Geometry=spherical"},
+                    state);
 }
 
 

@@ -45,6 +45,7 @@ private:
                 const unsigned int point) const;
   void restore_positivity();
   void part_fluxes(const HangingGroup<dim> &group, const unsigned int part);
+  void conserve_radially(const HangingGroup<dim> &group, const Values &base);
   void store(const HangingGroup<dim> &group, HangingData<dim> &hanging) const;
   unsigned int fine_point(const HangingGroup<dim> &group,
                           const unsigned int point) const;
@@ -62,6 +63,7 @@ private:
   const Scheme &scheme_;
   const Gas gas_;
   const LobattoBasis basis_;
+  std::vector<double> subcell_begin_; ///< relative, from 0 to 1
 
   Trace coarse_;                   ///< conserved, at the coarse nodes
   Trace mortar_;                   ///< the same at the fine nodes

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/gas/leaf_kernel.h>
+#include <contrecoup/gas/radial_nodes.h>
 #include <contrecoup/numerics/lobatto_basis.h>
 #include <contrecoup/numerics/trouble_indicator.h>
 
@@ -19,6 +20,9 @@ namespace contrecoup::gas
  * Rueda-Ramirez, Hindenlang and Gassner 2021), and scaled towards the mean
  * where a node would lose positivity (Zhang and Shu 2010). Both schemes
  * share the flux at leaf faces, so that the mean is conservative.
+ *
+ * In curvilinear geometry nodes stand for the volumes of radial_jacobian(),
+ * and along the radius leaves next to the axis are finite volumes alone.
  */
 template <int dim, int n, typename Gas>
 class GalerkinKernel : private LeafKernel<dim, Gas>
@@ -67,7 +71,9 @@ private:
                   const Values &inside,
                   const Values &outside);
   void volume_terms();
+  void radial_volume_terms();
   void subcell_terms(const unsigned int direction, const unsigned int line);
+  void radial_subcell_terms(const std::array<Values, n + 1> &flux);
   Line subcell_slopes(const unsigned int direction,
                       const unsigned int line) const;
   Number compression(const unsigned int direction,
@@ -76,6 +82,7 @@ private:
   void finish(const Stage &stage);
   void restore_positivity(const Stage &stage);
   Values mean() const;
+  Values radial_mean() const;
   void scale_to_mean(const Values &mean,
                      const Number &theta,
                      const bool densities_only);
@@ -89,6 +96,7 @@ private:
   std::array<double, n> weight_;
   std::array<double, n + 1> subface_;
 
+  RadialNodes<Number> radial_;
   bool any_blending_ = false;
   Number blending_;
   Number reference_pressure_;

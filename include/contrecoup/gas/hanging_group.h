@@ -27,6 +27,7 @@ struct HangingGroup
   /// Inner radius of the coarse leaf in units of its radial edge, where the
   /// face runs along the radius of an axisymmetric mesh; infinite elsewhere.
   std::array<double, W> inner_radius;
+  bool is_radial = false; ///< whether any of these is finite
 };
 
 /// Sorts the hanging faces of @p mesh into groups. A fine leaf that this

@@ -55,12 +55,14 @@ private:
                             const Matrices &matrices,
                             const unsigned int child) const;
   std::vector<std::vector<double>>
-  interpolated_children(const std::vector<double> &parent) const;
+  interpolated_children(const std::vector<double> &parent,
+                        const LeafBox<dim> &parent_box) const;
   std::vector<std::vector<double>>
   reconstructed_children(const std::vector<double> &parent,
                          const LeafBox<dim> &parent_box) const;
   std::vector<double>
-  projected_parent(const std::vector<std::vector<double>> &children) const;
+  projected_parent(const std::vector<std::vector<double>> &children,
+                   const LeafBox<dim> &parent_box) const;
   std::vector<double>
   averaged_parent(const std::vector<std::vector<double>> &children,
                   const LeafBox<dim> &parent_box) const;
@@ -76,7 +78,15 @@ private:
   void scale(std::vector<double> &values,
              const std::vector<double> &mean,
              const double theta) const;
-  std::vector<double> mean(const std::vector<double> &values) const;
+  /// Mean of each component over the leaf's volume.
+  std::vector<double> mean(const std::vector<double> &values,
+                           const LeafBox<dim> &box) const;
+  /// In curvilinear geometry adds a constant to each component of @p to, so
+  /// that these leaves hold as much of it as @p from.
+  void balance(const std::vector<std::vector<double>> &from,
+               const std::vector<LeafBox<dim>> &from_boxes,
+               std::vector<std::vector<double>> &to,
+               const std::vector<LeafBox<dim>> &to_boxes) const;
 
   const LeafPoints<dim> points_;
   const LeafLayout layout_;

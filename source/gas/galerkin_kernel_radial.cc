@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/lane_math.h>
+#include <contrecoup/gas/galerkin_kernel.h>
+#include <contrecoup/materials/ideal_gas.h>
+#include <contrecoup/materials/mie_grueneisen.h>
+
+namespace contrecoup::gas
+{
+// Fluxes carry the area r^m; the pressure acts by its differences alone, as
+// r^m dp/dr, so that at rest every term vanishes.
+template <int dim, int n, typename Gas>
+void GalerkinKernel<dim, n, Gas>::radial_volume_terms()
+{
+  Line flux;
+  std::array<Number, n> pressure;
+  for (unsigned int i = 0; i < n; ++i)
+  {
+    const Values &p = line_[i];
+    const Number through = p[C::momentum] * radial_.power(i);
+    for (unsigned int c = 0; c < nc; ++c)
+      flux[i][c] = line_conserved_[i][c] * through;
+    flux[i][C::energy] += p[C::energy] * through;
+    pressure[i] = p[C::energy] - reference_pressure_;
+  }
+  for (unsigned int i = 0; i < n; ++i)
+  {
+    Number force(0.);
+    for (unsigned int j = 0; j < n; ++j)
+      force += pressure[j] * weak_derivative_[i][j];
+    for (unsigned int c = 0; c < nc; ++c)
+    {
+      Number sum(0.);
+      for (unsigned int j = 0; j < n; ++j)
+        sum += flux[j][c] * weak_derivative_[i][j];
+      if (i == 0)
+        sum += low_flux_[c] * radial_.area(0) * (1. / weight_[0]);
+      if (i == n - 1)
+        sum -= high_flux_[c] * radial_.area(n) * (1. / weight_[n - 1]);
+      if (c == C::momentum)
+        sum += force * radial_.power(i);
+      line_residual_[i][c] = sum * radial_.inverse_jacobian(i);
+    }
+  }
+}
+
+
+template <int dim, int n, typename Gas>
+void GalerkinKernel<dim, n, Gas>::radial_subcell_terms(
+  const std::array<Values, n + 1> &flux)
+{
+  const Number blending =
+    std::max(any_blending_ ? blending_ : Number(0.), radial_.near_axis());
+  for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int c = 0; c < nc; ++c)
+    {
+      // The pressure of the subcell itself exerts no net force on it.
+      const Number base = c == C::momentum
+                            ? line_[i][C::energy] - reference_pressure_
+                            : Number(0.);
+      const Number difference = (flux[i][c] - base) * radial_.area(i) -
+                                (flux[i + 1][c] - base) * radial_.area(i + 1);
+      Number &residual = line_residual_[i][c];
+      residual += blending * (difference * (1. / weight_[i]) *
+                                radial_.inverse_jacobian(i) -
+                              residual);
+    }
+}
+
+
+template <int dim, int n, typename Gas>
+typename GalerkinKernel<dim, n, Gas>::Values
+GalerkinKernel<dim, n, Gas>::mean() const
+{
+  if (!radial_.is_plane())
+    return radial_mean();
+  Values sum;
+  sum.fill(Number(0.));
+  for (unsigned int q = 0; q < n_points; ++q)
+  {
+    double weight = 1.;
+    unsigned int rest = q;
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      weight *= weight_[rest % n];
+      rest /= n;
+    }
+    for (unsigned int c = 0; c < nc; ++c)
+      sum[c] += conserved_[c][q] * weight;
+  }
+  return sum;
+}
+
+
+template <int dim, int n, typename Gas>
+typename GalerkinKernel<dim, n, Gas>::Values
+GalerkinKernel<dim, n, Gas>::radial_mean() const
+{
+  Values sum;
+  sum.fill(Number(0.));
+  Number volume(0.);
+  for (unsigned int q = 0; q < n_points; ++q)
+  {
+    Number part = radial_.jacobian(q % n) * weight_[q % n];
+    unsigned int rest = q / n;
+    for (unsigned int d = 1; d < dim; ++d)
+    {
+      part = part * weight_[rest % n];
+      rest /= n;
+    }
+    volume += part;
+    for (unsigned int c = 0; c < nc; ++c)
+      sum[c] += conserved_[c][q] * part;
+  }
+  for (unsigned int c = 0; c < nc; ++c)
+    sum[c] = sum[c] / volume;
+  return sum;
+}
+
+
+template class GalerkinKernel<1, 2, IdealGas>;
+template class GalerkinKernel<1, 3, IdealGas>;
+template class GalerkinKernel<1, 4, IdealGas>;
+template class GalerkinKernel<2, 2, IdealGas>;
+template class GalerkinKernel<2, 3, IdealGas>;
+template class GalerkinKernel<2, 4, IdealGas>;
+template class GalerkinKernel<3, 2, IdealGas>;
+template class GalerkinKernel<3, 3, IdealGas>;
+template class GalerkinKernel<3, 4, IdealGas>;
+template class GalerkinKernel<1, 2, MieGrueneisen>;
+template class GalerkinKernel<1, 3, MieGrueneisen>;
+template class GalerkinKernel<1, 4, MieGrueneisen>;
+template class GalerkinKernel<2, 2, MieGrueneisen>;
+template class GalerkinKernel<2, 3, MieGrueneisen>;
+template class GalerkinKernel<2, 4, MieGrueneisen>;
+template class GalerkinKernel<3, 2, MieGrueneisen>;
+template class GalerkinKernel<3, 3, MieGrueneisen>;
+template class GalerkinKernel<3, 4, MieGrueneisen>;
+} // namespace contrecoup::gas
