@@ -191,6 +191,11 @@ bool Adaptation<dim>::adapt(GasField &field)
   else
   {
     std::vector<double> marks = sensors(field);
+    // Explosive that is to burn stays as fine as it was lit.
+    for (unsigned int leaf = 0; leaf < marks.size() && field.burn() != nullptr;
+         ++leaf)
+      if (field.burn()->burns[leaf])
+        marks[leaf] = 1.;
     for (unsigned int layer = 0; layer < parameters_.buffer; ++layer)
       spread(marks);
     set_flags(marks);

@@ -15,6 +15,7 @@ FiniteVolumeHanging<dim, Gas>::FiniteVolumeHanging(const LeafLayout &layout,
   : layout_(layout)
   , scheme_(scheme)
   , gas_(gas)
+  , coarse_progress_(layout.n_face_points)
   , coarse_halo_(layout.n_face_points)
   , coarse_flux_(layout.n_face_points)
   , first_flux_(layout.n_face_points)
@@ -29,6 +30,7 @@ FiniteVolumeHanging<dim, Gas>::FiniteVolumeHanging(const LeafLayout &layout,
   }
   for (unsigned int part = 0; part < n_fine; ++part)
   {
+    fine_progress_[part].resize(layout.n_face_points);
     fine_halo_[part].resize(layout.n_face_points);
     fine_flux_[part].resize(layout.n_face_points);
   }
@@ -42,6 +44,7 @@ void FiniteVolumeHanging<dim, Gas>::compute(const HangingGroup<dim> &group,
 {
   careful_ = stage.careful;
   load(group, stage.in);
+  load_progress(group, stage);
   average_fine_side(group);
   if (scheme_.linear)
     limit_coarse_slopes();
@@ -75,6 +78,41 @@ void FiniteVolumeHanging<dim, Gas>::load(const HangingGroup<dim> &group,
         fine_[part][layer][q] = gather(
           group.fine_offset[part].data(),
           layout_.face_point(group.match.face, fine_point(group, q), depth));
+    }
+  }
+}
+
+
+template <int dim, typename Gas>
+void FiniteVolumeHanging<dim, Gas>::load_progress(
+  const HangingGroup<dim> &group,
+  const Stage &stage)
+{
+  burn_ = nullptr;
+  if (stage.burn == nullptr)
+    return;
+  bool any = false;
+  for (unsigned int lane = 0; lane < W; ++lane)
+  {
+    any = any || stage.burn->burns[group.coarse_leaf[lane]];
+    for (const auto &leaves : group.fine_leaf)
+      any = any || stage.burn->burns[leaves[lane]];
+  }
+  if (!any)
+    return;
+  burn_ = stage.burn;
+  for (unsigned int q = 0; q < layout_.n_face_points; ++q)
+  {
+    const unsigned int coarse = layout_.face_point(group.coarse_face, q, 0);
+    const unsigned int fine =
+      layout_.face_point(group.match.face, fine_point(group, q), 0);
+    for (unsigned int lane = 0; lane < W; ++lane)
+    {
+      coarse_progress_[q][lane] =
+        burn_->progress(group.coarse_leaf[lane], coarse, stage.time);
+      for (unsigned int part = 0; part < n_fine; ++part)
+        fine_progress_[part][q][lane] =
+          burn_->progress(group.fine_leaf[part][lane], fine, stage.time);
     }
   }
 }
@@ -275,11 +313,19 @@ void FiniteVolumeHanging<dim, Gas>::part_fluxes(const HangingGroup<dim> &group,
       left[c] = coarse_is_left ? inside[from] : outside[from];
       right[c] = coarse_is_left ? outside[from] : inside[from];
     }
-    const Values flux =
-      to_array<dim, Gas>(numerical_flux(scheme_.flux,
-                                        to_face_state<dim>(gas_, left),
-                                        to_face_state<dim>(gas_, right),
-                                        Number(1.)));
+    auto left_state = to_face_state<dim>(gas_, left);
+    auto right_state = to_face_state<dim>(gas_, right);
+    if (burn_ != nullptr)
+    {
+      const Number &coarse = coarse_progress_[at];
+      const Number &fine = fine_progress_[part][q];
+      burn_->template hold_back<dim>(coarse_is_left ? coarse : fine,
+                                     left_state);
+      burn_->template hold_back<dim>(coarse_is_left ? fine : coarse,
+                                     right_state);
+    }
+    const Values flux = to_array<dim, Gas>(
+      numerical_flux(scheme_.flux, left_state, right_state, Number(1.)));
     for (unsigned int c = 0; c < nc; ++c)
       fine_flux_[part][q][rotated_component<dim>(c, direction)] = flux[c];
   }

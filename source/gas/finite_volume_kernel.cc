@@ -84,6 +84,8 @@ void FiniteVolumeKernel<dim, Gas>::sweep(const unsigned int direction,
   {
     fill_line(direction, line);
     fill_line_ends(direction, line, hanging);
+    if (Base::burn_ != nullptr)
+      Base::fill_progress(direction, line);
     if (Base::needs_shear_factor())
       fill_compression(direction, line);
     reconstruct();
@@ -224,8 +226,10 @@ void FiniteVolumeKernel<dim, Gas>::line_fluxes(const unsigned int direction)
 {
   for (unsigned int f = 0; f <= layout_.n; ++f)
   {
-    const auto left = to_face_state<dim>(gas_, left_[f]);
-    const auto right = to_face_state<dim>(gas_, right_[f]);
+    auto left = to_face_state<dim>(gas_, left_[f]);
+    auto right = to_face_state<dim>(gas_, right_[f]);
+    if (Base::burn_ != nullptr)
+      Base::hold_back(f, left, right);
     Number theta = 1.;
     if (Base::needs_shear_factor())
     {
@@ -243,7 +247,8 @@ void FiniteVolumeKernel<dim, Gas>::line_fluxes(const unsigned int direction)
     flux_[f] =
       to_array<dim, Gas>(numerical_flux(scheme_.flux, left, right, theta));
     // Faces to other leaves keep the flux that the neighbour computes too.
-    if (Base::any_open(direction) && f > 0 && f < layout_.n)
+    if (Base::any_open(direction) && f > 0 && f < layout_.n &&
+        Base::burn_ == nullptr)
       Base::widen_open_flux(direction, cell(f - 1), cell(f), flux_[f]);
   }
 }
@@ -271,7 +276,8 @@ void FiniteVolumeKernel<dim, Gas>::add_flux_differences(
         continue;
       }
       // The pressure of the cell itself exerts no net force on it.
-      const Number base = c == C::momentum ? cell(i)[C::energy] : Number(0.);
+      const Number base =
+        c == C::momentum ? Base::exerted_pressure(i, cell(i)) : Number(0.);
       residual += ((flux_[i][c] - base) * radial_.area(i) -
                    (flux_[i + 1][c] - base) * radial_.area(i + 1)) *
                   radial_.inverse_volume(i);
@@ -339,7 +345,7 @@ void FiniteVolumeKernel<dim, Gas>::analyse(const unsigned int batch,
 {
   // A jump of the pressure by a tenth in compressed gas counts as a shock.
   const double threshold = 0.1;
-  batch_ = batch;
+  Base::bind_burn(batch, stage);
   load(stage.out);
   Number rate(0.);
   for (unsigned int q = 0; q < layout_.n_points; ++q)
@@ -347,7 +353,17 @@ void FiniteVolumeKernel<dim, Gas>::analyse(const unsigned int batch,
     Values p;
     for (unsigned int c = 0; c < nc; ++c)
       p[c] = primitive_[c * layout_.n_points + q];
-    rate = std::max(rate, signal_rate<dim>(gas_, p, mesh_.extents(batch_)));
+    Number least_speed(0.);
+    if (Base::burn_ != nullptr)
+    {
+      const Number burned =
+        Base::burn_->fraction(Base::progress(q, stage.end_time), p[C::density]);
+      least_speed = (Number(1.) - burned) * Base::burn_->speed;
+      primitive_[C::energy * layout_.n_points + q] =
+        Base::burn_->pressure(p[C::energy], burned);
+    }
+    rate = std::max(
+      rate, signal_rate<dim>(gas_, p, mesh_.extents(batch_), least_speed));
   }
   Number shock(0.);
   for (unsigned int d = 0; d < dim; ++d)

@@ -8,6 +8,7 @@ namespace contrecoup::gas
 void GasField::reinit(const LeafLayout &layout, const unsigned int n_batches)
 {
   layout_ = layout;
+  burn_ = nullptr;
   for (auto &copy : copies_)
   {
     copy.clear();

@@ -150,6 +150,8 @@ std::string GasOutput<dim>::write_leaves(const std::string &folder,
                                       {"level", "-"}};
   if (material.has_products())
     names.push_back({"products", "-"});
+  if (shows_burned_)
+    names.push_back({"burned", "-"});
   io::FieldOutput<dim> output(names);
   const LeafLayout &layout = field.layout();
   const unsigned int n = std::max(1U, layout.n - 1);
@@ -168,7 +170,11 @@ std::string GasOutput<dim>::write_leaves(const std::string &folder,
       for (const auto &[q, weight] : stencils[o])
         for (unsigned int c = 0; c < layout.n_components; ++c)
           u[c] += weight * values[c * layout.n_points + q];
-      const auto state = primitive_state<dim>(u.data(), material);
+      auto state = primitive_state<dim>(u.data(), material);
+      double burned = 0.;
+      for (const auto &[q, weight] : stencils[o])
+        burned += weight * field.burned(leaf, q);
+      state.pressure = field.exerted_pressure(state.pressure, burned);
       unsigned int row = 0;
       patch.data(row++, o) = state.density;
       for (unsigned int d = 0; d < dim; ++d)
@@ -178,6 +184,8 @@ std::string GasOutput<dim>::write_leaves(const std::string &folder,
       patch.data(row++, o) = mesh.cell(leaf)->level();
       if (material.has_products())
         patch.data(row++, o) = state.products;
+      if (shows_burned_)
+        patch.data(row++, o) = burned;
     }
     output.add_patch(std::move(patch));
   }

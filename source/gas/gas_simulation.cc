@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/log.h>
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/base/timers.h>
 #include <contrecoup/gas/gas_checkpoint.h>
@@ -26,6 +27,7 @@ void GasSimulation<dim>::declare_parameters(ParameterHandler &prm)
   GasMaterial::declare_parameters(prm);
   Scheme::declare_parameters(prm);
   InitialState<dim>::declare_parameters(prm);
+  ChargeSet<dim>::declare_parameters(prm);
   ReferenceSolution<dim>::declare_parameters(prm);
   Boundary<dim>::declare_parameters(prm);
   AdaptationParameters::declare_parameters(prm);
@@ -43,6 +45,9 @@ void GasSimulation<dim>::parse_parameters(ParameterHandler &prm)
     prm, dim, coarse_mesh_.geometry() == Geometry::plane);
   scheme_.check_mesh(coarse_mesh_.is_axis_aligned());
   initial_state_.parse_parameters(prm, material_);
+  charges_.parse_parameters(prm, material_, coarse_mesh_);
+  charges_.check(scheme_, initial_state_);
+  parse_afterburn(prm);
   reference_.parse_parameters(prm, material_);
   boundary_.parse_parameters(
     prm, material_, coarse_mesh_, initial_state_, reference_);
@@ -56,12 +61,25 @@ void GasSimulation<dim>::parse_parameters(ParameterHandler &prm)
   probes_.parse_parameters(prm, coarse_mesh_);
   probes_.set_ambient(initial_state_);
   output_.parse_parameters(prm, coarse_mesh_);
+  if (!charges_.empty())
+    output_.show_burned();
   const Section section(prm, "Time");
   end_time_ = read_double(prm, "End time");
 
   layout_ =
     LeafLayout(dim, scheme_.n_points, dim + 2 + (material_.is_ideal() ? 0 : 1));
   points_ = LeafPoints<dim>(scheme_, coarse_mesh_.geometry());
+}
+
+
+template <int dim>
+void GasSimulation<dim>::parse_afterburn(ParameterHandler &prm)
+{
+  const Section section(prm, "Charges");
+  afterburn_.parse_parameters(prm);
+  if (afterburn_.active() && material_.is_ideal())
+    throw InputError("Charges/Afterburn needs Material/Equation of state = "
+                     "jwl in air, which knows products");
 }
 
 
@@ -100,7 +118,10 @@ void GasSimulation<dim>::setup()
       mesh_changed();
     }
   }
-  set_initial_state();
+  if (!charges_.empty())
+    log_line(charges_.description());
+  for (const std::string &line : set_initial_state())
+    log_line(line);
   probes_.read(field_, material_, time_);
 }
 
@@ -111,14 +132,17 @@ bool GasSimulation<dim>::wants_initial_refinement(const unsigned int leaf) const
   const LeafBox<dim> box = leaf_box(mesh_, leaf);
   const dealii::Point<dim> centre =
     box.origin + dealii::Tensor<1, dim>(box.extents * 0.5);
+  const double reach = 0.5 * box.extents.norm() * (1. + 1e-10);
+  if (charges_.signed_distance(centre) < reach)
+    return true;
   const double distance = initial_state_.distance_to_feature(centre);
   // Smooth fields have no features to go by; the sensor finds their shape.
-  return distance > 0. && distance < 0.5 * box.extents.norm() * (1. + 1e-10);
+  return distance > 0. && distance < reach;
 }
 
 
 template <int dim>
-void GasSimulation<dim>::set_initial_state()
+std::vector<std::string> GasSimulation<dim>::set_initial_state()
 {
   const TimerScope timer("initial state");
   field_.reinit(layout_, mesh_.n_stored_batches());
@@ -142,16 +166,29 @@ void GasSimulation<dim>::set_initial_state()
                                      near_feature,
                                      dim == 3 ? 4 : 8));
   }
+  const auto report = charges_.fill(mesh_, points_, field_);
   field_.fill_padding(mesh_.n_owned());
   mesh_changed();
+  return report;
 }
 
 
 template <int dim>
 void GasSimulation<dim>::mesh_changed()
 {
+  if (!charges_.empty() && !has_burned_)
+    detonation_.reinit(mesh_, points_, charges_);
+  update_burn();
   stepper_->reinit(field_);
   probes_.reinit(mesh_, points_);
+}
+
+
+template <int dim>
+void GasSimulation<dim>::update_burn()
+{
+  has_burned_ = charges_.empty() || has_burned_ || time_ > detonation_.end();
+  field_.set_burn(has_burned_ ? nullptr : &detonation_.burn(), time_);
 }
 
 
@@ -166,6 +203,9 @@ StepReport GasSimulation<dim>::advance(const double largest_step)
   time_ += result.step;
   n_careful_steps_ += result.careful ? 1. : 0.;
   ++n_steps_;
+  update_burn();
+  if (afterburn_.release(time_, result.step, mesh_, points_, material_, field_))
+    stepper_->analyse(field_);
   probes_.read(field_, material_, time_);
 
   StepReport report;
@@ -230,7 +270,22 @@ bool GasSimulation<dim>::adapt()
 template <int dim>
 std::vector<NamedValue> GasSimulation<dim>::history()
 {
-  return gas_totals(mesh_, points_, field_, material_);
+  std::vector<NamedValue> values =
+    gas_totals(mesh_, points_, field_, material_);
+  if (!afterburn_.active())
+    return values;
+  // What was in the gas from the beginning, without what was released later.
+  double initial = 0.;
+  for (NamedValue &value : values)
+    if (value.name == "energy")
+    {
+      value.conserved = false;
+      initial = value.value - afterburn_.released();
+    }
+  values.push_back({"energy_before_afterburn", "J", initial, true});
+  values.push_back({"afterburn_energy", "J", afterburn_.released()});
+  values.push_back({"afterburn_fraction", "-", afterburn_.fraction()});
+  return values;
 }
 
 
@@ -292,6 +347,9 @@ void GasSimulation<dim>::save(const std::string &folder)
     io::write_file(folder + "/gas.bin", [&](std::ostream &out) {
       out.write(reinterpret_cast<const char *>(&time_), sizeof(time_));
       out.write(reinterpret_cast<const char *>(&n_steps_), sizeof(n_steps_));
+      out.write(reinterpret_cast<const char *>(&has_burned_),
+                sizeof(has_burned_));
+      afterburn_.save(out);
       probes_.save(out);
     });
 }
@@ -305,6 +363,8 @@ void GasSimulation<dim>::restore(const std::string &folder)
   std::istringstream stream(io::read_file(folder + "/gas.bin"));
   stream.read(reinterpret_cast<char *>(&time_), sizeof(time_));
   stream.read(reinterpret_cast<char *>(&n_steps_), sizeof(n_steps_));
+  stream.read(reinterpret_cast<char *>(&has_burned_), sizeof(has_burned_));
+  afterburn_.load(stream);
   probes_.load(stream);
   mesh_changed();
   if (!stream)

@@ -34,15 +34,17 @@ namespace
     double rate = 0.;
   };
 
-  /// Of a box, from samples along its diagonal.
+  /// Of a box, from samples along its diagonal. A detonation has at least the
+  /// speed @p least_speed.
   template <int dim>
   CoarseRate rate_in_box(const CoarseMesh<dim> &mesh,
                          const InitialState<dim> &initial_state,
-                         const GasMaterial &material)
+                         const GasMaterial &material,
+                         const double least_speed)
   {
     const unsigned int n_samples = 64;
     const auto edges = mesh.upper_corner() - mesh.lower_corner();
-    double fastest = 0.;
+    double fastest = least_speed;
     for (unsigned int i = 0; i < n_samples; ++i)
       fastest = std::max(
         fastest,
@@ -61,7 +63,8 @@ namespace
   template <int dim>
   CoarseRate rate_in_cells(const CoarseMesh<dim> &mesh,
                            const InitialState<dim> &initial_state,
-                           const GasMaterial &material)
+                           const GasMaterial &material,
+                           const double least_speed)
   {
     dealii::Triangulation<dim> triangulation;
     mesh.create(triangulation);
@@ -81,7 +84,7 @@ namespace
             shortest[d],
             cell->vertex(v | (1U << d)).distance(cell->vertex(v & ~(1U << d))));
       }
-      double fastest = 0., rate = 0.;
+      double fastest = least_speed, rate = 0.;
       for (const auto &x : samples.get_points())
         fastest = std::max(
           fastest, signal_speed(initial_state.value(shape.place(x)), material));
@@ -99,8 +102,9 @@ CostEstimate GasSimulation<dim>::estimate()
 {
   const CoarseRate coarse =
     coarse_mesh_.is_axis_aligned()
-      ? rate_in_box(coarse_mesh_, initial_state_, material_)
-      : rate_in_cells(coarse_mesh_, initial_state_, material_);
+      ? rate_in_box(coarse_mesh_, initial_state_, material_, charges_.speed())
+      : rate_in_cells(
+          coarse_mesh_, initial_state_, material_, charges_.speed());
   CostEstimate result;
   result.cells =
     coarse.n_cells * std::pow(2., dim * coarse_mesh_.initial_refinement());

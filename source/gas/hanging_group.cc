@@ -43,14 +43,19 @@ namespace
     group.inner_radius[lane] = inner_radius(mesh, face);
     group.is_radial =
       group.is_radial || std::isfinite(group.inner_radius[lane]);
+    group.coarse_leaf[lane] = face.coarse_leaf;
     group.coarse_offset[lane] = layout.offset(face.coarse_leaf);
     unsigned int present = no_leaf;
     for (const unsigned int leaf : face.fine_leaf)
       if (leaf != no_leaf)
         present = leaf;
     for (unsigned int part = 0; part < face.n_fine; ++part)
-      group.fine_offset[part][lane] = layout.offset(
-        face.fine_leaf[part] != no_leaf ? face.fine_leaf[part] : present);
+    {
+      const unsigned int leaf =
+        face.fine_leaf[part] != no_leaf ? face.fine_leaf[part] : present;
+      group.fine_leaf[part][lane] = leaf;
+      group.fine_offset[part][lane] = layout.offset(leaf);
+    }
   }
 } // namespace
 

@@ -43,6 +43,13 @@ namespace
         store(to_primitive<dim>(gas_, u),
               values_[q],
               values_[q + layout_.n_points]);
+        for (unsigned int lane = 0; lane < W && field_.burn() != nullptr;
+             ++lane)
+        {
+          double &pressure = values_[q + layout_.n_points][lane];
+          pressure = field_.exerted_pressure(
+            pressure, field_.burned(batch * W + lane, q));
+        }
       }
       Number largest(0.);
       for (unsigned int d = 0; d < dim; ++d)
@@ -84,6 +91,10 @@ namespace
         u[c].gather(field_.state() + layout_.value(c, point), offset.data());
       std::array<Number, 2> result;
       store(to_primitive<dim>(gas_, u), result[0], result[1]);
+      for (unsigned int lane = 0; lane < W && field_.burn() != nullptr; ++lane)
+        result[1][lane] = field_.exerted_pressure(
+          result[1][lane],
+          field_.burned(mesh_.neighbors(batch_, face)[lane], point));
       return result;
     }
 

@@ -22,6 +22,7 @@ LeafKernel<dim, Gas>::LeafKernel(const LeafMesh<dim> &mesh,
   , gas_(gas)
   , boundary_(boundary)
   , positions_(positions)
+  , line_progress_(layout.n + 2)
 {}
 
 
@@ -47,7 +48,84 @@ void LeafKernel<dim, Gas>::bind(const unsigned int batch, const Stage &stage)
   needs_shear_factor_ = dim > 1 &&
                         scheme_.flux == RiemannFlux::hllc_shock_stable &&
                         largest_lane(any) > 0.;
+  bind_burn(batch, stage);
   find_open_leaves();
+}
+
+
+template <int dim, typename Gas>
+void LeafKernel<dim, Gas>::bind_burn(const unsigned int batch,
+                                     const Stage &stage)
+{
+  batch_ = batch;
+  burn_ = nullptr;
+  if (stage.burn == nullptr)
+    return;
+  bool any = false;
+  for (unsigned int lane = 0; lane < W; ++lane)
+  {
+    any = any || stage.burn->burns[batch * W + lane];
+    for (unsigned int face = 0; face < 2 * dim; ++face)
+      any = any || stage.burn->burns[mesh_.neighbors(batch, face)[lane]];
+  }
+  if (any)
+    burn_ = stage.burn;
+}
+
+
+template <int dim, typename Gas>
+typename LeafKernel<dim, Gas>::Number
+LeafKernel<dim, Gas>::progress(const unsigned int point,
+                               const double time) const
+{
+  Number result;
+  for (unsigned int lane = 0; lane < W; ++lane)
+    result[lane] = burn_->progress(batch_ * W + lane, point, time);
+  return result;
+}
+
+
+template <int dim, typename Gas>
+void LeafKernel<dim, Gas>::fill_progress(const unsigned int direction,
+                                         const unsigned int line)
+{
+  for (unsigned int i = 0; i < layout_.n; ++i)
+    line_progress_[i + 1] =
+      progress(layout_.face_point(2 * direction, line, i), time_);
+  fill_progress_beyond(2 * direction, line);
+  fill_progress_beyond(2 * direction + 1, line);
+}
+
+
+template <int dim, typename Gas>
+void LeafKernel<dim, Gas>::fill_progress_beyond(const unsigned int face,
+                                                const unsigned int line)
+{
+  const unsigned int n = layout_.n;
+  Number &beyond = line_progress_[face % 2 ? n + 1 : 0];
+  const auto &matches = mesh_.matches(batch_, face);
+  for (unsigned int lane = 0; lane < W; ++lane)
+  {
+    const unsigned int q =
+      dim == 1
+        ? 0
+        : matched_face_point(matches[lane].orientation, line % n, line / n, n);
+    beyond[lane] = burn_->progress(mesh_.neighbors(batch_, face)[lane],
+                                   layout_.face_point(matches[lane].face, q, 0),
+                                   time_);
+  }
+  // Walls and open ends show the gas its own image; everything else comes
+  // from outside of the charge. Hanging faces bring their own fluxes.
+  using Kind = typename Boundary<dim>::Kind;
+  for (auto s = mesh_.special_begin(batch_); s != mesh_.special_end(batch_);
+       ++s)
+    if (s->face == face && s->kind == SpecialFace::Kind::boundary)
+    {
+      const Kind kind = boundary_.kind(s->index);
+      beyond[s->lane] = kind == Kind::wall || kind == Kind::open
+                          ? line_progress_[face % 2 ? n : 1][s->lane]
+                          : 1.;
+    }
 }
 
 

@@ -83,7 +83,7 @@ template <int dim, typename Gas>
 void MappedFiniteVolumeKernel<dim, Gas>::analyse(const unsigned int batch,
                                                  const Stage &stage)
 {
-  batch_ = batch;
+  Base::bind_burn(batch, stage);
   metric_.reinit(mesh_, batch);
   load(stage.out);
   store_sensors(stage);
@@ -211,6 +211,8 @@ void MappedFiniteVolumeKernel<dim, Gas>::sweep(const unsigned int direction)
   for (unsigned int line = 0; line < layout_.n_face_points; ++line)
   {
     fill_line(direction, line);
+    if (Base::burn_ != nullptr)
+      Base::fill_progress(direction, line);
     reconstruct(direction, line);
     line_fluxes(direction, line);
     add_flux_differences(direction, line);
@@ -294,8 +296,10 @@ void MappedFiniteVolumeKernel<dim, Gas>::line_fluxes(
     Values left = in_frame(frame, left_[f]);
     Values right = in_frame(frame, right_[f]);
     mirror_at_walls(direction, f, left, right);
-    const auto left_state = to_face_state<dim>(gas_, left);
-    const auto right_state = to_face_state<dim>(gas_, right);
+    auto left_state = to_face_state<dim>(gas_, left);
+    auto right_state = to_face_state<dim>(gas_, right);
+    if (Base::burn_ != nullptr)
+      Base::hold_back(f, left_state, right_state);
     Number theta(1.);
     if (Base::needs_shear_factor())
     {
@@ -313,7 +317,7 @@ void MappedFiniteVolumeKernel<dim, Gas>::line_fluxes(
     Values flux = to_array<dim, Gas>(
       numerical_flux(scheme_.flux, left_state, right_state, theta));
     // Faces to other leaves keep the flux that the neighbour computes too.
-    if (Base::any_open(direction) && f > 0 && f < n)
+    if (Base::any_open(direction) && f > 0 && f < n && Base::burn_ == nullptr)
       Base::widen_open_flux(direction,
                             in_frame(frame, cell(int(f) - 1)),
                             in_frame(frame, cell(f)),
@@ -423,8 +427,9 @@ void MappedFiniteVolumeKernel<dim, Gas>::add_flux_differences(
       residual[c * layout_.n_points] += flux_[i][c] - flux_[i + 1][c];
     // The pressure of the cell itself exerts no net force on it: left out,
     // a gas at rest keeps every bit.
-    const Number low = normal_stress_[i] - cell(i)[C::energy];
-    const Number high = normal_stress_[i + 1] - cell(i)[C::energy];
+    const Number own = Base::exerted_pressure(i, cell(i));
+    const Number low = normal_stress_[i] - own;
+    const Number high = normal_stress_[i + 1] - own;
     const Vector force = metric_.area(direction, i, line) * low -
                          metric_.area(direction, i + 1, line) * high;
     for (unsigned int d = 0; d < dim; ++d)

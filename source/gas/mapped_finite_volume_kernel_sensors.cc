@@ -11,8 +11,23 @@ namespace contrecoup::gas
 template <int dim, typename Gas>
 void MappedFiniteVolumeKernel<dim, Gas>::store_sensors(const Stage &stage)
 {
-  largest_signal_rate().store(stage.signal_rate + batch_ * W);
+  largest_signal_rate(stage.end_time).store(stage.signal_rate + batch_ * W);
+  if (Base::burn_ != nullptr)
+    for (unsigned int q = 0; q < layout_.n_points; ++q)
+    {
+      Number &pressure = primitive_[C::energy * layout_.n_points + q];
+      pressure = Base::burn_->pressure(pressure, burned(q, stage.end_time));
+    }
   shock_sensor().store(stage.sensor_out + batch_ * W);
+}
+
+
+template <int dim, typename Gas>
+typename MappedFiniteVolumeKernel<dim, Gas>::Number
+MappedFiniteVolumeKernel<dim, Gas>::burned(const unsigned int point,
+                                           const double time) const
+{
+  return Base::burn_->fraction(Base::progress(point, time), primitive_[point]);
 }
 
 
@@ -20,7 +35,7 @@ void MappedFiniteVolumeKernel<dim, Gas>::store_sensors(const Stage &stage)
 // sum_d (|u_d| + c) / h_d of a box; over n, as if the leaf had one subcell.
 template <int dim, typename Gas>
 typename MappedFiniteVolumeKernel<dim, Gas>::Number
-MappedFiniteVolumeKernel<dim, Gas>::largest_signal_rate() const
+MappedFiniteVolumeKernel<dim, Gas>::largest_signal_rate(const double time) const
 {
   const unsigned int n_points = layout_.n_points;
   Number largest(0.);
@@ -29,10 +44,14 @@ MappedFiniteVolumeKernel<dim, Gas>::largest_signal_rate() const
     Number products(0.);
     if constexpr (Gas::has_products)
       products = primitive_[C::products * n_points + q];
-    const Number sound_speed = std::sqrt(
+    Number sound_speed = std::sqrt(
       std::max(gas_.sound_speed_squared(
                  primitive_[q], primitive_[C::energy * n_points + q], products),
                Number(0.)));
+    if (Base::burn_ != nullptr)
+      sound_speed =
+        std::max(sound_speed,
+                 Number((Number(1.) - burned(q, time)) * Base::burn_->speed));
     Number sum(0.);
     for (unsigned int direction = 0; direction < dim; ++direction)
     {

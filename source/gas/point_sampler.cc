@@ -173,19 +173,27 @@ PointSampler<dim>::sample(const GasField &field,
 {
   const LeafLayout &layout = field.layout();
   const unsigned int nc = layout.n_components;
-  std::vector<double> values(n_places_ * nc, 0.);
+  const unsigned int row = nc + 1; // the last one: burned fraction
+  std::vector<double> values(n_places_ * row, 0.);
   for (const Place &place : places_)
   {
     const double *leaf = field.state() + layout.offset(place.leaf);
     for (unsigned int c = 0; c < nc; ++c)
       for (unsigned int q = 0; q < layout.n_points; ++q)
-        values[place.index * nc + c] +=
+        values[place.index * row + c] +=
           place.weights[q] * leaf[layout.value(c, q)];
+    for (unsigned int q = 0; q < layout.n_points; ++q)
+      values[place.index * row + nc] +=
+        place.weights[q] * field.burned(place.leaf, q);
   }
   dealii::Utilities::MPI::sum(values, communicator_, values);
   std::vector<GasState<dim>> states;
   for (std::size_t i = 0; i < n_places_; ++i)
-    states.push_back(primitive_state<dim>(&values[i * nc], material));
+  {
+    states.push_back(primitive_state<dim>(&values[i * row], material));
+    states[i].pressure =
+      field.exerted_pressure(states[i].pressure, values[i * row + nc]);
+  }
   return states;
 }
 

@@ -9,6 +9,7 @@
 #include <contrecoup/gas/layer_fields.h>
 #include <contrecoup/gas/reference_solution.h>
 #include <contrecoup/gas/table_profile.h>
+#include <contrecoup/numerics/detonation_solution.h>
 #include <contrecoup/numerics/exact_riemann.h>
 #include <contrecoup/numerics/noh_solution.h>
 #include <contrecoup/numerics/point_source.h>
@@ -26,6 +27,7 @@ const std::vector<std::string> reference_solution_kinds{"none",
                                                         "noh",
                                                         "sedov",
                                                         "point source",
+                                                        "detonation",
                                                         "table"};
 
 namespace
@@ -142,6 +144,27 @@ namespace
   }
 
 
+  /// The detonation of @p solution from the origin, into the gas at rest that
+  /// @p initial_state describes, and the same density of explosive.
+  template <int dim>
+  Field<dim>
+  detonation_field(const DetonationSolution &solution,
+                   const std::shared_ptr<InitialState<dim>> &initial_state,
+                   const double density)
+  {
+    return [=](const dealii::Point<dim> &point, const double time) {
+      const dealii::Point<dim> origin;
+      const double radius = point.distance(origin);
+      GasState<dim> state = initial_state->value(point);
+      state.density = density;
+      if (radius < solution.front().detonation_speed * time)
+        state = around(origin, point, solution.value(radius / time));
+      state.products = 1.;
+      return state;
+    };
+  }
+
+
   template <int dim>
   Field<dim> table_field(const std::string &file)
   {
@@ -170,7 +193,8 @@ void ReferenceSolution<dim>::declare_parameters(ParameterHandler &prm)
                     "What the run is measured against: nothing, the initial "
                     "state itself, the exact solution of the initial state of "
                     "the same name, the point source that Initial state/Sedov "
-                    "describes (at probes), or a table.");
+                    "describes (at probes), the detonation of the Material's "
+                    "explosive from the origin, or a table.");
   declare_bool(prm,
                "Measure errors",
                "true",
@@ -208,8 +232,33 @@ void ReferenceSolution<dim>::parse_parameters(ParameterHandler &prm,
       return initial->value(point);
     };
   }
+  else if (name_ == "detonation")
+    parse_detonation(prm, material);
   else if (name_ != "none")
     parse_exact_solution(prm, material);
+}
+
+
+template <int dim>
+void ReferenceSolution<dim>::parse_detonation(ParameterHandler &prm,
+                                              const GasMaterial &material)
+{
+  if (!(material.reference_density() > 0.))
+    throw InputError("Reference: Kind = detonation needs a Material with an "
+                     "explosive, jwl or jwl in air");
+  CoarseMesh<dim> mesh;
+  mesh.parse_parameters(prm);
+  const auto initial = std::make_shared<InitialState<dim>>();
+  initial->parse_parameters(prm, material);
+  const DetonationSolution solution(dim + radial_exponent(mesh.geometry()),
+                                    material.explosive());
+  value_ =
+    detonation_field<dim>(solution, initial, material.reference_density());
+  const auto front = solution.front();
+  arrival_ = [=](const dealii::Point<dim> &point) {
+    return ShockArrival{front.pressure - initial->value(point).pressure,
+                        point.norm() / front.detonation_speed};
+  };
 }
 
 

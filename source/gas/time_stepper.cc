@@ -22,10 +22,19 @@ void TimeStepper<dim>::reinit(GasField &field)
   operator_.reinit();
   exchange_.reinit(mesh_, field.layout());
   signal_rate_.resize(std::size_t(mesh_.n_batches()) * W);
+  analyse(field);
+}
+
+
+template <int dim>
+void TimeStepper<dim>::analyse(GasField &field)
+{
   Stage stage;
   stage.out = field.state();
   stage.sensor_out = field.sensor();
   stage.signal_rate = signal_rate_.data();
+  stage.burn = field.burn();
+  stage.end_time = field.time();
   operator_.analyse(stage);
 }
 
@@ -66,6 +75,8 @@ std::optional<unsigned int> TimeStepper<dim>::try_step(GasField &field,
     stage.a = stages[s].initial_weight;
     stage.step = step;
     stage.time = time + stages[s].time * step;
+    stage.end_time = time + step;
+    stage.burn = field.burn();
     stage.sensor_in = sensor;
     stage.sensor_out = field.stage_sensor(target);
     stage.signal_rate = s + 1 == stages.size() ? signal_rate_.data() : nullptr;

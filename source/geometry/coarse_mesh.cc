@@ -16,6 +16,7 @@ namespace contrecoup
 namespace
 {
   using dealii::ParameterHandler;
+  namespace numbers = dealii::numbers;
   namespace Patterns = dealii::Patterns;
 
   const std::string direction_names = "xyz";
@@ -49,6 +50,34 @@ namespace
                      std::to_string(dim) +
                      " dimension(s): cylindrical and spherical are for 1, "
                      "axisymmetric is for 2, plane is for all");
+  }
+
+  void declare_shapes(ParameterHandler &prm)
+  {
+    prm.declare_entry("Cone angle",
+                      "1.134",
+                      Patterns::Double(1e-3, 120.),
+                      "Angle between opposite sides of the cone [degrees], in "
+                      "3-D of square cross-section, in 2-D a wedge; its tip is "
+                      "the origin, and it reaches from the x of Lower corner, "
+                      "above 0, to that of Upper corner.");
+    prm.declare_entry("Generator",
+                      "hyper_ball",
+                      Patterns::Anything(),
+                      "Name of the deal.II GridGenerator function.");
+    prm.declare_entry("Generator arguments",
+                      "",
+                      Patterns::Anything(),
+                      "All its arguments after the triangulation, also those "
+                      "with defaults, separated by colons, lengths in m; a "
+                      "hyper_ball in 2-D has \"0, 0 : 1 : true\".");
+    prm.declare_entry("Mesh file",
+                      "",
+                      Patterns::FileName(),
+                      "Path of a mesh of hexahedra or quadrilaterals in a "
+                      "format that deal.II reads by ending (.msh, .inp, .vtk, "
+                      ".ucd, .unv), lengths in m; a relative one is looked for "
+                      "beside the parameter file first.");
   }
 } // namespace
 
@@ -85,9 +114,10 @@ void CoarseMesh<dim>::declare_parameters(ParameterHandler &prm)
     "spherical (1), axisymmetric (2); x is the radius in the last three.");
   prm.declare_entry("Mesh",
                     "box",
-                    Patterns::Selection("box|generator|file"),
+                    Patterns::Selection("box|cone|generator|file"),
                     "Where the coarse mesh comes from: a box of equal "
-                    "cells, a deal.II GridGenerator function, or a file.");
+                    "cells, a cone around the x axis, a deal.II "
+                    "GridGenerator function, or a file.");
   prm.declare_entry("Lower corner",
                     "0, 0, 0",
                     Patterns::List(Patterns::Double(), 1, 3),
@@ -110,23 +140,7 @@ void CoarseMesh<dim>::declare_parameters(ParameterHandler &prm)
                     "",
                     Patterns::List(Patterns::Selection("x|y|z"), 0, 3),
                     "Directions in which the box repeats itself.");
-  prm.declare_entry("Generator",
-                    "hyper_ball",
-                    Patterns::Anything(),
-                    "Name of the deal.II GridGenerator function.");
-  prm.declare_entry("Generator arguments",
-                    "",
-                    Patterns::Anything(),
-                    "All its arguments after the triangulation, also those "
-                    "with defaults, separated by colons, lengths in m; a "
-                    "hyper_ball in 2-D has \"0, 0 : 1 : true\".");
-  prm.declare_entry("Mesh file",
-                    "",
-                    Patterns::FileName(),
-                    "Path of a mesh of hexahedra or quadrilaterals in a "
-                    "format that deal.II reads by ending (.msh, .inp, .vtk, "
-                    ".ucd, .unv), lengths in m; a relative one is looked for "
-                    "beside the parameter file first.");
+  declare_shapes(prm);
   prm.leave_subsection();
 }
 
@@ -143,6 +157,7 @@ void CoarseMesh<dim>::parse_parameters(ParameterHandler &prm)
   generator_ = prm.get("Generator");
   generator_arguments_ = prm.get("Generator arguments");
   file_ = prm.get("Mesh file");
+  cone_angle_ = prm.get_double("Cone angle") * numbers::PI / 180.;
 
   const auto leaves =
     dealii::Utilities::split_string_list(prm.get("Coarse leaves"));
@@ -186,6 +201,9 @@ void CoarseMesh<dim>::check_box() const
     if (dim == 1)
       throw InputError("Domain/Mesh = " + kind_ +
                        ": in 1 dimension only box is available");
+    if (kind_ == "cone" && !(lower_[0] > 0. && lower_[0] < upper_[0]))
+      throw InputError("Domain/Mesh = cone: the x of Lower corner must be "
+                       "above 0 and below that of Upper corner");
     return;
   }
   for (unsigned int d = 0; d < dim; ++d)
@@ -216,7 +234,9 @@ void CoarseMesh<dim>::create(dealii::Triangulation<dim> &triangulation) const
     match_periodic_faces(triangulation);
     return;
   }
-  if (kind_ == "file")
+  if (kind_ == "cone")
+    create_cone(triangulation);
+  else if (kind_ == "file")
     read_file(triangulation);
   else
   {
@@ -235,6 +255,32 @@ void CoarseMesh<dim>::create(dealii::Triangulation<dim> &triangulation) const
     }
   }
   check_cells(triangulation);
+}
+
+
+template <int dim>
+void CoarseMesh<dim>::create_cone(
+  dealii::Triangulation<dim> &triangulation) const
+{
+  dealii::Point<dim> lower, upper;
+  lower[0] = lower_[0];
+  upper[0] = upper_[0];
+  for (unsigned int d = 1; d < dim; ++d)
+  {
+    lower[d] = -1.;
+    upper[d] = 1.;
+  }
+  dealii::GridGenerator::subdivided_hyper_rectangle(
+    triangulation, subdivisions_, lower, upper, true);
+  const double slope = std::tan(0.5 * cone_angle_);
+  dealii::GridTools::transform(
+    [slope](const dealii::Point<dim> &point) {
+      dealii::Point<dim> result = point;
+      for (unsigned int d = 1; d < dim; ++d)
+        result[d] *= slope * point[0];
+      return result;
+    },
+    triangulation);
 }
 
 

@@ -151,4 +151,30 @@ ChapmanJouguetState chapman_jouguet(const JwlParameters &jwl)
   state.velocity = state.detonation_speed * (1. - volume);
   return state;
 }
+
+std::string describe_detonation(const Explosive &explosive)
+{
+  const double allowed = 1e-3;
+  const ChapmanJouguetState state = chapman_jouguet(explosive.jwl);
+  std::string line = "Explosive " + explosive.name +
+                     ": its constants give a detonation speed of " +
+                     brief(state.detonation_speed, 5) +
+                     " m/s and a Chapman-Jouguet pressure of " +
+                     brief(state.pressure / gigapascal, 5) + " GPa";
+  const auto compare = [&](const double computed,
+                           const double published,
+                           const double unit,
+                           const std::string &name) {
+    if (!(published > 0.))
+      return;
+    const double change = computed / published - 1.;
+    line += ", published " + brief(published / unit, 5) + " " + name;
+    if (std::abs(change) > allowed)
+      line += " (warning: the constants are off by " + brief(100. * change, 3) +
+              " %)";
+  };
+  compare(state.detonation_speed, explosive.detonation_speed, 1., "m/s");
+  compare(state.pressure, explosive.cj_pressure, gigapascal, "GPa");
+  return line;
+}
 } // namespace contrecoup

@@ -41,6 +41,21 @@ namespace
                    "J/(kg K)",
                    "c_v of the products; weights their mixture with air and "
                    "gives the temperature.");
+    declare_double(prm,
+                   "Detonation speed",
+                   "0",
+                   0.,
+                   1e6,
+                   "m/s",
+                   "Published detonation speed, for comparison with that of "
+                   "the constants where charges burn; 0: none.");
+    declare_double(prm,
+                   "Detonation pressure",
+                   "0",
+                   0.,
+                   largest,
+                   "Pa",
+                   "Published Chapman-Jouguet pressure, likewise; 0: none.");
   }
 
   JwlParameters read_custom_explosive(ParameterHandler &prm)

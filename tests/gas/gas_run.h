@@ -7,6 +7,8 @@
 #include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/gas/adaptation.h>
 #include <contrecoup/gas/boundary.h>
+#include <contrecoup/gas/charge_set.h>
+#include <contrecoup/gas/detonation.h>
 #include <contrecoup/gas/gas_measures.h>
 #include <contrecoup/gas/gas_operator.h>
 #include <contrecoup/gas/leaf_mesh.h>
@@ -39,6 +41,7 @@ public:
     Scheme::declare_parameters(prm);
     InitialState<dim>::declare_parameters(prm);
     ReferenceSolution<dim>::declare_parameters(prm);
+    ChargeSet<dim>::declare_parameters(prm);
     Boundary<dim>::declare_parameters(prm);
     AdaptationParameters::declare_parameters(prm);
     std::vector<Assignment> assignments;
@@ -51,6 +54,8 @@ public:
     scheme.parse_parameters(
       prm, dim, coarse_mesh.geometry() == Geometry::plane);
     initial.parse_parameters(prm, material);
+    charges.parse_parameters(prm, material, coarse_mesh);
+    charges.check(scheme, initial);
     reference.parse_parameters(prm, material);
     boundary.parse_parameters(prm, material, coarse_mesh, initial, reference);
     adaptation_parameters.parse_parameters(prm,
@@ -100,6 +105,17 @@ public:
     stepper->reinit(field);
   }
 
+  /// The gas around the charges, and these, ready to be lit.
+  void set_charges()
+  {
+    set_state([this](const dealii::Point<dim> &p) { return initial.value(p); });
+    charges.fill(mesh, points, field);
+    field.fill_padding(mesh.n_owned());
+    detonation.reinit(mesh, points, charges);
+    field.set_burn(&detonation.burn(), time);
+    stepper->reinit(field);
+  }
+
   /// Takes one stable step, times @p factor.
   typename TimeStepper<dim>::Result step(const double factor = 1.)
   {
@@ -107,6 +123,7 @@ public:
       stepper->advance(field, time, factor * stepper->stable_step());
     if (!result.failed)
       time += result.step;
+    field.set_burn(field.burn(), time);
     return result;
   }
 
@@ -123,6 +140,11 @@ public:
     stepper->update_ghosts(field);
     if (!adaptation->adapt(field))
       return false;
+    if (!charges.empty())
+    {
+      detonation.reinit(mesh, points, charges);
+      field.set_burn(&detonation.burn(), time);
+    }
     stepper->reinit(field);
     return true;
   }
@@ -148,6 +170,8 @@ public:
   GasMaterial material;
   Scheme scheme;
   InitialState<dim> initial;
+  ChargeSet<dim> charges;
+  Detonation<dim> detonation;
   ReferenceSolution<dim> reference;
   Boundary<dim> boundary;
   AdaptationParameters adaptation_parameters;

@@ -297,3 +297,39 @@ TEST(CoarseMesh, UnreadableFilesAreRefused)
                       {{{0, 1, 2, 3}}});
   expect_names(refusal<3>(flat.lines()), {"Domain/Mesh file", "hexahedra"});
 }
+
+
+// A frustum of a square pyramid around the x axis.
+TEST(CoarseMeshCone, HasItsAngleAndVolume)
+{
+  const auto mesh = parse<3>({"Domain/Mesh=cone",
+                              "Domain/Cone angle=60",
+                              "Domain/Lower corner=0.5, 0, 0",
+                              "Domain/Upper corner=2, 0, 0",
+                              "Domain/Coarse leaves=3, 1, 1"});
+  EXPECT_FALSE(mesh.is_axis_aligned());
+  Triangulation<3> tria;
+  mesh.create(tria);
+  EXPECT_EQ(tria.n_active_cells(), 3U);
+  const double slope = std::tan(30. * dealii::numbers::PI / 180.);
+  EXPECT_NEAR(dealii::GridTools::volume(tria),
+              4. / 3. * slope * slope * (8. - 0.125),
+              1e-12);
+  EXPECT_EQ(tria.get_boundary_ids().size(), 6U);
+
+  Triangulation<2> wedge;
+  parse<2>({"Domain/Mesh=cone",
+            "Domain/Cone angle=60",
+            "Domain/Lower corner=0.5, 0",
+            "Domain/Upper corner=2, 0",
+            "Domain/Coarse leaves=3, 1"})
+    .create(wedge);
+  EXPECT_NEAR(dealii::GridTools::volume(wedge), slope * (4. - 0.25), 1e-12);
+}
+
+
+TEST(CoarseMeshCone, NeedsAnInnerRadius)
+{
+  expect_names(refusal<3>({"Domain/Mesh=cone"}),
+               {"Domain/Mesh = cone", "above 0"});
+}

@@ -116,3 +116,19 @@ TEST(Explosives, RefuseConstantsWithoutDetonation)
   inert.energy_density = 0.;
   EXPECT_THROW(chapman_jouguet(inert), InputError);
 }
+
+TEST(Explosives, AreComparedWithWhatIsPublished)
+{
+  Explosive explosive = find_explosive("c-4");
+  const std::string good = describe_detonation(explosive);
+  EXPECT_NE(good.find("8193"), std::string::npos);
+  EXPECT_EQ(good.find("warning"), std::string::npos);
+
+  explosive.jwl.energy_density *= 1.05;
+  EXPECT_NE(describe_detonation(explosive).find("warning"), std::string::npos);
+
+  explosive.detonation_speed = 0.;
+  explosive.cj_pressure = 0.;
+  EXPECT_EQ(describe_detonation(explosive).find("published"),
+            std::string::npos);
+}

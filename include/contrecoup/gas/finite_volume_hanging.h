@@ -39,6 +39,7 @@ private:
   static constexpr unsigned int n_fine = HangingFace<dim>::n_fine;
 
   void load(const HangingGroup<dim> &group, const double *state);
+  void load_progress(const HangingGroup<dim> &group, const Stage &stage);
   void average_fine_side(const HangingGroup<dim> &group);
   /// Slopes of the coarse subcells, zero where the subcell's own parts
   /// would not all be admissible: then no trace holds more than twice what
@@ -73,10 +74,15 @@ private:
   const Scheme &scheme_;
   const Gas gas_;
   bool careful_ = false; ///< see Stage::careful
+  /// Set where a leaf of the group is still to burn.
+  const Burn *burn_ = nullptr;
 
   /// Primitive values by [layer][face point], coarse numbering.
   std::array<dealii::AlignedVector<Values>, 2> coarse_;
   std::array<std::array<dealii::AlignedVector<Values>, 2>, n_fine> fine_;
+  /// Burn::progress() next to the face, where burn_ is set.
+  dealii::AlignedVector<Number> coarse_progress_;
+  std::array<dealii::AlignedVector<Number>, n_fine> fine_progress_;
   /// Slopes by [direction][face point]: along the face coordinates, then
   /// out of the leaf.
   std::array<dealii::AlignedVector<Values>, dim> coarse_slope_;

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <contrecoup/gas/burn.h>
 #include <contrecoup/gas/ghost_exchange.h>
 #include <contrecoup/gas/leaf_layout.h>
 
@@ -66,6 +67,39 @@ public:
   std::vector<double> leaf(const unsigned int leaf) const;
   void set_leaf(const unsigned int leaf, const std::vector<double> &values);
 
+  /// Says what is still to burn at time @p time; null: nothing. Holds until
+  /// reinit().
+  void set_burn(const Burn *burn, const double time)
+  {
+    burn_ = burn;
+    time_ = time;
+  }
+  /// Null where nothing is to burn.
+  const Burn *burn() const
+  {
+    return burn_;
+  }
+  /// Time given to set_burn() [s].
+  double time() const
+  {
+    return time_;
+  }
+  /// Burned fraction of a point now; one where there is no explosive.
+  double burned(const unsigned int leaf, const unsigned int point) const
+  {
+    return burn_ == nullptr
+             ? 1.
+             : burn_->fraction(
+                 burn_->progress(leaf, point, time_),
+                 state()[layout_.offset(leaf) + layout_.value(0, point)]);
+  }
+  /// The pressure that gas of pressure @p pressure exerts where @p burned of
+  /// it has burned [Pa].
+  double exerted_pressure(const double pressure, const double burned) const
+  {
+    return burn_ == nullptr ? pressure : burn_->pressure(pressure, burned);
+  }
+
   /// Makes padding lanes and unused ghosts copies of leaf 0: valid states.
   void fill_padding(const unsigned int n_owned);
 
@@ -73,6 +107,8 @@ public:
 
 private:
   LeafLayout layout_;
+  const Burn *burn_ = nullptr;
+  double time_ = 0.;
   std::array<dealii::AlignedVector<double>, 3> copies_;
   std::array<dealii::AlignedVector<double>, 3> sensors_;
 };

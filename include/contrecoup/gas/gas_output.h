@@ -27,6 +27,12 @@ public:
   void parse_parameters(dealii::ParameterHandler &prm,
                         const CoarseMesh<dim> &mesh);
 
+  /// Adds the burned fraction of explosive to the fields.
+  void show_burned()
+  {
+    shows_burned_ = true;
+  }
+
   /**
    * Writes density, velocity, pressure, level and sensor of all leaves as
    * VTU, and the planes as arrays. Collective.
@@ -63,6 +69,7 @@ private:
                    const GasMaterial &material) const;
 
   std::vector<Plane> planes_;
+  bool shows_burned_ = false;
   unsigned int resolution_ = 256;
 };
 } // namespace contrecoup::gas

@@ -5,7 +5,10 @@
 
 #include <contrecoup/base/simulation.h>
 #include <contrecoup/gas/adaptation.h>
+#include <contrecoup/gas/afterburn.h>
 #include <contrecoup/gas/boundary.h>
+#include <contrecoup/gas/charge_set.h>
+#include <contrecoup/gas/detonation.h>
 #include <contrecoup/gas/gas_field.h>
 #include <contrecoup/gas/gas_operator.h>
 #include <contrecoup/gas/gas_output.h>
@@ -50,10 +53,13 @@ public:
   std::pair<std::uint64_t, std::uint64_t> size() const override;
 
 private:
+  void parse_afterburn(ParameterHandler &prm);
   void create_octree();
-  void set_initial_state();
+  /// Returns lines for the log about what it made.
+  std::vector<std::string> set_initial_state();
   bool wants_initial_refinement(const unsigned int leaf) const;
   void mesh_changed();
+  void update_burn();
   [[noreturn]] void give_up(const typename TimeStepper<dim>::Result &result);
   std::string describe_leaf(const unsigned int leaf);
 
@@ -61,6 +67,8 @@ private:
   CoarseMesh<dim> coarse_mesh_;
   Scheme scheme_;
   InitialState<dim> initial_state_;
+  ChargeSet<dim> charges_;
+  Afterburn afterburn_;
   ReferenceSolution<dim> reference_;
   Boundary<dim> boundary_;
   AdaptationParameters adaptation_parameters_;
@@ -75,6 +83,10 @@ private:
   std::unique_ptr<GasOperator<dim>> operator_;
   std::unique_ptr<TimeStepper<dim>> stepper_;
   std::unique_ptr<Adaptation<dim>> adaptation_;
+  Detonation<dim> detonation_;
+  /// Whether all explosive has burned. Once it has, changes of the cells'
+  /// sizes must not take that back.
+  bool has_burned_ = false;
 
   double time_ = 0.;
   std::uint64_t n_steps_ = 0;

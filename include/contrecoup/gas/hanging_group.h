@@ -21,6 +21,9 @@ struct HangingGroup
   unsigned int n_filled = 0;
   /// Index of the face of each filled lane; others repeat the first.
   std::array<unsigned int, W> face;
+  /// Leaf numbers, one for each lane.
+  std::array<unsigned int, W> coarse_leaf;
+  std::array<std::array<unsigned int, W>, n_fine> fine_leaf;
   /// Positions in the state array, one for each lane.
   std::array<unsigned int, W> coarse_offset;
   std::array<std::array<unsigned int, W>, n_fine> fine_offset;

@@ -9,6 +9,8 @@
 #include <contrecoup/gas/scheme.h>
 #include <contrecoup/gas/stage.h>
 
+#include <deal.II/base/aligned_vector.h>
+
 #include <vector>
 
 namespace contrecoup::gas
@@ -41,6 +43,34 @@ protected:
 
   /// Prepares for the leaves of @p batch.
   void bind(const unsigned int batch, const Stage &stage);
+
+  /// Sets burn_ alone.
+  void bind_burn(const unsigned int batch, const Stage &stage);
+
+  /// Burn::progress() of a point of the batch, where burn_ is set.
+  Number progress(const unsigned int point, const double time) const;
+
+  /// Fills line_progress_ for a line, where burn_ is set.
+  void fill_progress(const unsigned int direction, const unsigned int line);
+
+  /// The states left and right of face @p f of the line, as unburned
+  /// explosive makes them.
+  template <typename State>
+  void hold_back(const unsigned int f, State &left, State &right) const
+  {
+    burn_->template hold_back<dim>(line_progress_[f], left);
+    burn_->template hold_back<dim>(line_progress_[f + 1], right);
+  }
+
+  /// Pressure that cell @p i of the line, in this state, exerts.
+  Number exerted_pressure(const unsigned int i, const Values &cell) const
+  {
+    if (burn_ == nullptr)
+      return cell[C::energy];
+    return burn_->pressure(
+      cell[C::energy],
+      burn_->fraction(line_progress_[i + 1], cell[C::density]));
+  }
 
   /// Primitive state of a point of the neighbours across @p face.
   Values neighbor_primitive(const unsigned int face,
@@ -121,7 +151,11 @@ protected:
   double time_ = 0.;
   const double *in_ = nullptr;
   bool careful_ = false; ///< see Stage::careful
-  Number sensor_;        ///< of the leaves themselves
+  /// Set where a leaf of the batch or a neighbour is still to burn.
+  const Burn *burn_ = nullptr;
+  /// Burn::progress() of cells -1 to n of a line.
+  dealii::AlignedVector<Number> line_progress_;
+  Number sensor_; ///< of the leaves themselves
   std::array<Number, 2 * dim> neighbor_sensor_;
   /// One in lanes with an open boundary along a direction, else zero.
   std::array<Number, dim> open_;
@@ -129,6 +163,7 @@ protected:
 
 private:
   void find_open_leaves();
+  void fill_progress_beyond(const unsigned int face, const unsigned int line);
 
   bool needs_shear_factor_ = false;
   std::array<std::array<unsigned int, W>, 2 * dim> neighbor_offset_;

@@ -79,7 +79,9 @@ private:
                             const unsigned int line);
   void finish(const Stage &stage);
   void store_sensors(const Stage &stage);
-  Number largest_signal_rate() const;
+  /// Burned fraction of a point, where burn_ is set.
+  Number burned(const unsigned int point, const double time) const;
+  Number largest_signal_rate(const double time) const;
   Number shock_sensor() const;
 
   /// Cells of the line from -2 to n + 1.

@@ -192,12 +192,14 @@ restore_if_inadmissible(const Gas &gas,
       select_less(zero, std::min(spare, trace[C::density]), trace[c], cell[c]);
 }
 
-/// sum_d (|u_d| + c) / h_d [1/s] of a primitive state.
+/// sum_d (|u_d| + c) / h_d [1/s] of a primitive state, with a sound speed c
+/// of at least @p least_sound_speed.
 template <int dim, typename Gas, typename Number>
 DEAL_II_ALWAYS_INLINE inline Number
 signal_rate(const Gas &gas,
             const std::array<Number, n_conserved<dim, Gas>> &p,
-            const std::array<Number, dim> &extents)
+            const std::array<Number, dim> &extents,
+            const Number &least_sound_speed = Number(0.))
 {
   using C = Component<dim>;
   Number products(0.);
@@ -205,7 +207,7 @@ signal_rate(const Gas &gas,
     products = p[C::products];
   const Number sound_speed = std::sqrt(
     std::max(gas.sound_speed_squared(p[C::density], p[C::energy], products),
-             Number(0.)));
+             least_sound_speed * least_sound_speed));
   Number rate(0.);
   for (unsigned int d = 0; d < dim; ++d)
     rate += (std::abs(p[C::momentum + d]) + sound_speed) / extents[d];

@@ -68,6 +68,8 @@ public:
   ShockArrival arrival(const dealii::Point<dim> &point) const;
 
 private:
+  void parse_detonation(dealii::ParameterHandler &prm,
+                        const GasMaterial &material);
   void parse_exact_solution(dealii::ParameterHandler &prm,
                             const GasMaterial &material);
 

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <contrecoup/gas/burn.h>
 #include <contrecoup/gas/leaf_layout.h>
 
 #include <deal.II/base/aligned_vector.h>
@@ -24,8 +25,11 @@ struct Stage
   const double *in = nullptr;
   double *out = nullptr;
   double a = 0.;
-  double step = 0.; ///< [s]
-  double time = 0.; ///< of the state @p in [s]
+  double step = 0.;     ///< [s]
+  double time = 0.;     ///< of the state @p in [s]
+  double end_time = 0.; ///< of the state whose signal rate is asked for [s]
+  /// Explosive that is still to burn; null: none. Finite volumes only.
+  const Burn *burn = nullptr;
   /// Per stored leaf, from the previous stage: the blending factor (DG) or
   /// one where a shock stands (finite volume) [-].
   const double *sensor_in = nullptr;

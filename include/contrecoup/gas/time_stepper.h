@@ -29,6 +29,9 @@ public:
   /// of the current state.
   void reinit(GasField &field);
 
+  /// Computes sensor and signal rate of the current state.
+  void analyse(GasField &field);
+
   /// Brings the ghosts of the current state up to date. Collective.
   void update_ghosts(GasField &field)
   {

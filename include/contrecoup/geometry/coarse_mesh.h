@@ -30,8 +30,8 @@ unsigned int radial_exponent(const Geometry geometry);
 
 /**
  * The domain before any refinement, as subsection "Domain" describes it: a
- * box of equal hexahedra, one of deal.II's named generators, or a mesh file
- * (Gmsh and every other format that deal.II reads).
+ * box of equal hexahedra, a cone, one of deal.II's named generators, or a mesh
+ * file (Gmsh and every other format that deal.II reads).
  */
 template <int dim>
 class CoarseMesh
@@ -102,6 +102,7 @@ public:
 
 private:
   void check_box() const;
+  void create_cone(dealii::Triangulation<dim> &triangulation) const;
   void read_file(dealii::Triangulation<dim> &triangulation) const;
   void check_cells(const dealii::Triangulation<dim> &triangulation) const;
   void match_periodic_faces(dealii::Triangulation<dim> &triangulation) const;
@@ -113,6 +114,7 @@ private:
   std::vector<unsigned int> subdivisions_;
   std::array<bool, dim> periodic_;
   unsigned int initial_refinement_ = 0;
+  double cone_angle_ = 0.; ///< [rad]
   std::string generator_;
   std::string generator_arguments_;
   std::string file_;

@@ -53,4 +53,11 @@ const Explosive &find_explosive(const std::string &name);
  * @throws InputError when the constants admit no such state.
  */
 ChapmanJouguetState chapman_jouguet(const JwlParameters &jwl);
+
+/**
+ * One line on what the constants of an explosive amount to: their
+ * Chapman-Jouguet speed and pressure, the published ones where they are above
+ * zero, and a warning where these differ by more than a thousandth.
+ */
+std::string describe_detonation(const Explosive &explosive);
 } // namespace contrecoup

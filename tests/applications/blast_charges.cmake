@@ -1,0 +1,57 @@
+# Charges: the detonation against its exact solution, what the burn conserves,
+# geometries, ranks, stops and extremes.
+set(_folder blast/verification)
+set(_closed "conservation.mass_relative_change < 1e-12"
+  "conservation.energy_relative_change < 1e-12"
+  "conservation.products_mass_relative_change < 1e-12")
+
+# blast_burns(<name> <file> <bounds> [<overrides>...])
+function(blast_burns name file bounds)
+  contrecoup_add_application_test(${name} bounds FILE blast/${file}.prm
+    SET "Output/Fields=false" ${ARGN} BOUNDS "status == finished" ${bounds}
+    LABELS verification TIMEOUT 300)
+endfunction()
+
+# The front is in time within 0.5 %, and after 0.28 m has the Chapman-Jouguet
+# pressure within 3 %. Bounds of L1: the errors when the tests were written and
+# a tenth more.
+set(_sphere "Domain/Geometry=spherical" "Charges/Charge 1/Shape=sphere")
+set(_detonation verification/tnt_detonation)
+blast_burns(tnt_detonation ${_detonation} "errors.density_L1 < 3.25;\
+errors.probe_4_arrival_relative < 5e-3;\
+errors.probe_4_arrival_relative > -5e-3;\
+errors.probe_4_peak_overpressure_relative < 0.03;\
+errors.probe_4_peak_overpressure_relative > -0.03")
+blast_burns(tnt_detonation_sphere ${_detonation} "errors.density_L1 < 5.4;\
+errors.probe_4_arrival_relative < 5e-3;\
+errors.probe_4_arrival_relative > -5e-3" ${_sphere})
+contrecoup_add_application_test(tnt_detonation_order convergence
+  FILE blast/${_detonation}.prm SET "Output/Fields=false"
+  VARY "Domain/Coarse leaves=38|76" ERROR errors.density_L1 ORDER 0.9
+  LABELS verification)
+contrecoup_add_application_test(tnt_detonation_sphere_order convergence
+  FILE blast/${_detonation}.prm SET "Output/Fields=false" ${_sphere}
+  VARY "Domain/Coarse leaves=38|76" ERROR errors.density_L1 ORDER 0.9
+  LABELS verification)
+
+blast_burns(paper_1d verification/paper_1d "${_closed}")
+blast_burns(paper_1d_jwl verification/paper_1d
+  "conservation.mass_relative_change < 1e-12;\
+conservation.energy_relative_change < 1e-12" "Material/Equation of state=jwl")
+
+blast_burns(charge_cylindrical verification/paper_1d "${_closed}"
+  "Domain/Geometry=cylindrical" "Charges/Charge 1/Shape=cylinder")
+blast_burns(charge_axisymmetric verification/charge_axisymmetric "${_closed}")
+
+foreach(_file charge_1_mg charge_1000_kg charge_cut charge_on_ground
+        two_charges)
+  blast_burns(extreme_${_file} extremes/${_file} "${_closed}")
+endforeach()
+
+set(_on_ground FILE blast/extremes/charge_on_ground.prm)
+set(_short "Time/Largest number of steps=24" "Output/History every steps=1"
+  "Output/Fields=false")
+contrecoup_add_application_test(ranks_charge ranks ${_on_ground} SET ${_short}
+  COMPARE history.csv TOLERANCE "-r 1e-9 -a 1e-9:5-7" TIMEOUT 120)
+contrecoup_add_application_test(resume_charge resume ${_on_ground}
+  SET ${_short} STOP_AFTER 11 TIMEOUT 120)
