@@ -4,10 +4,8 @@
 #include <contrecoup/base/collective.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/log.h>
-#include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/base/signals.h>
 #include <contrecoup/base/timers.h>
-#include <contrecoup/base/version.h>
 #include <contrecoup/io/application.h>
 #include <contrecoup/io/command_line.h>
 #include <contrecoup/io/run.h>
@@ -24,42 +22,23 @@ namespace io
   {
     using dealii::ParameterHandler;
 
-    void read_parameters(const CommandLine &command,
-                         const ApplicationDescription &description,
-                         ParameterHandler &prm)
+    void declare(const ApplicationDescription &description,
+                 ParameterHandler &prm)
     {
       TimeParameters::declare_parameters(prm);
       description.declare_parameters(prm);
-      std::vector<Assignment> assignments;
-      if (!command.parameter_file.empty())
-        assignments = read_assignments(command.parameter_file);
-      for (const std::string &text : command.overrides)
-        assignments.push_back(parse_override(text));
-      apply_assignments(assignments, prm);
     }
 
-    /// Prints what is asked for without a run. Returns whether that was so.
-    bool only_told(const CommandLine &command,
-                   const ApplicationDescription &description,
-                   const bool first_rank)
+    std::string told_text(const CommandLine &command,
+                          const ApplicationDescription &description)
     {
-      std::string text;
-      if (command.help)
-        text = help_text(description.name, description.purpose);
-      else if (command.version)
-        text = description.name + " " + version() + " (" + git_revision() + ")";
-      else if (command.print_parameters)
-      {
-        ParameterHandler prm;
-        read_parameters(command, description, prm);
-        text = "# " + description.name + ": " + description.purpose + "\n\n" +
-               parameter_text(prm, true);
-      }
-      else
-        return false;
-      if (first_rank)
-        std::cout << text << std::endl;
-      return true;
+      return requested_text(
+        command,
+        description.name,
+        description.purpose,
+        "Runs on several cores with mpirun -np N " + description.name +
+          " FILE.prm ...",
+        [&](ParameterHandler &prm) { declare(description, prm); });
     }
 
     void execute(const int argc,
@@ -77,17 +56,23 @@ namespace io
       CommandLine command;
       ParameterHandler prm;
       std::unique_ptr<Simulation> simulation;
-      bool told = false;
+      std::string told;
       collective.run(
         [&]() {
           command = parse_command_line(argc, argv);
-          told = only_told(command, description, first_rank);
-          if (!told)
-            read_parameters(command, description, prm);
+          told = told_text(command, description);
+          if (!told.empty())
+            return;
+          declare(description, prm);
+          read_parameters(command, prm);
         },
         ExitCode::bad_input);
-      if (told)
+      if (!told.empty())
+      {
+        if (first_rank)
+          std::cout << told << std::endl;
         return;
+      }
       collective.run([&]() { simulation = description.create(prm, all); },
                      ExitCode::bad_input);
       Run run(command, description, prm, *simulation, collective);

@@ -66,7 +66,10 @@ namespace io
   {
     std::ifstream input(file, std::ios::binary);
     std::ostringstream content;
-    if (!input || !(content << input.rdbuf()))
+    // A stream takes an empty file for a failure to write.
+    const bool is_empty =
+      input && input.peek() == std::ifstream::traits_type::eof();
+    if (!is_empty && (!input || !(content << input.rdbuf())))
       throw SystemError("cannot read \"" + file + "\"");
     return content.str();
   }

@@ -2,7 +2,9 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/base/text.h>
+#include <contrecoup/base/version.h>
 #include <contrecoup/io/command_line.h>
 
 #include <filesystem>
@@ -97,7 +99,8 @@ namespace io
   }
 
   std::string help_text(const std::string &application,
-                        const std::string &purpose)
+                        const std::string &purpose,
+                        const std::string &parallel)
   {
     return application + ": " + purpose + "\n\n  " + application +
            " FILE.prm [options]\n\n"
@@ -115,8 +118,39 @@ namespace io
            "  --help              prints this\n"
            "  --version           prints version and git revision\n\n"
            "Exit codes: 0 done, 1 bad input, 2 the numerics failed, 3 the "
-           "system failed.\nRuns on several cores with mpirun -np N " +
-           application + " FILE.prm ...";
+           "system failed.\n" +
+           parallel;
+  }
+
+  std::string requested_text(
+    const CommandLine &command,
+    const std::string &application,
+    const std::string &purpose,
+    const std::string &parallel,
+    const std::function<void(dealii::ParameterHandler &)> &declare_parameters)
+  {
+    if (command.help)
+      return help_text(application, purpose, parallel);
+    if (command.version)
+      return application + " " + version() + " (" + git_revision() + ")";
+    if (!command.print_parameters)
+      return "";
+    dealii::ParameterHandler prm;
+    declare_parameters(prm);
+    read_parameters(command, prm);
+    return "# " + application + ": " + purpose + "\n\n" +
+           parameter_text(prm, true);
+  }
+
+  void read_parameters(const CommandLine &command,
+                       dealii::ParameterHandler &prm)
+  {
+    std::vector<Assignment> assignments;
+    if (!command.parameter_file.empty())
+      assignments = read_assignments(command.parameter_file);
+    for (const std::string &text : command.overrides)
+      assignments.push_back(parse_override(text));
+    apply_assignments(assignments, prm);
   }
 } // namespace io
 } // namespace contrecoup

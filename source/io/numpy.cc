@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/exceptions.h>
 #include <contrecoup/io/checked_file.h>
 #include <contrecoup/io/numpy.h>
 
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
+#include <cstdlib>
+#include <cstring>
 #include <functional>
 #include <numeric>
 #include <stdexcept>
@@ -41,6 +44,38 @@ namespace io
       out.write(reinterpret_cast<const char *>(data.data()),
                 static_cast<std::streamsize>(size * sizeof(double)));
     });
+  }
+
+  NumpyArray read_npy(const std::string &file)
+  {
+    const std::string content = read_file(file);
+    const std::string mark = "'shape': (";
+    const std::size_t end = content.find('\n');
+    const std::size_t shape = content.find(mark);
+    const bool is_known = content.compare(0, 6, "\x93NUMPY") == 0 &&
+                          content.find("'<f8', 'fortran_order': False") < end &&
+                          shape < end && end != std::string::npos;
+    NumpyArray array;
+    if (is_known)
+      for (const char *at = content.c_str() + shape + mark.size(); *at != ')';)
+      {
+        char *after = nullptr;
+        array.shape.push_back(std::strtoull(at, &after, 10));
+        if (after == at)
+          break;
+        at = after + (*after == ',' ? 1 : 0);
+      }
+    const std::size_t size = std::accumulate(array.shape.begin(),
+                                             array.shape.end(),
+                                             std::size_t(1),
+                                             std::multiplies<>());
+    if (!is_known || content.size() - end - 1 != size * sizeof(double))
+      throw InputError("\"" + file +
+                       "\" is not an array of doubles as runs write it");
+    array.data.resize(size);
+    std::memcpy(
+      array.data.data(), content.data() + end + 1, size * sizeof(double));
+    return array;
   }
 
   void write_plane(const std::string &stem, const PlaneSamples &plane)

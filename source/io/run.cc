@@ -5,6 +5,7 @@
 #include <contrecoup/base/log.h>
 #include <contrecoup/base/memory.h>
 #include <contrecoup/base/parameter_tree.h>
+#include <contrecoup/base/processor_time.h>
 #include <contrecoup/base/text.h>
 #include <contrecoup/base/timers.h>
 #include <contrecoup/base/version.h>
@@ -58,6 +59,7 @@ namespace io
               parameter_values(prm),
               collective)
     , begin_(std::chrono::steady_clock::now())
+    , begin_processor_(processor_seconds())
     , loop_begin_(begin_)
   {}
 
@@ -175,6 +177,8 @@ namespace io
     summary.state = state_;
     summary.wall_seconds = seconds_since(begin_);
     summary.loop_seconds = seconds_since(loop_begin_);
+    summary.core_seconds =
+      dealii::Utilities::MPI::sum(processor_seconds() - begin_processor_, all);
     summary.updates = state_.updates - updates_before_;
     summary.ranks = dealii::Utilities::MPI::n_mpi_processes(all);
     summary.peak_memory = peak_memory(all);

@@ -51,6 +51,7 @@ namespace io
     {
       const double rate = summary.updates / summary.loop_seconds;
       return {{"wall_seconds", number(summary.loop_seconds)},
+              {"core_seconds", number(summary.core_seconds)},
               {"updates", number(summary.updates)},
               {"updates_per_second", number(rate)},
               {"updates_per_second_per_core", number(rate / summary.ranks)},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/exceptions.h>
 #include <contrecoup/io/checked_file.h>
 #include <contrecoup/io/numpy.h>
 
@@ -27,6 +28,22 @@ TEST(Numpy, FollowsTheFormat)
   ASSERT_EQ(file.size(), start + 6 * sizeof(double));
   EXPECT_EQ(std::memcmp(file.data() + start, data.data(), 48), 0);
   EXPECT_THROW(write_npy("array.npy", {2, 2}, data), std::invalid_argument);
+}
+
+TEST(Numpy, ReadsBackWhatItWrote)
+{
+  const std::vector<double> data = {1., 2., 3., 4., 5., -0.1};
+  write_npy("array.npy", {3, 2}, data);
+  const NumpyArray array = read_npy("array.npy");
+  EXPECT_EQ(array.shape, (std::vector<std::size_t>{3, 2}));
+  EXPECT_EQ(array.data, data);
+  write_file("cut.npy", [](std::ostream &out) {
+    const std::string whole = read_file("array.npy");
+    out << whole.substr(0, whole.size() - 1);
+  });
+  EXPECT_THROW(read_npy("cut.npy"), contrecoup::InputError);
+  write_file("text.npy", [](std::ostream &out) { out << "hello\n"; });
+  EXPECT_THROW(read_npy("text.npy"), contrecoup::InputError);
 }
 
 TEST(Numpy, PlanesSayWhereTheyAre)

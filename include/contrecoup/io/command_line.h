@@ -3,6 +3,9 @@
 
 #pragma once
 
+#include <deal.II/base/parameter_handler.h>
+
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -33,8 +36,27 @@ namespace io
    */
   CommandLine parse_command_line(int argc, const char *const *argv);
 
-  /// What --help prints.
+  /// What --help prints; @p parallel says how several cores are used.
   std::string help_text(const std::string &application,
-                        const std::string &purpose);
+                        const std::string &purpose,
+                        const std::string &parallel);
+
+  /**
+   * What --help, --version or --print-parameters prints; empty when none of
+   * them is given.
+   * @param declare_parameters declares all entries
+   * @throws InputError when a parameter file is given that is not valid
+   */
+  std::string requested_text(
+    const CommandLine &command,
+    const std::string &application,
+    const std::string &purpose,
+    const std::string &parallel,
+    const std::function<void(dealii::ParameterHandler &)> &declare_parameters);
+
+  /// Hands the parameter file and the overrides to declared entries.
+  /// @throws InputError for what does not fit them
+  void read_parameters(const CommandLine &command,
+                       dealii::ParameterHandler &prm);
 } // namespace io
 } // namespace contrecoup

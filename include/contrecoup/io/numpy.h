@@ -19,6 +19,16 @@ namespace io
                  const std::vector<std::size_t> &shape,
                  const std::vector<double> &data);
 
+  /// An array of doubles as write_npy() writes it.
+  struct NumpyArray
+  {
+    std::vector<std::size_t> shape;
+    std::vector<double> data; ///< last index fastest
+  };
+
+  /// Reads what write_npy() wrote. @throws InputError for other files
+  NumpyArray read_npy(const std::string &file);
+
   /// A plane cut through a field on a regular grid, for pictures.
   struct PlaneSamples
   {

@@ -51,6 +51,7 @@ namespace io
     double updates_before_ = 0.;
 
     std::chrono::steady_clock::time_point begin_;
+    double begin_processor_; ///< of this process [s]
     std::chrono::steady_clock::time_point loop_begin_;
   };
 } // namespace io

@@ -26,6 +26,7 @@ namespace io
     RunState state;
     double wall_seconds = 0.; ///< all of this start
     double loop_seconds = 0.; ///< of this start, without setup
+    double core_seconds = 0.; ///< processor time of this start, all ranks
     double updates = 0.;      ///< of this start
     unsigned int ranks = 1;
     std::uint64_t cells = 0;
@@ -40,9 +41,11 @@ namespace io
 
   /**
    * The text of summary.json. "wall_seconds" at the top counts everything,
-   * that under "performance" the time loop. For each conserved quantity Q of
-   * the history, "conservation" has Q_first, Q_last and Q_relative_change =
-   * (last - first) / |first|. A number that is not finite is written as null.
+   * that under "performance" the time loop; "core_seconds" there is the
+   * processor time of everything, all ranks added up. For each conserved
+   * quantity Q of the history, "conservation" has Q_first, Q_last and
+   * Q_relative_change = (last - first) / |first|. A number that is not finite
+   * is written as null.
    */
   std::string to_text(const Summary &summary);
 } // namespace io

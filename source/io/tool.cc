@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/collective.h>
+#include <contrecoup/base/log.h>
+#include <contrecoup/base/signals.h>
+#include <contrecoup/io/tool.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <cstdlib>
+#include <iostream>
+
+namespace contrecoup
+{
+namespace io
+{
+  namespace
+  {
+    /// Whether mpirun started this process and it is not the first one.
+    bool is_surplus_rank()
+    {
+      for (const char *name : {"OMPI_COMM_WORLD_RANK", "PMI_RANK"})
+        if (const char *rank = std::getenv(name))
+          return std::string(rank) != "0";
+      return false;
+    }
+
+    void
+    execute(const int argc, char **argv, const ToolDescription &description)
+    {
+      const CommandLine command = parse_command_line(argc, argv);
+      const std::string told =
+        requested_text(command,
+                       description.name,
+                       description.purpose,
+                       "Starts what it needs on several cores itself.",
+                       description.declare_parameters);
+      if (!told.empty())
+      {
+        std::cout << told << std::endl;
+        return;
+      }
+      dealii::ParameterHandler prm;
+      description.declare_parameters(prm);
+      read_parameters(command, prm);
+      description.execute(command, prm);
+    }
+  } // namespace
+
+  int run_tool(const int argc, char **argv, const ToolDescription &description)
+  {
+    if (is_surplus_rank())
+      return 0;
+    dealii::deal_II_exceptions::disable_abort_on_exception();
+    dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
+    const SignalGuard signals;
+    Failure failure;
+    try
+    {
+      execute(argc, argv, description);
+    }
+    catch (...)
+    {
+      failure = to_failure(std::current_exception(), ExitCode::system_failed);
+    }
+    Log::instance().close();
+    if (failure.code != ExitCode::done)
+      std::cerr << "error: " << failure.message << std::endl;
+    return static_cast<int>(failure.code);
+  }
+} // namespace io
+} // namespace contrecoup
