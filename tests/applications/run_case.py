@@ -21,6 +21,7 @@ import sys
 import time
 
 import full_disk
+import study_cases
 
 
 REPOSITORY = os.path.dirname(os.path.dirname(os.path.dirname(
@@ -43,12 +44,13 @@ class Case:
     def folder(self, name):
         return os.path.join(self.options.name, name)
 
-    def command(self, output, extra=(), ranks=None, file=None):
+    def command(self, output, extra=(), ranks=None, file=None, program=None):
         ranks = ranks or self.options.ranks
         command = []
         if ranks > 1:
             command = [self.options.mpiexec, "-np", str(ranks)]
-        command += [self.options.application, file or self.options.file]
+        command += [program or self.options.application,
+                    file or self.options.file]
         for override in self.options.set:
             command += ["--set", override]
         if output is not None:
@@ -93,7 +95,7 @@ def look_up(summary, key):
 def check_bound(summary, bound):
     """@p bound is 'key < number' (of the absolute value), 'key > number' or
     'key == word'."""
-    match = re.fullmatch(r"\s*([\w.]+)\s*(<|>|==)\s*(\S+)\s*", bound)
+    match = re.fullmatch(r"\s*([\w. ]+?)\s*(<|>|==)\s*(\S+)\s*", bound)
     if not match:
         raise Failed(f"not a bound: '{bound}'")
     key, relation, limit = match.groups()
@@ -381,9 +383,20 @@ def disk(case):
     compare_bytes(straight, output, case.options.compare)
 
 
+def of_study(kind):
+    def judged(case):
+        try:
+            kind(case, check_bound, read_summary)
+        except AssertionError as reason:
+            raise Failed(str(reason)) from reason
+    return judged
+
+
 KINDS = {kind.__name__: kind for kind in
          (bounds, regression, ranks, convergence, resume, sigterm, check,
           pictures, refusal, damaged_checkpoint, foreign_checkpoint, disk)}
+KINDS.update({name: of_study(kind)
+              for name, kind in study_cases.KINDS.items()})
 
 
 def parse(arguments):

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/study/factor.h>
+
+namespace contrecoup::study
+{
+/// Which combinations of the factors' values are run.
+struct DesignParameters
+{
+  std::string kind = "full grid";
+  unsigned int samples = 16; ///< of a Latin hypercube
+  unsigned int seed = 1;     ///< of its random numbers
+};
+
+/// One combination.
+struct Variant
+{
+  Settings settings;
+  std::vector<std::string> labels; ///< one for each factor
+  std::vector<double> numbers;     ///< Factor::number(), one for each factor
+};
+
+/**
+ * The variants of a design:
+ *   full grid: every combination, the last factor fastest;
+ *   one at a time: the first value of every factor, and then those that
+ *     differ from it in one factor;
+ *   latin hypercube: samples points whose coordinates in each factor fall
+ *     into different ones of as many equal parts of its values or range
+ *     (M. D. McKay, R. J. Beckman, W. J. Conover, Technometrics 21 (1979)
+ *     239-245). The same seed gives the same points everywhere.
+ * @throws InputError for a range in another design than a Latin hypercube,
+ *   and for more than 100000 variants
+ */
+std::vector<Variant> make_design(const std::vector<Factor> &factors,
+                                 const DesignParameters &parameters);
+
+/// So few variants that each value of each factor is in one of them.
+std::vector<Variant> cover_values(const std::vector<Factor> &factors);
+} // namespace contrecoup::study

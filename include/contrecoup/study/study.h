@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/study/study_result.h>
+
+namespace contrecoup::study
+{
+/// A study in its output folder.
+class Study
+{
+public:
+  /// @throws InputError when application, base file or entries are wrong
+  Study(const StudyParameters &parameters, const std::string &output_folder);
+
+  /// Says what would be run.
+  /// @throws InputError when the application refuses the first variant
+  void check() const;
+
+  /**
+   * Runs what an earlier start has not run yet, and writes the results.
+   * @param parameter_text all entries of the study, for parameters.prm
+   * @param resume keeps the variants that an earlier start has finished
+   * @throws InputError when there is nothing to resume, or when all variants
+   *   were refused; NumericsError when the reference run failed
+   */
+  void execute(const std::string &parameter_text, bool resume);
+
+private:
+  Task make_task(const Variant &variant) const;
+  void prepare(const std::string &parameter_text, bool resume);
+  void report(const Task &task);
+  void write_results(const std::string &status, double seconds);
+  void use_reference();
+  void conclude(const StudyResult &result);
+  void draw() const;
+  std::string path(const std::string &name) const;
+
+  StudyParameters parameters_;
+  std::string folder_;
+  ApplicationUnderStudy application_;
+  std::map<std::string, std::string> base_entries_;
+  std::vector<Task> tasks_; ///< the reference run first, if there is one
+  bool has_reference_ = false;
+  std::size_t n_done_before_ = 0;
+  std::size_t n_done_ = 0;
+  std::chrono::steady_clock::time_point begin_;
+};
+} // namespace contrecoup::study

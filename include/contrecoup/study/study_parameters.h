@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/study/design.h>
+#include <contrecoup/study/error_measure.h>
+
+namespace contrecoup::study
+{
+/// All entries of a study.
+struct StudyParameters
+{
+  std::string title;
+  std::string application;
+  std::string parameter_file;
+  Settings settings; ///< of all variants
+  std::vector<Factor> factors;
+  DesignParameters design;
+  std::string mode; ///< work precision, stability map
+  std::string cost; ///< core seconds, wall seconds, updates, memory
+  unsigned int ranks = 1;
+  unsigned int cores = 1;
+  double time_limit = 0.; ///< of a variant [s]; 0: none
+  ErrorMeasure error;
+
+  /// Declares subsections "Study", "Error" and "Vary *".
+  static void declare_parameters(dealii::ParameterHandler &prm);
+
+  /// @throws InputError for entries that do not go together.
+  void parse_parameters(dealii::ParameterHandler &prm);
+};
+} // namespace contrecoup::study

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameter_file.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/io/checked_file.h>
+#include <contrecoup/study/application_under_study.h>
+#include <contrecoup/study/child_process.h>
+#include <contrecoup/study/temporary_folder.h>
+
+#include <unistd.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+
+namespace contrecoup::study
+{
+namespace
+{
+  namespace fs = std::filesystem;
+
+  bool is_program(const fs::path &file)
+  {
+    return fs::is_regular_file(file) && access(file.c_str(), X_OK) == 0;
+  }
+
+  /// The program of this name beside this one's own file.
+  std::string find_program(const std::string &name)
+  {
+    if (name.find('/') != std::string::npos)
+    {
+      if (!is_program(name))
+        throw InputError("Study/Application: \"" + name +
+                         "\" is not a program");
+      return name;
+    }
+    const fs::path own = fs::read_symlink("/proc/self/exe");
+    if (!name.empty() && is_program(own.parent_path() / name))
+      return (own.parent_path() / name).string();
+    std::vector<std::string> known;
+    for (const auto &entry : fs::directory_iterator(own.parent_path()))
+      if (is_program(entry.path()) && entry.path() != own)
+        known.push_back(entry.path().filename().string());
+    throw InputError("Study/Application: there is no application \"" + name +
+                     "\" in \"" + own.parent_path().string() + "\"" +
+                     suggestion(name, known));
+  }
+} // namespace
+
+std::string fingerprint(const std::string &text)
+{
+  std::uint64_t hash = 14695981039346656037ULL;
+  for (const char letter : text)
+    hash = (hash ^ static_cast<unsigned char>(letter)) * 1099511628211ULL;
+  char digits[17];
+  std::snprintf(
+    digits, sizeof(digits), "%016llx", static_cast<unsigned long long>(hash));
+  return digits;
+}
+
+ApplicationUnderStudy::ApplicationUnderStudy(const std::string &name,
+                                             const std::string &parameter_file,
+                                             const unsigned int ranks)
+  : name_(fs::path(name).filename().string())
+  , program_(find_program(name))
+  , parameter_file_(parameter_file)
+  , ranks_(ranks)
+{
+  const TemporaryFolder folder;
+  const ProcessText text = run_process({program_, "--version"}, folder.path());
+  if (text.end.exit_code != 0 || text.end.signal != 0)
+    throw InputError("Study/Application: \"" + program_ +
+                     " --version\" failed: " + text.errors);
+  version_ = one_line(text.output) + " " + fingerprint(io::read_file(program_));
+}
+
+std::string ApplicationUnderStudy::ask(const Settings &settings,
+                                       const std::string &option) const
+{
+  std::vector<std::string> words = {program_, parameter_file_};
+  for (const auto &[entry, value] : settings)
+    words.insert(words.end(), {"--set", entry + "=" + value});
+  words.push_back(option);
+  const TemporaryFolder folder;
+  const ProcessText text = run_process(words, folder.path());
+  if (text.end.signal != 0)
+    throw SystemError(name_ + " " + option + " was ended by signal " +
+                      std::to_string(text.end.signal));
+  if (text.end.exit_code != 0)
+    throw InputError(name_ + ": " + text.errors);
+  return text.output;
+}
+
+std::map<std::string, std::string>
+ApplicationUnderStudy::entries(const Settings &settings) const
+{
+  const std::string text = ask(settings, "--print-parameters");
+  const TemporaryFolder folder;
+  const std::string file = folder.path() + "/parameters.prm";
+  io::write_file(file, [&](std::ostream &out) { out << text; });
+  std::map<std::string, std::string> values;
+  for (const Assignment &assignment : read_assignments(file))
+  {
+    const std::string path = join(assignment.sections, "/") + "/";
+    // A subsection for items of any name, shown but not there.
+    if (path.find(" */") == std::string::npos)
+      values[(path == "/" ? "" : path) + assignment.entry] = assignment.value;
+  }
+  return values;
+}
+
+std::string ApplicationUnderStudy::plan(const Settings &settings) const
+{
+  return ask(settings, "--check");
+}
+
+std::vector<std::string>
+ApplicationUnderStudy::command(const Settings &settings,
+                               const std::string &output_folder) const
+{
+  std::vector<std::string> words;
+  if (ranks_ > 1)
+    words = {"mpirun", "-np", std::to_string(ranks_)};
+  words.insert(words.end(), {program_, parameter_file_});
+  for (const auto &[entry, value] : settings)
+    words.insert(words.end(), {"--set", entry + "=" + value});
+  words.insert(words.end(), {"--output", output_folder});
+  return words;
+}
+
+const std::string &ApplicationUnderStudy::name() const
+{
+  return name_;
+}
+
+const std::string &ApplicationUnderStudy::version() const
+{
+  return version_;
+}
+
+unsigned int ApplicationUnderStudy::ranks() const
+{
+  return ranks_;
+}
+} // namespace contrecoup::study

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/study/curve.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+
+namespace contrecoup::study
+{
+namespace
+{
+  std::size_t column_of(const std::string &name,
+                        const std::vector<std::string> &names,
+                        const std::string &file)
+  {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+      throw InputError("\"" + file + "\" has no column \"" + name + "\"" +
+                       suggestion(name, names));
+    return static_cast<std::size_t>(found - names.begin());
+  }
+
+  /// The curve at a time within it.
+  double at(const Curve &curve, const double time)
+  {
+    const auto after =
+      std::lower_bound(curve.times.begin(), curve.times.end(), time);
+    if (after == curve.times.begin())
+      return curve.values.front();
+    if (after == curve.times.end())
+      return curve.values.back();
+    const auto i = static_cast<std::size_t>(after - curve.times.begin());
+    const double part =
+      (time - curve.times[i - 1]) / (curve.times[i] - curve.times[i - 1]);
+    return curve.values[i - 1] + part * (curve.values[i] - curve.values[i - 1]);
+  }
+
+  /// Integral of |f| for f straight from a to b over a step.
+  double absolute_area(const double a, const double b, const double step)
+  {
+    if (a * b >= 0.)
+      return 0.5 * step * std::abs(a + b);
+    return 0.5 * step * (a * a + b * b) / (std::abs(a) + std::abs(b));
+  }
+} // namespace
+
+Curve read_curve(const std::string &file, const std::string &name)
+{
+  std::ifstream input(file);
+  std::string line;
+  if (!std::getline(input, line))
+    throw InputError("there is no table \"" + file + "\" to read \"" + name +
+                     "\" from");
+  std::vector<std::string> names = split(line, ',');
+  for (std::string &entry : names)
+    entry = trim(entry.substr(0, entry.find('[')));
+  const std::size_t time = column_of("time", names, file);
+  const std::size_t value = column_of(name, names, file);
+  Curve curve;
+  while (std::getline(input, line))
+  {
+    const std::vector<std::string> row = split(line, ',');
+    if (row.size() != names.size())
+      throw InputError("\"" + file + "\": a row has " +
+                       std::to_string(row.size()) + " numbers for " +
+                       std::to_string(names.size()) + " columns");
+    curve.times.push_back(std::strtod(row[time].c_str(), nullptr));
+    curve.values.push_back(std::strtod(row[value].c_str(), nullptr));
+  }
+  if (curve.times.size() < 2)
+    throw InputError("\"" + file + "\" has fewer than two rows");
+  return curve;
+}
+
+double peak(const Curve &curve)
+{
+  return *std::max_element(curve.values.begin(), curve.values.end()) -
+         curve.values.front();
+}
+
+double impulse(const Curve &curve)
+{
+  double sum = 0., largest = 0.;
+  for (std::size_t i = 1; i < curve.times.size(); ++i)
+  {
+    sum +=
+      (curve.times[i] - curve.times[i - 1]) *
+      (0.5 * (curve.values[i] + curve.values[i - 1]) - curve.values.front());
+    largest = std::max(largest, sum);
+  }
+  return largest;
+}
+
+double arrival(const Curve &curve)
+{
+  const double half = curve.values.front() + 0.5 * peak(curve);
+  for (std::size_t i = 1; i < curve.times.size(); ++i)
+    if (curve.values[i] > half || curve.values[i] == half)
+    {
+      const double rise = curve.values[i] - curve.values[i - 1];
+      const double part = rise > 0. ? (half - curve.values[i - 1]) / rise : 0.;
+      return curve.times[i - 1] + part * (curve.times[i] - curve.times[i - 1]);
+    }
+  return curve.times.back();
+}
+
+double relative_difference(const Curve &curve, const Curve &reference)
+{
+  const double end = std::min(curve.times.back(), reference.times.back());
+  std::vector<double> times;
+  for (const Curve *one : {&curve, &reference})
+    for (const double time : one->times)
+      if (time < end)
+        times.push_back(time);
+  times.push_back(end);
+  std::sort(times.begin(), times.end());
+  double difference = 0., size = 0.;
+  for (std::size_t i = 1; i < times.size(); ++i)
+  {
+    const double step = times[i] - times[i - 1];
+    const double first = at(reference, times[i - 1]);
+    const double second = at(reference, times[i]);
+    difference += absolute_area(
+      at(curve, times[i - 1]) - first, at(curve, times[i]) - second, step);
+    size += absolute_area(first - reference.values.front(),
+                          second - reference.values.front(),
+                          step);
+  }
+  return difference / size;
+}
+} // namespace contrecoup::study

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/io/numpy.h>
+#include <contrecoup/study/curve.h>
+#include <contrecoup/study/error_measure.h>
+#include <contrecoup/study/json_path.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+namespace contrecoup::study
+{
+namespace
+{
+  namespace fs = std::filesystem;
+
+  /// The newest array of a plane: stem_NNNN.npy of the largest number.
+  std::string newest_plane(const std::string &folder, const std::string &stem)
+  {
+    std::vector<std::string> arrays, stems;
+    std::error_code ignored;
+    for (const auto &entry : fs::directory_iterator(folder, ignored))
+      if (entry.path().extension() == ".npy")
+      {
+        const std::string name = entry.path().stem().string();
+        stems.push_back(name.substr(0, name.rfind('_')));
+        if (stems.back() == stem)
+          arrays.push_back(entry.path().string());
+      }
+    if (arrays.empty())
+      throw InputError("Error/Name: \"" + folder + "\" has no plane \"" + stem +
+                       "\"" + suggestion(stem, stems));
+    return *std::max_element(arrays.begin(), arrays.end());
+  }
+
+  /// Mean absolute difference, samples that are not numbers left out.
+  double mean_difference(const std::string &file, const std::string &reference)
+  {
+    const io::NumpyArray a = io::read_npy(file), b = io::read_npy(reference);
+    if (a.shape != b.shape)
+      throw InputError("the planes \"" + file + "\" and \"" + reference +
+                       "\" have different numbers of samples");
+    double sum = 0.;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < a.data.size(); ++i)
+      if (std::isfinite(a.data[i] - b.data[i]))
+      {
+        sum += std::abs(a.data[i] - b.data[i]);
+        ++count;
+      }
+    return sum / static_cast<double>(count);
+  }
+
+  nlohmann::json read_summary(const std::string &folder)
+  {
+    const std::string file = folder + "/summary.json";
+    std::ifstream input(file);
+    const auto summary = nlohmann::json::parse(input, nullptr, false);
+    if (!summary.is_object())
+      throw InputError("the reference run has no readable \"" + file + "\"");
+    return summary;
+  }
+} // namespace
+
+void ErrorMeasure::declare_parameters(ParameterHandler &prm)
+{
+  const Section section(prm, "Error");
+  declare_selection(
+    prm,
+    "Kind",
+    "exact",
+    {"exact", "known value", "reference run", "self convergence", "none"},
+    "What a run is measured against: its own errors against an exact solution, "
+    "as its summary.json states them; a known value; another run; what it "
+    "tends to on finer meshes, by Richardson extrapolation; or nothing.");
+  declare_string(prm,
+                 "Name",
+                 "density_L1",
+                 "For exact the name below \"errors\" in summary.json; for "
+                 "a quantity of a summary its dotted path, as in "
+                 "\"conservation.mass_last\"; of a probe the column of "
+                 "probes.csv; of a plane the name of its files without "
+                 "number.");
+  declare_selection(prm,
+                    "Quantity",
+                    "summary",
+                    {"summary",
+                     "probe peak",
+                     "probe impulse",
+                     "probe arrival",
+                     "probe curve",
+                     "plane"},
+                    "What is compared, unless Kind is exact: a number of "
+                    "summary.json; largest rise, largest integral of the rise, "
+                    "or arrival at a probe; its whole curve, or a plane cut "
+                    "at the end, each with the mean difference from that of "
+                    "the reference run.");
+  declare_double(prm,
+                 "Known value",
+                 "0",
+                 -unbounded,
+                 unbounded,
+                 "unit of the quantity",
+                 "The value that the quantity should have; the error is "
+                 "relative to it, or absolute if it is 0.");
+  declare_string(prm,
+                 "Reference",
+                 "",
+                 "The entries of the reference run besides those of all "
+                 "variants: \"Section/Entry=value; ...\". The study makes "
+                 "this run first.");
+  declare_string(prm,
+                 "Reference folder",
+                 "",
+                 "Instead, the output folder of a run that was made before.");
+  declare_double(prm,
+                 "Wanted error",
+                 "0",
+                 0.,
+                 unbounded,
+                 "unit of the error",
+                 "The cheapest variant whose error is at most this is "
+                 "recommended and written to recommended.prm; 0: none.");
+}
+
+void ErrorMeasure::parse_parameters(ParameterHandler &prm)
+{
+  const Section section(prm, "Error");
+  kind_ = prm.get("Kind");
+  quantity_ = prm.get("Quantity");
+  name_ = prm.get("Name");
+  known_ = read_double(prm, "Known value");
+  wanted_ = read_double(prm, "Wanted error");
+  reference_folder_ = prm.get("Reference folder");
+  const std::string reference = prm.get("Reference");
+  if (kind_ != "reference run" &&
+      (!reference.empty() || !reference_folder_.empty()))
+    throw InputError("Error/Reference and Error/Reference folder need "
+                     "Error/Kind = reference run, not \"" +
+                     kind_ + "\"");
+  if (kind_ == "reference run" &&
+      reference.empty() == reference_folder_.empty())
+    throw InputError("Error/Kind = reference run needs either Error/Reference "
+                     "or Error/Reference folder");
+  if (kind_ != "reference run" && kind_ != "exact" && compares_files())
+    throw InputError("Error/Quantity = " + quantity_ +
+                     " needs Error/Kind = reference run");
+  if (!reference.empty())
+    reference_settings_ = parse_settings(reference, "Error/Reference");
+  if (kind_ == "none" && wanted_ > 0.)
+    throw InputError("Error/Wanted error needs an Error/Kind other than none");
+}
+
+bool ErrorMeasure::compares_files() const
+{
+  return quantity_ == "probe curve" || quantity_ == "plane";
+}
+
+bool ErrorMeasure::is_active() const
+{
+  return kind_ != "none";
+}
+
+bool ErrorMeasure::is_self_convergence() const
+{
+  return kind_ == "self convergence";
+}
+
+const std::optional<Settings> &ErrorMeasure::reference_settings() const
+{
+  return reference_settings_;
+}
+
+void ErrorMeasure::set_reference_folder(const std::string &folder)
+{
+  reference_folder_ = folder;
+}
+
+double ErrorMeasure::value(const std::string &folder,
+                           const nlohmann::json &summary) const
+{
+  if (kind_ == "exact")
+    return std::abs(number_at(
+      summary, "errors." + name_, "Error/Name: the summary of a run"));
+  if (is_self_convergence())
+    return quantity(folder, summary);
+  if (compares_files())
+    return difference(folder);
+  const double known =
+    kind_ == "known value"
+      ? known_
+      : quantity(reference_folder_, read_summary(reference_folder_));
+  const double deviation = std::abs(quantity(folder, summary) - known);
+  return known == 0. ? deviation : deviation / std::abs(known);
+}
+
+double ErrorMeasure::quantity(const std::string &folder,
+                              const nlohmann::json &summary) const
+{
+  if (quantity_ == "summary")
+    return number_at(summary, name_, "Error/Name: the summary of a run");
+  const Curve curve = read_curve(folder + "/probes.csv", name_);
+  return quantity_ == "probe peak"      ? peak(curve)
+         : quantity_ == "probe impulse" ? impulse(curve)
+                                        : arrival(curve);
+}
+
+double ErrorMeasure::difference(const std::string &folder) const
+{
+  if (quantity_ == "plane")
+    return mean_difference(newest_plane(folder + "/fields", name_),
+                           newest_plane(reference_folder_ + "/fields", name_));
+  return relative_difference(
+    read_curve(folder + "/probes.csv", name_),
+    read_curve(reference_folder_ + "/probes.csv", name_));
+}
+
+std::string ErrorMeasure::title() const
+{
+  std::string name = name_;
+  std::replace(name.begin(), name.end(), '_', ' ');
+  if (kind_ == "exact")
+    return "error of " + name;
+  const std::string what =
+    quantity_ == "summary" ? name : quantity_ + " of " + name;
+  return compares_files() ? "difference in " + what
+                          : "relative error of " + what;
+}
+
+std::string ErrorMeasure::short_name() const
+{
+  std::string name =
+    kind_ == "exact" || quantity_ == "summary"
+      ? name_
+      : name_ + "_" + quantity_.substr(quantity_.find(' ') + 1);
+  std::replace(name.begin(), name.end(), '.', '_');
+  return name;
+}
+
+double ErrorMeasure::wanted() const
+{
+  return wanted_;
+}
+} // namespace contrecoup::study

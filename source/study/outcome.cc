@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/io/checked_file.h>
+#include <contrecoup/study/outcome.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cstring>
+#include <fstream>
+
+namespace contrecoup::study
+{
+namespace
+{
+  using Json = nlohmann::ordered_json;
+
+  /// The content of a JSON file; null if there is none, or it is broken.
+  Json read_json(const std::string &file)
+  {
+    std::ifstream input(file);
+    return input ? Json::parse(input, nullptr, false) : Json();
+  }
+
+  template <typename Type>
+  Type
+  member(const Json &object, const std::string &name, const Type &otherwise)
+  {
+    const bool is_there =
+      object.is_object() && object.contains(name) && !object[name].is_null();
+    return is_there ? object[name].get<Type>() : otherwise;
+  }
+
+  /// A process that left by itself with code 0.
+  void judge_finished(const Json &summary, Outcome &outcome)
+  {
+    const std::string status = member<std::string>(summary, "status", "");
+    const auto retries = member<double>(summary, "retries", 0.);
+    if (status != "finished")
+    {
+      outcome.kind = "failed";
+      outcome.reason = status.empty() ? "it left no summary.json"
+                                      : "it ended with status \"" + status +
+                                          "\" before it was finished";
+    }
+    else if (retries > 0.)
+    {
+      outcome.kind = "retried";
+      outcome.reason = std::to_string(static_cast<long long>(retries)) +
+                       (retries == 1. ? " step was" : " steps were") +
+                       " cut back";
+    }
+    else
+      outcome.kind = "stable";
+  }
+
+  std::string reason_of(const Json &summary, const std::string &error_file)
+  {
+    std::string reason = member<std::string>(summary, "message", "");
+    if (reason.empty())
+    {
+      std::ifstream input(error_file);
+      const std::string text((std::istreambuf_iterator<char>(input)), {});
+      reason = last_line(text);
+    }
+    return reason.empty() ? "it gave no reason" : reason;
+  }
+} // namespace
+
+bool Outcome::is_usable() const
+{
+  return kind == "stable" || kind == "retried";
+}
+
+Outcome judge(const ProcessEnd &end,
+              const bool timed_out,
+              const std::string &folder,
+              const std::string &error_file)
+{
+  const Json summary = read_json(folder + "/summary.json");
+  Outcome outcome;
+  outcome.exit_code = end.exit_code;
+  if (timed_out)
+  {
+    outcome.kind = "timed out";
+    outcome.reason = "it was ended at the time limit";
+  }
+  else if (end.signal != 0)
+  {
+    outcome.kind = "failed";
+    outcome.reason = "it crashed: " + std::string(strsignal(end.signal));
+  }
+  else if (end.exit_code == 0)
+    judge_finished(summary, outcome);
+  else
+  {
+    outcome.kind = end.exit_code == 1   ? "refused"
+                   : end.exit_code == 2 ? "unstable"
+                                        : "failed";
+    outcome.reason = reason_of(summary, error_file);
+  }
+  return outcome;
+}
+
+std::string identity(const std::string &application,
+                     const std::string &version,
+                     const unsigned int ranks,
+                     const std::map<std::string, std::string> &entries)
+{
+  const Json text = {{"application", application},
+                     {"version", version},
+                     {"ranks", ranks},
+                     {"entries", entries}};
+  return text.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+void write_outcome(const std::string &file,
+                   const Outcome &outcome,
+                   const std::string &identity)
+{
+  const Json text = {{"outcome", outcome.kind},
+                     {"reason", outcome.reason},
+                     {"exit_code", outcome.exit_code},
+                     {"wall_seconds", outcome.wall_seconds},
+                     {"time_limit", outcome.time_limit},
+                     {"identity", Json::parse(identity)}};
+  io::write_file(file, [&](std::ostream &out) {
+    out << text.dump(1, ' ', false, Json::error_handler_t::replace) << '\n';
+  });
+  // Without the disk the work of hours would hang on the next power cut.
+  io::sync(file);
+}
+
+std::optional<Outcome> read_outcome(const std::string &file,
+                                    const std::string &identity,
+                                    const double time_limit)
+{
+  const Json text = read_json(file);
+  if (!text.is_object() || !text.contains("identity") ||
+      text["identity"] != Json::parse(identity))
+    return {};
+  Outcome outcome;
+  outcome.kind = member<std::string>(text, "outcome", "");
+  outcome.reason = member<std::string>(text, "reason", "");
+  outcome.exit_code = member(text, "exit_code", 0);
+  outcome.wall_seconds = member(text, "wall_seconds", 0.);
+  outcome.time_limit = member(text, "time_limit", 0.);
+  const bool has_more_time =
+    time_limit == 0. || time_limit > outcome.time_limit;
+  if (outcome.kind.empty() || outcome.kind == "failed" ||
+      (outcome.kind == "timed out" && has_more_time))
+    return {};
+  return outcome;
+}
+} // namespace contrecoup::study

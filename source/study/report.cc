@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/text.h>
+#include <contrecoup/study/report.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+
+namespace contrecoup::study
+{
+namespace
+{
+  using Json = nlohmann::ordered_json;
+
+  std::string csv_number(const double value)
+  {
+    return std::isfinite(value) ? exact(value) : "";
+  }
+
+  std::string quoted(const std::string &text)
+  {
+    std::string result = "\"";
+    for (const char letter : text)
+      result += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+    return result + "\"";
+  }
+
+  Json json_number(const double value)
+  {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+  }
+
+  std::string told(const double value, const int digits = 3)
+  {
+    return std::isfinite(value) ? brief(value, digits) : "";
+  }
+
+  /// In the unit of the cost's column.
+  std::string cost_text(const std::string &cost, const double value)
+  {
+    return !std::isfinite(value) ? ""
+           : cost == "memory"    ? bytes(value)
+                                 : brief(value, 3);
+  }
+
+  std::string cost_title(const std::string &cost)
+  {
+    return cost == "core seconds"   ? "core seconds"
+           : cost == "wall seconds" ? "wall seconds"
+           : cost == "updates"      ? "unknown-updates"
+                                    : "peak memory";
+  }
+
+  std::string cell(std::string text)
+  {
+    for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos;
+         at += 2)
+      text.replace(at, 1, "\\|");
+    return text;
+  }
+
+  std::string markdown_table(const StudyParameters &parameters,
+                             const StudyResult &result)
+  {
+    std::ostringstream out;
+    std::string rule = "|";
+    out << '|';
+    for (const Factor &factor : parameters.factors)
+    {
+      out << ' ' << cell(factor.name) << " |";
+      rule += "---|";
+    }
+    out << " outcome | unknowns | steps | " << cost_title(parameters.cost)
+        << " | " << parameters.error.title() << " | order | best |\n"
+        << rule << "---|---:|---:|---:|---:|---:|:---:|\n";
+    for (const ResultRow &row : result.rows)
+    {
+      out << '|';
+      for (const std::string &label : row.variant.labels)
+        out << ' ' << cell(label) << " |";
+      out << ' ' << row.outcome.kind << " | " << told(row.unknowns, 9) << " | "
+          << told(row.steps, 9) << " | " << cost_text(parameters.cost, row.cost)
+          << " | " << told(row.error) << " | " << told(row.order) << " | "
+          << (row.on_front ? "*" : "") << " |\n";
+    }
+    return out.str();
+  }
+
+  /// Those that did not finish, with their reasons.
+  std::string failures(const StudyResult &result)
+  {
+    std::string text;
+    for (const ResultRow &row : result.rows)
+      if (!row.outcome.is_usable())
+        text += "- " + join(row.variant.labels, ", ") + ": " +
+                row.outcome.kind + ", " + one_line(row.outcome.reason) + "\n";
+    return text;
+  }
+} // namespace
+
+std::string to_csv(const StudyParameters &parameters, const StudyResult &result)
+{
+  std::ostringstream out;
+  for (const Factor &factor : parameters.factors)
+    out << quoted(factor.name) << ',';
+  out << "outcome,reason,exit code,cells,unknowns,steps,retries,"
+         "wall [s],core [s],updates,memory [byte],error,order,"
+         "pareto front,folder\n";
+  for (const ResultRow &row : result.rows)
+  {
+    for (const std::string &label : row.variant.labels)
+      out << quoted(label) << ',';
+    out << row.outcome.kind << ',' << quoted(one_line(row.outcome.reason))
+        << ',' << row.outcome.exit_code;
+    for (const double value : {row.cells,
+                               row.unknowns,
+                               row.steps,
+                               row.retries,
+                               row.wall_seconds,
+                               row.core_seconds,
+                               row.updates,
+                               row.memory,
+                               row.error,
+                               row.order})
+      out << ',' << csv_number(value);
+    out << ',' << (row.on_front ? "yes" : "no") << ',' << quoted(row.folder)
+        << '\n';
+  }
+  return out.str();
+}
+
+std::string to_markdown(const StudyParameters &parameters,
+                        const StudyResult &result)
+{
+  std::ostringstream out;
+  out << "# " << parameters.title << "\n\n`" << parameters.application
+      << "` on `"
+      << std::filesystem::path(parameters.parameter_file).filename().string()
+      << "`, " << parameters.design.kind << ", " << result.rows.size()
+      << " variants, " << parameters.ranks
+      << (parameters.ranks == 1 ? " rank" : " ranks") << " each. ";
+  if (parameters.error.is_active())
+    out << "Best: no other variant has both a smaller error and a smaller "
+           "cost.";
+  out << "\n\n" << markdown_table(parameters, result);
+  const std::string failed = failures(result);
+  if (!failed.empty())
+    out << "\nNot finished:\n\n" << failed;
+  for (const std::string &remark : result.remarks)
+    out << '\n' << remark << '\n';
+  for (const std::string &line : recommendation(parameters, result))
+    out << '\n' << line << '\n';
+  return out.str();
+}
+
+std::string to_json(const StudyParameters &parameters,
+                    const StudyResult &result)
+{
+  Json rows = Json::array(), factors = Json::array();
+  for (const Factor &factor : parameters.factors)
+    factors.push_back({{"name", factor.name},
+                       {"labels", factor.labels},
+                       {"refines", factor.refinement != Refinement::none}});
+  for (const ResultRow &row : result.rows)
+  {
+    Json numbers = Json::array();
+    for (const double number : row.variant.numbers)
+      numbers.push_back(json_number(number));
+    rows.push_back({{"labels", row.variant.labels},
+                    {"numbers", numbers},
+                    {"outcome", row.outcome.kind},
+                    {"reason", row.outcome.reason},
+                    {"series", row.series},
+                    {"width", json_number(row.width)},
+                    {"unknowns", json_number(row.unknowns)},
+                    {"retries", json_number(row.retries)},
+                    {"cost", json_number(row.cost)},
+                    {"error", json_number(row.error)},
+                    {"order", json_number(row.order)},
+                    {"front", row.on_front}});
+  }
+  const Json json = {
+    {"title", parameters.title},
+    {"mode", parameters.mode},
+    {"cost", parameters.cost},
+    {"error",
+     parameters.error.is_active() ? Json(parameters.error.title())
+                                  : Json(nullptr)},
+    {"wanted", parameters.error.wanted()},
+    {"factors", factors},
+    {"series", result.series},
+    {"recommended",
+     result.recommended ? Json(*result.recommended) : Json(nullptr)},
+    {"rows", rows}};
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+} // namespace contrecoup::study

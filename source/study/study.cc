@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/log.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/base/version.h>
+#include <contrecoup/io/checked_file.h>
+#include <contrecoup/study/report.h>
+#include <contrecoup/study/study.h>
+#include <contrecoup/study/temporary_folder.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+namespace contrecoup::study
+{
+namespace
+{
+  namespace fs = std::filesystem;
+  using Json = nlohmann::ordered_json;
+
+  constexpr const char *marker = "study.json";
+
+  /// Everything that a study leaves in its folder.
+  constexpr const char *results[] = {marker,
+                                     "study.csv",
+                                     "study.md",
+                                     "recommended.prm",
+                                     "summary.json",
+                                     "log.txt",
+                                     "pictures",
+                                     "variants"};
+
+  Settings joined(Settings first, const Settings &second)
+  {
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+  }
+
+  void write_text(const std::string &file, const std::string &text)
+  {
+    io::write_file(file, [&](std::ostream &out) { out << text; });
+  }
+
+  std::map<std::string, unsigned int> count_outcomes(const StudyResult &result)
+  {
+    std::map<std::string, unsigned int> counts;
+    for (const ResultRow &row : result.rows)
+      ++counts[row.outcome.kind];
+    return counts;
+  }
+
+  std::string told_counts(const StudyResult &result)
+  {
+    std::vector<std::string> parts;
+    for (const auto &[kind, count] : count_outcomes(result))
+      parts.push_back(std::to_string(count) + " " + kind);
+    return join(parts, ", ");
+  }
+
+  /// The order between the two finest meshes of each series.
+  Json last_orders(const StudyResult &result)
+  {
+    Json orders = Json::object();
+    std::map<std::size_t, double> finest;
+    for (const ResultRow &row : result.rows)
+      if (std::isfinite(row.order) &&
+          (finest.count(row.series) == 0 || row.width < finest[row.series]))
+      {
+        finest[row.series] = row.width;
+        orders[result.series[row.series]] = row.order;
+      }
+    return orders;
+  }
+} // namespace
+
+Study::Study(const StudyParameters &parameters,
+             const std::string &output_folder)
+  : parameters_(parameters)
+  , folder_(output_folder)
+  , application_(parameters.application,
+                 parameters.parameter_file,
+                 parameters.ranks)
+  , base_entries_(application_.entries({}))
+  , begin_(std::chrono::steady_clock::now())
+{
+  // The application itself says whether all entries and values are there.
+  for (const Variant &variant : cover_values(parameters_.factors))
+    application_.entries(joined(parameters_.settings, variant.settings));
+  if (const auto &reference = parameters_.error.reference_settings())
+  {
+    has_reference_ = true;
+    application_.entries(joined(parameters_.settings, *reference));
+    Variant variant;
+    variant.settings = *reference;
+    tasks_.push_back(make_task(variant));
+    parameters_.error.set_reference_folder(tasks_.front().run_folder());
+  }
+  for (const Variant &variant :
+       make_design(parameters_.factors, parameters_.design))
+    tasks_.push_back(make_task(variant));
+}
+
+Task Study::make_task(const Variant &variant) const
+{
+  Task task;
+  task.variant = variant;
+  task.variant.settings = joined(parameters_.settings, variant.settings);
+  std::map<std::string, std::string> entries = base_entries_;
+  for (const auto &[entry, value] : task.variant.settings)
+    entries[entry] = value;
+  task.identity = identity(
+    application_.name(), application_.version(), application_.ranks(), entries);
+  task.folder = path("variants/" + fingerprint(task.identity));
+  return task;
+}
+
+std::string Study::path(const std::string &name) const
+{
+  return folder_ + "/" + name;
+}
+
+void Study::check() const
+{
+  const std::string plan = application_.plan(tasks_.front().variant.settings);
+  log_line("study would run " + std::to_string(tasks_.size()) + " times " +
+           application_.name() + " on " + parameters_.parameter_file + ":");
+  for (const Factor &factor : parameters_.factors)
+    log_line("  " + factor.name + ": " +
+             (factor.is_range
+                ? brief(factor.lower) + " to " + brief(factor.upper)
+                : join(factor.labels, "; ")));
+  log_line("  output " + folder_);
+  log_line("The first run:");
+  log_line(plan);
+}
+
+void Study::prepare(const std::string &parameter_text, const bool resume)
+{
+  if (resume && !fs::exists(path(marker)))
+    throw InputError("--resume: \"" + folder_ + "\" holds no study");
+  std::error_code error;
+  fs::create_directories(path("variants"), error);
+  if (error)
+    throw InputError("cannot make the output folder \"" + folder_ +
+                     "\": " + error.message());
+  if (!resume)
+    for (const char *name : results)
+      io::remove_quietly(path(name));
+  for (Task &task : tasks_)
+    if (resume)
+      task.outcome = read_outcome(
+        task.outcome_file(), task.identity, parameters_.time_limit);
+  write_text(path("parameters.prm"), parameter_text);
+  write_text(path(marker), to_json(parameters_, {}));
+  Log::instance().open(path("log.txt"), resume);
+  for (const Task &task : tasks_)
+    n_done_ += task.outcome ? 1 : 0;
+  n_done_before_ = n_done_;
+  log_line(
+    "study " + version() + " (" + git_revision() +
+    "): " + std::to_string(tasks_.size()) + " runs of " + application_.name() +
+    " on " + parameters_.parameter_file +
+    (resume ? ", " + std::to_string(n_done_) + " of them done before" : ""));
+}
+
+void Study::report(const Task &task)
+{
+  ++n_done_;
+  const Outcome &outcome = *task.outcome;
+  const double passed =
+    std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_)
+      .count();
+  const auto done_now = static_cast<double>(n_done_ - n_done_before_);
+  const auto left = static_cast<double>(tasks_.size() - n_done_);
+  const bool is_reference = has_reference_ && &task == &tasks_.front();
+  log_line(
+    std::to_string(n_done_) + " of " + std::to_string(tasks_.size()) + "  " +
+    outcome.kind + "  " + duration(outcome.wall_seconds) + "  " +
+    (is_reference ? "the reference run" : join(task.variant.labels, ", ")) +
+    (outcome.reason.empty() ? "" : ": " + one_line(outcome.reason)) +
+    "  (about " + duration(passed * left / done_now) + " left)");
+  if (is_reference && !outcome.is_usable())
+    throw NumericsError("the reference run is " + outcome.kind + ": " +
+                        outcome.reason);
+  // Also tells a misspelt quantity before all variants have run.
+  if (n_done_ < 3 || n_done_ % 10 == 0)
+    write_results("running", passed);
+}
+
+void Study::write_results(const std::string &status, const double seconds)
+{
+  std::map<std::string, Outcome> known;
+  for (const Task &task : tasks_)
+    if (task.outcome)
+      known[task.identity] = *task.outcome;
+  if (has_reference_ && known.count(tasks_.front().identity) == 0)
+    return;
+  std::vector<Task> variants(tasks_.begin() + (has_reference_ ? 1 : 0),
+                             tasks_.end());
+  for (Task &task : variants)
+    if (known.count(task.identity) > 0)
+      task.outcome = known[task.identity];
+  const StudyResult result = evaluate(parameters_, variants);
+  write_text(path("study.csv"), to_csv(parameters_, result));
+  write_text(path("study.md"), to_markdown(parameters_, result));
+  write_text(path(marker), to_json(parameters_, result));
+  const Json orders = last_orders(result);
+  Json summary = {{"application", "study"},
+                  {"version", version()},
+                  {"git_revision", git_revision()},
+                  {"status", status},
+                  {"application_under_study", application_.name()},
+                  {"variants", variants.size()},
+                  {"outcomes", count_outcomes(result)},
+                  {"wall_seconds", seconds},
+                  {"errors", Json::object()},
+                  {"orders", orders}};
+  if (orders.size() == 1)
+    summary["errors"][parameters_.error.short_name() + "_order"] =
+      orders.begin().value();
+  if (result.recommended)
+    summary["recommended"] = result.rows[*result.recommended].variant.labels;
+  write_text(path("summary.json"), summary.dump(2) + "\n");
+  if (status == "finished")
+    conclude(result);
+}
+
+void Study::conclude(const StudyResult &result)
+{
+  io::remove_quietly(path("recommended.prm"));
+  if (result.recommended)
+    write_text(path("recommended.prm"),
+               recommended_file(parameters_,
+                                result,
+                                result.rows[*result.recommended].folder +
+                                  "/parameters.prm",
+                                base_entries_));
+  draw();
+  log_line("finished: " + told_counts(result));
+  for (const std::string &line : result.remarks)
+    log_line(line);
+  for (const std::string &line : recommendation(parameters_, result))
+    log_line(line);
+  log_line("results in " + folder_);
+  const auto counts = count_outcomes(result);
+  if (counts.size() == 1 && counts.count("refused") == 1)
+    throw InputError("all variants were refused; the first: " +
+                     result.rows.front().outcome.reason);
+}
+
+void Study::draw() const
+{
+  const std::string script =
+    std::string(CONTRECOUP_PLOT_FOLDER) + "/plot_study.py";
+  try
+  {
+    const TemporaryFolder temporary;
+    const ProcessText text = run_process({script, folder_}, temporary.path());
+    if (text.end.exit_code != 0 || text.end.signal != 0)
+      throw SystemError(text.errors);
+  }
+  catch (const SystemError &error)
+  {
+    log_line("warning: there are no pictures: " + std::string(error.what()));
+  }
+}
+
+void Study::execute(const std::string &parameter_text, const bool resume)
+{
+  prepare(parameter_text, resume);
+  begin_ = std::chrono::steady_clock::now();
+  VariantRunner runner(application_, parameters_.cores, parameters_.time_limit);
+  const bool complete =
+    runner.run(tasks_, [&](const Task &task) { report(task); });
+  const double seconds =
+    std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_)
+      .count();
+  write_results(complete ? "finished" : "stopped", seconds);
+  if (!complete)
+    log_line("stopped after " + std::to_string(n_done_) + " of " +
+             std::to_string(tasks_.size()) +
+             " runs; --resume goes on with the others");
+  Log::instance().check();
+}
+} // namespace contrecoup::study

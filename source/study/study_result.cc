@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/text.h>
+#include <contrecoup/study/convergence.h>
+#include <contrecoup/study/pareto.h>
+#include <contrecoup/study/study_result.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+namespace contrecoup::study
+{
+namespace
+{
+  using Json = nlohmann::json;
+
+  double member(const Json &object, const std::string &name)
+  {
+    const bool is_there =
+      object.is_object() && object.contains(name) && object[name].is_number();
+    return is_there ? object[name].get<double>() : ResultRow::unknown;
+  }
+
+  /// Fills in what the summary of the run says of its size and cost.
+  void read_costs(const Json &summary, const std::string &cost, ResultRow &row)
+  {
+    const Json performance = summary.value("performance", Json::object());
+    row.cells = member(summary, "cells");
+    row.unknowns = member(summary, "unknowns");
+    row.steps = member(summary, "steps");
+    row.retries = member(summary, "retries");
+    row.wall_seconds = member(summary, "wall_seconds");
+    row.core_seconds = member(performance, "core_seconds");
+    row.updates = member(performance, "updates");
+    row.memory = member(performance, "peak_memory_bytes");
+    row.cost = cost == "core seconds"   ? row.core_seconds
+               : cost == "wall seconds" ? row.wall_seconds
+               : cost == "updates"      ? row.updates
+                                        : row.memory;
+  }
+
+  /// The place of the factor that refines the mesh; their number if none.
+  std::size_t refining_factor(const std::vector<Factor> &factors)
+  {
+    std::size_t i = 0;
+    while (i < factors.size() && factors[i].refinement == Refinement::none)
+      ++i;
+    return i;
+  }
+
+  /// Mesh width and series of a row.
+  void place(const std::vector<Factor> &factors,
+             ResultRow &row,
+             std::vector<std::string> &series)
+  {
+    const std::size_t refining = refining_factor(factors);
+    std::vector<std::string> labels;
+    for (std::size_t i = 0; i < factors.size(); ++i)
+      if (i != refining)
+        labels.push_back(row.variant.labels[i]);
+    const std::string label = join(labels, ", ");
+    const auto found = std::find(series.begin(), series.end(), label);
+    row.series = static_cast<std::size_t>(found - series.begin());
+    if (found == series.end())
+      series.push_back(label);
+    if (refining == factors.size())
+      return;
+    const double number = row.variant.numbers[refining];
+    row.width = factors[refining].refinement == Refinement::by_level
+                  ? std::exp2(-number)
+                  : 1. / number;
+  }
+
+  /// The rows of a series that have an error, from coarse to fine.
+  std::vector<ResultRow *> rows_of(const std::size_t series,
+                                   std::vector<ResultRow> &rows)
+  {
+    std::vector<ResultRow *> found;
+    for (ResultRow &row : rows)
+      if (row.series == series && std::isfinite(row.error) &&
+          std::isfinite(row.width))
+        found.push_back(&row);
+    std::stable_sort(found.begin(), found.end(), [](auto *a, auto *b) {
+      return a->width > b->width;
+    });
+    return found;
+  }
+
+  /// Replaces quantities by their distance from what they tend to.
+  void extrapolate_series(const std::size_t series, StudyResult &result)
+  {
+    const std::string name =
+      result.series[series].empty() ? "" : result.series[series] + ": ";
+    const auto rows = rows_of(series, result.rows);
+    if (rows.size() < 3)
+    {
+      for (ResultRow *row : rows)
+        row->error = ResultRow::unknown;
+      result.remarks.push_back(name + "fewer than three meshes were finished, "
+                                      "too few for an extrapolation.");
+      return;
+    }
+    std::vector<double> widths, values;
+    for (const ResultRow *row : rows)
+    {
+      widths.push_back(row->width);
+      values.push_back(row->error);
+    }
+    const Extrapolation found = extrapolate(widths, values);
+    const double scale = found.limit == 0. ? 1. : std::abs(found.limit);
+    for (ResultRow *row : rows)
+      row->error = std::abs(row->error - found.limit) / scale;
+    if (found.is_asymptotic)
+    {
+      result.remarks.push_back(name + "tends to " + brief(found.limit, 7) +
+                               " with order " + brief(found.order, 3) +
+                               " on the three finest meshes.");
+      return;
+    }
+    // The finest mesh cannot be its own reference.
+    const std::size_t n = values.size();
+    rows.back()->error = std::abs(values[n - 1] - values[n - 2]) / scale;
+    result.remarks.push_back(name +
+                             "does not yet converge steadily; errors are "
+                             "differences from the finest mesh, " +
+                             brief(found.limit, 7) + ".");
+  }
+
+  void find_orders(const std::size_t series, StudyResult &result)
+  {
+    const auto rows = rows_of(series, result.rows);
+    for (std::size_t i = 1; i < rows.size(); ++i)
+      rows[i]->order = observed_order(
+        rows[i - 1]->error, rows[i]->error, rows[i - 1]->width, rows[i]->width);
+  }
+
+  void find_front(const double wanted, StudyResult &result)
+  {
+    std::vector<double> costs, errors;
+    for (const ResultRow &row : result.rows)
+    {
+      costs.push_back(row.cost);
+      errors.push_back(row.error);
+    }
+    const std::vector<bool> front = pareto_front(costs, errors);
+    for (std::size_t i = 0; i < front.size(); ++i)
+      result.rows[i].on_front = front[i];
+    if (wanted > 0.)
+      result.recommended = cheapest(costs, errors, wanted);
+  }
+
+  ResultRow make_row(const StudyParameters &parameters, const Task &task)
+  {
+    ResultRow row;
+    row.variant = task.variant;
+    row.outcome = *task.outcome;
+    row.folder = task.run_folder();
+    if (!row.outcome.is_usable())
+      return row;
+    std::ifstream input(row.folder + "/summary.json");
+    const Json summary = Json::parse(input, nullptr, false);
+    if (!summary.is_object())
+      return row;
+    read_costs(summary, parameters.cost, row);
+    if (!parameters.error.is_active())
+      return row;
+    row.error = parameters.error.value(row.folder, summary);
+    if (!std::isfinite(row.error))
+    {
+      row.outcome.kind = "unstable";
+      row.outcome.reason = "its error is not a finite number";
+    }
+    return row;
+  }
+} // namespace
+
+StudyResult evaluate(const StudyParameters &parameters,
+                     const std::vector<Task> &tasks)
+{
+  StudyResult result;
+  for (const Task &task : tasks)
+    if (task.outcome)
+    {
+      result.rows.push_back(make_row(parameters, task));
+      place(parameters.factors, result.rows.back(), result.series);
+    }
+  for (std::size_t i = 0; i < result.series.size(); ++i)
+  {
+    if (parameters.error.is_self_convergence())
+      extrapolate_series(i, result);
+    find_orders(i, result);
+  }
+  find_front(parameters.error.wanted(), result);
+  return result;
+}
+} // namespace contrecoup::study

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/signals.h>
+#include <contrecoup/io/checked_file.h>
+#include <contrecoup/study/variant_runner.h>
+
+#include <filesystem>
+#include <set>
+#include <thread>
+
+namespace contrecoup::study
+{
+namespace
+{
+  /// Seconds that a run has to leave when it is asked to.
+  constexpr double patience = 10.;
+} // namespace
+
+std::string Task::run_folder() const
+{
+  return folder + "/run";
+}
+
+std::string Task::outcome_file() const
+{
+  return folder + "/outcome.json";
+}
+
+VariantRunner::VariantRunner(const ApplicationUnderStudy &application,
+                             const unsigned int cores,
+                             const double time_limit)
+  : application_(application)
+  , slots_(std::max(1U, cores / application.ranks()))
+  , time_limit_(time_limit)
+{}
+
+bool VariantRunner::run(std::vector<Task> &tasks,
+                        const std::function<void(const Task &)> &report)
+{
+  // Equal ones share a folder, and are run once.
+  std::set<std::string> taken;
+  auto next = tasks.begin();
+  while (next != tasks.end() || !running_.empty())
+  {
+    if (SignalGuard::stop_requested())
+    {
+      for (Running &running : running_)
+        running.process->terminate(patience);
+      running_.clear();
+      return false;
+    }
+    while (next != tasks.end() && running_.size() < slots_)
+    {
+      if (taken.insert(next->identity).second && !next->outcome)
+        start(*next);
+      ++next;
+    }
+    look_after(report);
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return true;
+}
+
+void VariantRunner::start(Task &task)
+{
+  io::remove_quietly(task.folder);
+  std::filesystem::create_directories(task.folder);
+  const auto command =
+    application_.command(task.variant.settings, task.run_folder());
+  running_.push_back(
+    {&task,
+     std::make_unique<ChildProcess>(
+       command, task.folder + "/screen.txt", task.folder + "/errors.txt")});
+}
+
+void VariantRunner::look_after(const std::function<void(const Task &)> &report)
+{
+  for (auto running = running_.begin(); running != running_.end();)
+  {
+    ChildProcess &process = *running->process;
+    const double seconds = process.seconds();
+    const auto end = process.poll();
+    if (!end && time_limit_ > 0. && seconds > time_limit_)
+    {
+      running->timed_out = true;
+      process.terminate(patience);
+    }
+    if (!process.poll())
+    {
+      ++running;
+      continue;
+    }
+    Task &task = *running->task;
+    Outcome outcome = judge(*process.poll(),
+                            running->timed_out,
+                            task.run_folder(),
+                            task.folder + "/errors.txt");
+    outcome.wall_seconds = seconds;
+    outcome.time_limit = time_limit_;
+    write_outcome(task.outcome_file(), outcome, task.identity);
+    task.outcome = outcome;
+    running = running_.erase(running);
+    report(task);
+  }
+}
+} // namespace contrecoup::study

@@ -1,0 +1,41 @@
+# Studies of tiny runs of blast.
+set(_study study/quickstart.prm)
+
+# Results: the table's best and the orders follow from errors that the tests
+# of blast keep; here they must arrive.
+contrecoup_add_application_test(quickstart study_run FILE ${_study}
+  BOUNDS "outcomes.stable == 8" "status == finished"
+    "orders.finite volume > 0.7" "orders.finite volume < 1.2"
+  COMPARE work_precision.png)
+
+# Every way in which a run can end; a study survives them all.
+contrecoup_add_application_test(failures study_failures FILE ${_study})
+
+# Stopped by a signal, and killed: finished runs are not repeated.
+contrecoup_add_application_test(sigterm study_sigterm FILE ${_study})
+contrecoup_add_application_test(sigkill study_sigkill FILE ${_study})
+
+# Files that it was not written for.
+contrecoup_add_application_test(any_file study_any_file FILE ${_study}
+  OTHER_FILE blast/verification)
+
+# study_refuses(<name> <message> <arguments>)
+function(study_refuses name message)
+  contrecoup_add_application_test(refuses_${name} refusal ${ARGN}
+    FILE ${_study} MESSAGE "${message}" TIMEOUT 60)
+endfunction()
+
+study_refuses(unknown_application "did you mean \"blast\""
+  SET "Study/Application=blastt")
+study_refuses(missing_file "Study/Parameter file"
+  SET "Study/Parameter file=no_such.prm")
+study_refuses(unknown_entry "did you mean \"Coarse leaves\""
+  SET "Vary leaves/Entry=Domain/Coarse leafs")
+study_refuses(impossible_value "Time/End time"
+  SET "Vary leaves/Entry=Time/End time" "Vary leaves/Values=-1")
+study_refuses(unknown_setting "Method/Limitr"
+  SET "Study/Settings=Method/Limitr=mc")
+study_refuses(ragged_table "parts between"
+  SET "Vary scheme/Values=finite volume | 1")
+study_refuses(unwritable_output "output folder" OUTPUT "@FOLDER@/a_file/run")
+study_refuses(resume_from_nothing "holds no study" ARGUMENTS --resume)

@@ -1,0 +1,188 @@
+"""What tests of the application `study` prove; kinds of run_case.py."""
+
+import csv
+import glob
+import json
+import os
+import signal
+import time
+
+
+def read_table(output):
+    with open(os.path.join(output, "study.csv"), newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def outcome_files(output):
+    """When each finished run left its outcome."""
+    return {path: os.stat(path).st_mtime_ns for path in
+            glob.glob(os.path.join(output, "variants", "*", "outcome.json"))}
+
+
+def processes_in(folder):
+    """Command lines of processes that name a folder, besides this one's."""
+    found = []
+    for path in glob.glob("/proc/[0-9]*/cmdline"):
+        try:
+            with open(path, "rb") as file:
+                words = file.read().split(b"\0")
+        except OSError:
+            continue
+        if any(os.path.join(folder, "variants").encode() in word
+               for word in words) and str(os.getpid()) not in path:
+            found.append(b" ".join(words).decode())
+    return found
+
+
+def require(holds, reason):
+    if not holds:
+        raise AssertionError(reason)
+
+
+def write_study(case, name, lines):
+    """A parameter file of its own, whose values may have semicolons."""
+    path = case.folder(name)
+    with open(path, "w") as file:
+        file.write("\n".join(lines) + "\n")
+    return path
+
+
+def study_run(case, check_bound, read_summary):
+    """The study ends, keeps the bounds, draws its pictures, and recommends a
+    file that gives the error it promises."""
+    output = case.folder("run")
+    case.run(output)
+    for bound in case.options.bound:
+        check_bound(read_summary(output), bound)
+    table = read_table(output)
+    best = [row for row in table if row["pareto front"] == "yes"]
+    require(best, "nothing is on the Pareto front")
+    for name in case.options.compare:
+        path = os.path.join(output, "pictures", name)
+        require(os.path.getsize(path) > 10000, f"{path} is empty")
+    wanted = min((row for row in table if float(row["error"]) <= 0.004),
+                 key=lambda row: float(row["core [s]"]))
+    with open(os.path.join(output, "recommended.prm")) as file:
+        text = file.read()
+    require("Fields = true" in text, "recommended.prm writes no fields")
+    single = case.folder("recommended")
+    blast = os.path.join(os.path.dirname(case.options.application), "blast")
+    case.run(single, program=blast,
+             file=os.path.join(output, "recommended.prm"))
+    error = read_summary(single)["errors"]["density_L1"]
+    require(error == float(wanted["error"]),
+            f"recommended.prm has error {error} instead of {wanted['error']}")
+
+
+def study_failures(case, check_bound, read_summary):
+    """Runs that are refused, unstable or too long are results."""
+    base = os.path.join(os.path.dirname(case.options.file),
+                        "../blast/verification/sod.prm")
+    file = write_study(case, "failures.prm", [
+        "subsection Study", f"set Parameter file = {base}",
+        "set Settings = Output/Fields=false",
+        "set Time limit = 5", "set Cores = 2", "end",
+        "subsection Vary end",
+        "set Entry = Method/CFL number | Initial state/Kind | "
+        "Domain/Coarse leaves | Method/Largest number of retries",
+        "set Values = 0.4 | | 10 | ; 0.4 | uniform | 10 | ; "
+        "0.4 | | 100000 | ; 10 | | 10 | 0",
+        "set Labels = good; refused; long; unstable",
+        "end"])
+    output = case.folder("run")
+    case.run(output, file=file)
+    found = {row["end"]: (row["outcome"], row["reason"])
+             for row in read_table(output)}
+    print(found)
+    require(found["good"] == ("stable", ""), "the good one is not stable")
+    require(found["refused"][0] == "refused" and "Reference" in
+            found["refused"][1], "no reason for the refusal")
+    require(found["long"][0] == "timed out", "the long one was not ended")
+    require(found["unstable"][0] == "unstable" and found["unstable"][1],
+            "no reason for the instability")
+    check_bound(read_summary(output), "status == finished")
+    require(not processes_in(output), "processes were left")
+    with open(os.path.join(output, "study.md")) as file:
+        require("- refused: refused, " in file.read(), "study.md lacks it")
+    code, _, err = case.run(output, file=file, codes=(1,),
+                            extra=["--resume", "--set",
+                                   "Error/Name=densty_L1"])
+    require('did you mean "density_L1"' in err, f"misspelt error: {err}")
+
+
+def interrupted(case, end):
+    """Starts a study, ends it after its first results; returns them."""
+    output = case.folder("run")
+    process = case.start(output)
+    while process.poll() is None and len(outcome_files(output)) < 2:
+        time.sleep(0.01)
+    process.send_signal(end)
+    out, err = process.communicate()
+    print(out[-2000:] + err[-2000:])
+    deadline = time.time() + 20.
+    while processes_in(output) and time.time() < deadline:
+        time.sleep(0.05)
+    require(not processes_in(output), f"left: {processes_in(output)}")
+    before = outcome_files(output)
+    require(2 <= len(before) < 8, f"{len(before)} runs had ended")
+    return process.returncode, before
+
+
+def resumed(case, before, check_bound, read_summary):
+    output = case.folder("run")
+    case.run(output, extra=["--resume"])
+    after = outcome_files(output)
+    for path, when in before.items():
+        require(after[path] == when, f"{path} was repeated")
+    check_bound(read_summary(output), "status == finished")
+    require(len(after) == 8 and len(read_table(output)) == 8,
+            f"{len(after)} runs instead of 8")
+    # Once more: nothing is left to run.
+    case.run(output, extra=["--resume"])
+    require(outcome_files(output) == after, "finished runs were repeated")
+
+
+def study_sigterm(case, check_bound, read_summary):
+    """SIGTERM ends study and runs with code 0; --resume does the rest."""
+    code, before = interrupted(case, signal.SIGTERM)
+    require(code == 0, f"exit code {code}")
+    check_bound(read_summary(case.folder("run")), "status == stopped")
+    resumed(case, before, check_bound, read_summary)
+
+
+def study_sigkill(case, check_bound, read_summary):
+    """SIGKILL leaves no process behind; --resume does the rest."""
+    code, before = interrupted(case, signal.SIGKILL)
+    require(code == -signal.SIGKILL, f"exit code {code}")
+    resumed(case, before, check_bound, read_summary)
+
+
+def study_any_file(case, check_bound, read_summary):
+    """Three files of one, two and three dimensions, as they are."""
+    for name in ("toro_3", "double_mach", "noh_3d"):
+        base = os.path.join(case.options.other_file, name + ".prm")
+        file = write_study(case, name + ".prm", [
+            "subsection Study", f"set Parameter file = {base}",
+            "set Settings = Time/Largest number of steps=4; "
+            "Output/Fields=false",
+            "set Design = one at a time", "end",
+            "subsection Error", "set Kind = reference run",
+            "set Reference = Method/CFL number=0.1; "
+            "Time/Largest number of steps=16",
+            "set Name = conservation.energy_last", "end",
+            "subsection Vary CFL", "set Entry = Method/CFL number",
+            "set Values = 0.2; 0.4", "end",
+            "subsection Vary limiter", "set Entry = Method/Limiter",
+            "set Values = minmod; mc", "end"])
+        output = case.folder(name)
+        case.run(output, file=file)
+        table = read_table(output)
+        require(len(table) == 3, f"{name}: {len(table)} rows")
+        for row in table:
+            require(row["outcome"] in ("stable", "retried")
+                    and float(row["error"]) >= 0., f"{name}: {row}")
+
+
+KINDS = {kind.__name__: kind for kind in
+         (study_run, study_failures, study_sigterm, study_sigkill,
+          study_any_file)}

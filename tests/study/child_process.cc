@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/study/child_process.h>
+#include <contrecoup/study/temporary_folder.h>
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+
+using namespace contrecoup::study;
+
+TEST(ChildProcess, TellsHowItEnded)
+{
+  const TemporaryFolder folder;
+  const ProcessText text = run_process(
+    {"sh", "-c", "echo out; echo 'error: bad' >&2; echo more >&2; exit 3"},
+    folder.path());
+  EXPECT_EQ(text.end.exit_code, 3);
+  EXPECT_EQ(text.end.signal, 0);
+  EXPECT_EQ(text.output, "out\n");
+  EXPECT_EQ(text.errors, "bad");
+  EXPECT_EQ(
+    run_process({"sh", "-c", "kill -SEGV $$"}, folder.path()).end.signal,
+    SIGSEGV);
+  EXPECT_THROW(run_process({"/no/such/program"}, folder.path()),
+               contrecoup::SystemError);
+}
+
+TEST(ChildProcess, IsEndedWithItsChildren)
+{
+  const TemporaryFolder folder;
+  const std::string out = folder.path() + "/o", err = folder.path() + "/e";
+  ChildProcess patient({"sh", "-c", "sleep 60 & wait"}, out, err);
+  EXPECT_FALSE(patient.poll().has_value());
+  patient.terminate(5.);
+  ASSERT_TRUE(patient.poll().has_value());
+  EXPECT_EQ(patient.poll()->signal, SIGTERM);
+  // One that does not listen.
+  ChildProcess deaf({"sh",
+                     "-c",
+                     "trap '' TERM; touch " + folder.path() +
+                       "/on; while :; do sleep 0.05; done"},
+                    out,
+                    err);
+  while (!std::filesystem::exists(folder.path() + "/on"))
+    ;
+  deaf.terminate(0.2);
+  EXPECT_EQ(deaf.poll()->signal, SIGKILL);
+}
+
+TEST(ChildProcess, DoesNotInheritAnMpiJob)
+{
+  setenv("PMIX_RANK", "1", 1);
+  setenv("OMPI_COMM_WORLD_RANK", "1", 1);
+  setenv("OMPI_MCA_btl_vader_single_copy_mechanism", "none", 1);
+  const TemporaryFolder folder;
+  const std::string variables = run_process({"env"}, folder.path()).output;
+  EXPECT_EQ(variables.find("PMIX_"), std::string::npos);
+  EXPECT_EQ(variables.find("OMPI_COMM"), std::string::npos);
+  EXPECT_NE(variables.find("OMPI_MCA_btl_vader"), std::string::npos);
+  unsetenv("PMIX_RANK");
+  unsetenv("OMPI_COMM_WORLD_RANK");
+}

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameter_tree.h>
+#include <contrecoup/io/numpy.h>
+#include <contrecoup/study/error_measure.h>
+#include <contrecoup/study/temporary_folder.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+using namespace contrecoup;
+using namespace contrecoup::study;
+
+namespace
+{
+ErrorMeasure measure(const std::vector<std::string> &overrides)
+{
+  dealii::ParameterHandler prm;
+  ErrorMeasure::declare_parameters(prm);
+  std::vector<Assignment> assignments;
+  for (const std::string &text : overrides)
+    assignments.push_back(parse_override("Error/" + text));
+  apply_assignments(assignments, prm);
+  ErrorMeasure result;
+  result.parse_parameters(prm);
+  return result;
+}
+
+const auto summary = nlohmann::json::parse(
+  R"({"errors": {"density_L1": -0.25}, "conservation": {"mass_last": 6.0}})");
+} // namespace
+
+TEST(ErrorMeasure, TakesTheRunsOwnError)
+{
+  const ErrorMeasure exact = measure({});
+  EXPECT_EQ(exact.value(".", summary), 0.25);
+  EXPECT_EQ(exact.short_name(), "density_L1");
+  EXPECT_THROW(measure({"Name=pressure_L1"}).value(".", summary), InputError);
+}
+
+TEST(ErrorMeasure, ComparesWithAKnownValue)
+{
+  const std::vector<std::string> known = {"Kind=known value",
+                                          "Name=conservation.mass_last"};
+  auto relative = known;
+  relative.emplace_back("Known value=5");
+  EXPECT_DOUBLE_EQ(measure(relative).value(".", summary), 0.2);
+  EXPECT_EQ(measure(known).value(".", summary), 6.);
+  EXPECT_EQ(measure(known).short_name(), "conservation_mass_last");
+}
+
+TEST(ErrorMeasure, ComparesProbesAndPlanesOfRuns)
+{
+  const TemporaryFolder one, other;
+  for (const TemporaryFolder *folder : {&one, &other})
+  {
+    const double factor = folder == &one ? 3. : 2.;
+    std::ofstream(folder->path() + "/summary.json") << summary;
+    std::ofstream(folder->path() + "/probes.csv")
+      << "time [s],p [Pa]\n0,1\n1," << 1. + factor << "\n2,1\n";
+    const std::string fields = folder->path() + "/fields";
+    std::filesystem::create_directories(fields);
+    io::write_npy(fields + "/plane_p_0000.npy", {2, 1}, {0., 0.});
+    io::write_npy(fields + "/plane_p_0001.npy", {2, 1}, {factor, std::nan("")});
+  }
+  const auto difference = [&](const std::string &quantity,
+                              const std::string &name) {
+    return measure({"Kind=reference run",
+                    "Reference folder=" + other.path(),
+                    "Quantity=" + quantity,
+                    "Name=" + name})
+      .value(one.path(), summary);
+  };
+  EXPECT_DOUBLE_EQ(difference("probe peak", "p"), 0.5);
+  EXPECT_DOUBLE_EQ(difference("probe impulse", "p"), 0.5);
+  EXPECT_DOUBLE_EQ(difference("probe arrival", "p"), 0.);
+  EXPECT_DOUBLE_EQ(difference("probe curve", "p"), 0.5);
+  EXPECT_DOUBLE_EQ(difference("plane", "plane_p"), 1.);
+  EXPECT_DOUBLE_EQ(difference("summary", "conservation.mass_last"), 0.);
+  EXPECT_THROW(difference("plane", "plane_q"), InputError);
+  EXPECT_THROW(difference("probe peak", "q"), InputError);
+}
+
+TEST(ErrorMeasure, RefusesWhatDoesNotGoTogether)
+{
+  EXPECT_THROW(measure({"Kind=reference run"}), InputError);
+  EXPECT_THROW(measure({"Reference=A/B=1"}), InputError);
+  EXPECT_THROW(measure({"Kind=reference run", "Reference=AB"}), InputError);
+  EXPECT_THROW(
+    measure({"Kind=reference run", "Reference=A/B=1", "Reference folder=x"}),
+    InputError);
+  EXPECT_THROW(measure({"Kind=known value", "Quantity=plane"}), InputError);
+  EXPECT_THROW(measure({"Kind=none", "Wanted error=1"}), InputError);
+}

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/io/checked_file.h>
+#include <contrecoup/study/outcome.h>
+#include <contrecoup/study/temporary_folder.h>
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <fstream>
+
+using namespace contrecoup::study;
+
+namespace
+{
+Outcome judged(const ProcessEnd &end,
+               const std::string &summary,
+               const std::string &errors = "",
+               const bool timed_out = false)
+{
+  const TemporaryFolder folder;
+  if (!summary.empty())
+    std::ofstream(folder.path() + "/summary.json") << summary;
+  std::ofstream(folder.path() + "/errors.txt") << errors;
+  return judge(end, timed_out, folder.path(), folder.path() + "/errors.txt");
+}
+} // namespace
+
+TEST(Outcome, IsJudgedByCodeAndSummary)
+{
+  EXPECT_EQ(judged({}, R"({"status": "finished", "retries": 0})").kind,
+            "stable");
+  const Outcome retried = judged({}, R"({"status": "finished", "retries": 3})");
+  EXPECT_EQ(retried.kind, "retried");
+  EXPECT_EQ(retried.reason, "3 steps were cut back");
+  EXPECT_TRUE(retried.is_usable());
+  const Outcome refused = judged({1, 0}, "", "error: no such entry\n");
+  EXPECT_EQ(refused.kind, "refused");
+  EXPECT_EQ(refused.reason, "no such entry");
+  const Outcome unstable =
+    judged({2, 0}, R"({"status": "failed", "message": "negative"})", "x");
+  EXPECT_EQ(unstable.kind, "unstable");
+  EXPECT_EQ(unstable.reason, "negative");
+  EXPECT_FALSE(unstable.is_usable());
+  EXPECT_EQ(judged({3, 0}, "").kind, "failed");
+  EXPECT_EQ(judged({0, SIGSEGV}, "").kind, "failed");
+  EXPECT_EQ(judged({0, 0}, "").kind, "failed");
+  EXPECT_EQ(judged({0, 0}, R"({"status": "stopped"})").kind, "failed");
+  EXPECT_EQ(judged({0, SIGTERM}, "", "", true).kind, "timed out");
+}
+
+TEST(Outcome, IsFoundAgainForTheSameIdentityAlone)
+{
+  const TemporaryFolder folder;
+  const std::string file = folder.path() + "/outcome.json";
+  const std::string who = identity("blast", "1", 1, {{"A/B", "1"}});
+  for (const std::string &other : {identity("blast", "2", 1, {{"A/B", "1"}}),
+                                   identity("blast", "1", 2, {{"A/B", "1"}}),
+                                   identity("blast", "1", 1, {{"A/B", "2"}})})
+    EXPECT_NE(who, other);
+
+  EXPECT_FALSE(read_outcome(file, who, 0.));
+  Outcome outcome;
+  outcome.kind = "unstable";
+  outcome.reason = "a \"quoted\" reason";
+  outcome.exit_code = 2;
+  outcome.wall_seconds = 1.25;
+  write_outcome(file, outcome, who);
+  const auto found = read_outcome(file, who, 0.);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->kind, outcome.kind);
+  EXPECT_EQ(found->reason, outcome.reason);
+  EXPECT_EQ(found->exit_code, 2);
+  EXPECT_EQ(found->wall_seconds, 1.25);
+  EXPECT_FALSE(read_outcome(file, identity("blast", "2", 1, {}), 0.));
+
+  std::ofstream(file) << "{ \"outcome\": \"sta";
+  EXPECT_FALSE(read_outcome(file, who, 0.));
+}
+
+TEST(Outcome, IsRepeatedWhenItMayTurnOutOtherwise)
+{
+  const TemporaryFolder folder;
+  const std::string file = folder.path() + "/outcome.json";
+  const std::string who = identity("blast", "1", 1, {});
+  Outcome outcome;
+  outcome.kind = "timed out";
+  outcome.time_limit = 10.;
+  write_outcome(file, outcome, who);
+  EXPECT_TRUE(read_outcome(file, who, 10.));
+  EXPECT_TRUE(read_outcome(file, who, 5.));
+  EXPECT_FALSE(read_outcome(file, who, 20.));
+  EXPECT_FALSE(read_outcome(file, who, 0.));
+  outcome.kind = "failed";
+  write_outcome(file, outcome, who);
+  EXPECT_FALSE(read_outcome(file, who, 10.));
+}

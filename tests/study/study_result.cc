@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameter_tree.h>
+#include <contrecoup/study/report.h>
+#include <contrecoup/study/temporary_folder.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+using namespace contrecoup;
+using namespace contrecoup::study;
+
+namespace
+{
+/// Runs of two schemes on three levels that left their summaries.
+class FinishedStudy : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    std::ofstream(folder_.path() + "/base.prm") << "";
+  }
+
+  void read(const std::vector<std::string> &overrides)
+  {
+    dealii::ParameterHandler prm;
+    StudyParameters::declare_parameters(prm);
+    std::vector<Assignment> assignments;
+    for (const std::string text : {"Vary scheme/Entry=Method/Scheme",
+                                   "Vary scheme/Values=first; second",
+                                   "Vary level/Entry=Domain/Level",
+                                   "Vary level/Values=1; 2; 3",
+                                   "Vary level/Refinement=by level"})
+      assignments.push_back(parse_override(text));
+    assignments.push_back(
+      parse_override("Study/Parameter file=" + folder_.path() + "/base.prm"));
+    for (const std::string &text : overrides)
+      assignments.push_back(parse_override(text));
+    apply_assignments(assignments, prm);
+    parameters_.parse_parameters(prm);
+    for (const Variant &variant :
+         make_design(parameters_.factors, parameters_.design))
+      tasks_.push_back(make_task(variant));
+  }
+
+  /// The error of scheme number n is 2^-(n level), its cost 10 n 4^level.
+  Task make_task(const Variant &variant)
+  {
+    Task task;
+    task.variant = variant;
+    const double order = variant.labels[0] == "first" ? 1. : 2.;
+    const double level = variant.numbers[1];
+    task.folder = folder_.path() + "/" + variant.labels[0] + variant.labels[1];
+    std::filesystem::create_directories(task.run_folder());
+    std::ofstream(task.run_folder() + "/summary.json") << nlohmann::json{
+      {"unknowns", 10},
+      {"errors", {{"density_L1", std::exp2(-order * level)}}},
+      {"value", 7. + std::exp2(-order * level)},
+      {"performance", {{"core_seconds", 10. * order * std::exp2(2. * level)}}}};
+    task.outcome = Outcome();
+    task.outcome->kind = "stable";
+    return task;
+  }
+
+  TemporaryFolder folder_;
+  StudyParameters parameters_;
+  std::vector<Task> tasks_;
+};
+} // namespace
+
+TEST_F(FinishedStudy, HasOrdersFrontAndRecommendation)
+{
+  read({"Error/Wanted error=0.1"});
+  const StudyResult result = evaluate(parameters_, tasks_);
+  ASSERT_EQ(result.rows.size(), 6u);
+  EXPECT_EQ(result.series, (std::vector<std::string>{"first", "second"}));
+  EXPECT_TRUE(std::isnan(result.rows[0].order));
+  EXPECT_NEAR(result.rows[2].order, 1., 1e-12);
+  EXPECT_NEAR(result.rows[4].order, 2., 1e-12);
+  EXPECT_EQ(result.rows[5].cost, 1280.);
+  EXPECT_TRUE(result.rows[4].on_front);
+  EXPECT_FALSE(result.rows[2].on_front);
+  ASSERT_TRUE(result.recommended);
+  EXPECT_EQ(*result.recommended, 4u);
+  const std::string text = to_markdown(parameters_, result);
+  EXPECT_NE(text.find("| second | 2 | stable | 10 |"), std::string::npos)
+    << text;
+  EXPECT_NE(text.find("scheme = second, level = 2"), std::string::npos) << text;
+}
+
+TEST_F(FinishedStudy, LeavesOutWhatFailed)
+{
+  read({"Error/Wanted error=0.1"});
+  tasks_[4].outcome->kind = "unstable";
+  tasks_[4].outcome->reason = "negative density";
+  tasks_[0].outcome.reset();
+  const StudyResult result = evaluate(parameters_, tasks_);
+  EXPECT_EQ(result.rows.size(), 5u);
+  EXPECT_EQ(result.rows[*result.recommended].variant.labels[1], "3");
+  // The order now spans two levels.
+  EXPECT_NEAR(result.rows[4].order, 2., 1e-12);
+  EXPECT_NE(to_csv(parameters_, result).find("unstable,\"negative density\""),
+            std::string::npos);
+  EXPECT_NE(to_markdown(parameters_, result).find("- second, 2: unstable"),
+            std::string::npos);
+}
+
+TEST_F(FinishedStudy, ExtrapolatesWithinEachSeries)
+{
+  read({"Error/Kind=self convergence", "Error/Name=value"});
+  const StudyResult result = evaluate(parameters_, tasks_);
+  for (const ResultRow &row : result.rows)
+  {
+    const double order = row.series == 0 ? 1. : 2.;
+    EXPECT_NEAR(
+      row.error, std::exp2(-order * row.variant.numbers[1]) / 7., 1e-9);
+  }
+  EXPECT_NEAR(result.rows[5].order, 2., 1e-6);
+  EXPECT_EQ(result.remarks.size(), 2u);
+}
+
+TEST_F(FinishedStudy, CountsAnErrorThatIsNoNumberAsUnstable)
+{
+  read({});
+  std::ofstream(tasks_[1].run_folder() + "/summary.json")
+    << R"({"errors": {"density_L1": null}})";
+  const StudyResult result = evaluate(parameters_, tasks_);
+  EXPECT_EQ(result.rows[1].outcome.kind, "unstable");
+  EXPECT_FALSE(result.rows[1].on_front);
+}
+
+TEST_F(FinishedStudy, RecommendedFileIsCompleteAndHasTheUsersOutput)
+{
+  read({"Error/Wanted error=0.1"});
+  const StudyResult result = evaluate(parameters_, tasks_);
+  const std::string used = folder_.path() + "/used.prm";
+  std::ofstream(used) << "# old comment\n\nsubsection Method\n"
+                         "  set Scheme = second\n  subsection Deep\n"
+                         "    set Entry = a = b\n  end\nend\n"
+                         "subsection Output\n  set Fields = false\nend\n";
+  const std::string file = folder_.path() + "/recommended.prm";
+  std::ofstream(file) << recommended_file(
+    parameters_, result, used, {{"Output/Fields", "true"}});
+  std::map<std::string, std::string> values;
+  for (const Assignment &assignment : read_assignments(file))
+    values[assignment.entry] = assignment.value;
+  EXPECT_EQ(values,
+            (std::map<std::string, std::string>{
+              {"Scheme", "second"}, {"Entry", "a = b"}, {"Fields", "true"}}));
+}
