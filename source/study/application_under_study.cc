@@ -89,7 +89,13 @@ std::string ApplicationUnderStudy::ask(const Settings &settings,
     throw SystemError(name_ + " " + option + " was ended by signal " +
                       std::to_string(text.end.signal));
   if (text.end.exit_code != 0)
-    throw InputError(name_ + ": " + text.errors);
+  {
+    // The user of a study wrote no --set.
+    const std::string origin = "--set: ";
+    const bool of_override = text.errors.compare(0, origin.size(), origin) == 0;
+    throw InputError(name_ + ": " +
+                     text.errors.substr(of_override ? origin.size() : 0));
+  }
   return text.output;
 }
 

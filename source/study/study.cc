@@ -89,13 +89,11 @@ Study::Study(const StudyParameters &parameters,
   , base_entries_(application_.entries({}))
   , begin_(std::chrono::steady_clock::now())
 {
-  // The application itself says whether all entries and values are there.
-  for (const Variant &variant : cover_values(parameters_.factors))
-    application_.entries(joined(parameters_.settings, variant.settings));
+  require_known_entries();
   if (const auto &reference = parameters_.error.reference_settings())
   {
     has_reference_ = true;
-    application_.entries(joined(parameters_.settings, *reference));
+    require_known(*reference, "Error/Reference");
     Variant variant;
     variant.settings = *reference;
     tasks_.push_back(make_task(variant));
@@ -104,6 +102,38 @@ Study::Study(const StudyParameters &parameters,
   for (const Variant &variant :
        make_design(parameters_.factors, parameters_.design))
     tasks_.push_back(make_task(variant));
+}
+
+void Study::require_known(const Settings &settings,
+                          const std::string &where) const
+{
+  for (const auto &setting : settings)
+    try
+    {
+      application_.entries({setting});
+    }
+    catch (const InputError &error)
+    {
+      throw InputError(where + ": " + error.what());
+    }
+}
+
+void Study::require_known_entries() const
+{
+  for (const Variant &variant : cover_values(parameters_.factors))
+    try
+    {
+      // The application itself says whether all entries and values are there.
+      application_.entries(joined(parameters_.settings, variant.settings));
+    }
+    catch (const InputError &)
+    {
+      require_known(parameters_.settings, "Study/Settings");
+      for (const Factor &factor : parameters_.factors)
+        for (std::size_t row = 0; row < factor.values.size(); ++row)
+          require_known(factor.settings(row), "Vary " + factor.name);
+      throw;
+    }
 }
 
 Task Study::make_task(const Variant &variant) const

@@ -29,11 +29,11 @@ study_refuses(unknown_application "did you mean \"blast\""
   SET "Study/Application=blastt")
 study_refuses(missing_file "Study/Parameter file"
   SET "Study/Parameter file=no_such.prm")
-study_refuses(unknown_entry "did you mean \"Coarse leaves\""
+study_refuses(unknown_entry "Vary leaves: blast: unknown entry \"Coarse leafs\" in"
   SET "Vary leaves/Entry=Domain/Coarse leafs")
 study_refuses(impossible_value "Time/End time"
   SET "Vary leaves/Entry=Time/End time" "Vary leaves/Values=-1")
-study_refuses(unknown_setting "Method/Limitr"
+study_refuses(unknown_setting "Study/Settings: blast: unknown entry"
   SET "Study/Settings=Method/Limitr=mc")
 study_refuses(ragged_table "parts between"
   SET "Vary scheme/Values=finite volume | 1")

@@ -28,6 +28,11 @@ public:
   void execute(const std::string &parameter_text, bool resume);
 
 private:
+  /// @throws InputError for the first entry or value that the application
+  ///   does not know, with where it stands
+  void require_known_entries() const;
+  void require_known(const Settings &settings, const std::string &where) const;
+
   Task make_task(const Variant &variant) const;
   void prepare(const std::string &parameter_text, bool resume);
   void report(const Task &task);
