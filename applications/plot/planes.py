@@ -5,6 +5,7 @@
 import glob
 import json
 import os
+import re
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -47,7 +48,8 @@ class Plane:
 
 def open_planes(folder):
     """All planes of a run, by the names of their files without the number
-    of the output at the end, each list by time."""
+    of the output at the end, each list by time. Planes without a number,
+    which sum up a whole run, stand alone."""
     found = {}
     for path in glob.glob(os.path.join(folder, "**", "*.json"),
                           recursive=True):
@@ -56,7 +58,7 @@ def open_planes(folder):
             continue
         with open(path, encoding="utf-8") as file:
             plane = Plane(json.load(file), array)
-        stem = os.path.basename(array).rsplit("_", 1)[0]
+        stem = re.sub(r"_\d{4,}$", "", os.path.basename(array)[:-4])
         found.setdefault(stem, []).append(plane)
     for planes in found.values():
         planes.sort(key=lambda plane: plane.time)

@@ -5,13 +5,15 @@
 
 Writes PNG files into OUTPUT_FOLDER/pictures and prints their paths: the
 history, the pressure at the probes, plane cuts through fields, values along
-their lowest row of samples, and profiles of one-dimensional runs.
+their lowest row of samples, maps of what the blast did, lines of gauges, and
+profiles of one-dimensional runs.
 """
 
 import os
 import sys
 
 import look
+import maps
 import planes
 import profiles
 import tables
@@ -34,8 +36,13 @@ def main(arguments):
     tables.draw_history(history, os.path.join(pictures, "history.png"))
     probes = tables.open_table(folder, "probes.csv")
     if probes is not None:
-        tables.draw_probes(probes, os.path.join(pictures, "probes.png"))
-    for name, cuts in sorted(planes.open_planes(folder).items()):
+        tables.draw_probes(probes, tables.open_references(folder),
+                           os.path.join(pictures, "probes.png"))
+    found = planes.open_planes(folder)
+    for name, group in sorted(maps.take_maps(found).items()):
+        maps.draw_maps(group, os.path.join(pictures, name + "_maps.png"))
+    maps.draw_gauge_lines(folder, pictures)
+    for name, cuts in sorted(found.items()):
         stem = os.path.join(pictures, name)
         planes.draw_planes(cuts, stem + ".png")
         planes.draw_lines(cuts, stem + "_lowest.png")

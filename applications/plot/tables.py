@@ -3,6 +3,7 @@
 """Tables of a run, history.csv and probes.csv, and their pictures."""
 
 import csv
+import json
 import os
 import re
 
@@ -117,18 +118,39 @@ def _tell_constant(axis, columns, factor):
                       xycoords="axes fraction", color=look.GREY, fontsize=9)
 
 
-def draw_probes(table, path):
-    """Overpressure against time at each probe, one below the other."""
+def open_references(folder):
+    """What the reference of a run says of each probe, by the probe's name:
+    quantities such as peak_overpressure and arrival."""
+    path = os.path.join(folder, "summary.json")
+    if not os.path.exists(path):
+        return {}
+    with open(path, encoding="utf-8") as file:
+        known = json.load(file).get("assumptions", {})
+    references = {}
+    for name, value in known.items():
+        match = re.fullmatch(r"(probe_\d+)_reference_(\w+)", name)
+        if match:
+            references.setdefault(match[1], {})[match[2]] = value
+    return references
+
+
+def draw_probes(table, references, path):
+    """Overpressure against time at each probe, one below the other; crosses
+    where references have peak and arrival."""
     names = [name for name in table.names
              if "pressure" in name and "dynamic" not in name]
     if not names:
         return
     time, time_label = _time_axis(table)
+    time_factor = look.scale_unit("s", np.max(np.abs(table["time"])))[0]
     figure, axes = plt.subplots(len(names), 1, squeeze=False, sharex=True,
                                 figsize=(7., 1.5 * len(names) + 0.8))
     for number, (axis, name) in enumerate(zip(axes[:, 0], names)):
         over = table[name] - table[name][0]
-        factor, unit = look.scale_unit("Pa", np.max(np.abs(over)))
+        probe = name.replace("_pressure", "")
+        known = references.get(probe, {})
+        factor, unit = look.scale_unit("Pa", max(
+            np.max(np.abs(over)), known.get("peak_overpressure", 0.)))
         colour = look.COLOURS[number % 6]
         axis.axhline(0., color=look.GREY, linewidth=0.6)
         axis.fill_between(time, 0., over * factor, color=colour, alpha=0.15,
@@ -138,8 +160,20 @@ def draw_probes(table, path):
         axis.annotate(f"{over[peak] * factor:.3g} {unit}",
                       (time[peak], over[peak] * factor), (6, -4),
                       textcoords="offset points", fontsize=9)
-        axis.set_title(name.replace("_pressure", "").replace("_", " "))
+        if "peak_overpressure" in known and "arrival" in known:
+            _mark(axis, known["arrival"] * time_factor,
+                  known["peak_overpressure"] * factor, unit)
+        axis.set_title(probe.replace("_", " "))
         axis.set_ylabel(unit)
     axes[-1, 0].set_xlabel(time_label)
-    figure.suptitle("Overpressure at the probes", x=0.01, ha="left")
+    figure.suptitle("Overpressure at the probes"
+                    + "; crosses: reference" * bool(references),
+                    x=0.01, ha="left")
     look.save(figure, path)
+
+
+def _mark(axis, arrival, peak, unit):
+    axis.plot([arrival], [peak], marker="x", markersize=8,
+              markeredgewidth=1.8, color="black", linestyle="none")
+    axis.annotate(f"{peak:.3g} {unit}", (arrival, peak), (-8, -4),
+                  textcoords="offset points", fontsize=9, ha="right")

@@ -5,11 +5,11 @@
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/gas/adaptation.h>
 #include <contrecoup/gas/jump_sensor.h>
+#include <contrecoup/gas/leaf_carrier.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/grid_tools.h>
 
-#include <cstring>
 #include <optional>
 
 namespace contrecoup::gas
@@ -184,7 +184,7 @@ std::vector<double> Adaptation<dim>::sensors(const GasField &field) const
 
 
 template <int dim>
-bool Adaptation<dim>::adapt(GasField &field)
+bool Adaptation<dim>::adapt(GasField &field, BlastMaps<dim> &maps)
 {
   if constexpr (dim == 1)
     return false;
@@ -206,7 +206,7 @@ bool Adaptation<dim>::adapt(GasField &field)
                     (cell->refine_flag_set() || cell->coarsen_flag_set()));
     if (dealii::Utilities::MPI::max(any ? 1U : 0U, mesh_.communicator()) == 0)
       return false;
-    carry_over(field);
+    carry_over(field, maps);
     return true;
   }
 }
@@ -334,61 +334,29 @@ bool Adaptation<dim>::refine_flagged()
 
 
 template <int dim>
-void Adaptation<dim>::carry_over(GasField &field)
+void Adaptation<dim>::carry_over(GasField &field, BlastMaps<dim> &maps)
 {
   if constexpr (dim > 1)
   {
-    using Tria = typename LeafMesh<dim>::Tria;
-    const LeafLayout layout = field.layout();
-    const LeafTransfer<dim> transfer(points_, layout, material_);
-    const auto box = [](const auto &cell) {
-      LeafBox<dim> result;
-      result.origin = cell->vertex(0);
-      result.extents = cell->vertex((1U << dim) - 1) - cell->vertex(0);
-      return result;
-    };
-    const std::size_t n_bytes =
-      sizeof(double) * layout.n_components * layout.n_points;
-
-    const auto pack = [&](const typename Tria::cell_iterator &cell,
-                          const typename Tria::CellStatus status) {
-      std::vector<double> values;
-      if (status == Tria::CELL_COARSEN)
-      {
-        std::vector<std::vector<double>> children;
-        for (unsigned int c = 0; c < cell->n_children(); ++c)
-          children.push_back(field.leaf(mesh_.leaf_of(cell->child(c))));
-        values = transfer.from_children(children, box(cell));
-      }
-      else
-        values = field.leaf(mesh_.leaf_of(cell));
-      std::vector<char> bytes(n_bytes);
-      std::memcpy(bytes.data(), values.data(), n_bytes);
-      return bytes;
-    };
+    using Cell = typename LeafMesh<dim>::CellIterator;
+    using Status = typename LeafMesh<dim>::Tria::CellStatus;
+    using Bytes = boost::iterator_range<std::vector<char>::const_iterator>;
+    const LeafCarrier<dim> carrier(mesh_, points_, material_, field, maps);
     auto &tria = mesh_.triangulation();
-    const auto handle = tria.register_data_attach(pack, false);
+    const auto handle = tria.register_data_attach(
+      [&](const Cell &cell, const Status status) {
+        return carrier.pack(cell, status == tria.CELL_COARSEN);
+      },
+      false);
     tria.execute_coarsening_and_refinement();
     mesh_.rebuild();
-    field.reinit(layout, mesh_.n_stored_batches());
-
-    const auto unpack =
-      [&](
-        const typename Tria::cell_iterator &cell,
-        const typename Tria::CellStatus status,
-        const boost::iterator_range<std::vector<char>::const_iterator> &bytes) {
-        std::vector<double> values(n_bytes / sizeof(double));
-        std::memcpy(values.data(), &*bytes.begin(), n_bytes);
-        if (status != Tria::CELL_REFINE)
-        {
-          field.set_leaf(mesh_.leaf_of(cell), values);
-          return;
-        }
-        const auto children = transfer.to_children(values, box(cell));
-        for (unsigned int c = 0; c < children.size(); ++c)
-          field.set_leaf(mesh_.leaf_of(cell->child(c)), children[c]);
-      };
-    tria.notify_ready_to_unpack(handle, unpack);
+    field.reinit(field.layout(), mesh_.n_stored_batches());
+    if (!maps.empty())
+      maps.reinit(field.layout().n_points, mesh_.n_owned());
+    tria.notify_ready_to_unpack(
+      handle, [&](const Cell &cell, const Status status, const Bytes &bytes) {
+        carrier.unpack(cell, status == tria.CELL_REFINE, &*bytes.begin());
+      });
     field.fill_padding(mesh_.n_owned());
   }
 }

@@ -26,6 +26,14 @@ namespace
     std::uint64_t n_components;
     std::uint64_t n_files;
     std::uint64_t n_leaves;
+    std::uint64_t n_map_values; ///< of each leaf, single precision
+
+    /// Bytes of a leaf's data.
+    std::uint64_t leaf_size() const
+    {
+      return sizeof(double) * n_points * n_components +
+             sizeof(float) * n_map_values;
+    }
   };
 
   /// Where the state of a saved leaf is.
@@ -66,7 +74,8 @@ namespace
   /// The place of every saved leaf, from the tables of all files.
   Locations read_tables(const std::string &folder,
                         const unsigned int dim,
-                        const LeafLayout &layout)
+                        const LeafLayout &layout,
+                        const bool with_maps)
   {
     Locations locations;
     unsigned int n_files = 1;
@@ -79,9 +88,11 @@ namespace
         throw InputError("Checkpoint " + folder +
                          " belongs to another scene: dimension, method or "
                          "material differ");
+      if (with_maps && header.n_map_values == 0)
+        throw InputError("Output/Maps = true: checkpoint " + folder +
+                         " holds no maps to go on from");
       n_files = header.n_files;
-      const std::uint64_t size =
-        sizeof(double) * layout.n_points * layout.n_components;
+      const std::uint64_t size = header.leaf_size();
       const std::string file = file_name(folder, rank);
       if (std::filesystem::file_size(file) !=
           sizeof(Header) + header.n_leaves * (sizeof(Id) + size))
@@ -155,8 +166,10 @@ namespace
 template <int dim>
 void save_leaves(const LeafMesh<dim> &mesh,
                  const GasField &field,
-                 const std::string &folder)
+                 const std::string &folder,
+                 const BlastMaps<dim> *maps)
 {
+  const bool with_maps = maps != nullptr && !maps->empty();
   const auto communicator = mesh.communicator();
   const unsigned int rank =
     dealii::Utilities::MPI::this_mpi_process(communicator);
@@ -169,7 +182,8 @@ void save_leaves(const LeafMesh<dim> &mesh,
       field.layout().n_points,
       field.layout().n_components,
       dealii::Utilities::MPI::n_mpi_processes(communicator),
-      mesh.n_owned()};
+      mesh.n_owned(),
+      with_maps ? maps->n_leaf_values() : 0};
     out.write(reinterpret_cast<const char *>(&header), sizeof(header));
     for (unsigned int leaf = 0; leaf < mesh.n_owned(); ++leaf)
     {
@@ -181,6 +195,11 @@ void save_leaves(const LeafMesh<dim> &mesh,
       const auto values = field.leaf(leaf);
       out.write(reinterpret_cast<const char *>(values.data()),
                 values.size() * sizeof(double));
+      if (!with_maps)
+        continue;
+      const auto records = maps->leaf(leaf);
+      out.write(reinterpret_cast<const char *>(records.data()),
+                records.size() * sizeof(float));
     }
   });
 }
@@ -190,12 +209,19 @@ template <int dim>
 void restore_leaves(LeafMesh<dim> &mesh,
                     GasField &field,
                     const LeafLayout &layout,
-                    const std::string &folder)
+                    const std::string &folder,
+                    BlastMaps<dim> *maps)
 {
-  const Locations locations = read_tables(folder, dim, layout);
+  const Locations locations = read_tables(folder, dim, layout, maps != nullptr);
   refine_to(mesh, locations);
   mesh.rebuild();
   field.reinit(layout, mesh.n_stored_batches());
+  std::vector<float> records;
+  if (maps != nullptr)
+  {
+    maps->reinit(layout.n_points, mesh.n_owned());
+    records.resize(maps->n_leaf_values());
+  }
 
   std::map<unsigned int, std::ifstream> streams;
   std::vector<double> values(layout.n_points * layout.n_components);
@@ -209,20 +235,29 @@ void restore_leaves(LeafMesh<dim> &mesh,
     stream.seekg(location.position);
     stream.read(reinterpret_cast<char *>(values.data()),
                 values.size() * sizeof(double));
+    stream.read(reinterpret_cast<char *>(records.data()),
+                records.size() * sizeof(float));
     if (!stream)
       throw InputError("Checkpoint file " + file_name(folder, location.file) +
                        " ends too early");
     field.set_leaf(leaf, values);
+    if (maps != nullptr)
+      maps->set_leaf(leaf, records);
   }
   field.fill_padding(mesh.n_owned());
 }
 
 
-#define CONTRECOUP_INSTANTIATE(dim)                                \
-  template void save_leaves(                                       \
-    const LeafMesh<dim> &, const GasField &, const std::string &); \
-  template void restore_leaves(                                    \
-    LeafMesh<dim> &, GasField &, const LeafLayout &, const std::string &)
+#define CONTRECOUP_INSTANTIATE(dim)                  \
+  template void save_leaves(const LeafMesh<dim> &,   \
+                            const GasField &,        \
+                            const std::string &,     \
+                            const BlastMaps<dim> *); \
+  template void restore_leaves(LeafMesh<dim> &,      \
+                               GasField &,           \
+                               const LeafLayout &,   \
+                               const std::string &,  \
+                               BlastMaps<dim> *)
 
 CONTRECOUP_INSTANTIATE(1);
 CONTRECOUP_INSTANTIATE(2);

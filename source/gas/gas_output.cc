@@ -56,12 +56,74 @@ namespace
       }
     return stencils;
   }
+
+  /// Samples in the middle of the cells of a picture, @p resolution along
+  /// its longer side.
+  template <int dim>
+  struct Raster
+  {
+    Raster(const CoarseMesh<dim> &mesh,
+           const unsigned int direction,
+           const double position,
+           const unsigned int resolution)
+    {
+      const auto &lower = mesh.lower_corner();
+      const auto &upper = mesh.upper_corner();
+      const unsigned int a = direction == 0 ? 1 : 0;
+      const unsigned int b = direction == 2 ? 1 : 2;
+      const double longer = std::max(upper[a] - lower[a], upper[b] - lower[b]);
+      for (unsigned int i = 0; i < 2; ++i)
+      {
+        const unsigned int d = i == 0 ? a : b;
+        const double n = resolution * (upper[d] - lower[d]) / longer;
+        samples.axes[i] = axis_names.substr(d, 1);
+        samples.n_points[i] = std::max(2., std::round(n));
+        const double half = 0.5 * (upper[d] - lower[d]) / samples.n_points[i];
+        samples.lower[i] = lower[d] + half;
+        samples.upper[i] = upper[d] - half;
+      }
+      for (std::size_t j = 0; j < samples.n_points[1]; ++j)
+        for (std::size_t i = 0; i < samples.n_points[0]; ++i)
+        {
+          dealii::Point<dim> place;
+          if (dim == 3)
+            place[direction % dim] = position;
+          place[a] = samples.lower[0] + (samples.upper[0] - samples.lower[0]) *
+                                          i / (samples.n_points[0] - 1);
+          place[b] = samples.lower[1] + (samples.upper[1] - samples.lower[1]) *
+                                          j / (samples.n_points[1] - 1);
+          places.push_back(place);
+        }
+    }
+
+    io::PlaneSamples samples; ///< without quantity and values
+    std::vector<dealii::Point<dim>> places;
+  };
+
+  /// Measures of point @p q of a leaf.
+  template <int dim>
+  std::array<double, 4> mapped(const BlastMaps<dim> &maps,
+                               const unsigned int leaf,
+                               const unsigned int q,
+                               const double time)
+  {
+    return map_values(maps.record(leaf, q).measures(time));
+  }
 } // namespace
 
 
 template <int dim>
 void GasOutput<dim>::declare_parameters(ParameterHandler &prm)
 {
+  {
+    const Section section(prm, "Output");
+    declare_bool(prm,
+                 "Maps",
+                 "false",
+                 "Whether the fields hold peak overpressure, positive-phase "
+                 "impulse, arrival and duration of the blast at every point; "
+                 "they cost some per cent of the run time.");
+  }
   const Section section(prm, "Pictures");
   declare_string(prm,
                  "Planes",
@@ -82,6 +144,10 @@ template <int dim>
 void GasOutput<dim>::parse_parameters(ParameterHandler &prm,
                                       const CoarseMesh<dim> &mesh)
 {
+  {
+    const Section section(prm, "Output");
+    wants_maps_ = prm.get_bool("Maps");
+  }
   const Section section(prm, "Pictures");
   resolution_ = read_unsigned(prm, "Resolution");
   planes_.clear();
@@ -127,21 +193,25 @@ std::string GasOutput<dim>::write(const std::string &folder,
                                   const LeafMesh<dim> &mesh,
                                   const LeafPoints<dim> &points,
                                   const GasField &field,
-                                  const GasMaterial &material) const
+                                  const GasMaterial &material,
+                                  const BlastMaps<dim> &maps) const
 {
   for (const Plane &plane : planes_)
-    write_plane(plane, folder, index, time, mesh, points, field, material);
-  return write_leaves(folder, index, mesh, points, field, material);
+    write_plane(
+      plane, folder, index, time, mesh, points, field, material, maps);
+  return write_leaves(folder, index, time, mesh, points, field, material, maps);
 }
 
 
 template <int dim>
 std::string GasOutput<dim>::write_leaves(const std::string &folder,
                                          const unsigned int index,
+                                         const double time,
                                          const LeafMesh<dim> &mesh,
                                          const LeafPoints<dim> &points,
                                          const GasField &field,
-                                         const GasMaterial &material) const
+                                         const GasMaterial &material,
+                                         const BlastMaps<dim> &maps) const
 {
   std::vector<io::FieldName> names = {{"density", "kg/m^3"},
                                       {"velocity", "m/s", true},
@@ -152,6 +222,9 @@ std::string GasOutput<dim>::write_leaves(const std::string &folder,
     names.push_back({"products", "-"});
   if (shows_burned_)
     names.push_back({"burned", "-"});
+  if (!maps.empty())
+    for (const auto &[name, unit] : map_quantities)
+      names.push_back({name, unit});
   io::FieldOutput<dim> output(names);
   const LeafLayout &layout = field.layout();
   const unsigned int n = std::max(1U, layout.n - 1);
@@ -186,6 +259,11 @@ std::string GasOutput<dim>::write_leaves(const std::string &folder,
         patch.data(row++, o) = state.products;
       if (shows_burned_)
         patch.data(row++, o) = burned;
+      // Nothing is interpolated in maps: as many places as points, or one.
+      if (!maps.empty())
+        for (const double value :
+             mapped(maps, leaf, layout.n > 1 ? o : 0, time))
+          patch.data(row++, o) = value;
     }
     output.add_patch(std::move(patch));
   }
@@ -203,44 +281,24 @@ void GasOutput<dim>::write_plane(const Plane &plane,
                                  const LeafMesh<dim> &mesh,
                                  const LeafPoints<dim> &points,
                                  const GasField &field,
-                                 const GasMaterial &material) const
+                                 const GasMaterial &material,
+                                 const BlastMaps<dim> &maps) const
 {
   if constexpr (dim > 1)
   {
-    const auto &lower = mesh.coarse_mesh().lower_corner();
-    const auto &upper = mesh.coarse_mesh().upper_corner();
-    const unsigned int a = plane.direction == 0 ? 1 : 0;
-    const unsigned int b = plane.direction == 2 ? 1 : 2;
-    const double longer = std::max(upper[a] - lower[a], upper[b] - lower[b]);
-    io::PlaneSamples samples;
-    samples.time = time;
-    for (unsigned int i = 0; i < 2; ++i)
-    {
-      const unsigned int d = i == 0 ? a : b;
-      const double n = resolution_ * (upper[d] - lower[d]) / longer;
-      samples.axes[i] = axis_names.substr(d, 1);
-      samples.n_points[i] = std::max(2., std::round(n));
-      // Samples stand in the middle of the picture's cells.
-      const double half = 0.5 * (upper[d] - lower[d]) / samples.n_points[i];
-      samples.lower[i] = lower[d] + half;
-      samples.upper[i] = upper[d] - half;
-    }
-    std::vector<dealii::Point<dim>> places;
-    for (std::size_t j = 0; j < samples.n_points[1]; ++j)
-      for (std::size_t i = 0; i < samples.n_points[0]; ++i)
-      {
-        dealii::Point<dim> place;
-        if (dim == 3)
-          place[plane.direction % dim] = plane.position;
-        place[a] = samples.lower[0] + (samples.upper[0] - samples.lower[0]) *
-                                        i / (samples.n_points[0] - 1);
-        place[b] = samples.lower[1] + (samples.upper[1] - samples.lower[1]) *
-                                        j / (samples.n_points[1] - 1);
-        places.push_back(place);
-      }
+    Raster<dim> raster(
+      mesh.coarse_mesh(), plane.direction, plane.position, resolution_);
     PointSampler<dim> sampler;
-    sampler.reinit(places, mesh, points);
+    sampler.reinit(raster.places, mesh, points);
     const auto states = sampler.sample(field, material);
+    const unsigned int n_maps = maps.empty() ? 0 : map_quantities.size();
+    std::vector<double> records;
+    if (n_maps > 0)
+      records = sampler.nearest(
+        n_maps, [&](const unsigned int leaf, const unsigned int q, double *to) {
+          const auto values = mapped(maps, leaf, q, time);
+          std::copy_n(values.begin(), n_maps, to);
+        });
     if (dealii::Utilities::MPI::this_mpi_process(mesh.communicator()) != 0)
       return;
 
@@ -248,19 +306,32 @@ void GasOutput<dim>::write_plane(const Plane &plane,
       dim == 2 ? ""
                : "_" + axis_names.substr(plane.direction, 1) + "_" +
                    std::to_string(&plane - planes_.data());
-    for (const std::string quantity : {"pressure", "density"})
-    {
-      samples.quantity = quantity;
-      samples.unit = quantity == "pressure" ? "Pa" : "kg/m^3";
-      samples.values.clear();
-      for (const auto &state : states)
-        samples.values.push_back(quantity == "pressure" ? state.pressure
-                                                        : state.density);
-      std::ostringstream name;
-      name << folder << "/plane" << suffix << "_" << quantity << "_"
-           << std::setw(4) << std::setfill('0') << index;
-      io::write_plane(name.str(), samples);
-    }
+    std::ostringstream number;
+    number << "_" << std::setw(4) << std::setfill('0') << index;
+    raster.samples.time = time;
+    const auto write = [&](const std::string &quantity,
+                           const std::string &unit,
+                           const std::string &ending,
+                           const std::function<double(std::size_t)> &value) {
+      raster.samples.quantity = quantity;
+      raster.samples.unit = unit;
+      raster.samples.values.clear();
+      for (std::size_t i = 0; i < states.size(); ++i)
+        raster.samples.values.push_back(value(i));
+      io::write_plane(folder + "/plane" + suffix + "_" + quantity + ending,
+                      raster.samples);
+    };
+    write("pressure", "Pa", number.str(), [&](const std::size_t i) {
+      return states[i].pressure;
+    });
+    write("density", "kg/m^3", number.str(), [&](const std::size_t i) {
+      return states[i].density;
+    });
+    for (unsigned int k = 0; k < n_maps; ++k)
+      write(map_quantities[k].first,
+            map_quantities[k].second,
+            "",
+            [&](const std::size_t i) { return records[i * n_maps + k]; });
   }
 }
 

@@ -32,6 +32,7 @@ void GasSimulation<dim>::declare_parameters(ParameterHandler &prm)
   Boundary<dim>::declare_parameters(prm);
   AdaptationParameters::declare_parameters(prm);
   ProbeSet<dim>::declare_parameters(prm);
+  GaugeRasters<dim>::declare_parameters(prm);
   GasOutput<dim>::declare_parameters(prm);
 }
 
@@ -60,6 +61,8 @@ void GasSimulation<dim>::parse_parameters(ParameterHandler &prm)
                                           coarse_mesh_.is_axis_aligned());
   probes_.parse_parameters(prm, coarse_mesh_);
   probes_.set_ambient(initial_state_);
+  gauges_.parse_parameters(prm, coarse_mesh_);
+  gauges_.set_ambient(initial_state_);
   output_.parse_parameters(prm, coarse_mesh_);
   if (!charges_.empty())
     output_.show_burned();
@@ -91,6 +94,11 @@ void GasSimulation<dim>::create_octree()
   stepper_ = std::make_unique<TimeStepper<dim>>(mesh_, scheme_, *operator_);
   adaptation_ = std::make_unique<Adaptation<dim>>(
     adaptation_parameters_, mesh_, points_, material_);
+  const auto &tria = mesh_.triangulation();
+  const typename LeafMesh<dim>::CellIterator last(
+    &tria, 0, tria.n_cells(0) - 1);
+  maps_.set_ambient(
+    initial_state_.ambient_pressure(last->vertex((1U << dim) - 1)));
 }
 
 
@@ -122,6 +130,8 @@ void GasSimulation<dim>::setup()
     log_line(charges_.description());
   for (const std::string &line : set_initial_state())
     log_line(line);
+  if (output_.wants_maps())
+    maps_.reinit(layout_.n_points, mesh_.n_owned());
   probes_.read(field_, material_, time_);
 }
 
@@ -181,6 +191,7 @@ void GasSimulation<dim>::mesh_changed()
   update_burn();
   stepper_->reinit(field_);
   probes_.reinit(mesh_, points_);
+  gauges_.reinit(mesh_, points_);
 }
 
 
@@ -207,6 +218,12 @@ StepReport GasSimulation<dim>::advance(const double largest_step)
   if (afterburn_.release(time_, result.step, mesh_, points_, material_, field_))
     stepper_->analyse(field_);
   probes_.read(field_, material_, time_);
+  gauges_.add(field_, material_, time_, result.step);
+  if (!maps_.empty())
+  {
+    const TimerScope timer("maps");
+    maps_.update(mesh_, field_, material_, time_, result.step);
+  }
 
   StepReport report;
   report.step_size = result.step;
@@ -260,7 +277,7 @@ bool GasSimulation<dim>::adapt()
       n_steps_ % adaptation_parameters_.interval != 0)
     return false;
   stepper_->update_ghosts(field_);
-  if (!adaptation_->adapt(field_))
+  if (!adaptation_->adapt(field_, maps_))
     return false;
   mesh_changed();
   return true;
@@ -300,13 +317,19 @@ template <int dim>
 std::string GasSimulation<dim>::write_fields(const std::string &folder,
                                              unsigned int index)
 {
-  return output_.write(folder, index, time_, mesh_, points_, field_, material_);
+  gauges_.share();
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    gauges_.write(folder, time_);
+  return output_.write(
+    folder, index, time_, mesh_, points_, field_, material_, maps_);
 }
 
 
 template <int dim>
 std::vector<NamedValue> GasSimulation<dim>::errors()
 {
+  for (const std::string &line : probes_.comparison(reference_))
+    log_line(line);
   std::vector<NamedValue> values = probes_.errors(reference_);
   if (reference_.is_measured())
     for (const auto &value :
@@ -324,7 +347,7 @@ std::vector<NamedValue> GasSimulation<dim>::assumptions()
   for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
     troubled += field_.sensor()[leaf] > 0. ? 1. : 0.;
   troubled = dealii::Utilities::MPI::sum(troubled, mesh_.communicator());
-  std::vector<NamedValue> values = probes_.peaks();
+  std::vector<NamedValue> values = probes_.measures(reference_);
   values.push_back({"troubled_leaves", "-", troubled / mesh_.n_global()});
   values.push_back({"careful_steps", "-", n_careful_steps_});
   return values;
@@ -342,7 +365,8 @@ std::pair<std::uint64_t, std::uint64_t> GasSimulation<dim>::size() const
 template <int dim>
 void GasSimulation<dim>::save(const std::string &folder)
 {
-  save_leaves(mesh_, field_, folder);
+  save_leaves(mesh_, field_, folder, &maps_);
+  gauges_.share();
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
     io::write_file(folder + "/gas.bin", [&](std::ostream &out) {
       out.write(reinterpret_cast<const char *>(&time_), sizeof(time_));
@@ -351,6 +375,7 @@ void GasSimulation<dim>::save(const std::string &folder)
                 sizeof(has_burned_));
       afterburn_.save(out);
       probes_.save(out);
+      gauges_.save(out);
     });
 }
 
@@ -359,13 +384,15 @@ template <int dim>
 void GasSimulation<dim>::restore(const std::string &folder)
 {
   create_octree();
-  restore_leaves(mesh_, field_, layout_, folder);
+  restore_leaves(
+    mesh_, field_, layout_, folder, output_.wants_maps() ? &maps_ : nullptr);
   std::istringstream stream(io::read_file(folder + "/gas.bin"));
   stream.read(reinterpret_cast<char *>(&time_), sizeof(time_));
   stream.read(reinterpret_cast<char *>(&n_steps_), sizeof(n_steps_));
   stream.read(reinterpret_cast<char *>(&has_burned_), sizeof(has_burned_));
   afterburn_.load(stream);
   probes_.load(stream);
+  gauges_.load(stream);
   mesh_changed();
   if (!stream)
     throw InputError("Checkpoint file " + folder +

@@ -110,6 +110,9 @@ CostEstimate GasSimulation<dim>::estimate()
     coarse.n_cells * std::pow(2., dim * coarse_mesh_.initial_refinement());
   result.unknowns = result.cells * layout_.n_points * layout_.n_components;
   result.memory = result.unknowns * bytes_per_unknown;
+  if (output_.wants_maps())
+    result.memory +=
+      result.cells * layout_.n_points * sizeof(BlastRecord<float>);
 
   const unsigned int levels = adaptation_parameters_.active
                                 ? adaptation_parameters_.most_level

@@ -99,6 +99,15 @@ InitialState<dim>::distance_to_feature(const dealii::Point<dim> &point) const
 }
 
 
+template <int dim>
+double
+InitialState<dim>::ambient_pressure(const dealii::Point<dim> &point) const
+{
+  const auto background = field_->background_pressure();
+  return background ? *background : field_->value(point).pressure;
+}
+
+
 template class InitialState<1>;
 template class InitialState<2>;
 template class InitialState<3>;

@@ -6,6 +6,7 @@
 
 #include <deal.II/fe/mapping_q1.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace contrecoup::gas
@@ -86,6 +87,11 @@ void PointSampler<dim>::reinit(const std::vector<dealii::Point<dim>> &places,
     find_in_box(places, mesh, points);
   else
     find_in_cells(places, mesh, points);
+  // Leaves are then read once each.
+  std::stable_sort(
+    places_.begin(), places_.end(), [](const Place &a, const Place &b) {
+      return a.leaf < b.leaf;
+    });
 }
 
 
@@ -155,14 +161,72 @@ void PointSampler<dim>::add_place(
   std::array<std::vector<double>, dim> line;
   for (unsigned int d = 0; d < dim; ++d)
     line[d] = points.interpolation(x[d]);
-  Place place{index, mesh.leaf_of(cell), std::vector<double>(n_points, 1.)};
+  Place place{index, mesh.leaf_of(cell), 0, {}};
+  double largest = 0.;
   for (unsigned int q = 0; q < n_points; ++q)
   {
     const auto indices = points.indices(q);
+    double weight = 1.;
     for (unsigned int d = 0; d < dim; ++d)
-      place.weights[q] *= line[d][indices[d]];
+      weight *= line[d][indices[d]];
+    if (weight != 0.)
+      place.weights.emplace_back(q, weight);
+    if (weight > largest)
+    {
+      largest = weight;
+      place.nearest = q;
+    }
   }
   places_.push_back(place);
+}
+
+
+template <int dim>
+std::vector<double> PointSampler<dim>::conserved(const GasField &field) const
+{
+  const unsigned int nc = field.layout().n_components;
+  const unsigned int n_points = field.layout().n_points;
+  std::vector<double> values(places_.size() * (nc + 1), 0.);
+  std::vector<double> leaf;
+  for (std::size_t i = 0; i < places_.size(); ++i)
+  {
+    const Place &place = places_[i];
+    if (i == 0 || place.leaf != places_[i - 1].leaf)
+      leaf = field.leaf(place.leaf);
+    double *value = &values[i * (nc + 1)];
+    for (const auto &[q, weight] : place.weights)
+    {
+      for (unsigned int c = 0; c < nc; ++c)
+        value[c] += weight * leaf[c * n_points + q];
+      value[nc] += weight * field.burned(place.leaf, q);
+    }
+  }
+  return values;
+}
+
+
+template <int dim>
+GasState<dim> PointSampler<dim>::state_of(const double *values,
+                                          const GasField &field,
+                                          const GasMaterial &material)
+{
+  auto state = primitive_state<dim>(values, material);
+  state.pressure =
+    field.exerted_pressure(state.pressure, values[field.layout().n_components]);
+  return state;
+}
+
+
+template <int dim>
+void PointSampler<dim>::for_each(
+  const GasField &field,
+  const GasMaterial &material,
+  const std::function<void(unsigned int, const GasState<dim> &)> &take) const
+{
+  const unsigned int row = field.layout().n_components + 1;
+  const auto values = conserved(field);
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    take(places_[i].index, state_of(&values[i * row], field, material));
 }
 
 
@@ -171,30 +235,39 @@ std::vector<GasState<dim>>
 PointSampler<dim>::sample(const GasField &field,
                           const GasMaterial &material) const
 {
-  const LeafLayout &layout = field.layout();
-  const unsigned int nc = layout.n_components;
-  const unsigned int row = nc + 1; // the last one: burned fraction
+  const unsigned int row = field.layout().n_components + 1;
+  const auto mine = conserved(field);
   std::vector<double> values(n_places_ * row, 0.);
-  for (const Place &place : places_)
-  {
-    const double *leaf = field.state() + layout.offset(place.leaf);
-    for (unsigned int c = 0; c < nc; ++c)
-      for (unsigned int q = 0; q < layout.n_points; ++q)
-        values[place.index * row + c] +=
-          place.weights[q] * leaf[layout.value(c, q)];
-    for (unsigned int q = 0; q < layout.n_points; ++q)
-      values[place.index * row + nc] +=
-        place.weights[q] * field.burned(place.leaf, q);
-  }
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    std::copy_n(&mine[i * row], row, &values[places_[i].index * row]);
   dealii::Utilities::MPI::sum(values, communicator_, values);
   std::vector<GasState<dim>> states;
   for (std::size_t i = 0; i < n_places_; ++i)
-  {
-    states.push_back(primitive_state<dim>(&values[i * row], material));
-    states[i].pressure =
-      field.exerted_pressure(states[i].pressure, values[i * row + nc]);
-  }
+    states.push_back(state_of(&values[i * row], field, material));
   return states;
+}
+
+
+template <int dim>
+std::vector<double> PointSampler<dim>::nearest(
+  const unsigned int n_values,
+  const std::function<void(unsigned int, unsigned int, double *)> &read) const
+{
+  std::vector<double> values(n_places_ * n_values, 0.);
+  for (const Place &place : places_)
+    read(place.leaf, place.nearest, &values[place.index * n_values]);
+  dealii::Utilities::MPI::sum(values, communicator_, values);
+  return values;
+}
+
+
+template <int dim>
+std::vector<unsigned int> PointSampler<dim>::local_places() const
+{
+  std::vector<unsigned int> result;
+  for (const Place &place : places_)
+    result.push_back(place.index);
+  return result;
 }
 
 

@@ -3,8 +3,11 @@
 
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/gas/blast_maps.h>
 #include <contrecoup/gas/probe_set.h>
 
+#include <iomanip>
 #include <sstream>
 
 namespace contrecoup::gas
@@ -57,7 +60,7 @@ template <int dim>
 void ProbeSet<dim>::set_ambient(const InitialState<dim> &initial_state)
 {
   for (std::size_t i = 0; i < places_.size(); ++i)
-    ambient_[i] = initial_state.value(places_[i]).pressure;
+    ambient_[i] = initial_state.ambient_pressure(places_[i]);
 }
 
 
@@ -81,20 +84,11 @@ void ProbeSet<dim>::read(const GasField &field,
   for (std::size_t i = 0; i < places_.size(); ++i)
   {
     Record &record = records_[i];
-    const double pressure = states_[i].pressure;
-    if (time > record.last_time)
-    {
-      const double rise =
-        (pressure - record.last_pressure) / (time - record.last_time);
-      if (rise > record.steepest)
-      {
-        record.steepest = rise;
-        record.arrival = 0.5 * (time + record.last_time);
-      }
-    }
-    record.peak = std::max(record.peak, pressure - ambient_[i]);
+    record.blast.add(states_[i].pressure - ambient_[i],
+                     time,
+                     time - record.last_time,
+                     BlastRecord<double>::threshold * ambient_[i]);
     record.last_time = time;
-    record.last_pressure = pressure;
   }
 }
 
@@ -120,14 +114,25 @@ std::vector<NamedValue> ProbeSet<dim>::values(const bool has_products) const
 
 
 template <int dim>
-std::vector<NamedValue> ProbeSet<dim>::peaks() const
+std::vector<NamedValue>
+ProbeSet<dim>::measures(const ReferenceSolution<dim> &reference) const
 {
   std::vector<NamedValue> values;
   for (std::size_t i = 0; i < records_.size(); ++i)
   {
-    values.push_back(
-      {probe_name(i, "peak_overpressure"), "Pa", records_[i].peak});
-    values.push_back({probe_name(i, "arrival"), "s", records_[i].arrival});
+    const auto add = [&](const std::string &prefix,
+                         const BlastMeasures &measures,
+                         const bool with_unknown) {
+      const auto numbers = map_values(measures);
+      for (std::size_t k = 0; k < numbers.size(); ++k)
+        if (with_unknown || numbers[k] != 0.)
+          values.push_back({probe_name(i, prefix + map_quantities[k].first),
+                            map_quantities[k].second,
+                            numbers[k]});
+    };
+    add("", records_[i].blast.measures(records_[i].last_time), true);
+    if (reference.has_arrivals())
+      add("reference_", reference.arrival(places_[i]), false);
   }
   return values;
 }
@@ -142,15 +147,52 @@ ProbeSet<dim>::errors(const ReferenceSolution<dim> &reference) const
     return values;
   for (std::size_t i = 0; i < records_.size(); ++i)
   {
-    const ShockArrival exact = reference.arrival(places_[i]);
-    values.push_back({probe_name(i, "peak_overpressure_relative"),
-                      "-",
-                      records_[i].peak / exact.overpressure - 1.});
-    values.push_back({probe_name(i, "arrival_relative"),
-                      "-",
-                      records_[i].arrival / exact.time - 1.});
+    const auto computed =
+      map_values(records_[i].blast.measures(records_[i].last_time));
+    const auto exact = map_values(reference.arrival(places_[i]));
+    for (std::size_t k = 0; k < exact.size(); ++k)
+      if (exact[k] != 0.)
+        values.push_back({probe_name(i, map_quantities[k].first + "_relative"),
+                          "-",
+                          computed[k] / exact[k] - 1.});
   }
   return values;
+}
+
+
+template <int dim>
+std::vector<std::string>
+ProbeSet<dim>::comparison(const ReferenceSolution<dim> &reference) const
+{
+  if (!reference.has_arrivals() || places_.empty())
+    return {};
+  const double factors[] = {1e-3, 1., 1e3, 1e3};
+  std::vector<std::string> lines = {
+    "computed / " + reference.name() + " (difference):",
+    "probe  peak [kPa]               impulse [Pa s]           "
+    "arrival [ms]             duration [ms]"};
+  for (std::size_t i = 0; i < records_.size(); ++i)
+  {
+    std::ostringstream line;
+    line << std::left << std::setw(7) << i + 1;
+    const auto computed =
+      map_values(records_[i].blast.measures(records_[i].last_time));
+    const auto exact = map_values(reference.arrival(places_[i]));
+    for (std::size_t k = 0; k < exact.size(); ++k)
+    {
+      std::ostringstream text;
+      text << brief(computed[k] * factors[k]) << " / ";
+      if (exact[k] == 0.)
+        text << "unknown";
+      else
+        text << brief(exact[k] * factors[k]) << " (" << std::showpos
+             << std::fixed << std::setprecision(1)
+             << 100. * (computed[k] / exact[k] - 1.) << " %)";
+      line << std::setw(25) << text.str();
+    }
+    lines.push_back(line.str());
+  }
+  return lines;
 }
 
 

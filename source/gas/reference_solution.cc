@@ -11,6 +11,7 @@
 #include <contrecoup/gas/table_profile.h>
 #include <contrecoup/numerics/detonation_solution.h>
 #include <contrecoup/numerics/exact_riemann.h>
+#include <contrecoup/numerics/kingery_bulmash.h>
 #include <contrecoup/numerics/noh_solution.h>
 #include <contrecoup/numerics/point_source.h>
 #include <contrecoup/numerics/sedov_solution.h>
@@ -28,6 +29,7 @@ const std::vector<std::string> reference_solution_kinds{"none",
                                                         "sedov",
                                                         "point source",
                                                         "detonation",
+                                                        "kingery bulmash",
                                                         "table"};
 
 namespace
@@ -124,8 +126,11 @@ namespace
 
 
   template <int dim>
-  std::function<ShockArrival(const dealii::Point<dim> &)>
-  point_source(const SedovField<dim> &problem, const double gamma)
+  using Arrivals = std::function<BlastMeasures(const dealii::Point<dim> &)>;
+
+
+  template <int dim>
+  Arrivals<dim> point_source(const SedovField<dim> &problem, const double gamma)
   {
     if (problem.spreading != 3)
       throw InputError("Reference: Kind = point source needs a domain in which "
@@ -138,8 +143,90 @@ namespace
       problem.energy, problem.ambient.pressure, problem.ambient.density);
     return [=](const dealii::Point<dim> &point) {
       const double radius = point.distance(problem.center);
-      return ShockArrival{solution.overpressure(radius),
-                          solution.arrival_time(radius)};
+      BlastMeasures measures;
+      measures.peak = solution.overpressure(radius);
+      measures.arrival = solution.arrival_time(radius);
+      return measures;
+    };
+  }
+
+
+  void declare_kingery_bulmash(ParameterHandler &prm)
+  {
+    const Section section(prm, "Kingery Bulmash");
+    declare_double(prm,
+                   "Mass",
+                   "1",
+                   1e-12,
+                   1e9,
+                   "kg",
+                   "Mass of the charge; in a part of the domain cut off by "
+                   "planes of symmetry, that of the whole charge.");
+    declare_list(prm,
+                 "Center",
+                 "0, 0, 0",
+                 1,
+                 3,
+                 -unbounded,
+                 unbounded,
+                 "m",
+                 "The charge's centre, from which distances count; as many "
+                 "coordinates as needed are taken.");
+    declare_selection(prm,
+                      "Burst",
+                      "spherical",
+                      KingeryBulmash::sets,
+                      "Charge in free air, or on rigid ground after Kingery "
+                      "and Bulmash or after Swisdak.");
+    declare_double(prm,
+                   "TNT equivalence of pressure",
+                   "1",
+                   1e-3,
+                   100.,
+                   "-",
+                   "Mass of TNT that gives the same peak and arrival, per mass "
+                   "of charge; C-4: 1.37 on average (TM 5-855-1, 1986).");
+    declare_double(prm,
+                   "TNT equivalence of impulse",
+                   "1",
+                   1e-3,
+                   100.,
+                   "-",
+                   "The same for impulse and duration; C-4: 1.19 on average "
+                   "(TM 5-855-1, 1986).");
+  }
+
+
+  /// Reads what declare_kingery_bulmash() declared.
+  template <int dim>
+  Arrivals<dim> kingery_bulmash(ParameterHandler &prm)
+  {
+    const Section section(prm, "Kingery Bulmash");
+    const auto numbers = read_list(prm, "Center");
+    dealii::Point<dim> center;
+    for (unsigned int d = 0; d < std::min<std::size_t>(dim, numbers.size());
+         ++d)
+      center[d] = numbers[d];
+    const double mass = read_double(prm, "Mass");
+    const std::string burst = prm.get("Burst");
+    const KingeryBulmash of_pressure(
+      burst, mass * read_double(prm, "TNT equivalence of pressure"));
+    const KingeryBulmash of_impulse(
+      burst, mass * read_double(prm, "TNT equivalence of impulse"));
+    return [=](const dealii::Point<dim> &point) {
+      const double distance = point.distance(center);
+      const auto known = [&](const KingeryBulmash &tables,
+                             const BlastQuantity quantity) {
+        return tables.covers(quantity, distance)
+                 ? tables.value(quantity, distance)
+                 : 0.;
+      };
+      BlastMeasures measures;
+      measures.peak = known(of_pressure, BlastQuantity::overpressure);
+      measures.arrival = known(of_pressure, BlastQuantity::arrival);
+      measures.impulse = known(of_impulse, BlastQuantity::impulse);
+      measures.duration = known(of_impulse, BlastQuantity::duration);
+      return measures;
     };
   }
 
@@ -194,7 +281,8 @@ void ReferenceSolution<dim>::declare_parameters(ParameterHandler &prm)
                     "state itself, the exact solution of the initial state of "
                     "the same name, the point source that Initial state/Sedov "
                     "describes (at probes), the detonation of the Material's "
-                    "explosive from the origin, or a table.");
+                    "explosive from the origin, the measurements that Kingery "
+                    "and Bulmash fitted (at probes), or a table.");
   declare_bool(prm,
                "Measure errors",
                "true",
@@ -206,6 +294,7 @@ void ReferenceSolution<dim>::declare_parameters(ParameterHandler &prm)
                "CSV file with columns position [m] (along x, or the radius), "
                "density [kg/m^3], velocity [m/s], pressure [Pa] and, at will, "
                "products [-]: the profile at the end time.");
+  declare_kingery_bulmash(prm);
 }
 
 
@@ -222,7 +311,12 @@ void ReferenceSolution<dim>::parse_parameters(ParameterHandler &prm,
   }
   value_ = nullptr;
   arrival_ = nullptr;
-  if (name_ == "table")
+  if (name_ == "kingery bulmash")
+  {
+    const Section section(prm, "Reference");
+    arrival_ = kingery_bulmash<dim>(prm);
+  }
+  else if (name_ == "table")
     value_ = table_field<dim>(table);
   else if (name_ == "initial")
   {
@@ -334,7 +428,7 @@ bool ReferenceSolution<dim>::has_arrivals() const
 
 
 template <int dim>
-ShockArrival
+BlastMeasures
 ReferenceSolution<dim>::arrival(const dealii::Point<dim> &point) const
 {
   return arrival_(point);

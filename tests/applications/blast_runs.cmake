@@ -31,6 +31,14 @@ contrecoup_add_application_test(resume_quickstart_galerkin resume
 contrecoup_add_application_test(resume_quickstart_two_ranks resume
   ${_quickstart} MPI 2 SET ${_short} COMPARE history.csv
   TOLERANCE "-r 1e-10 -a 1e-9:5-7" STOP_AFTER 7 TIMEOUT 120)
+# Maps and gauges go on, too: the planes that they leave are the same.
+set(_gauges "Output/Maps=true" "Probes/Lines=0,0,0 : 1,0,0.5 : 11"
+  "Probes/Gauge planes=-1,-1,0 : 1,1,0 : 9, 9")
+contrecoup_add_application_test(resume_maps resume ${_quickstart}
+  SET ${_short} ${_gauges} COMPARE history.csv fields/gauges_line_1.csv
+  fields/gauges_plane_1_impulse.npy fields/plane_y_0_peak_overpressure.npy
+  fields/plane_y_0_impulse.npy fields/plane_y_0_arrival.npy STOP_AFTER 7
+  TIMEOUT 120)
 contrecoup_add_application_test(sigterm_quickstart sigterm ${_quickstart}
   SET ${_short} "Time/Largest number of steps=60" ${_tables} TIMEOUT 120)
 contrecoup_add_application_test(full_disk disk ${_quickstart}
@@ -53,5 +61,6 @@ endforeach()
 contrecoup_add_application_test(pictures_1d pictures
   FILE blast/verification/sod.prm COMPARE history.png profiles.png)
 contrecoup_add_application_test(pictures_3d pictures ${_quickstart} MPI 2
-  SET ${_short} COMPARE history.png probes.png plane_y_0_pressure.png
-  plane_y_0_density.png plane_y_0_pressure_lowest.png)
+  SET ${_short} ${_gauges} COMPARE history.png probes.png
+  plane_y_0_pressure.png plane_y_0_density.png plane_y_0_pressure_lowest.png
+  plane_y_0_maps.png gauges_line_1.png gauges_plane_1_maps.png)

@@ -212,8 +212,8 @@ TEST(ReferenceSolution, PointSourceArrivals)
   ASSERT_TRUE(scene.reference.has_arrivals());
   const auto arrival = scene.reference.arrival(Point<1>(2.5));
   const PointSourceSolution solution(4e6, 101325., 1.225);
-  EXPECT_EQ(arrival.overpressure, solution.overpressure(2.5));
-  EXPECT_EQ(arrival.time, solution.arrival_time(2.5));
+  EXPECT_EQ(arrival.peak, solution.overpressure(2.5));
+  EXPECT_EQ(arrival.arrival, solution.arrival_time(2.5));
 
   auto other_gamma = lines;
   other_gamma.push_back("Material/Gamma=1.3");
@@ -222,6 +222,48 @@ TEST(ReferenceSolution, PointSourceArrivals)
   plane[0] = "Domain/Geometry=plane";
   EXPECT_NE(refusal<1>(plane).find("3 dimensions"), std::string::npos);
 }
+
+TEST(ReferenceSolution, KingeryBulmashGivesWhatItsTablesHold)
+{
+  const std::vector<std::string> charge = {
+    "Reference/Kind=kingery bulmash",
+    "Reference/Kingery Bulmash/Mass=0.8535",
+    "Reference/Kingery Bulmash/Center=0, 0, 3"};
+  const Scene<3> scene(charge);
+  EXPECT_FALSE(scene.reference.exists());
+  ASSERT_TRUE(scene.reference.has_arrivals());
+  const auto seen = scene.reference.arrival(Point<3>(0., 0.6, 2.2));
+  EXPECT_NEAR(seen.peak, 830.9e3, 500.);
+  EXPECT_NEAR(seen.impulse, 158.7, 0.1);
+  EXPECT_NEAR(seen.arrival, 0.5568e-3, 1e-7);
+  EXPECT_NEAR(seen.duration, 1.726e-3, 1e-6);
+
+  // No figures so near to the charge.
+  EXPECT_EQ(scene.reference.arrival(Point<3>(0., 0.04, 3.)).peak, 0.);
+  // Of the coordinates as many as there are.
+  EXPECT_NEAR(
+    Scene<1>({charge[0], charge[1]}).reference.arrival(Point<1>(1.)).peak,
+    830.9e3,
+    500.);
+
+  // Equivalent masses: peak and arrival by one, impulse by the other.
+  const double mass = 0.8535 / 1.37, impulse_mass = 0.8535 / 1.19;
+  for (const double m : {mass, impulse_mass})
+  {
+    auto lines = charge;
+    lines.push_back("Reference/Kingery Bulmash/Mass=" + std::to_string(m));
+    lines.push_back(
+      "Reference/Kingery Bulmash/TNT equivalence of pressure=1.37");
+    lines.push_back(
+      "Reference/Kingery Bulmash/TNT equivalence of impulse=1.19");
+    const Scene<3> other(lines);
+    const auto value = other.reference.arrival(Point<3>(0., 0.6, 2.2));
+    EXPECT_EQ(std::abs(value.peak - seen.peak) < 10., m == mass);
+    EXPECT_EQ(std::abs(value.arrival - seen.arrival) < 1e-8, m == mass);
+    EXPECT_EQ(std::abs(value.impulse - seen.impulse) < 1e-2, m == impulse_mass);
+  }
+}
+
 
 TEST(ReferenceSolution, TableIsInterpolated)
 {

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <contrecoup/gas/blast_maps.h>
 #include <contrecoup/gas/gas_field.h>
 #include <contrecoup/gas/leaf_transfer.h>
 
@@ -58,9 +59,15 @@ public:
              const LeafPoints<dim> &points,
              const GasMaterial &material);
 
-  /// Adapts mesh and field once. Returns whether anything changed. The
-  /// field's ghosts must be up to date. Collective.
-  bool adapt(GasField &field);
+  /// Adapts mesh, field and, unless they are empty, maps once. Returns
+  /// whether anything changed. The field's ghosts must be up to date.
+  /// Collective.
+  bool adapt(GasField &field, BlastMaps<dim> &maps);
+  bool adapt(GasField &field)
+  {
+    BlastMaps<dim> none;
+    return adapt(field, none);
+  }
 
   /// Halves every leaf below the largest level for which @p wanted is
   /// true, without carrying the field over. Returns whether any was.
@@ -79,7 +86,7 @@ private:
   bool refine_flagged();
   void spread(std::vector<double> &marks) const;
   void set_flags(const std::vector<double> &marks);
-  void carry_over(GasField &field);
+  void carry_over(GasField &field, BlastMaps<dim> &maps);
 
   const AdaptationParameters parameters_;
   LeafMesh<dim> &mesh_;

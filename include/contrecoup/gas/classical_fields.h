@@ -31,6 +31,10 @@ public:
   GasState<dim> value(const dealii::Point<dim> &point) const override;
   double smallest_feature() const override;
   double distance_to_feature(const dealii::Point<dim> &point) const override;
+  std::optional<double> background_pressure() const override
+  {
+    return ambient.pressure;
+  }
 
   unsigned int spreading; ///< 1 plane, 2 cylindrical, 3 spherical
   double energy;          ///< [J, J/m, J/m^2]; plane: to one side

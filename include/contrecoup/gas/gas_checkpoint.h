@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <contrecoup/gas/blast_maps.h>
 #include <contrecoup/gas/gas_field.h>
 #include <contrecoup/gas/leaf_points.h>
 
@@ -12,22 +13,26 @@ namespace contrecoup::gas
 {
 /**
  * Writes the leaves of this rank, their place in the octree and their
- * state, into @p folder as octree.RANK.bin. Collective.
+ * state, into @p folder as octree.RANK.bin; their maps, too, if there are
+ * any. Collective.
  * @throws SystemError when the disk is full
  */
 template <int dim>
 void save_leaves(const LeafMesh<dim> &mesh,
                  const GasField &field,
-                 const std::string &folder);
+                 const std::string &folder,
+                 const BlastMaps<dim> *maps = nullptr);
 
 /**
- * Rebuilds octree and state from what save_leaves() wrote, on any number
- * of ranks. The coarse mesh must have been created. Collective.
- * @throws InputError when the files do not fit the scene
+ * Rebuilds octree, state and, if wanted, maps from what save_leaves()
+ * wrote, on any number of ranks. The coarse mesh must have been created.
+ * Collective.
+ * @throws InputError when the files do not fit the scene or lack the maps
  */
 template <int dim>
 void restore_leaves(LeafMesh<dim> &mesh,
                     GasField &field,
                     const LeafLayout &layout,
-                    const std::string &folder);
+                    const std::string &folder,
+                    BlastMaps<dim> *maps = nullptr);
 } // namespace contrecoup::gas

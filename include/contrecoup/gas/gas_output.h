@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <contrecoup/gas/blast_maps.h>
 #include <contrecoup/gas/gas_field.h>
 #include <contrecoup/gas/leaf_points.h>
 #include <contrecoup/gas/leaf_sampling.h>
@@ -20,7 +21,7 @@ template <int dim>
 class GasOutput
 {
 public:
-  /// Declares subsection "Pictures".
+  /// Declares subsection "Pictures" and what concerns fields in "Output".
   static void declare_parameters(dealii::ParameterHandler &prm);
 
   /// @throws InputError for planes that the mesh does not have.
@@ -34,8 +35,9 @@ public:
   }
 
   /**
-   * Writes density, velocity, pressure, level and sensor of all leaves as
-   * VTU, and the planes as arrays. Collective.
+   * Writes density, velocity, pressure, level, sensor and, unless they are
+   * empty, the maps of all leaves as VTU, and the planes as arrays; planes
+   * of maps replace those of earlier outputs. Collective.
    * @return the file for the .pvd collection
    */
   std::string write(const std::string &folder,
@@ -44,7 +46,14 @@ public:
                     const LeafMesh<dim> &mesh,
                     const LeafPoints<dim> &points,
                     const GasField &field,
-                    const GasMaterial &material) const;
+                    const GasMaterial &material,
+                    const BlastMaps<dim> &maps) const;
+
+  /// Whether "Output/Maps" asks for maps.
+  bool wants_maps() const
+  {
+    return wants_maps_;
+  }
 
 private:
   struct Plane
@@ -55,10 +64,12 @@ private:
 
   std::string write_leaves(const std::string &folder,
                            const unsigned int index,
+                           const double time,
                            const LeafMesh<dim> &mesh,
                            const LeafPoints<dim> &points,
                            const GasField &field,
-                           const GasMaterial &material) const;
+                           const GasMaterial &material,
+                           const BlastMaps<dim> &maps) const;
   void write_plane(const Plane &plane,
                    const std::string &folder,
                    const unsigned int index,
@@ -66,8 +77,10 @@ private:
                    const LeafMesh<dim> &mesh,
                    const LeafPoints<dim> &points,
                    const GasField &field,
-                   const GasMaterial &material) const;
+                   const GasMaterial &material,
+                   const BlastMaps<dim> &maps) const;
 
+  bool wants_maps_ = false;
   std::vector<Plane> planes_;
   bool shows_burned_ = false;
   unsigned int resolution_ = 256;

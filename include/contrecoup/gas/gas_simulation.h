@@ -6,12 +6,14 @@
 #include <contrecoup/base/simulation.h>
 #include <contrecoup/gas/adaptation.h>
 #include <contrecoup/gas/afterburn.h>
+#include <contrecoup/gas/blast_maps.h>
 #include <contrecoup/gas/boundary.h>
 #include <contrecoup/gas/charge_set.h>
 #include <contrecoup/gas/detonation.h>
 #include <contrecoup/gas/gas_field.h>
 #include <contrecoup/gas/gas_operator.h>
 #include <contrecoup/gas/gas_output.h>
+#include <contrecoup/gas/gauge_rasters.h>
 #include <contrecoup/gas/initial_state.h>
 #include <contrecoup/gas/leaf_mesh.h>
 #include <contrecoup/gas/leaf_points.h>
@@ -73,6 +75,7 @@ private:
   Boundary<dim> boundary_;
   AdaptationParameters adaptation_parameters_;
   ProbeSet<dim> probes_;
+  GaugeRasters<dim> gauges_;
   GasOutput<dim> output_;
   double end_time_ = 0.;
 
@@ -80,6 +83,7 @@ private:
   LeafLayout layout_;
   LeafPoints<dim> points_;
   GasField field_;
+  BlastMaps<dim> maps_; ///< empty unless wanted
   std::unique_ptr<GasOperator<dim>> operator_;
   std::unique_ptr<TimeStepper<dim>> stepper_;
   std::unique_ptr<Adaptation<dim>> adaptation_;

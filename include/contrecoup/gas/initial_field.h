@@ -8,6 +8,7 @@
 #include <deal.II/base/point.h>
 
 #include <limits>
+#include <optional>
 
 namespace contrecoup::gas
 {
@@ -34,6 +35,12 @@ public:
   virtual double distance_to_feature(const dealii::Point<dim> &) const
   {
     return 0.;
+  }
+
+  /// The pressure [Pa] far from regions and sources, if there is one.
+  virtual std::optional<double> background_pressure() const
+  {
+    return {};
   }
 };
 } // namespace contrecoup::gas

@@ -69,6 +69,10 @@ public:
    */
   double distance_to_feature(const dealii::Point<dim> &point) const;
 
+  /// The pressure [Pa] above which overpressures count: that of the
+  /// background; where the state has none, that at @p point.
+  double ambient_pressure(const dealii::Point<dim> &point) const;
+
 private:
   std::unique_ptr<const InitialField<dim>> field_;
 };

@@ -8,6 +8,7 @@
 #include <contrecoup/gas/leaf_sampling.h>
 #include <contrecoup/materials/gas_material.h>
 
+#include <functional>
 #include <vector>
 
 namespace contrecoup::gas
@@ -32,6 +33,23 @@ public:
   std::vector<GasState<dim>> sample(const GasField &field,
                                     const GasMaterial &material) const;
 
+  /// Calls @p take with the number and the primitive state of each place on
+  /// a leaf of this rank.
+  void for_each(
+    const GasField &field,
+    const GasMaterial &material,
+    const std::function<void(unsigned int, const GasState<dim> &)> &take) const;
+
+  /// Values of the points that are nearest to each place, @p n_values for
+  /// each on every rank; @p read gives those of a leaf's point. Collective.
+  std::vector<double> nearest(
+    const unsigned int n_values,
+    const std::function<
+      void(unsigned int leaf, unsigned int point, double *values)> &read) const;
+
+  /// Numbers of the places on leaves of this rank, by leaf.
+  std::vector<unsigned int> local_places() const;
+
 private:
   /// Takes @p place, at relative coordinates @p x of the leaf @p cell.
   void add_place(const unsigned int index,
@@ -50,8 +68,18 @@ private:
   {
     unsigned int index; ///< in the list of places
     unsigned int leaf;
-    std::vector<double> weights; ///< of each point of the leaf
+    unsigned int nearest; ///< point of the leaf
+    /// Points of the leaf that count, with their weights.
+    std::vector<std::pair<unsigned int, double>> weights;
   };
+
+  /// Conserved quantities and burned fraction at each place of this rank,
+  /// [place][component].
+  std::vector<double> conserved(const GasField &field) const;
+  /// The primitive state of a row of these.
+  static GasState<dim> state_of(const double *values,
+                                const GasField &field,
+                                const GasMaterial &material);
 
   MPI_Comm communicator_ = MPI_COMM_SELF;
   std::size_t n_places_ = 0;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/base/simulation.h>
+#include <contrecoup/gas/blast_record.h>
 #include <contrecoup/gas/initial_state.h>
 #include <contrecoup/gas/point_sampler.h>
 #include <contrecoup/gas/reference_solution.h>
@@ -15,8 +16,8 @@
 namespace contrecoup::gas
 {
 /**
- * Gauges at fixed places: what they read now, and the peak overpressure
- * and arrival of the blast at each so far.
+ * Gauges at fixed places: what they read now, and peak overpressure,
+ * impulse, arrival and duration of the blast at each so far.
  */
 template <int dim>
 class ProbeSet
@@ -47,25 +48,27 @@ public:
   /// Pressure, density, velocity and, for mixtures, products of each.
   std::vector<NamedValue> values(const bool has_products) const;
 
-  /// Peak overpressure and arrival of each probe.
-  std::vector<NamedValue> peaks() const;
+  /// What the blast did at each probe, see BlastRecord, and beside it what
+  /// @p reference says where it does.
+  std::vector<NamedValue>
+  measures(const ReferenceSolution<dim> &reference) const;
 
-  /// Their relative errors, where @p reference knows arrivals.
+  /// The relative differences of the two.
   std::vector<NamedValue> errors(const ReferenceSolution<dim> &reference) const;
+
+  /// The two side by side, a line for each probe; empty without reference.
+  std::vector<std::string>
+  comparison(const ReferenceSolution<dim> &reference) const;
 
   /// The peaks so far, for checkpoints.
   void save(std::ostream &stream) const;
   void load(std::istream &stream);
 
 private:
-  /// A front arrives where the pressure rises fastest.
   struct Record
   {
-    double last_time = 0.;     ///< [s]
-    double last_pressure = 0.; ///< [Pa]
-    double peak = 0.;          ///< largest overpressure [Pa]
-    double arrival = 0.;       ///< [s]
-    double steepest = 0.;      ///< fastest rise so far [Pa/s]
+    double last_time = 0.; ///< [s]
+    BlastRecord<double> blast;
   };
 
   std::vector<dealii::Point<dim>> places_;

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <contrecoup/gas/blast_record.h>
 #include <contrecoup/gas/gas_state.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -19,13 +20,6 @@ class GasMaterial;
 
 namespace contrecoup::gas
 {
-/// What a blast wave does first at a point.
-struct ShockArrival
-{
-  double overpressure = 0.; ///< peak pressure above the ambient one [Pa]
-  double time = 0.;         ///< arrival of the shock [s]
-};
-
 /**
  * The solution that a run is measured against, as subsection "Reference"
  * of the parameter file names it. The numbers of the problem come from
@@ -64,8 +58,9 @@ public:
   /// Whether arrival() may be called.
   bool has_arrivals() const;
 
-  /// The exact peak overpressure and arrival time of the shock at @p point.
-  ShockArrival arrival(const dealii::Point<dim> &point) const;
+  /// What the blast does at @p point; zero where the reference has no
+  /// figure.
+  BlastMeasures arrival(const dealii::Point<dim> &point) const;
 
 private:
   void parse_detonation(dealii::ParameterHandler &prm,
@@ -76,7 +71,7 @@ private:
   std::string name_ = "none";
   bool measure_errors_ = true;
   std::function<GasState<dim>(const dealii::Point<dim> &, double)> value_;
-  std::function<ShockArrival(const dealii::Point<dim> &)> arrival_;
+  std::function<BlastMeasures(const dealii::Point<dim> &)> arrival_;
 };
 
 /// The kinds of reference solutions.

@@ -34,6 +34,10 @@ public:
   GasState<dim> value(const dealii::Point<dim> &point) const override;
   double smallest_feature() const override;
   double distance_to_feature(const dealii::Point<dim> &point) const override;
+  std::optional<double> background_pressure() const override
+  {
+    return background_.pressure;
+  }
 
 private:
   struct Region
