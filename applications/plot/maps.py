@@ -67,6 +67,8 @@ def _draw_panel(figure, axis, plane, arrived):
     low, high = low * factor, high * factor
     spread = (plane.quantity in ("peak_overpressure", "impulse")
               and high > 5. * low > 0.)
+    if spread:
+        low = max(low, high / 200.)
     if not high > low:
         high = low + 1.
     image = axis.imshow(values * factor, extent=plane.extent(),

@@ -135,45 +135,73 @@ def open_references(folder):
 
 
 def draw_probes(table, references, path):
-    """Overpressure against time at each probe, one below the other; crosses
-    where references have peak and arrival."""
+    """Overpressure against time at each probe, one below the other, and what
+    references say."""
     names = [name for name in table.names
              if "pressure" in name and "dynamic" not in name]
     if not names:
         return
-    time, time_label = _time_axis(table)
-    time_factor = look.scale_unit("s", np.max(np.abs(table["time"])))[0]
     figure, axes = plt.subplots(len(names), 1, squeeze=False, sharex=True,
                                 figsize=(7., 1.5 * len(names) + 0.8))
     for number, (axis, name) in enumerate(zip(axes[:, 0], names)):
-        over = table[name] - table[name][0]
         probe = name.replace("_pressure", "")
-        known = references.get(probe, {})
-        factor, unit = look.scale_unit("Pa", max(
-            np.max(np.abs(over)), known.get("peak_overpressure", 0.)))
-        colour = look.COLOURS[number % 6]
-        axis.axhline(0., color=look.GREY, linewidth=0.6)
-        axis.fill_between(time, 0., over * factor, color=colour, alpha=0.15,
-                          linewidth=0.)
-        axis.plot(time, over * factor, color=colour)
-        peak = np.argmax(over)
-        axis.annotate(f"{over[peak] * factor:.3g} {unit}",
-                      (time[peak], over[peak] * factor), (6, -4),
-                      textcoords="offset points", fontsize=9)
-        if "peak_overpressure" in known and "arrival" in known:
-            _mark(axis, known["arrival"] * time_factor,
-                  known["peak_overpressure"] * factor, unit)
+        _draw_probe(axis, table, name, references.get(probe, {}),
+                    look.COLOURS[number % 6])
         axis.set_title(probe.replace("_", " "))
-        axis.set_ylabel(unit)
-    axes[-1, 0].set_xlabel(time_label)
+    axes[-1, 0].set_xlabel(_time_axis(table)[1])
     figure.suptitle("Overpressure at the probes"
-                    + "; crosses: reference" * bool(references),
+                    + "; dashed: reference" * bool(references),
                     x=0.01, ha="left")
     look.save(figure, path)
 
 
-def _mark(axis, arrival, peak, unit):
-    axis.plot([arrival], [peak], marker="x", markersize=8,
-              markeredgewidth=1.8, color="black", linestyle="none")
+def _draw_probe(axis, table, name, known, colour):
+    time = _time_axis(table)[0]
+    over = table[name] - table[name][0]
+    factor, unit = look.scale_unit("Pa", max(
+        np.max(np.abs(over)), known.get("peak_overpressure", 0.)))
+    axis.axhline(0., color=look.GREY, linewidth=0.6)
+    axis.fill_between(time, 0., over * factor, color=colour, alpha=0.15,
+                      linewidth=0.)
+    axis.plot(time, over * factor, color=colour)
+    peak = np.argmax(over)
+    axis.annotate(f"{over[peak] * factor:.3g} {unit}",
+                  (time[peak], over[peak] * factor), (14, -4),
+                  textcoords="offset points", fontsize=9)
+    axis.set_ylabel(unit)
+    if "peak_overpressure" in known and "arrival" in known:
+        axis.set_xlim(axis.get_xlim())
+        _draw_reference(axis, known, time[-1] / table["time"][-1], factor,
+                        unit)
+
+
+def _draw_reference(axis, known, time_factor, factor, unit):
+    """A cross at arrival and peak, and Friedlander's curve through them with
+    the reference's duration and impulse."""
+    arrival = known["arrival"] * time_factor
+    peak = known["peak_overpressure"] * factor
+    axis.plot([arrival], [peak], marker="x", markersize=7,
+              markeredgewidth=1.5, color="black", linestyle="none")
     axis.annotate(f"{peak:.3g} {unit}", (arrival, peak), (-8, -4),
                   textcoords="offset points", fontsize=9, ha="right")
+    if known.get("duration", 0.) > 0. and known.get("impulse", 0.) > 0.:
+        decay = _friedlander_decay(
+            known["impulse"] / (known["peak_overpressure"]
+                                * known["duration"]))
+        x = np.linspace(0., 1.5, 300)
+        axis.plot(arrival + x * known["duration"] * time_factor,
+                  peak * (1. - x) * np.exp(-decay * x), color="black",
+                  linestyle="--", linewidth=1.)
+
+
+def _friedlander_decay(part):
+    """The decay b for which (1 - x) exp(-b x) has the integral @p part from 0
+    to 1, by bisection."""
+    low, high = 1e-3, 1e3
+    for _ in range(60):
+        b = np.sqrt(low * high)
+        if (1. - (1. - np.exp(-b)) / b) / b > part:
+            low = b
+        else:
+            high = b
+    return b
