@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/gas/gas_measures.h>
-#include <contrecoup/gas/leaf_metric.h>
+#include <contrecoup/gas/lobatto_metric.h>
 #include <contrecoup/gas/primitive.h>
 #include <contrecoup/gas/radial_nodes.h>
 
@@ -213,17 +213,30 @@ std::vector<NamedValue> gas_totals(const LeafMesh<dim> &mesh,
   const unsigned int nc = field.layout().n_components;
   Totals totals(nc);
   std::optional<LeafMetric<std::max(dim, 2)>> metric;
-  if (!mesh.coarse_mesh().is_axis_aligned())
+  std::optional<LobattoMetric<std::max(dim, 2)>> lobatto_metric;
+  if (!mesh.coarse_mesh().is_axis_aligned() && points.is_galerkin())
+    lobatto_metric.emplace(field.layout().n);
+  else if (!mesh.coarse_mesh().is_axis_aligned())
     metric.emplace(field.layout().n);
   std::visit(
     [&](const auto &gas) {
       for (unsigned int batch = 0; batch < mesh.n_batches(); ++batch)
       {
+        const LeafMetric<std::max(dim, 2)> *shapes = nullptr;
         if constexpr (dim > 1)
+        {
           if (metric)
+          {
             metric->reinit(mesh, batch);
-        add_batch(
-          batch, mesh, points, metric ? &*metric : nullptr, field, gas, totals);
+            shapes = &*metric;
+          }
+          if (lobatto_metric)
+          {
+            lobatto_metric->reinit(mesh, batch);
+            shapes = &*lobatto_metric;
+          }
+        }
+        add_batch(batch, mesh, points, shapes, field, gas, totals);
       }
     },
     material.model());

@@ -15,20 +15,35 @@ namespace
   {
     return (direction + i) % dim;
   }
+
+  std::vector<double> equal_parts(const unsigned int n)
+  {
+    std::vector<double> corners;
+    for (unsigned int i = 0; i <= n; ++i)
+      corners.push_back(double(i) / n);
+    return corners;
+  }
 } // namespace
 
 
 template <int dim>
 LeafMetric<dim>::LeafMetric(const unsigned int n)
-  : n_(n)
-  , n_face_points_(dealii::Utilities::pow(n, dim - 1))
-  , nodes_(dealii::Utilities::pow(n + 1, dim))
-  , areas_(dim * (n + 1) * n_face_points_)
-  , centers_(areas_.size())
-  , volumes_(n * n_face_points_)
+  : LeafMetric(equal_parts(n))
+{}
+
+
+template <int dim>
+LeafMetric<dim>::LeafMetric(const std::vector<double> &corners)
+  : corners_(corners)
+  , n_(corners.size() - 1)
+  , n_face_points_(dealii::Utilities::pow(n_, dim - 1))
+  , nodes_(dealii::Utilities::pow(n_ + 1, dim))
 {
+  areas_.resize(dim * (n_ + 1) * n_face_points_);
+  centers_.resize(areas_.size());
+  volumes_.resize(n_ * n_face_points_);
   for (unsigned int d = 0; d < dim; ++d)
-    node_stride_[d] = dealii::Utilities::pow(n + 1, d);
+    node_stride_[d] = dealii::Utilities::pow(n_ + 1, d);
 }
 
 
@@ -49,16 +64,14 @@ template <int dim>
 void LeafMetric<dim>::place_nodes(const LeafMesh<dim> &mesh,
                                   const unsigned int batch)
 {
-  constexpr unsigned int n_vertices = 1U << dim;
   // Relative to one vertex, so that no digits are lost far from the origin.
-  std::array<Vector, n_vertices> vertices;
   for (unsigned int lane = 0; lane < W; ++lane)
   {
     const auto &cell =
       mesh.cell(std::min(batch * W + lane, mesh.n_owned() - 1));
-    for (unsigned int v = 0; v < n_vertices; ++v)
+    for (unsigned int v = 0; v < vertices_.size(); ++v)
       for (unsigned int d = 0; d < dim; ++d)
-        vertices[v][d][lane] = cell->vertex(v)[d] - cell->vertex(0)[d];
+        vertices_[v][d][lane] = cell->vertex(v)[d] - cell->vertex(0)[d];
     for (unsigned int d = 0; d < dim; ++d)
       origin_[d][lane] = cell->vertex(0)[d];
   }
@@ -66,18 +79,27 @@ void LeafMetric<dim>::place_nodes(const LeafMesh<dim> &mesh,
   {
     std::array<double, dim> x;
     for (unsigned int d = 0; d < dim; ++d)
-      x[d] = double((node / node_stride_[d]) % (n_ + 1)) / n_;
-    nodes_[node] = Vector();
-    for (unsigned int v = 0; v < n_vertices; ++v)
-    {
-      double weight = 1.;
-      for (unsigned int d = 0; d < dim; ++d)
-        weight *= (v >> d) & 1U ? x[d] : 1. - x[d];
-      if (weight != 0.)
-        for (unsigned int d = 0; d < dim; ++d)
-          nodes_[node][d] += vertices[v][d] * weight;
-    }
+      x[d] = corners_[(node / node_stride_[d]) % (n_ + 1)];
+    nodes_[node] = place(x);
   }
+}
+
+
+template <int dim>
+typename LeafMetric<dim>::Vector
+LeafMetric<dim>::place(const std::array<double, dim> &x) const
+{
+  Vector result;
+  for (unsigned int v = 0; v < vertices_.size(); ++v)
+  {
+    double weight = 1.;
+    for (unsigned int d = 0; d < dim; ++d)
+      weight *= (v >> d) & 1U ? x[d] : 1. - x[d];
+    if (weight != 0.)
+      for (unsigned int d = 0; d < dim; ++d)
+        result[d] += vertices_[v][d] * weight;
+  }
+  return result;
 }
 
 

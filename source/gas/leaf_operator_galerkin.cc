@@ -5,6 +5,7 @@
 #include <contrecoup/gas/galerkin_hanging.h>
 #include <contrecoup/gas/galerkin_kernel.h>
 #include <contrecoup/gas/leaf_operator.h>
+#include <contrecoup/gas/mapped_galerkin_kernel.h>
 
 namespace contrecoup::gas
 {
@@ -17,6 +18,13 @@ namespace
                                          const Gas &gas,
                                          const Boundary<dim> &boundary)
   {
+    if constexpr (dim > 1)
+      if (!mesh.coarse_mesh().is_axis_aligned())
+        return std::make_unique<LeafOperator<dim,
+                                             Gas,
+                                             MappedGalerkinKernel<dim, n, Gas>,
+                                             GalerkinHanging<dim, Gas>>>(
+          mesh, layout, scheme, gas, boundary);
     return std::make_unique<LeafOperator<dim,
                                          Gas,
                                          GalerkinKernel<dim, n, Gas>,

@@ -157,10 +157,9 @@ void Scheme::check_mesh(const bool is_axis_aligned) const
   if (is_axis_aligned && gradient_limiter)
     throw InputError("Method/Gradient limiter: for Domain/Mesh = box only "
                      "none is available");
-  if (!is_axis_aligned && kind == Kind::discontinuous_galerkin)
-    throw InputError(
-      "Method/Scheme = discontinuous galerkin needs Domain/Mesh = box; on "
-      "meshes from a generator or a file use finite volume");
+  if (gradient_limiter && kind == Kind::discontinuous_galerkin)
+    throw InputError("Method/Gradient limiter: for Method/Scheme = "
+                     "discontinuous galerkin only none is available");
 }
 
 

@@ -7,6 +7,8 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <vector>
+
 namespace contrecoup::gas
 {
 /**
@@ -63,7 +65,11 @@ public:
     return volumes_[point];
   }
 
-private:
+protected:
+  /// @param corners ends of the subcells along an edge of the cube, from 0
+  /// to 1
+  explicit LeafMetric(const std::vector<double> &corners);
+
   unsigned int face(const unsigned int direction,
                     const unsigned int layer,
                     const unsigned int line) const
@@ -71,24 +77,33 @@ private:
     return (direction * (n_ + 1) + layer) * n_face_points_ + line;
   }
 
+  /// Vertices and the grid of subcell corners.
+  void place_nodes(const LeafMesh<dim> &mesh, const unsigned int batch);
+
+  /// Where the place @p x in the unit cube is, from vertex 0 [m].
+  Vector place(const std::array<double, dim> &x) const;
+
+  dealii::AlignedVector<Vector> areas_;   ///< see face()
+  dealii::AlignedVector<Vector> centers_; ///< see face()
+  dealii::AlignedVector<Number> volumes_;
+  Vector origin_; ///< vertex 0 of each leaf
+
+private:
   /// Node of the grid of subcell corners at the low end of a face.
   unsigned int first_node(const unsigned int direction,
                           const unsigned int layer,
                           const unsigned int line) const;
 
-  void place_nodes(const LeafMesh<dim> &mesh, const unsigned int batch);
   void measure_face(const unsigned int direction,
                     const unsigned int layer,
                     const unsigned int line);
   void measure_volumes();
 
+  std::vector<double> corners_;
   unsigned int n_;
   unsigned int n_face_points_;
   std::array<unsigned int, dim> node_stride_;
-  dealii::AlignedVector<Vector> nodes_;   ///< relative to vertex 0
-  dealii::AlignedVector<Vector> areas_;   ///< see face()
-  dealii::AlignedVector<Vector> centers_; ///< see face()
-  dealii::AlignedVector<Number> volumes_;
-  Vector origin_; ///< vertex 0 of each leaf
+  std::array<Vector, 1U << dim> vertices_; ///< relative to vertex 0
+  dealii::AlignedVector<Vector> nodes_;    ///< likewise
 };
 } // namespace contrecoup::gas

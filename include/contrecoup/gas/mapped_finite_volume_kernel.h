@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include <contrecoup/gas/leaf_kernel.h>
 #include <contrecoup/gas/leaf_metric.h>
+#include <contrecoup/gas/mapped_leaf_kernel.h>
 
 #include <deal.II/base/aligned_vector.h>
 
@@ -24,10 +24,10 @@ namespace contrecoup::gas
  * Without hanging faces.
  */
 template <int dim, typename Gas>
-class MappedFiniteVolumeKernel : private LeafKernel<dim, Gas>
+class MappedFiniteVolumeKernel : private MappedLeafKernel<dim, Gas>
 {
 public:
-  using Base = LeafKernel<dim, Gas>;
+  using Base = MappedLeafKernel<dim, Gas>;
   using Number = typename Base::Number;
   using Values = typename Base::Values;
   using C = Component<dim>;
@@ -54,27 +54,15 @@ private:
   using Base::mesh_;
   using Base::nc;
   using Base::scheme_;
-  static constexpr int ghosts = 2;
+  static constexpr int ghosts = Base::ghosts;
 
   void load(const double *state);
-  void fill_ghosts();
-  void fill_neighbors(const unsigned int face);
-  void fill_boundary_lane(const SpecialFace &special);
-  GasState<dim> primitive_lane(const unsigned int point,
-                               const unsigned int lane) const;
   void limit_gradients();
   void limit_increments(const int i, const unsigned int point);
   void sweep(const unsigned int direction);
   void fill_line(const unsigned int direction, const unsigned int line);
   void reconstruct(const unsigned int direction, const unsigned int line);
   void line_fluxes(const unsigned int direction, const unsigned int line);
-  void mirror_at_walls(const unsigned int direction,
-                       const unsigned int layer,
-                       Values &left,
-                       Values &right) const;
-  Number compression(const unsigned int direction,
-                     const unsigned int layer,
-                     const unsigned int line) const;
   void add_flux_differences(const unsigned int direction,
                             const unsigned int line);
   void finish(const Stage &stage);
@@ -90,34 +78,12 @@ private:
     return line_[i + ghosts];
   }
 
-  /// Primitive state beyond a leaf face, in the layer at @p depth.
-  Values &ghost(const unsigned int face,
-                const unsigned int line,
-                const unsigned int depth)
-  {
-    return ghosts_[(face * ghosts + depth) * layout_.n_face_points + line];
-  }
-  const Values &ghost(const unsigned int face,
-                      const unsigned int line,
-                      const unsigned int depth) const
-  {
-    return ghosts_[(face * ghosts + depth) * layout_.n_face_points + line];
-  }
-
-  /// Velocity component of a cell of the line, -1 to n.
-  const Number &velocity(const unsigned int direction,
-                         const unsigned int line,
-                         const int i,
-                         const unsigned int component) const;
-
   LeafMetric<dim> metric_;
-  std::array<Number, 2 * dim> wall_;        ///< one in lanes with a wall
   dealii::AlignedVector<Number> primitive_; ///< [component][point]
   dealii::AlignedVector<Number> residual_;  ///< [component][point]
   dealii::AlignedVector<Number> factor_;    ///< of gradients, likewise
   dealii::AlignedVector<Number> below_;     ///< room towards the smallest
   dealii::AlignedVector<Number> above_;     ///< and largest neighbour
-  dealii::AlignedVector<Values> ghosts_;    ///< see ghost()
   dealii::AlignedVector<Values> line_;      ///< cells with ghosts
   dealii::AlignedVector<Values> left_;      ///< trace left of each face
   dealii::AlignedVector<Values> right_;     ///< trace right of each face
