@@ -27,19 +27,22 @@ namespace
   {
     const LeafLayout &layout = field.layout();
     const std::size_t next = layout.value(1, 0);
-    for (unsigned int leaf = 0; leaf < mesh.n_owned(); ++leaf)
-    {
-      LeafBox<dim> box;
-      for (unsigned int q = 0; q < layout.n_points; ++q)
+    visit_precision(layout.precision, [&](const auto real) {
+      auto *state = field.state<std::decay_t<decltype(real)>>();
+      for (unsigned int leaf = 0; leaf < mesh.n_owned(); ++leaf)
       {
-        double *u = field.state() + layout.offset(leaf) + layout.value(0, q);
-        if (!(u[Component<dim>::products * next] > 0.))
-          continue;
-        if (box.extents.norm() == 0.)
-          box = leaf_box(mesh, leaf);
-        function(u, next, point_volume(box, points, q));
+        LeafBox<dim> box;
+        for (unsigned int q = 0; q < layout.n_points; ++q)
+        {
+          auto *u = state + layout.offset(leaf) + layout.value(0, q);
+          if (!(u[Component<dim>::products * next] > 0.))
+            continue;
+          if (box.extents.norm() == 0.)
+            box = leaf_box(mesh, leaf);
+          function(u, next, point_volume(box, points, q));
+        }
       }
-    }
+    });
   }
 
   /// The mean pressure of the products, weighted with their mass [Pa].
@@ -57,7 +60,7 @@ namespace
       mesh,
       points,
       field,
-      [&](const double *u, const std::size_t next, const double volume) {
+      [&](const auto *u, const std::size_t next, const double volume) {
         const double products = u[C::products * next];
         if (products < negligible)
           return;
@@ -194,7 +197,7 @@ bool Afterburn::release(const double time,
   for_products(mesh,
                points,
                field,
-               [&](double *u, const std::size_t next, const double volume) {
+               [&](auto *u, const std::size_t next, const double volume) {
                  const double energy = u[C::products * next] * share;
                  u[C::energy * next] += energy;
                  sum += energy * volume;

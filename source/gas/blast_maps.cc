@@ -32,22 +32,6 @@ void BlastMaps<dim>::reinit(const unsigned int n_points,
 }
 
 
-namespace
-{
-  /// A conserved quantity of W leaves from @p leaf on.
-  Lanes<double> load(const GasField &field,
-                     const unsigned int leaf,
-                     const unsigned int component,
-                     const unsigned int point)
-  {
-    Lanes<double> result;
-    result.load(field.state() + field.layout().offset(leaf) +
-                field.layout().value(component, point));
-    return result;
-  }
-} // namespace
-
-
 template <int dim>
 template <typename Gas>
 void BlastMaps<dim>::update_group(const unsigned int group,
@@ -64,7 +48,7 @@ void BlastMaps<dim>::update_group(const unsigned int group,
   {
     std::array<Lanes<double>, nc> u;
     for (unsigned int c = 0; c < nc; ++c)
-      u[c] = load(field, group * W, c, q);
+      u[c] = field.values(group * W, c, q);
     Lanes<double> pressure = to_primitive<dim>(gas, u)[Component<dim>::energy];
     for (unsigned int lane = 0; lane < W && field.burn() != nullptr; ++lane)
       pressure[lane] = field.exerted_pressure(

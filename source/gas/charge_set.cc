@@ -168,21 +168,24 @@ std::vector<std::string> ChargeSet<dim>::fill(const LeafMesh<dim> &mesh,
   }
 
   double fullest = 0.;
-  for (unsigned int leaf = 0; leaf < mesh.n_owned(); ++leaf)
-    for (unsigned int q = 0; q < layout.n_points; ++q)
-    {
-      const double part = filled[std::size_t(leaf) * layout.n_points + q];
-      fullest = std::max(fullest, part);
-      if (part == 0.)
-        continue;
-      double *u = field.state() + layout.offset(leaf) + layout.value(0, q);
-      const std::size_t next = layout.value(1, 0);
-      for (unsigned int c = 0; c < layout.n_components; ++c)
-        u[c * next] *= 1. - part;
-      u[C::density * next] += part * density_;
-      u[C::energy * next] += part * energy_density_;
-      u[C::products * next] += part * density_;
-    }
+  visit_precision(layout.precision, [&](const auto real) {
+    auto *state = field.state<std::decay_t<decltype(real)>>();
+    for (unsigned int leaf = 0; leaf < mesh.n_owned(); ++leaf)
+      for (unsigned int q = 0; q < layout.n_points; ++q)
+      {
+        const double part = filled[std::size_t(leaf) * layout.n_points + q];
+        fullest = std::max(fullest, part);
+        if (part == 0.)
+          continue;
+        auto *u = state + layout.offset(leaf) + layout.value(0, q);
+        const std::size_t next = layout.value(1, 0);
+        for (unsigned int c = 0; c < layout.n_components; ++c)
+          u[c * next] *= 1. - part;
+        u[C::density * next] += part * density_;
+        u[C::energy * next] += part * energy_density_;
+        u[C::products * next] += part * density_;
+      }
+  });
   fullest = dealii::Utilities::MPI::max(fullest, mesh.communicator());
   if (fullest > 1. + 1e-6)
     throw InputError("Charges overlap; their shapes must not have common "

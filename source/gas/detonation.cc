@@ -18,7 +18,7 @@ void Detonation<dim>::reinit(const LeafMesh<dim> &mesh,
                              const LeafPoints<dim> &points,
                              const ChargeSet<dim> &charges)
 {
-  burn_.layout = LeafLayout(dim, points.n(), 1);
+  burn_.layout = LeafLayout(dim, points.n(), 1, mesh.precision());
   burn_.speed = charges.speed();
   burn_.ambient_pressure = charges.ambient_pressure();
   burn_.density = charges.density();
@@ -27,8 +27,8 @@ void Detonation<dim>::reinit(const LeafMesh<dim> &mesh,
   start_.clear();
   start_.resize(n_batches * burn_.layout.batch_size(), long_ago);
   rate_.clear();
-  rate_.resize(std::size_t(n_batches) * W, 1.);
-  burns_.assign(std::size_t(n_batches) * W, 0);
+  rate_.resize(std::size_t(n_batches) * mesh.width(), 1.);
+  burns_.assign(std::size_t(n_batches) * mesh.width(), 0);
   end_ = long_ago;
   for (unsigned int leaf = 0; leaf < mesh.n_owned(); ++leaf)
     set_leaf(leaf, mesh, points, charges);
@@ -37,7 +37,7 @@ void Detonation<dim>::reinit(const LeafMesh<dim> &mesh,
   GhostExchange<dim> exchange;
   exchange.reinit(mesh, burn_.layout);
   exchange.update(start_.data(), rate_.data());
-  const unsigned int first = mesh.n_batches() * W;
+  const unsigned int first = mesh.first_ghost();
   for (unsigned int leaf = first; leaf < first + mesh.n_ghosts(); ++leaf)
     for (unsigned int q = 0; q < burn_.layout.n_points; ++q)
       if (start_[burn_.layout.offset(leaf) + burn_.layout.value(0, q)] >

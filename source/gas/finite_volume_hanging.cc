@@ -8,10 +8,11 @@
 
 namespace contrecoup::gas
 {
-template <int dim, typename Gas>
-FiniteVolumeHanging<dim, Gas>::FiniteVolumeHanging(const LeafLayout &layout,
-                                                   const Scheme &scheme,
-                                                   const Gas &gas)
+template <int dim, typename Gas, typename Real>
+FiniteVolumeHanging<dim, Gas, Real>::FiniteVolumeHanging(
+  const LeafLayout &layout,
+  const Scheme &scheme,
+  const Gas &gas)
   : layout_(layout)
   , scheme_(scheme)
   , gas_(gas)
@@ -37,10 +38,11 @@ FiniteVolumeHanging<dim, Gas>::FiniteVolumeHanging(const LeafLayout &layout,
 }
 
 
-template <int dim, typename Gas>
-void FiniteVolumeHanging<dim, Gas>::compute(const HangingGroup<dim> &group,
-                                            const Stage &stage,
-                                            HangingData<dim> &hanging)
+template <int dim, typename Gas, typename Real>
+void FiniteVolumeHanging<dim, Gas, Real>::compute(
+  const HangingGroup<dim> &group,
+  const BasicStage<Real> &stage,
+  HangingData<dim, Real> &hanging)
 {
   careful_ = stage.careful;
   load(group, stage.in);
@@ -55,9 +57,9 @@ void FiniteVolumeHanging<dim, Gas>::compute(const HangingGroup<dim> &group,
 }
 
 
-template <int dim, typename Gas>
-void FiniteVolumeHanging<dim, Gas>::load(const HangingGroup<dim> &group,
-                                         const double *state)
+template <int dim, typename Gas, typename Real>
+void FiniteVolumeHanging<dim, Gas, Real>::load(const HangingGroup<dim> &group,
+                                               const Real *state)
 {
   const auto gather = [&](const unsigned int *offsets,
                           const unsigned int point) {
@@ -83,16 +85,16 @@ void FiniteVolumeHanging<dim, Gas>::load(const HangingGroup<dim> &group,
 }
 
 
-template <int dim, typename Gas>
-void FiniteVolumeHanging<dim, Gas>::load_progress(
+template <int dim, typename Gas, typename Real>
+void FiniteVolumeHanging<dim, Gas, Real>::load_progress(
   const HangingGroup<dim> &group,
-  const Stage &stage)
+  const BasicStage<Real> &stage)
 {
   burn_ = nullptr;
   if (stage.burn == nullptr)
     return;
   bool any = false;
-  for (unsigned int lane = 0; lane < W; ++lane)
+  for (unsigned int lane = 0; lane < n_lanes<Real>; ++lane)
   {
     any = any || stage.burn->burns[group.coarse_leaf[lane]];
     for (const auto &leaves : group.fine_leaf)
@@ -106,7 +108,7 @@ void FiniteVolumeHanging<dim, Gas>::load_progress(
     const unsigned int coarse = layout_.face_point(group.coarse_face, q, 0);
     const unsigned int fine =
       layout_.face_point(group.match.face, fine_point(group, q), 0);
-    for (unsigned int lane = 0; lane < W; ++lane)
+    for (unsigned int lane = 0; lane < n_lanes<Real>; ++lane)
     {
       coarse_progress_[q][lane] =
         burn_->progress(group.coarse_leaf[lane], coarse, stage.time);
@@ -118,10 +120,10 @@ void FiniteVolumeHanging<dim, Gas>::load_progress(
 }
 
 
-template <int dim, typename Gas>
+template <int dim, typename Gas, typename Real>
 unsigned int
-FiniteVolumeHanging<dim, Gas>::fine_point(const HangingGroup<dim> &group,
-                                          const unsigned int point) const
+FiniteVolumeHanging<dim, Gas, Real>::fine_point(const HangingGroup<dim> &group,
+                                                const unsigned int point) const
 {
   if (dim == 1)
     return 0;
@@ -132,8 +134,8 @@ FiniteVolumeHanging<dim, Gas>::fine_point(const HangingGroup<dim> &group,
 }
 
 
-template <int dim, typename Gas>
-unsigned int FiniteVolumeHanging<dim, Gas>::coarse_point(
+template <int dim, typename Gas, typename Real>
+unsigned int FiniteVolumeHanging<dim, Gas, Real>::coarse_point(
   const unsigned int part,
   const unsigned int fine_point,
   std::array<double, dim == 1 ? 1 : dim - 1> &distance) const
@@ -152,8 +154,8 @@ unsigned int FiniteVolumeHanging<dim, Gas>::coarse_point(
 }
 
 
-template <int dim, typename Gas>
-void FiniteVolumeHanging<dim, Gas>::average_fine_side(
+template <int dim, typename Gas, typename Real>
+void FiniteVolumeHanging<dim, Gas, Real>::average_fine_side(
   const HangingGroup<dim> & /*group*/)
 {
   // A coarse subcell beyond the face holds 2^(dim-1) fine ones in each of
@@ -172,10 +174,11 @@ void FiniteVolumeHanging<dim, Gas>::average_fine_side(
 }
 
 
-template <int dim, typename Gas>
-typename FiniteVolumeHanging<dim, Gas>::Values
-FiniteVolumeHanging<dim, Gas>::tangential_slope(const unsigned int point,
-                                                const unsigned int t) const
+template <int dim, typename Gas, typename Real>
+typename FiniteVolumeHanging<dim, Gas, Real>::Values
+FiniteVolumeHanging<dim, Gas, Real>::tangential_slope(
+  const unsigned int point,
+  const unsigned int t) const
 {
   const unsigned int n = layout_.n;
   Values slope;
@@ -199,8 +202,8 @@ FiniteVolumeHanging<dim, Gas>::tangential_slope(const unsigned int point,
 }
 
 
-template <int dim, typename Gas>
-void FiniteVolumeHanging<dim, Gas>::limit_coarse_slopes()
+template <int dim, typename Gas, typename Real>
+void FiniteVolumeHanging<dim, Gas, Real>::limit_coarse_slopes()
 {
   const Number zero(0.);
   for (unsigned int q = 0; q < layout_.n_face_points; ++q)
@@ -255,11 +258,11 @@ void FiniteVolumeHanging<dim, Gas>::limit_coarse_slopes()
 }
 
 
-template <int dim, typename Gas>
-void FiniteVolumeHanging<dim, Gas>::reconstruct(const unsigned int part,
-                                                const unsigned int point,
-                                                Values &inside,
-                                                Values &outside)
+template <int dim, typename Gas, typename Real>
+void FiniteVolumeHanging<dim, Gas, Real>::reconstruct(const unsigned int part,
+                                                      const unsigned int point,
+                                                      Values &inside,
+                                                      Values &outside)
 {
   std::array<double, dim == 1 ? 1 : dim - 1> distance;
   const unsigned int at = coarse_point(part, point, distance);
@@ -291,9 +294,10 @@ void FiniteVolumeHanging<dim, Gas>::reconstruct(const unsigned int part,
 }
 
 
-template <int dim, typename Gas>
-void FiniteVolumeHanging<dim, Gas>::part_fluxes(const HangingGroup<dim> &group,
-                                                const unsigned int part)
+template <int dim, typename Gas, typename Real>
+void FiniteVolumeHanging<dim, Gas, Real>::part_fluxes(
+  const HangingGroup<dim> &group,
+  const unsigned int part)
 {
   const unsigned int direction = group.coarse_face / 2;
   const bool coarse_is_left = group.coarse_face % 2;
@@ -332,13 +336,14 @@ void FiniteVolumeHanging<dim, Gas>::part_fluxes(const HangingGroup<dim> &group,
 }
 
 
-template <int dim, typename Gas>
-void FiniteVolumeHanging<dim, Gas>::average_fluxes(
+template <int dim, typename Gas, typename Real>
+void FiniteVolumeHanging<dim, Gas, Real>::average_fluxes(
   const HangingGroup<dim> &group)
 {
   const unsigned int n = layout_.n;
   Number inner;
-  inner.load(group.inner_radius.data());
+  for (unsigned int lane = 0; lane < n_lanes<Real>; ++lane)
+    inner[lane] = group.inner_radius[lane];
   std::array<double, dim == 1 ? 1 : dim - 1> distance{};
   for (unsigned int part = 0; part < n_fine; ++part)
     for (unsigned int q = 0; q < layout_.n_face_points; ++q)
@@ -365,16 +370,17 @@ void FiniteVolumeHanging<dim, Gas>::average_fluxes(
 }
 
 
-template <int dim, typename Gas>
-void FiniteVolumeHanging<dim, Gas>::store(const HangingGroup<dim> &group,
-                                          HangingData<dim> &hanging) const
+template <int dim, typename Gas, typename Real>
+void FiniteVolumeHanging<dim, Gas, Real>::store(
+  const HangingGroup<dim> &group,
+  HangingData<dim, Real> &hanging) const
 {
   for (unsigned int lane = 0; lane < group.n_filled; ++lane)
     for (unsigned int c = 0; c < nc; ++c)
     {
       const unsigned int face = group.face[lane];
-      double *coarse_flux = hanging.flux(face, 0, c);
-      double *coarse_halo = hanging.halo(face, 0, c);
+      Real *coarse_flux = hanging.flux(face, 0, c);
+      Real *coarse_halo = hanging.halo(face, 0, c);
       for (unsigned int q = 0; q < layout_.n_face_points; ++q)
       {
         coarse_flux[q] = coarse_flux_[q][c][lane];
@@ -382,8 +388,8 @@ void FiniteVolumeHanging<dim, Gas>::store(const HangingGroup<dim> &group,
       }
       for (unsigned int part = 0; part < n_fine; ++part)
       {
-        double *fine_flux = hanging.flux(face, 1 + part, c);
-        double *fine_halo = hanging.halo(face, 1 + part, c);
+        Real *fine_flux = hanging.flux(face, 1 + part, c);
+        Real *fine_halo = hanging.halo(face, 1 + part, c);
         for (unsigned int q = 0; q < layout_.n_face_points; ++q)
         {
           const unsigned int at = fine_point(group, q);
@@ -398,7 +404,9 @@ void FiniteVolumeHanging<dim, Gas>::store(const HangingGroup<dim> &group,
 template class FiniteVolumeHanging<1, IdealGas>;
 template class FiniteVolumeHanging<2, IdealGas>;
 template class FiniteVolumeHanging<3, IdealGas>;
+template class FiniteVolumeHanging<3, IdealGas, float>;
 template class FiniteVolumeHanging<1, MieGrueneisen>;
 template class FiniteVolumeHanging<2, MieGrueneisen>;
 template class FiniteVolumeHanging<3, MieGrueneisen>;
+template class FiniteVolumeHanging<3, MieGrueneisen, float>;
 } // namespace contrecoup::gas

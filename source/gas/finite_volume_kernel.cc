@@ -21,12 +21,13 @@ namespace
 } // namespace
 
 
-template <int dim, typename Gas>
-FiniteVolumeKernel<dim, Gas>::FiniteVolumeKernel(const LeafMesh<dim> &mesh,
-                                                 const LeafLayout &layout,
-                                                 const Scheme &scheme,
-                                                 const Gas &gas,
-                                                 const Boundary<dim> &boundary)
+template <int dim, typename Gas, typename Real>
+FiniteVolumeKernel<dim, Gas, Real>::FiniteVolumeKernel(
+  const LeafMesh<dim> &mesh,
+  const LeafLayout &layout,
+  const Scheme &scheme,
+  const Gas &gas,
+  const Boundary<dim> &boundary)
   : Base(mesh, layout, scheme, gas, boundary, subcell_centers(layout.n))
   , radial_(radial_exponent(mesh.coarse_mesh().geometry()), layout.n)
   , primitive_(nc * layout.n_points)
@@ -39,16 +40,18 @@ FiniteVolumeKernel<dim, Gas>::FiniteVolumeKernel(const LeafMesh<dim> &mesh,
 {}
 
 
-template <int dim, typename Gas>
-void FiniteVolumeKernel<dim, Gas>::update(const unsigned int batch,
-                                          const Stage &stage,
-                                          const HangingData<dim> &hanging)
+template <int dim, typename Gas, typename Real>
+void FiniteVolumeKernel<dim, Gas, Real>::update(
+  const unsigned int batch,
+  const BasicStage<Real> &stage,
+  const HangingData<dim, Real> &hanging)
 {
   Base::bind(batch, stage);
   load(stage.in);
   residual_.fill(Number(0.));
-  if (!radial_.is_plane())
-    radial_.reinit(mesh_.origins(batch)[0], mesh_.extents(batch)[0]);
+  if constexpr (dim < 3)
+    if (!radial_.is_plane())
+      radial_.reinit(mesh_.origins(batch)[0], mesh_.extents(batch)[0]);
   for (unsigned int direction = 0; direction < dim; ++direction)
     sweep(direction, hanging);
   finish(stage);
@@ -56,14 +59,14 @@ void FiniteVolumeKernel<dim, Gas>::update(const unsigned int batch,
   if (stage.signal_rate != nullptr)
     analyse(batch, stage);
   else
-    Base::sensor_.store(stage.sensor_out + batch * W);
+    Base::sensor_.store(stage.sensor_out + batch * Base::width);
 }
 
 
-template <int dim, typename Gas>
-void FiniteVolumeKernel<dim, Gas>::load(const double *state)
+template <int dim, typename Gas, typename Real>
+void FiniteVolumeKernel<dim, Gas, Real>::load(const Real *state)
 {
-  const double *values = state + batch_ * layout_.batch_size();
+  const Real *values = state + batch_ * layout_.batch_size();
   for (unsigned int q = 0; q < layout_.n_points; ++q)
   {
     Values u;
@@ -76,9 +79,10 @@ void FiniteVolumeKernel<dim, Gas>::load(const double *state)
 }
 
 
-template <int dim, typename Gas>
-void FiniteVolumeKernel<dim, Gas>::sweep(const unsigned int direction,
-                                         const HangingData<dim> &hanging)
+template <int dim, typename Gas, typename Real>
+void FiniteVolumeKernel<dim, Gas, Real>::sweep(
+  const unsigned int direction,
+  const HangingData<dim, Real> &hanging)
 {
   for (unsigned int line = 0; line < layout_.n_face_points; ++line)
   {
@@ -97,9 +101,9 @@ void FiniteVolumeKernel<dim, Gas>::sweep(const unsigned int direction,
 }
 
 
-template <int dim, typename Gas>
-void FiniteVolumeKernel<dim, Gas>::fill_line(const unsigned int direction,
-                                             const unsigned int line)
+template <int dim, typename Gas, typename Real>
+void FiniteVolumeKernel<dim, Gas, Real>::fill_line(const unsigned int direction,
+                                                   const unsigned int line)
 {
   const unsigned int stride = layout_.stride(direction);
   const unsigned int first = layout_.face_point(2 * direction, line, 0);
@@ -114,11 +118,11 @@ void FiniteVolumeKernel<dim, Gas>::fill_line(const unsigned int direction,
 }
 
 
-template <int dim, typename Gas>
-void FiniteVolumeKernel<dim, Gas>::fill_line_ends(
+template <int dim, typename Gas, typename Real>
+void FiniteVolumeKernel<dim, Gas, Real>::fill_line_ends(
   const unsigned int direction,
   const unsigned int line,
-  const HangingData<dim> &hanging)
+  const HangingData<dim, Real> &hanging)
 {
   const int n = layout_.n;
   const unsigned int depth = std::min(1U, layout_.n - 1);
@@ -145,11 +149,11 @@ void FiniteVolumeKernel<dim, Gas>::fill_line_ends(
 }
 
 
-template <int dim, typename Gas>
-void FiniteVolumeKernel<dim, Gas>::fill_ghost_lane(
+template <int dim, typename Gas, typename Real>
+void FiniteVolumeKernel<dim, Gas, Real>::fill_ghost_lane(
   const SpecialFace &special,
   const unsigned int line,
-  const HangingData<dim> &hanging)
+  const HangingData<dim, Real> &hanging)
 {
   const int n = layout_.n;
   const bool high = special.face % 2;
@@ -180,8 +184,8 @@ void FiniteVolumeKernel<dim, Gas>::fill_ghost_lane(
 }
 
 
-template <int dim, typename Gas>
-void FiniteVolumeKernel<dim, Gas>::reconstruct()
+template <int dim, typename Gas, typename Real>
+void FiniteVolumeKernel<dim, Gas, Real>::reconstruct()
 {
   const int n = layout_.n;
   if (!scheme_.linear)
@@ -221,8 +225,9 @@ void FiniteVolumeKernel<dim, Gas>::reconstruct()
 }
 
 
-template <int dim, typename Gas>
-void FiniteVolumeKernel<dim, Gas>::line_fluxes(const unsigned int direction)
+template <int dim, typename Gas, typename Real>
+void FiniteVolumeKernel<dim, Gas, Real>::line_fluxes(
+  const unsigned int direction)
 {
   for (unsigned int f = 0; f <= layout_.n; ++f)
   {
@@ -254,16 +259,16 @@ void FiniteVolumeKernel<dim, Gas>::line_fluxes(const unsigned int direction)
 }
 
 
-template <int dim, typename Gas>
-void FiniteVolumeKernel<dim, Gas>::add_flux_differences(
+template <int dim, typename Gas, typename Real>
+void FiniteVolumeKernel<dim, Gas, Real>::add_flux_differences(
   const unsigned int direction,
   const unsigned int line)
 {
   const unsigned int stride = layout_.stride(direction);
   const unsigned int first = layout_.face_point(2 * direction, line, 0);
-  const bool radial = direction == 0 && !radial_.is_plane();
+  const bool radial = dim < 3 && direction == 0 && !radial_.is_plane();
   const Number inverse_size =
-    Number(layout_.n) / mesh_.extents(batch_)[direction];
+    Number(layout_.n) / mesh_.template extents<Real>(batch_)[direction];
   for (unsigned int i = 0; i < layout_.n; ++i)
     for (unsigned int c = 0; c < nc; ++c)
     {
@@ -275,22 +280,25 @@ void FiniteVolumeKernel<dim, Gas>::add_flux_differences(
         residual += (flux_[i][c] - flux_[i + 1][c]) * inverse_size;
         continue;
       }
-      // The pressure of the cell itself exerts no net force on it.
-      const Number base =
-        c == C::momentum ? Base::exerted_pressure(i, cell(i)) : Number(0.);
-      residual += ((flux_[i][c] - base) * radial_.area(i) -
-                   (flux_[i + 1][c] - base) * radial_.area(i + 1)) *
-                  radial_.inverse_volume(i);
+      if constexpr (dim < 3)
+      {
+        // The pressure of the cell itself exerts no net force on it.
+        const Number base =
+          c == C::momentum ? Base::exerted_pressure(i, cell(i)) : Number(0.);
+        residual += ((flux_[i][c] - base) * radial_.area(i) -
+                     (flux_[i + 1][c] - base) * radial_.area(i + 1)) *
+                    radial_.inverse_volume(i);
+      }
     }
 }
 
 
-template <int dim, typename Gas>
-void FiniteVolumeKernel<dim, Gas>::finish(const Stage &stage)
+template <int dim, typename Gas, typename Real>
+void FiniteVolumeKernel<dim, Gas, Real>::finish(const BasicStage<Real> &stage)
 {
-  const double *in = stage.in + batch_ * layout_.batch_size();
-  const double *start = stage.start + batch_ * layout_.batch_size();
-  double *out = stage.out + batch_ * layout_.batch_size();
+  const Real *in = stage.in + batch_ * layout_.batch_size();
+  const Real *start = stage.start + batch_ * layout_.batch_size();
+  Real *out = stage.out + batch_ * layout_.batch_size();
   Number smallest(1.);
   for (unsigned int q = 0; q < layout_.n_points; ++q)
   {
@@ -312,16 +320,17 @@ void FiniteVolumeKernel<dim, Gas>::finish(const Stage &stage)
   }
   for (unsigned int lane = 0; lane < mesh_.n_filled_lanes(batch_); ++lane)
     if (!(smallest[lane] > 0.))
-      *stage.unphysical_leaf = batch_ * W + lane;
+      *stage.unphysical_leaf = batch_ * Base::width + lane;
   // Padding lanes copy the first, so that they never overflow.
-  for (unsigned int lane = mesh_.n_filled_lanes(batch_); lane < W; ++lane)
-    for (std::size_t i = 0; i < layout_.batch_size(); i += W)
+  for (unsigned int lane = mesh_.n_filled_lanes(batch_); lane < Base::width;
+       ++lane)
+    for (std::size_t i = 0; i < layout_.batch_size(); i += Base::width)
       out[i + lane] = out[i];
 }
 
 
-template <int dim, typename Gas>
-void FiniteVolumeKernel<dim, Gas>::fill_compression(
+template <int dim, typename Gas, typename Real>
+void FiniteVolumeKernel<dim, Gas, Real>::fill_compression(
   const unsigned int direction,
   const unsigned int line)
 {
@@ -339,9 +348,9 @@ void FiniteVolumeKernel<dim, Gas>::fill_compression(
 }
 
 
-template <int dim, typename Gas>
-void FiniteVolumeKernel<dim, Gas>::analyse(const unsigned int batch,
-                                           const Stage &stage)
+template <int dim, typename Gas, typename Real>
+void FiniteVolumeKernel<dim, Gas, Real>::analyse(const unsigned int batch,
+                                                 const BasicStage<Real> &stage)
 {
   // A jump of the pressure by a tenth in compressed gas counts as a shock.
   const double threshold = 0.1;
@@ -362,8 +371,10 @@ void FiniteVolumeKernel<dim, Gas>::analyse(const unsigned int batch,
       primitive_[C::energy * layout_.n_points + q] =
         Base::burn_->pressure(p[C::energy], burned);
     }
-    rate = std::max(
-      rate, signal_rate<dim>(gas_, p, mesh_.extents(batch_), least_speed));
+    rate =
+      std::max(rate,
+               signal_rate<dim>(
+                 gas_, p, mesh_.template extents<Real>(batch_), least_speed));
   }
   Number shock(0.);
   for (unsigned int d = 0; d < dim; ++d)
@@ -380,15 +391,17 @@ void FiniteVolumeKernel<dim, Gas>::analyse(const unsigned int batch,
       }
   }
   shock = select_less(Number(0.), shock, Number(1.), Number(0.));
-  rate.store(stage.signal_rate + batch_ * W);
-  shock.store(stage.sensor_out + batch_ * W);
+  rate.store(stage.signal_rate + batch_ * Base::width);
+  shock.store(stage.sensor_out + batch_ * Base::width);
 }
 
 
 template class FiniteVolumeKernel<1, IdealGas>;
 template class FiniteVolumeKernel<2, IdealGas>;
 template class FiniteVolumeKernel<3, IdealGas>;
+template class FiniteVolumeKernel<3, IdealGas, float>;
 template class FiniteVolumeKernel<1, MieGrueneisen>;
 template class FiniteVolumeKernel<2, MieGrueneisen>;
 template class FiniteVolumeKernel<3, MieGrueneisen>;
+template class FiniteVolumeKernel<3, MieGrueneisen, float>;
 } // namespace contrecoup::gas

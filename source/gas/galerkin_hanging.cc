@@ -9,10 +9,10 @@
 
 namespace contrecoup::gas
 {
-template <int dim, typename Gas>
-GalerkinHanging<dim, Gas>::GalerkinHanging(const LeafLayout &layout,
-                                           const Scheme &scheme,
-                                           const Gas &gas)
+template <int dim, typename Gas, typename Real>
+GalerkinHanging<dim, Gas, Real>::GalerkinHanging(const LeafLayout &layout,
+                                                 const Scheme &scheme,
+                                                 const Gas &gas)
   : layout_(layout)
   , scheme_(scheme)
   , gas_(gas)
@@ -32,11 +32,11 @@ GalerkinHanging<dim, Gas>::GalerkinHanging(const LeafLayout &layout,
 }
 
 
-template <int dim, typename Gas>
-typename GalerkinHanging<dim, Gas>::Values
-GalerkinHanging<dim, Gas>::gather(const double *state,
-                                  const unsigned int *offsets,
-                                  const unsigned int point) const
+template <int dim, typename Gas, typename Real>
+typename GalerkinHanging<dim, Gas, Real>::Values
+GalerkinHanging<dim, Gas, Real>::gather(const Real *state,
+                                        const unsigned int *offsets,
+                                        const unsigned int point) const
 {
   Values u;
   for (unsigned int c = 0; c < nc; ++c)
@@ -45,10 +45,10 @@ GalerkinHanging<dim, Gas>::gather(const double *state,
 }
 
 
-template <int dim, typename Gas>
+template <int dim, typename Gas, typename Real>
 unsigned int
-GalerkinHanging<dim, Gas>::fine_point(const HangingGroup<dim> &group,
-                                      const unsigned int point) const
+GalerkinHanging<dim, Gas, Real>::fine_point(const HangingGroup<dim> &group,
+                                            const unsigned int point) const
 {
   if (dim == 1)
     return 0;
@@ -59,10 +59,10 @@ GalerkinHanging<dim, Gas>::fine_point(const HangingGroup<dim> &group,
 }
 
 
-template <int dim, typename Gas>
-void GalerkinHanging<dim, Gas>::compute(const HangingGroup<dim> &group,
-                                        const Stage &stage,
-                                        HangingData<dim> &hanging)
+template <int dim, typename Gas, typename Real>
+void GalerkinHanging<dim, Gas, Real>::compute(const HangingGroup<dim> &group,
+                                              const BasicStage<Real> &stage,
+                                              HangingData<dim, Real> &hanging)
 {
   for (unsigned int q = 0; q < layout_.n_face_points; ++q)
   {
@@ -109,14 +109,15 @@ void GalerkinHanging<dim, Gas>::compute(const HangingGroup<dim> &group,
 // Along the radius the nodes' areas grow. What the projection, made for equal
 // ones, leaves of the difference between both sides' sums is spread evenly;
 // it vanishes with equal fluxes.
-template <int dim, typename Gas>
-void GalerkinHanging<dim, Gas>::conserve_radially(
+template <int dim, typename Gas, typename Real>
+void GalerkinHanging<dim, Gas, Real>::conserve_radially(
   const HangingGroup<dim> &group,
   const Values &base)
 {
   const unsigned int n = layout_.n;
   Number inner;
-  inner.load(group.inner_radius.data());
+  for (unsigned int lane = 0; lane < n_lanes<Real>; ++lane)
+    inner[lane] = group.inner_radius[lane];
   // In units of the coarse radial edge and of the area at its middle, which
   // holds for infinite radii too.
   const auto area = [&](const unsigned int i,
@@ -152,13 +153,13 @@ void GalerkinHanging<dim, Gas>::conserve_radially(
 }
 
 
-template <int dim, typename Gas>
+template <int dim, typename Gas, typename Real>
 template <typename Matrices>
-void GalerkinHanging<dim, Gas>::apply(const Matrices &matrices,
-                                      const unsigned int part,
-                                      const Values &base,
-                                      const Trace &from,
-                                      Trace &to) const
+void GalerkinHanging<dim, Gas, Real>::apply(const Matrices &matrices,
+                                            const unsigned int part,
+                                            const Values &base,
+                                            const Trace &from,
+                                            Trace &to) const
 {
   const unsigned int n = layout_.n;
   for (unsigned int q = 0; q < layout_.n_face_points; ++q)
@@ -175,8 +176,8 @@ void GalerkinHanging<dim, Gas>::apply(const Matrices &matrices,
 }
 
 
-template <int dim, typename Gas>
-void GalerkinHanging<dim, Gas>::restore_positivity()
+template <int dim, typename Gas, typename Real>
+void GalerkinHanging<dim, Gas, Real>::restore_positivity()
 {
   const Number one(1.);
   Number good(1.);
@@ -203,9 +204,10 @@ void GalerkinHanging<dim, Gas>::restore_positivity()
 }
 
 
-template <int dim, typename Gas>
-void GalerkinHanging<dim, Gas>::part_fluxes(const HangingGroup<dim> &group,
-                                            const unsigned int part)
+template <int dim, typename Gas, typename Real>
+void GalerkinHanging<dim, Gas, Real>::part_fluxes(
+  const HangingGroup<dim> &group,
+  const unsigned int part)
 {
   const unsigned int direction = group.coarse_face / 2;
   const bool coarse_is_left = group.coarse_face % 2;
@@ -231,9 +233,10 @@ void GalerkinHanging<dim, Gas>::part_fluxes(const HangingGroup<dim> &group,
 }
 
 
-template <int dim, typename Gas>
-void GalerkinHanging<dim, Gas>::store(const HangingGroup<dim> &group,
-                                      HangingData<dim> &hanging) const
+template <int dim, typename Gas, typename Real>
+void GalerkinHanging<dim, Gas, Real>::store(
+  const HangingGroup<dim> &group,
+  HangingData<dim, Real> &hanging) const
 {
   for (unsigned int lane = 0; lane < group.n_filled; ++lane)
     for (unsigned int c = 0; c < nc; ++c)
@@ -250,7 +253,9 @@ void GalerkinHanging<dim, Gas>::store(const HangingGroup<dim> &group,
 template class GalerkinHanging<1, IdealGas>;
 template class GalerkinHanging<2, IdealGas>;
 template class GalerkinHanging<3, IdealGas>;
+template class GalerkinHanging<3, IdealGas, float>;
 template class GalerkinHanging<1, MieGrueneisen>;
 template class GalerkinHanging<2, MieGrueneisen>;
 template class GalerkinHanging<3, MieGrueneisen>;
+template class GalerkinHanging<3, MieGrueneisen, float>;
 } // namespace contrecoup::gas

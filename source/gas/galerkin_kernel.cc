@@ -8,12 +8,12 @@
 
 namespace contrecoup::gas
 {
-template <int dim, int n, typename Gas>
-GalerkinKernel<dim, n, Gas>::GalerkinKernel(const LeafMesh<dim> &mesh,
-                                            const LeafLayout &layout,
-                                            const Scheme &scheme,
-                                            const Gas &gas,
-                                            const Boundary<dim> &boundary)
+template <int dim, int n, typename Gas, typename Real>
+GalerkinKernel<dim, n, Gas, Real>::GalerkinKernel(const LeafMesh<dim> &mesh,
+                                                  const LeafLayout &layout,
+                                                  const Scheme &scheme,
+                                                  const Gas &gas,
+                                                  const Boundary<dim> &boundary)
   : Base(mesh, layout, scheme, gas, boundary, LobattoBasis(n).nodes())
   , basis_(n)
   , indicator_(basis_)
@@ -32,16 +32,18 @@ GalerkinKernel<dim, n, Gas>::GalerkinKernel(const LeafMesh<dim> &mesh,
 }
 
 
-template <int dim, int n, typename Gas>
-void GalerkinKernel<dim, n, Gas>::update(const unsigned int batch,
-                                         const Stage &stage,
-                                         const HangingData<dim> &hanging)
+template <int dim, int n, typename Gas, typename Real>
+void GalerkinKernel<dim, n, Gas, Real>::update(
+  const unsigned int batch,
+  const BasicStage<Real> &stage,
+  const HangingData<dim, Real> &hanging)
 {
   Base::bind(batch, stage);
   load(stage.in);
   set_blending();
-  if (!radial_.is_plane())
-    radial_.reinit(mesh_.origins(batch)[0], mesh_.extents(batch)[0]);
+  if constexpr (dim < 3)
+    if (!radial_.is_plane())
+      radial_.reinit(mesh_.origins(batch)[0], mesh_.extents(batch)[0]);
   for (unsigned int c = 0; c < nc; ++c)
     residual_[c].fill(Number(0.));
   for (unsigned int direction = 0; direction < dim; ++direction)
@@ -50,13 +52,13 @@ void GalerkinKernel<dim, n, Gas>::update(const unsigned int batch,
 }
 
 
-template <int dim, int n, typename Gas>
-void GalerkinKernel<dim, n, Gas>::analyse(const unsigned int batch,
-                                          const Stage &stage)
+template <int dim, int n, typename Gas, typename Real>
+void GalerkinKernel<dim, n, Gas, Real>::analyse(const unsigned int batch,
+                                                const BasicStage<Real> &stage)
 {
   batch_ = batch;
   load(stage.out);
-  blending_factor().store(stage.sensor_out + batch * W);
+  blending_factor().store(stage.sensor_out + batch * Base::width);
   if (stage.signal_rate == nullptr)
     return;
   Number rate(0.);
@@ -65,22 +67,23 @@ void GalerkinKernel<dim, n, Gas>::analyse(const unsigned int batch,
     Values p;
     for (unsigned int c = 0; c < nc; ++c)
       p[c] = primitive_[c][q];
-    rate = std::max(rate, signal_rate<dim>(gas_, p, mesh_.extents(batch)));
+    rate = std::max(
+      rate, signal_rate<dim>(gas_, p, mesh_.template extents<Real>(batch)));
   }
-  rate.store(stage.signal_rate + batch * W);
+  rate.store(stage.signal_rate + batch * Base::width);
 }
 
 
-template <int dim, int n, typename Gas>
-void GalerkinKernel<dim, n, Gas>::load(const double *state)
+template <int dim, int n, typename Gas, typename Real>
+void GalerkinKernel<dim, n, Gas, Real>::load(const Real *state)
 {
-  const double *values = state + batch_ * layout_.batch_size();
+  const Real *values = state + batch_ * layout_.batch_size();
   for (unsigned int q = 0; q < n_points; ++q)
   {
     Values u;
     for (unsigned int c = 0; c < nc; ++c)
     {
-      u[c].load(values + (c * n_points + q) * W);
+      u[c].load(values + (c * n_points + q) * Base::width);
       conserved_[c][q] = u[c];
     }
     const Values p = to_primitive<dim>(gas_, u);
@@ -93,8 +96,8 @@ void GalerkinKernel<dim, n, Gas>::load(const double *state)
 }
 
 
-template <int dim, int n, typename Gas>
-void GalerkinKernel<dim, n, Gas>::set_blending()
+template <int dim, int n, typename Gas, typename Real>
+void GalerkinKernel<dim, n, Gas, Real>::set_blending()
 {
   // Half of a neighbour's blending spreads, so that a shock that enters a
   // leaf finds it prepared (Hennemann et al. 2021, eq. 48).
@@ -109,9 +112,10 @@ void GalerkinKernel<dim, n, Gas>::set_blending()
 }
 
 
-template <int dim, int n, typename Gas>
-void GalerkinKernel<dim, n, Gas>::sweep(const unsigned int direction,
-                                        const HangingData<dim> &hanging)
+template <int dim, int n, typename Gas, typename Real>
+void GalerkinKernel<dim, n, Gas, Real>::sweep(
+  const unsigned int direction,
+  const HangingData<dim, Real> &hanging)
 {
   const bool is_radial = direction == 0 && !radial_.is_plane();
   for (unsigned int line = 0; line < n_lines; ++line)
@@ -129,9 +133,9 @@ void GalerkinKernel<dim, n, Gas>::sweep(const unsigned int direction,
 }
 
 
-template <int dim, int n, typename Gas>
-void GalerkinKernel<dim, n, Gas>::load_line(const unsigned int direction,
-                                            const unsigned int line)
+template <int dim, int n, typename Gas, typename Real>
+void GalerkinKernel<dim, n, Gas, Real>::load_line(const unsigned int direction,
+                                                  const unsigned int line)
 {
   const unsigned int stride = layout_.stride(direction);
   const unsigned int first = layout_.face_point(2 * direction, line, 0);
@@ -145,10 +149,11 @@ void GalerkinKernel<dim, n, Gas>::load_line(const unsigned int direction,
 }
 
 
-template <int dim, int n, typename Gas>
-void GalerkinKernel<dim, n, Gas>::end_fluxes(const unsigned int direction,
-                                             const unsigned int line,
-                                             const HangingData<dim> &hanging)
+template <int dim, int n, typename Gas, typename Real>
+void GalerkinKernel<dim, n, Gas, Real>::end_fluxes(
+  const unsigned int direction,
+  const unsigned int line,
+  const HangingData<dim, Real> &hanging)
 {
   std::array<Values, 2> outside;
   for (unsigned int side = 0; side < 2; ++side)
@@ -172,13 +177,13 @@ void GalerkinKernel<dim, n, Gas>::end_fluxes(const unsigned int direction,
 }
 
 
-template <int dim, int n, typename Gas>
-typename GalerkinKernel<dim, n, Gas>::Values
-GalerkinKernel<dim, n, Gas>::end_flux(const unsigned int direction,
-                                      const unsigned int line,
-                                      const bool high,
-                                      const Values &inside,
-                                      const Values &outside)
+template <int dim, int n, typename Gas, typename Real>
+typename GalerkinKernel<dim, n, Gas, Real>::Values
+GalerkinKernel<dim, n, Gas, Real>::end_flux(const unsigned int direction,
+                                            const unsigned int line,
+                                            const bool high,
+                                            const Values &inside,
+                                            const Values &outside)
 {
   const auto here = to_face_state<dim>(gas_, inside);
   const auto there = to_face_state<dim>(gas_, outside);
@@ -202,10 +207,10 @@ GalerkinKernel<dim, n, Gas>::end_flux(const unsigned int direction,
 }
 
 
-template <int dim, int n, typename Gas>
-typename GalerkinKernel<dim, n, Gas>::Number
-GalerkinKernel<dim, n, Gas>::compression(const unsigned int direction,
-                                         const unsigned int point) const
+template <int dim, int n, typename Gas, typename Real>
+typename GalerkinKernel<dim, n, Gas, Real>::Number
+GalerkinKernel<dim, n, Gas, Real>::compression(const unsigned int direction,
+                                               const unsigned int point) const
 {
   return Base::transverse_compression(
     direction, point, [this](const unsigned int t, const unsigned int q) {
@@ -214,8 +219,8 @@ GalerkinKernel<dim, n, Gas>::compression(const unsigned int direction,
 }
 
 
-template <int dim, int n, typename Gas>
-void GalerkinKernel<dim, n, Gas>::volume_terms()
+template <int dim, int n, typename Gas, typename Real>
+void GalerkinKernel<dim, n, Gas, Real>::volume_terms()
 {
   Line flux;
   for (unsigned int i = 0; i < n; ++i)
@@ -242,10 +247,10 @@ void GalerkinKernel<dim, n, Gas>::volume_terms()
 }
 
 
-template <int dim, int n, typename Gas>
-typename GalerkinKernel<dim, n, Gas>::Line
-GalerkinKernel<dim, n, Gas>::subcell_slopes(const unsigned int direction,
-                                            const unsigned int line) const
+template <int dim, int n, typename Gas, typename Real>
+typename GalerkinKernel<dim, n, Gas, Real>::Line
+GalerkinKernel<dim, n, Gas, Real>::subcell_slopes(const unsigned int direction,
+                                                  const unsigned int line) const
 {
   // The nodes beyond the ends; those on the leaf's own end nodes are passed
   // over.
@@ -286,9 +291,10 @@ GalerkinKernel<dim, n, Gas>::subcell_slopes(const unsigned int direction,
 }
 
 
-template <int dim, int n, typename Gas>
-void GalerkinKernel<dim, n, Gas>::subcell_terms(const unsigned int direction,
-                                                const unsigned int line)
+template <int dim, int n, typename Gas, typename Real>
+void GalerkinKernel<dim, n, Gas, Real>::subcell_terms(
+  const unsigned int direction,
+  const unsigned int line)
 {
   const unsigned int stride = layout_.stride(direction);
   const unsigned int first = layout_.face_point(2 * direction, line, 0);
@@ -335,13 +341,14 @@ void GalerkinKernel<dim, n, Gas>::subcell_terms(const unsigned int direction,
 }
 
 
-template <int dim, int n, typename Gas>
-void GalerkinKernel<dim, n, Gas>::add_line(const unsigned int direction,
-                                           const unsigned int line)
+template <int dim, int n, typename Gas, typename Real>
+void GalerkinKernel<dim, n, Gas, Real>::add_line(const unsigned int direction,
+                                                 const unsigned int line)
 {
   const unsigned int stride = layout_.stride(direction);
   const unsigned int first = layout_.face_point(2 * direction, line, 0);
-  const Number inverse = Number(1.) / mesh_.extents(batch_)[direction];
+  const Number inverse =
+    Number(1.) / mesh_.template extents<Real>(batch_)[direction];
   for (unsigned int i = 0; i < n; ++i)
     for (unsigned int c = 0; c < nc; ++c)
       residual_[rotated_component<dim>(c, direction)][first + i * stride] +=
@@ -349,11 +356,11 @@ void GalerkinKernel<dim, n, Gas>::add_line(const unsigned int direction,
 }
 
 
-template <int dim, int n, typename Gas>
-void GalerkinKernel<dim, n, Gas>::finish(const Stage &stage)
+template <int dim, int n, typename Gas, typename Real>
+void GalerkinKernel<dim, n, Gas, Real>::finish(const BasicStage<Real> &stage)
 {
-  const double *start = stage.start + batch_ * layout_.batch_size();
-  double *out = stage.out + batch_ * layout_.batch_size();
+  const Real *start = stage.start + batch_ * layout_.batch_size();
+  Real *out = stage.out + batch_ * layout_.batch_size();
   for (unsigned int c = 0; c < nc; ++c)
     for (unsigned int q = 0; q < n_points; ++q)
     {
@@ -363,27 +370,28 @@ void GalerkinKernel<dim, n, Gas>::finish(const Stage &stage)
       {
         // Written so that a state at rest keeps every bit.
         Number old;
-        old.load(start + (c * n_points + q) * W);
+        old.load(start + (c * n_points + q) * Base::width);
         u += (old - u) * stage.a;
       }
     }
   restore_positivity(stage);
   for (unsigned int c = 0; c < nc; ++c)
     for (unsigned int q = 0; q < n_points; ++q)
-      conserved_[c][q].store(out + (c * n_points + q) * W);
+      conserved_[c][q].store(out + (c * n_points + q) * Base::width);
 
   // Padding lanes copy the first, so that they never overflow.
-  for (unsigned int lane = mesh_.n_filled_lanes(batch_); lane < W; ++lane)
-    for (std::size_t i = 0; i < layout_.batch_size(); i += W)
+  for (unsigned int lane = mesh_.n_filled_lanes(batch_); lane < Base::width;
+       ++lane)
+    for (std::size_t i = 0; i < layout_.batch_size(); i += Base::width)
       out[i + lane] = out[i];
   analyse(batch_, stage);
 }
 
 
-template <int dim, int n, typename Gas>
-void GalerkinKernel<dim, n, Gas>::scale_to_mean(const Values &mean,
-                                                const Number &theta,
-                                                const bool densities_only)
+template <int dim, int n, typename Gas, typename Real>
+void GalerkinKernel<dim, n, Gas, Real>::scale_to_mean(const Values &mean,
+                                                      const Number &theta,
+                                                      const bool densities_only)
 {
   for (unsigned int c = 0; c < nc; ++c)
     if (!densities_only || c == C::density || c == C::products)
@@ -392,15 +400,16 @@ void GalerkinKernel<dim, n, Gas>::scale_to_mean(const Values &mean,
 }
 
 
-template <int dim, int n, typename Gas>
-void GalerkinKernel<dim, n, Gas>::restore_positivity(const Stage &stage)
+template <int dim, int n, typename Gas, typename Real>
+void GalerkinKernel<dim, n, Gas, Real>::restore_positivity(
+  const BasicStage<Real> &stage)
 {
   // How close to the boundary of the admissible set a node may come,
   // relative to the mean.
-  const double margin = 1e-8;
+  const double margin = std::is_same_v<Real, float> ? 1e-5 : 1e-8;
   const Number one(1.), zero(0.);
 
-  Number density(std::numeric_limits<double>::max());
+  Number density(std::numeric_limits<Real>::max());
   Number good(1.);
   for (unsigned int q = 0; q < n_points; ++q)
   {
@@ -417,7 +426,7 @@ void GalerkinKernel<dim, n, Gas>::restore_positivity(const Stage &stage)
   const Number valid = is_admissible<dim>(gas_, average);
   for (unsigned int lane = 0; lane < mesh_.n_filled_lanes(batch_); ++lane)
     if (valid[lane] < 1. || (!scheme_.positivity && good[lane] < 1.))
-      *stage.unphysical_leaf = batch_ * W + lane;
+      *stage.unphysical_leaf = batch_ * Base::width + lane;
 
   const Number least = average[C::density] * margin;
   Number theta = (average[C::density] - least) /
@@ -441,36 +450,42 @@ void GalerkinKernel<dim, n, Gas>::restore_positivity(const Stage &stage)
 }
 
 
-template <int dim, int n, typename Gas>
-typename GalerkinKernel<dim, n, Gas>::Number
-GalerkinKernel<dim, n, Gas>::blending_factor() const
+template <int dim, int n, typename Gas, typename Real>
+typename GalerkinKernel<dim, n, Gas, Real>::Number
+GalerkinKernel<dim, n, Gas, Real>::blending_factor() const
 {
   if (!scheme_.blending)
     return Number(0.);
   std::array<Number, n_points> values;
   for (unsigned int q = 0; q < n_points; ++q)
     values[q] = primitive_[C::density][q] * primitive_[C::energy][q];
+  if constexpr (std::is_same_v<Real, float>)
+  {
+    // Their squares would not fit.
+    Number largest(std::numeric_limits<Real>::min());
+    for (const Number &value : values)
+      largest = std::max(largest, std::abs(value));
+    const Number scale = Number(1.) / largest;
+    for (Number &value : values)
+      value *= scale;
+  }
   return std::min(indicator_.blending_factor(values),
                   Number(scheme_.largest_blending));
 }
 
 
-template class GalerkinKernel<1, 2, IdealGas>;
-template class GalerkinKernel<1, 3, IdealGas>;
-template class GalerkinKernel<1, 4, IdealGas>;
-template class GalerkinKernel<2, 2, IdealGas>;
-template class GalerkinKernel<2, 3, IdealGas>;
-template class GalerkinKernel<2, 4, IdealGas>;
-template class GalerkinKernel<3, 2, IdealGas>;
-template class GalerkinKernel<3, 3, IdealGas>;
-template class GalerkinKernel<3, 4, IdealGas>;
-template class GalerkinKernel<1, 2, MieGrueneisen>;
-template class GalerkinKernel<1, 3, MieGrueneisen>;
-template class GalerkinKernel<1, 4, MieGrueneisen>;
-template class GalerkinKernel<2, 2, MieGrueneisen>;
-template class GalerkinKernel<2, 3, MieGrueneisen>;
-template class GalerkinKernel<2, 4, MieGrueneisen>;
-template class GalerkinKernel<3, 2, MieGrueneisen>;
-template class GalerkinKernel<3, 3, MieGrueneisen>;
-template class GalerkinKernel<3, 4, MieGrueneisen>;
+#define CONTRECOUP_INSTANTIATE(n)                       \
+  template class GalerkinKernel<1, n, IdealGas>;        \
+  template class GalerkinKernel<2, n, IdealGas>;        \
+  template class GalerkinKernel<3, n, IdealGas>;        \
+  template class GalerkinKernel<3, n, IdealGas, float>; \
+  template class GalerkinKernel<1, n, MieGrueneisen>;   \
+  template class GalerkinKernel<2, n, MieGrueneisen>;   \
+  template class GalerkinKernel<3, n, MieGrueneisen>;   \
+  template class GalerkinKernel<3, n, MieGrueneisen, float>
+
+CONTRECOUP_INSTANTIATE(2);
+CONTRECOUP_INSTANTIATE(3);
+CONTRECOUP_INSTANTIATE(4);
+#undef CONTRECOUP_INSTANTIATE
 } // namespace contrecoup::gas

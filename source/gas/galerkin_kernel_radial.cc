@@ -10,8 +10,8 @@ namespace contrecoup::gas
 {
 // Fluxes carry the area r^m; the pressure acts by its differences alone, as
 // r^m dp/dr, so that at rest every term vanishes.
-template <int dim, int n, typename Gas>
-void GalerkinKernel<dim, n, Gas>::radial_volume_terms()
+template <int dim, int n, typename Gas, typename Real>
+void GalerkinKernel<dim, n, Gas, Real>::radial_volume_terms()
 {
   Line flux;
   std::array<Number, n> pressure;
@@ -46,8 +46,8 @@ void GalerkinKernel<dim, n, Gas>::radial_volume_terms()
 }
 
 
-template <int dim, int n, typename Gas>
-void GalerkinKernel<dim, n, Gas>::radial_subcell_terms(
+template <int dim, int n, typename Gas, typename Real>
+void GalerkinKernel<dim, n, Gas, Real>::radial_subcell_terms(
   const std::array<Values, n + 1> &flux)
 {
   const Number blending =
@@ -69,9 +69,9 @@ void GalerkinKernel<dim, n, Gas>::radial_subcell_terms(
 }
 
 
-template <int dim, int n, typename Gas>
-typename GalerkinKernel<dim, n, Gas>::Values
-GalerkinKernel<dim, n, Gas>::mean() const
+template <int dim, int n, typename Gas, typename Real>
+typename GalerkinKernel<dim, n, Gas, Real>::Values
+GalerkinKernel<dim, n, Gas, Real>::mean() const
 {
   if (!radial_.is_plane())
     return radial_mean();
@@ -93,9 +93,9 @@ GalerkinKernel<dim, n, Gas>::mean() const
 }
 
 
-template <int dim, int n, typename Gas>
-typename GalerkinKernel<dim, n, Gas>::Values
-GalerkinKernel<dim, n, Gas>::radial_mean() const
+template <int dim, int n, typename Gas, typename Real>
+typename GalerkinKernel<dim, n, Gas, Real>::Values
+GalerkinKernel<dim, n, Gas, Real>::radial_mean() const
 {
   Values sum;
   sum.fill(Number(0.));
@@ -119,22 +119,18 @@ GalerkinKernel<dim, n, Gas>::radial_mean() const
 }
 
 
-template class GalerkinKernel<1, 2, IdealGas>;
-template class GalerkinKernel<1, 3, IdealGas>;
-template class GalerkinKernel<1, 4, IdealGas>;
-template class GalerkinKernel<2, 2, IdealGas>;
-template class GalerkinKernel<2, 3, IdealGas>;
-template class GalerkinKernel<2, 4, IdealGas>;
-template class GalerkinKernel<3, 2, IdealGas>;
-template class GalerkinKernel<3, 3, IdealGas>;
-template class GalerkinKernel<3, 4, IdealGas>;
-template class GalerkinKernel<1, 2, MieGrueneisen>;
-template class GalerkinKernel<1, 3, MieGrueneisen>;
-template class GalerkinKernel<1, 4, MieGrueneisen>;
-template class GalerkinKernel<2, 2, MieGrueneisen>;
-template class GalerkinKernel<2, 3, MieGrueneisen>;
-template class GalerkinKernel<2, 4, MieGrueneisen>;
-template class GalerkinKernel<3, 2, MieGrueneisen>;
-template class GalerkinKernel<3, 3, MieGrueneisen>;
-template class GalerkinKernel<3, 4, MieGrueneisen>;
+#define CONTRECOUP_INSTANTIATE(n)                       \
+  template class GalerkinKernel<1, n, IdealGas>;        \
+  template class GalerkinKernel<2, n, IdealGas>;        \
+  template class GalerkinKernel<3, n, IdealGas>;        \
+  template class GalerkinKernel<3, n, IdealGas, float>; \
+  template class GalerkinKernel<1, n, MieGrueneisen>;   \
+  template class GalerkinKernel<2, n, MieGrueneisen>;   \
+  template class GalerkinKernel<3, n, MieGrueneisen>;   \
+  template class GalerkinKernel<3, n, MieGrueneisen, float>
+
+CONTRECOUP_INSTANTIATE(2);
+CONTRECOUP_INSTANTIATE(3);
+CONTRECOUP_INSTANTIATE(4);
+#undef CONTRECOUP_INSTANTIATE
 } // namespace contrecoup::gas

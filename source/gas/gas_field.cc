@@ -9,16 +9,34 @@ void GasField::reinit(const LeafLayout &layout, const unsigned int n_batches)
 {
   layout_ = layout;
   burn_ = nullptr;
-  for (auto &copy : copies_)
-  {
-    copy.clear();
-    copy.resize(n_batches * layout.batch_size());
-  }
-  for (auto &sensor : sensors_)
-  {
-    sensor.clear();
-    sensor.resize(std::size_t(n_batches) * W);
-  }
+  visit([&](auto &copies) {
+    for (auto &state : copies.states)
+    {
+      state.clear();
+      state.resize(n_batches * layout.batch_size());
+    }
+    for (auto &sensor : copies.sensors)
+    {
+      sensor.clear();
+      sensor.resize(std::size_t(n_batches) * layout.width);
+    }
+  });
+}
+
+
+void GasField::accept_stage(const unsigned int i)
+{
+  visit([&](auto &copies) {
+    copies.states[0].swap(copies.states[1 + i]);
+    copies.sensors[0].swap(copies.sensors[1 + i]);
+  });
+}
+
+
+double GasField::sensor_of(const unsigned int leaf) const
+{
+  return visit(
+    [&](const auto &copies) -> double { return copies.sensors[0][leaf]; });
 }
 
 
@@ -26,9 +44,11 @@ std::vector<double> GasField::leaf(const unsigned int leaf) const
 {
   std::vector<double> values(std::size_t(layout_.n_components) *
                              layout_.n_points);
-  const double *from = state() + layout_.offset(leaf);
-  for (std::size_t i = 0; i < values.size(); ++i)
-    values[i] = from[i * W];
+  visit([&](const auto &copies) {
+    const auto *from = copies.states[0].data() + layout_.offset(leaf);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      values[i] = from[i * layout_.width];
+  });
   return values;
 }
 
@@ -36,36 +56,40 @@ std::vector<double> GasField::leaf(const unsigned int leaf) const
 void GasField::set_leaf(const unsigned int leaf,
                         const std::vector<double> &values)
 {
-  double *to = state() + layout_.offset(leaf);
-  for (std::size_t i = 0; i < values.size(); ++i)
-    to[i * W] = values[i];
+  visit([&](auto &copies) {
+    auto *to = copies.states[0].data() + layout_.offset(leaf);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      to[i * layout_.width] = values[i];
+  });
 }
 
 
 void GasField::fill_padding(const unsigned int n_owned)
 {
-  const unsigned int n_stored =
-    static_cast<unsigned int>(copies_[0].size() / layout_.batch_size()) * W;
   if (n_owned == 0)
     return;
   const std::vector<double> first = leaf(0);
-  for (unsigned int i = n_owned; i < n_stored; ++i)
-    set_leaf(i, first);
-  // The stages' ghosts and padding are read before they are first written.
-  for (unsigned int i = n_owned; i < n_stored; ++i)
-    for (unsigned int copy = 1; copy < 3; ++copy)
-      for (std::size_t k = 0; k < first.size(); ++k)
-        copies_[copy][layout_.offset(i) + k * W] = first[k];
+  visit([&](auto &copies) {
+    const unsigned int n_stored = copies.sensors[0].size();
+    for (unsigned int i = n_owned; i < n_stored; ++i)
+      // The stages' ghosts and padding are read before they are first
+      // written.
+      for (auto &state : copies.states)
+        for (std::size_t k = 0; k < first.size(); ++k)
+          state[layout_.offset(i) + k * layout_.width] = first[k];
+  });
 }
 
 
 std::size_t GasField::memory() const
 {
-  std::size_t bytes = 0;
-  for (const auto &copy : copies_)
-    bytes += copy.memory_consumption();
-  for (const auto &sensor : sensors_)
-    bytes += sensor.memory_consumption();
-  return bytes;
+  return visit([&](const auto &copies) {
+    std::size_t bytes = 0;
+    for (const auto &state : copies.states)
+      bytes += state.memory_consumption();
+    for (const auto &sensor : copies.sensors)
+      bytes += sensor.memory_consumption();
+    return bytes;
+  });
 }
 } // namespace contrecoup::gas

@@ -131,60 +131,63 @@ namespace
     std::vector<double> largest; ///< -density, density, -pressure, pressure
   };
 
-  /// Volumes of point @p q in the leaves of a batch; zero for padding.
+  /// Volumes of point @p q in W leaves from @p first on; zero where there
+  /// are none.
   template <int dim>
-  Lanes<double> batch_volumes(const unsigned int batch,
-                              const unsigned int q,
-                              const LeafMesh<dim> &mesh,
-                              const LeafPoints<dim> &points)
+  Lanes<double> volumes_from(const unsigned int first,
+                             const unsigned int q,
+                             const LeafMesh<dim> &mesh,
+                             const LeafPoints<dim> &points)
   {
     Lanes<double> volumes(0.);
-    for (unsigned int lane = 0; lane < mesh.n_filled_lanes(batch); ++lane)
+    for (unsigned int lane = 0; lane < W && first + lane < mesh.n_owned();
+         ++lane)
     {
-      const LeafBox<dim> box = leaf_box(mesh, batch * W + lane);
+      const LeafBox<dim> box = leaf_box(mesh, first + lane);
       volumes[lane] = points.volume(box.origin, box.extents, q);
     }
     return volumes;
   }
 
+  /// Adds W leaves from @p first_leaf on, or those of them that exist.
   template <int dim, typename Gas>
-  void add_batch(const unsigned int batch,
-                 const LeafMesh<dim> &mesh,
-                 const LeafPoints<dim> &points,
-                 const LeafMetric<std::max(dim, 2)> *metric,
-                 const GasField &field,
-                 const Gas &gas,
-                 Totals &totals)
+  void add_leaves(const unsigned int first_leaf,
+                  const LeafMesh<dim> &mesh,
+                  const LeafPoints<dim> &points,
+                  const LeafMetric<std::max(dim, 2)> *metric,
+                  const GasField &field,
+                  const Gas &gas,
+                  Totals &totals)
   {
     using Number = Lanes<double>;
     using C = Component<dim>;
     constexpr unsigned int nc = n_conserved<dim, Gas>;
-    const LeafLayout &layout = field.layout();
-    const double *state = field.state() + batch * layout.batch_size();
 
     // In plane geometry the volumes of all points are alike up to a factor.
     const bool is_plane = points.exponent() == 0;
     const double first = points.relative_volume(0);
-    const Number whole = batch_volumes(batch, 0, mesh, points) * (1. / first);
+    const Number whole =
+      volumes_from(first_leaf, 0, mesh, points) * (1. / first);
     std::array<Number, nc + 1> sums;
     sums.fill(Number(0.));
     std::array<Number, 4> largest;
     largest.fill(Number(std::numeric_limits<double>::lowest()));
-    for (unsigned int q = 0; q < layout.n_points; ++q)
+    for (unsigned int q = 0; q < field.layout().n_points; ++q)
     {
-      const Number volume = metric     ? metric->volume(q)
-                            : is_plane ? whole * points.relative_volume(q)
-                                       : batch_volumes(batch, q, mesh, points);
+      const Number volume = metric ? metric->volume(q)
+                            : is_plane
+                              ? whole * points.relative_volume(q)
+                              : volumes_from(first_leaf, q, mesh, points);
       std::array<Number, nc> u;
       for (unsigned int c = 0; c < nc; ++c)
       {
-        u[c].load(state + layout.value(c, q));
+        u[c] = field.values(first_leaf, c, q);
         sums[c] += volume * u[c];
       }
       auto p = to_primitive<dim>(gas, u);
       for (unsigned int lane = 0; lane < W && field.burn() != nullptr; ++lane)
         p[C::energy][lane] = field.exerted_pressure(
-          p[C::energy][lane], field.burned(batch * W + lane, q));
+          p[C::energy][lane], field.burned(first_leaf + lane, q));
       for (unsigned int d = 0; d < dim; ++d)
         sums[nc] += volume * p[C::momentum + d] * u[C::momentum + d] * 0.5;
       largest[0] = std::max(largest[0], Number(-p[C::density]));
@@ -192,7 +195,8 @@ namespace
       largest[2] = std::max(largest[2], Number(-p[C::energy]));
       largest[3] = std::max(largest[3], p[C::energy]);
     }
-    for (unsigned int lane = 0; lane < mesh.n_filled_lanes(batch); ++lane)
+    for (unsigned int lane = 0; lane < W && first_leaf + lane < mesh.n_owned();
+         ++lane)
     {
       for (unsigned int c = 0; c <= nc; ++c)
         totals.sums[c] += sums[c][lane];
@@ -220,23 +224,23 @@ std::vector<NamedValue> gas_totals(const LeafMesh<dim> &mesh,
     metric.emplace(field.layout().n);
   std::visit(
     [&](const auto &gas) {
-      for (unsigned int batch = 0; batch < mesh.n_batches(); ++batch)
+      for (unsigned int leaf = 0; leaf < mesh.n_owned(); leaf += W)
       {
         const LeafMetric<std::max(dim, 2)> *shapes = nullptr;
         if constexpr (dim > 1)
         {
           if (metric)
           {
-            metric->reinit(mesh, batch);
+            metric->reinit(mesh, leaf / W);
             shapes = &*metric;
           }
           if (lobatto_metric)
           {
-            lobatto_metric->reinit(mesh, batch);
+            lobatto_metric->reinit(mesh, leaf / W);
             shapes = &*lobatto_metric;
           }
         }
-        add_batch(batch, mesh, points, shapes, field, gas, totals);
+        add_leaves(leaf, mesh, points, shapes, field, gas, totals);
       }
     },
     material.model());

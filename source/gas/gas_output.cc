@@ -253,7 +253,7 @@ std::string GasOutput<dim>::write_leaves(const std::string &folder,
       for (unsigned int d = 0; d < dim; ++d)
         patch.data(row++, o) = state.velocity[d];
       patch.data(row++, o) = state.pressure;
-      patch.data(row++, o) = field.sensor()[leaf];
+      patch.data(row++, o) = field.sensor_of(leaf);
       patch.data(row++, o) = mesh.cell(leaf)->level();
       if (material.has_products())
         patch.data(row++, o) = state.products;

@@ -69,8 +69,10 @@ void GasSimulation<dim>::parse_parameters(ParameterHandler &prm)
   const Section section(prm, "Time");
   end_time_ = read_double(prm, "End time");
 
-  layout_ =
-    LeafLayout(dim, scheme_.n_points, dim + 2 + (material_.is_ideal() ? 0 : 1));
+  layout_ = LeafLayout(dim,
+                       scheme_.n_points,
+                       dim + 2 + (material_.is_ideal() ? 0 : 1),
+                       scheme_.precision);
   points_ = LeafPoints<dim>(scheme_, coarse_mesh_.geometry());
 }
 
@@ -89,7 +91,7 @@ void GasSimulation<dim>::parse_afterburn(ParameterHandler &prm)
 template <int dim>
 void GasSimulation<dim>::create_octree()
 {
-  mesh_.create(coarse_mesh_);
+  mesh_.create(coarse_mesh_, scheme_.precision);
   operator_ = make_gas_operator(mesh_, layout_, scheme_, material_, boundary_);
   stepper_ = std::make_unique<TimeStepper<dim>>(mesh_, scheme_, *operator_);
   adaptation_ = std::make_unique<Adaptation<dim>>(
@@ -345,7 +347,7 @@ std::vector<NamedValue> GasSimulation<dim>::assumptions()
   // Leaves whose sensor fired: shocked ones, or troubled Galerkin ones.
   double troubled = 0.;
   for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
-    troubled += field_.sensor()[leaf] > 0. ? 1. : 0.;
+    troubled += field_.sensor_of(leaf) > 0. ? 1. : 0.;
   troubled = dealii::Utilities::MPI::sum(troubled, mesh_.communicator());
   std::vector<NamedValue> values = probes_.measures(reference_);
   values.push_back({"troubled_leaves", "-", troubled / mesh_.n_global()});

@@ -35,7 +35,7 @@ void GhostExchange<dim>::reinit(const LeafMesh<dim> &mesh,
     wanted[ghost.owner].push_back(ghost.global_index);
     wanted[ghost.owner].push_back(ghost.faces);
     partners[ghost.owner].rank = ghost.owner;
-    add(partners[ghost.owner], mesh.n_batches() * W + i, ghost.faces);
+    add(partners[ghost.owner], mesh.first_ghost() + i, ghost.faces);
   }
   for (auto &[rank, partner] : partners)
     owners_.push_back(std::move(partner));
@@ -49,6 +49,9 @@ void GhostExchange<dim>::reinit(const LeafMesh<dim> &mesh,
       add(partner, mesh.leaf_of_global(request[i]), request[i + 1]);
     readers_.push_back(std::move(partner));
   }
+  for (auto *partners : {&owners_, &readers_})
+    for (Partner &partner : *partners)
+      partner.buffer.resize(partner.n_values * sizeof(double));
 }
 
 
@@ -59,7 +62,7 @@ void GhostExchange<dim>::add(Partner &partner,
 {
   partner.leaves.push_back(leaf);
   partner.faces.push_back(faces);
-  partner.buffer.resize(partner.buffer.size() + values_of(faces).size() + 1);
+  partner.n_values += values_of(faces).size() + 1;
 }
 
 
@@ -86,15 +89,16 @@ GhostExchange<dim>::values_of(const unsigned char faces)
 
 
 template <int dim>
-void GhostExchange<dim>::update(double *state, double *leaf_values)
+template <typename Real>
+void GhostExchange<dim>::update(Real *state, Real *leaf_values)
 {
   requests_.clear();
   for (Partner &partner : owners_)
   {
     requests_.emplace_back();
     MPI_Irecv(partner.buffer.data(),
-              partner.buffer.size(),
-              MPI_DOUBLE,
+              partner.n_values * sizeof(Real),
+              MPI_BYTE,
               partner.rank,
               message_tag,
               communicator_,
@@ -105,8 +109,8 @@ void GhostExchange<dim>::update(double *state, double *leaf_values)
     pack(partner, state, leaf_values);
     requests_.emplace_back();
     MPI_Isend(partner.buffer.data(),
-              partner.buffer.size(),
-              MPI_DOUBLE,
+              partner.n_values * sizeof(Real),
+              MPI_BYTE,
               partner.rank,
               message_tag,
               communicator_,
@@ -119,14 +123,15 @@ void GhostExchange<dim>::update(double *state, double *leaf_values)
 
 
 template <int dim>
+template <typename Real>
 void GhostExchange<dim>::pack(Partner &partner,
-                              const double *state,
-                              const double *values)
+                              const Real *state,
+                              const Real *values)
 {
-  double *next = partner.buffer.data();
+  Real *next = reinterpret_cast<Real *>(partner.buffer.data());
   for (std::size_t i = 0; i < partner.leaves.size(); ++i)
   {
-    const double *from = state + layout_.offset(partner.leaves[i]);
+    const Real *from = state + layout_.offset(partner.leaves[i]);
     for (const std::size_t position : values_of(partner.faces[i]))
       *next++ = from[position];
     *next++ = values[partner.leaves[i]];
@@ -135,14 +140,15 @@ void GhostExchange<dim>::pack(Partner &partner,
 
 
 template <int dim>
+template <typename Real>
 void GhostExchange<dim>::unpack(const Partner &partner,
-                                double *state,
-                                double *values)
+                                Real *state,
+                                Real *values)
 {
-  const double *next = partner.buffer.data();
+  const Real *next = reinterpret_cast<const Real *>(partner.buffer.data());
   for (std::size_t i = 0; i < partner.leaves.size(); ++i)
   {
-    double *to = state + layout_.offset(partner.leaves[i]);
+    Real *to = state + layout_.offset(partner.leaves[i]);
     for (const std::size_t position : values_of(partner.faces[i]))
       to[position] = *next++;
     values[partner.leaves[i]] = *next++;
@@ -153,4 +159,10 @@ void GhostExchange<dim>::unpack(const Partner &partner,
 template class GhostExchange<1>;
 template class GhostExchange<2>;
 template class GhostExchange<3>;
+template void GhostExchange<1>::update(double *, double *);
+template void GhostExchange<2>::update(double *, double *);
+template void GhostExchange<3>::update(double *, double *);
+template void GhostExchange<1>::update(float *, float *);
+template void GhostExchange<2>::update(float *, float *);
+template void GhostExchange<3>::update(float *, float *);
 } // namespace contrecoup::gas

@@ -78,14 +78,14 @@ std::vector<HangingGroup<dim>> group_hanging_faces(const LeafMesh<dim> &mesh,
   for (const unsigned int index : order)
   {
     const auto &face = faces[index];
-    if (groups.empty() || groups.back().n_filled == W ||
+    if (groups.empty() || groups.back().n_filled == layout.width ||
         groups.back().coarse_face != face.coarse_face ||
         !(groups.back().match == face.match))
     {
       groups.emplace_back();
       groups.back().coarse_face = face.coarse_face;
       groups.back().match = face.match;
-      for (unsigned int lane = 0; lane < W; ++lane)
+      for (unsigned int lane = 0; lane < layout.width; ++lane)
         fill_lane(groups.back(), lane, index, mesh, layout);
     }
     fill_lane(groups.back(), groups.back().n_filled++, index, mesh, layout);

@@ -9,13 +9,13 @@ namespace contrecoup::gas
 {
 namespace
 {
-  using Number = Lanes<double>;
-
   /// The sensor of one batch of leaves after another.
-  template <int dim, typename Gas>
+  template <int dim, typename Gas, typename Real>
   class BatchSensor
   {
   public:
+    using Number = Lanes<Real>;
+
     BatchSensor(const LeafMesh<dim> &mesh,
                 const LeafPoints<dim> &points,
                 const Gas &gas,
@@ -38,17 +38,18 @@ namespace
       {
         std::array<Number, nc> u;
         for (unsigned int c = 0; c < nc; ++c)
-          u[c].load(field_.state() + batch * layout_.batch_size() +
-                    layout_.value(c, q));
+          u[c].load(field_.template state<Real>() +
+                    batch * layout_.batch_size() + layout_.value(c, q));
         store(to_primitive<dim>(gas_, u),
               values_[q],
               values_[q + layout_.n_points]);
-        for (unsigned int lane = 0; lane < W && field_.burn() != nullptr;
+        for (unsigned int lane = 0;
+             lane < n_lanes<Real> && field_.burn() != nullptr;
              ++lane)
         {
-          double &pressure = values_[q + layout_.n_points][lane];
+          Real &pressure = values_[q + layout_.n_points][lane];
           pressure = field_.exerted_pressure(
-            pressure, field_.burned(batch * W + lane, q));
+            pressure, field_.burned(batch * n_lanes<Real> + lane, q));
         }
       }
       Number largest(0.);
@@ -83,15 +84,18 @@ namespace
       const unsigned int depth =
         points_.is_galerkin() ? std::min(1U, layout_.n - 1) : 0;
       const unsigned int point = layout_.face_point(face ^ 1U, line, depth);
-      std::array<unsigned int, W> offset;
-      for (unsigned int lane = 0; lane < W; ++lane)
+      std::array<unsigned int, n_lanes<Real>> offset;
+      for (unsigned int lane = 0; lane < n_lanes<Real>; ++lane)
         offset[lane] = layout_.offset(mesh_.neighbors(batch_, face)[lane]);
       std::array<Number, nc> u;
       for (unsigned int c = 0; c < nc; ++c)
-        u[c].gather(field_.state() + layout_.value(c, point), offset.data());
+        u[c].gather(field_.template state<Real>() + layout_.value(c, point),
+                    offset.data());
       std::array<Number, 2> result;
       store(to_primitive<dim>(gas_, u), result[0], result[1]);
-      for (unsigned int lane = 0; lane < W && field_.burn() != nullptr; ++lane)
+      for (unsigned int lane = 0;
+           lane < n_lanes<Real> && field_.burn() != nullptr;
+           ++lane)
         result[1][lane] = field_.exerted_pressure(
           result[1][lane],
           field_.burned(mesh_.neighbors(batch_, face)[lane], point));
@@ -176,16 +180,21 @@ std::vector<double> jump_sensor(const LeafMesh<dim> &mesh,
                                 const double noise)
 {
   std::vector<double> result(mesh.n_owned());
+  const auto compute = [&](const auto &gas, const auto real) {
+    using Real = kernel_number<dim, std::decay_t<decltype(real)>>;
+    BatchSensor<dim, std::decay_t<decltype(gas)>, Real> sensor(
+      mesh, points, gas, field, noise);
+    for (unsigned int batch = 0; batch < mesh.n_batches(); ++batch)
+    {
+      const auto values = sensor.compute(batch);
+      for (unsigned int lane = 0; lane < mesh.n_filled_lanes(batch); ++lane)
+        result[batch * n_lanes<Real> + lane] = values[lane];
+    }
+  };
   std::visit(
     [&](const auto &gas) {
-      BatchSensor<dim, std::decay_t<decltype(gas)>> sensor(
-        mesh, points, gas, field, noise);
-      for (unsigned int batch = 0; batch < mesh.n_batches(); ++batch)
-      {
-        const Number values = sensor.compute(batch);
-        for (unsigned int lane = 0; lane < mesh.n_filled_lanes(batch); ++lane)
-          result[batch * W + lane] = values[lane];
-      }
+      visit_precision(field.layout().precision,
+                      [&](const auto real) { compute(gas, real); });
     },
     material.model());
   return result;

@@ -9,13 +9,13 @@
 
 namespace contrecoup::gas
 {
-template <int dim, typename Gas>
-LeafKernel<dim, Gas>::LeafKernel(const LeafMesh<dim> &mesh,
-                                 const LeafLayout &layout,
-                                 const Scheme &scheme,
-                                 const Gas &gas,
-                                 const Boundary<dim> &boundary,
-                                 const std::vector<double> &positions)
+template <int dim, typename Gas, typename Real>
+LeafKernel<dim, Gas, Real>::LeafKernel(const LeafMesh<dim> &mesh,
+                                       const LeafLayout &layout,
+                                       const Scheme &scheme,
+                                       const Gas &gas,
+                                       const Boundary<dim> &boundary,
+                                       const std::vector<double> &positions)
   : mesh_(mesh)
   , layout_(layout)
   , scheme_(scheme)
@@ -26,19 +26,20 @@ LeafKernel<dim, Gas>::LeafKernel(const LeafMesh<dim> &mesh,
 {}
 
 
-template <int dim, typename Gas>
-void LeafKernel<dim, Gas>::bind(const unsigned int batch, const Stage &stage)
+template <int dim, typename Gas, typename Real>
+void LeafKernel<dim, Gas, Real>::bind(const unsigned int batch,
+                                      const BasicStage<Real> &stage)
 {
   batch_ = batch;
   time_ = stage.time;
   in_ = stage.in;
   careful_ = stage.careful;
-  sensor_.load(stage.sensor_in + batch * W);
+  sensor_.load(stage.sensor_in + batch * width);
   Number any = sensor_;
   for (unsigned int face = 0; face < 2 * dim; ++face)
   {
-    const auto &neighbors = mesh_.neighbors(batch, face);
-    for (unsigned int lane = 0; lane < W; ++lane)
+    const unsigned int *neighbors = mesh_.neighbors(batch, face);
+    for (unsigned int lane = 0; lane < width; ++lane)
     {
       neighbor_offset_[face][lane] = layout_.offset(neighbors[lane]);
       neighbor_sensor_[face][lane] = stage.sensor_in[neighbors[lane]];
@@ -53,18 +54,18 @@ void LeafKernel<dim, Gas>::bind(const unsigned int batch, const Stage &stage)
 }
 
 
-template <int dim, typename Gas>
-void LeafKernel<dim, Gas>::bind_burn(const unsigned int batch,
-                                     const Stage &stage)
+template <int dim, typename Gas, typename Real>
+void LeafKernel<dim, Gas, Real>::bind_burn(const unsigned int batch,
+                                           const BasicStage<Real> &stage)
 {
   batch_ = batch;
   burn_ = nullptr;
   if (stage.burn == nullptr)
     return;
   bool any = false;
-  for (unsigned int lane = 0; lane < W; ++lane)
+  for (unsigned int lane = 0; lane < width; ++lane)
   {
-    any = any || stage.burn->burns[batch * W + lane];
+    any = any || stage.burn->burns[batch * width + lane];
     for (unsigned int face = 0; face < 2 * dim; ++face)
       any = any || stage.burn->burns[mesh_.neighbors(batch, face)[lane]];
   }
@@ -73,21 +74,21 @@ void LeafKernel<dim, Gas>::bind_burn(const unsigned int batch,
 }
 
 
-template <int dim, typename Gas>
-typename LeafKernel<dim, Gas>::Number
-LeafKernel<dim, Gas>::progress(const unsigned int point,
-                               const double time) const
+template <int dim, typename Gas, typename Real>
+typename LeafKernel<dim, Gas, Real>::Number
+LeafKernel<dim, Gas, Real>::progress(const unsigned int point,
+                                     const double time) const
 {
   Number result;
-  for (unsigned int lane = 0; lane < W; ++lane)
-    result[lane] = burn_->progress(batch_ * W + lane, point, time);
+  for (unsigned int lane = 0; lane < width; ++lane)
+    result[lane] = burn_->progress(batch_ * width + lane, point, time);
   return result;
 }
 
 
-template <int dim, typename Gas>
-void LeafKernel<dim, Gas>::fill_progress(const unsigned int direction,
-                                         const unsigned int line)
+template <int dim, typename Gas, typename Real>
+void LeafKernel<dim, Gas, Real>::fill_progress(const unsigned int direction,
+                                               const unsigned int line)
 {
   for (unsigned int i = 0; i < layout_.n; ++i)
     line_progress_[i + 1] =
@@ -97,14 +98,14 @@ void LeafKernel<dim, Gas>::fill_progress(const unsigned int direction,
 }
 
 
-template <int dim, typename Gas>
-void LeafKernel<dim, Gas>::fill_progress_beyond(const unsigned int face,
-                                                const unsigned int line)
+template <int dim, typename Gas, typename Real>
+void LeafKernel<dim, Gas, Real>::fill_progress_beyond(const unsigned int face,
+                                                      const unsigned int line)
 {
   const unsigned int n = layout_.n;
   Number &beyond = line_progress_[face % 2 ? n + 1 : 0];
   const auto &matches = mesh_.matches(batch_, face);
-  for (unsigned int lane = 0; lane < W; ++lane)
+  for (unsigned int lane = 0; lane < width; ++lane)
   {
     const unsigned int q =
       dim == 1
@@ -129,8 +130,8 @@ void LeafKernel<dim, Gas>::fill_progress_beyond(const unsigned int face,
 }
 
 
-template <int dim, typename Gas>
-void LeafKernel<dim, Gas>::find_open_leaves()
+template <int dim, typename Gas, typename Real>
+void LeafKernel<dim, Gas, Real>::find_open_leaves()
 {
   open_.fill(Number(0.));
   any_open_.fill(false);
@@ -145,11 +146,11 @@ void LeafKernel<dim, Gas>::find_open_leaves()
 }
 
 
-template <int dim, typename Gas>
-void LeafKernel<dim, Gas>::widen_open_flux(const unsigned int direction,
-                                           const Values &left,
-                                           const Values &right,
-                                           Values &flux) const
+template <int dim, typename Gas, typename Real>
+void LeafKernel<dim, Gas, Real>::widen_open_flux(const unsigned int direction,
+                                                 const Values &left,
+                                                 const Values &right,
+                                                 Values &flux) const
 {
   const Values wide =
     to_array<dim, Gas>(numerical_flux(RiemannFlux::rusanov,
@@ -161,10 +162,10 @@ void LeafKernel<dim, Gas>::widen_open_flux(const unsigned int direction,
 }
 
 
-template <int dim, typename Gas>
-typename LeafKernel<dim, Gas>::Values
-LeafKernel<dim, Gas>::neighbor_primitive(const unsigned int face,
-                                         const unsigned int point) const
+template <int dim, typename Gas, typename Real>
+typename LeafKernel<dim, Gas, Real>::Values
+LeafKernel<dim, Gas, Real>::neighbor_primitive(const unsigned int face,
+                                               const unsigned int point) const
 {
   Values u;
   for (unsigned int c = 0; c < nc; ++c)
@@ -173,14 +174,15 @@ LeafKernel<dim, Gas>::neighbor_primitive(const unsigned int face,
 }
 
 
-template <int dim, typename Gas>
-void LeafKernel<dim, Gas>::fill_boundary(const SpecialFace &special,
-                                         const unsigned int line,
-                                         const Values &inside,
-                                         Values &outside) const
+template <int dim, typename Gas, typename Real>
+void LeafKernel<dim, Gas, Real>::fill_boundary(const SpecialFace &special,
+                                               const unsigned int line,
+                                               const Values &inside,
+                                               Values &outside) const
 {
   const unsigned int direction = special.face / 2;
   const unsigned int lane = special.lane;
+  const unsigned int leaf = batch_ * width + lane;
   dealii::Tensor<1, dim> normal;
   normal[direction] = special.face % 2 ? 1. : -1.;
 
@@ -194,8 +196,8 @@ void LeafKernel<dim, Gas>::fill_boundary(const SpecialFace &special,
       position = positions_[q % layout_.n];
       q /= layout_.n;
     }
-    point[d] = mesh_.origins(batch_)[d][lane] +
-               mesh_.extents(batch_)[d][lane] * position;
+    point[d] = mesh_.origins(leaf / W)[d][leaf % W] +
+               mesh_.extents(leaf / W)[d][leaf % W] * position;
   }
 
   GasState<dim> state;
@@ -215,11 +217,11 @@ void LeafKernel<dim, Gas>::fill_boundary(const SpecialFace &special,
 }
 
 
-template <int dim, typename Gas>
-void LeafKernel<dim, Gas>::replace_hanging_fluxes(
+template <int dim, typename Gas, typename Real>
+void LeafKernel<dim, Gas, Real>::replace_hanging_fluxes(
   const unsigned int direction,
   const unsigned int line,
-  const HangingData<dim> &hanging,
+  const HangingData<dim, Real> &hanging,
   Values &low,
   Values &high) const
 {
@@ -232,10 +234,10 @@ void LeafKernel<dim, Gas>::replace_hanging_fluxes(
 }
 
 
-template <int dim, typename Gas>
-typename LeafKernel<dim, Gas>::Number
-LeafKernel<dim, Gas>::neighbor_compression(const unsigned int face,
-                                           const unsigned int line) const
+template <int dim, typename Gas, typename Real>
+typename LeafKernel<dim, Gas, Real>::Number
+LeafKernel<dim, Gas, Real>::neighbor_compression(const unsigned int face,
+                                                 const unsigned int line) const
 {
   const auto velocity = [&](const unsigned int t,
                             const unsigned int q) -> Number {
@@ -250,12 +252,13 @@ LeafKernel<dim, Gas>::neighbor_compression(const unsigned int face,
 }
 
 
-template <int dim, typename Gas>
-typename LeafKernel<dim, Gas>::Number
-LeafKernel<dim, Gas>::gated_shear_factor(const Number &shock,
-                                         const Number &sound_speed,
-                                         const Number &normal_difference,
-                                         const Number &transverse_difference)
+template <int dim, typename Gas, typename Real>
+typename LeafKernel<dim, Gas, Real>::Number
+LeafKernel<dim, Gas, Real>::gated_shear_factor(
+  const Number &shock,
+  const Number &sound_speed,
+  const Number &normal_difference,
+  const Number &transverse_difference)
 {
   return select_less(
     Number(0.),
@@ -268,7 +271,9 @@ LeafKernel<dim, Gas>::gated_shear_factor(const Number &shock,
 template class LeafKernel<1, IdealGas>;
 template class LeafKernel<2, IdealGas>;
 template class LeafKernel<3, IdealGas>;
+template class LeafKernel<3, IdealGas, float>;
 template class LeafKernel<1, MieGrueneisen>;
 template class LeafKernel<2, MieGrueneisen>;
 template class LeafKernel<3, MieGrueneisen>;
+template class LeafKernel<3, MieGrueneisen, float>;
 } // namespace contrecoup::gas

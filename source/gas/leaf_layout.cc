@@ -7,9 +7,13 @@ namespace contrecoup::gas
 {
 LeafLayout::LeafLayout(const unsigned int dim,
                        const unsigned int n,
-                       const unsigned int n_components)
+                       const unsigned int n_components,
+                       const Precision precision)
   : n(n)
   , n_components(n_components)
+  , precision(precision)
+  , width(batch_width(precision))
+  , width_bits(floor_log2(width))
 {
   for (unsigned int d = 0; d < dim; ++d)
     n_points *= n;

@@ -19,8 +19,11 @@ LeafMesh<dim>::LeafMesh(const MPI_Comm communicator)
 
 
 template <int dim>
-void LeafMesh<dim>::create(const CoarseMesh<dim> &coarse_mesh)
+void LeafMesh<dim>::create(const CoarseMesh<dim> &coarse_mesh,
+                           const Precision precision)
 {
+  precision_ = precision;
+  width_ = batch_width(precision);
   coarse_mesh_ = coarse_mesh;
   triangulation_->clear();
   coarse_mesh.create(*triangulation_);
@@ -35,16 +38,16 @@ void LeafMesh<dim>::rebuild()
   hanging_faces_.clear();
   hanging_index_.clear();
   unsorted_special_.clear();
-  neighbors_.resize(n_batches() * 2 * dim);
-  matches_.resize(n_batches() * 2 * dim);
+  neighbors_.resize(lanes_begin(n_batches(), 0));
+  matches_.resize(neighbors_.size());
   // Padding lanes repeat the last leaf's own number: always valid to read.
   for (unsigned int batch = 0; batch < n_batches(); ++batch)
     for (unsigned int face = 0; face < 2 * dim; ++face)
-      for (unsigned int lane = 0; lane < W; ++lane)
+      for (unsigned int lane = 0; lane < width_; ++lane)
       {
-        neighbors_[batch * 2 * dim + face][lane] =
-          std::min(batch * W + lane, n_owned() - 1);
-        matches_[batch * 2 * dim + face][lane] = {
+        neighbors_[lanes_begin(batch, face) + lane] =
+          std::min(batch * width_ + lane, n_owned() - 1);
+        matches_[lanes_begin(batch, face) + lane] = {
           static_cast<unsigned char>(face ^ 1U), 0};
       }
   for (unsigned int leaf = 0; leaf < n_owned(); ++leaf)
@@ -118,9 +121,9 @@ void LeafMesh<dim>::connect_face(const unsigned int leaf,
   if (cell->at_boundary(face) && !periodic)
   {
     unsorted_special_.push_back(
-      {leaf / W,
+      {leaf / width_,
        {SpecialFace::Kind::boundary,
-        static_cast<unsigned char>(leaf % W),
+        static_cast<unsigned char>(leaf % width_),
         static_cast<unsigned char>(face),
         0,
         static_cast<unsigned int>(cell->face(face)->boundary_id())}});
@@ -134,14 +137,12 @@ void LeafMesh<dim>::connect_face(const unsigned int leaf,
     connect_finer(leaf, face, neighbor, periodic);
   else
   {
-    const unsigned int batch = leaf / W;
-    const unsigned int lane = leaf % W;
-    FaceMatch &match = matches_[batch * 2 * dim + face][lane];
+    const std::size_t here = lanes_begin(leaf / width_, face) + leaf % width_;
+    FaceMatch &match = matches_[here];
     if (!periodic)
       match = match_faces<dim>(
         cell, face, neighbor, cell->neighbor_of_neighbor(face));
-    neighbors_[batch * 2 * dim + face][lane] =
-      stored_leaf(neighbor, match.face);
+    neighbors_[here] = stored_leaf(neighbor, match.face);
   }
 }
 
@@ -150,8 +151,8 @@ template <int dim>
 void LeafMesh<dim>::connect_periodic_line()
 {
   const unsigned int last = n_owned() - 1;
-  neighbors_[0][0] = last;
-  neighbors_[(last / W) * 2 * dim + 1][last % W] = 0;
+  neighbors_[0] = last;
+  neighbors_[lanes_begin(last / width_, 1) + last % width_] = 0;
   unsorted_special_.clear();
 }
 
@@ -179,9 +180,9 @@ void LeafMesh<dim>::connect_finer(const unsigned int leaf,
       neighbor->child(face_corner<dim>(match.face, other % 2, other / 2)),
       match.face);
   }
-  unsorted_special_.push_back({leaf / W,
+  unsorted_special_.push_back({leaf / width_,
                                {SpecialFace::Kind::coarse_side,
-                                static_cast<unsigned char>(leaf % W),
+                                static_cast<unsigned char>(leaf % width_),
                                 static_cast<unsigned char>(face),
                                 0,
                                 index}});
@@ -214,9 +215,9 @@ void LeafMesh<dim>::connect_coarser(const unsigned int leaf,
       my_part = part;
   }
   hanging_faces_[index].fine_leaf[my_part] = leaf;
-  unsorted_special_.push_back({leaf / W,
+  unsorted_special_.push_back({leaf / width_,
                                {SpecialFace::Kind::fine_side,
-                                static_cast<unsigned char>(leaf % W),
+                                static_cast<unsigned char>(leaf % width_),
                                 static_cast<unsigned char>(face),
                                 static_cast<unsigned char>(my_part),
                                 index}});
@@ -230,12 +231,12 @@ unsigned int LeafMesh<dim>::stored_leaf(const CellIterator &cell,
   unsigned int &leaf = leaf_of_cell_[cell->active_cell_index()];
   if (leaf == no_leaf)
   {
-    leaf = n_batches() * W + n_ghosts();
+    leaf = first_ghost() + n_ghosts();
     ghosts_.push_back(
       {cell->subdomain_id(), cell->global_active_cell_index(), 0});
   }
-  if (leaf >= n_batches() * W)
-    ghosts_[leaf - n_batches() * W].faces |= 1U << face;
+  if (leaf >= first_ghost())
+    ghosts_[leaf - first_ghost()].faces |= 1U << face;
   return leaf;
 }
 
@@ -286,20 +287,23 @@ void LeafMesh<dim>::sort_special_faces()
 template <int dim>
 void LeafMesh<dim>::set_geometry()
 {
-  extents_.resize(n_batches());
-  origins_.resize(n_batches());
-  for (unsigned int batch = 0; batch < n_batches(); ++batch)
-    for (unsigned int lane = 0; lane < W; ++lane)
+  const bool is_single = precision_ == Precision::single_precision;
+  extents_.resize(first_ghost() / W);
+  origins_.resize(extents_.size());
+  single_extents_.resize(is_single ? n_batches() : 0);
+  for (unsigned int leaf = 0; leaf < first_ghost(); ++leaf)
+  {
+    const auto &cell = cells_[std::min(leaf, n_owned() - 1)];
+    const auto &low = cell->vertex(0);
+    const auto &high = cell->vertex((1U << dim) - 1);
+    for (unsigned int d = 0; d < dim; ++d)
     {
-      const auto &cell = cells_[std::min(batch * W + lane, n_owned() - 1)];
-      const auto &low = cell->vertex(0);
-      const auto &high = cell->vertex((1U << dim) - 1);
-      for (unsigned int d = 0; d < dim; ++d)
-      {
-        origins_[batch][d][lane] = low[d];
-        extents_[batch][d][lane] = high[d] - low[d];
-      }
+      origins_[leaf / W][d][leaf % W] = low[d];
+      extents_[leaf / W][d][leaf % W] = high[d] - low[d];
+      if (is_single)
+        single_extents_[leaf / width_][d][leaf % width_] = high[d] - low[d];
     }
+  }
 }
 
 

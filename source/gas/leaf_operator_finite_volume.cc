@@ -27,11 +27,17 @@ make_finite_volume_operator(const LeafMesh<dim> &mesh,
                          MappedFiniteVolumeKernel<dim, Gas>,
                          FiniteVolumeHanging<dim, Gas>>>(
             mesh, layout, scheme, gas, boundary);
-      return std::make_unique<LeafOperator<dim,
-                                           Gas,
-                                           FiniteVolumeKernel<dim, Gas>,
-                                           FiniteVolumeHanging<dim, Gas>>>(
-        mesh, layout, scheme, gas, boundary);
+      return visit_precision(
+        layout.precision,
+        [&](const auto real) -> std::unique_ptr<GasOperator<dim>> {
+          using Real = kernel_number<dim, std::decay_t<decltype(real)>>;
+          return std::make_unique<
+            LeafOperator<dim,
+                         Gas,
+                         FiniteVolumeKernel<dim, Gas, Real>,
+                         FiniteVolumeHanging<dim, Gas, Real>,
+                         Real>>(mesh, layout, scheme, gas, boundary);
+        });
     },
     material.model());
 }

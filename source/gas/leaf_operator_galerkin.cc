@@ -25,11 +25,17 @@ namespace
                                              MappedGalerkinKernel<dim, n, Gas>,
                                              GalerkinHanging<dim, Gas>>>(
           mesh, layout, scheme, gas, boundary);
-    return std::make_unique<LeafOperator<dim,
-                                         Gas,
-                                         GalerkinKernel<dim, n, Gas>,
-                                         GalerkinHanging<dim, Gas>>>(
-      mesh, layout, scheme, gas, boundary);
+    return visit_precision(
+      layout.precision,
+      [&](const auto real) -> std::unique_ptr<GasOperator<dim>> {
+        using Real = kernel_number<dim, std::decay_t<decltype(real)>>;
+        return std::make_unique<LeafOperator<dim,
+                                             Gas,
+                                             GalerkinKernel<dim, n, Gas, Real>,
+                                             GalerkinHanging<dim, Gas, Real>,
+                                             Real>>(
+          mesh, layout, scheme, gas, boundary);
+      });
   }
 } // namespace
 

@@ -350,8 +350,10 @@ void ReferenceSolution<dim>::parse_detonation(ParameterHandler &prm,
     detonation_field<dim>(solution, initial, material.reference_density());
   const auto front = solution.front();
   arrival_ = [=](const dealii::Point<dim> &point) {
-    return ShockArrival{front.pressure - initial->value(point).pressure,
-                        point.norm() / front.detonation_speed};
+    BlastMeasures measures;
+    measures.peak = front.pressure - initial->value(point).pressure;
+    measures.arrival = point.norm() / front.detonation_speed;
+    return measures;
   };
 }
 

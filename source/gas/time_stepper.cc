@@ -21,7 +21,10 @@ void TimeStepper<dim>::reinit(GasField &field)
 {
   operator_.reinit();
   exchange_.reinit(mesh_, field.layout());
-  signal_rate_.resize(std::size_t(mesh_.n_batches()) * W);
+  precision_ = field.layout().precision;
+  visit_precision(precision_, [&](const auto real) {
+    signal_rates<std::decay_t<decltype(real)>>().resize(mesh_.first_ghost());
+  });
   analyse(field);
 }
 
@@ -29,13 +32,16 @@ void TimeStepper<dim>::reinit(GasField &field)
 template <int dim>
 void TimeStepper<dim>::analyse(GasField &field)
 {
-  Stage stage;
-  stage.out = field.state();
-  stage.sensor_out = field.sensor();
-  stage.signal_rate = signal_rate_.data();
-  stage.burn = field.burn();
-  stage.end_time = field.time();
-  operator_.analyse(stage);
+  visit_precision(precision_, [&](const auto real) {
+    using Real = std::decay_t<decltype(real)>;
+    BasicStage<Real> stage;
+    stage.out = field.state<Real>();
+    stage.sensor_out = field.sensor<Real>();
+    stage.signal_rate = signal_rates<Real>().data();
+    stage.burn = field.burn();
+    stage.end_time = field.time();
+    operator_.analyse(stage);
+  });
 }
 
 
@@ -44,21 +50,22 @@ double TimeStepper<dim>::stable_step() const
 {
   double largest = 0.;
   for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
-    largest = std::max(largest, signal_rate_[leaf]);
+    largest = std::max(largest, signal_rate(leaf));
   largest = dealii::Utilities::MPI::max(largest, mesh_.communicator());
   return scheme_.cfl * scheme_.stability_limit() / largest;
 }
 
 
 template <int dim>
+template <typename Real>
 std::optional<unsigned int> TimeStepper<dim>::try_step(GasField &field,
                                                        const double time,
                                                        const double step,
                                                        const bool careful)
 {
   const auto &stages = scheme_.time_stepping.stages;
-  double *in = field.state();
-  double *sensor = field.sensor();
+  Real *in = field.state<Real>();
+  Real *sensor = field.sensor<Real>();
   unsigned int target = 0;
   unphysical_leaf_ = no_leaf;
   for (unsigned int s = 0; s < stages.size(); ++s)
@@ -68,23 +75,24 @@ std::optional<unsigned int> TimeStepper<dim>::try_step(GasField &field,
       exchange_.update(in, sensor);
     }
     target = s % 2;
-    Stage stage;
-    stage.start = field.state();
+    BasicStage<Real> stage;
+    stage.start = field.state<Real>();
     stage.in = in;
-    stage.out = field.stage(target);
+    stage.out = field.stage<Real>(target);
     stage.a = stages[s].initial_weight;
     stage.step = step;
     stage.time = time + stages[s].time * step;
     stage.end_time = time + step;
     stage.burn = field.burn();
     stage.sensor_in = sensor;
-    stage.sensor_out = field.stage_sensor(target);
-    stage.signal_rate = s + 1 == stages.size() ? signal_rate_.data() : nullptr;
+    stage.sensor_out = field.stage_sensor<Real>(target);
+    stage.signal_rate =
+      s + 1 == stages.size() ? signal_rates<Real>().data() : nullptr;
     stage.careful = careful;
     stage.unphysical_leaf = &unphysical_leaf_;
     operator_.apply(stage);
-    in = field.stage(target);
-    sensor = field.stage_sensor(target);
+    in = field.stage<Real>(target);
+    sensor = field.stage_sensor<Real>(target);
   }
   // One agreement for all stages: later ones of a bad step do no harm.
   const bool is_bad = unphysical_leaf_ != no_leaf;
@@ -98,15 +106,21 @@ template <int dim>
 typename TimeStepper<dim>::Result
 TimeStepper<dim>::advance(GasField &field, const double time, const double step)
 {
+  const auto try_once = [&](const double length, const bool careful) {
+    return visit_precision(precision_, [&](const auto real) {
+      return try_step<std::decay_t<decltype(real)>>(
+        field, time, length, careful);
+    });
+  };
   Result result;
   result.step = step;
   for (;;)
   {
     // First as accurate as the scheme is, then bounded, then shorter.
-    auto target = try_step(field, time, result.step, false);
+    auto target = try_once(result.step, false);
     result.careful = !target && can_be_careful();
     if (result.careful)
-      target = try_step(field, time, result.step, true);
+      target = try_once(result.step, true);
     if (target)
     {
       field.accept_stage(*target);

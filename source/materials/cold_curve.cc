@@ -20,7 +20,7 @@ ColdCurve ColdCurve::stiffened_gas(const double gamma,
 {
   ColdCurve curve;
   curve.p_infinity_ = p_infinity;
-  curve.dilute_density_ = std::numeric_limits<double>::max();
+  curve.dilute_density_ = std::numeric_limits<float>::max();
   curve.omega_alone_ = gamma - 1.;
   curve.inverse_omega_alone_ = 1. / curve.omega_alone_;
   curve.specific_heat_alone_ = gas_constant / curve.omega_alone_;

@@ -26,6 +26,10 @@ blast_refuses(unknown_dimension "Domain/Dimension" FILE ${_sod}
   SET "Domain/Dimension=4")
 blast_refuses(inconsistent_dimension "Domain/" FILE ${_sod}
   SET "Domain/Dimension=3")
+blast_refuses(single_precision_1d "Method/Precision = single" FILE ${_sod}
+  SET "Method/Precision=single")
+blast_refuses(single_precision_mapped "Method/Precision = single"
+  FILE blast/verification/mapped_ball.prm SET "Method/Precision=single")
 blast_refuses(empty_box "Domain/Upper corner" FILE ${_sod}
   SET "Domain/Upper corner=-1")
 blast_refuses(huge_mesh "of memory" FILE ${_sod}

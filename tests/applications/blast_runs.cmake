@@ -39,6 +39,12 @@ contrecoup_add_application_test(resume_maps resume ${_quickstart}
   fields/gauges_plane_1_impulse.npy fields/plane_y_0_peak_overpressure.npy
   fields/plane_y_0_impulse.npy fields/plane_y_0_arrival.npy STOP_AFTER 7
   TIMEOUT 120)
+contrecoup_add_application_test(ranks_single ranks ${_quickstart}
+  SET ${_short} "Method/Precision=single"
+  COMPARE history.csv TOLERANCE "-r 1e-7 -a 1e-9:5-7" TIMEOUT 120)
+contrecoup_add_application_test(resume_single resume ${_quickstart}
+  SET ${_short} "Method/Precision=single" ${_gauges} ${_tables}
+  fields/plane_y_0_impulse.npy STOP_AFTER 7 TIMEOUT 120)
 contrecoup_add_application_test(sigterm_quickstart sigterm ${_quickstart}
   SET ${_short} "Time/Largest number of steps=60" ${_tables} TIMEOUT 120)
 contrecoup_add_application_test(full_disk disk ${_quickstart}

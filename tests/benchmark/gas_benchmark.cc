@@ -29,6 +29,7 @@ const Settings galerkin_2 = {{"Method/Scheme", "discontinuous galerkin"},
 const Settings finite_volume = {{"Method/Scheme", "finite volume"},
                                 {"Method/Subcells", "8"},
                                 {"Domain/Coarse leaves", "16, 16, 16"}};
+const Settings single = {{"Method/Precision", "single"}};
 const Settings jwl = {{"Material/Equation of state", "jwl in air"}};
 const Settings slab = {{"Initial state/Expression/Pressure",
                         "1e5 * (1 + 4 * (abs(x + 0.3*y - 0.65) < 0.1))"}};
@@ -155,16 +156,23 @@ void measure_one_rank()
 {
   const char *const unknowns = "unknown-updates/(s core) per stage";
   const char *const cells = "cell-updates/(s core) per stage";
-  print("gas_dg3_clean", measure(galerkin_3).unknowns_per_second, unknowns);
+  const double dg3 = measure(galerkin_3).unknowns_per_second;
+  const double dg3_single = measure(galerkin_3 + single).unknowns_per_second;
+  print("gas_dg3_clean", dg3, unknowns);
+  print("gas_dg3_single", dg3_single, unknowns);
   const Throughput troubled = measure(galerkin_3 + slab);
   print("gas_dg3_troubled", troubled.unknowns_per_second, unknowns);
   print("gas_dg3_troubled_share", troubled.troubled, "-");
   print("gas_dg2_clean", measure(galerkin_2).unknowns_per_second, unknowns);
   const Throughput ideal = measure(finite_volume);
+  const double single_cells =
+    measure(finite_volume + single).unknowns_per_second / ideal.components;
   const Throughput mixture = measure(finite_volume + jwl);
   const double ideal_cells = ideal.unknowns_per_second / ideal.components;
   const double jwl_cells = mixture.unknowns_per_second / mixture.components;
   print("gas_fv2", ideal_cells, cells);
+  print("gas_fv2_single", single_cells, cells);
+  print("gas_single_over_double", single_cells / ideal_cells, "speed ratio");
   print("gas_fv2_adaptive", measure_adaptive(), cells);
   print("gas_jwl_over_ideal", ideal_cells / jwl_cells, "time ratio");
 }

@@ -65,11 +65,13 @@ public:
                                            scheme.kind ==
                                              Scheme::Kind::finite_volume,
                                            coarse_mesh.is_axis_aligned());
-    layout =
-      LeafLayout(dim, scheme.n_points, dim + 2 + (material.is_ideal() ? 0 : 1));
+    layout = LeafLayout(dim,
+                        scheme.n_points,
+                        dim + 2 + (material.is_ideal() ? 0 : 1),
+                        scheme.precision);
     points = LeafPoints<dim>(scheme, coarse_mesh.geometry());
 
-    mesh.create(coarse_mesh);
+    mesh.create(coarse_mesh, scheme.precision);
     mesh.triangulation().refine_global(coarse_mesh.initial_refinement());
     mesh.rebuild();
     gas_operator = make_gas_operator(mesh, layout, scheme, material, boundary);

@@ -18,11 +18,11 @@ namespace contrecoup::gas
  * face, from a linear reconstruction on both sides; the coarse side gets
  * the mean of the fluxes over its face's area, so that nothing is lost.
  */
-template <int dim, typename Gas>
+template <int dim, typename Gas, typename Real = double>
 class FiniteVolumeHanging
 {
 public:
-  using Number = Lanes<double>;
+  using Number = Lanes<Real>;
   static constexpr unsigned int nc = n_conserved<dim, Gas>;
   using Values = std::array<Number, nc>;
   using C = Component<dim>;
@@ -32,14 +32,15 @@ public:
                       const Gas &gas);
 
   void compute(const HangingGroup<dim> &group,
-               const Stage &stage,
-               HangingData<dim> &hanging);
+               const BasicStage<Real> &stage,
+               HangingData<dim, Real> &hanging);
 
 private:
   static constexpr unsigned int n_fine = HangingFace<dim>::n_fine;
 
-  void load(const HangingGroup<dim> &group, const double *state);
-  void load_progress(const HangingGroup<dim> &group, const Stage &stage);
+  void load(const HangingGroup<dim> &group, const Real *state);
+  void load_progress(const HangingGroup<dim> &group,
+                     const BasicStage<Real> &stage);
   void average_fine_side(const HangingGroup<dim> &group);
   /// Slopes of the coarse subcells, zero where the subcell's own parts
   /// would not all be admissible: then no trace holds more than twice what
@@ -53,7 +54,8 @@ private:
                    Values &outside);
   void part_fluxes(const HangingGroup<dim> &group, const unsigned int part);
   void average_fluxes(const HangingGroup<dim> &group);
-  void store(const HangingGroup<dim> &group, HangingData<dim> &hanging) const;
+  void store(const HangingGroup<dim> &group,
+             HangingData<dim, Real> &hanging) const;
 
   /// Slope of the coarse values along face coordinate @p t at a point,
   /// from the neighbours on the same leaf.

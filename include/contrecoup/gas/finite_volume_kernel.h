@@ -17,11 +17,11 @@ namespace contrecoup::gas
  * sum of the fluxes. Reads two layers of the neighbours; writes its own
  * leaves only.
  */
-template <int dim, typename Gas>
-class FiniteVolumeKernel : private LeafKernel<dim, Gas>
+template <int dim, typename Gas, typename Real = double>
+class FiniteVolumeKernel : private LeafKernel<dim, Gas, Real>
 {
 public:
-  using Base = LeafKernel<dim, Gas>;
+  using Base = LeafKernel<dim, Gas, Real>;
   using Number = typename Base::Number;
   using Values = typename Base::Values;
   using C = Component<dim>;
@@ -34,11 +34,11 @@ public:
 
   /// Does @p stage on the leaves of @p batch.
   void update(const unsigned int batch,
-              const Stage &stage,
-              const HangingData<dim> &hanging);
+              const BasicStage<Real> &stage,
+              const HangingData<dim, Real> &hanging);
 
   /// Computes only sensor and signal rate of the state stage.out.
-  void analyse(const unsigned int batch, const Stage &stage);
+  void analyse(const unsigned int batch, const BasicStage<Real> &stage);
 
 private:
   using Base::batch_;
@@ -49,21 +49,22 @@ private:
   using Base::scheme_;
   static constexpr int ghosts = 2;
 
-  void load(const double *state);
-  void sweep(const unsigned int direction, const HangingData<dim> &hanging);
+  void load(const Real *state);
+  void sweep(const unsigned int direction,
+             const HangingData<dim, Real> &hanging);
   void fill_line(const unsigned int direction, const unsigned int line);
   void fill_line_ends(const unsigned int direction,
                       const unsigned int line,
-                      const HangingData<dim> &hanging);
+                      const HangingData<dim, Real> &hanging);
   void fill_ghost_lane(const SpecialFace &special,
                        const unsigned int line,
-                       const HangingData<dim> &hanging);
+                       const HangingData<dim, Real> &hanging);
   void fill_compression(const unsigned int direction, const unsigned int line);
   void reconstruct();
   void line_fluxes(const unsigned int direction);
   void add_flux_differences(const unsigned int direction,
                             const unsigned int line);
-  void finish(const Stage &stage);
+  void finish(const BasicStage<Real> &stage);
 
   /// Cells of the line from -2 to n + 1, velocity in the frame of the line.
   Values &cell(const int i)

@@ -20,11 +20,11 @@ namespace contrecoup::gas
  * projection given to the coarse side (Kopriva 1996), which keeps the
  * integral.
  */
-template <int dim, typename Gas>
+template <int dim, typename Gas, typename Real = double>
 class GalerkinHanging
 {
 public:
-  using Number = Lanes<double>;
+  using Number = Lanes<Real>;
   static constexpr unsigned int nc = n_conserved<dim, Gas>;
   using Values = std::array<Number, nc>;
 
@@ -33,20 +33,21 @@ public:
                   const Gas &gas);
 
   void compute(const HangingGroup<dim> &group,
-               const Stage &stage,
-               HangingData<dim> &hanging);
+               const BasicStage<Real> &stage,
+               HangingData<dim, Real> &hanging);
 
 private:
   static constexpr unsigned int n_fine = HangingFace<dim>::n_fine;
   using Trace = dealii::AlignedVector<Values>;
 
-  Values gather(const double *state,
+  Values gather(const Real *state,
                 const unsigned int *offsets,
                 const unsigned int point) const;
   void restore_positivity();
   void part_fluxes(const HangingGroup<dim> &group, const unsigned int part);
   void conserve_radially(const HangingGroup<dim> &group, const Values &base);
-  void store(const HangingGroup<dim> &group, HangingData<dim> &hanging) const;
+  void store(const HangingGroup<dim> &group,
+             HangingData<dim, Real> &hanging) const;
   unsigned int fine_point(const HangingGroup<dim> &group,
                           const unsigned int point) const;
   /// Adds to @p to the difference of @p from and @p base after the matrix of

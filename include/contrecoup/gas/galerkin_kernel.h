@@ -24,11 +24,11 @@ namespace contrecoup::gas
  * In curvilinear geometry nodes stand for the volumes of radial_jacobian(),
  * and along the radius leaves next to the axis are finite volumes alone.
  */
-template <int dim, int n, typename Gas>
-class GalerkinKernel : private LeafKernel<dim, Gas>
+template <int dim, int n, typename Gas, typename Real = double>
+class GalerkinKernel : private LeafKernel<dim, Gas, Real>
 {
 public:
-  using Base = LeafKernel<dim, Gas>;
+  using Base = LeafKernel<dim, Gas, Real>;
   using Number = typename Base::Number;
   using Values = typename Base::Values;
   using C = Component<dim>;
@@ -41,11 +41,11 @@ public:
 
   /// Does @p stage on the leaves of @p batch.
   void update(const unsigned int batch,
-              const Stage &stage,
-              const HangingData<dim> &hanging);
+              const BasicStage<Real> &stage,
+              const HangingData<dim, Real> &hanging);
 
   /// Computes only sensor and signal rate of the state stage.out.
-  void analyse(const unsigned int batch, const Stage &stage);
+  void analyse(const unsigned int batch, const BasicStage<Real> &stage);
 
 private:
   using Base::batch_;
@@ -58,13 +58,14 @@ private:
   static constexpr unsigned int n_lines = n_points / n;
   using Line = std::array<Values, n>;
 
-  void load(const double *state);
+  void load(const Real *state);
   void set_blending();
-  void sweep(const unsigned int direction, const HangingData<dim> &hanging);
+  void sweep(const unsigned int direction,
+             const HangingData<dim, Real> &hanging);
   void load_line(const unsigned int direction, const unsigned int line);
   void end_fluxes(const unsigned int direction,
                   const unsigned int line,
-                  const HangingData<dim> &hanging);
+                  const HangingData<dim, Real> &hanging);
   Values end_flux(const unsigned int direction,
                   const unsigned int line,
                   const bool high,
@@ -79,8 +80,8 @@ private:
   Number compression(const unsigned int direction,
                      const unsigned int point) const;
   void add_line(const unsigned int direction, const unsigned int line);
-  void finish(const Stage &stage);
-  void restore_positivity(const Stage &stage);
+  void finish(const BasicStage<Real> &stage);
+  void restore_positivity(const BasicStage<Real> &stage);
   Values mean() const;
   Values radial_mean() const;
   void scale_to_mean(const Values &mean,

@@ -10,13 +10,17 @@
 #include <deal.II/base/aligned_vector.h>
 
 #include <array>
+#include <tuple>
 #include <vector>
 
 namespace contrecoup::gas
 {
-/// The conserved quantities of all leaves of this rank and its ghosts, in
-/// the three copies that a Runge-Kutta step needs, and one sensor value for
-/// each leaf.
+/**
+ * The conserved quantities of all leaves of this rank and its ghosts, in
+ * the three copies that a Runge-Kutta step needs, and one sensor value for
+ * each leaf; in the precision of the layout. Functions with a template
+ * argument exist for that precision alone, the others convert.
+ */
 class GasField
 {
 public:
@@ -29,39 +33,49 @@ public:
   }
 
   /// The current state; see LeafLayout.
-  double *state()
+  template <typename Real = double>
+  Real *state()
   {
-    return copies_[0].data();
+    return copies<Real>().states[0].data();
   }
-  const double *state() const
+  template <typename Real = double>
+  const Real *state() const
   {
-    return copies_[0].data();
+    return copies<Real>().states[0].data();
   }
   /// Room for stages, number 0 or 1.
-  double *stage(const unsigned int i)
+  template <typename Real = double>
+  Real *stage(const unsigned int i)
   {
-    return copies_[1 + i].data();
+    return copies<Real>().states[1 + i].data();
   }
   /// Makes stage @p i the current state.
-  void accept_stage(const unsigned int i)
-  {
-    copies_[0].swap(copies_[1 + i]);
-    sensors_[0].swap(sensors_[1 + i]);
-  }
+  void accept_stage(const unsigned int i);
 
   /// Sensor of each leaf, for the current state.
-  double *sensor()
+  template <typename Real = double>
+  Real *sensor()
   {
-    return sensors_[0].data();
+    return copies<Real>().sensors[0].data();
   }
-  const double *sensor() const
+  template <typename Real = double>
+  Real *stage_sensor(const unsigned int i)
   {
-    return sensors_[0].data();
+    return copies<Real>().sensors[1 + i].data();
   }
-  double *stage_sensor(const unsigned int i)
-  {
-    return sensors_[1 + i].data();
-  }
+
+  /// Sensor of a leaf, for the current state.
+  double sensor_of(const unsigned int leaf) const;
+
+  /// A value of a leaf.
+  double value(const unsigned int leaf,
+               const unsigned int component,
+               const unsigned int point) const;
+
+  /// A value of W leaves from @p leaf on, a multiple of W.
+  Lanes<double> values(const unsigned int leaf,
+                       const unsigned int component,
+                       const unsigned int point) const;
 
   /// Copies a leaf out as [component][point], and in.
   std::vector<double> leaf(const unsigned int leaf) const;
@@ -89,9 +103,8 @@ public:
   {
     return burn_ == nullptr
              ? 1.
-             : burn_->fraction(
-                 burn_->progress(leaf, point, time_),
-                 state()[layout_.offset(leaf) + layout_.value(0, point)]);
+             : burn_->fraction(burn_->progress(leaf, point, time_),
+                               value(leaf, 0, point));
   }
   /// The pressure that gas of pressure @p pressure exerts where @p burned of
   /// it has burned [Pa].
@@ -106,10 +119,70 @@ public:
   std::size_t memory() const;
 
 private:
+  template <typename Real>
+  struct Copies
+  {
+    std::array<dealii::AlignedVector<Real>, 3> states;
+    std::array<dealii::AlignedVector<Real>, 3> sensors;
+  };
+
+  template <typename Real>
+  Copies<Real> &copies()
+  {
+    Assert(precision_of<Real> == layout_.precision, dealii::ExcInternalError());
+    return std::get<Copies<Real>>(copies_);
+  }
+  template <typename Real>
+  const Copies<Real> &copies() const
+  {
+    Assert(precision_of<Real> == layout_.precision, dealii::ExcInternalError());
+    return std::get<Copies<Real>>(copies_);
+  }
+  /// Calls @p function with the copies that are in use.
+  template <typename Function>
+  decltype(auto) visit(const Function &function)
+  {
+    return visit_precision(layout_.precision, [&](const auto real) {
+      return function(copies<std::decay_t<decltype(real)>>());
+    });
+  }
+  template <typename Function>
+  decltype(auto) visit(const Function &function) const
+  {
+    return visit_precision(layout_.precision, [&](const auto real) {
+      return function(copies<std::decay_t<decltype(real)>>());
+    });
+  }
+
   LeafLayout layout_;
   const Burn *burn_ = nullptr;
   double time_ = 0.;
-  std::array<dealii::AlignedVector<double>, 3> copies_;
-  std::array<dealii::AlignedVector<double>, 3> sensors_;
+  std::tuple<Copies<double>, Copies<float>> copies_;
 };
+
+
+inline double GasField::value(const unsigned int leaf,
+                              const unsigned int component,
+                              const unsigned int point) const
+{
+  const std::size_t position =
+    layout_.offset(leaf) + layout_.value(component, point);
+  return visit(
+    [&](const auto &copies) -> double { return copies.states[0][position]; });
+}
+
+
+inline Lanes<double> GasField::values(const unsigned int leaf,
+                                      const unsigned int component,
+                                      const unsigned int point) const
+{
+  const std::size_t position =
+    layout_.offset(leaf) + layout_.value(component, point);
+  return visit([&](const auto &copies) {
+    Lanes<double> result;
+    for (unsigned int lane = 0; lane < W; ++lane)
+      result[lane] = copies.states[0][position + lane];
+    return result;
+  });
+}
 } // namespace contrecoup::gas

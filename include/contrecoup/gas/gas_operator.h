@@ -27,11 +27,27 @@ public:
   /// Renews what depends on the mesh. Call after LeafMesh::rebuild().
   virtual void reinit() = 0;
 
-  /// Does one Runge-Kutta stage on all owned leaves.
-  virtual void apply(const Stage &stage) = 0;
+  /// Does one Runge-Kutta stage on all owned leaves. An operator works in
+  /// the precision that it was made for; the other function must not be
+  /// called.
+  virtual void apply(const BasicStage<double> &)
+  {
+    Assert(false, dealii::ExcInternalError());
+  }
+  virtual void apply(const BasicStage<float> &)
+  {
+    Assert(false, dealii::ExcInternalError());
+  }
 
   /// Computes stage.sensor_out and stage.signal_rate of stage.out.
-  virtual void analyse(const Stage &stage) = 0;
+  virtual void analyse(const BasicStage<double> &)
+  {
+    Assert(false, dealii::ExcInternalError());
+  }
+  virtual void analyse(const BasicStage<float> &)
+  {
+    Assert(false, dealii::ExcInternalError());
+  }
 };
 
 /// The operator that @p scheme and @p material ask for; the arguments must

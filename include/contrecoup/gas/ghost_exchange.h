@@ -5,6 +5,7 @@
 
 #include <contrecoup/gas/leaf_layout.h>
 
+#include <deal.II/base/aligned_vector.h>
 #include <deal.II/base/mpi.h>
 
 #include <vector>
@@ -25,7 +26,8 @@ public:
 
   /// Fills the ghost leaves of @p state and the ghost part of
   /// @p leaf_values (one number per stored leaf). Collective.
-  void update(double *state, double *leaf_values);
+  template <typename Real>
+  void update(Real *state, Real *leaf_values);
 
 private:
   struct Partner
@@ -33,15 +35,18 @@ private:
     unsigned int rank;
     std::vector<unsigned int> leaves; ///< leaf numbers on this rank
     std::vector<unsigned char> faces; ///< of each, bit f: face f is needed
-    std::vector<double> buffer;
+    std::size_t n_values = 0;
+    dealii::AlignedVector<char> buffer; ///< room for them
   };
 
   /// Positions of the values that the faces of a mask need.
   const std::vector<std::size_t> &values_of(const unsigned char faces);
   void
   add(Partner &partner, const unsigned int leaf, const unsigned char faces);
-  void pack(Partner &partner, const double *state, const double *values);
-  void unpack(const Partner &partner, double *state, double *values);
+  template <typename Real>
+  void pack(Partner &partner, const Real *state, const Real *values);
+  template <typename Real>
+  void unpack(const Partner &partner, Real *state, Real *values);
 
   MPI_Comm communicator_ = MPI_COMM_SELF;
   LeafLayout layout_;

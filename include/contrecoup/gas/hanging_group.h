@@ -10,7 +10,8 @@
 
 namespace contrecoup::gas
 {
-/// Up to W hanging faces that lie alike, side by side in lanes.
+/// As many hanging faces that lie alike as a batch has leaves, side by side
+/// in lanes.
 template <int dim>
 struct HangingGroup
 {
@@ -20,16 +21,16 @@ struct HangingGroup
   FaceMatch match;
   unsigned int n_filled = 0;
   /// Index of the face of each filled lane; others repeat the first.
-  std::array<unsigned int, W> face;
+  std::array<unsigned int, largest_width> face;
   /// Leaf numbers, one for each lane.
-  std::array<unsigned int, W> coarse_leaf;
-  std::array<std::array<unsigned int, W>, n_fine> fine_leaf;
+  std::array<unsigned int, largest_width> coarse_leaf;
+  std::array<std::array<unsigned int, largest_width>, n_fine> fine_leaf;
   /// Positions in the state array, one for each lane.
-  std::array<unsigned int, W> coarse_offset;
-  std::array<std::array<unsigned int, W>, n_fine> fine_offset;
+  std::array<unsigned int, largest_width> coarse_offset;
+  std::array<std::array<unsigned int, largest_width>, n_fine> fine_offset;
   /// Inner radius of the coarse leaf in units of its radial edge, where the
   /// face runs along the radius of an axisymmetric mesh; infinite elsewhere.
-  std::array<double, W> inner_radius;
+  std::array<double, largest_width> inner_radius;
   bool is_radial = false; ///< whether any of these is finite
 };
 

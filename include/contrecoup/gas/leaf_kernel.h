@@ -23,11 +23,12 @@ namespace contrecoup::gas
  * A line is a row of points of a leaf along one direction; it is numbered
  * like the points of the leaf face that it starts from.
  */
-template <int dim, typename Gas>
+template <int dim, typename Gas, typename Real = double>
 class LeafKernel
 {
 public:
-  using Number = Lanes<double>;
+  using Number = Lanes<Real>;
+  static constexpr unsigned int width = n_lanes<Real>; ///< of a batch
   static constexpr unsigned int nc = n_conserved<dim, Gas>;
   using Values = std::array<Number, nc>;
   using C = Component<dim>;
@@ -42,10 +43,10 @@ protected:
              const std::vector<double> &positions);
 
   /// Prepares for the leaves of @p batch.
-  void bind(const unsigned int batch, const Stage &stage);
+  void bind(const unsigned int batch, const BasicStage<Real> &stage);
 
   /// Sets burn_ alone.
-  void bind_burn(const unsigned int batch, const Stage &stage);
+  void bind_burn(const unsigned int batch, const BasicStage<Real> &stage);
 
   /// Burn::progress() of a point of the batch, where burn_ is set.
   Number progress(const unsigned int point, const double time) const;
@@ -87,7 +88,7 @@ protected:
   /// and high end.
   void replace_hanging_fluxes(const unsigned int direction,
                               const unsigned int line,
-                              const HangingData<dim> &hanging,
+                              const HangingData<dim, Real> &hanging,
                               Values &low,
                               Values &high) const;
 
@@ -149,7 +150,7 @@ protected:
 
   unsigned int batch_ = 0;
   double time_ = 0.;
-  const double *in_ = nullptr;
+  const Real *in_ = nullptr;
   bool careful_ = false; ///< see Stage::careful
   /// Set where a leaf of the batch or a neighbour is still to burn.
   const Burn *burn_ = nullptr;
@@ -166,16 +167,17 @@ private:
   void fill_progress_beyond(const unsigned int face, const unsigned int line);
 
   bool needs_shear_factor_ = false;
-  std::array<std::array<unsigned int, W>, 2 * dim> neighbor_offset_;
+  std::array<std::array<unsigned int, width>, 2 * dim> neighbor_offset_;
 };
 
 
-template <int dim, typename Gas>
+template <int dim, typename Gas, typename Real>
 template <typename Velocity>
-DEAL_II_ALWAYS_INLINE inline typename LeafKernel<dim, Gas>::Number
-LeafKernel<dim, Gas>::transverse_compression(const unsigned int direction,
-                                             const unsigned int point,
-                                             const Velocity &velocity) const
+DEAL_II_ALWAYS_INLINE inline typename LeafKernel<dim, Gas, Real>::Number
+LeafKernel<dim, Gas, Real>::transverse_compression(
+  const unsigned int direction,
+  const unsigned int point,
+  const Velocity &velocity) const
 {
   Number smallest(0.);
   for (unsigned int t = 0; t < dim; ++t)

@@ -6,6 +6,7 @@
 #include <contrecoup/base/lanes.h>
 
 #include <contrecoup/gas/leaf_face.h>
+#include <contrecoup/gas/precision.h>
 #include <contrecoup/geometry/coarse_mesh.h>
 
 #include <deal.II/base/aligned_vector.h>
@@ -20,13 +21,10 @@
 
 namespace contrecoup::gas
 {
-/// Width of the lanes over leaves in double precision.
-inline constexpr unsigned int W = n_lanes<double>;
-
 /**
  * The octree as the kernels see it: its locally owned leaves in Morton
- * order, W side by side in a batch, with their neighbours, sizes and the
- * faces that are not ordinary. Leaf numbers: owned leaves from 0, padded to
+ * order, width() side by side in a batch, with their neighbours, sizes and
+ * the faces that are not ordinary. Leaf numbers: owned leaves from 0, padded to
  * whole batches, then the ghost leaves that share a face with an owned one.
  */
 template <int dim>
@@ -42,8 +40,10 @@ public:
 
   explicit LeafMesh(const MPI_Comm communicator);
 
-  /// Builds the coarse mesh, unrefined. Call rebuild() when refined.
-  void create(const CoarseMesh<dim> &coarse_mesh);
+  /// Builds the coarse mesh, unrefined, for batches that suit
+  /// @p precision. Call rebuild() when refined.
+  void create(const CoarseMesh<dim> &coarse_mesh,
+              const Precision precision = Precision::double_precision);
 
   /// Renews leaf numbers and connectivity after the octree changed.
   void rebuild();
@@ -70,9 +70,24 @@ public:
   {
     return static_cast<unsigned int>(cells_.size());
   }
+  /// Format of the numbers that batches suit.
+  Precision precision() const
+  {
+    return precision_;
+  }
+  /// Leaves of a batch: the lanes of the numbers that the kernels use.
+  unsigned int width() const
+  {
+    return width_;
+  }
   unsigned int n_batches() const
   {
-    return (n_owned() + W - 1) / W;
+    return (n_owned() + width_ - 1) / width_;
+  }
+  /// Number of the first ghost leaf.
+  unsigned int first_ghost() const
+  {
+    return n_batches() * width_;
   }
   unsigned int n_ghosts() const
   {
@@ -81,12 +96,12 @@ public:
   /// Batches of owned and ghost leaves together.
   unsigned int n_stored_batches() const
   {
-    return n_batches() + (n_ghosts() + W - 1) / W;
+    return n_batches() + (n_ghosts() + width_ - 1) / width_;
   }
   /// Leaves of this batch that exist; the other lanes are padding.
   unsigned int n_filled_lanes(const unsigned int batch) const
   {
-    return std::min(W, n_owned() - batch * W);
+    return std::min(width_, n_owned() - batch * width_);
   }
   /// Leaves of all ranks.
   double n_global() const;
@@ -102,17 +117,17 @@ public:
   }
 
   /// Neighbouring leaf of equal size across a face; the leaf itself where
-  /// the face is special, and for padding.
-  const std::array<unsigned int, W> &neighbors(const unsigned int batch,
-                                               const unsigned int face) const
+  /// the face is special, and for padding. One number for each lane.
+  const unsigned int *neighbors(const unsigned int batch,
+                                const unsigned int face) const
   {
-    return neighbors_[batch * 2 * dim + face];
+    return neighbors_.data() + lanes_begin(batch, face);
   }
   /// How the face points meet, for each lane; see neighbors().
-  const std::array<FaceMatch, W> &matches(const unsigned int batch,
-                                          const unsigned int face) const
+  const FaceMatch *matches(const unsigned int batch,
+                           const unsigned int face) const
   {
-    return matches_[batch * 2 * dim + face];
+    return matches_.data() + lanes_begin(batch, face);
   }
 
   /// Special faces of a batch, ordered by face number.
@@ -130,12 +145,18 @@ public:
     return hanging_faces_;
   }
 
-  /// Edge lengths of axis-aligned leaves [m], one lane per leaf.
-  const std::array<Lanes<double>, dim> &extents(const unsigned int batch) const
+  /// Edge lengths of axis-aligned leaves [m], one lane per leaf, for the
+  /// batches of n_lanes<Real> leaves whatever width() is.
+  template <typename Real = double>
+  const std::array<Lanes<Real>, dim> &extents(const unsigned int batch) const
   {
-    return extents_[batch];
+    if constexpr (std::is_same_v<Real, float>)
+      return single_extents_[batch];
+    else
+      return extents_[batch];
   }
-  /// Corner of smallest coordinates of axis-aligned leaves [m].
+  /// Corner of smallest coordinates of axis-aligned leaves [m], for batches
+  /// of W leaves.
   const std::array<Lanes<double>, dim> &origins(const unsigned int batch) const
   {
     return origins_[batch];
@@ -181,11 +202,18 @@ private:
                             const unsigned int face,
                             const FaceMatch &match);
   void set_geometry();
+  std::size_t lanes_begin(const unsigned int batch,
+                          const unsigned int face) const
+  {
+    return (std::size_t(batch) * 2 * dim + face) * width_;
+  }
   void sort_special_faces();
 
   MPI_Comm communicator_;
   std::unique_ptr<Tria> triangulation_;
   CoarseMesh<dim> coarse_mesh_;
+  Precision precision_ = Precision::double_precision;
+  unsigned int width_ = W; ///< a power of two
 
   std::vector<CellIterator> cells_;
   std::vector<unsigned int> leaf_of_cell_;
@@ -193,8 +221,8 @@ private:
   std::vector<unsigned int> leaf_of_own_index_;
   std::uint64_t first_global_index_ = 0;
 
-  std::vector<std::array<unsigned int, W>> neighbors_;
-  std::vector<std::array<FaceMatch, W>> matches_;
+  std::vector<unsigned int> neighbors_; ///< see lanes_begin()
+  std::vector<FaceMatch> matches_;
 
   std::vector<std::pair<unsigned int, SpecialFace>> unsorted_special_;
   std::vector<SpecialFace> special_faces_;
@@ -204,6 +232,7 @@ private:
 
   dealii::AlignedVector<std::array<Lanes<double>, dim>> extents_;
   dealii::AlignedVector<std::array<Lanes<double>, dim>> origins_;
+  dealii::AlignedVector<std::array<Lanes<float>, dim>> single_extents_;
 };
 
 } // namespace contrecoup::gas

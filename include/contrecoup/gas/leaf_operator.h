@@ -12,10 +12,17 @@ namespace contrecoup::gas
 {
 /// A gas operator made of a kernel for batches of leaves and one for
 /// groups of hanging faces.
-template <int dim, typename Gas, typename Kernel, typename HangingKernel>
+template <int dim,
+          typename Gas,
+          typename Kernel,
+          typename HangingKernel,
+          typename Real = double>
 class LeafOperator : public GasOperator<dim>
 {
 public:
+  using GasOperator<dim>::apply;
+  using GasOperator<dim>::analyse;
+
   LeafOperator(const LeafMesh<dim> &mesh,
                const LeafLayout &layout,
                const Scheme &scheme,
@@ -33,7 +40,7 @@ public:
     hanging_.resize(mesh_.hanging_faces().size(), layout_);
   }
 
-  void apply(const Stage &stage) override
+  void apply(const BasicStage<Real> &stage) override
   {
     for (const auto &group : groups_)
       hanging_kernel_.compute(group, stage, hanging_);
@@ -41,7 +48,7 @@ public:
       kernel_.update(batch, stage, hanging_);
   }
 
-  void analyse(const Stage &stage) override
+  void analyse(const BasicStage<Real> &stage) override
   {
     for (unsigned int batch = 0; batch < mesh_.n_batches(); ++batch)
       kernel_.analyse(batch, stage);
@@ -53,6 +60,6 @@ private:
   Kernel kernel_;
   HangingKernel hanging_kernel_;
   std::vector<HangingGroup<dim>> groups_;
-  HangingData<dim> hanging_;
+  HangingData<dim, Real> hanging_;
 };
 } // namespace contrecoup::gas

@@ -3,8 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/base/lanes.h>
-
+#include <contrecoup/gas/precision.h>
 #include <contrecoup/numerics/limiters.h>
 #include <contrecoup/numerics/multidimensional_limiter.h>
 #include <contrecoup/numerics/riemann_flux.h>
@@ -46,6 +45,7 @@ public:
   std::optional<GradientLimiter> gradient_limiter;
   RiemannFlux flux = RiemannFlux::hllc;
   RungeKuttaTable time_stepping;
+  Precision precision = Precision::double_precision;
   double cfl = 0.5;             ///< CFL number [-]
   bool blending = true;         ///< subcell shock capturing (DG)
   double largest_blending = 1.; ///< [-]

@@ -19,11 +19,12 @@ namespace contrecoup::gas
  * The arrays are laid out as LeafLayout says; @p in has its ghost leaves
  * filled.
  */
-struct Stage
+template <typename Real>
+struct BasicStage
 {
-  const double *start = nullptr;
-  const double *in = nullptr;
-  double *out = nullptr;
+  const Real *start = nullptr;
+  const Real *in = nullptr;
+  Real *out = nullptr;
   double a = 0.;
   double step = 0.;     ///< [s]
   double time = 0.;     ///< of the state @p in [s]
@@ -32,12 +33,12 @@ struct Stage
   const Burn *burn = nullptr;
   /// Per stored leaf, from the previous stage: the blending factor (DG) or
   /// one where a shock stands (finite volume) [-].
-  const double *sensor_in = nullptr;
+  const Real *sensor_in = nullptr;
   /// Per owned leaf, of the new state; may be null.
-  double *sensor_out = nullptr;
+  Real *sensor_out = nullptr;
   /// Per owned leaf: largest sum_d (|u_d| + c) / h_d, h_d the leaf's edge
   /// lengths [1/s], of the new state; may be null.
-  double *signal_rate = nullptr;
+  Real *signal_rate = nullptr;
   /// Whether finite volumes bound their velocity slopes by the energy of each
   /// subcell: needed where a step failed without, and first order in cold gas.
   bool careful = false;
@@ -45,9 +46,11 @@ struct Stage
   unsigned int *unphysical_leaf = nullptr;
 };
 
+using Stage = BasicStage<double>;
+
 /// Fluxes and halo values of the hanging faces, computed once for both
 /// sides. Slot 0 of a face is the coarse side's, 1 + part the fine ones'.
-template <int dim>
+template <int dim, typename Real = double>
 class HangingData
 {
 public:
@@ -65,29 +68,29 @@ public:
   /// Numerical flux towards positive coordinates, in the numbering of the
   /// face points of that side; consecutive values belong to consecutive
   /// face points.
-  double *flux(const unsigned int face,
-               const unsigned int slot,
-               const unsigned int component)
+  Real *flux(const unsigned int face,
+             const unsigned int slot,
+             const unsigned int component)
   {
     return flux_.data() + position(face, slot, component);
   }
-  const double *flux(const unsigned int face,
-                     const unsigned int slot,
-                     const unsigned int component) const
+  const Real *flux(const unsigned int face,
+                   const unsigned int slot,
+                   const unsigned int component) const
   {
     return flux_.data() + position(face, slot, component);
   }
 
   /// Primitive value of a cell of that side's size beyond the face.
-  double *halo(const unsigned int face,
-               const unsigned int slot,
-               const unsigned int component)
+  Real *halo(const unsigned int face,
+             const unsigned int slot,
+             const unsigned int component)
   {
     return halo_.data() + position(face, slot, component);
   }
-  const double *halo(const unsigned int face,
-                     const unsigned int slot,
-                     const unsigned int component) const
+  const Real *halo(const unsigned int face,
+                   const unsigned int slot,
+                   const unsigned int component) const
   {
     return halo_.data() + position(face, slot, component);
   }
@@ -103,7 +106,7 @@ private:
 
   unsigned int n_face_points_ = 1;
   unsigned int n_components_ = 1;
-  std::vector<double> flux_;
-  std::vector<double> halo_;
+  std::vector<Real> flux_;
+  std::vector<Real> halo_;
 };
 } // namespace contrecoup::gas

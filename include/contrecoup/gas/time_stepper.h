@@ -35,7 +35,10 @@ public:
   /// Brings the ghosts of the current state up to date. Collective.
   void update_ghosts(GasField &field)
   {
-    exchange_.update(field.state(), field.sensor());
+    visit_precision(field.layout().precision, [&](const auto real) {
+      using Real = std::decay_t<decltype(real)>;
+      exchange_.update(field.state<Real>(), field.sensor<Real>());
+    });
   }
 
   /// Largest stable step from the current state [s]. Collective.
@@ -58,12 +61,25 @@ public:
   /// Largest signal rate of a leaf, see Stage::signal_rate [1/s].
   double signal_rate(const unsigned int leaf) const
   {
-    return signal_rate_[leaf];
+    return visit_precision(precision_, [&](const auto real) -> double {
+      return signal_rates<std::decay_t<decltype(real)>>()[leaf];
+    });
   }
 
 private:
+  template <typename Real>
+  dealii::AlignedVector<Real> &signal_rates()
+  {
+    return std::get<dealii::AlignedVector<Real>>(signal_rates_);
+  }
+  template <typename Real>
+  const dealii::AlignedVector<Real> &signal_rates() const
+  {
+    return std::get<dealii::AlignedVector<Real>>(signal_rates_);
+  }
   /// @returns number of the stage copy that holds the result, or nothing
   /// when a state turned unphysical on any rank
+  template <typename Real>
   std::optional<unsigned int> try_step(GasField &field,
                                        const double time,
                                        const double step,
@@ -78,7 +94,9 @@ private:
   const Scheme &scheme_;
   GasOperator<dim> &operator_;
   GhostExchange<dim> exchange_;
-  dealii::AlignedVector<double> signal_rate_;
+  Precision precision_ = Precision::double_precision; ///< of the field
+  std::tuple<dealii::AlignedVector<double>, dealii::AlignedVector<float>>
+    signal_rates_;
   unsigned int unphysical_leaf_ = no_leaf;
 };
 } // namespace contrecoup::gas

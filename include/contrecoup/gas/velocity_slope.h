@@ -65,7 +65,7 @@ limit_velocity_slope(const Gas &gas,
     left,
     zero,
     std::sqrt(std::max(Number(left + kinetic), zero) /
-              std::max(kinetic, Number(std::numeric_limits<double>::min()))),
+              std::max(kinetic, Number(std::numeric_limits<float>::min()))),
     one);
   for (unsigned int d = 0; d < dim; ++d)
     half[C::momentum + d] = half[C::momentum + d] * factor;

@@ -108,7 +108,9 @@ private:
                         ColdState<Number> &cold) const
   {
     const double reference = products_.reference_density;
-    const Number volume = Number(reference) / density;
+    // Where the share is zero, whatever is finite will do.
+    const Number volume =
+      Number(reference) / std::max(density, Number(dilute_density_));
     const Number first =
       share * products_.A * exponential(Number(volume * -products_.R1));
     const Number second =
