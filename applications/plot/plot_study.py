@@ -27,8 +27,8 @@ OUTCOMES = {
     "stable": ("#009E73", "", "stable"),
     "retried": ("#F0E442", "r", "stable after cutting back steps"),
     "inaccurate": ("#E69F00", "", "finished, but less accurate than wanted"),
-    "refused": ("#BBBBBB", "–", "refused: the input makes no sense"),
-    "unstable": ("#D55E00", "u", "unstable: the numerics failed"),
+    "refused": ("#BBBBBB", "–", "refused, with a line that says why"),
+    "unstable": ("#D55E00", "u", "unstable: no step was small enough"),
     "timed out": ("#CC79A7", "t", "ended at the time limit"),
     "failed": ("#000000", "f", "failed: the process or the machine"),
 }
@@ -197,9 +197,9 @@ def draw_stability_map(study, folder):
              if any(judged(row, study) == kind for row in study["rows"])]
     kinds = list(OUTCOMES)
     cells = [[None] * len(across["labels"]) for _ in upwards["labels"]]
-    width = max(6., 0.55 * len(across["labels"]) + 3.)
-    height = max(3.2, 0.45 * len(upwards["labels"]) + 1.6)
-    figure, axis = plt.subplots(figsize=(width + 2.6, height))
+    width = max(4., 0.55 * len(across["labels"]) + 1.5)
+    height = max(3., 0.38 * len(upwards["labels"]) + 1.2)
+    figure, axis = plt.subplots(figsize=(width + 3., height))
     for row in study["rows"]:
         i = across["labels"].index(row["labels"][0])
         j = upwards["labels"].index(row["labels"][1])
@@ -225,7 +225,10 @@ def draw_stability_map(study, folder):
     axis.tick_params(which="both", length=0)
     axis.set_xlabel(across["name"])
     axis.set_ylabel(upwards["name"])
-    axis.set_title(study["title"])
+    title = study["title"]
+    if study["error"]:
+        title += f"; in the cells: {study['error']}"
+    axis.set_title(title)
     words = {kind: OUTCOMES[kind][2] for kind in shown}
     if "retried" in words:
         words["retried"] += " (number)"
