@@ -89,12 +89,13 @@ void Afterburn::declare_parameters(ParameterHandler &prm)
                     "air: never, at a constant rate, or by Miller's law.");
   declare_double(prm,
                  "Energy",
-                 "1.0e7",
+                 "3.5e6",
                  0.,
                  1e12,
                  "J/kg",
                  "Energy released in all for each kg of products; the default "
-                 "is that of TNT with oxygen enough (Schwer: 16.3 GJ/m^3).");
+                 "fits blasts of TNT and C-4 in free air, with oxygen enough "
+                 "TNT has 1e7 (Schwer: 16.3 GJ/m^3).");
   declare_double(prm,
                  "Start time",
                  "0",

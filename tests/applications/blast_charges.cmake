@@ -43,8 +43,29 @@ blast_burns(charge_cylindrical verification/paper_1d "${_closed}"
   "Domain/Geometry=cylindrical" "Charges/Charge 1/Shape=cylinder")
 blast_burns(charge_axisymmetric verification/charge_axisymmetric "${_closed}")
 
+# The cone and the spherical run differ by less than 0.5 % of the mean density.
+blast_burns(cone verification/cone "errors.density_L1 < 0.0142;${_closed}")
+
+# Kingery and Bulmash within 15 % in peak and 5 % in arrival at 1 and 2 m.
+blast_burns(kingery_bulmash verification/kingery_bulmash
+  "assumptions.probe_3_peak_overpressure > 7.07e5;\
+assumptions.probe_3_peak_overpressure < 9.55e5;\
+assumptions.probe_3_arrival > 5.29e-4;assumptions.probe_3_arrival < 5.85e-4;\
+assumptions.probe_4_peak_overpressure > 1.48e5;\
+assumptions.probe_4_peak_overpressure < 1.99e5;\
+assumptions.probe_4_arrival > 1.93e-3;assumptions.probe_4_arrival < 2.13e-3")
+contrecoup_add_application_test(resume_afterburn resume
+  FILE blast/verification/kingery_bulmash.prm SET "Output/Fields=false"
+  "Domain/Upper corner=0.8" "Domain/Coarse leaves=25"
+  "Probes/Points=0.25" "Time/Largest number of steps=200"
+  COMPARE history.csv probes.csv STOP_AFTER 130 TIMEOUT 120)
+blast_burns(extreme_afterburn_past_fuel extremes/afterburn_past_fuel
+  "conservation.mass_relative_change < 1e-12;\
+conservation.energy_before_afterburn_relative_change < 1e-12;\
+conservation.products_mass_relative_change < 1e-12")
+
 foreach(_file charge_1_mg charge_1000_kg charge_cut charge_on_ground
-        two_charges)
+        stand_off_10_mm stand_off_50_m two_charges)
   blast_burns(extreme_${_file} extremes/${_file} "${_closed}")
 endforeach()
 
