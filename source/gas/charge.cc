@@ -264,10 +264,17 @@ Charge<dim>::as_box() const
     (shape_ == Shape::cylinder && geometry_ == Geometry::axisymmetric);
   if (!is_box)
     return {};
+  return bounds();
+}
+
+
+template <int dim>
+std::pair<dealii::Point<dim>, dealii::Point<dim>> Charge<dim>::bounds() const
+{
   dealii::Tensor<1, dim> half;
   for (unsigned int d = 0; d < dim; ++d)
     half[d] = half_extent(d);
-  return std::make_pair(center_ - half, center_ + half);
+  return {center_ - half, center_ + half};
 }
 
 

@@ -10,6 +10,8 @@
 #include <contrecoup/gas/primitive.h>
 #include <contrecoup/materials/explosives.h>
 
+#include <deal.II/base/quadrature_lib.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -31,6 +33,26 @@ namespace
             read_double(prm, "Detonation speed"),
             read_double(prm, "Detonation pressure"),
             ""};
+  }
+
+  /// Whether some of the points of a grid through charge @p a are well within
+  /// both.
+  template <int dim>
+  bool overlap(const Charge<dim> &a, const Charge<dim> &b)
+  {
+    const dealii::QIterated<dim> grid(dealii::QMidpoint<1>(), 40);
+    const auto [lower, upper] = a.bounds();
+    const double touching = -1e-9 * a.smallest_size();
+    for (const auto &x : grid.get_points())
+    {
+      dealii::Point<dim> point = lower;
+      for (unsigned int d = 0; d < dim; ++d)
+        point[d] += x[d] * (upper[d] - lower[d]);
+      if (a.signed_distance(point) < touching &&
+          b.signed_distance(point) < touching)
+        return true;
+    }
+    return false;
   }
 } // namespace
 
@@ -99,6 +121,11 @@ void ChargeSet<dim>::check(const Scheme &scheme,
 {
   if (charges_.empty())
     return;
+  for (unsigned int i = 0; i < charges_.size(); ++i)
+    for (unsigned int j = 0; j < charges_.size(); ++j)
+      if (i != j && overlap(charges_[i], charges_[j]))
+        throw InputError("Charges/Charge " + names_[i] + " and Charge " +
+                         names_[j] + " overlap");
   if (scheme.kind != Scheme::Kind::finite_volume)
     throw InputError("Charges burn with Method/Scheme = finite volume only");
   const dealii::Point<dim> origin;
@@ -188,8 +215,8 @@ std::vector<std::string> ChargeSet<dim>::fill(const LeafMesh<dim> &mesh,
   });
   fullest = dealii::Utilities::MPI::max(fullest, mesh.communicator());
   if (fullest > 1. + 1e-6)
-    throw InputError("Charges overlap; their shapes must not have common "
-                     "points");
+    throw InputError("Charges overlap: together they need more than the "
+                     "volume of a cell that they share");
   return report;
 }
 

@@ -46,14 +46,19 @@ blast_burns(charge_axisymmetric verification/charge_axisymmetric "${_closed}")
 # The cone and the spherical run differ by less than 0.5 % of the mean density.
 blast_burns(cone verification/cone "errors.density_L1 < 0.0142;${_closed}")
 
-# Kingery and Bulmash within 15 % in peak and 5 % in arrival at 1 and 2 m.
-blast_burns(kingery_bulmash verification/kingery_bulmash
-  "assumptions.probe_3_peak_overpressure > 7.07e5;\
-assumptions.probe_3_peak_overpressure < 9.55e5;\
-assumptions.probe_3_arrival > 5.29e-4;assumptions.probe_3_arrival < 5.85e-4;\
-assumptions.probe_4_peak_overpressure > 1.48e5;\
-assumptions.probe_4_peak_overpressure < 1.99e5;\
-assumptions.probe_4_arrival > 1.93e-3;assumptions.probe_4_arrival < 2.13e-3")
+# Kingery and Bulmash within 15 % in peak and impulse and 5 % in arrival at 1
+# and 2 m.
+set(_bounds "")
+foreach(_probe 3 4)
+  foreach(_sign "<" "> -")
+    string(REPLACE "<" "< " _than ${_sign})
+    list(APPEND _bounds
+      "errors.probe_${_probe}_peak_overpressure_relative ${_than}0.15"
+      "errors.probe_${_probe}_impulse_relative ${_than}0.15"
+      "errors.probe_${_probe}_arrival_relative ${_than}0.05")
+  endforeach()
+endforeach()
+blast_burns(kingery_bulmash verification/kingery_bulmash "${_bounds}")
 contrecoup_add_application_test(resume_afterburn resume
   FILE blast/verification/kingery_bulmash.prm SET "Output/Fields=false"
   "Domain/Upper corner=0.8" "Domain/Coarse leaves=25"
@@ -74,5 +79,7 @@ set(_short "Time/Largest number of steps=24" "Output/History every steps=1"
   "Output/Fields=false")
 contrecoup_add_application_test(ranks_charge ranks ${_on_ground} SET ${_short}
   COMPARE history.csv TOLERANCE "-r 1e-9 -a 1e-9:5-7" TIMEOUT 120)
+contrecoup_add_application_test(charge_conserves_on_2 bounds ${_on_ground}
+  MPI 2 SET ${_short} BOUNDS ${_closed} TIMEOUT 120)
 contrecoup_add_application_test(resume_charge resume ${_on_ground}
   SET ${_short} STOP_AFTER 11 TIMEOUT 120)

@@ -57,6 +57,9 @@ public:
   /// Smallest diameter [m].
   double smallest_size() const;
 
+  /// Opposite corners of the box around the charge.
+  std::pair<dealii::Point<dim>, dealii::Point<dim>> bounds() const;
+
   /// The opposite corners of a charge that is a box in the coordinates of the
   /// mesh.
   std::optional<std::pair<dealii::Point<dim>, dealii::Point<dim>>>
