@@ -19,10 +19,12 @@ namespace contrecoup::gas
  * burned gas of this density and energy. So the unburned charge rests in the
  * air around it, and no energy is ever added. See Detonation.
  *
- * Explosive that something else compresses long before the detonation comes
- * must not be dust: it pushes back with F = (1 - V) / (1 - V_CJ), V being
- * rho_0 / rho, which it loses again where it expands. Near the detonation
- * this would let pressure run ahead of it.
+ * Explosive that something else compresses before must not be dust: from a
+ * compression of a few hundredths on it pushes back with at least
+ * F = (1 - V) / (1 - V_CJ) - 0.3, V being rho_0 / rho, and loses that again
+ * where it expands. Behind the front of a steady detonation F is larger than
+ * this; where detonations converge, or another blast comes first, it keeps
+ * the gas above its cold curve.
  */
 struct Burn
 {
@@ -39,30 +41,26 @@ struct Burn
   double density = 1.;          ///< of the explosive, rho_0 [kg/m^3]
   double stiffness = 0.;        ///< 1 / (1 - V_CJ) [-]
 
-  /// How far a point is: from 0, when it begins to burn, to 1, when it has
-  /// burned; below, in the same measure, the time until it begins.
+  /// Fraction of a point that the detonation has burned.
   double progress(const unsigned int leaf,
                   const unsigned int point,
                   const double time) const
   {
     const double begin = start[layout.offset(leaf) + layout.value(0, point)];
-    return std::min(std::max((time - begin) * rate[leaf], -10.), 1.);
+    return std::min(std::max((time - begin) * rate[leaf], 0.), 1.);
   }
 
-  /// Burned fraction F of explosive of this density [kg/m^3].
+  /// Burned fraction F of explosive of this density [kg/m^3], of which the
+  /// detonation has burned @p progress.
   template <typename Number>
   DEAL_II_ALWAYS_INLINE Number fraction(const Number &progress,
                                         const Number &rho) const
   {
-    const Number zero(0.), one(1.);
-    const Number burned = std::max(progress, zero);
-    // Nothing below a compression of a hundredth: explosive at rest stays so.
+    // 0.92 is 1 - 0.3 (1 - V_CJ) for common explosives: the largest offset
+    // with which an implosion stays above the cold curve.
     const Number compression =
-      (Number(0.99) - Number(density) / rho) * Number(stiffness);
-    const Number far_ahead = progress * Number(-0.5) - one;
-    const Number pushed = std::min(std::max(compression, zero), one) *
-                          std::min(std::max(far_ahead, zero), one);
-    return std::max(burned, pushed);
+      (Number(0.92) - Number(density) / rho) * Number(stiffness);
+    return std::max(progress, std::min(compression, Number(1.)));
   }
 
   /// The pressure that gas of pressure @p burned, of which @p fraction has
