@@ -169,8 +169,8 @@ ProbeSet<dim>::comparison(const ReferenceSolution<dim> &reference) const
   const double factors[] = {1e-3, 1., 1e3, 1e3};
   std::vector<std::string> lines = {
     "computed / " + reference.name() + " (difference):",
-    "probe  peak [kPa]               impulse [Pa s]           "
-    "arrival [ms]             duration [ms]"};
+    "probe  peak [kPa]                 impulse [Pa s]             "
+    "arrival [ms]               duration [ms]"};
   for (std::size_t i = 0; i < records_.size(); ++i)
   {
     std::ostringstream line;
@@ -188,7 +188,7 @@ ProbeSet<dim>::comparison(const ReferenceSolution<dim> &reference) const
         text << brief(exact[k] * factors[k]) << " (" << std::showpos
              << std::fixed << std::setprecision(1)
              << 100. * (computed[k] / exact[k] - 1.) << " %)";
-      line << std::setw(25) << text.str();
+      line << std::setw(26) << text.str() << ' ';
     }
     lines.push_back(line.str());
   }

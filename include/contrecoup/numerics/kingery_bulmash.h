@@ -31,8 +31,7 @@ enum class BlastQuantity
  * coefficients agree with the imperial set, join at the ends of their pieces
  * within 2 % and satisfy Rankine and Hugoniot. "swisdak" are the simpler
  * fits to the hemispherical ones by M. Swisdak, ADA526744 (1994), in powers
- * of ln Z. Their own authors' spread of measurements is some 10 to 15 %;
- * durations below Z = 2.3 are not even monotone.
+ * of ln Z. Durations are not monotone below Z = 2.3.
  */
 class KingeryBulmash
 {
