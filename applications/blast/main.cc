@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/gas/blast_application.h>
+#include <contrecoup/coupling/blast_application.h>
 #include <contrecoup/io/application.h>
 
 int main(int argc, char **argv)
 {
   return contrecoup::io::run_application(
-    argc, argv, contrecoup::gas::blast_application());
+    argc, argv, contrecoup::coupling::blast_application());
 }

@@ -267,6 +267,26 @@ namespace
       else if (!is_pattern(item.key()))
         collect(item.value(), path + item.key() + "/", values);
   }
+
+  void collect_assignments(const Tree &node,
+                           std::vector<std::string> &sections,
+                           std::vector<Assignment> &assignments)
+  {
+    if (!node.is_object())
+      return;
+    for (const auto &item : node.items())
+      if (is_entry(item.value()))
+        assignments.push_back({sections,
+                               item.key(),
+                               item.value()["value"].get<std::string>(),
+                               "derived parameters"});
+      else if (!is_pattern(item.key()))
+      {
+        sections.push_back(item.key());
+        collect_assignments(item.value(), sections, assignments);
+        sections.pop_back();
+      }
+  }
 } // namespace
 
 void apply_assignments(const std::vector<Assignment> &assignments,
@@ -307,6 +327,14 @@ std::vector<std::string> item_names(const ParameterHandler &prm,
     if (!is_pattern(name) && name.compare(0, stem.size(), stem) == 0)
       items.push_back(name.substr(stem.size()));
   return items;
+}
+
+std::vector<Assignment> assignments_of(const ParameterHandler &prm)
+{
+  std::vector<std::string> sections;
+  std::vector<Assignment> assignments;
+  collect_assignments(tree_of(prm), sections, assignments);
+  return assignments;
 }
 
 std::map<std::string, std::string> parameter_values(const ParameterHandler &prm)

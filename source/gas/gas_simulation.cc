@@ -34,6 +34,14 @@ void GasSimulation<dim>::declare_parameters(ParameterHandler &prm)
   ProbeSet<dim>::declare_parameters(prm);
   GaugeRasters<dim>::declare_parameters(prm);
   GasOutput<dim>::declare_parameters(prm);
+  const Section section(prm, "Output");
+  declare_string(prm,
+                 "Profile file",
+                 "",
+                 "Name of a file in the output folder for the profile at the "
+                 "end time, as a start for runs in more dimensions: HDF5, or "
+                 "a table if it ends in .csv; empty for none. Domains with "
+                 "spherical, cylindrical or axisymmetric geometry have one.");
 }
 
 
@@ -66,6 +74,7 @@ void GasSimulation<dim>::parse_parameters(ParameterHandler &prm)
   output_.parse_parameters(prm, coarse_mesh_);
   if (!charges_.empty())
     output_.show_burned();
+  parse_profile_file(prm);
   const Section section(prm, "Time");
   end_time_ = read_double(prm, "End time");
 
@@ -108,6 +117,9 @@ template <int dim>
 void GasSimulation<dim>::setup()
 {
   create_octree();
+  time_ = initial_state_.time();
+  if (initial_state_.profile() != nullptr)
+    go_on_burning();
   mesh_.triangulation().refine_global(coarse_mesh_.initial_refinement());
   mesh_.rebuild();
   adaptation_->refine_fine_box();
@@ -134,6 +146,8 @@ void GasSimulation<dim>::setup()
     log_line(line);
   if (output_.wants_maps())
     maps_.reinit(layout_.n_points, mesh_.n_owned());
+  if (initial_state_.profile() != nullptr)
+    go_on_mapping();
   probes_.read(field_, material_, time_);
 }
 
@@ -142,6 +156,8 @@ template <int dim>
 bool GasSimulation<dim>::wants_initial_refinement(const unsigned int leaf) const
 {
   const LeafBox<dim> box = leaf_box(mesh_, leaf);
+  if (const auto *profile = initial_state_.profile())
+    return is_steep_in(*profile, box, layout_.n);
   const dealii::Point<dim> centre =
     box.origin + dealii::Tensor<1, dim>(box.extents * 0.5);
   const double reach = 0.5 * box.extents.norm() * (1. + 1e-10);
@@ -158,6 +174,14 @@ std::vector<std::string> GasSimulation<dim>::set_initial_state()
 {
   const TimerScope timer("initial state");
   field_.reinit(layout_, mesh_.n_stored_batches());
+  if (const auto *profile = initial_state_.profile())
+  {
+    const auto mapping =
+      map_profile(*profile, mesh_, points_, material_, field_);
+    field_.fill_padding(mesh_.n_owned());
+    mesh_changed();
+    return mapping_report(mapping);
+  }
   const auto value = [this](const dealii::Point<dim> &p) {
     return initial_state_.value(p);
   };

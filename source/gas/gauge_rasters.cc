@@ -208,6 +208,17 @@ void GaugeRasters<dim>::add(const GasField &field,
 
 
 template <int dim>
+void GaugeRasters<dim>::set_records(
+  const std::function<
+    std::optional<BlastRecord<double>>(const dealii::Point<dim> &)> &record)
+{
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    if (const auto known = record(places_[i]))
+      records_[i] = *known;
+}
+
+
+template <int dim>
 void GaugeRasters<dim>::share()
 {
   if (is_shared_)

@@ -7,6 +7,7 @@
 #include <contrecoup/gas/expression_field.h>
 #include <contrecoup/gas/initial_state.h>
 #include <contrecoup/gas/layer_fields.h>
+#include <contrecoup/gas/profile_field.h>
 #include <contrecoup/gas/region_field.h>
 
 namespace contrecoup::gas
@@ -18,7 +19,8 @@ const std::vector<std::string> initial_state_kinds{"uniform",
                                                    "sedov",
                                                    "noh",
                                                    "vortex",
-                                                   "expression"};
+                                                   "expression",
+                                                   "profile"};
 
 
 template <int dim>
@@ -46,6 +48,7 @@ void InitialState<dim>::declare_parameters(ParameterHandler &prm)
   NohField<dim>::declare_parameters(prm);
   VortexField<dim>::declare_parameters(prm);
   ExpressionField<dim>::declare_parameters(prm);
+  ProfileField<dim>::declare_parameters(prm);
 }
 
 
@@ -56,6 +59,8 @@ void InitialState<dim>::parse_parameters(ParameterHandler &prm,
   CoarseMesh<dim> mesh;
   mesh.parse_parameters(prm);
   const Geometry geometry = mesh.geometry();
+  geometry_ = geometry;
+  material_ = material;
 
   const Section section(prm, "Initial state");
   const std::string kind = prm.get("Kind");
@@ -71,6 +76,8 @@ void InitialState<dim>::parse_parameters(ParameterHandler &prm,
     field_ = std::make_unique<VortexField<dim>>(prm, material, geometry);
   else if (kind == "expression")
     field_ = std::make_unique<ExpressionField<dim>>(prm, material);
+  else if (kind == "profile")
+    field_ = std::make_unique<ProfileField<dim>>(prm, material, geometry);
   else
     field_ = std::make_unique<RegionField<dim>>(
       prm, material, geometry, kind == "regions");
@@ -81,6 +88,36 @@ template <int dim>
 GasState<dim> InitialState<dim>::value(const dealii::Point<dim> &point) const
 {
   return field_->value(point);
+}
+
+
+template <int dim>
+GasState<dim> InitialState<dim>::ambient(const dealii::Point<dim> &point) const
+{
+  return field_->ambient(point);
+}
+
+
+template <int dim>
+double InitialState<dim>::time() const
+{
+  return field_->time();
+}
+
+
+template <int dim>
+const ProfileField<dim> *InitialState<dim>::profile() const
+{
+  return dynamic_cast<const ProfileField<dim> *>(field_.get());
+}
+
+
+template <int dim>
+void InitialState<dim>::set_profile(std::shared_ptr<const Profile> profile,
+                                    const dealii::Point<dim> &centre)
+{
+  field_ = std::make_unique<ProfileField<dim>>(
+    std::move(profile), centre, field_->ambient(centre), material_, geometry_);
 }
 
 

@@ -78,9 +78,16 @@ void ProbeSet<dim>::read(const GasField &field,
                          const GasMaterial &material,
                          const double time)
 {
-  if (places_.empty())
-    return;
-  states_ = sampler_.sample(field, material);
+  if (!places_.empty())
+    take(sampler_.sample(field, material), time);
+}
+
+
+template <int dim>
+void ProbeSet<dim>::take(const std::vector<GasState<dim>> &states,
+                         const double time)
+{
+  states_ = states;
   for (std::size_t i = 0; i < places_.size(); ++i)
   {
     Record &record = records_[i];

@@ -148,6 +148,8 @@ namespace io
     {
       const RunStatus status = loop.run(state_);
       folder_.flush();
+      if (status == RunStatus::finished)
+        collective_.run([&]() { simulation_.finish(folder_.path()); });
       summarise(status == RunStatus::finished ? "finished" : "stopped", "");
     }
     catch (const std::exception &)

@@ -35,6 +35,10 @@ void apply_assignments(const std::vector<Assignment> &assignments,
 std::vector<std::string> item_names(const dealii::ParameterHandler &prm,
                                     const std::string &kind);
 
+/// Every entry and its value as assignments, in order of declaration, for
+/// another handler with the same declarations; named items included.
+std::vector<Assignment> assignments_of(const dealii::ParameterHandler &prm);
+
 /// "Section/Subsection/Entry" and value of every entry.
 std::map<std::string, std::string>
 parameter_values(const dealii::ParameterHandler &prm);

@@ -93,6 +93,11 @@ public:
   /// Measured modelling assumptions, for the summary; may be empty.
   virtual std::vector<NamedValue> assumptions() = 0;
 
+  /// Writes what belongs to the end of a run into the output folder; called
+  /// once, when the end time is reached.
+  virtual void finish(const std::string & /*folder*/)
+  {}
+
   /// Number of cells and of unknowns, all ranks.
   virtual std::pair<std::uint64_t, std::uint64_t> size() const = 0;
 };

@@ -64,6 +64,13 @@ public:
                const GasMaterial &material,
                GasField &field);
 
+  /// Goes on from a released fraction [-] and energy [J].
+  void go_on_from(const double fraction, const double released)
+  {
+    fraction_ = fraction;
+    released_ = released;
+  }
+
   /// The state, for checkpoints.
   void save(std::ostream &stream) const;
   void load(std::istream &stream);

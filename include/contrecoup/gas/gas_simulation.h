@@ -18,6 +18,8 @@
 #include <contrecoup/gas/leaf_mesh.h>
 #include <contrecoup/gas/leaf_points.h>
 #include <contrecoup/gas/probe_set.h>
+#include <contrecoup/gas/profile.h>
+#include <contrecoup/gas/profile_mapping.h>
 #include <contrecoup/gas/reference_solution.h>
 #include <contrecoup/gas/scheme.h>
 #include <contrecoup/gas/time_stepper.h>
@@ -52,7 +54,51 @@ public:
                            unsigned int index) override;
   std::vector<NamedValue> errors() override;
   std::vector<NamedValue> assumptions() override;
+  /// Writes the profile if "Output/Profile file" asks for it.
+  void finish(const std::string &folder) override;
   std::pair<std::uint64_t, std::uint64_t> size() const override;
+
+  /// Builds mesh and state as setup() does, from @p profile around
+  /// @p centre at the profile's time.
+  /// @throws InputError when they do not go together.
+  void start_from(std::shared_ptr<const Profile> profile,
+                  const dealii::Point<dim> &centre);
+
+  /// The state as a profile, see extract_profile().
+  ProfileData profile() const;
+
+  /// Whether there is explosive that the detonation has not passed.
+  bool is_burning() const
+  {
+    return !has_burned_;
+  }
+
+  /// See disturbed_box().
+  std::pair<dealii::Point<dim>, dealii::Point<dim>> disturbed_box() const;
+
+  /// The state before anything happened.
+  GasState<dim> ambient() const;
+
+  const CoarseMesh<dim> &coarse_mesh() const
+  {
+    return coarse_mesh_;
+  }
+  const GasMaterial &material() const
+  {
+    return material_;
+  }
+  /// Edge lengths of the smallest subcells that adaptation may make [m].
+  dealii::Tensor<1, dim> smallest_cell() const;
+
+  ProbeSet<dim> &probe_set()
+  {
+    return probes_;
+  }
+  /// What the blast did at the probes so far, see ProbeSet.
+  std::vector<NamedValue> probe_measures() const
+  {
+    return probes_.measures(reference_);
+  }
 
 private:
   void parse_afterburn(ParameterHandler &prm);
@@ -62,6 +108,12 @@ private:
   bool wants_initial_refinement(const unsigned int leaf) const;
   void mesh_changed();
   void update_burn();
+  void parse_profile_file(dealii::ParameterHandler &prm);
+  std::vector<std::string> mapping_report(const ProfileMapping &mapping) const;
+  /// Takes over the afterburn of the profile.
+  void go_on_burning();
+  /// Takes over the profile's maps of what the blast did so far.
+  void go_on_mapping();
   [[noreturn]] void give_up(const typename TimeStepper<dim>::Result &result);
   std::string describe_leaf(const unsigned int leaf);
 
@@ -78,6 +130,8 @@ private:
   GaugeRasters<dim> gauges_;
   GasOutput<dim> output_;
   double end_time_ = 0.;
+  std::string profile_file_;
+  std::string material_words_;
 
   LeafMesh<dim> mesh_;
   LeafLayout layout_;

@@ -10,7 +10,9 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <array>
+#include <functional>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,6 +53,10 @@ public:
            const GasMaterial &material,
            const double time,
            const double step);
+
+  /// Sets the records of all gauges for which @p record has one.
+  void set_records(const std::function<std::optional<BlastRecord<double>>(
+                     const dealii::Point<dim> &)> &record);
 
   /// Gives every rank the records of all gauges. Collective.
   void share();

@@ -25,6 +25,18 @@ public:
   /// See InitialState::value().
   virtual GasState<dim> value(const dealii::Point<dim> &point) const = 0;
 
+  /// See InitialState::ambient().
+  virtual GasState<dim> ambient(const dealii::Point<dim> &point) const
+  {
+    return value(point);
+  }
+
+  /// See InitialState::time().
+  virtual double time() const
+  {
+    return 0.;
+  }
+
   /// See InitialState::smallest_feature().
   virtual double smallest_feature() const
   {

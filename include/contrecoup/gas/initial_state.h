@@ -4,6 +4,8 @@
 #pragma once
 
 #include <contrecoup/gas/gas_state.h>
+#include <contrecoup/geometry/coarse_mesh.h>
+#include <contrecoup/materials/gas_material.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/point.h>
@@ -12,15 +14,13 @@
 #include <string>
 #include <vector>
 
-namespace contrecoup
-{
-class GasMaterial;
-}
-
 namespace contrecoup::gas
 {
 template <int dim>
 class InitialField;
+template <int dim>
+class ProfileField;
+class Profile;
 
 /**
  * The gas at time zero, as subsection "Initial state" of the parameter file
@@ -54,6 +54,21 @@ public:
   /// @throws InputError when an expression gives an unphysical state there.
   GasState<dim> value(const dealii::Point<dim> &point) const;
 
+  /// The state at @p point before anything happened.
+  GasState<dim> ambient(const dealii::Point<dim> &point) const;
+
+  /// The time of this state [s], 0 unless a profile was made later.
+  double time() const;
+
+  /// The profile that the state is made of, or nullptr.
+  const ProfileField<dim> *profile() const;
+
+  /// Replaces the state by @p profile around @p centre, within the gas that
+  /// is at the centre in the present state before anything happened.
+  /// @throws InputError when it does not go with the domain.
+  void set_profile(std::shared_ptr<const Profile> profile,
+                   const dealii::Point<dim> &centre);
+
   /**
    * The length [m] that samples must resolve for cell means to be right:
    * the radius of a small energy deposit, the thickness of a thin layer;
@@ -75,6 +90,8 @@ public:
 
 private:
   std::unique_ptr<const InitialField<dim>> field_;
+  GasMaterial material_;
+  Geometry geometry_ = Geometry::plane;
 };
 
 /// The kinds of initial states.

@@ -45,6 +45,21 @@ public:
   void
   read(const GasField &field, const GasMaterial &material, const double time);
 
+  /// Takes states that were read elsewhere, one for each place, as read()
+  /// does.
+  void take(const std::vector<GasState<dim>> &states, const double time);
+
+  const std::vector<dealii::Point<dim>> &places() const
+  {
+    return places_;
+  }
+
+  /// What was read last.
+  const std::vector<GasState<dim>> &states() const
+  {
+    return states_;
+  }
+
   /// Pressure, density, velocity and, for mixtures, products of each.
   std::vector<NamedValue> values(const bool has_products) const;
 

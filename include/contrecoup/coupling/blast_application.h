@@ -5,8 +5,9 @@
 
 #include <contrecoup/io/application.h>
 
-namespace contrecoup::gas
+namespace contrecoup::coupling
 {
-/// The application "blast": gas dynamics in 1 to 3 dimensions.
+/// The application "blast": gas dynamics in 1 to 3 dimensions, in one stage
+/// or two.
 io::ApplicationDescription blast_application();
-} // namespace contrecoup::gas
+} // namespace contrecoup::coupling

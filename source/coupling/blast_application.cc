@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameters.h>
-#include <contrecoup/gas/blast_application.h>
-#include <contrecoup/gas/gas_simulation.h>
+#include <contrecoup/coupling/blast_application.h>
+#include <contrecoup/coupling/staged_simulation.h>
 
-namespace contrecoup::gas
+namespace contrecoup::coupling
 {
 namespace
 {
@@ -13,7 +14,18 @@ namespace
   std::unique_ptr<Simulation> create(ParameterHandler &prm,
                                      const MPI_Comm communicator)
   {
-    auto simulation = std::make_unique<GasSimulation<dim>>(communicator);
+    StageParameters stages;
+    stages.parse_parameters(prm);
+    if constexpr (dim > 1)
+      if (stages.kind != "none")
+      {
+        auto simulation = std::make_unique<StagedSimulation<dim>>(communicator);
+        simulation->parse_parameters(prm);
+        return simulation;
+      }
+    if (stages.kind != "none")
+      throw InputError("First stage/Kind: a scene of 1 dimension has none");
+    auto simulation = std::make_unique<gas::GasSimulation<dim>>(communicator);
     simulation->parse_parameters(prm);
     return simulation;
   }
@@ -44,7 +56,7 @@ io::ApplicationDescription blast_application()
   return {"blast",
           "Solves the Euler equations of a compressible gas, air or "
           "explosive products, on adaptive octree meshes.",
-          GasSimulation<3>::declare_parameters,
+          StagedSimulation<3>::declare_parameters,
           create_any};
 }
-} // namespace contrecoup::gas
+} // namespace contrecoup::coupling

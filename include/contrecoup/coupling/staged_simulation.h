@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/coupling/first_stage.h>
+
+namespace contrecoup::coupling
+{
+/**
+ * A blast that begins in fewer dimensions and goes on in those of its scene:
+ * a first stage, and the scene's gas, which takes over its profile between
+ * two steps. Histories and gauges are those of the scene throughout; fields
+ * are those of the stage that is at work.
+ */
+template <int dim>
+class StagedSimulation : public Simulation
+{
+public:
+  explicit StagedSimulation(const MPI_Comm communicator);
+
+  /// Declares all entries: those of the gas and subsection "First stage".
+  static void declare_parameters(ParameterHandler &prm);
+
+  /// @throws InputError for scenes that cannot be staged.
+  void parse_parameters(ParameterHandler &prm);
+
+  CostEstimate estimate() override;
+  void setup() override;
+  void restore(const std::string &folder) override;
+  void save(const std::string &folder) override;
+  double time() const override;
+  StepReport advance(double largest_step) override;
+  bool adapt() override;
+  std::vector<NamedValue> history() override;
+  std::vector<NamedValue> probes() override;
+  std::string write_fields(const std::string &folder,
+                           unsigned int index) override;
+  std::vector<NamedValue> errors() override;
+  std::vector<NamedValue> assumptions() override;
+  void finish(const std::string &folder) override;
+  std::pair<std::uint64_t, std::uint64_t> size() const override;
+
+private:
+  /// The solver of the stage that is at work.
+  Simulation &active() const;
+  void read_gauges();
+  bool is_due();
+  void hand_over();
+
+  MPI_Comm communicator_;
+  StageParameters parameters_;
+  StagePlan<dim> plan_;
+  /// The second stage, without mesh and state before the hand-over.
+  mutable gas::GasSimulation<dim> scene_;
+  std::unique_ptr<FirstStage<dim>> first_; ///< nullptr after it
+  double hand_over_time_ = 0.;             ///< [s]
+  double hand_over_radius_ = 0.;           ///< [m]
+};
+} // namespace contrecoup::coupling

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/coupling/first_stage.h>
+
+#include <cmath>
+
+namespace contrecoup::coupling
+{
+namespace
+{
+  using gas::GasSimulation;
+  using gas::GasState;
+
+  /// The place of a gauge in the stage's domain and the unit vectors of the
+  /// stage's directions there.
+  template <int dim, int stage_dim>
+  struct Gauge
+  {
+    Gauge(const dealii::Point<dim> &place, const dealii::Point<dim> &centre)
+    {
+      dealii::Tensor<1, dim> radial = place - centre;
+      if constexpr (stage_dim == 2)
+      {
+        radial[dim - 1] = 0.;
+        this->place[1] = place[dim - 1];
+        directions[1][dim - 1] = 1.;
+      }
+      this->place[0] = radial.norm();
+      if (this->place[0] > 0.)
+        directions[0] = radial / this->place[0];
+    }
+
+    dealii::Point<stage_dim> place;
+    std::array<dealii::Tensor<1, dim>, stage_dim> directions;
+  };
+
+
+  /// A first stage that is a simulation of @p stage_dim dimensions.
+  template <int dim, int stage_dim>
+  class ReducedStage : public FirstStage<dim>
+  {
+  public:
+    ReducedStage(const ParameterHandler &scene,
+                 const std::function<void(ParameterHandler &)> &declare,
+                 const StageParameters &parameters,
+                 const StagePlan<dim> &plan,
+                 const std::vector<dealii::Point<dim>> &gauges,
+                 const MPI_Comm communicator)
+      : plan_(plan)
+      , simulation_(communicator)
+    {
+      for (const auto &place : gauges)
+        gauges_.emplace_back(place, plan.centre);
+      ParameterHandler prm;
+      declare(prm);
+      std::vector<dealii::Point<stage_dim>> places;
+      for (const auto &gauge : gauges_)
+        if (is_inside(gauge))
+          places.push_back(gauge.place);
+      derive_first_stage<dim, stage_dim>(scene, parameters, plan, places, prm);
+      simulation_.parse_parameters(prm);
+    }
+
+    Simulation &simulation() override
+    {
+      return simulation_;
+    }
+
+    double front() override
+    {
+      return simulation_.disturbed_box().second[0];
+    }
+
+    bool is_burning() const override
+    {
+      return simulation_.is_burning();
+    }
+
+    gas::ProfileData profile() override
+    {
+      return simulation_.profile();
+    }
+
+    std::vector<GasState<dim>> gauges() override
+    {
+      const GasState<stage_dim> ambient = simulation_.ambient();
+      const auto &states = simulation_.probe_set().states();
+      std::size_t next = 0;
+      std::vector<GasState<dim>> result;
+      for (const auto &gauge : gauges_)
+      {
+        const auto &here = is_inside(gauge) ? states[next++] : ambient;
+        GasState<dim> state;
+        state.density = here.density;
+        state.pressure = here.pressure;
+        state.products = here.products;
+        for (unsigned int i = 0; i < stage_dim; ++i)
+          state.velocity += here.velocity[i] * gauge.directions[i];
+        result.push_back(state);
+      }
+      return result;
+    }
+
+    std::vector<NamedValue>
+    history(const std::array<double, 3> &ambient) override
+    {
+      const auto own = own_ambient();
+      const std::map<std::string, std::pair<double, double>> at_rest = {
+        {"mass", {own[0], ambient[0]}},
+        {"energy", {own[1], ambient[1]}},
+        {"energy_before_afterburn", {own[1], ambient[1]}},
+        {"products_mass", {own[2], ambient[2]}}};
+      const auto values = simulation_.history();
+      std::vector<NamedValue> result;
+      for (const NamedValue &value : values)
+      {
+        if (value.name == "momentum_x")
+          add_momentum(values, result);
+        if (value.name.rfind("momentum_", 0) == 0)
+          continue;
+        result.push_back(value);
+        const auto found = at_rest.find(value.name);
+        if (found != at_rest.end())
+          result.back().value =
+            found->second.second +
+            plan_.part * (value.value - found->second.first);
+        else if (value.unit == "kg" || value.unit == "J")
+          result.back().value = plan_.part * value.value;
+      }
+      return result;
+    }
+
+  private:
+    bool is_inside(const Gauge<dim, stage_dim> &gauge) const
+    {
+      return gauge.place[0] <= plan_.domain_radius;
+    }
+
+    /// Mass, energy, mass of products of gas at rest in the whole domain.
+    std::array<double, 3> own_ambient() const
+    {
+      const auto &mesh = simulation_.coarse_mesh();
+      const auto state = gas::conserved_state(
+        simulation_.ambient(), simulation_.material(), stage_dim + 3);
+      const double radius = mesh.upper_corner()[0];
+      double volume = 4. / 3. * dealii::numbers::PI * radius * radius * radius;
+      if constexpr (stage_dim == 2)
+        volume = dealii::numbers::PI * radius * radius *
+                 (mesh.upper_corner()[1] - mesh.lower_corner()[1]);
+      return {{volume * state[0],
+               volume * state[stage_dim + 1],
+               volume * state[stage_dim + 2]}};
+    }
+
+    /// Momentum along each direction of the scene: what planes through the
+    /// centre leave of the radial one, integrated over its directions.
+    void add_momentum(const std::vector<NamedValue> &values,
+                      std::vector<NamedValue> &result) const
+    {
+      std::array<double, 2> momentum{};
+      for (const NamedValue &value : values)
+        if (value.name == "momentum_x" || value.name == "momentum_y")
+          momentum[value.name == "momentum_y"] = value.value;
+      const std::array<const char *, 3> axes = {{"x", "y", "z"}};
+      // Mean of a component of the unit vector over half the directions.
+      const double mean = stage_dim == 1 ? 0.5 : 2. / dealii::numbers::PI;
+      for (unsigned int d = 0; d < dim; ++d)
+      {
+        NamedValue component{std::string("momentum_") + axes[d], "kg m/s", 0.};
+        component.value = plan_.part * plan_.side[d] * mean * momentum[0];
+        if (dim == 2 && d == 0) // the radial one of the scene itself
+          component.value = plan_.part * dealii::numbers::PI / 4. * momentum[0];
+        if (stage_dim == 2 && d == dim - 1)
+          component.value = plan_.part * momentum[1];
+        result.push_back(component);
+      }
+    }
+
+    const StagePlan<dim> plan_;
+    std::vector<Gauge<dim, stage_dim>> gauges_;
+    GasSimulation<stage_dim> simulation_;
+  };
+} // namespace
+
+
+template <int dim>
+std::unique_ptr<FirstStage<dim>>
+make_first_stage(const ParameterHandler &scene,
+                 const std::function<void(ParameterHandler &)> &declare,
+                 const StageParameters &parameters,
+                 const StagePlan<dim> &plan,
+                 const std::vector<dealii::Point<dim>> &gauges,
+                 const MPI_Comm communicator)
+{
+  if constexpr (dim == 3)
+    if (parameters.kind == "axisymmetric")
+      return std::make_unique<ReducedStage<dim, 2>>(
+        scene, declare, parameters, plan, gauges, communicator);
+  return std::make_unique<ReducedStage<dim, 1>>(
+    scene, declare, parameters, plan, gauges, communicator);
+}
+
+
+#define CONTRECOUP_INSTANTIATE(dim)                           \
+  template std::unique_ptr<FirstStage<dim>> make_first_stage( \
+    const ParameterHandler &,                                 \
+    const std::function<void(ParameterHandler &)> &,          \
+    const StageParameters &,                                  \
+    const StagePlan<dim> &,                                   \
+    const std::vector<dealii::Point<dim>> &,                  \
+    const MPI_Comm)
+
+CONTRECOUP_INSTANTIATE(2);
+CONTRECOUP_INSTANTIATE(3);
+#undef CONTRECOUP_INSTANTIATE
+} // namespace contrecoup::coupling

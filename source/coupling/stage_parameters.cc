@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameter_tree.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/coupling/stage_parameters.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace contrecoup::coupling
+{
+namespace
+{
+  using Changes = std::map<std::string, std::string>;
+
+  /// Hands all entries of @p from to @p to but for those in @p changes, by
+  /// "Section/Entry", and those whose path begins with @p left_out.
+  void copy_entries(const ParameterHandler &from,
+                    const Changes &changes,
+                    ParameterHandler &to,
+                    const std::string &left_out = "")
+  {
+    std::vector<Assignment> assignments;
+    for (Assignment &assignment : assignments_of(from))
+    {
+      std::string path;
+      for (const std::string &section : assignment.sections)
+        path += section + "/";
+      if (!left_out.empty() && path.rfind(left_out, 0) == 0)
+        continue;
+      const auto change = changes.find(path + assignment.entry);
+      if (change != changes.end())
+        assignment.value = change->second;
+      assignments.push_back(assignment);
+    }
+    apply_assignments(assignments, to);
+  }
+
+  /// Moves balls, charges and where they are lit to the centre or axis of a
+  /// stage; places on the axis keep their height, z in the scene and y there.
+  void move_charges(const ParameterHandler &scene,
+                    const std::map<std::string, std::string> &values,
+                    const int stage_dim,
+                    Changes &changes)
+  {
+    const auto moved = [&](const std::string &place) {
+      const auto words = split(place, ',');
+      return stage_dim == 1 ? "0" : "0, " + (words.size() > 2 ? words[2] : "0");
+    };
+    for (const std::string &name : item_names(scene, "Initial state/Region"))
+    {
+      const std::string entry = "Initial state/Region " + name + "/Center";
+      changes[entry] = moved(values.at(entry));
+    }
+    for (const std::string &name : item_names(scene, "Charges/Charge"))
+    {
+      const std::string charge = "Charges/Charge " + name;
+      changes[charge + "/Center"] = moved(values.at(charge + "/Center"));
+      std::vector<std::string> points;
+      for (const auto &point :
+           split(values.at(charge + "/Ignition points"), ';'))
+        points.push_back(moved(point));
+      changes[charge + "/Ignition points"] = join(points, "; ");
+    }
+  }
+
+  template <int dim>
+  std::string text_of(const dealii::Point<dim> &point)
+  {
+    std::vector<std::string> words;
+    for (unsigned int d = 0; d < dim; ++d)
+      words.push_back(exact(point[d]));
+    return join(words, ",");
+  }
+
+  /// Refuses a charge, whose subsection is the current one, that has not the
+  /// symmetry of the stage.
+  void check_charge(const ParameterHandler &prm,
+                    const std::string &name,
+                    const bool axisymmetric_stage)
+  {
+    const std::string where = "First stage: Charges/Charge " + name;
+    const std::string shape = prm.get("Shape");
+    const auto axis = read_list(prm, "Axis");
+    const bool upright = axis[0] == 0. && axis[1] == 0.;
+    if (shape != "sphere" &&
+        !(axisymmetric_stage && shape == "cylinder" && upright))
+      throw InputError(where + " must be a sphere or, where the stage is "
+                               "axisymmetric, an upright cylinder");
+    auto centre = read_list(prm, "Center");
+    centre.resize(3, 0.);
+    for (const std::string &point : split(prm.get("Ignition points"), ';'))
+    {
+      const auto words = split(point, ',');
+      for (unsigned int d = 0; d < words.size(); ++d)
+        if (std::stod(words[d]) != centre[d] && !(axisymmetric_stage && d == 2))
+          throw InputError(where + " must be lit in its centre or, where the "
+                                   "stage is axisymmetric, on its axis");
+    }
+  }
+
+  /// The centre of the charges of the scene, or of its balls of hot gas.
+  template <int dim>
+  dealii::Point<dim> centre_of_charge(ParameterHandler &scene,
+                                      const bool axisymmetric_stage)
+  {
+    std::optional<std::vector<double>> centre;
+    const auto meet = [&](const std::vector<double> &other) {
+      if (centre && *centre != other)
+        throw InputError("First stage: charges with different centres can "
+                         "only be computed with Kind = none");
+      centre = other;
+    };
+    const auto padded = [](std::vector<double> numbers) {
+      numbers.resize(3, 0.);
+      return numbers;
+    };
+    for (const std::string &name : item_names(scene, "Charges/Charge"))
+    {
+      const Section charges(scene, "Charges");
+      const Section charge(scene, "Charge " + name);
+      check_charge(scene, name, axisymmetric_stage);
+      meet(padded(read_list(scene, "Center")));
+    }
+    const auto names = item_names(scene, "Initial state/Region");
+    const Section section(scene, "Initial state");
+    if (scene.get("Kind") == "regions")
+      for (const std::string &name : names)
+      {
+        const Section region(scene, "Region " + name);
+        if (scene.get("Shape") != "sphere")
+          throw InputError("First stage: Initial state/Region " + name +
+                           " must be a sphere");
+        meet(padded(read_list(scene, "Center")));
+      }
+    if (!centre)
+      throw InputError("First stage: the scene has no charge; subsections "
+                       "\"Charges/Charge <name>\" or Initial state/Kind = "
+                       "regions give one");
+    dealii::Point<dim> result;
+    for (unsigned int d = 0; d < dim; ++d)
+      result[d] = (*centre)[d];
+    return result;
+  }
+} // namespace
+
+
+void StageParameters::declare_parameters(ParameterHandler &prm)
+{
+  const Section section(prm, "First stage");
+  declare_selection(prm,
+                    "Kind",
+                    "none",
+                    {"none", "spherical", "axisymmetric"},
+                    "How the blast begins: as the domain is, in 1-D around "
+                    "the centre of its charge, or (3-D) in 2-D around the "
+                    "vertical through it.");
+  declare_double(prm,
+                 "Cell size",
+                 "0.001",
+                 1e-9,
+                 unbounded,
+                 "m",
+                 "Edge of the subcells of the first stage, of the smallest "
+                 "ones if it is axisymmetric.");
+  declare_integer(prm,
+                  "Levels",
+                  "3",
+                  0,
+                  20,
+                  "Times that leaves of an axisymmetric first stage are "
+                  "halved down to the Cell size where the blast is.");
+  declare_selection(prm,
+                    "Hand over at",
+                    "auto",
+                    {"auto", "time", "radius"},
+                    "When the scene goes on from the first stage: just before "
+                    "the front reaches the ground or another side of the "
+                    "domain that is no plane of symmetry of the charge, at a "
+                    "time, or when the front has reached a radius.");
+  declare_double(prm,
+                 "Time",
+                 "0",
+                 0.,
+                 unbounded,
+                 "s",
+                 "Time of the hand-over, if at a time.");
+  declare_double(prm,
+                 "Radius",
+                 "1",
+                 1e-9,
+                 unbounded,
+                 "m",
+                 "Distance of the front from the charge's centre or axis "
+                 "at the hand-over, if at a radius.");
+}
+
+
+void StageParameters::parse_parameters(ParameterHandler &prm)
+{
+  const Section section(prm, "First stage");
+  kind = prm.get("Kind");
+  cell_size = read_double(prm, "Cell size");
+  levels = kind == "axisymmetric" ? read_unsigned(prm, "Levels") : 0;
+  criterion = prm.get("Hand over at");
+  time = read_double(prm, "Time");
+  radius = read_double(prm, "Radius");
+}
+
+
+template <int dim>
+StagePlan<dim> make_plan(ParameterHandler &scene,
+                         const StageParameters &parameters)
+{
+  CoarseMesh<dim> domain;
+  domain.parse_parameters(scene);
+  const bool axisymmetric_stage = parameters.kind == "axisymmetric";
+  const bool axisymmetric_scene = domain.geometry() == Geometry::axisymmetric;
+  if (!domain.is_axis_aligned() || dim == 1 ||
+      !(axisymmetric_scene || dim == 3))
+    throw InputError("First stage: only boxes in axisymmetric 2-D and in 3-D "
+                     "can begin with one");
+  if (axisymmetric_stage && dim != 3)
+    throw InputError("First stage: Kind = axisymmetric needs 3 dimensions");
+
+  StagePlan<dim> plan;
+  plan.centre = centre_of_charge<dim>(scene, axisymmetric_stage);
+  const auto &lower = domain.lower_corner(), &upper = domain.upper_corner();
+  double square = 0.;
+  for (unsigned int d = 0; d < dim; ++d)
+  {
+    const double tolerance = 1e-9 * (upper[d] - lower[d]);
+    const double below = plan.centre[d] - lower[d];
+    const double above = upper[d] - plan.centre[d];
+    if (std::min(below, above) < -tolerance)
+      throw InputError("First stage: the charge must be in the domain");
+    if (axisymmetric_stage && d == dim - 1)
+      continue;
+    square += std::pow(std::max(below, above), 2);
+    if (std::min(below, above) > tolerance)
+      plan.nearest = std::min({plan.nearest, below, above});
+    else
+    {
+      plan.nearest = std::min(plan.nearest, std::max(below, above));
+      if (axisymmetric_scene && d == 0)
+        continue;
+      plan.side[d] = below < above ? 1 : -1;
+      plan.part *= 0.5;
+    }
+  }
+  if (axisymmetric_stage)
+    plan.centre[dim - 1] = 0.;
+  if (axisymmetric_scene && plan.centre[0] != 0.)
+    throw InputError("First stage: the charge must be on the axis");
+  plan.farthest = std::sqrt(square);
+  plan.domain_radius = parameters.criterion == "auto" ? plan.nearest
+                       : parameters.criterion == "radius"
+                         ? 1.1 * parameters.radius
+                         : plan.farthest;
+  return plan;
+}
+
+
+template <int dim, int stage_dim>
+void derive_first_stage(const ParameterHandler &scene,
+                        const StageParameters &parameters,
+                        const StagePlan<dim> &plan,
+                        const std::vector<dealii::Point<stage_dim>> &probes,
+                        ParameterHandler &stage)
+{
+  const auto values = parameter_values(scene);
+  const double leaf =
+    parameters.cell_size * std::stod(values.at("Method/Subcells"));
+  const double coarse = leaf * std::pow(2., parameters.levels);
+  Changes changes;
+  const double n = std::ceil(plan.domain_radius / coarse * (1. - 1e-12)) + 1.;
+  dealii::Point<stage_dim> lower, upper;
+  upper[0] = n * coarse;
+  std::string leaves = brief(n, 12);
+  if constexpr (stage_dim == 2)
+  {
+    const auto low = split(values.at("Domain/Lower corner"), ',');
+    const auto high = split(values.at("Domain/Upper corner"), ',');
+    lower[1] = std::stod(low[2]);
+    upper[1] = std::stod(high[2]);
+    const double height = std::round((upper[1] - lower[1]) / coarse);
+    leaves += ", " + brief(std::max(1., height), 12);
+    changes["Boundaries/y low"] = values.at("Boundaries/z low");
+    changes["Boundaries/y high"] = values.at("Boundaries/z high");
+  }
+  changes["Domain/Dimension"] = std::to_string(stage_dim);
+  changes["Domain/Geometry"] = stage_dim == 1 ? "spherical" : "axisymmetric";
+  changes["Domain/Lower corner"] = text_of(lower);
+  changes["Domain/Upper corner"] = text_of(upper);
+  changes["Domain/Coarse leaves"] = leaves;
+  changes["Domain/Initial refinement"] = "0";
+  changes["Domain/Periodic directions"] = "";
+  changes["Boundaries/x low"] = "symmetry";
+  changes["Boundaries/x high"] = "open";
+  changes["Adaptation/Active"] = parameters.levels > 0 ? "true" : "false";
+  changes["Adaptation/Smallest level"] = "0";
+  changes["Adaptation/Largest level"] = std::to_string(parameters.levels);
+  changes["Adaptation/Fine box levels"] = "0";
+  changes["Method/Scheme"] = "finite volume";
+  changes["Method/Precision"] = "double";
+  changes["Reference/Kind"] = "none";
+  changes["Pictures/Planes"] = "";
+  changes["Output/Profile file"] = "";
+  std::vector<std::string> places;
+  for (const auto &place : probes)
+    places.push_back(text_of(place));
+  changes["Probes/Points"] = join(places, ";");
+  changes["Probes/Lines"] = "";
+  changes["Probes/Gauge planes"] = "";
+  // The scene's maps and gauges begin with what the stage knows by radius.
+  changes["Output/Maps"] = "true";
+  move_charges(scene, values, stage_dim, changes);
+  copy_entries(scene, changes, stage);
+}
+
+
+void derive_second_stage(const ParameterHandler &scene, ParameterHandler &stage)
+{
+  copy_entries(
+    scene, {{"Initial state/Kind", "uniform"}}, stage, "Charges/Charge ");
+}
+
+
+#define CONTRECOUP_INSTANTIATE(dim) \
+  template StagePlan<dim> make_plan(ParameterHandler &, const StageParameters &)
+#define CONTRECOUP_INSTANTIATE_STAGE(dim, stage_dim) \
+  template void derive_first_stage(                  \
+    const ParameterHandler &,                        \
+    const StageParameters &,                         \
+    const StagePlan<dim> &,                          \
+    const std::vector<dealii::Point<stage_dim>> &,   \
+    ParameterHandler &)
+
+CONTRECOUP_INSTANTIATE(2);
+CONTRECOUP_INSTANTIATE(3);
+CONTRECOUP_INSTANTIATE_STAGE(2, 1);
+CONTRECOUP_INSTANTIATE_STAGE(3, 1);
+CONTRECOUP_INSTANTIATE_STAGE(3, 2);
+#undef CONTRECOUP_INSTANTIATE
+#undef CONTRECOUP_INSTANTIATE_STAGE
+} // namespace contrecoup::coupling

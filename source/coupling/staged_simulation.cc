@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/log.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/base/time_parameters.h>
+#include <contrecoup/base/timers.h>
+#include <contrecoup/coupling/staged_simulation.h>
+#include <contrecoup/io/checked_file.h>
+
+#include <sstream>
+
+namespace contrecoup::coupling
+{
+namespace
+{
+  template <typename Number>
+  void write_number(std::ostream &stream, const Number number)
+  {
+    stream.write(reinterpret_cast<const char *>(&number), sizeof(number));
+  }
+
+  template <typename Number>
+  void read_number(std::istream &stream, Number &number)
+  {
+    stream.read(reinterpret_cast<char *>(&number), sizeof(number));
+  }
+} // namespace
+
+
+template <int dim>
+StagedSimulation<dim>::StagedSimulation(const MPI_Comm communicator)
+  : communicator_(communicator)
+  , scene_(communicator)
+{}
+
+
+template <int dim>
+void StagedSimulation<dim>::declare_parameters(ParameterHandler &prm)
+{
+  gas::GasSimulation<dim>::declare_parameters(prm);
+  StageParameters::declare_parameters(prm);
+}
+
+
+template <int dim>
+void StagedSimulation<dim>::parse_parameters(ParameterHandler &prm)
+{
+  const auto declare = [](ParameterHandler &other) {
+    TimeParameters::declare_parameters(other);
+    declare_parameters(other);
+  };
+  parameters_.parse_parameters(prm);
+  plan_ = make_plan<dim>(prm, parameters_);
+  ParameterHandler second;
+  declare(second);
+  derive_second_stage(prm, second);
+  scene_.parse_parameters(second);
+  first_ = make_first_stage<dim>(prm,
+                                 declare,
+                                 parameters_,
+                                 plan_,
+                                 scene_.probe_set().places(),
+                                 communicator_);
+}
+
+
+template <int dim>
+Simulation &StagedSimulation<dim>::active() const
+{
+  return first_ ? first_->simulation() : scene_;
+}
+
+
+template <int dim>
+CostEstimate StagedSimulation<dim>::estimate()
+{
+  CostEstimate result = scene_.estimate();
+  if (first_)
+  {
+    const CostEstimate first = first_->simulation().estimate();
+    result.steps += first.steps;
+    result.seconds += first.seconds;
+    result.memory += first.memory;
+  }
+  return result;
+}
+
+
+template <int dim>
+void StagedSimulation<dim>::setup()
+{
+  first_->simulation().setup();
+  read_gauges();
+  if (is_due())
+    hand_over();
+}
+
+
+template <int dim>
+void StagedSimulation<dim>::read_gauges()
+{
+  scene_.probe_set().take(first_->gauges(), first_->simulation().time());
+}
+
+
+template <int dim>
+bool StagedSimulation<dim>::is_due()
+{
+  if (first_->is_burning())
+  {
+    if (first_->front() >= plan_.nearest && parameters_.criterion == "auto")
+      throw InputError("First stage: the front reaches a side of the domain "
+                       "before all of the charge has burned; use First "
+                       "stage/Kind = none, or axisymmetric");
+    return false;
+  }
+  if (parameters_.criterion == "time")
+    return time() >= parameters_.time * (1. - 1e-13);
+  if (parameters_.criterion == "radius")
+    return first_->front() >= parameters_.radius;
+  // The front of the second stage is a subcell wide on either side.
+  double margin = 0.;
+  const auto cell = scene_.smallest_cell();
+  for (unsigned int d = 0; d < dim; ++d)
+    margin = std::max(margin, 2. * cell[d]);
+  margin += 4. * parameters_.cell_size;
+  return first_->front() >= plan_.nearest - margin;
+}
+
+
+template <int dim>
+void StagedSimulation<dim>::hand_over()
+{
+  const TimerScope timer("hand-over");
+  hand_over_time_ = time();
+  hand_over_radius_ = first_->front();
+  log_line("first stage ends at " + brief(hand_over_time_, 6) +
+           " s with its front at " + brief(hand_over_radius_, 6) +
+           " m from the charge");
+  auto profile = std::make_shared<const gas::Profile>(first_->profile());
+  first_.reset();
+  scene_.start_from(std::move(profile), plan_.centre);
+  const auto size = scene_.size();
+  log_line("second stage: " + std::to_string(size.first) + " cells, " +
+           std::to_string(size.second) + " unknowns");
+}
+
+
+template <int dim>
+double StagedSimulation<dim>::time() const
+{
+  return active().time();
+}
+
+
+template <int dim>
+StepReport StagedSimulation<dim>::advance(const double largest_step)
+{
+  if (!first_)
+    return scene_.advance(largest_step);
+  double step = largest_step;
+  if (parameters_.criterion == "time")
+    step = std::min(step,
+                    parameters_.time > time() ? parameters_.time - time()
+                                              : largest_step);
+  const StepReport report = first_->simulation().advance(step);
+  read_gauges();
+  return report;
+}
+
+
+template <int dim>
+bool StagedSimulation<dim>::adapt()
+{
+  const bool changed = active().adapt();
+  if (!first_ || !is_due())
+    return changed;
+  hand_over();
+  return true;
+}
+
+
+template <int dim>
+std::vector<NamedValue> StagedSimulation<dim>::history()
+{
+  if (!first_)
+    return scene_.history();
+  const auto &mesh = scene_.coarse_mesh();
+  const auto state =
+    gas::conserved_state(scene_.ambient(), scene_.material(), dim + 3);
+  double volume = 1.;
+  for (unsigned int d = 0; d < dim; ++d)
+    volume *= mesh.upper_corner()[d] - mesh.lower_corner()[d];
+  if (mesh.geometry() == Geometry::axisymmetric)
+    volume *=
+      dealii::numbers::PI * (mesh.upper_corner()[0] + mesh.lower_corner()[0]);
+  return first_->history(
+    {{volume * state[0], volume * state[dim + 1], volume * state[dim + 2]}});
+}
+
+
+template <int dim>
+std::vector<NamedValue> StagedSimulation<dim>::probes()
+{
+  return scene_.probes();
+}
+
+
+template <int dim>
+std::string StagedSimulation<dim>::write_fields(const std::string &folder,
+                                                const unsigned int index)
+{
+  return active().write_fields(folder, index);
+}
+
+
+template <int dim>
+std::vector<NamedValue> StagedSimulation<dim>::errors()
+{
+  return first_ ? std::vector<NamedValue>() : scene_.errors();
+}
+
+
+template <int dim>
+std::vector<NamedValue> StagedSimulation<dim>::assumptions()
+{
+  if (first_)
+    return scene_.probe_measures();
+  auto values = scene_.assumptions();
+  values.push_back({"hand_over_time", "s", hand_over_time_});
+  values.push_back({"hand_over_radius", "m", hand_over_radius_});
+  return values;
+}
+
+
+template <int dim>
+void StagedSimulation<dim>::finish(const std::string &folder)
+{
+  if (!first_)
+    scene_.finish(folder);
+}
+
+
+template <int dim>
+std::pair<std::uint64_t, std::uint64_t> StagedSimulation<dim>::size() const
+{
+  return active().size();
+}
+
+
+template <int dim>
+void StagedSimulation<dim>::save(const std::string &folder)
+{
+  active().save(folder);
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    io::write_file(folder + "/stages.bin", [&](std::ostream &out) {
+      write_number<std::uint64_t>(out, first_ ? 1 : 2);
+      write_number(out, hand_over_time_);
+      write_number(out, hand_over_radius_);
+      scene_.probe_set().save(out);
+    });
+}
+
+
+template <int dim>
+void StagedSimulation<dim>::restore(const std::string &folder)
+{
+  std::istringstream stream(io::read_file(folder + "/stages.bin"));
+  std::uint64_t stage = 0;
+  read_number(stream, stage);
+  read_number(stream, hand_over_time_);
+  read_number(stream, hand_over_radius_);
+  scene_.probe_set().load(stream);
+  if (!stream || stage < 1 || stage > 2)
+    throw InputError("Checkpoint file " + folder +
+                     "/stages.bin belongs to another scene");
+  if (stage == 2)
+    first_.reset();
+  active().restore(folder);
+}
+
+
+template class StagedSimulation<2>;
+template class StagedSimulation<3>;
+} // namespace contrecoup::coupling

@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameter_tree.h>
+#include <contrecoup/base/time_parameters.h>
+#include <contrecoup/coupling/staged_simulation.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+
+using namespace contrecoup;
+using namespace contrecoup::coupling;
+
+namespace
+{
+using Lines = std::vector<std::string>;
+
+Lines operator+(Lines a, const Lines &b)
+{
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+
+/// A ball of hot products in an octant.
+Lines octant()
+{
+  return {"Domain/Dimension=3",
+          "Domain/Coarse leaves=2, 2, 2",
+          "Domain/Upper corner=1, 1, 0.8",
+          "Material/Equation of state=jwl in air",
+          "Initial state/Kind=regions",
+          "Initial state/Region ball/Radius=0.1",
+          "Initial state/Region ball/Density=100",
+          "Initial state/Region ball/Pressure=1e8",
+          "Initial state/Region ball/Products=1",
+          "Method/Subcells=4",
+          "Adaptation/Active=true",
+          "Adaptation/Largest level=2",
+          "First stage/Kind=spherical",
+          "First stage/Cell size=0.01",
+          "First stage/Hand over at=radius",
+          "First stage/Radius=0.5",
+          "Probes/Points=0.25, 0, 0; 0.15, 0.2, 0.1; 1, 1, 0.8"};
+}
+
+
+/// A charge of TNT instead, that burns on with the air.
+Lines charge()
+{
+  return octant() + Lines{"Initial state/Kind=uniform",
+                          "Charges/Charge 1/Radius=0.05",
+                          "Charges/Afterburn/Kind=constant",
+                          "Charges/Afterburn/End time=5e-4",
+                          "First stage/Cell size=0.005",
+                          "First stage/Radius=0.4"};
+}
+
+
+/// The same ball above ground, around an axis.
+Lines above_ground()
+{
+  return octant() + Lines{"Domain/Dimension=2",
+                          "Domain/Geometry=axisymmetric",
+                          "Domain/Upper corner=1.2, 1.2",
+                          "Domain/Coarse leaves=2, 2",
+                          "Initial state/Region ball/Center=0, 0.5",
+                          "First stage/Hand over at=auto",
+                          "Probes/Points=0, 0.25; 0.2, 0.6; 1, 1"};
+}
+
+
+template <int dim>
+std::unique_ptr<StagedSimulation<dim>> make(const Lines &lines)
+{
+  ParameterHandler prm;
+  TimeParameters::declare_parameters(prm);
+  StagedSimulation<dim>::declare_parameters(prm);
+  std::vector<Assignment> assignments;
+  for (const std::string &line : lines)
+    assignments.push_back(parse_override(line));
+  apply_assignments(assignments, prm);
+  auto simulation = std::make_unique<StagedSimulation<dim>>(MPI_COMM_WORLD);
+  simulation->parse_parameters(prm);
+  return simulation;
+}
+
+
+std::map<std::string, double> row(const std::vector<NamedValue> &values)
+{
+  std::map<std::string, double> result;
+  for (const NamedValue &value : values)
+    result[value.name] = value.value;
+  return result;
+}
+
+
+std::string names(const std::vector<NamedValue> &values)
+{
+  std::string result;
+  for (const NamedValue &value : values)
+    result += value.name + " [" + value.unit + "] ";
+  return result;
+}
+
+
+bool in_second_stage(Simulation &simulation)
+{
+  return row(simulation.assumptions()).count("hand_over_time") > 0;
+}
+
+
+/// Goes on until @p n steps after the hand-over; all totals stay, no column
+/// changes, and gauges do not jump.
+template <int dim>
+void check_run(StagedSimulation<dim> &simulation, const unsigned int n)
+{
+  simulation.setup();
+  const auto first = row(simulation.history());
+  const std::string columns = names(simulation.history());
+  const std::string gauges = names(simulation.probes());
+  ASSERT_FALSE(in_second_stage(simulation));
+  unsigned int after = 0;
+  for (unsigned int step = 0; after < n && step < 2000; ++step)
+  {
+    const double before = simulation.time();
+    simulation.advance(1.);
+    EXPECT_GT(simulation.time(), before);
+    const auto gauge = row(simulation.probes());
+    const bool was_second = in_second_stage(simulation);
+    simulation.adapt();
+    EXPECT_EQ(names(simulation.history()), columns);
+    EXPECT_EQ(names(simulation.probes()), gauges);
+    const auto totals = row(simulation.history());
+    const bool afterburn = totals.count("energy_before_afterburn") > 0;
+    for (const std::string name :
+         {"mass",
+          afterburn ? "energy_before_afterburn" : "energy",
+          "products_mass"})
+      EXPECT_NEAR(totals.at(name), first.at(name), 1e-12 * first.at(name))
+        << name << " in step " << step;
+    if (in_second_stage(simulation))
+      ++after;
+    if (in_second_stage(simulation) && !was_second)
+    {
+      const auto now = row(simulation.probes());
+      for (const std::string name :
+           {"probe_1_pressure", "probe_2_pressure", "probe_3_pressure"})
+        EXPECT_NEAR(now.at(name), gauge.at(name), 0.2 * now.at(name)) << name;
+    }
+  }
+  EXPECT_EQ(after, n);
+}
+
+
+/// Takes steps with adaptation.
+void steps(Simulation &simulation, const unsigned int n)
+{
+  for (unsigned int i = 0; i < n; ++i)
+  {
+    simulation.advance(1.);
+    simulation.adapt();
+  }
+}
+
+
+std::string scratch()
+{
+  const auto folder =
+    std::filesystem::temp_directory_path() /
+    ("contrecoup_staged_simulation_" +
+     std::to_string(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)));
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+  {
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
+  }
+  MPI_Barrier(MPI_COMM_WORLD);
+  return folder.string();
+}
+} // namespace
+
+
+TEST(StagedSimulation, KeepsTotalsFromOneToThreeDimensions)
+{
+  check_run(*make<3>(octant()), 8);
+}
+
+
+TEST(StagedSimulation, HandsOverABurnedChargeAndItsAfterburn)
+{
+  const auto simulation = make<3>(charge());
+  check_run(*simulation, 4);
+  const auto values = row(simulation->history());
+  EXPECT_GT(values.at("afterburn_fraction"), 0.05);
+  EXPECT_NEAR(values.at("afterburn_energy"),
+              values.at("afterburn_fraction") * 1e7 *
+                values.at("products_mass"),
+              1e-9 * values.at("afterburn_energy"));
+  // Galerkin schemes can take over what burned in finite volumes.
+  check_run(*make<3>(charge() + Lines{"Method/Scheme=discontinuous galerkin",
+                                      "Method/Time stepping=ssp rk3",
+                                      "Method/Degree=2"}),
+            2);
+}
+
+
+TEST(StagedSimulation, KeepsTotalsFromOneToTwoDimensions)
+{
+  check_run(*make<2>(above_ground()), 20);
+}
+
+
+TEST(StagedSimulation, KeepsTotalsFromTwoToThreeDimensions)
+{
+  check_run(*make<3>(octant() + Lines{"First stage/Kind=axisymmetric",
+                                      "First stage/Levels=2",
+                                      "First stage/Cell size=0.02",
+                                      "First stage/Radius=0.4"}),
+            4);
+}
+
+
+TEST(StagedSimulation, HandsOverBeforeTheFrontReachesTheGround)
+{
+  const auto simulation = make<2>(above_ground());
+  simulation->setup();
+  while (!in_second_stage(*simulation))
+    steps(*simulation, 1);
+  const auto values = row(simulation->assumptions());
+  EXPECT_LT(values.at("hand_over_radius"), 0.5);
+  EXPECT_GT(values.at("hand_over_radius"), 0.3);
+}
+
+
+TEST(StagedSimulation, HandsOverAtAGivenTimeAndAtOnce)
+{
+  const auto late = make<3>(
+    octant() + Lines{"First stage/Hand over at=time", "First stage/Time=5e-5"});
+  late->setup();
+  while (!in_second_stage(*late))
+    steps(*late, 1);
+  EXPECT_NEAR(row(late->assumptions()).at("hand_over_time"), 5e-5, 1e-17);
+
+  const auto early = make<3>(octant() + Lines{"First stage/Hand over at=time"});
+  early->setup();
+  EXPECT_TRUE(in_second_stage(*early));
+  EXPECT_EQ(early->time(), 0.);
+}
+
+
+TEST(StagedSimulation, GoesOnFromBothStages)
+{
+  const std::string folder = scratch();
+  for (const unsigned int first : {5, 150})
+  {
+    const auto straight = make<2>(above_ground());
+    straight->setup();
+    steps(*straight, first);
+    EXPECT_EQ(in_second_stage(*straight), first == 150);
+    straight->save(folder);
+    MPI_Barrier(MPI_COMM_WORLD);
+    const auto resumed = make<2>(above_ground());
+    resumed->restore(folder);
+    EXPECT_EQ(in_second_stage(*resumed), first == 150);
+    EXPECT_EQ(resumed->time(), straight->time());
+    steps(*straight, 150);
+    steps(*resumed, 150);
+    EXPECT_EQ(resumed->time(), straight->time());
+    EXPECT_EQ(row(resumed->history()), row(straight->history()));
+    EXPECT_EQ(row(resumed->probes()), row(straight->probes()));
+    EXPECT_EQ(row(resumed->assumptions()), row(straight->assumptions()));
+  }
+}
+
+
+TEST(StagePlan, KnowsWhatTheChargeIsBetween)
+{
+  ParameterHandler prm;
+  TimeParameters::declare_parameters(prm);
+  StagedSimulation<3>::declare_parameters(prm);
+  std::vector<Assignment> assignments;
+  for (const std::string &line :
+       octant() + Lines{"Domain/Lower corner=-1, 0, 0",
+                        "Initial state/Region ball/Center=0, 0, 0.3"})
+    assignments.push_back(parse_override(line));
+  apply_assignments(assignments, prm);
+  StageParameters parameters;
+  parameters.parse_parameters(prm);
+  const auto plan = make_plan<3>(prm, parameters);
+  EXPECT_EQ(plan.part, 0.5);
+  EXPECT_EQ(plan.side, (std::array<int, 3>{{0, 1, 0}}));
+  EXPECT_NEAR(plan.nearest, 0.3, 1e-15);
+  EXPECT_NEAR(plan.farthest, std::sqrt(1. + 1. + 0.25), 1e-14);
+}
+
+
+TEST(StagePlan, RefusesScenesThatCannotBeginSo)
+{
+  EXPECT_THROW(make<3>(octant() + Lines{"Initial state/Region ball/Shape=box"}),
+               InputError);
+  EXPECT_THROW(
+    make<3>(octant() + Lines{"Initial state/Region ball/Center=2, 0, 0"}),
+    InputError);
+  EXPECT_THROW(
+    make<3>(octant() + Lines{"Initial state/Region other/Center=0.5, 0, 0"}),
+    InputError);
+  EXPECT_THROW(make<3>(octant() + Lines{"Initial state/Kind=uniform"}),
+               InputError);
+  EXPECT_THROW(make<3>(charge() + Lines{"Charges/Charge 1/Shape=box"}),
+               InputError);
+  EXPECT_THROW(
+    make<3>(charge() + Lines{"Charges/Charge 1/Ignition points=0.01, 0, 0"}),
+    InputError);
+  EXPECT_THROW(make<2>(above_ground() + Lines{"First stage/Kind=axisymmetric"}),
+               InputError);
+  EXPECT_THROW(make<2>(above_ground() + Lines{"Domain/Geometry=plane"}),
+               InputError);
+}
