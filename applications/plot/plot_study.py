@@ -61,6 +61,8 @@ class Key:
         self.first, self.others = [], []
         self.recommended = study["recommended"] is not None
         for row in study["rows"]:
+            if not row["error"]:
+                continue
             for known, name in zip((self.first, self.others),
                                    self.parts(row)):
                 if name not in known:
