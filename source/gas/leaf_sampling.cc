@@ -19,6 +19,66 @@ namespace
       return dealii::QGauss<1>(2);
     return dealii::QIterated<1>(dealii::QMidpoint<1>(), n_samples);
   }
+
+  template <int dim>
+  bool is_admissible(const std::vector<double> &values,
+                     const unsigned int n_points,
+                     const GasMaterial &material)
+  {
+    using C = Component<dim>;
+    for (unsigned int q = 0; q < n_points; ++q)
+    {
+      const double density = values[C::density * n_points + q];
+      double kinetic = 0.;
+      for (unsigned int d = 0; d < dim; ++d)
+        kinetic +=
+          0.5 / density * std::pow(values[(C::momentum + d) * n_points + q], 2);
+      const double products = material.has_products()
+                                ? values[C::products * n_points + q] / density
+                                : 0.;
+      if (!(density > 0.) || !(values[C::energy * n_points + q] - kinetic >
+                               material.cold_energy_density(density, products)))
+        return false;
+    }
+    return true;
+  }
+
+  /// Galerkin nodes in curvilinear geometry stand for other volumes than the
+  /// subcells whose means they took. Scales what each component exceeds its
+  /// smallest value by, so that the leaf holds as much as the subcells.
+  template <int dim>
+  void keep_content(const LeafBox<dim> &box,
+                    const LeafPoints<dim> &points,
+                    const GasMaterial &material,
+                    const unsigned int n_points,
+                    std::vector<double> &values)
+  {
+    std::vector<double> scaled = values;
+    for (unsigned int first = 0; first < values.size(); first += n_points)
+    {
+      const double smallest = *std::min_element(
+        values.begin() + first, values.begin() + first + n_points);
+      double wanted = 0., held = 0.;
+      for (unsigned int q = 0; q < n_points; ++q)
+      {
+        const auto index = points.indices(q);
+        dealii::Point<dim> begin, end;
+        for (unsigned int d = 0; d < dim; ++d)
+        {
+          begin[d] = points.subcell_begin(index[d]);
+          end[d] = points.subcell_end(index[d]);
+        }
+        const double excess = values[first + q] - smallest;
+        wanted += excess * points.volume(box.origin, box.extents, begin, end);
+        held += excess * points.volume(box.origin, box.extents, q);
+      }
+      for (unsigned int q = 0; q < n_points && held > 0.; ++q)
+        scaled[first + q] =
+          smallest + (values[first + q] - smallest) * (wanted / held);
+    }
+    if (is_admissible<dim>(scaled, n_points, material))
+      values = scaled;
+  }
 } // namespace
 
 
@@ -177,6 +237,8 @@ std::vector<double> sample_leaf(
     for (unsigned int c = 0; c < n_components; ++c)
       result[c * n_points + q] = first[c] + sum[c] / volume;
   }
+  if (points.is_galerkin() && near_feature && points.exponent() != 0)
+    keep_content(box, points, material, n_points, result);
   return result;
 }
 

@@ -316,3 +316,38 @@ TEST(LeafSampling, NodesOnTheRimTakeTheirOwnSide)
       EXPECT_EQ(u[q], origin == 0. ? 10. : 1.);
   }
 }
+
+
+TEST(LeafSampling, CurvilinearNodesHoldWhatTheirSubcellsDo)
+{
+  dealii::ParameterHandler prm;
+  GasMaterial::declare_parameters(prm);
+  GasMaterial material;
+  material.parse_parameters(prm);
+  const auto ball = [](const Point<1> &p) {
+    GasState<1> state;
+    state.density = p[0] < 0.43 ? 5. : 1.;
+    state.pressure = p[0] < 0.43 ? 1e7 : 1e5;
+    return state;
+  };
+  for (const unsigned int n : {2U, 3U, 4U})
+    for (const Geometry geometry : {Geometry::cylindrical, Geometry::spherical})
+    {
+      const LeafPoints<1> points(make_scheme(true, n), geometry);
+      double mass = 0.;
+      for (unsigned int leaf = 0; leaf < 4; ++leaf)
+      {
+        LeafBox<1> box;
+        box.origin[0] = 0.25 * leaf;
+        box.extents[0] = 0.25;
+        const auto values =
+          sample_leaf<1>(ball, box, points, material, 3, true, 1000);
+        for (unsigned int q = 0; q < n; ++q)
+          mass += values[q] * points.volume(box.origin, box.extents, q);
+      }
+      const double exact = geometry == Geometry::spherical
+                             ? 4. / 3. * M_PI * (1. + 4. * std::pow(0.43, 3))
+                             : M_PI * (1. + 4. * std::pow(0.43, 2));
+      EXPECT_NEAR(mass / exact, 1., 1e-3);
+    }
+}
