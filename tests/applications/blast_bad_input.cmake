@@ -34,7 +34,7 @@ blast_refuses(empty_box "Domain/Upper corner" FILE ${_sod}
   SET "Domain/Upper corner=-1")
 blast_refuses(huge_mesh "of memory" FILE ${_sod}
   SET "Domain/Coarse leaves=1000000000")
-blast_refuses(huge_octree "of memory" FILE blast/quickstart.prm
+blast_refuses(huge_octree "of memory" FILE blast/showcase/hot_ball.prm
   SET "Domain/Initial refinement=9")
 blast_refuses(probe_outside "Probes/Points" FILE ${_sod}
   SET "Probes/Points=7")

@@ -1,15 +1,15 @@
 # One rank and two agree, stopped runs go on as if nothing had happened, and a
 # full disk harms no checkpoint. The scenes are shortened shipped files.
-set(_quickstart FILE blast/quickstart.prm)
+set(_hot_ball FILE blast/showcase/hot_ball.prm)
 set(_short "Time/Largest number of steps=12" "Output/History every steps=1"
   "Adaptation/Largest level=2" "Adaptation/Interval=2")
 set(_tables COMPARE history.csv probes.csv)
 
 # The momentum of a symmetric explosion is round-off: fields 5 to 7.
-contrecoup_add_application_test(ranks_quickstart ranks ${_quickstart}
+contrecoup_add_application_test(ranks_hot_ball ranks ${_hot_ball}
   SET ${_short} COMPARE history.csv TOLERANCE "-r 1e-10 -a 1e-9:5-7"
   TIMEOUT 120)
-contrecoup_add_application_test(ranks_galerkin ranks ${_quickstart}
+contrecoup_add_application_test(ranks_galerkin ranks ${_hot_ball}
   SET ${_short} "Method/Scheme=discontinuous galerkin" "Method/Degree=2"
   COMPARE history.csv TOLERANCE "-r 1e-10 -a 1e-9:5-7" TIMEOUT 120)
 contrecoup_add_application_test(ranks_sedov_2d ranks
@@ -23,38 +23,38 @@ contrecoup_add_application_test(resume_galerkin resume
   "Method/Degree=2" STOP_AFTER 33 TIMEOUT 120)
 contrecoup_add_application_test(resume_products resume
   FILE blast/verification/tnt_air.prm STOP_AFTER 50 TIMEOUT 120)
-contrecoup_add_application_test(resume_quickstart resume ${_quickstart}
+contrecoup_add_application_test(resume_hot_ball resume ${_hot_ball}
   SET ${_short} ${_tables} STOP_AFTER 7 TIMEOUT 120)
-contrecoup_add_application_test(resume_quickstart_galerkin resume
-  ${_quickstart} SET ${_short} "Method/Scheme=discontinuous galerkin"
+contrecoup_add_application_test(resume_hot_ball_galerkin resume
+  ${_hot_ball} SET ${_short} "Method/Scheme=discontinuous galerkin"
   "Method/Degree=2" ${_tables} STOP_AFTER 7 TIMEOUT 120)
-contrecoup_add_application_test(resume_quickstart_two_ranks resume
-  ${_quickstart} MPI 2 SET ${_short} COMPARE history.csv
+contrecoup_add_application_test(resume_hot_ball_two_ranks resume
+  ${_hot_ball} MPI 2 SET ${_short} COMPARE history.csv
   TOLERANCE "-r 1e-10 -a 1e-9:5-7" STOP_AFTER 7 TIMEOUT 120)
 # Maps and gauges go on, too: the planes that they leave are the same.
 set(_gauges "Output/Maps=true" "Probes/Lines=0,0,0 : 1,0,0.5 : 11"
   "Probes/Gauge planes=-1,-1,0 : 1,1,0 : 9, 9")
-contrecoup_add_application_test(resume_maps resume ${_quickstart}
+contrecoup_add_application_test(resume_maps resume ${_hot_ball}
   SET ${_short} ${_gauges} COMPARE history.csv fields/gauges_line_1.csv
   fields/gauges_plane_1_impulse.npy fields/plane_y_0_peak_overpressure.npy
   fields/plane_y_0_impulse.npy fields/plane_y_0_arrival.npy STOP_AFTER 7
   TIMEOUT 120)
-contrecoup_add_application_test(ranks_single ranks ${_quickstart}
+contrecoup_add_application_test(ranks_single ranks ${_hot_ball}
   SET ${_short} "Method/Precision=single"
   COMPARE history.csv TOLERANCE "-r 1e-7 -a 1e-9:5-7" TIMEOUT 120)
-contrecoup_add_application_test(resume_single resume ${_quickstart}
+contrecoup_add_application_test(resume_single resume ${_hot_ball}
   SET ${_short} "Method/Precision=single" ${_gauges} ${_tables}
   fields/plane_y_0_impulse.npy STOP_AFTER 7 TIMEOUT 120)
-contrecoup_add_application_test(sigterm_quickstart sigterm ${_quickstart}
+contrecoup_add_application_test(sigterm_hot_ball sigterm ${_hot_ball}
   SET ${_short} "Time/Largest number of steps=60" ${_tables} TIMEOUT 120)
-contrecoup_add_application_test(full_disk disk ${_quickstart}
+contrecoup_add_application_test(full_disk disk ${_hot_ball}
   SET ${_short} "Time/Largest number of steps=30"
   "Output/Checkpoint every steps=5" ${_tables} EXIT 3 MESSAGE "error: "
   TIMEOUT 120)
 
 # An explosion in a closed box conserves mass and energy while its mesh adapts.
 foreach(_ranks 1 2)
-  contrecoup_add_application_test(conserves_on_${_ranks} bounds ${_quickstart}
+  contrecoup_add_application_test(conserves_on_${_ranks} bounds ${_hot_ball}
     MPI ${_ranks} SET "Boundaries/x low=wall" "Boundaries/x high=wall"
     "Boundaries/y low=wall" "Boundaries/y high=wall" "Boundaries/z high=wall"
     "Domain/Upper corner=0.3, 0.3, 1.05" "Domain/Lower corner=-0.3, -0.3, 0.45"
@@ -66,7 +66,7 @@ endforeach()
 
 contrecoup_add_application_test(pictures_1d pictures
   FILE blast/verification/sod.prm COMPARE history.png profiles.png)
-contrecoup_add_application_test(pictures_3d pictures ${_quickstart} MPI 2
+contrecoup_add_application_test(pictures_3d pictures ${_hot_ball} MPI 2
   SET ${_short} ${_gauges} COMPARE history.png probes.png
   plane_y_0_pressure.png plane_y_0_density.png plane_y_0_pressure_lowest.png
   plane_y_0_maps.png gauges_line_1.png gauges_plane_1_maps.png)
