@@ -16,6 +16,41 @@ namespace contrecoup::gas
 {
 namespace
 {
+  void declare_sensor(ParameterHandler &prm)
+  {
+    declare_double(prm,
+                   "Refine above",
+                   "0.5",
+                   0.,
+                   1.,
+                   "-",
+                   "Sensor value, the bend of density and pressure relative "
+                   "to their slope, above which a leaf is halved.");
+    declare_double(prm,
+                   "Coarsen below",
+                   "0.2",
+                   0.,
+                   1.,
+                   "-",
+                   "Sensor value below which sibling leaves are merged.");
+    declare_selection(prm,
+                      "Sensor",
+                      "density and pressure",
+                      {"density and pressure", "pressure"},
+                      "What the sensor looks at: pressure alone follows shocks "
+                      "and lets the mesh coarsen at contacts, as in the hot "
+                      "core of an explosion.");
+    declare_double(prm,
+                   "Noise",
+                   "0.02",
+                   1e-12,
+                   1.,
+                   "-",
+                   "Relative differences between neighbouring points that "
+                   "the sensor takes for noise.");
+  }
+
+
   void declare_fine_box(ParameterHandler &prm)
   {
     declare_list(prm,
@@ -54,8 +89,7 @@ void AdaptationParameters::declare_parameters(ParameterHandler &prm)
   declare_bool(prm,
                "Active",
                "false",
-               "Whether leaves are halved and merged during the run (2-D "
-               "and 3-D).");
+               "Whether leaves are halved and merged during the run.");
   declare_integer(prm,
                   "Interval",
                   "5",
@@ -75,29 +109,7 @@ void AdaptationParameters::declare_parameters(ParameterHandler &prm)
                   0,
                   20,
                   "Times that a coarse leaf may be halved at most.");
-  declare_double(prm,
-                 "Refine above",
-                 "0.5",
-                 0.,
-                 1.,
-                 "-",
-                 "Sensor value, the bend of density and pressure relative "
-                 "to their slope, above which a leaf is halved.");
-  declare_double(prm,
-                 "Coarsen below",
-                 "0.2",
-                 0.,
-                 1.,
-                 "-",
-                 "Sensor value below which sibling leaves are merged.");
-  declare_double(prm,
-                 "Noise",
-                 "0.02",
-                 1e-12,
-                 1.,
-                 "-",
-                 "Relative differences between neighbouring points that "
-                 "the sensor takes for noise.");
+  declare_sensor(prm);
   declare_integer(prm,
                   "Buffer",
                   "1",
@@ -125,6 +137,7 @@ void AdaptationParameters::parse_parameters(
     std::max(read_unsigned(prm, "Largest level"), initial_refinement);
   refine = read_double(prm, "Refine above");
   coarsen = read_double(prm, "Coarsen below");
+  pressure_only = prm.get("Sensor") == "pressure";
   noise = read_double(prm, "Noise");
   buffer = read_unsigned(prm, "Buffer");
   fine_lower = read_list(prm, "Fine box lower corner");
@@ -142,10 +155,6 @@ void AdaptationParameters::check(const unsigned int dim,
                                  const bool is_finite_volume,
                                  const bool is_axis_aligned) const
 {
-  if (dim == 1)
-    throw InputError(
-      "Adaptation/Active: in 1 dimension meshes are uniform; use "
-      "more leaves instead");
   if (is_finite_volume && n_points % 2 == 1 && n_points != 1)
     throw InputError("Adaptation needs Method/Subcells = 1 or an even number, "
                      "not " +
@@ -179,85 +188,99 @@ Adaptation<dim>::Adaptation(const AdaptationParameters &parameters,
 template <int dim>
 std::vector<double> Adaptation<dim>::sensors(const GasField &field) const
 {
-  return jump_sensor(mesh_, points_, material_, field, parameters_.noise);
+  return jump_sensor(mesh_,
+                     points_,
+                     material_,
+                     field,
+                     parameters_.noise,
+                     parameters_.pressure_only);
 }
 
 
 template <int dim>
 bool Adaptation<dim>::adapt(GasField &field, BlastMaps<dim> &maps)
 {
+  std::vector<double> marks = sensors(field);
+  // Explosive that is to burn stays as fine as it was lit.
+  for (unsigned int leaf = 0; leaf < marks.size() && field.burn() != nullptr;
+       ++leaf)
+    if (field.burn()->burns[leaf])
+      marks[leaf] = 1.;
+  for (unsigned int layer = 0; layer < parameters_.buffer; ++layer)
+    spread(marks);
+  set_flags(marks);
   if constexpr (dim == 1)
+    balance_line();
+  mesh_.triangulation().prepare_coarsening_and_refinement();
+  bool any = false;
+  for (const auto &cell : mesh_.triangulation().active_cell_iterators())
+    any = any || (cell->is_locally_owned() &&
+                  (cell->refine_flag_set() || cell->coarsen_flag_set()));
+  if (dealii::Utilities::MPI::max(any ? 1U : 0U, mesh_.communicator()) == 0)
     return false;
+  if constexpr (dim == 1)
+    carry_over_line(field, maps);
   else
-  {
-    std::vector<double> marks = sensors(field);
-    // Explosive that is to burn stays as fine as it was lit.
-    for (unsigned int leaf = 0; leaf < marks.size() && field.burn() != nullptr;
-         ++leaf)
-      if (field.burn()->burns[leaf])
-        marks[leaf] = 1.;
-    for (unsigned int layer = 0; layer < parameters_.buffer; ++layer)
-      spread(marks);
-    set_flags(marks);
-    mesh_.triangulation().prepare_coarsening_and_refinement();
-    bool any = false;
-    for (const auto &cell : mesh_.triangulation().active_cell_iterators())
-      any = any || (cell->is_locally_owned() &&
-                    (cell->refine_flag_set() || cell->coarsen_flag_set()));
-    if (dealii::Utilities::MPI::max(any ? 1U : 0U, mesh_.communicator()) == 0)
-      return false;
     carry_over(field, maps);
-    return true;
-  }
+  return true;
+}
+
+
+template <int dim>
+double Adaptation<dim>::largest_mark(const CellIterator &cell,
+                                     const unsigned int face,
+                                     const Marks &mark) const
+{
+  double largest = 0.;
+  const auto look = [&](const auto &neighbor) {
+    if (neighbor->level() >= cell->level())
+      largest = std::max(largest, mark(neighbor));
+  };
+  const bool periodic = dim > 1 && cell->has_periodic_neighbor(face);
+  if (cell->at_boundary(face) && !periodic)
+    return largest;
+  const auto neighbor =
+    periodic ? cell->periodic_neighbor(face) : cell->neighbor(face);
+  if (!neighbor->has_children())
+    look(neighbor);
+  else if (dim == 1)
+    look(neighbor->child(1 - face));
+  else
+    // Only the children on the face: farther ones would widen the buffer
+    // beside coarse leaves, to be merged again the next time.
+    for (unsigned int c = 0; c < HangingFace<dim>::n_fine; ++c)
+      look(periodic ? cell->periodic_neighbor_child_on_subface(face, c)
+                    : cell->neighbor_child_on_subface(face, c));
+  return largest;
 }
 
 
 template <int dim>
 void Adaptation<dim>::spread(std::vector<double> &marks) const
 {
+  std::map<dealii::CellId, double> ghost_marks;
   if constexpr (dim > 1)
   {
-    std::map<dealii::CellId, double> ghost_marks;
-    const auto pack =
-      [&](const typename dealii::Triangulation<dim>::active_cell_iterator &cell)
-      -> std::optional<double> { return marks[mesh_.leaf_of(cell)]; };
-    const auto unpack =
-      [&](const typename dealii::Triangulation<dim>::active_cell_iterator &cell,
-          const double &mark) { ghost_marks[cell->id()] = mark; };
+    const auto pack = [&](const ActiveIterator &cell) -> std::optional<double> {
+      return marks[mesh_.leaf_of(cell)];
+    };
+    const auto unpack = [&](const ActiveIterator &cell, const double &mark) {
+      ghost_marks[cell->id()] = mark;
+    };
     dealii::GridTools::exchange_cell_data_to_ghosts<double,
                                                     dealii::Triangulation<dim>>(
       mesh_.triangulation(), pack, unpack);
-
-    std::vector<double> result = marks;
-    for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
-    {
-      const auto &cell = mesh_.cell(leaf);
-      const auto look = [&](const auto &neighbor) {
-        const double mark = neighbor->is_locally_owned()
-                              ? marks[mesh_.leaf_of(neighbor)]
-                              : ghost_marks[neighbor->id()];
-        if (mark >= parameters_.refine && neighbor->level() >= cell->level())
-          result[leaf] = std::max(result[leaf], parameters_.refine);
-      };
-      for (const unsigned int f : cell->face_indices())
-      {
-        const bool periodic = cell->has_periodic_neighbor(f);
-        if (cell->at_boundary(f) && !periodic)
-          continue;
-        const auto neighbor =
-          periodic ? cell->periodic_neighbor(f) : cell->neighbor(f);
-        if (!neighbor->has_children())
-          look(neighbor);
-        else
-          // Only the children on the face: farther ones would widen the
-          // buffer beside coarse leaves, to be merged again the next time.
-          for (unsigned int c = 0; c < HangingFace<dim>::n_fine; ++c)
-            look(periodic ? cell->periodic_neighbor_child_on_subface(f, c)
-                          : cell->neighbor_child_on_subface(f, c));
-      }
-    }
-    marks.swap(result);
   }
+  const auto mark_of = [&](const CellIterator &cell) {
+    return cell->is_locally_owned() ? marks[mesh_.leaf_of(cell)]
+                                    : ghost_marks[cell->id()];
+  };
+  std::vector<double> result = marks;
+  for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
+    for (const unsigned int face : mesh_.cell(leaf)->face_indices())
+      if (largest_mark(mesh_.cell(leaf), face, mark_of) >= parameters_.refine)
+        result[leaf] = std::max(result[leaf], parameters_.refine);
+  marks.swap(result);
 }
 
 
@@ -327,6 +350,8 @@ bool Adaptation<dim>::refine_flagged()
     any = any || mesh_.cell(leaf)->refine_flag_set();
   if (dealii::Utilities::MPI::max(any ? 1U : 0U, mesh_.communicator()) == 0)
     return false;
+  if constexpr (dim == 1)
+    balance_line();
   mesh_.triangulation().execute_coarsening_and_refinement();
   mesh_.rebuild();
   return true;

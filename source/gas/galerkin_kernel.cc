@@ -16,19 +16,27 @@ GalerkinKernel<dim, n, Gas, Real>::GalerkinKernel(const LeafMesh<dim> &mesh,
                                                   const Boundary<dim> &boundary)
   : Base(mesh, layout, scheme, gas, boundary, LobattoBasis(n).nodes())
   , basis_(n)
-  , indicator_(basis_)
+  , indicator_(basis_, scheme.indicator_threshold)
   , radial_(radial_exponent(mesh.coarse_mesh().geometry()), n)
 {
   subface_[0] = 0.;
   for (unsigned int i = 0; i < n; ++i)
   {
-    node_[i] = basis_.nodes()[i];
     weight_[i] = basis_.weights()[i];
     subface_[i + 1] = subface_[i] + weight_[i];
     for (unsigned int j = 0; j < n; ++j)
       weak_derivative_[i][j] =
         basis_.weights()[j] * basis_.derivative()(j, i) / basis_.weights()[i];
+    center_[i] = 0.5 * (subface_[i] + subface_[i + 1]);
   }
+  for (unsigned int i = 1; i < n; ++i)
+    inverse_distance_[i] = 1. / (center_[i] - center_[i - 1]);
+  inverse_distance_[0] = inverse_distance_[n] = 1. / (2. * center_[0]);
+  for (unsigned int i = 0; i < n; ++i)
+    slope_weights_.emplace_back(1. / inverse_distance_[i],
+                                1. / inverse_distance_[i + 1],
+                                center_[i] - subface_[i],
+                                subface_[i + 1] - center_[i]);
 }
 
 
@@ -105,9 +113,6 @@ void GalerkinKernel<dim, n, Gas, Real>::set_blending()
   for (unsigned int face = 0; face < 2 * dim; ++face)
     neighbor = std::max(neighbor, Base::neighbor_sensor_[face]);
   blending_ = std::max(Base::sensor_, neighbor * 0.5);
-  // At open ends finite volumes: an extrapolated polynomial would grow.
-  for (unsigned int d = 0; d < dim; ++d)
-    blending_ = std::max(blending_, Base::open_[d]);
   any_blending_ = scheme_.blending && largest_lane(blending_) > 0.;
 }
 
@@ -155,22 +160,28 @@ void GalerkinKernel<dim, n, Gas, Real>::end_fluxes(
   const unsigned int line,
   const HangingData<dim, Real> &hanging)
 {
-  std::array<Values, 2> outside;
   for (unsigned int side = 0; side < 2; ++side)
   {
     const unsigned int face = 2 * direction + side;
     const Values p =
       Base::neighbor_primitive(face, layout_.face_point(face ^ 1U, line, 0));
     for (unsigned int c = 0; c < nc; ++c)
-      outside[side][c] = p[rotated_component<dim>(c, direction)];
+      beyond_[side][c] = p[rotated_component<dim>(c, direction)];
+  }
+  inside_ = {line_[0], line_[n - 1]};
+  outside_ = beyond_;
+  if (any_blending_ || radial_.any_near_axis())
+  {
+    find_slopes(direction);
+    reconstruct_end(direction, line, false);
+    reconstruct_end(direction, line, true);
   }
   for (auto s = mesh_.special_begin(batch_); s != mesh_.special_end(batch_);
        ++s)
     if (s->face / 2 == direction && s->kind == SpecialFace::Kind::boundary)
-      Base::fill_boundary(
-        *s, line, line_[s->face % 2 ? n - 1 : 0], outside[s->face % 2]);
-  low_flux_ = end_flux(direction, line, false, line_[0], outside[0]);
-  high_flux_ = end_flux(direction, line, true, line_[n - 1], outside[1]);
+      fill_boundary_lane(*s, line);
+  low_flux_ = end_flux(direction, line, false);
+  high_flux_ = end_flux(direction, line, true);
   Base::replace_hanging_fluxes(direction, line, hanging, low_flux_, high_flux_);
   low_flux_[C::momentum] -= reference_pressure_;
   high_flux_[C::momentum] -= reference_pressure_;
@@ -178,22 +189,45 @@ void GalerkinKernel<dim, n, Gas, Real>::end_fluxes(
 
 
 template <int dim, int n, typename Gas, typename Real>
+void GalerkinKernel<dim, n, Gas, Real>::fill_boundary_lane(
+  const SpecialFace &special,
+  const unsigned int line)
+{
+  const unsigned int side = special.face % 2;
+  Values given = inside_[side];
+  // Beyond an open end the gas is that of the leaf's other end: what comes in
+  // with the state at the end itself would make a polynomial grow. A jump
+  // that leaves is cut off at the end, not at a leaf's distance (with two
+  // subcells not wholly, as in finite volumes).
+  if (Base::boundary_.kind(special.index) == Boundary<dim>::Kind::open)
+  {
+    const Number share = Base::sensor_ * (n == 2 ? 0.7 : 1.);
+    const Values &other = line_[side == 0 ? n - 1 : 0];
+    for (unsigned int c = 0; c < nc; ++c)
+      given[c] = other[c] + share * (given[c] - other[c]);
+  }
+  Base::fill_boundary(special, line, given, outside_[side]);
+  for (unsigned int c = 0; c < nc; ++c)
+    beyond_[side][c][special.lane] = outside_[side][c][special.lane];
+}
+
+
+template <int dim, int n, typename Gas, typename Real>
 typename GalerkinKernel<dim, n, Gas, Real>::Values
 GalerkinKernel<dim, n, Gas, Real>::end_flux(const unsigned int direction,
                                             const unsigned int line,
-                                            const bool high,
-                                            const Values &inside,
-                                            const Values &outside)
+                                            const bool high)
 {
-  const auto here = to_face_state<dim>(gas_, inside);
-  const auto there = to_face_state<dim>(gas_, outside);
+  const auto here = to_face_state<dim>(gas_, inside_[high]);
+  const auto there = to_face_state<dim>(gas_, outside_[high]);
   Number theta(1.);
   if (Base::needs_shear_factor())
   {
     const unsigned int face = 2 * direction + high;
     const unsigned int point = layout_.face_point(face, line, 0);
     const Number jump =
-      (outside[C::momentum] - inside[C::momentum]) * (high ? 1. : -1.);
+      (beyond_[high][C::momentum] - line_[high ? n - 1 : 0][C::momentum]) *
+      (high ? 1. : -1.);
     theta = Base::gated_shear_factor(
       std::max(Base::sensor_, Base::neighbor_sensor_[face]),
       std::max(here.sound_speed, there.sound_speed),
@@ -248,100 +282,6 @@ void GalerkinKernel<dim, n, Gas, Real>::volume_terms()
 
 
 template <int dim, int n, typename Gas, typename Real>
-typename GalerkinKernel<dim, n, Gas, Real>::Line
-GalerkinKernel<dim, n, Gas, Real>::subcell_slopes(const unsigned int direction,
-                                                  const unsigned int line) const
-{
-  // The nodes beyond the ends; those on the leaf's own end nodes are passed
-  // over.
-  std::array<Values, 2> beyond;
-  for (unsigned int side = 0; side < 2; ++side)
-  {
-    const unsigned int face = 2 * direction + side;
-    const Values p =
-      Base::neighbor_primitive(face, layout_.face_point(face ^ 1U, line, 1));
-    for (unsigned int c = 0; c < nc; ++c)
-      beyond[side][c] = p[rotated_component<dim>(c, direction)];
-  }
-  // Without an equal neighbour the end nodes have no slope.
-  for (auto s = mesh_.special_begin(batch_); s != mesh_.special_end(batch_);
-       ++s)
-    if (s->face / 2 == direction)
-      for (unsigned int c = 0; c < nc; ++c)
-        beyond[s->face % 2][c][s->lane] =
-          line_[s->face % 2 ? n - 1 : 0][c][s->lane];
-
-  std::array<double, n + 1> inverse_distance;
-  for (unsigned int i = 1; i < n; ++i)
-    inverse_distance[i] = 1. / (node_[i] - node_[i - 1]);
-  inverse_distance[0] = inverse_distance[n] = inverse_distance[1];
-  Line slope;
-  for (unsigned int c = 0; c < nc; ++c)
-  {
-    Number backward = (line_[0][c] - beyond[0][c]) * inverse_distance[0];
-    for (unsigned int i = 0; i < n; ++i)
-    {
-      const Number next = i + 1 < n ? line_[i + 1][c] : beyond[1][c];
-      const Number forward = (next - line_[i][c]) * inverse_distance[i + 1];
-      slope[i][c] = limited_slope(scheme_.limiter, backward, forward);
-      backward = forward;
-    }
-  }
-  return slope;
-}
-
-
-template <int dim, int n, typename Gas, typename Real>
-void GalerkinKernel<dim, n, Gas, Real>::subcell_terms(
-  const unsigned int direction,
-  const unsigned int line)
-{
-  const unsigned int stride = layout_.stride(direction);
-  const unsigned int first = layout_.face_point(2 * direction, line, 0);
-  const Line slope = subcell_slopes(direction, line);
-  std::array<Values, n + 1> flux;
-  flux[0] = low_flux_;
-  flux[n] = high_flux_;
-  for (unsigned int f = 1; f < n; ++f)
-  {
-    Values left, right;
-    for (unsigned int c = 0; c < nc; ++c)
-    {
-      left[c] =
-        line_[f - 1][c] + slope[f - 1][c] * (subface_[f] - node_[f - 1]);
-      right[c] = line_[f][c] + slope[f][c] * (subface_[f] - node_[f]);
-    }
-    restore_if_inadmissible<dim>(gas_, line_[f - 1], left);
-    restore_if_inadmissible<dim>(gas_, line_[f], right);
-    const auto a = to_face_state<dim>(gas_, left);
-    const auto b = to_face_state<dim>(gas_, right);
-    Number theta(1.);
-    if (Base::needs_shear_factor())
-      theta = Base::gated_shear_factor(
-        blending_,
-        std::max(a.sound_speed, b.sound_speed),
-        line_[f][C::momentum] - line_[f - 1][C::momentum],
-        std::min(compression(direction, first + (f - 1) * stride),
-                 compression(direction, first + f * stride)));
-    flux[f] = to_array<dim, Gas>(numerical_flux(scheme_.flux, a, b, theta));
-    if (Base::any_open(direction))
-      Base::widen_open_flux(direction, line_[f - 1], line_[f], flux[f]);
-    flux[f][C::momentum] -= reference_pressure_;
-  }
-  if (direction == 0 && !radial_.is_plane())
-  {
-    radial_subcell_terms(flux);
-    return;
-  }
-  for (unsigned int i = 0; i < n; ++i)
-    for (unsigned int c = 0; c < nc; ++c)
-      line_residual_[i][c] +=
-        blending_ * ((flux[i][c] - flux[i + 1][c]) * (1. / weight_[i]) -
-                     line_residual_[i][c]);
-}
-
-
-template <int dim, int n, typename Gas, typename Real>
 void GalerkinKernel<dim, n, Gas, Real>::add_line(const unsigned int direction,
                                                  const unsigned int line)
 {
@@ -375,6 +315,8 @@ void GalerkinKernel<dim, n, Gas, Real>::finish(const BasicStage<Real> &stage)
       }
     }
   restore_positivity(stage);
+  if constexpr (Gas::has_products)
+    bound_products();
   for (unsigned int c = 0; c < nc; ++c)
     for (unsigned int q = 0; q < n_points; ++q)
       conserved_[c][q].store(out + (c * n_points + q) * Base::width);
@@ -447,6 +389,47 @@ void GalerkinKernel<dim, n, Gas, Real>::restore_positivity(
       theta, select_less(here, spare * margin, goal / (spare - here), one));
   }
   scale_to_mean(average, std::max(theta, zero), false);
+}
+
+
+// Where a node's mass fraction leaves [0, 1], those of all nodes are scaled
+// towards the leaf's mean, with the densities as weights.
+template <int dim, int n, typename Gas, typename Real>
+void GalerkinKernel<dim, n, Gas, Real>::bound_products()
+{
+  const Number zero(0.), one(1.);
+  Number smallest(1.), largest(0.);
+  for (unsigned int q = 0; q < n_points; ++q)
+  {
+    const Number fraction =
+      conserved_[C::products][q] / conserved_[C::density][q];
+    smallest = std::min(smallest, fraction);
+    largest = std::max(largest, fraction);
+  }
+  if (!any_less(smallest, zero) && !any_less(one, largest))
+    return;
+  const Values average = mean();
+  const Number fraction = std::min(
+    std::max(Number(average[C::products] / average[C::density]), zero), one);
+  const Number tiny(std::numeric_limits<float>::min());
+  Number theta =
+    select_less(smallest,
+                zero,
+                Number(fraction / std::max(Number(fraction - smallest), tiny)),
+                one);
+  theta =
+    std::min(theta,
+             select_less(one,
+                         largest,
+                         Number((one - fraction) /
+                                std::max(Number(largest - fraction), tiny)),
+                         one));
+  for (unsigned int q = 0; q < n_points; ++q)
+  {
+    const Number even = fraction * conserved_[C::density][q];
+    conserved_[C::products][q] =
+      even + theta * (conserved_[C::products][q] - even);
+  }
 }
 
 

@@ -20,13 +20,15 @@ namespace
                 const LeafPoints<dim> &points,
                 const Gas &gas,
                 const GasField &field,
-                const double noise)
+                const double noise,
+                const bool pressure_only)
       : mesh_(mesh)
       , points_(points)
       , gas_(gas)
       , field_(field)
       , layout_(field.layout())
       , noise_(noise)
+      , first_quantity_(pressure_only ? 1 : 0)
       , values_(2 * layout_.n_points)
       , line_(layout_.n + 2)
     {}
@@ -58,7 +60,8 @@ namespace
         {
           const auto low = beyond(2 * d, line);
           const auto high = beyond(2 * d + 1, line);
-          for (unsigned int quantity = 0; quantity < 2; ++quantity)
+          for (unsigned int quantity = first_quantity_; quantity < 2;
+               ++quantity)
             largest = std::max(
               largest,
               line_sensor(d, line, quantity, low[quantity], high[quantity]));
@@ -165,6 +168,7 @@ namespace
     const GasField &field_;
     const LeafLayout layout_;
     const double noise_;
+    const unsigned int first_quantity_; ///< 0: density, 1: pressure
     unsigned int batch_ = 0;
     dealii::AlignedVector<Number> values_; ///< density, then pressure
     dealii::AlignedVector<Number> line_;
@@ -177,13 +181,14 @@ std::vector<double> jump_sensor(const LeafMesh<dim> &mesh,
                                 const LeafPoints<dim> &points,
                                 const GasMaterial &material,
                                 const GasField &field,
-                                const double noise)
+                                const double noise,
+                                const bool pressure_only)
 {
   std::vector<double> result(mesh.n_owned());
   const auto compute = [&](const auto &gas, const auto real) {
     using Real = kernel_number<dim, std::decay_t<decltype(real)>>;
     BatchSensor<dim, std::decay_t<decltype(gas)>, Real> sensor(
-      mesh, points, gas, field, noise);
+      mesh, points, gas, field, noise, pressure_only);
     for (unsigned int batch = 0; batch < mesh.n_batches(); ++batch)
     {
       const auto values = sensor.compute(batch);
@@ -205,15 +210,18 @@ template std::vector<double> jump_sensor(const LeafMesh<1> &,
                                          const LeafPoints<1> &,
                                          const GasMaterial &,
                                          const GasField &,
-                                         double);
+                                         double,
+                                         bool);
 template std::vector<double> jump_sensor(const LeafMesh<2> &,
                                          const LeafPoints<2> &,
                                          const GasMaterial &,
                                          const GasField &,
-                                         double);
+                                         double,
+                                         bool);
 template std::vector<double> jump_sensor(const LeafMesh<3> &,
                                          const LeafPoints<3> &,
                                          const GasMaterial &,
                                          const GasField &,
-                                         double);
+                                         double,
+                                         bool);
 } // namespace contrecoup::gas

@@ -122,6 +122,7 @@ void LeafCarrier<dim>::unpack(const Cell &cell,
 }
 
 
+template class LeafCarrier<1>;
 template class LeafCarrier<2>;
 template class LeafCarrier<3>;
 } // namespace contrecoup::gas

@@ -50,7 +50,7 @@ void LeafKernel<dim, Gas, Real>::bind(const unsigned int batch,
                         scheme_.flux == RiemannFlux::hllc_shock_stable &&
                         largest_lane(any) > 0.;
   bind_burn(batch, stage);
-  find_open_leaves();
+  find_open_leaves(any);
 }
 
 
@@ -131,17 +131,22 @@ void LeafKernel<dim, Gas, Real>::fill_progress_beyond(const unsigned int face,
 
 
 template <int dim, typename Gas, typename Real>
-void LeafKernel<dim, Gas, Real>::find_open_leaves()
+void LeafKernel<dim, Gas, Real>::find_open_leaves(const Number &shock)
 {
   open_.fill(Number(0.));
-  any_open_.fill(false);
+  leaving_.fill(Number(0.));
+  any_leaving_.fill(false);
   for (auto s = mesh_.special_begin(batch_); s != mesh_.special_end(batch_);
        ++s)
     if (s->kind == SpecialFace::Kind::boundary &&
         boundary_.kind(s->index) == Boundary<dim>::Kind::open)
     {
       open_[s->face / 2][s->lane] = 1.;
-      any_open_[s->face / 2] = true;
+      if (shock[s->lane] > 0.)
+      {
+        leaving_[s->face / 2][s->lane] = 1.;
+        any_leaving_[s->face / 2] = true;
+      }
     }
 }
 
@@ -158,7 +163,7 @@ void LeafKernel<dim, Gas, Real>::widen_open_flux(const unsigned int direction,
                                       to_face_state<dim>(gas_, right),
                                       Number(1.)));
   for (unsigned int c = 0; c < nc; ++c)
-    flux[c] = select_less(Number(0.), open_[direction], wide[c], flux[c]);
+    flux[c] = select_less(Number(0.), leaving_[direction], wide[c], flux[c]);
 }
 
 

@@ -153,7 +153,12 @@ void LeafMesh<dim>::connect_periodic_line()
   const unsigned int last = n_owned() - 1;
   neighbors_[0] = last;
   neighbors_[lanes_begin(last / width_, 1) + last % width_] = 0;
-  unsorted_special_.clear();
+  const auto is_end = [](const auto &item) {
+    return item.second.kind == SpecialFace::Kind::boundary;
+  };
+  unsorted_special_.erase(
+    std::remove_if(unsorted_special_.begin(), unsorted_special_.end(), is_end),
+    unsorted_special_.end());
 }
 
 
@@ -199,7 +204,7 @@ void LeafMesh<dim>::connect_coarser(const unsigned int leaf,
   const auto parent = cell->parent();
   unsigned int coarse_face = face ^ 1U;
   FaceMatch match = {static_cast<unsigned char>(face), 0};
-  if (!periodic)
+  if (dim > 1 && !periodic)
   {
     coarse_face = cell->neighbor_of_coarser_neighbor(face).first;
     match = match_faces<dim>(neighbor, coarse_face, parent, face);

@@ -231,7 +231,7 @@ MappedLeafKernel<dim, Gas>::face_flux(const unsigned int direction,
   Values flux = to_array<dim, Gas>(
     numerical_flux(scheme_.flux, left_state, right_state, theta));
   // Faces to other leaves keep the flux that the neighbour computes too.
-  if (Base::any_open(direction) && is_inside && Base::burn_ == nullptr)
+  if (Base::any_leaving(direction) && is_inside && Base::burn_ == nullptr)
     Base::widen_open_flux(
       direction, in_frame(frame, points[0]), in_frame(frame, points[1]), flux);
   return flux;

@@ -39,6 +39,15 @@ namespace
                    "-",
                    "Discontinuous Galerkin: most that finite volumes may "
                    "take over of a troubled leaf.");
+    declare_double(prm,
+                   "Indicator threshold",
+                   "1",
+                   1e-6,
+                   1e6,
+                   "-",
+                   "Discontinuous Galerkin: factor of the share of the highest "
+                   "modes above which a leaf is troubled; at degree 1, whose "
+                   "one slope says little, 0.03 finds contacts too.");
     declare_bool(prm,
                  "Positivity",
                  "true",
@@ -160,6 +169,7 @@ void Scheme::parse_parameters(ParameterHandler &prm,
   cfl = read_double(prm, "CFL number");
   blending = prm.get_bool("Blending");
   largest_blending = read_double(prm, "Largest blending");
+  indicator_threshold = read_double(prm, "Indicator threshold");
   positivity = prm.get_bool("Positivity");
   largest_retries = read_unsigned(prm, "Largest number of retries");
   n_points = kind == Kind::finite_volume ? read_unsigned(prm, "Subcells")

@@ -20,6 +20,14 @@ set(_closed "conservation.mass_relative_change < 1e-12"
 blast_verifies(sod sod "errors.density_L1 < 2.4e-3;${_closed}")
 blast_verifies(sod_van_leer sod "errors.density_L1 < 2.7e-3;${_closed}"
   "Method/Limiter=van leer")
+# What nodes and subcells of Galerkin schemes stand for, at 200 unknowns a
+# variable: 1.8e-3 is required of the best setting.
+blast_verifies(sod_degree_1 sod "errors.density_mean_L1 < 1.8e-3;${_closed}"
+  ${_galerkin} "Method/Degree=1" "Domain/Coarse leaves=100"
+  "Method/Limiter=superbee" "Method/Indicator threshold=0.03")
+blast_verifies(sod_degree_3 sod
+  "errors.density_L1 < 3.0e-3;errors.density_mean_L1 < 2.4e-3;${_closed}"
+  ${_galerkin} "Domain/Coarse leaves=50")
 blast_verifies(toro_1 toro_1 "errors.density_L1 < 3.2e-3")
 blast_verifies(toro_2 toro_2 "errors.density_L1 < 3.7e-3")
 blast_verifies(toro_3 toro_3 "errors.density_L1 < 7.4e-2;${_closed}")
@@ -38,8 +46,10 @@ blast_verifies(woodward_colella woodward_colella
 blast_verifies(shu_osher shu_osher "errors.density_L1 < 6.2e-2")
 # Plain HLLC has a carbuncle here and an error of 3.2e-2.
 blast_verifies(quirk quirk "errors.density_L1 < 9.2e-3")
-blast_verifies(double_mach double_mach "status == finished"
-  "Domain/Initial refinement=3")
+# Subcells of 1/64 m. With plain HLLC the stem has a kink of 2.3e-3 m.
+contrecoup_add_application_test(double_mach stem
+  FILE ${_folder}/double_mach.prm SET "Domain/Initial refinement=3"
+  BOUNDS "deviation < 1e-3" LABELS verification)
 blast_verifies(point_source point_source
   "errors.probe_1_peak_overpressure_relative < 3.1e-2;\
 errors.probe_1_arrival_relative < 2e-3"
@@ -67,11 +77,11 @@ function(blast_converges name order coarse fine)
 endfunction()
 
 blast_converges(degree_1 1.8 6 7 ${_galerkin} "Method/Degree=1"
-  "Time/End time=0.5"
   "Method/Blending=false")
-blast_converges(degree_2 2.8 4 5 ${_galerkin} "Method/Degree=2"
+# Degree 2 tends to less than 3: 3.15, 2.82, 2.78 from 16^2 to 128^2 leaves.
+blast_converges(degree_2 2.8 5 6 ${_galerkin} "Method/Degree=2"
   "Method/Blending=false")
-blast_converges(degree_3 3.8 4 5 ${_galerkin} "Method/Degree=3"
+blast_converges(degree_3 3.8 5 6 ${_galerkin} "Method/Degree=3"
   "Method/Blending=false")
 blast_converges(finite_volume 1.8 3 4 "Method/Scheme=finite volume")
 
@@ -110,10 +120,21 @@ blast_rests(plane_3d 3 plane)
 blast_rests(galerkin 3 plane ${_galerkin})
 
 # A shock of Mach 1.5 (overpressure 1.458 times ambient) leaves through an open
-# end, and less than a hundredth of it comes back.
-blast_verifies(open_boundary sod "errors.pressure_Linf < 0.01458"
+# end, and less than a hundredth of it comes back. At first the initial jump
+# itself sends a wave of that size to the left; at 1.1 it has left.
+set(_mach_1_5
   "Initial state/Riemann/Left density=1.862069"
   "Initial state/Riemann/Left velocity=0.821678"
   "Initial state/Riemann/Left pressure=2.458333"
   "Initial state/Riemann/Right density=1"
-  "Initial state/Riemann/Right pressure=1" "Time/End time=0.4")
+  "Initial state/Riemann/Right pressure=1")
+blast_verifies(open_boundary sod "errors.pressure_Linf < 0.01458"
+  ${_mach_1_5} "Time/End time=0.4")
+foreach(_degree_and_leaves "2;66" "3;50")
+  list(GET _degree_and_leaves 0 _degree)
+  list(GET _degree_and_leaves 1 _leaves)
+  blast_verifies(open_boundary_degree_${_degree} sod
+    "errors.pressure_Linf < 0.01458" ${_galerkin} "Method/Degree=${_degree}"
+    "Domain/Coarse leaves=${_leaves}" ${_mach_1_5} "Boundaries/x low=exact"
+    "Time/End time=1.1")
+endforeach()

@@ -300,6 +300,20 @@ def pictures(case):
             raise Failed(f"{path} is not a picture of any content")
 
 
+def stem(case):
+    """The Mach stem of the run is smooth: bounds of 'deviation', see stem.py.
+    """
+    output = case.folder("run")
+    case.run(output)
+    script = os.path.join(os.path.dirname(os.path.abspath(__file__)),
+                          "stem.py")
+    run = subprocess.run([script, output], capture_output=True, text=True)
+    if run.returncode != 0:
+        raise Failed(f"stem.py failed: {run.stderr}")
+    for bound in case.options.bound:
+        check_bound({"deviation": float(run.stdout)}, bound)
+
+
 def expect_refusal(case, output, **keywords):
     """The application stops with one line on stderr that has the message."""
     codes = case.options.exit or (1,)
@@ -394,7 +408,8 @@ def of_study(kind):
 
 KINDS = {kind.__name__: kind for kind in
          (bounds, regression, ranks, convergence, resume, sigterm, check,
-          pictures, refusal, damaged_checkpoint, foreign_checkpoint, disk)}
+          pictures, stem, refusal, damaged_checkpoint, foreign_checkpoint,
+          disk)}
 KINDS.update({name: of_study(kind)
               for name, kind in study_cases.KINDS.items()})
 

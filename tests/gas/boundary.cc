@@ -188,7 +188,11 @@ TEST(Boundary, WallsHoldTheGasBack)
   for (const auto &method :
        {finite_volume(1),
         finite_volume(8),
-        galerkin(3) + std::vector<std::string>{"Method/Blending=false"}})
+        galerkin(3) + std::vector<std::string>{"Method/Blending=false"},
+        galerkin(1),
+        galerkin(2),
+        galerkin(3),
+        galerkin(3) + std::vector<std::string>{"Method/Limiter=superbee"}})
   {
     GasRun<1> half(method + std::vector<std::string>{"Domain/Coarse leaves=8"});
     GasRun<1> whole(method +

@@ -97,6 +97,33 @@ unsigned int check_blast(const std::vector<std::string> &lines,
 }
 
 
+/// How far the mass fraction of products leaves [0, 1] in @p n steps.
+template <int dim>
+double largest_excess(const std::vector<std::string> &lines,
+                      const unsigned int n)
+{
+  GasRun<dim> run(lines +
+                  std::vector<std::string>{"Domain/Coarse leaves=4, 4, 4"});
+  run.set_state(charge<dim>, true);
+  double excess = 0.;
+  for (unsigned int i = 0; i < n; ++i)
+  {
+    run.steps(1);
+    for (unsigned int leaf = 0; leaf < run.mesh.n_owned(); ++leaf)
+    {
+      const auto values = run.field.leaf(leaf);
+      const unsigned int n_points = run.layout.n_points;
+      for (unsigned int q = 0; q < n_points; ++q)
+      {
+        const double fraction = values[(dim + 2) * n_points + q] / values[q];
+        excess = std::max({excess, -fraction, fraction - 1.});
+      }
+    }
+  }
+  return dealii::Utilities::MPI::max(excess, MPI_COMM_WORLD);
+}
+
+
 /// Independent states in all points: densities and thermal energies over
 /// @p decades powers of ten, Mach numbers up to about @p mach.
 template <int dim>
@@ -303,4 +330,18 @@ TEST(Retries, StableStepsScaleWithTheMesh)
   const double h = 1. / 16.;
   EXPECT_NEAR(stable_step("2"), 0.4 * h / (150. + 100.), 1e-12);
   EXPECT_NEAR(stable_step("3"), 0.5 * stable_step("2"), 1e-12);
+}
+
+
+TEST(Positivity, MassFractionsStayBetweenZeroAndOne)
+{
+  for (const std::string limiter : {"mc", "superbee"})
+  {
+    const std::vector<std::string> lines =
+      products_in_air() + std::vector<std::string>{"Method/Limiter=" + limiter};
+    EXPECT_LT(largest_excess<1>(finite_volume(8) + lines, 200), 1e-12);
+    EXPECT_LT(largest_excess<2>(finite_volume(8) + lines, 60), 1e-12);
+    EXPECT_LT(largest_excess<1>(galerkin(3) + lines, 200), 1e-12);
+    EXPECT_LT(largest_excess<2>(galerkin(2) + lines, 60), 1e-12);
+  }
 }

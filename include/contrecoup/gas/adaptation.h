@@ -29,10 +29,11 @@ struct AdaptationParameters
   unsigned int interval = 5;    ///< steps between adaptations
   unsigned int least_level = 0; ///< refinements of the coarse mesh
   unsigned int most_level = 0;
-  double refine = 0.3;     ///< sensor above which leaves are halved
-  double coarsen = 0.1;    ///< sensor below which they are merged
-  double noise = 0.02;     ///< relative jump that counts as noise
-  unsigned int buffer = 1; ///< layers of leaves around marked ones
+  double refine = 0.3;        ///< sensor above which leaves are halved
+  double coarsen = 0.1;       ///< sensor below which they are merged
+  bool pressure_only = false; ///< sensor blind to contacts
+  double noise = 0.02;        ///< relative jump that counts as noise
+  unsigned int buffer = 1;    ///< layers of leaves around marked ones
   /// A box whose leaves stay at this level at least; level 0: none.
   unsigned int fine_level = 0;
   std::vector<double> fine_lower; ///< [m]
@@ -81,12 +82,25 @@ public:
   std::vector<double> sensors(const GasField &field) const;
 
 private:
+  using CellIterator = typename LeafMesh<dim>::CellIterator;
+  using ActiveIterator =
+    typename dealii::Triangulation<dim>::active_cell_iterator;
+  using Marks = std::function<double(const CellIterator &)>;
+
   /// Level that a leaf must not fall below.
   unsigned int least_level(const unsigned int leaf) const;
   bool refine_flagged();
   void spread(std::vector<double> &marks) const;
+  /// Largest mark beyond a face of leaves that are not coarser.
+  double largest_mark(const CellIterator &cell,
+                      const unsigned int face,
+                      const Marks &mark) const;
   void set_flags(const std::vector<double> &marks);
   void carry_over(GasField &field, BlastMaps<dim> &maps);
+  /// In 1-D, changes the flags so that neighbours stay within one level and
+  /// siblings merge together.
+  void balance_line();
+  void carry_over_line(GasField &field, BlastMaps<dim> &maps);
 
   const AdaptationParameters parameters_;
   LeafMesh<dim> &mesh_;

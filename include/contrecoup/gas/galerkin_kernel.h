@@ -9,6 +9,7 @@
 #include <contrecoup/numerics/trouble_indicator.h>
 
 #include <array>
+#include <vector>
 
 namespace contrecoup::gas
 {
@@ -19,7 +20,8 @@ namespace contrecoup::gas
  * on the subcells that the quadrature weights define (Hennemann,
  * Rueda-Ramirez, Hindenlang and Gassner 2021), and scaled towards the mean
  * where a node would lose positivity (Zhang and Shu 2010). Both schemes
- * share the flux at leaf faces, so that the mean is conservative.
+ * share the flux at leaf faces, so that the mean is conservative; beside
+ * troubled leaves it comes from the subcells' reconstruction too.
  *
  * In curvilinear geometry nodes stand for the volumes of radial_jacobian(),
  * and along the radius leaves next to the axis are finite volumes alone.
@@ -66,22 +68,24 @@ private:
   void end_fluxes(const unsigned int direction,
                   const unsigned int line,
                   const HangingData<dim, Real> &hanging);
+  void fill_boundary_lane(const SpecialFace &special, const unsigned int line);
   Values end_flux(const unsigned int direction,
                   const unsigned int line,
-                  const bool high,
-                  const Values &inside,
-                  const Values &outside);
+                  const bool high);
   void volume_terms();
   void radial_volume_terms();
   void subcell_terms(const unsigned int direction, const unsigned int line);
   void radial_subcell_terms(const std::array<Values, n + 1> &flux);
-  Line subcell_slopes(const unsigned int direction,
-                      const unsigned int line) const;
+  void find_slopes(const unsigned int direction);
+  void reconstruct_end(const unsigned int direction,
+                       const unsigned int line,
+                       const bool high);
   Number compression(const unsigned int direction,
                      const unsigned int point) const;
   void add_line(const unsigned int direction, const unsigned int line);
   void finish(const BasicStage<Real> &stage);
   void restore_positivity(const BasicStage<Real> &stage);
+  void bound_products();
   Values mean() const;
   Values radial_mean() const;
   void scale_to_mean(const Values &mean,
@@ -93,9 +97,13 @@ private:
   const TroubleIndicator<dim, n> indicator_;
   /// w_j D_ji / w_i: the volume term of the weak form at node i.
   std::array<std::array<double, n>, n> weak_derivative_;
-  std::array<double, n> node_;
   std::array<double, n> weight_;
   std::array<double, n + 1> subface_;
+  /// Middle of each subcell, for which its nodal value stands there.
+  std::array<double, n> center_;
+  /// From the middle before to that of subcell i, likewise behind the last.
+  std::array<double, n + 1> inverse_distance_;
+  std::vector<SlopeWeights> slope_weights_;
 
   RadialNodes<Number> radial_;
   bool any_blending_ = false;
@@ -108,6 +116,12 @@ private:
   Line line_; ///< primitive
   Line line_conserved_;
   Line line_residual_;
+  Line slope_; ///< of the primitive state in the subcells
+  /// The neighbours' nodes at both ends of the line, primitive.
+  std::array<Values, 2> beyond_;
+  /// States on both sides of the leaf faces at the ends of the line.
+  std::array<Values, 2> inside_;
+  std::array<Values, 2> outside_;
   Values low_flux_;
   Values high_flux_;
 };

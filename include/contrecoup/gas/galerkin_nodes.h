@@ -49,7 +49,7 @@ protected:
                 const Geometry &more)
     : LeafBase(mesh, layout, scheme, gas, boundary, more)
     , basis_(n)
-    , indicator_(basis_)
+    , indicator_(basis_, scheme.indicator_threshold)
   {
     subface_[0] = 0.;
     for (unsigned int i = 0; i < n; ++i)

@@ -30,7 +30,9 @@ std::vector<NamedValue> gas_totals(const LeafMesh<dim> &mesh,
 /**
  * Mean absolute (L1), root mean square (L2) and largest (Linf) difference
  * of density, velocity and pressure from the reference: of cell means for
- * finite volumes, of the polynomials for Galerkin schemes. Collective.
+ * finite volumes, of the polynomials for Galerkin schemes. For these, mean_L1
+ * is the L1 error that finite volumes would report: of the nodal values from
+ * the exact means over the nodes' subcells. Collective.
  */
 template <int dim>
 std::vector<NamedValue> gas_errors(const LeafMesh<dim> &mesh,

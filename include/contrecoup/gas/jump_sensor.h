@@ -26,5 +26,6 @@ std::vector<double> jump_sensor(const LeafMesh<dim> &mesh,
                                 const LeafPoints<dim> &points,
                                 const GasMaterial &material,
                                 const GasField &field,
-                                const double noise);
+                                const double noise,
+                                const bool pressure_only = false);
 } // namespace contrecoup::gas

@@ -124,17 +124,18 @@ protected:
                                    const Number &normal_difference,
                                    const Number &transverse_difference);
 
-  /// Whether any leaf of the batch has an open boundary along a direction.
-  bool any_open(const unsigned int direction) const
+  /// Whether a shock may be leaving any leaf of the batch through an open
+  /// boundary along a direction.
+  bool any_leaving(const unsigned int direction) const
   {
-    return any_open_[direction];
+    return any_leaving_[direction];
   }
 
   /**
    * Replaces a flux between two points of a leaf by the Rusanov flux of the
-   * points' own states, in the lanes of leaves with an open boundary along
-   * @p direction: the wider a front is numerically when it leaves, the less
-   * of it comes back.
+   * points' own states, in the lanes of leaves that a shock may be leaving
+   * through an open boundary along @p direction: the wider a front is
+   * numerically when it leaves, the less of it comes back.
    */
   void widen_open_flux(const unsigned int direction,
                        const Values &left,
@@ -160,10 +161,13 @@ protected:
   std::array<Number, 2 * dim> neighbor_sensor_;
   /// One in lanes with an open boundary along a direction, else zero.
   std::array<Number, dim> open_;
-  std::array<bool, dim> any_open_;
+  /// The same, only where a shock may be leaving.
+  std::array<Number, dim> leaving_;
+  std::array<bool, dim> any_leaving_;
 
 private:
-  void find_open_leaves();
+  /// @param shock positive in lanes of leaves that hold or meet a shock
+  void find_open_leaves(const Number &shock);
   void fill_progress_beyond(const unsigned int face, const unsigned int line);
 
   bool needs_shear_factor_ = false;

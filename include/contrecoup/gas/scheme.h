@@ -46,10 +46,11 @@ public:
   RiemannFlux flux = RiemannFlux::hllc;
   RungeKuttaTable time_stepping;
   Precision precision = Precision::double_precision;
-  double cfl = 0.5;             ///< CFL number [-]
-  bool blending = true;         ///< subcell shock capturing (DG)
-  double largest_blending = 1.; ///< [-]
-  bool positivity = true;       ///< scaling towards the mean (DG)
+  double cfl = 0.5;                ///< CFL number [-]
+  bool blending = true;            ///< subcell shock capturing (DG)
+  double largest_blending = 1.;    ///< [-]
+  double indicator_threshold = 1.; ///< factor of the usual one (DG) [-]
+  bool positivity = true;          ///< scaling towards the mean (DG)
   unsigned int largest_retries = 10;
 
   unsigned int degree() const

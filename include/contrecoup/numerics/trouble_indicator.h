@@ -26,7 +26,12 @@ class TroubleIndicator
 public:
   static constexpr unsigned int n_points = dealii::Utilities::pow(n, dim);
 
-  explicit TroubleIndicator(const LobattoBasis &basis)
+  /// @param threshold_factor factor of the threshold; the smaller, the more
+  /// is taken for trouble [-]
+  explicit TroubleIndicator(const LobattoBasis &basis,
+                            const double threshold_factor = 1.)
+    : threshold_(threshold_factor * 0.5 *
+                 std::pow(10., -1.8 * std::pow(double(n), 0.25)))
   {
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < n; ++j)
@@ -56,12 +61,11 @@ public:
     if (n > 2)
       share = std::max(share, energy[n - 2] / below);
 
-    const double threshold =
-      0.5 * std::pow(10., -1.8 * std::pow(double(n), 0.25));
     const double sharpness = std::log((1. - 1e-4) / 1e-4);
     Number alpha =
-      Number(1.) / (Number(1.) + exponential(Number((share - threshold) *
-                                                    (-sharpness / threshold))));
+      Number(1.) /
+      (Number(1.) +
+       exponential(Number((share - threshold_) * (-sharpness / threshold_))));
     // Where the transition is far from either end, it is the end.
     alpha = select_less(alpha, Number(1e-3), Number(0.), alpha);
     return select_less(Number(1. - 1e-3), alpha, Number(1.), alpha);
@@ -89,6 +93,7 @@ private:
       }
   }
 
+  const double threshold_;
   std::array<std::array<double, n>, n> to_modal_;
 };
 } // namespace contrecoup
