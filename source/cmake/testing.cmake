@@ -78,6 +78,9 @@ endfunction()
 #   regression    COMPARE <table>... TOLERANCE "-r 1e-8 -a 1e-6": numdiff with
 #                 tests/applications/references/<application>_<name>/
 #   ranks         COMPARE, TOLERANCE: one rank agrees with MPI <n> (default 2)
+#   same          VARY "Section/Entry=true|false": both runs leave the same
+#                 COMPARE tables and checkpoints, to the last bit; the first
+#                 keeps the BOUNDS
 #   convergence   VARY "Section/Entry=3|4|5" ERROR errors.x ORDER <number>
 #   resume        COMPARE [STOP_AFTER <steps>]: stop and --resume equals
 #                 straight through, to the last bit on one rank

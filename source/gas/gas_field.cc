@@ -81,6 +81,21 @@ void GasField::fill_padding(const unsigned int n_owned)
 }
 
 
+void GasField::copy_to_stages(const unsigned int batch)
+{
+  const auto copy_batch = [&](auto &values, const std::size_t size) {
+    for (unsigned int copy = 1; copy < 3; ++copy)
+      std::copy_n(values[0].begin() + batch * size,
+                  size,
+                  values[copy].begin() + batch * size);
+  };
+  visit([&](auto &copies) {
+    copy_batch(copies.states, layout_.batch_size());
+    copy_batch(copies.sensors, layout_.width);
+  });
+}
+
+
 std::size_t GasField::memory() const
 {
   return visit([&](const auto &copies) {

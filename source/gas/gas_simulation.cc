@@ -26,6 +26,7 @@ void GasSimulation<dim>::declare_parameters(ParameterHandler &prm)
   CoarseMesh<dim>::declare_parameters(prm);
   GasMaterial::declare_parameters(prm);
   Scheme::declare_parameters(prm);
+  QuietLeaves<dim>::declare_parameters(prm);
   InitialState<dim>::declare_parameters(prm);
   ChargeSet<dim>::declare_parameters(prm);
   ReferenceSolution<dim>::declare_parameters(prm);
@@ -52,6 +53,7 @@ void GasSimulation<dim>::parse_parameters(ParameterHandler &prm)
   material_.parse_parameters(prm);
   scheme_.parse_parameters(
     prm, dim, coarse_mesh_.geometry() == Geometry::plane);
+  skip_quiet_leaves_ = QuietLeaves<dim>::parse_parameters(prm);
   scheme_.check_mesh(coarse_mesh_.is_axis_aligned());
   initial_state_.parse_parameters(prm, material_);
   charges_.parse_parameters(prm, material_, coarse_mesh_);
@@ -102,7 +104,8 @@ void GasSimulation<dim>::create_octree()
 {
   mesh_.create(coarse_mesh_, scheme_.precision);
   operator_ = make_gas_operator(mesh_, layout_, scheme_, material_, boundary_);
-  stepper_ = std::make_unique<TimeStepper<dim>>(mesh_, scheme_, *operator_);
+  stepper_ = std::make_unique<TimeStepper<dim>>(
+    mesh_, scheme_, *operator_, skip_quiet_leaves_);
   adaptation_ = std::make_unique<Adaptation<dim>>(
     adaptation_parameters_, mesh_, points_, material_);
   const auto &tria = mesh_.triangulation();
@@ -251,11 +254,14 @@ StepReport GasSimulation<dim>::advance(const double largest_step)
     maps_.update(mesh_, field_, material_, time_, result.step);
   }
 
+  const double n_computed = dealii::Utilities::MPI::sum(
+    stepper_->quiet_leaves().n_computed(), mesh_.communicator());
   StepReport report;
   report.step_size = result.step;
   report.retries = result.retries;
   report.updates =
-    static_cast<double>(size().second) * scheme_.time_stepping.stages.size();
+    (n_computed - n_computed_) * layout_.n_points * layout_.n_components;
+  n_computed_ = n_computed;
   return report;
 }
 
@@ -376,6 +382,11 @@ std::vector<NamedValue> GasSimulation<dim>::assumptions()
   std::vector<NamedValue> values = probes_.measures(reference_);
   values.push_back({"troubled_leaves", "-", troubled / mesh_.n_global()});
   values.push_back({"careful_steps", "-", n_careful_steps_});
+  const double n_possible = dealii::Utilities::MPI::sum(
+    stepper_->quiet_leaves().n_possible(), mesh_.communicator());
+  values.push_back({"skipped_updates",
+                    "-",
+                    n_possible > 0. ? 1. - n_computed_ / n_possible : 0.});
   return values;
 }
 

@@ -85,10 +85,23 @@ void LeafTransfer<dim>::scale(std::vector<double> &values,
 
 
 template <int dim>
+bool LeafTransfer<dim>::is_uniform(const std::vector<double> &values) const
+{
+  for (unsigned int c = 0; c < layout_.n_components; ++c)
+    for (unsigned int q = 1; q < layout_.n_points; ++q)
+      if (values[c * layout_.n_points + q] != values[c * layout_.n_points])
+        return false;
+  return true;
+}
+
+
+template <int dim>
 std::vector<std::vector<double>>
 LeafTransfer<dim>::to_children(const std::vector<double> &parent,
                                const LeafBox<dim> &parent_box) const
 {
+  if (is_uniform(parent))
+    return std::vector<std::vector<double>>(n_children, parent);
   return points_.is_galerkin() ? interpolated_children(parent, parent_box)
                                : reconstructed_children(parent, parent_box);
 }
@@ -316,6 +329,12 @@ std::vector<double> LeafTransfer<dim>::from_children(
   const std::vector<std::vector<double>> &children,
   const LeafBox<dim> &parent_box) const
 {
+  // Without the round-off of a mean: leaves at rest stay quiet.
+  if (is_uniform(children[0]) &&
+      std::all_of(children.begin(), children.end(), [&](const auto &child) {
+        return child == children[0];
+      }))
+    return children[0];
   return points_.is_galerkin() ? projected_parent(children, parent_box)
                                : averaged_parent(children, parent_box);
 }

@@ -9,10 +9,12 @@ namespace contrecoup::gas
 template <int dim>
 TimeStepper<dim>::TimeStepper(const LeafMesh<dim> &mesh,
                               const Scheme &scheme,
-                              GasOperator<dim> &gas_operator)
+                              GasOperator<dim> &gas_operator,
+                              const bool skip_quiet_leaves)
   : mesh_(mesh)
   , scheme_(scheme)
   , operator_(gas_operator)
+  , quiet_leaves_(mesh, skip_quiet_leaves)
 {}
 
 
@@ -25,12 +27,22 @@ void TimeStepper<dim>::reinit(GasField &field)
   visit_precision(precision_, [&](const auto real) {
     signal_rates<std::decay_t<decltype(real)>>().resize(mesh_.first_ghost());
   });
-  analyse(field);
+  compute_sensors(field);
+  quiet_leaves_.reinit(field, operator_.driven_leaves());
 }
 
 
 template <int dim>
 void TimeStepper<dim>::analyse(GasField &field)
+{
+  compute_sensors(field);
+  if (quiet_leaves_.have_products())
+    quiet_leaves_.reinit(field, operator_.driven_leaves());
+}
+
+
+template <int dim>
+void TimeStepper<dim>::compute_sensors(GasField &field)
 {
   visit_precision(precision_, [&](const auto real) {
     using Real = std::decay_t<decltype(real)>;
@@ -90,7 +102,7 @@ std::optional<unsigned int> TimeStepper<dim>::try_step(GasField &field,
       s + 1 == stages.size() ? signal_rates<Real>().data() : nullptr;
     stage.careful = careful;
     stage.unphysical_leaf = &unphysical_leaf_;
-    operator_.apply(stage);
+    operator_.apply(stage, quiet_leaves_);
     in = field.stage<Real>(target);
     sensor = field.stage_sensor<Real>(target);
   }

@@ -16,6 +16,16 @@ contrecoup_add_application_test(ranks_sedov_2d ranks
   FILE blast/verification/sedov_2d.prm
   SET "Time/Largest number of steps=40" TOLERANCE "-r 1e-10" TIMEOUT 120)
 
+# Leaves that no wave has reached: passed over or computed, all the same.
+foreach(_ranks 1 2)
+  contrecoup_add_application_test(quiet_leaves_on_${_ranks} same ${_quickstart}
+    MPI ${_ranks} SET ${_short} "Domain/Initial refinement=2"
+    "Adaptation/Smallest level=2" "Adaptation/Largest level=3"
+    "Output/Checkpoint every steps=6"
+    VARY "Method/Skip quiet leaves=true|false" ${_tables}
+    BOUNDS "assumptions.skipped_updates > 0.2" TIMEOUT 120)
+endforeach()
+
 contrecoup_add_application_test(resume_sod resume
   FILE blast/verification/sod.prm STOP_AFTER 33 TIMEOUT 120)
 contrecoup_add_application_test(resume_galerkin resume

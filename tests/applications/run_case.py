@@ -211,6 +211,27 @@ def convergence(case):
                      f"{case.options.order}")
 
 
+def same(case):
+    """Runs with each --vary value leave the same tables and checkpoints, to
+    the last bit."""
+    entry, values = case.options.vary.split("=", 1)
+    outputs = []
+    for value in values.split("|"):
+        outputs.append(case.folder(value))
+        case.run(outputs[-1], extra=["--set", f"{entry}={value}"])
+        check_finite(outputs[-1])
+        for bound in case.options.bound if len(outputs) == 1 else ():
+            check_bound(read_summary(outputs[-1]), bound)
+    states = [[os.path.relpath(path, output)
+               for folder in checkpoints(output)
+               for path in sorted(glob.glob(os.path.join(folder, "*.bin")))]
+              for output in outputs]
+    if not states[0] or any(state != states[0] for state in states):
+        raise Failed(f"the runs left other checkpoints: {states}")
+    for output in outputs[1:]:
+        compare_bytes(outputs[0], output, case.options.compare + states[0])
+
+
 def check_stopped(output):
     check_bound(read_summary(output), "status == stopped")
     if not checkpoints(output):
@@ -407,8 +428,9 @@ def of_study(kind):
 
 
 KINDS = {kind.__name__: kind for kind in
-         (bounds, regression, ranks, convergence, resume, sigterm, check,
-          pictures, stem, refusal, damaged_checkpoint, foreign_checkpoint,
+         (bounds, regression, ranks, same, convergence, resume, sigterm,
+          check, pictures, stem, refusal, damaged_checkpoint,
+          foreign_checkpoint,
           disk)}
 KINDS.update({name: of_study(kind)
               for name, kind in study_cases.KINDS.items()})

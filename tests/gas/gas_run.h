@@ -39,6 +39,7 @@ public:
     CoarseMesh<dim>::declare_parameters(prm);
     GasMaterial::declare_parameters(prm);
     Scheme::declare_parameters(prm);
+    QuietLeaves<dim>::declare_parameters(prm);
     InitialState<dim>::declare_parameters(prm);
     ReferenceSolution<dim>::declare_parameters(prm);
     ChargeSet<dim>::declare_parameters(prm);
@@ -75,7 +76,8 @@ public:
     mesh.triangulation().refine_global(coarse_mesh.initial_refinement());
     mesh.rebuild();
     gas_operator = make_gas_operator(mesh, layout, scheme, material, boundary);
-    stepper = std::make_unique<TimeStepper<dim>>(mesh, scheme, *gas_operator);
+    stepper = std::make_unique<TimeStepper<dim>>(
+      mesh, scheme, *gas_operator, QuietLeaves<dim>::parse_parameters(prm));
     adaptation = std::make_unique<Adaptation<dim>>(
       adaptation_parameters, mesh, points, material);
   }

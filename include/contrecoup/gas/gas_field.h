@@ -52,6 +52,10 @@ public:
   /// Makes stage @p i the current state.
   void accept_stage(const unsigned int i);
 
+  /// Makes the stages' copies of a batch, and of its sensors, equal to the
+  /// current ones.
+  void copy_to_stages(const unsigned int batch);
+
   /// Sensor of each leaf, for the current state.
   template <typename Real = double>
   Real *sensor()

@@ -5,6 +5,7 @@
 
 #include <contrecoup/gas/boundary.h>
 #include <contrecoup/gas/leaf_layout.h>
+#include <contrecoup/gas/quiet_leaves.h>
 #include <contrecoup/gas/scheme.h>
 #include <contrecoup/gas/stage.h>
 #include <contrecoup/materials/gas_material.h>
@@ -27,14 +28,14 @@ public:
   /// Renews what depends on the mesh. Call after LeafMesh::rebuild().
   virtual void reinit() = 0;
 
-  /// Does one Runge-Kutta stage on all owned leaves. An operator works in
-  /// the precision that it was made for; the other function must not be
-  /// called.
-  virtual void apply(const BasicStage<double> &)
+  /// Does one Runge-Kutta stage on all owned leaves but those of batches
+  /// that the second argument says are not active. An operator works in the
+  /// precision that it was made for; the other function must not be called.
+  virtual void apply(const BasicStage<double> &, QuietLeaves<dim> &)
   {
     Assert(false, dealii::ExcInternalError());
   }
-  virtual void apply(const BasicStage<float> &)
+  virtual void apply(const BasicStage<float> &, QuietLeaves<dim> &)
   {
     Assert(false, dealii::ExcInternalError());
   }
@@ -48,6 +49,10 @@ public:
   {
     Assert(false, dealii::ExcInternalError());
   }
+
+  /// Owned leaves on which something other than their neighbours acts; see
+  /// QuietLeaves::reinit().
+  virtual std::vector<unsigned int> driven_leaves() const = 0;
 };
 
 /// The operator that @p scheme and @p material ask for; the arguments must

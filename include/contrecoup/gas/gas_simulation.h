@@ -132,6 +132,7 @@ private:
   double end_time_ = 0.;
   std::string profile_file_;
   std::string material_words_;
+  bool skip_quiet_leaves_ = true;
 
   LeafMesh<dim> mesh_;
   LeafLayout layout_;
@@ -149,5 +150,7 @@ private:
   double time_ = 0.;
   std::uint64_t n_steps_ = 0;
   double n_careful_steps_ = 0.; ///< in this run, see Stage::careful
+  /// Leaves computed by all stages of this run on all ranks.
+  double n_computed_ = 0.;
 };
 } // namespace contrecoup::gas

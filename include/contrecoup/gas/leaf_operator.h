@@ -6,6 +6,7 @@
 #include <contrecoup/gas/gas_operator.h>
 #include <contrecoup/gas/hanging_group.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace contrecoup::gas
@@ -32,6 +33,7 @@ public:
     , layout_(layout)
     , kernel_(mesh, layout, scheme, gas, boundary)
     , hanging_kernel_(layout, scheme, gas)
+    , boundary_(boundary)
   {}
 
   void reinit() override
@@ -40,12 +42,23 @@ public:
     hanging_.resize(mesh_.hanging_faces().size(), layout_);
   }
 
-  void apply(const BasicStage<Real> &stage) override
+  void apply(const BasicStage<Real> &stage,
+             QuietLeaves<dim> &quiet_leaves) override
   {
+    quiet_leaves.begin_stage(stage.in);
     for (const auto &group : groups_)
-      hanging_kernel_.compute(group, stage, hanging_);
+      if (std::any_of(group.face.begin(),
+                      group.face.begin() + group.n_filled,
+                      [&](const unsigned int face) {
+                        return quiet_leaves.is_active_face(face);
+                      }))
+        hanging_kernel_.compute(group, stage, hanging_);
     for (unsigned int batch = 0; batch < mesh_.n_batches(); ++batch)
-      kernel_.update(batch, stage, hanging_);
+      if (quiet_leaves.is_active(batch))
+      {
+        kernel_.update(batch, stage, hanging_);
+        quiet_leaves.watch(batch, stage.out);
+      }
   }
 
   void analyse(const BasicStage<Real> &stage) override
@@ -54,11 +67,25 @@ public:
       kernel_.analyse(batch, stage);
   }
 
+  std::vector<unsigned int> driven_leaves() const override
+  {
+    std::vector<unsigned int> result;
+    for (unsigned int batch = 0; batch < mesh_.n_batches(); ++batch)
+      for (auto s = mesh_.special_begin(batch); s != mesh_.special_end(batch);
+           ++s)
+        if (s->kind == SpecialFace::Kind::boundary &&
+            boundary_.kind(s->index) != Boundary<dim>::Kind::wall &&
+            boundary_.kind(s->index) != Boundary<dim>::Kind::open)
+          result.push_back(batch * mesh_.width() + s->lane);
+    return result;
+  }
+
 private:
   const LeafMesh<dim> &mesh_;
   const LeafLayout layout_;
   Kernel kernel_;
   HangingKernel hanging_kernel_;
+  const Boundary<dim> &boundary_;
   std::vector<HangingGroup<dim>> groups_;
   HangingData<dim, Real> hanging_;
 };

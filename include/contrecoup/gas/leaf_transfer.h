@@ -51,6 +51,8 @@ private:
   /// Whether state @p first, @p first + stride, ... is admissible.
   bool is_admissible(const double *first, const unsigned int stride) const;
   bool is_admissible(const std::vector<double> &values) const;
+  /// Whether all points of the leaf hold the same state.
+  bool is_uniform(const std::vector<double> &values) const;
   std::vector<double> apply(const std::vector<double> &values,
                             const Matrices &matrices,
                             const unsigned int child) const;

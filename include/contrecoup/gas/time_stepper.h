@@ -5,6 +5,8 @@
 
 #include <contrecoup/gas/gas_field.h>
 #include <contrecoup/gas/gas_operator.h>
+#include <contrecoup/gas/ghost_exchange.h>
+#include <contrecoup/gas/quiet_leaves.h>
 
 #include <deal.II/base/aligned_vector.h>
 
@@ -23,13 +25,15 @@ class TimeStepper
 public:
   TimeStepper(const LeafMesh<dim> &mesh,
               const Scheme &scheme,
-              GasOperator<dim> &gas_operator);
+              GasOperator<dim> &gas_operator,
+              const bool skip_quiet_leaves = true);
 
   /// Renews what depends on the mesh and computes sensor and signal rate
   /// of the current state.
   void reinit(GasField &field);
 
-  /// Computes sensor and signal rate of the current state.
+  /// Computes sensor and signal rate of the current state, of which only
+  /// gas with explosive products may have changed since the last step.
   void analyse(GasField &field);
 
   /// Brings the ghosts of the current state up to date. Collective.
@@ -58,6 +62,15 @@ public:
   /// Goes ahead by @p step [s] or, after retries, by less. Collective.
   Result advance(GasField &field, const double time, const double step);
 
+  QuietLeaves<dim> &quiet_leaves()
+  {
+    return quiet_leaves_;
+  }
+  const QuietLeaves<dim> &quiet_leaves() const
+  {
+    return quiet_leaves_;
+  }
+
   /// Largest signal rate of a leaf, see Stage::signal_rate [1/s].
   double signal_rate(const unsigned int leaf) const
   {
@@ -77,6 +90,7 @@ private:
   {
     return std::get<dealii::AlignedVector<Real>>(signal_rates_);
   }
+  void compute_sensors(GasField &field);
   /// @returns number of the stage copy that holds the result, or nothing
   /// when a state turned unphysical on any rank
   template <typename Real>
@@ -97,6 +111,7 @@ private:
   Precision precision_ = Precision::double_precision; ///< of the field
   std::tuple<dealii::AlignedVector<double>, dealii::AlignedVector<float>>
     signal_rates_;
+  QuietLeaves<dim> quiet_leaves_;
   unsigned int unphysical_leaf_ = no_leaf;
 };
 } // namespace contrecoup::gas
