@@ -4,6 +4,7 @@
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/gas/adaptation.h>
+#include <contrecoup/gas/front_sensor.h>
 #include <contrecoup/gas/jump_sensor.h>
 #include <contrecoup/gas/leaf_carrier.h>
 
@@ -18,14 +19,23 @@ namespace
 {
   void declare_sensor(ParameterHandler &prm)
   {
+    declare_selection(
+      prm,
+      "Sensor",
+      "density and pressure",
+      {"density and pressure", "pressure", "blast"},
+      "What leaves are halved for: bends of density and "
+      "pressure; of pressure alone, which lets the mesh coarsen "
+      "at contacts, as in the hot core of an explosion; or, with "
+      "blast, pressure fronts alone, also weak ones.");
     declare_double(prm,
                    "Refine above",
                    "0.5",
                    0.,
                    1.,
                    "-",
-                   "Sensor value, the bend of density and pressure relative "
-                   "to their slope, above which a leaf is halved.");
+                   "Sensor value, a bend relative to the slope, above which a "
+                   "leaf is halved.");
     declare_double(prm,
                    "Coarsen below",
                    "0.2",
@@ -33,13 +43,6 @@ namespace
                    1.,
                    "-",
                    "Sensor value below which sibling leaves are merged.");
-    declare_selection(prm,
-                      "Sensor",
-                      "density and pressure",
-                      {"density and pressure", "pressure"},
-                      "What the sensor looks at: pressure alone follows shocks "
-                      "and lets the mesh coarsen at contacts, as in the hot "
-                      "core of an explosion.");
     declare_double(prm,
                    "Noise",
                    "0.02",
@@ -47,7 +50,8 @@ namespace
                    1.,
                    "-",
                    "Relative differences between neighbouring points that "
-                   "the sensor takes for noise.");
+                   "the sensor takes for noise; with the blast sensor the "
+                   "relative strength of fronts for which it is one half.");
   }
 
 
@@ -93,10 +97,11 @@ void AdaptationParameters::declare_parameters(ParameterHandler &prm)
   declare_integer(prm,
                   "Interval",
                   "5",
-                  1,
+                  0,
                   1000000,
-                  "Steps between adaptations; a front must not cross a "
-                  "buffer leaf in between.");
+                  "Steps between adaptations; fewer where a front could else "
+                  "cross the buffer in between, and 0 for as many as it "
+                  "allows.");
   declare_integer(prm,
                   "Smallest level",
                   "0",
@@ -118,6 +123,7 @@ void AdaptationParameters::declare_parameters(ParameterHandler &prm)
                   "Layers of leaves around marked ones that are halved "
                   "with them.");
   declare_fine_box(prm);
+  SizeLimits::declare_parameters(prm);
 }
 
 
@@ -137,14 +143,18 @@ void AdaptationParameters::parse_parameters(
     std::max(read_unsigned(prm, "Largest level"), initial_refinement);
   refine = read_double(prm, "Refine above");
   coarsen = read_double(prm, "Coarsen below");
-  pressure_only = prm.get("Sensor") == "pressure";
   noise = read_double(prm, "Noise");
+  const std::string name = prm.get("Sensor");
+  sensor = name == "blast"      ? Sensor::blast
+           : name == "pressure" ? Sensor::pressure_bend
+                                : Sensor::bend;
   buffer = read_unsigned(prm, "Buffer");
   fine_lower = read_list(prm, "Fine box lower corner");
   fine_upper = read_list(prm, "Fine box upper corner");
   const unsigned int fine_levels = read_unsigned(prm, "Fine box levels");
   fine_level = fine_levels > 0 ? initial_refinement + fine_levels : 0;
   most_level = std::max(most_level, fine_level);
+  limits.parse_parameters(prm, dim);
   if (active || fine_level > 0)
     check(dim, n_points, is_finite_volume, is_axis_aligned);
 }
@@ -173,6 +183,22 @@ void AdaptationParameters::check(const unsigned int dim,
 }
 
 
+void AdaptationParameters::fit_interval(const double reach,
+                                        const unsigned int dim,
+                                        const unsigned int n_points)
+{
+  // Shock speed over |u| + dim c behind it, largest for adiabatic exponents
+  // of 1.2 and more and shocks of any strength.
+  const double shock_share = dim == 1 ? 1. : (dim == 2 ? 0.65 : 0.54);
+  // The front may stand on the rim of a marked leaf, and is seen by the
+  // sensor one point ahead.
+  const double room = buffer - 1. / n_points;
+  const double steps = std::max(1., std::floor(room / (reach * shock_share)));
+  const auto longest = static_cast<unsigned int>(std::min(steps, 1e6));
+  interval = interval == 0 ? longest : std::min(interval, longest);
+}
+
+
 template <int dim>
 Adaptation<dim>::Adaptation(const AdaptationParameters &parameters,
                             LeafMesh<dim> &mesh,
@@ -182,23 +208,81 @@ Adaptation<dim>::Adaptation(const AdaptationParameters &parameters,
   , mesh_(mesh)
   , points_(points)
   , material_(material)
-{}
+{
+  weigh_leaves();
+}
+
+
+template <int dim>
+void Adaptation<dim>::weigh_leaves()
+{
+  if constexpr (dim > 1)
+    weights_ = mesh_.triangulation().signals.weight.connect(
+      [this](const typename LeafMesh<dim>::CellIterator &cell,
+             const typename LeafMesh<dim>::Tria::CellStatus) {
+        return weight(cell);
+      });
+}
+
+
+template <int dim>
+unsigned int
+Adaptation<dim>::weight(const typename LeafMesh<dim>::CellIterator &cell) const
+{
+  // An active leaf takes some hundred times as long in each stage; a quiet
+  // one takes memory, and time when the mesh changes.
+  const unsigned int quiet = 1, active = 50;
+  if (quiet_leaves_ == nullptr)
+    return quiet;
+  if (!cell->has_children())
+    return quiet_leaves_->is_active(mesh_.leaf_of(cell) / mesh_.width())
+             ? active
+             : quiet;
+  for (unsigned int c = 0; c < cell->n_children(); ++c)
+    if (weight(cell->child(c)) == active)
+      return active;
+  return quiet;
+}
 
 
 template <int dim>
 std::vector<double> Adaptation<dim>::sensors(const GasField &field) const
 {
+  std::vector<bool> wanted(mesh_.n_batches(), true);
+  for (unsigned int batch = 0; batch < mesh_.n_batches(); ++batch)
+    wanted[batch] = quiet_leaves_ == nullptr || quiet_leaves_->is_active(batch);
+  using Sensor = AdaptationParameters::Sensor;
+  if (parameters_.sensor == Sensor::blast)
+    return front_sensor(
+      mesh_, points_, material_, field, parameters_.noise, wanted);
   return jump_sensor(mesh_,
                      points_,
                      material_,
                      field,
                      parameters_.noise,
-                     parameters_.pressure_only);
+                     wanted,
+                     parameters_.sensor == Sensor::pressure_bend);
 }
 
 
 template <int dim>
-bool Adaptation<dim>::adapt(GasField &field, BlastMaps<dim> &maps)
+bool Adaptation<dim>::adapt(GasField &field,
+                            BlastMaps<dim> &maps,
+                            const double time,
+                            QuietLeaves<dim> *quiet_leaves)
+{
+  time_ = time;
+  quiet_leaves_ = quiet_leaves;
+  if (quiet_leaves_ != nullptr)
+    quiet_leaves_->update(field);
+  const bool changed = adapt_now(field, maps);
+  quiet_leaves_ = nullptr;
+  return changed;
+}
+
+
+template <int dim>
+bool Adaptation<dim>::adapt_now(GasField &field, BlastMaps<dim> &maps)
 {
   std::vector<double> marks = sensors(field);
   // Explosive that is to burn stays as fine as it was lit.
@@ -293,26 +377,39 @@ void Adaptation<dim>::set_flags(const std::vector<double> &marks)
     const unsigned int level = cell->level();
     cell->clear_refine_flag();
     cell->clear_coarsen_flag();
-    if (marks[leaf] >= parameters_.refine && level < parameters_.most_level)
+    const auto allowed = levels(leaf);
+    if ((marks[leaf] >= parameters_.refine && level < allowed.most) ||
+        level < allowed.least)
       cell->set_refine_flag();
-    else if ((marks[leaf] < parameters_.coarsen && level > least_level(leaf)) ||
-             level > parameters_.most_level)
+    else if ((marks[leaf] < parameters_.coarsen && level > allowed.least) ||
+             level > allowed.most)
       cell->set_coarsen_flag();
   }
 }
 
 
 template <int dim>
-unsigned int Adaptation<dim>::least_level(const unsigned int leaf) const
+bool Adaptation<dim>::is_in_fine_box(const dealii::Point<dim> &place) const
 {
   if (parameters_.fine_level == 0)
-    return parameters_.least_level;
-  const auto centre = mesh_.cell(leaf)->center();
+    return false;
   for (unsigned int d = 0; d < dim; ++d)
-    if (centre[d] < parameters_.fine_lower[d] ||
-        centre[d] > parameters_.fine_upper[d])
-      return parameters_.least_level;
-  return std::max(parameters_.least_level, parameters_.fine_level);
+    if (place[d] < parameters_.fine_lower[d] ||
+        place[d] > parameters_.fine_upper[d])
+      return false;
+  return true;
+}
+
+
+template <int dim>
+SizeLimits::Levels Adaptation<dim>::levels(const unsigned int leaf) const
+{
+  const auto centre = mesh_.cell(leaf)->center();
+  SizeLimits::Levels general = {parameters_.least_level,
+                                parameters_.most_level};
+  if (is_in_fine_box(centre))
+    general.least = std::max(general.least, parameters_.fine_level);
+  return parameters_.limits.levels(centre, time_, general);
 }
 
 
@@ -323,7 +420,7 @@ void Adaptation<dim>::refine_fine_box()
     for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
       if (parameters_.fine_level > 0 &&
           static_cast<unsigned int>(mesh_.cell(leaf)->level()) <
-            least_level(leaf))
+            levels(leaf).least)
         mesh_.cell(leaf)->set_refine_flag();
   while (refine_flagged());
 }
@@ -335,7 +432,7 @@ bool Adaptation<dim>::refine_where(
 {
   for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
     if (static_cast<unsigned int>(mesh_.cell(leaf)->level()) <
-          parameters_.most_level &&
+          levels(leaf).most &&
         wanted(leaf))
       mesh_.cell(leaf)->set_refine_flag();
   return refine_flagged();

@@ -69,6 +69,8 @@ void GasSimulation<dim>::parse_parameters(ParameterHandler &prm)
                                           scheme_.kind ==
                                             Scheme::Kind::finite_volume,
                                           coarse_mesh_.is_axis_aligned());
+  adaptation_parameters_.fit_interval(
+    scheme_.cfl * scheme_.stability_limit(), dim, scheme_.n_points);
   probes_.parse_parameters(prm, coarse_mesh_);
   probes_.set_ambient(initial_state_);
   gauges_.parse_parameters(prm, coarse_mesh_);
@@ -309,7 +311,7 @@ bool GasSimulation<dim>::adapt()
       n_steps_ % adaptation_parameters_.interval != 0)
     return false;
   stepper_->update_ghosts(field_);
-  if (!adaptation_->adapt(field_, maps_))
+  if (!adaptation_->adapt(field_, maps_, time_, &stepper_->quiet_leaves()))
     return false;
   mesh_changed();
   return true;

@@ -182,15 +182,18 @@ std::vector<double> jump_sensor(const LeafMesh<dim> &mesh,
                                 const GasMaterial &material,
                                 const GasField &field,
                                 const double noise,
+                                const std::vector<bool> &wanted,
                                 const bool pressure_only)
 {
-  std::vector<double> result(mesh.n_owned());
+  std::vector<double> result(mesh.n_owned(), 0.);
   const auto compute = [&](const auto &gas, const auto real) {
     using Real = kernel_number<dim, std::decay_t<decltype(real)>>;
     BatchSensor<dim, std::decay_t<decltype(gas)>, Real> sensor(
       mesh, points, gas, field, noise, pressure_only);
     for (unsigned int batch = 0; batch < mesh.n_batches(); ++batch)
     {
+      if (!wanted[batch])
+        continue;
       const auto values = sensor.compute(batch);
       for (unsigned int lane = 0; lane < mesh.n_filled_lanes(batch); ++lane)
         result[batch * n_lanes<Real> + lane] = values[lane];
@@ -211,17 +214,20 @@ template std::vector<double> jump_sensor(const LeafMesh<1> &,
                                          const GasMaterial &,
                                          const GasField &,
                                          double,
+                                         const std::vector<bool> &,
                                          bool);
 template std::vector<double> jump_sensor(const LeafMesh<2> &,
                                          const LeafPoints<2> &,
                                          const GasMaterial &,
                                          const GasField &,
                                          double,
+                                         const std::vector<bool> &,
                                          bool);
 template std::vector<double> jump_sensor(const LeafMesh<3> &,
                                          const LeafPoints<3> &,
                                          const GasMaterial &,
                                          const GasField &,
                                          double,
+                                         const std::vector<bool> &,
                                          bool);
 } // namespace contrecoup::gas

@@ -18,7 +18,7 @@ contrecoup_add_application_test(ranks_sedov_2d ranks
 
 # Leaves that no wave has reached: passed over or computed, all the same.
 foreach(_ranks 1 2)
-  contrecoup_add_application_test(quiet_leaves_on_${_ranks} same ${_quickstart}
+  contrecoup_add_application_test(quiet_leaves_on_${_ranks} same ${_hot_ball}
     MPI ${_ranks} SET ${_short} "Domain/Initial refinement=2"
     "Adaptation/Smallest level=2" "Adaptation/Largest level=3"
     "Output/Checkpoint every steps=6"

@@ -142,7 +142,7 @@ public:
   bool adapt()
   {
     stepper->update_ghosts(field);
-    if (!adaptation->adapt(field))
+    if (!adaptation->adapt(field, time, &stepper->quiet_leaves()))
       return false;
     if (!charges.empty())
     {

@@ -6,8 +6,12 @@
 #include <contrecoup/gas/blast_maps.h>
 #include <contrecoup/gas/gas_field.h>
 #include <contrecoup/gas/leaf_transfer.h>
+#include <contrecoup/gas/quiet_leaves.h>
+#include <contrecoup/gas/size_limits.h>
 
 #include <deal.II/base/parameter_handler.h>
+
+#include <boost/signals2/connection.hpp>
 
 #include <functional>
 
@@ -25,19 +29,36 @@ struct AdaptationParameters
                         const bool is_finite_volume,
                         const bool is_axis_aligned);
 
+  /**
+   * Shortens the interval such that no shock that runs into gas at rest
+   * crosses the buffer in between.
+   * @param reach step size times signal rate sum_d (|u_d| + c) / h_d [-]
+   */
+  void fit_interval(const double reach,
+                    const unsigned int dim,
+                    const unsigned int n_points);
+
+  enum class Sensor
+  {
+    bend,          ///< jump_sensor(): bends of density and pressure
+    pressure_bend, ///< the same of pressure alone, blind to contacts
+    blast          ///< front_sensor(): pressure fronts
+  };
+
   bool active = false;
-  unsigned int interval = 5;    ///< steps between adaptations
+  Sensor sensor = Sensor::bend;
+  unsigned int interval = 5;    ///< steps between adaptations; 0: longest
   unsigned int least_level = 0; ///< refinements of the coarse mesh
   unsigned int most_level = 0;
-  double refine = 0.3;        ///< sensor above which leaves are halved
-  double coarsen = 0.1;       ///< sensor below which they are merged
-  bool pressure_only = false; ///< sensor blind to contacts
-  double noise = 0.02;        ///< relative jump that counts as noise
-  unsigned int buffer = 1;    ///< layers of leaves around marked ones
+  double refine = 0.3;     ///< sensor above which leaves are halved
+  double coarsen = 0.1;    ///< sensor below which they are merged
+  double noise = 0.02;     ///< relative jump that counts as noise
+  unsigned int buffer = 1; ///< layers of leaves around marked ones
   /// A box whose leaves stay at this level at least; level 0: none.
   unsigned int fine_level = 0;
   std::vector<double> fine_lower; ///< [m]
   std::vector<double> fine_upper; ///< [m]
+  SizeLimits limits;
 
 private:
   void check(const unsigned int dim,
@@ -47,9 +68,9 @@ private:
 };
 
 /**
- * Adapts the octree to the gas: marks leaves by the ratio of second to
- * first differences of density and pressure (Loehner 1987), spreads the
- * marks ahead of the fronts, and carries the state over.
+ * Adapts the octree to the gas: marks leaves by a sensor, spreads the marks
+ * ahead of the fronts, and carries the state over. Ranks share the leaves by
+ * what these cost.
  */
 template <int dim>
 class Adaptation
@@ -63,11 +84,18 @@ public:
   /// Adapts mesh, field and, unless they are empty, maps once. Returns
   /// whether anything changed. The field's ghosts must be up to date.
   /// Collective.
-  bool adapt(GasField &field, BlastMaps<dim> &maps);
-  bool adapt(GasField &field)
+  /// @param time for limits of size [s]
+  /// @param quiet_leaves leaves that cost nothing; null: none
+  bool adapt(GasField &field,
+             BlastMaps<dim> &maps,
+             const double time = 0.,
+             QuietLeaves<dim> *quiet_leaves = nullptr);
+  bool adapt(GasField &field,
+             const double time = 0.,
+             QuietLeaves<dim> *quiet_leaves = nullptr)
   {
     BlastMaps<dim> none;
-    return adapt(field, none);
+    return adapt(field, none, time, quiet_leaves);
   }
 
   /// Halves every leaf below the largest level for which @p wanted is
@@ -87,8 +115,14 @@ private:
     typename dealii::Triangulation<dim>::active_cell_iterator;
   using Marks = std::function<double(const CellIterator &)>;
 
-  /// Level that a leaf must not fall below.
-  unsigned int least_level(const unsigned int leaf) const;
+  bool adapt_now(GasField &field, BlastMaps<dim> &maps);
+  /// Levels that a leaf may have.
+  SizeLimits::Levels levels(const unsigned int leaf) const;
+  bool is_in_fine_box(const dealii::Point<dim> &place) const;
+  void weigh_leaves();
+  /// What a leaf costs that persists, is merged or halved, in parts of the
+  /// cost of a quiet one.
+  unsigned int weight(const typename LeafMesh<dim>::CellIterator &cell) const;
   bool refine_flagged();
   void spread(std::vector<double> &marks) const;
   /// Largest mark beyond a face of leaves that are not coarser.
@@ -106,5 +140,8 @@ private:
   LeafMesh<dim> &mesh_;
   const LeafPoints<dim> points_;
   const GasMaterial material_;
+  double time_ = 0.; ///< [s]
+  QuietLeaves<dim> *quiet_leaves_ = nullptr;
+  boost::signals2::scoped_connection weights_;
 };
 } // namespace contrecoup::gas

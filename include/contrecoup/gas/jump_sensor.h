@@ -20,6 +20,7 @@ namespace contrecoup::gas
  * neighbouring points and h their mean distance (Loehner 1987, eq. 9). It
  * is 0 in linear fields and close to 1 at jumps that exceed the noise.
  * Ghosts of the field must be up to date.
+ * @param wanted per batch: whether to look at it; others give zero
  */
 template <int dim>
 std::vector<double> jump_sensor(const LeafMesh<dim> &mesh,
@@ -27,5 +28,6 @@ std::vector<double> jump_sensor(const LeafMesh<dim> &mesh,
                                 const GasMaterial &material,
                                 const GasField &field,
                                 const double noise,
+                                const std::vector<bool> &wanted,
                                 const bool pressure_only = false);
 } // namespace contrecoup::gas

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameter_tree.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/gas/size_limits.h>
+
+#include <algorithm>
+
+namespace contrecoup::gas
+{
+namespace
+{
+  void declare_when(ParameterHandler &prm)
+  {
+    declare_double(prm,
+                   "From time",
+                   "0",
+                   -unbounded,
+                   unbounded,
+                   "s",
+                   "When the limit begins to hold.");
+    declare_double(prm,
+                   "Until time",
+                   "1e30",
+                   -unbounded,
+                   unbounded,
+                   "s",
+                   "When it ends to hold.");
+  }
+
+
+  void declare_where(ParameterHandler &prm)
+  {
+    declare_selection(prm,
+                      "Shape",
+                      "everywhere",
+                      {"everywhere", "ball", "outside of ball", "box"},
+                      "Where the limit holds: leaves with their centre in all "
+                      "of the domain, within Radius of the Center, farther "
+                      "from it, or between two corners.");
+    for (const std::string name : {"Center", "Lower corner", "Upper corner"})
+      declare_list(prm,
+                   name,
+                   "0, 0, 0",
+                   1,
+                   3,
+                   -unbounded,
+                   unbounded,
+                   "m",
+                   "Place in the coordinates of the mesh.");
+    declare_double(prm,
+                   "Radius",
+                   "1",
+                   0.,
+                   unbounded,
+                   "m",
+                   "Radius of the ball when the limit begins to hold.");
+    declare_double(prm,
+                   "Radius growth",
+                   "0",
+                   -unbounded,
+                   unbounded,
+                   "m/s",
+                   "How fast the radius grows from then on.");
+  }
+} // namespace
+
+
+void SizeLimits::declare_parameters(ParameterHandler &prm)
+{
+  const Section section(prm, "Limit *");
+  declare_integer(prm,
+                  "Smallest level",
+                  "0",
+                  0,
+                  20,
+                  "Times that coarse leaves stay halved at least there.");
+  declare_integer(prm,
+                  "Largest level",
+                  "20",
+                  0,
+                  20,
+                  "Times that a coarse leaf may be halved at most there.");
+  declare_when(prm);
+  declare_where(prm);
+}
+
+
+void SizeLimits::parse_parameters(ParameterHandler &prm, const unsigned int dim)
+{
+  limits_.clear();
+  for (const std::string &name : item_names(prm, "Adaptation/Limit"))
+  {
+    const Section section(prm, "Limit " + name);
+    Limit limit;
+    limit.levels = {read_unsigned(prm, "Smallest level"),
+                    read_unsigned(prm, "Largest level")};
+    limit.from = read_double(prm, "From time");
+    limit.until = read_double(prm, "Until time");
+    limit.shape = prm.get("Shape");
+    limit.center = read_list(prm, "Center");
+    limit.radius = read_double(prm, "Radius");
+    limit.growth = read_double(prm, "Radius growth");
+    limit.lower = read_list(prm, "Lower corner");
+    limit.upper = read_list(prm, "Upper corner");
+    check(limit, "Adaptation/Limit " + name, dim);
+    limits_.push_back(limit);
+  }
+}
+
+
+void SizeLimits::check(const Limit &limit,
+                       const std::string &where,
+                       const unsigned int dim)
+{
+  if (limit.levels.least > limit.levels.most)
+    throw InputError(where + ": Smallest level must not be larger than "
+                             "Largest level");
+  if (!(limit.from < limit.until))
+    throw InputError(where + ": From time must be before Until time");
+  const bool has_ball =
+    limit.shape == "ball" || limit.shape == "outside of ball";
+  if ((has_ball && limit.center.size() < dim) ||
+      (limit.shape == "box" &&
+       std::min(limit.lower.size(), limit.upper.size()) < dim))
+    throw InputError(
+      where + ": " +
+      (has_ball ? "Center needs " : "Lower corner and Upper corner need ") +
+      std::to_string(dim) + " numbers, one for each direction");
+}
+
+
+template <int dim>
+bool SizeLimits::holds(const Limit &limit,
+                       const dealii::Point<dim> &place,
+                       const double time)
+{
+  if (time < limit.from || time >= limit.until)
+    return false;
+  if (limit.shape == "everywhere")
+    return true;
+  if (limit.shape == "box")
+  {
+    for (unsigned int d = 0; d < dim; ++d)
+      if (place[d] < limit.lower[d] || place[d] > limit.upper[d])
+        return false;
+    return true;
+  }
+  dealii::Point<dim> center;
+  for (unsigned int d = 0; d < dim; ++d)
+    center[d] = limit.center[d];
+  const double radius = limit.radius + limit.growth * (time - limit.from);
+  return (place.distance(center) <= radius) == (limit.shape == "ball");
+}
+
+
+template <int dim>
+SizeLimits::Levels SizeLimits::levels(const dealii::Point<dim> &place,
+                                      const double time,
+                                      const Levels &general) const
+{
+  Levels result = general;
+  for (const Limit &limit : limits_)
+    if (holds(limit, place, time))
+    {
+      result.least = std::max(result.least, limit.levels.least);
+      result.most = std::min(result.most, limit.levels.most);
+    }
+  result.least = std::min(result.least, result.most);
+  return result;
+}
+
+
+template SizeLimits::Levels
+SizeLimits::levels(const dealii::Point<1> &, double, const Levels &) const;
+template SizeLimits::Levels
+SizeLimits::levels(const dealii::Point<2> &, double, const Levels &) const;
+template SizeLimits::Levels
+SizeLimits::levels(const dealii::Point<3> &, double, const Levels &) const;
+} // namespace contrecoup::gas
