@@ -1,0 +1,37 @@
+# Blasts that begin in fewer dimensions: what the hand-over keeps, in the
+# extremes, on two ranks, and when a run is stopped in either stage.
+set(_closed "conservation.mass_relative_change < 1e-12"
+  "conservation.energy_relative_change < 1e-12"
+  "conservation.products_mass_relative_change < 1e-12"
+  "conservation.mass_relative_change > -1e-12"
+  "conservation.energy_relative_change > -1e-12"
+  "conservation.products_mass_relative_change > -1e-12")
+set(_walls "Boundaries/x high=wall" "Boundaries/y high=wall"
+  "Boundaries/z high=wall")
+
+foreach(_file hand_over_cells_times_1000 hand_over_early hand_over_late)
+  contrecoup_add_application_test(extreme_${_file} bounds
+    FILE blast/extremes/${_file}.prm SET ${_walls}
+    BOUNDS "status == finished" ${_closed} LABELS extremes TIMEOUT 300)
+endforeach()
+
+# A quick version of the free-air blast: the mesh adapts while a first stage
+# of 5 mm is handed over.
+set(_free_air FILE blast/verification/hand_over.prm)
+set(_quick "First stage/Cell size=0.005" "First stage/Radius=0.6"
+  "Adaptation/Largest level=2" "Adaptation/Interval=2" "Output/Fields=false"
+  "Output/History every steps=1")
+foreach(_ranks 1 2)
+  contrecoup_add_application_test(hand_over_conserves_on_${_ranks} bounds
+    ${_free_air} MPI ${_ranks} SET ${_quick} ${_walls}
+    "Time/End time=0.0004" BOUNDS "status == finished" ${_closed}
+    "assumptions.hand_over_radius > 0.59" TIMEOUT 120)
+endforeach()
+foreach(_first 40 400)
+  contrecoup_add_application_test(resume_stage_at_${_first} resume
+    ${_free_air} SET ${_quick} "Time/Largest number of steps=420"
+    STOP_AFTER ${_first} COMPARE history.csv probes.csv TIMEOUT 120)
+endforeach()
+contrecoup_add_application_test(ranks_stages ranks ${_free_air} SET ${_quick}
+  "Time/Largest number of steps=400" COMPARE history.csv probes.csv
+  TOLERANCE "-r 1e-9 -a 1e-6" TIMEOUT 120)
