@@ -43,6 +43,10 @@ blast_burns(charge_cylindrical verification/paper_1d "${_closed}"
   "Domain/Geometry=cylindrical" "Charges/Charge 1/Shape=cylinder")
 blast_burns(charge_axisymmetric verification/charge_axisymmetric "${_closed}")
 
+# Lit at the rim, the detonation runs inwards and is far stronger in the middle.
+blast_burns(extreme_implosion verification/paper_1d "${_closed}"
+  "Charges/Charge 1/Ignition points=0.05")
+
 # The cone and the spherical run differ by less than 0.5 % of the mean density.
 blast_burns(cone verification/cone "errors.density_L1 < 0.0142;${_closed}")
 
