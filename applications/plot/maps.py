@@ -75,8 +75,8 @@ def _draw_panel(figure, axis, plane, arrived):
                         norm=(LogNorm if spread else Normalize)(low, high),
                         cmap=look.SEQUENTIAL, interpolation="nearest")
     _draw_contours(axis, plane, values * factor, low, high, spread)
-    bar = figure.colorbar(image, cax=axis.inset_axes([1.02, 0., 0.03, 1.]),
-                          extend="both")
+    bar = figure.colorbar(image, ax=axis, extend="both", pad=0.02,
+                          fraction=0.05)
     bar.set_label(unit, fontsize=9)
     if spread:
         bar.ax.yaxis.set_major_locator(LogLocator(subs=(1., 2., 5.)))

@@ -75,7 +75,11 @@ def _pick(planes):
 
 def _background(planes):
     """The undisturbed pressure: the commonest value at the start."""
-    return float(np.nanmedian(planes[0].values))
+    values = planes[0].values[np.isfinite(planes[0].values)]
+    found, counts = np.unique(values, return_counts=True)
+    if counts.max() > 0.02 * values.size:
+        return float(found[counts.argmax()])
+    return float(np.median(values))
 
 
 def _time(plane, planes):
