@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/gas/blast_maps.h>
+#include <contrecoup/gas/leaf_sampling.h>
 #include <contrecoup/gas/primitive.h>
 
 namespace contrecoup::gas
@@ -82,12 +83,28 @@ void BlastMaps<dim>::update(const LeafMesh<dim> &mesh,
                             const GasField &field,
                             const GasMaterial &material,
                             const double time,
-                            const double step)
+                            const double step,
+                            const QuietLeaves<dim> *quiet_leaves)
 {
+  // Quiet leaves hold the ambient state of the run, which need not be that of
+  // the maps: then every leaf counts.
+  const auto is_passed_over = [&](const unsigned int first) {
+    const unsigned int end = std::min(first + W, mesh.n_owned());
+    for (unsigned int leaf = first; leaf < end; ++leaf)
+      if (quiet_leaves == nullptr || !quiet_leaves->is_quiet(leaf))
+        return false;
+    std::vector<double> state(field.layout().n_components);
+    for (unsigned int c = 0; c < state.size(); ++c)
+      state[c] = field.values(first, c, 0)[0];
+    const double pressure =
+      primitive_state<dim>(state.data(), material).pressure;
+    return std::abs(pressure - ambient_) < Record::threshold * ambient_;
+  };
   std::visit(
     [&](const auto &gas) {
       for (unsigned int leaf = 0; leaf < mesh.n_owned(); leaf += W)
-        update_group(leaf / W, field, gas, time, step);
+        if (!is_passed_over(leaf))
+          update_group(leaf / W, field, gas, time, step);
     },
     material.model());
 }

@@ -253,7 +253,8 @@ StepReport GasSimulation<dim>::advance(const double largest_step)
   if (!maps_.empty())
   {
     const TimerScope timer("maps");
-    maps_.update(mesh_, field_, material_, time_, result.step);
+    maps_.update(
+      mesh_, field_, material_, time_, result.step, &stepper_->quiet_leaves());
   }
 
   const double n_computed = dealii::Utilities::MPI::sum(

@@ -5,6 +5,7 @@
 
 #include <contrecoup/gas/blast_record.h>
 #include <contrecoup/gas/gas_field.h>
+#include <contrecoup/gas/quiet_leaves.h>
 #include <contrecoup/materials/gas_material.h>
 
 #include <deal.II/base/aligned_vector.h>
@@ -40,12 +41,15 @@ public:
     ambient_ = pressure;
   }
 
-  /// Takes the state at the end @p time of a step, both [s].
+  /// Takes the state at the end @p time of a step, both [s]. Leaves that are
+  /// quiet in @p quiet_leaves, if given, are passed over: nothing happens
+  /// there.
   void update(const LeafMesh<dim> &mesh,
               const GasField &field,
               const GasMaterial &material,
               const double time,
-              const double step);
+              const double step,
+              const QuietLeaves<dim> *quiet_leaves = nullptr);
 
   /// Numbers of one leaf, [value][point].
   unsigned int n_leaf_values() const
