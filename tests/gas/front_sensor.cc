@@ -84,7 +84,8 @@ TEST(FrontSensor, SeesAFrontOfHalfAPercent)
   EXPECT_GT(blast[0], 0.5);
   EXPECT_LT(blast[1], 0.1);
   const auto bend = near_and_far(
-    weak_front, {"Adaptation/Sensor=bend", "Adaptation/Noise=0.02"});
+    weak_front,
+    {"Adaptation/Sensor=density and pressure", "Adaptation/Noise=0.02"});
   EXPECT_LT(bend[0], 0.1);
 }
 
@@ -92,7 +93,8 @@ TEST(FrontSensor, SeesAFrontOfHalfAPercent)
 TEST(FrontSensor, SeesNoContactsAndNoVortices)
 {
   EXPECT_LT(near_and_far(contacts)[0], 0.2);
-  EXPECT_GT(near_and_far(contacts, {"Adaptation/Sensor=bend"})[0], 0.5);
+  EXPECT_GT(
+    near_and_far(contacts, {"Adaptation/Sensor=density and pressure"})[0], 0.5);
   // Nor fans, where the gas expands.
   EXPECT_LT(near_and_far([](const Point<2> &p) {
               GasState<2> state = weak_front(p);
