@@ -15,9 +15,7 @@ blast_regresses(sod_galerkin verification/sod "-r 1e-8 -a 1e-12" 60
   "Method/Scheme=discontinuous galerkin" "Method/Time stepping=ssp rk3")
 blast_regresses(tnt_air verification/tnt_air "-r 1e-7 -a 1e-9" 60)
 blast_regresses(point_source verification/point_source "-r 1e-7 -a 1e-9" 100
-  "Domain/Upper corner=1.75" "Domain/Coarse leaves=100"
-  "Initial state/Sedov/Radius=0.02" "Adaptation/Active=false"
-  "Probes/Points=0.344631\\; 0.760521\\; 1.638951")
+  "Adaptation/Largest level=6" "Initial state/Sedov/Radius=0.05")
 blast_regresses(vortex verification/vortex "-r 1e-9 -a 1e-9" 20
   "Domain/Initial refinement=3")
 blast_regresses(noh_3d verification/noh_3d "-r 1e-7 -a 1e-9" 20
