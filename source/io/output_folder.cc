@@ -161,6 +161,9 @@ namespace io
       file = simulation.write_fields(
         path("fields"), static_cast<unsigned int>(state.field_index));
     });
+    // Of a mesh in 1-D only the first rank writes, and knows the name.
+    file =
+      dealii::Utilities::MPI::broadcast(collective_.communicator(), file, 0);
     // A collection cannot list other formats.
     if (fs::path(file).extension() != ".vtu" &&
         fs::path(file).extension() != ".pvtu")

@@ -16,6 +16,11 @@ contrecoup_add_application_test(ranks_sedov_2d ranks
   FILE blast/verification/sedov_2d.prm
   SET "Time/Largest number of steps=40" TOLERANCE "-r 1e-10" TIMEOUT 120)
 
+# Meshes in 1-D live on each rank, and only the first one writes fields.
+contrecoup_add_application_test(fields_1d_on_two_ranks bounds
+  FILE blast/verification/sod.prm MPI 2 SET "Output/Fields=true"
+  "Time/Largest number of steps=10" BOUNDS "status == finished" TIMEOUT 60)
+
 # Leaves that no wave has reached: passed over or computed, all the same.
 foreach(_ranks 1 2)
   contrecoup_add_application_test(quiet_leaves_on_${_ranks} same ${_hot_ball}
