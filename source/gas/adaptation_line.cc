@@ -37,8 +37,8 @@ void Adaptation<dim>::balance_line()
     for (unsigned int leaf = 0; leaf < n; ++leaf)
     {
       const auto &cell = mesh_.cell(leaf);
-      wanted[leaf] =
-        cell->level() + cell->refine_flag_set() - cell->coarsen_flag_set();
+      wanted[leaf] = cell->level() + bool(cell->refine_flag_set()) -
+                     bool(cell->coarsen_flag_set());
     }
     // Levels only rise here, and never beyond the finest one: this ends.
     bool changed = true;
@@ -95,8 +95,9 @@ void Adaptation<dim>::carry_over_line(GasField &field, BlastMaps<dim> &maps)
     {
       const auto &cell = mesh_.cell(leaf);
       if (!cell->coarsen_flag_set())
-        parcels.push_back(
-          {cell->id(), cell->refine_flag_set(), carrier.pack(cell, false)});
+        parcels.push_back({cell->id(),
+                           bool(cell->refine_flag_set()),
+                           carrier.pack(cell, false)});
       else if (cell->parent()->child(0) == cell)
         parcels.push_back(
           {cell->parent()->id(), false, carrier.pack(cell->parent(), true)});

@@ -234,7 +234,7 @@ VortexField<dim>::VortexField(ParameterHandler &prm,
   solution_.period = read_double(prm, "Period");
   solution_.density = ambient.density;
   solution_.pressure = ambient.pressure;
-  for (unsigned int d = 0; d < std::min(dim, 2); ++d)
+  for (unsigned int d = 0; d < std::min<unsigned int>(dim, 2); ++d)
   {
     solution_.center[d] = center[d];
     solution_.velocity[d] = velocity[d];

@@ -83,7 +83,8 @@ void check_conservation(const std::vector<std::string> &method,
     n_changes += run.adapt();
     run.steps(2);
   }
-  EXPECT_GT(n_changes, n_adaptations / 3);
+  // A line has but two fronts, which cross a leaf in about ten steps.
+  EXPECT_GT(n_changes, n_adaptations / (dim == 1 ? 10 : 3));
   const auto after = run.totals();
   for (const std::string name : {"mass", "energy"})
     EXPECT_NEAR(after.at(name), before.at(name), 1e-13 * before.at(name));
