@@ -409,8 +409,8 @@ void GalerkinKernel<dim, n, Gas, Real>::bound_products()
   if (!any_less(smallest, zero) && !any_less(one, largest))
     return;
   const Values average = mean();
-  const Number fraction = std::min(
-    std::max(Number(average[C::products] / average[C::density]), zero), one);
+  // Not clipped: a mean just outside is kept, for the mass is.
+  const Number fraction = average[C::products] / average[C::density];
   const Number tiny(std::numeric_limits<float>::min());
   Number theta =
     select_less(smallest,
@@ -424,6 +424,7 @@ void GalerkinKernel<dim, n, Gas, Real>::bound_products()
                          Number((one - fraction) /
                                 std::max(Number(largest - fraction), tiny)),
                          one));
+  theta = std::max(theta, zero);
   for (unsigned int q = 0; q < n_points; ++q)
   {
     const Number even = fraction * conserved_[C::density][q];

@@ -40,8 +40,6 @@ blast_refuses(probe_outside "Probes/Points" FILE ${_sod}
   SET "Probes/Points=7")
 blast_refuses(missing_reference "Reference" FILE ${_sod}
   SET "Initial state/Kind=uniform")
-blast_refuses(adaptation_in_1d "Adaptation/Active" FILE ${_sod}
-  SET "Adaptation/Active=true")
 blast_refuses(missing_file "no_such_file.prm" FILE blast/no_such_file.prm)
 blast_refuses(unfinished_file "subsection" FILE ${_sod}
   CONTENT "subsection Method\nset Limiter = mc")

@@ -197,7 +197,7 @@ TEST(StagedSimulation, HandsOverABurnedChargeAndItsAfterburn)
   const auto values = row(simulation->history());
   EXPECT_GT(values.at("afterburn_fraction"), 0.05);
   EXPECT_NEAR(values.at("afterburn_energy"),
-              values.at("afterburn_fraction") * 1e7 *
+              values.at("afterburn_fraction") * 3.5e6 *
                 values.at("products_mass"),
               1e-9 * values.at("afterburn_energy"));
   // Galerkin schemes can take over what burned in finite volumes.

@@ -54,6 +54,18 @@ std::unique_ptr<GasRun<dim>> run_burst(const Lines &lines,
 }
 
 
+/// The leaves of all ranks.
+template <int dim>
+std::map<std::string, std::vector<double>> all_leaves(const GasRun<dim> &run)
+{
+  std::map<std::string, std::vector<double>> all;
+  for (const auto &leaves :
+       dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, run.leaves()))
+    all.insert(leaves.begin(), leaves.end());
+  return all;
+}
+
+
 /// Skipping changes no bit, and skips.
 template <int dim>
 void check(const Lines &lines,
@@ -63,8 +75,12 @@ void check(const Lines &lines,
   const auto plain = run_burst<dim>(lines, false, hanging, adapting);
   const auto skipping = run_burst<dim>(lines, true, hanging, adapting);
   EXPECT_EQ(plain->time, skipping->time);
-  EXPECT_EQ(plain->leaves(), skipping->leaves());
-  for (unsigned int leaf = 0; leaf < plain->mesh.n_owned(); ++leaf)
+  EXPECT_EQ(all_leaves(*plain), all_leaves(*skipping));
+  // Several ranks share the leaves of an adapted mesh by what they cost.
+  const bool same_leaves =
+    dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1 || !adapting;
+  for (unsigned int leaf = 0; same_leaves && leaf < plain->mesh.n_owned();
+       ++leaf)
   {
     EXPECT_EQ(plain->field.sensor_of(leaf), skipping->field.sensor_of(leaf));
     EXPECT_EQ(plain->stepper->signal_rate(leaf),
