@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/geometry/placement.h>
+#include <contrecoup/geometry/shape.h>
+
+#include <vector>
+
+namespace contrecoup
+{
+/**
+ * What is in at least one of several shapes. With a blend length above 0 the
+ * grooves where two shapes meet are filled: the smooth minimum of Quilez,
+ * min(a, b) - max(k - |a - b|, 0)^2 / (4 k), taken from one part to the next;
+ * k is the blend length, and k / 4 the most that is added.
+ */
+class Union : public Shape
+{
+public:
+  /// @param parts at least one
+  /// @param blend at least 0 [m]
+  explicit Union(const std::vector<ShapePointer> &parts, double blend = 0.);
+  double value(const dealii::Point<3> &point) const override;
+  dealii::Tensor<1, 3> gradient(const dealii::Point<3> &point) const override;
+  dealii::BoundingBox<3> bounding_box() const override;
+
+private:
+  std::vector<ShapePointer> parts_;
+  std::vector<dealii::BoundingBox<3>> boxes_;
+  double blend_;
+};
+
+/// What is in the first shape and not in the second. Value max(a, -b).
+class Difference : public Shape
+{
+public:
+  Difference(ShapePointer shape, ShapePointer removed);
+  double value(const dealii::Point<3> &point) const override;
+  dealii::Tensor<1, 3> gradient(const dealii::Point<3> &point) const override;
+  dealii::BoundingBox<3> bounding_box() const override;
+
+private:
+  ShapePointer shape_;
+  ShapePointer removed_;
+};
+
+/// What is in both of two shapes. Value max(a, b).
+class Intersection : public Shape
+{
+public:
+  Intersection(ShapePointer first, ShapePointer second);
+  double value(const dealii::Point<3> &point) const override;
+  dealii::Tensor<1, 3> gradient(const dealii::Point<3> &point) const override;
+  dealii::BoundingBox<3> bounding_box() const override;
+
+private:
+  ShapePointer first_;
+  ShapePointer second_;
+};
+
+/// A shape grown by a distance, or shrunk by a negative one [m].
+class Offset : public Shape
+{
+public:
+  Offset(ShapePointer shape, double growth);
+  double value(const dealii::Point<3> &point) const override;
+  dealii::Tensor<1, 3> gradient(const dealii::Point<3> &point) const override;
+  dealii::BoundingBox<3> bounding_box() const override;
+
+private:
+  ShapePointer shape_;
+  double growth_;
+};
+
+/// A shape scaled, turned and moved.
+class PlacedShape : public Shape
+{
+public:
+  PlacedShape(ShapePointer shape, const Placement &placement);
+  double value(const dealii::Point<3> &point) const override;
+  dealii::Tensor<1, 3> gradient(const dealii::Point<3> &point) const override;
+  dealii::BoundingBox<3> bounding_box() const override;
+
+private:
+  ShapePointer shape_;
+  Placement placement_;
+};
+} // namespace contrecoup

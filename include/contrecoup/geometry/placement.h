@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/lanes.h>
+
+#include <deal.II/base/bounding_box.h>
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+namespace contrecoup
+{
+/// A uniform scaling, then a rotation, both about the origin, then a shift:
+/// x -> s R x + t.
+class Placement
+{
+public:
+  /// Leaves everything where it is.
+  Placement();
+
+  /// @param scale above 0 [-]
+  /// @param angles about the fixed axes x, then y, then z [rad]
+  /// @param shift [m]
+  Placement(double scale,
+            const dealii::Tensor<1, 3> &angles,
+            const dealii::Tensor<1, 3> &shift);
+
+  /// Declares the entries Scale, Rotation and Shift in the current
+  /// subsection.
+  static void declare_parameters(dealii::ParameterHandler &prm);
+
+  /// Reads them from the current subsection.
+  void parse_parameters(dealii::ParameterHandler &prm);
+
+  dealii::Point<3> apply(const dealii::Point<3> &point) const;
+
+  /// The box around a placed box.
+  dealii::BoundingBox<3> apply(const dealii::BoundingBox<3> &box) const;
+
+  /// The point that apply() brings to @p point.
+  dealii::Point<3> pull_back(const dealii::Point<3> &point) const;
+
+  /// A direction, turned.
+  dealii::Tensor<1, 3> rotate(const dealii::Tensor<1, 3> &direction) const
+  {
+    return rotation_ * direction;
+  }
+
+  double scale() const
+  {
+    return scale_;
+  }
+
+  /// Whether apply() leaves every point where it is.
+  bool is_identity() const;
+
+private:
+  double scale_ = 1.;
+  dealii::Tensor<2, 3> rotation_;
+  dealii::Tensor<1, 3> shift_;
+};
+} // namespace contrecoup

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/geometry/placement.h>
+
+namespace contrecoup
+{
+using dealii::BoundingBox;
+using dealii::Point;
+using dealii::Tensor;
+
+namespace
+{
+  /// Rotation about an axis of coordinates.
+  Tensor<2, 3> rotation_about(const unsigned int axis, const double angle)
+  {
+    Tensor<2, 3> result;
+    const unsigned int i = (axis + 1) % 3;
+    const unsigned int j = (axis + 2) % 3;
+    result[axis][axis] = 1.;
+    result[i][i] = result[j][j] = std::cos(angle);
+    result[i][j] = -std::sin(angle);
+    result[j][i] = std::sin(angle);
+    return result;
+  }
+} // namespace
+
+Placement::Placement()
+  : Placement(1., {}, {})
+{}
+
+Placement::Placement(const double scale,
+                     const Tensor<1, 3> &angles,
+                     const Tensor<1, 3> &shift)
+  : scale_(scale)
+  , rotation_(rotation_about(2, angles[2]) * rotation_about(1, angles[1]) *
+              rotation_about(0, angles[0]))
+  , shift_(shift)
+{}
+
+void Placement::declare_parameters(dealii::ParameterHandler &prm)
+{
+  declare_double(prm,
+                 "Scale",
+                 "1",
+                 1e-6,
+                 1e6,
+                 "-",
+                 "Factor by which the body is made larger, about the origin, "
+                 "before it is turned and moved.");
+  declare_list(prm,
+               "Rotation",
+               "0, 0, 0",
+               3,
+               3,
+               -360.,
+               360.,
+               "degrees",
+               "Angles by which the body is turned about the fixed axes x, "
+               "then y, then z through the origin.");
+  declare_list(prm,
+               "Shift",
+               "0, 0, 0",
+               3,
+               3,
+               -1e6,
+               1e6,
+               "m",
+               "Vector by which the turned body is moved.");
+}
+
+void Placement::parse_parameters(dealii::ParameterHandler &prm)
+{
+  constexpr double degree = dealii::numbers::PI / 180.;
+  const std::vector<double> angles = read_list(prm, "Rotation");
+  const std::vector<double> shift = read_list(prm, "Shift");
+  *this = Placement(read_double(prm, "Scale"),
+                    degree * Point<3>(angles[0], angles[1], angles[2]),
+                    Point<3>(shift[0], shift[1], shift[2]));
+}
+
+Point<3> Placement::apply(const Point<3> &point) const
+{
+  return Point<3>(scale_ * (rotation_ * point) + shift_);
+}
+
+BoundingBox<3> Placement::apply(const BoundingBox<3> &box) const
+{
+  std::vector<Point<3>> corners;
+  for (unsigned int v = 0; v < 8; ++v)
+    corners.push_back(apply(box.vertex(v)));
+  return BoundingBox<3>(corners);
+}
+
+Point<3> Placement::pull_back(const Point<3> &point) const
+{
+  return Point<3>(transpose(rotation_) * (point - shift_) / scale_);
+}
+
+bool Placement::is_identity() const
+{
+  Placement identity;
+  return scale_ == 1. && rotation_ == identity.rotation_ &&
+         shift_ == identity.shift_;
+}
+} // namespace contrecoup
