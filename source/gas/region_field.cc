@@ -70,7 +70,8 @@ namespace
                    unbounded,
                    "J",
                    "If above 0: internal energy of the whole region, from "
-                   "which the pressure follows. The mesh holds it as "
+                   "which the pressure follows; Pressure then has no effect. "
+                   "The mesh holds it as "
                    "exactly as its cells sample the region's volume.");
   }
 
@@ -154,22 +155,19 @@ RegionField<dim>::read_region(ParameterHandler &prm,
           ": each coordinate of Lower corner = " + prm.get("Lower corner") +
           " must be below that of Upper corner = " + prm.get("Upper corner"));
 
+  const double energy = read_double(prm, "Energy");
   if (prm.get_bool("Burned explosive"))
     region.state = burned_explosive<dim>(material, where);
-  else
-    region.state = read_state<dim>(prm, material, where);
-
-  const double energy = read_double(prm, "Energy");
-  if (energy > 0. && !prm.get_bool("Burned explosive"))
+  else if (energy > 0.)
   {
     if (region.shape == "half space")
       throw InputError(where + ": Energy must be 0 for Shape = half space, "
                                "which has no finite volume");
-    region.state.pressure = material.pressure(region.state.density,
-                                              energy / volume(region, geometry),
-                                              region.state.products);
-    check_state(region.state, material, where + ", Energy");
+    region.state =
+      read_state<dim>(prm, material, where, energy / volume(region, geometry));
   }
+  else
+    region.state = read_state<dim>(prm, material, where);
   return region;
 }
 

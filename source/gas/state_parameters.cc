@@ -46,13 +46,17 @@ void declare_state(ParameterHandler &prm)
 template <int dim>
 GasState<dim> read_state(const ParameterHandler &prm,
                          const GasMaterial &material,
-                         const std::string &where)
+                         const std::string &where,
+                         const std::optional<double> energy_density)
 {
   GasState<dim> state;
   state.density = read_double(prm, "Density");
   state.velocity = read_vector<dim>(prm, "Velocity", where);
-  state.pressure = read_double(prm, "Pressure");
   state.products = read_double(prm, "Products");
+  state.pressure =
+    energy_density
+      ? material.pressure(state.density, *energy_density, state.products)
+      : read_double(prm, "Pressure");
   check_state(state, material, where);
   return state;
 }
@@ -122,8 +126,10 @@ dealii::Tensor<1, dim> read_direction(const ParameterHandler &prm,
 
 
 #define INSTANTIATE(dim)                                                 \
-  template GasState<dim> read_state<dim>(                                \
-    const ParameterHandler &, const GasMaterial &, const std::string &); \
+  template GasState<dim> read_state<dim>(const ParameterHandler &,       \
+                                         const GasMaterial &,            \
+                                         const std::string &,            \
+                                         std::optional<double>);         \
   template void check_state<dim>(                                        \
     const GasState<dim> &, const GasMaterial &, const std::string &);    \
   template dealii::Tensor<1, dim> read_vector<dim>(                      \

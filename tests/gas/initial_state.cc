@@ -148,6 +148,12 @@ TEST(InitialState, RegionEnergyGivesThePressure)
   EXPECT_NEAR(
     Scene<1>(lines).initial.value(Point<1>()).pressure, 0.4 * 7. / 0.6, 1e-12);
 
+  auto without_pressure = lines;
+  without_pressure.push_back("Initial state/Region c/Pressure=-1");
+  EXPECT_NEAR(Scene<3>(without_pressure).initial.value(Point<3>()).pressure,
+              0.4 * 7. / ball,
+              1e-12);
+
   auto spherical = lines;
   spherical.push_back("Domain/Geometry=spherical");
   spherical.insert(spherical.begin(), "Domain/Dimension=1");
@@ -328,6 +334,9 @@ TEST(InitialState, BadInputIsNamed)
      "Initial state/Region a/Shape=half space",
      "Initial state/Region a/Energy=1",
      "half space"},
+    {"Initial state/Kind=regions",
+     "Initial state/Region a/Pressure=-1",
+     "Region a: pressure -1"},
     {"Initial state/Kind=regions",
      "Initial state/Region a/Shape=spere",
      "sphere"},

@@ -7,6 +7,7 @@
 #include <contrecoup/gas/gas_state.h>
 #include <contrecoup/materials/gas_material.h>
 
+#include <optional>
 #include <string>
 
 namespace contrecoup::gas
@@ -20,13 +21,16 @@ void declare_state(ParameterHandler &prm);
 
 /**
  * Reads what declare_state() declared. Missing velocity components are zero.
+ * @param energy_density internal energy [J/m^3] from which the pressure
+ * follows, in place of the entry
  * @throws InputError, naming @p where, for a state that check_state()
  * refuses or a velocity component that @p dim dimensions do not have.
  */
 template <int dim>
 GasState<dim> read_state(const ParameterHandler &prm,
                          const GasMaterial &material,
-                         const std::string &where);
+                         const std::string &where,
+                         std::optional<double> energy_density = {});
 
 /**
  * @throws InputError, naming @p where, when the density is not positive,
