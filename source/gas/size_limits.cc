@@ -4,6 +4,7 @@
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
 #include <contrecoup/gas/size_limits.h>
 
 #include <algorithm>
@@ -38,9 +39,14 @@ namespace
                       "everywhere",
                       {"everywhere", "ball", "outside of ball", "box"},
                       "Where the limit holds: leaves with their centre in all "
-                      "of the domain, within Radius of the Center, farther "
-                      "from it, or between two corners.");
-    for (const std::string name : {"Center", "Lower corner", "Upper corner"})
+                      "of the domain, within Radius of a Center, farther from "
+                      "all of them, or between two corners.");
+    declare_points(prm,
+                   "Center",
+                   "0, 0, 0",
+                   "m",
+                   "Middle of the ball, or of several balls of equal radius.");
+    for (const std::string name : {"Lower corner", "Upper corner"})
       declare_list(prm,
                    name,
                    "0, 0, 0",
@@ -64,6 +70,18 @@ namespace
                    unbounded,
                    "m/s",
                    "How fast the radius grows from then on.");
+  }
+
+  std::vector<std::vector<double>> read_centers(const ParameterHandler &prm)
+  {
+    std::vector<std::vector<double>> centers;
+    for (const std::string &point : split(prm.get("Center"), ';'))
+    {
+      centers.emplace_back();
+      for (const std::string &number : split(point, ','))
+        centers.back().push_back(std::stod(number));
+    }
+    return centers;
   }
 } // namespace
 
@@ -100,7 +118,7 @@ void SizeLimits::parse_parameters(ParameterHandler &prm, const unsigned int dim)
     limit.from = read_double(prm, "From time");
     limit.until = read_double(prm, "Until time");
     limit.shape = prm.get("Shape");
-    limit.center = read_list(prm, "Center");
+    limit.centers = read_centers(prm);
     limit.radius = read_double(prm, "Radius");
     limit.growth = read_double(prm, "Radius growth");
     limit.lower = read_list(prm, "Lower corner");
@@ -122,7 +140,11 @@ void SizeLimits::check(const Limit &limit,
     throw InputError(where + ": From time must be before Until time");
   const bool has_ball =
     limit.shape == "ball" || limit.shape == "outside of ball";
-  if ((has_ball && limit.center.size() < dim) ||
+  const bool is_short =
+    std::any_of(limit.centers.begin(),
+                limit.centers.end(),
+                [&](const auto &center) { return center.size() < dim; });
+  if ((has_ball && (limit.centers.empty() || is_short)) ||
       (limit.shape == "box" &&
        std::min(limit.lower.size(), limit.upper.size()) < dim))
     throw InputError(
@@ -148,11 +170,17 @@ bool SizeLimits::holds(const Limit &limit,
         return false;
     return true;
   }
-  dealii::Point<dim> center;
-  for (unsigned int d = 0; d < dim; ++d)
-    center[d] = limit.center[d];
   const double radius = limit.radius + limit.growth * (time - limit.from);
-  return (place.distance(center) <= radius) == (limit.shape == "ball");
+  const bool is_within =
+    std::any_of(limit.centers.begin(),
+                limit.centers.end(),
+                [&](const std::vector<double> &coordinates) {
+                  dealii::Point<dim> center;
+                  for (unsigned int d = 0; d < dim; ++d)
+                    center[d] = coordinates[d];
+                  return place.distance(center) <= radius;
+                });
+  return is_within == (limit.shape == "ball");
 }
 
 

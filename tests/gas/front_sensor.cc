@@ -203,6 +203,33 @@ TEST(SizeLimits, NarrowLevelsByPlaceAndTime)
 }
 
 
+TEST(SizeLimits, HoldAroundSeveralPoints)
+{
+  const Lines balls = {"Domain/Initial refinement=1",
+                       "Adaptation/Active=true",
+                       "Adaptation/Largest level=6",
+                       "Adaptation/Limit far/Shape=outside of ball",
+                       "Adaptation/Limit far/Center=0.2, 0.2; 0.8, 0.5",
+                       "Adaptation/Limit far/Radius=0.1",
+                       "Adaptation/Limit far/Largest level=3"};
+  GasRun<2> run(balls);
+  const auto most = [&](const double x, const double y) {
+    return run.adaptation_parameters.limits.levels(Point<2>(x, y), 0., {1, 6})
+      .most;
+  };
+  EXPECT_EQ(most(0.25, 0.2), 6u);
+  EXPECT_EQ(most(0.8, 0.55), 6u);
+  EXPECT_EQ(most(0.2, 0.5), 3u);
+  EXPECT_EQ(most(0.8, 0.2), 3u);
+
+  EXPECT_THROW(
+    GasRun<2>(balls + Lines{"Adaptation/Limit far/Center=0.2, 0.2; 0.8"}),
+    InputError);
+  EXPECT_THROW(GasRun<2>(balls + Lines{"Adaptation/Limit far/Center="}),
+               InputError);
+}
+
+
 TEST(SizeLimits, MakeLeavesFineAndCoarse)
 {
   const Lines lines = {"Domain/Initial refinement=2",

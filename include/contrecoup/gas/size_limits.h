@@ -53,11 +53,11 @@ private:
     double from = 0.;  ///< [s]
     double until = 0.; ///< [s]
     std::string shape;
-    std::vector<double> center; ///< [m]
-    double radius = 0.;         ///< at time "from" [m]
-    double growth = 0.;         ///< of the radius [m/s]
-    std::vector<double> lower;  ///< [m]
-    std::vector<double> upper;  ///< [m]
+    std::vector<std::vector<double>> centers; ///< [m]
+    double radius = 0.;                       ///< at time "from" [m]
+    double growth = 0.;                       ///< of the radius [m/s]
+    std::vector<double> lower;                ///< [m]
+    std::vector<double> upper;                ///< [m]
   };
 
   static void
