@@ -86,7 +86,7 @@ endfunction()
 #                 straight through, to the last bit on one rank
 #   sigterm       the same, stopped by SIGTERM; the run must last a second
 #   check         --check accepts the file and writes nothing
-#   pictures      COMPARE <png>...: plot_run.py draws these from the run
+#   pictures      COMPARE <png>...: plot_run.py or plot_anatomy.py draws these from the run
 #   stem          BOUNDS "deviation < 1e-3": [m] of a Mach stem from smooth
 #   refusal       MESSAGE <text> [EXIT <code>] [OUTPUT <folder>] [CONTENT
 #                 <lines appended to the file>] [ARGUMENTS ...]: bad input;

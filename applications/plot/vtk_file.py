@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""Reads the VTK XML files that anatomy writes."""
+
+import re
+import zlib
+
+import numpy as np
+
+_TYPES = {"Float64": np.float64, "Float32": np.float32, "UInt32": np.uint32,
+          "Int64": np.int64, "UInt8": np.uint8}
+
+
+def _decompress(content, begin):
+    """The bytes of one array: header of block sizes, then blocks."""
+    n_blocks = int(np.frombuffer(content, np.uint64, 1, begin)[0])
+    sizes = np.frombuffer(content, np.uint64, n_blocks, begin + 24)
+    place = begin + 24 + 8 * n_blocks
+    parts = []
+    for size in sizes:
+        parts.append(zlib.decompress(content[place:place + int(size)]))
+        place += int(size)
+    return b"".join(parts)
+
+
+def read(path):
+    """All arrays by name; those with several components have a row for each
+    tuple."""
+    with open(path, "rb") as file:
+        content = file.read()
+    mark = b'<AppendedData encoding="raw">\n_'
+    end = content.index(mark)
+    begin = end + len(mark)
+    arrays = {}
+    for match in re.finditer(
+            r'<DataArray type="(\w+)" Name="([^"]*)" NumberOfComponents="(\d+)"'
+            r' format="appended" offset="(\d+)"/>',
+            content[:end].decode("ascii")):
+        kind, name, components, offset = match.groups()
+        values = np.frombuffer(_decompress(content, begin + int(offset)),
+                               _TYPES[kind])
+        if int(components) > 1:
+            values = values.reshape(-1, int(components))
+        arrays[name] = values
+    return arrays

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/io/tool.h>
+
+namespace contrecoup
+{
+namespace anatomy
+{
+  /// `anatomy`: makes hexahedra by tissue of a body, with its surface, its
+  /// quality and pictures.
+  io::ToolDescription anatomy_application();
+} // namespace anatomy
+} // namespace contrecoup

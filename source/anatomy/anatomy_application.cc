@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/anatomy/anatomy_application.h>
+#include <contrecoup/anatomy/anatomy_parameters.h>
+#include <contrecoup/anatomy/body_report.h>
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/log.h>
+#include <contrecoup/base/memory.h>
+#include <contrecoup/base/parameter_tree.h>
+#include <contrecoup/base/processor_time.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/base/version.h>
+#include <contrecoup/io/checked_file.h>
+#include <contrecoup/io/hex_mesh_files.h>
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+
+namespace contrecoup
+{
+namespace anatomy
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+    using Json = nlohmann::ordered_json;
+    using dealii::Point;
+
+    /// Everything that a run leaves in its folder.
+    constexpr const char *results[] = {"parameters.prm",
+                                       "log.txt",
+                                       "mesh.vtu",
+                                       "mesh.msh",
+                                       "hanging_nodes.csv",
+                                       "surface.vtu",
+                                       "surface.stl",
+                                       "distance.vti",
+                                       "quality.csv",
+                                       "parts.csv",
+                                       "summary.json",
+                                       "pictures"};
+
+    /// One body on its way to a mesh in a folder.
+    class AnatomyRun
+    {
+    public:
+      AnatomyRun(const AnatomyParameters &parameters, const std::string &folder)
+        : parameters_(parameters)
+        , folder_(folder)
+        , begin_(std::chrono::steady_clock::now())
+        , body_(parameters.body.create())
+        , surface_(body_->surface())
+      {}
+
+      void check() const
+      {
+        const LabelGrid grid =
+          make_grid(surface_->bounding_box(), parameters_.element_size);
+        log_line("anatomy would mesh a " + parameters_.body.kind() + " of " +
+                 std::to_string(body_->parts().size()) + " part(s), " +
+                 told_box() + ",");
+        log_line("  in hexahedra of " + brief(parameters_.element_size) +
+                 " m out of a grid of " + std::to_string(grid.size[0]) + " x " +
+                 std::to_string(grid.size[1]) + " x " +
+                 std::to_string(grid.size[2]));
+        log_line("  output " + folder_);
+      }
+
+      void execute(const std::string &parameter_text)
+      {
+        LabelGrid grid =
+          make_grid(surface_->bounding_box(), parameters_.element_size);
+        body_->fill(grid);
+        mesh_ = make_voxel_mesh(grid, body_->parts());
+        if (mesh_.cells.empty())
+          throw InputError(
+            "Mesh/Element size = " + brief(parameters_.element_size) +
+            " m: no element has its centre in the body, " + told_box());
+        const double meshed = seconds();
+        start(parameter_text);
+        log_line("meshed a " + parameters_.body.kind() + ", " + told_box() +
+                 ", with " + std::to_string(mesh_.cells.size()) +
+                 " hexahedra and " + std::to_string(mesh_.nodes.size()) +
+                 " nodes in " + duration(meshed));
+        const BodyReport report = make_report(mesh_,
+                                              grid,
+                                              *surface_,
+                                              parameters_.body.references(),
+                                              parameters_.tissue_set);
+        for (const std::string &line : to_lines(report))
+          log_line(line);
+        write(report);
+      }
+
+    private:
+      std::string path(const std::string &name) const
+      {
+        return folder_ + "/" + name;
+      }
+
+      double seconds() const
+      {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() -
+                                             begin_)
+          .count();
+      }
+
+      /// The extents of the body.
+      std::string told_box() const
+      {
+        const auto box = surface_->bounding_box();
+        return brief(box.side_length(0)) + " x " + brief(box.side_length(1)) +
+               " x " + brief(box.side_length(2)) + " m";
+      }
+
+      /// Makes the folder ready.
+      void start(const std::string &parameter_text) const
+      {
+        std::error_code error;
+        fs::create_directories(folder_, error);
+        if (error)
+          throw InputError("cannot make the output folder \"" + folder_ +
+                           "\": " + error.message());
+        for (const char *name : results)
+          io::remove_quietly(path(name));
+        write_text("parameters.prm", parameter_text);
+        Log::instance().open(path("log.txt"), false);
+        log_line("anatomy " + version() + " (" + git_revision() + ")");
+      }
+
+      void write_text(const std::string &name, const std::string &text) const
+      {
+        io::write_file(path(name), [&](std::ostream &out) { out << text; });
+      }
+
+      void write(const BodyReport &report) const
+      {
+        write_text("quality.csv", to_csv(report));
+        std::string parts = "part,name,tissue,tissue name\n";
+        for (std::size_t i = 0; i < mesh_.parts.size(); ++i)
+          parts += std::to_string(i) + "," + mesh_.parts[i].name + "," +
+                   std::to_string(int(mesh_.parts[i].tissue)) + "," +
+                   name_of(mesh_.parts[i].tissue) + "\n";
+        write_text("parts.csv", parts);
+        io::write_vtu(mesh_, path("mesh.vtu"));
+        if (parameters_.write_surface)
+        {
+          io::write_surface_vtu(mesh_, *surface_, path("surface.vtu"));
+          io::write_surface_stl(mesh_, path("surface.stl"));
+        }
+        if (parameters_.write_gmsh)
+          io::write_msh(mesh_, path("mesh.msh"));
+        if (parameters_.distance_spacing > 0.)
+          io::write_distance(*surface_,
+                             parameters_.distance_spacing,
+                             4. * parameters_.distance_spacing,
+                             path("distance.vti"));
+        if (parameters_.draw)
+          draw();
+        write_summary(report);
+        log_line("results in " + folder_ + " after " + duration(seconds()));
+        Log::instance().check();
+      }
+
+      void draw() const
+      {
+        const std::string script =
+          std::string(CONTRECOUP_PLOT_FOLDER) + "/plot_anatomy.py";
+        const std::string command =
+          "\"" + script + "\" \"" + folder_ + "\" > /dev/null 2>&1";
+        if (std::system(command.c_str()) != 0)
+          log_line("no pictures: \"" + script + "\" failed");
+      }
+
+      void write_summary(const BodyReport &report) const
+      {
+        const ReportRow &body = report.body();
+        Json errors = Json::object();
+        unsigned int n_held = 0;
+        for (const OrganCheck &check : report.checks)
+        {
+          std::string name = check.reference.name;
+          std::replace(name.begin(), name.end(), ' ', '_');
+          errors[name + "_volume"] = check.difference();
+          n_held += check.holds() ? 1 : 0;
+        }
+        if (!report.checks.empty())
+          errors["mass"] = body.mass / parameters_.body.reference_mass() - 1.;
+        const Json summary = {
+          {"application", "anatomy"},
+          {"version", version()},
+          {"git_revision", git_revision()},
+          {"status", "finished"},
+          {"wall_seconds", seconds()},
+          {"cells", mesh_.cells.size()},
+          {"nodes", mesh_.nodes.size()},
+          {"hanging_nodes", mesh_.hanging_nodes.size()},
+          {"facets", mesh_.boundary.size()},
+          {"parts", body_->parts().size()},
+          {"connected_components", body.components},
+          {"volume", body.quality.volume},
+          {"mass", body.mass},
+          {"surface_area", report.surface_area},
+          {"center_of_gravity",
+           {report.center_of_gravity[0],
+            report.center_of_gravity[1],
+            report.center_of_gravity[2]}},
+          {"height", report.upper_corner[2] - report.lower_corner[2]},
+          {"smallest_scaled_jacobian", body.quality.smallest_scaled_jacobian},
+          {"mean_scaled_jacobian", body.quality.mean_scaled_jacobian},
+          {"shortest_edge", body.quality.shortest_edge},
+          {"time_step", body.time_step},
+          {"errors", errors},
+          {"references_held", n_held},
+          {"performance",
+           {{"wall_seconds", seconds()},
+            {"peak_memory_bytes", peak_memory(MPI_COMM_SELF)}}}};
+        write_text("summary.json", summary.dump(2) + "\n");
+      }
+
+      AnatomyParameters parameters_;
+      std::string folder_;
+      std::chrono::steady_clock::time_point begin_;
+      BodyPointer body_;
+      ShapePointer surface_;
+      HexMesh mesh_;
+    };
+
+    void execute(const io::CommandLine &command, dealii::ParameterHandler &prm)
+    {
+      if (command.resume)
+        throw InputError("--resume: anatomy has no steps to go on with; run "
+                         "it again");
+      AnatomyParameters parameters;
+      parameters.parse_parameters(prm);
+      AnatomyRun run(parameters, command.output_folder);
+      if (command.check)
+        run.check();
+      else
+        run.execute("# anatomy " + version() + " (" + git_revision() +
+                    "): every entry as used\n\n" + parameter_text(prm, false));
+    }
+  } // namespace
+
+  io::ToolDescription anatomy_application()
+  {
+    return {"anatomy",
+            "Makes a body for blasts: hexahedra by tissue, their surface and "
+            "their quality, from a human phantom or a simple shape.",
+            AnatomyParameters::declare_parameters,
+            execute};
+  }
+} // namespace anatomy
+} // namespace contrecoup

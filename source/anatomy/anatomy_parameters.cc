@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/anatomy/anatomy_parameters.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/materials/tissue_library.h>
+
+namespace contrecoup
+{
+namespace anatomy
+{
+  namespace
+  {
+    void declare_output(dealii::ParameterHandler &prm)
+    {
+      const Section section(prm, "Output");
+      declare_bool(prm,
+                   "Surface",
+                   "true",
+                   "Whether the outer surface is written: surface.vtu of "
+                   "quadrilaterals, surface.stl of triangles.");
+      declare_bool(prm,
+                   "Gmsh",
+                   "false",
+                   "Whether mesh.msh is written, which Gmsh and deal.II read: "
+                   "some 100 bytes an element.");
+      declare_double(prm,
+                     "Distance spacing",
+                     "0",
+                     0.,
+                     1e3,
+                     "m",
+                     "Spacing of a grid of signed distances, distance.vti; 0: "
+                     "none is written.");
+      declare_bool(prm,
+                   "Pictures",
+                   "true",
+                   "Whether pictures of the body and its quality are drawn.");
+    }
+  } // namespace
+
+  void AnatomyParameters::declare_parameters(dealii::ParameterHandler &prm)
+  {
+    {
+      const Section section(prm, "Body");
+      BodyDescription::declare_parameters(prm);
+    }
+    {
+      const Section section(prm, "Mesh");
+      declare_double(
+        prm, "Element size", "0.01", 1e-6, 1e3, "m", "Edge of the hexahedra.");
+    }
+    {
+      const Section section(prm, "Tissues");
+      declare_selection(prm,
+                        "Set",
+                        "physiological",
+                        tissue_set_names(),
+                        "Densities and moduli for masses and time steps: "
+                        "those of the paper's table 1, or wave speeds as "
+                        "measured on tissue.");
+    }
+    declare_output(prm);
+  }
+
+  void AnatomyParameters::parse_parameters(dealii::ParameterHandler &prm)
+  {
+    {
+      const Section section(prm, "Body");
+      body.parse_parameters(prm);
+    }
+    {
+      const Section section(prm, "Mesh");
+      element_size = read_double(prm, "Element size");
+    }
+    {
+      const Section section(prm, "Tissues");
+      tissue_set = prm.get("Set");
+    }
+    const Section section(prm, "Output");
+    write_surface = prm.get_bool("Surface");
+    write_gmsh = prm.get_bool("Gmsh");
+    distance_spacing = read_double(prm, "Distance spacing");
+    draw = prm.get_bool("Pictures");
+  }
+} // namespace anatomy
+} // namespace contrecoup

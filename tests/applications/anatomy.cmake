@@ -1,0 +1,37 @@
+# Bodies: whole runs, and what is refused.
+contrecoup_add_application_test(quickstart bounds
+  FILE anatomy/quickstart.prm SET "Output/Pictures=false"
+  BOUNDS "status == finished" "connected_components == 1"
+    "errors.whole_body_volume < 0.01" "errors.brain_volume < 0.06"
+    "smallest_scaled_jacobian > 0.999" "height > 1.75")
+contrecoup_add_application_test(organs bounds
+  FILE anatomy/quickstart.prm
+  SET "Output/Pictures=false" "Mesh/Element size=0.005"
+  BOUNDS "references_held == 6" "errors.whole_body_volume < 0.005"
+    "errors.mass < 0.02" "connected_components == 1")
+contrecoup_add_application_test(pictures pictures
+  FILE anatomy/quickstart.prm SET "Mesh/Element size=0.015"
+  COMPARE body.png cuts.png quality.png)
+contrecoup_add_application_test(coarse bounds
+  FILE anatomy/quickstart.prm
+  SET "Body/Kind=shape" "Body/Shape/Size=0.1" "Mesh/Element size=0.11"
+    "Output/Pictures=false" "Output/Gmsh=true" "Output/Distance spacing=0.05"
+  BOUNDS "cells == 8")
+
+contrecoup_add_application_test(refuses_thin_man refusal
+  FILE anatomy/quickstart.prm SET "Body/Phantom/Mass=45"
+  MESSAGE "body mass index of 14.6")
+contrecoup_add_application_test(refuses_fine_mesh refusal
+  FILE anatomy/quickstart.prm SET "Mesh/Element size=1e-5"
+  MESSAGE "elements of 1e-05 m")
+contrecoup_add_application_test(refuses_coarse_mesh refusal
+  FILE anatomy/quickstart.prm
+  SET "Body/Kind=shape" "Body/Shape/Size=0.001" "Mesh/Element size=0.1"
+  MESSAGE "no element has its centre in the body")
+contrecoup_add_application_test(refuses_resume refusal
+  FILE anatomy/quickstart.prm ARGUMENTS --resume
+  MESSAGE "anatomy has no steps to go on with")
+contrecoup_add_application_test(refuses_unknown_tissue refusal
+  FILE anatomy/quickstart.prm
+  SET "Body/Kind=shape" "Body/Shape/Tissues=brian"
+  MESSAGE "did you mean \"brain\"")

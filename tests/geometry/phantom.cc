@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameter_tree.h>
+#include <contrecoup/geometry/body_description.h>
+
+#include <gtest/gtest.h>
+
+using namespace contrecoup;
+using dealii::Point;
+
+namespace
+{
+BodyDescription describe(const std::vector<std::string> &lines)
+{
+  dealii::ParameterHandler prm;
+  BodyDescription::declare_parameters(prm);
+  std::vector<Assignment> assignments;
+  for (const std::string &line : lines)
+    assignments.push_back(parse_override(line));
+  apply_assignments(assignments, prm);
+  BodyDescription description;
+  description.parse_parameters(prm);
+  return description;
+}
+
+/// Cubes by part, and the grid they are in.
+struct Filled
+{
+  LabelGrid grid;
+  std::map<std::string, double> volume;
+};
+
+Filled fill(const Body &body, const double spacing)
+{
+  Filled filled;
+  filled.grid = make_grid(body.surface()->bounding_box(), spacing);
+  body.fill(filled.grid);
+  for (const unsigned char label : filled.grid.labels)
+    if (label != LabelGrid::nothing)
+      filled.volume[body.parts()[label].name] += filled.grid.volume();
+  return filled;
+}
+
+/// Volume of the parts that a reference names.
+double volume_of(const Filled &filled, const OrganReference &reference)
+{
+  double sum = 0.;
+  for (const auto &[name, volume] : filled.volume)
+    if (reference.parts.empty() ||
+        std::count(reference.parts.begin(), reference.parts.end(), name) > 0)
+      sum += volume;
+  return sum;
+}
+
+std::string refusal(const std::vector<std::string> &lines)
+{
+  try
+  {
+    describe(lines);
+  }
+  catch (const InputError &error)
+  {
+    return error.what();
+  }
+  return "";
+}
+} // namespace
+
+
+TEST(Phantom, OrgansHaveTheirVolumes)
+{
+  const BodyDescription description = describe({"Kind=phantom"});
+  const BodyPointer body = description.create();
+  const Filled filled = fill(*body, 0.005);
+  const auto references = description.references();
+  ASSERT_EQ(references.size(), 6u);
+  for (const OrganReference &reference : references)
+    EXPECT_NEAR(
+      volume_of(filled, reference) / reference.volume, 1., reference.tolerance)
+      << reference.name;
+  EXPECT_EQ(count_components(filled.grid)[LabelGrid::nothing], 1u);
+}
+
+
+TEST(Phantom, FollowsStatureAndMass)
+{
+  for (const auto &[stature, mass] :
+       {std::pair<std::string, std::string>{"1.6", "50"}, {"1.95", "120"}})
+  {
+    const BodyDescription description =
+      describe({"Phantom/Stature=" + stature, "Phantom/Mass=" + mass});
+    const Filled filled = fill(*description.create(), 0.008);
+    const auto references = description.references();
+    EXPECT_NEAR(volume_of(filled, references[0]),
+                std::stod(mass) / 990.,
+                5e-3 * std::stod(mass) / 990.);
+    // Organs follow the stature; at this size of cubes within a tenth.
+    const double growth = std::pow(std::stod(stature) / 1.756, 3);
+    EXPECT_NEAR(filled.volume.at("liver") / (1.70e-3 * growth), 1., 0.1);
+    EXPECT_NEAR(filled.volume.at("brain") / 1.40e-3, 1., 0.1);
+  }
+}
+
+
+TEST(Phantom, StandsUprightOnTheGroundAndIsSymmetric)
+{
+  const BodyPointer body = describe({"Phantom/Stature=1.8"}).create();
+  const auto surface = body->surface();
+  EXPECT_GE(surface->bounding_box().lower_bound(2), 0.);
+  EXPECT_LT(surface->value({0., 0., 1.799}), 0.);
+  EXPECT_GT(surface->value({0., 0., 1.801}), 0.);
+  // Soles touch the ground, and there is air between the legs.
+  EXPECT_LT(surface->value({-0.049, 0.113, 0.002}), 0.);
+  EXPECT_GT(surface->value({0., 0., 0.3}), 0.01);
+  for (const Point<3> &point : {Point<3>(0.03, 0.1, 1.3),
+                                Point<3>(0., 0.25, 1.),
+                                Point<3>(0.05, 0.05, 1.7),
+                                Point<3>(0.1, 0.12, 0.05)})
+    EXPECT_NEAR(surface->value(point),
+                surface->value({point[0], -point[1], point[2]}),
+                1e-12);
+}
+
+
+TEST(Phantom, SkinIsALayer)
+{
+  const BodyPointer body = describe({"Phantom/Skin thickness=0.006"}).create();
+  EXPECT_EQ(body->parts().back().tissue, Tissue::skin);
+  const Filled filled = fill(*body, 0.005);
+  // 6 mm below 1.84 m^2, and more where the surface is blended.
+  EXPECT_GT(filled.volume.at("skin"), 0.0095);
+  EXPECT_LT(filled.volume.at("skin"), 0.0135);
+}
+
+
+TEST(Phantom, ImpossibleMenAreRefused)
+{
+  const std::string message =
+    refusal({"Phantom/Stature=1.9", "Phantom/Mass=50"});
+  EXPECT_NE(message.find("13.9 kg/m^2"), std::string::npos) << message;
+  EXPECT_NE(message.find("61.4 to 144 kg"), std::string::npos) << message;
+}
+
+
+TEST(SimpleBody, LayersOfAHead)
+{
+  const BodyPointer head =
+    describe({"Kind=shape", "Shape/Shape=layered head", "Shape/Size=0.07"})
+      .create();
+  ASSERT_EQ(head->parts().size(), 4u);
+  EXPECT_EQ(head->parts()[0].tissue, Tissue::brain);
+  EXPECT_EQ(head->part_at({0.069, 0., 0.}), 0);
+  EXPECT_EQ(head->part_at({0.071, 0., 0.}), 1);
+  EXPECT_EQ(head->part_at({0., 0.073, 0.}), 2);
+  EXPECT_EQ(head->part_at({0., 0., 0.080}), 3);
+  EXPECT_EQ(head->part_at({0., 0., 0.085}), LabelGrid::nothing);
+}
+
+
+TEST(SimpleBody, VolumesOfTheShapes)
+{
+  const auto volume = [](const std::vector<std::string> &lines) {
+    std::vector<std::string> all{"Kind=shape"};
+    all.insert(all.end(), lines.begin(), lines.end());
+    double sum = 0.;
+    for (const auto &[name, part] : fill(*describe(all).create(), 0.005).volume)
+      sum += part;
+    return sum;
+  };
+  EXPECT_NEAR(
+    volume({"Shape/Shape=box", "Shape/Size=0.1, 0.2, 0.3"}), 0.006, 1e-9);
+  EXPECT_NEAR(volume({"Shape/Shape=cylinder", "Shape/Size=0.1, 0.2"}),
+              M_PI * 0.002,
+              6e-5);
+  EXPECT_NEAR(volume({"Shape/Shape=ellipsoid", "Shape/Size=0.1, 0.2, 0.15"}),
+              4. / 3. * M_PI * 0.003,
+              5e-5);
+  EXPECT_NEAR(volume({"Scale=2", "Shape/Shape=sphere", "Shape/Size=0.1"}),
+              4. / 3. * M_PI * 0.008,
+              1e-4);
+}
+
+
+TEST(SimpleBody, WhatDoesNotFitIsRefused)
+{
+  EXPECT_NE(refusal({"Kind=shape", "Shape/Size=1, 2"}).find("needs 1"),
+            std::string::npos);
+  EXPECT_NE(refusal({"Kind=shape", "Shape/Layers=0.1"}).find("has none"),
+            std::string::npos);
+  EXPECT_NE(
+    refusal(
+      {"Kind=shape", "Shape/Shape=surrogate head", "Shape/Layers=0.01, 0.02"})
+      .find("2 tissue(s) for a core and 2 layer(s)"),
+    std::string::npos);
+  EXPECT_NE(refusal({"Kind=shape", "Shape/Tissues=bone marow"})
+              .find("Body/Shape/Tissues"),
+            std::string::npos);
+  EXPECT_NE(refusal({"Kind=shape", "Shape/Tissues=livr"}).find("liver"),
+            std::string::npos);
+}
