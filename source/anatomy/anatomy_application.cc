@@ -67,6 +67,8 @@ namespace anatomy
                  " m out of a grid of " + std::to_string(grid.size[0]) + " x " +
                  std::to_string(grid.size[1]) + " x " +
                  std::to_string(grid.size[2]));
+        for (const std::string &remark : body_->remarks())
+          log_line("  " + remark);
         log_line("  output " + folder_);
       }
 
@@ -86,6 +88,8 @@ namespace anatomy
                  ", with " + std::to_string(mesh_.cells.size()) +
                  " hexahedra and " + std::to_string(mesh_.nodes.size()) +
                  " nodes in " + duration(meshed));
+        for (const std::string &remark : body_->remarks())
+          log_line("  " + remark);
         const BodyReport report = make_report(mesh_,
                                               grid,
                                               *surface_,

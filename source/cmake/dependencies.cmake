@@ -19,6 +19,19 @@ if(NOT nlohmann_json_FOUND)
     "On Debian: apt install nlohmann-json3-dev")
 endif()
 
+# Surfaces are read by Assimp and judged by the predicates of CGAL.
+find_library(CONTRECOUP_ASSIMP assimp)
+find_path(CONTRECOUP_ASSIMP_HEADERS assimp/Importer.hpp)
+find_path(CONTRECOUP_CGAL_HEADERS
+  CGAL/Exact_predicates_inexact_constructions_kernel.h)
+mark_as_advanced(CONTRECOUP_ASSIMP CONTRECOUP_ASSIMP_HEADERS
+  CONTRECOUP_CGAL_HEADERS)
+if(NOT CONTRECOUP_ASSIMP OR NOT CONTRECOUP_ASSIMP_HEADERS
+   OR NOT CONTRECOUP_CGAL_HEADERS)
+  message(FATAL_ERROR "Contrecoup needs Assimp and CGAL. "
+    "On Debian: apt install libassimp-dev libcgal-dev")
+endif()
+
 # Debian 13's deal.II asks for the linker mold but does not bring it along.
 find_program(CONTRECOUP_MOLD mold)
 mark_as_advanced(CONTRECOUP_MOLD)

@@ -34,8 +34,10 @@ BodyPointer ShapeBody::placed(const Placement &placement) const
   for (std::size_t i = 0; i < shapes_.size(); ++i)
     pieces.push_back(
       {parts_[i], std::make_shared<PlacedShape>(shapes_[i], placement)});
-  return std::make_shared<ShapeBody>(
+  const auto body = std::make_shared<ShapeBody>(
     std::make_shared<PlacedShape>(surface_, placement), pieces);
+  body->set_remarks(remarks());
+  return body;
 }
 
 ShapePointer ShapeBody::surface() const

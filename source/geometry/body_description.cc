@@ -11,26 +11,44 @@ void BodyDescription::declare_parameters(dealii::ParameterHandler &prm)
   declare_selection(prm,
                     "Kind",
                     "phantom",
-                    {"phantom", "shape"},
-                    "Where the body comes from: the human phantom, or a "
-                    "simple shape.");
+                    {"phantom", "shape", "surface"},
+                    "Where the body comes from: the human phantom, a simple "
+                    "shape, or a surface of triangles from a file.");
+  declare_selection(prm,
+                    "Origin",
+                    "as given",
+                    {"as given", "middle", "bottom"},
+                    "Which point of the scaled and turned body Shift moves "
+                    "from the origin: the origin of its own coordinates, the "
+                    "middle of the box around it, or the middle of the bottom "
+                    "of that box.");
   Placement::declare_parameters(prm);
   {
     const Section section(prm, "Phantom");
     Phantom::declare_parameters(prm);
   }
-  const Section section(prm, "Shape");
-  SimpleBody::declare_parameters(prm);
+  {
+    const Section section(prm, "Shape");
+    SimpleBody::declare_parameters(prm);
+  }
+  const Section section(prm, "Surface");
+  SurfaceBody::declare_parameters(prm);
 }
 
 void BodyDescription::parse_parameters(dealii::ParameterHandler &prm)
 {
   kind_ = prm.get("Kind");
+  origin_ = prm.get("Origin");
   placement_.parse_parameters(prm);
   if (kind_ == "phantom")
   {
     const Section section(prm, "Phantom");
     phantom_.parse_parameters(prm);
+  }
+  else if (kind_ == "surface")
+  {
+    const Section section(prm, "Surface");
+    from_surface_.parse_parameters(prm);
   }
   else
   {
@@ -39,11 +57,29 @@ void BodyDescription::parse_parameters(dealii::ParameterHandler &prm)
   }
 }
 
+BodyPointer BodyDescription::create_unplaced() const
+{
+  if (kind_ == "phantom")
+    return phantom_.create();
+  if (kind_ == "surface")
+    return from_surface_.create();
+  return simple_.create();
+}
+
 BodyPointer BodyDescription::create() const
 {
-  const BodyPointer body =
-    kind_ == "phantom" ? phantom_.create() : simple_.create();
-  return placement_.is_identity() ? body : body->placed(placement_);
+  BodyPointer body = create_unplaced();
+  if (!placement_.is_identity())
+    body = body->placed(placement_);
+  if (origin_ == "as given")
+    return body;
+  // The shift has been made already; the point is brought to where it points.
+  const auto box = body->surface()->bounding_box();
+  dealii::Point<3> point = box.center();
+  if (origin_ == "bottom")
+    point[2] = box.lower_bound(2);
+  return body->placed(
+    Placement(1., dealii::Tensor<1, 3>(), placement_.shift() - point));
 }
 
 std::vector<OrganReference> BodyDescription::references() const

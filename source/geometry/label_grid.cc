@@ -39,9 +39,14 @@ LabelGrid make_grid(const dealii::BoundingBox<3> &box,
   double count = 1.;
   for (unsigned int d = 0; d < 3; ++d)
   {
-    const double anchor = d == 2 ? 0. : 0.5 * (lower[d] + upper[d]);
-    const double first = std::floor((lower[d] - anchor) / spacing) - 1.;
-    const double last = std::ceil((upper[d] - anchor) / spacing) + 1.;
+    // Odd numbers of cubes have the middle of one in the middle of the box.
+    const bool is_odd = std::lround((upper[d] - lower[d]) / spacing) % 2 == 1;
+    const double middle = 0.5 * (lower[d] + upper[d]);
+    const double anchor =
+      d == 2 ? lower[d] : middle - (is_odd ? 0.5 * spacing : 0.);
+    // Round-off must not add a cube.
+    const double first = std::floor((lower[d] - anchor) / spacing + 1e-9) - 1.;
+    const double last = std::ceil((upper[d] - anchor) / spacing - 1e-9) + 1.;
     grid.origin[d] = anchor + first * spacing;
     count *= last - first;
     if (!(count <= most_cubes))

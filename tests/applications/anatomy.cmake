@@ -14,7 +14,7 @@ contrecoup_add_application_test(pictures pictures
   COMPARE body.png cuts.png quality.png)
 contrecoup_add_application_test(coarse bounds
   FILE anatomy/quickstart.prm
-  SET "Body/Kind=shape" "Body/Shape/Size=0.1" "Mesh/Element size=0.11"
+  SET "Body/Kind=shape" "Body/Shape/Size=0.1" "Mesh/Element size=0.1"
     "Output/Pictures=false" "Output/Gmsh=true" "Output/Distance spacing=0.05"
   BOUNDS "cells == 8")
 
@@ -35,3 +35,18 @@ contrecoup_add_application_test(refuses_unknown_tissue refusal
   FILE anatomy/quickstart.prm
   SET "Body/Kind=shape" "Body/Shape/Tissues=brian"
   MESSAGE "did you mean \"brain\"")
+
+contrecoup_add_application_test(flawed_box bounds
+  FILE anatomy/extremes/flawed_box.prm SET "Output/Pictures=false"
+  BOUNDS "volume < 0.0240001" "volume > 0.0239999" "cells == 3000"
+    "connected_components == 1")
+contrecoup_add_application_test(needle bounds
+  FILE anatomy/extremes/needle.prm SET "Output/Pictures=false"
+  BOUNDS "cells == 3200" "connected_components == 1")
+contrecoup_add_application_test(refuses_large_holes refusal
+  FILE anatomy/extremes/flawed_box.prm SET "Body/Surface/Largest holes=0.01"
+  MESSAGE "Body/Surface/Largest holes allows 1 %")
+contrecoup_add_application_test(refuses_missing_surface refusal
+  FILE anatomy/quickstart.prm
+  SET "Body/Kind=surface" "Body/Surface/File=/nowhere/body.stl"
+  MESSAGE "there is no such file")

@@ -37,6 +37,16 @@ public:
     return parts_;
   }
 
+  /// What whoever uses the body should know of where it came from.
+  const std::vector<std::string> &remarks() const
+  {
+    return remarks_;
+  }
+  void set_remarks(const std::vector<std::string> &remarks)
+  {
+    remarks_ = remarks;
+  }
+
   /// The outer surface, which holds all parts: what gas meets.
   virtual ShapePointer surface() const = 0;
 
@@ -48,6 +58,9 @@ public:
 
 protected:
   std::vector<BodyPart> parts_;
+
+private:
+  std::vector<std::string> remarks_;
 };
 
 using BodyPointer = std::shared_ptr<const Body>;

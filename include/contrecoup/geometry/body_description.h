@@ -7,6 +7,7 @@
 #include <contrecoup/geometry/phantom.h>
 #include <contrecoup/geometry/placement.h>
 #include <contrecoup/geometry/simple_bodies.h>
+#include <contrecoup/geometry/surface_body.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -16,8 +17,9 @@
 namespace contrecoup
 {
 /**
- * A body as a subsection of a parameter file describes it: the human phantom
- * or a simple shape, scaled, turned and moved.
+ * A body as a subsection of a parameter file describes it: the human phantom, a
+ * simple shape, or what a surface from a file encloses; scaled, turned and
+ * moved.
  */
 class BodyDescription
 {
@@ -47,9 +49,13 @@ public:
   }
 
 private:
+  BodyPointer create_unplaced() const;
+
   std::string kind_;
   Phantom phantom_;
   SimpleBody simple_;
+  SurfaceBody from_surface_;
+  std::string origin_;
   Placement placement_;
 };
 } // namespace contrecoup

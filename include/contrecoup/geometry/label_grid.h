@@ -53,8 +53,8 @@ struct LabelGrid
 
 /**
  * An empty grid that covers a box with at least one cube to spare on every
- * side, placed so that the plane z = 0 and the middle of the box in x and y
- * lie on faces of cubes.
+ * side, placed so that faces of cubes lie on the bottom of the box, and that it
+ * is symmetric about the middle of the box in x and y.
  * @throws InputError when it would have more than @p most_cubes
  */
 LabelGrid make_grid(const dealii::BoundingBox<3> &box,

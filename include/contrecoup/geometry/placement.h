@@ -53,6 +53,11 @@ public:
     return scale_;
   }
 
+  const dealii::Tensor<1, 3> &shift() const
+  {
+    return shift_;
+  }
+
   /// Whether apply() leaves every point where it is.
   bool is_identity() const;
 
