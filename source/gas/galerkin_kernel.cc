@@ -15,28 +15,13 @@ GalerkinKernel<dim, n, Gas, Real>::GalerkinKernel(const LeafMesh<dim> &mesh,
                                                   const Gas &gas,
                                                   const Boundary<dim> &boundary)
   : Base(mesh, layout, scheme, gas, boundary, LobattoBasis(n).nodes())
-  , basis_(n)
-  , indicator_(basis_, scheme.indicator_threshold)
   , radial_(radial_exponent(mesh.coarse_mesh().geometry()), n)
 {
-  subface_[0] = 0.;
+  Base::has_volumes_ = !radial_.is_plane();
   for (unsigned int i = 0; i < n; ++i)
-  {
-    weight_[i] = basis_.weights()[i];
-    subface_[i + 1] = subface_[i] + weight_[i];
     for (unsigned int j = 0; j < n; ++j)
       weak_derivative_[i][j] =
-        basis_.weights()[j] * basis_.derivative()(j, i) / basis_.weights()[i];
-    center_[i] = 0.5 * (subface_[i] + subface_[i + 1]);
-  }
-  for (unsigned int i = 1; i < n; ++i)
-    inverse_distance_[i] = 1. / (center_[i] - center_[i - 1]);
-  inverse_distance_[0] = inverse_distance_[n] = 1. / (2. * center_[0]);
-  for (unsigned int i = 0; i < n; ++i)
-    slope_weights_.emplace_back(1. / inverse_distance_[i],
-                                1. / inverse_distance_[i + 1],
-                                center_[i] - subface_[i],
-                                subface_[i + 1] - center_[i]);
+        weight_[j] * Base::basis_.derivative()(j, i) / weight_[i];
 }
 
 
@@ -47,16 +32,16 @@ void GalerkinKernel<dim, n, Gas, Real>::update(
   const HangingData<dim, Real> &hanging)
 {
   Base::bind(batch, stage);
-  load(stage.in);
-  set_blending();
-  if constexpr (dim < 3)
-    if (!radial_.is_plane())
-      radial_.reinit(mesh_.origins(batch)[0], mesh_.extents(batch)[0]);
+  Base::load(stage.in);
+  Base::set_blending();
+  if (!radial_.is_plane())
+    bind_radial();
   for (unsigned int c = 0; c < nc; ++c)
     residual_[c].fill(Number(0.));
   for (unsigned int direction = 0; direction < dim; ++direction)
     sweep(direction, hanging);
-  finish(stage);
+  Base::finish(stage);
+  analyse(batch, stage);
 }
 
 
@@ -65,8 +50,8 @@ void GalerkinKernel<dim, n, Gas, Real>::analyse(const unsigned int batch,
                                                 const BasicStage<Real> &stage)
 {
   batch_ = batch;
-  load(stage.out);
-  blending_factor().store(stage.sensor_out + batch * Base::width);
+  Base::load(stage.out);
+  Base::blending_factor().store(stage.sensor_out + batch * Base::width);
   if (stage.signal_rate == nullptr)
     return;
   Number rate(0.);
@@ -79,41 +64,6 @@ void GalerkinKernel<dim, n, Gas, Real>::analyse(const unsigned int batch,
       rate, signal_rate<dim>(gas_, p, mesh_.template extents<Real>(batch)));
   }
   rate.store(stage.signal_rate + batch * Base::width);
-}
-
-
-template <int dim, int n, typename Gas, typename Real>
-void GalerkinKernel<dim, n, Gas, Real>::load(const Real *state)
-{
-  const Real *values = state + batch_ * layout_.batch_size();
-  for (unsigned int q = 0; q < n_points; ++q)
-  {
-    Values u;
-    for (unsigned int c = 0; c < nc; ++c)
-    {
-      u[c].load(values + (c * n_points + q) * Base::width);
-      conserved_[c][q] = u[c];
-    }
-    const Values p = to_primitive<dim>(gas_, u);
-    for (unsigned int c = 0; c < nc; ++c)
-      primitive_[c][q] = p[c];
-  }
-  // Only differences of the pressure act inside a leaf; measured from one
-  // of its nodes they vanish exactly in gas at rest.
-  reference_pressure_ = primitive_[C::energy][0];
-}
-
-
-template <int dim, int n, typename Gas, typename Real>
-void GalerkinKernel<dim, n, Gas, Real>::set_blending()
-{
-  // Half of a neighbour's blending spreads, so that a shock that enters a
-  // leaf finds it prepared (Hennemann et al. 2021, eq. 48).
-  Number neighbor(0.);
-  for (unsigned int face = 0; face < 2 * dim; ++face)
-    neighbor = std::max(neighbor, Base::neighbor_sensor_[face]);
-  blending_ = std::max(Base::sensor_, neighbor * 0.5);
-  any_blending_ = scheme_.blending && largest_lane(blending_) > 0.;
 }
 
 
@@ -293,168 +243,6 @@ void GalerkinKernel<dim, n, Gas, Real>::add_line(const unsigned int direction,
     for (unsigned int c = 0; c < nc; ++c)
       residual_[rotated_component<dim>(c, direction)][first + i * stride] +=
         line_residual_[i][c] * inverse;
-}
-
-
-template <int dim, int n, typename Gas, typename Real>
-void GalerkinKernel<dim, n, Gas, Real>::finish(const BasicStage<Real> &stage)
-{
-  const Real *start = stage.start + batch_ * layout_.batch_size();
-  Real *out = stage.out + batch_ * layout_.batch_size();
-  for (unsigned int c = 0; c < nc; ++c)
-    for (unsigned int q = 0; q < n_points; ++q)
-    {
-      Number &u = conserved_[c][q];
-      u += residual_[c][q] * stage.step;
-      if (stage.a != 0.)
-      {
-        // Written so that a state at rest keeps every bit.
-        Number old;
-        old.load(start + (c * n_points + q) * Base::width);
-        u += (old - u) * stage.a;
-      }
-    }
-  restore_positivity(stage);
-  if constexpr (Gas::has_products)
-    bound_products();
-  for (unsigned int c = 0; c < nc; ++c)
-    for (unsigned int q = 0; q < n_points; ++q)
-      conserved_[c][q].store(out + (c * n_points + q) * Base::width);
-
-  // Padding lanes copy the first, so that they never overflow.
-  for (unsigned int lane = mesh_.n_filled_lanes(batch_); lane < Base::width;
-       ++lane)
-    for (std::size_t i = 0; i < layout_.batch_size(); i += Base::width)
-      out[i + lane] = out[i];
-  analyse(batch_, stage);
-}
-
-
-template <int dim, int n, typename Gas, typename Real>
-void GalerkinKernel<dim, n, Gas, Real>::scale_to_mean(const Values &mean,
-                                                      const Number &theta,
-                                                      const bool densities_only)
-{
-  for (unsigned int c = 0; c < nc; ++c)
-    if (!densities_only || c == C::density || c == C::products)
-      for (unsigned int q = 0; q < n_points; ++q)
-        conserved_[c][q] = mean[c] + theta * (conserved_[c][q] - mean[c]);
-}
-
-
-template <int dim, int n, typename Gas, typename Real>
-void GalerkinKernel<dim, n, Gas, Real>::restore_positivity(
-  const BasicStage<Real> &stage)
-{
-  // How close to the boundary of the admissible set a node may come,
-  // relative to the mean.
-  const double margin = std::is_same_v<Real, float> ? 1e-5 : 1e-8;
-  const Number one(1.), zero(0.);
-
-  Number density(std::numeric_limits<Real>::max());
-  Number good(1.);
-  for (unsigned int q = 0; q < n_points; ++q)
-  {
-    Values u;
-    for (unsigned int c = 0; c < nc; ++c)
-      u[c] = conserved_[c][q];
-    density = std::min(density, u[C::density]);
-    good = std::min(good, is_admissible<dim>(gas_, u));
-  }
-  if (!any_less(good, one))
-    return;
-
-  const Values average = mean();
-  const Number valid = is_admissible<dim>(gas_, average);
-  for (unsigned int lane = 0; lane < mesh_.n_filled_lanes(batch_); ++lane)
-    if (valid[lane] < 1. || (!scheme_.positivity && good[lane] < 1.))
-      *stage.unphysical_leaf = batch_ * Base::width + lane;
-
-  const Number least = average[C::density] * margin;
-  Number theta = (average[C::density] - least) /
-                 std::max(average[C::density] - density, least);
-  theta = select_less(density, least, std::min(theta, one), one);
-  scale_to_mean(average, theta, true);
-
-  const Number spare = spare_energy<dim>(gas_, average);
-  theta = one;
-  for (unsigned int q = 0; q < n_points; ++q)
-  {
-    Values u;
-    for (unsigned int c = 0; c < nc; ++c)
-      u[c] = conserved_[c][q];
-    const Number here = spare_energy<dim>(gas_, u);
-    const Number goal = spare * (1. - margin);
-    theta = std::min(
-      theta, select_less(here, spare * margin, goal / (spare - here), one));
-  }
-  scale_to_mean(average, std::max(theta, zero), false);
-}
-
-
-// Where a node's mass fraction leaves [0, 1], those of all nodes are scaled
-// towards the leaf's mean, with the densities as weights.
-template <int dim, int n, typename Gas, typename Real>
-void GalerkinKernel<dim, n, Gas, Real>::bound_products()
-{
-  const Number zero(0.), one(1.);
-  Number smallest(1.), largest(0.);
-  for (unsigned int q = 0; q < n_points; ++q)
-  {
-    const Number fraction =
-      conserved_[C::products][q] / conserved_[C::density][q];
-    smallest = std::min(smallest, fraction);
-    largest = std::max(largest, fraction);
-  }
-  if (!any_less(smallest, zero) && !any_less(one, largest))
-    return;
-  const Values average = mean();
-  // Not clipped: a mean just outside is kept, for the mass is.
-  const Number fraction = average[C::products] / average[C::density];
-  const Number tiny(std::numeric_limits<float>::min());
-  Number theta =
-    select_less(smallest,
-                zero,
-                Number(fraction / std::max(Number(fraction - smallest), tiny)),
-                one);
-  theta =
-    std::min(theta,
-             select_less(one,
-                         largest,
-                         Number((one - fraction) /
-                                std::max(Number(largest - fraction), tiny)),
-                         one));
-  theta = std::max(theta, zero);
-  for (unsigned int q = 0; q < n_points; ++q)
-  {
-    const Number even = fraction * conserved_[C::density][q];
-    conserved_[C::products][q] =
-      even + theta * (conserved_[C::products][q] - even);
-  }
-}
-
-
-template <int dim, int n, typename Gas, typename Real>
-typename GalerkinKernel<dim, n, Gas, Real>::Number
-GalerkinKernel<dim, n, Gas, Real>::blending_factor() const
-{
-  if (!scheme_.blending)
-    return Number(0.);
-  std::array<Number, n_points> values;
-  for (unsigned int q = 0; q < n_points; ++q)
-    values[q] = primitive_[C::density][q] * primitive_[C::energy][q];
-  if constexpr (std::is_same_v<Real, float>)
-  {
-    // Their squares would not fit.
-    Number largest(std::numeric_limits<Real>::min());
-    for (const Number &value : values)
-      largest = std::max(largest, std::abs(value));
-    const Number scale = Number(1.) / largest;
-    for (Number &value : values)
-      value *= scale;
-  }
-  return std::min(indicator_.blending_factor(values),
-                  Number(scheme_.largest_blending));
 }
 
 

@@ -11,6 +11,25 @@ namespace contrecoup::gas
 // Fluxes carry the area r^m; the pressure acts by its differences alone, as
 // r^m dp/dr, so that at rest every term vanishes.
 template <int dim, int n, typename Gas, typename Real>
+void GalerkinKernel<dim, n, Gas, Real>::bind_radial()
+{
+  if constexpr (dim < 3)
+    radial_.reinit(mesh_.origins(batch_)[0], mesh_.extents(batch_)[0]);
+  for (unsigned int q = 0; q < n_points; ++q)
+  {
+    Number &volume = Base::volume_[q];
+    volume = radial_.jacobian(q % n) * weight_[q % n];
+    unsigned int rest = q / n;
+    for (unsigned int d = 1; d < dim; ++d)
+    {
+      volume = volume * weight_[rest % n];
+      rest /= n;
+    }
+  }
+}
+
+
+template <int dim, int n, typename Gas, typename Real>
 void GalerkinKernel<dim, n, Gas, Real>::radial_volume_terms()
 {
   Line flux;
@@ -66,56 +85,6 @@ void GalerkinKernel<dim, n, Gas, Real>::radial_subcell_terms(
                                 radial_.inverse_jacobian(i) -
                               residual);
     }
-}
-
-
-template <int dim, int n, typename Gas, typename Real>
-typename GalerkinKernel<dim, n, Gas, Real>::Values
-GalerkinKernel<dim, n, Gas, Real>::mean() const
-{
-  if (!radial_.is_plane())
-    return radial_mean();
-  Values sum;
-  sum.fill(Number(0.));
-  for (unsigned int q = 0; q < n_points; ++q)
-  {
-    double weight = 1.;
-    unsigned int rest = q;
-    for (unsigned int d = 0; d < dim; ++d)
-    {
-      weight *= weight_[rest % n];
-      rest /= n;
-    }
-    for (unsigned int c = 0; c < nc; ++c)
-      sum[c] += conserved_[c][q] * weight;
-  }
-  return sum;
-}
-
-
-template <int dim, int n, typename Gas, typename Real>
-typename GalerkinKernel<dim, n, Gas, Real>::Values
-GalerkinKernel<dim, n, Gas, Real>::radial_mean() const
-{
-  Values sum;
-  sum.fill(Number(0.));
-  Number volume(0.);
-  for (unsigned int q = 0; q < n_points; ++q)
-  {
-    Number part = radial_.jacobian(q % n) * weight_[q % n];
-    unsigned int rest = q / n;
-    for (unsigned int d = 1; d < dim; ++d)
-    {
-      part = part * weight_[rest % n];
-      rest /= n;
-    }
-    volume += part;
-    for (unsigned int c = 0; c < nc; ++c)
-      sum[c] += conserved_[c][q] * part;
-  }
-  for (unsigned int c = 0; c < nc; ++c)
-    sum[c] = sum[c] / volume;
-  return sum;
 }
 
 

@@ -29,18 +29,7 @@ void GalerkinKernel<dim, n, Gas, Real>::find_slopes(
           is_wall && c == C::momentum ? -end : end;
       }
     }
-  for (unsigned int c = 0; c < nc; ++c)
-  {
-    Number backward = (line_[0][c] - beyond[0][c]) * inverse_distance_[0];
-    for (unsigned int i = 0; i < n; ++i)
-    {
-      const Number next = i + 1 < n ? line_[i + 1][c] : beyond[1][c];
-      const Number forward = (next - line_[i][c]) * inverse_distance_[i + 1];
-      slope_[i][c] =
-        limited_slope(scheme_.limiter, backward, forward, slope_weights_[i]);
-      backward = forward;
-    }
-  }
+  slope_ = Base::subcell_slopes(line_, beyond);
 }
 
 
@@ -60,18 +49,19 @@ void GalerkinKernel<dim, n, Gas, Real>::reconstruct_end(
     Base::neighbor_primitive(face, layout_.face_point(face ^ 1U, line, 1));
   const unsigned int end = high ? n - 1 : 0;
   const double sign = high ? 1. : -1.;
-  const double to_face = sign * center_[0];
+  const double to_face = sign * Base::center_[0];
   Values here, there;
   for (unsigned int c = 0; c < nc; ++c)
   {
     const Number &own = line_[end][c];
     const Number &other = beyond_[high][c];
-    const Number near = (other - own) * (sign * inverse_distance_[0]);
+    const Number near = (other - own) * (sign * Base::inverse_distance_[0]);
     const Number far = (further[rotated_component<dim>(c, direction)] - other) *
-                       (sign * inverse_distance_[1]);
+                       (sign * Base::inverse_distance_[1]);
     const Number slope =
-      high ? limited_slope(scheme_.limiter, near, far, slope_weights_[0])
-           : limited_slope(scheme_.limiter, far, near, slope_weights_[n - 1]);
+      high ? limited_slope(scheme_.limiter, near, far, Base::slope_weights_[0])
+           : limited_slope(
+               scheme_.limiter, far, near, Base::slope_weights_[n - 1]);
     here[c] = own + slope_[end][c] * to_face;
     there[c] = other - slope * to_face;
   }
@@ -97,17 +87,9 @@ void GalerkinKernel<dim, n, Gas, Real>::subcell_terms(
   flux[n] = high_flux_;
   for (unsigned int f = 1; f < n; ++f)
   {
-    Values left, right;
-    for (unsigned int c = 0; c < nc; ++c)
-    {
-      left[c] =
-        line_[f - 1][c] + slope_[f - 1][c] * (subface_[f] - center_[f - 1]);
-      right[c] = line_[f][c] + slope_[f][c] * (subface_[f] - center_[f]);
-    }
-    restore_if_inadmissible<dim>(gas_, line_[f - 1], left);
-    restore_if_inadmissible<dim>(gas_, line_[f], right);
-    const auto a = to_face_state<dim>(gas_, left);
-    const auto b = to_face_state<dim>(gas_, right);
+    const std::array<Values, 2> traces = Base::subcell_traces(f, line_, slope_);
+    const auto a = to_face_state<dim>(gas_, traces[0]);
+    const auto b = to_face_state<dim>(gas_, traces[1]);
     Number theta(1.);
     if (Base::needs_shear_factor())
       theta = Base::gated_shear_factor(

@@ -35,7 +35,11 @@ void MappedGalerkinKernel<dim, n, Gas>::update(const unsigned int batch,
   bind_metric(batch);
   Base::load(stage.in);
   Base::fill_ghosts(primitive_[0].data());
-  Base::set_blending();
+  // At open ends finite volumes: an extrapolated polynomial would grow.
+  Number open(0.);
+  for (unsigned int d = 0; d < dim; ++d)
+    open = std::max(open, Base::open_[d]);
+  Base::set_blending(open);
   for (unsigned int c = 0; c < nc; ++c)
     residual_[c].fill(Number(0.));
   for (unsigned int direction = 0; direction < dim; ++direction)
@@ -195,8 +199,7 @@ void MappedGalerkinKernel<dim, n, Gas>::subcell_terms(
       for (unsigned int c = 0; c < nc; ++c)
         beyond[s->face % 2][c][s->lane] =
           line_[s->face % 2 ? n - 1 : 0][c][s->lane];
-  const Line slope =
-    Base::subcell_slopes(line_, beyond, Base::inverse_distance_);
+  const Line slope = Base::subcell_slopes(line_, beyond);
   std::array<Values, n + 1> flux;
   flux[0] = low_flux_;
   flux[n] = high_flux_;
@@ -204,7 +207,7 @@ void MappedGalerkinKernel<dim, n, Gas>::subcell_terms(
     flux[f] = flux_through(direction,
                            f,
                            line,
-                           Base::subcell_traces(f, line_, slope, node_),
+                           Base::subcell_traces(f, line_, slope),
                            {{line_[f - 1], line_[f]}});
   for (unsigned int i = 0; i < n; ++i)
     for (unsigned int c = 0; c < nc; ++c)

@@ -3,13 +3,10 @@
 
 #pragma once
 
-#include <contrecoup/gas/leaf_kernel.h>
+#include <contrecoup/gas/galerkin_nodes.h>
 #include <contrecoup/gas/radial_nodes.h>
-#include <contrecoup/numerics/lobatto_basis.h>
-#include <contrecoup/numerics/trouble_indicator.h>
 
 #include <array>
-#include <vector>
 
 namespace contrecoup::gas
 {
@@ -27,10 +24,11 @@ namespace contrecoup::gas
  * and along the radius leaves next to the axis are finite volumes alone.
  */
 template <int dim, int n, typename Gas, typename Real = double>
-class GalerkinKernel : private LeafKernel<dim, Gas, Real>
+class GalerkinKernel
+  : private GalerkinNodes<dim, n, Gas, LeafKernel<dim, Gas, Real>>
 {
 public:
-  using Base = LeafKernel<dim, Gas, Real>;
+  using Base = GalerkinNodes<dim, n, Gas, LeafKernel<dim, Gas, Real>>;
   using Number = typename Base::Number;
   using Values = typename Base::Values;
   using C = Component<dim>;
@@ -50,18 +48,24 @@ public:
   void analyse(const unsigned int batch, const BasicStage<Real> &stage);
 
 private:
+  using Base::any_blending_;
   using Base::batch_;
+  using Base::blending_;
+  using Base::conserved_;
   using Base::gas_;
   using Base::layout_;
   using Base::mesh_;
+  using Base::n_lines;
+  using Base::n_points;
   using Base::nc;
+  using Base::primitive_;
+  using Base::reference_pressure_;
+  using Base::residual_;
   using Base::scheme_;
-  static constexpr unsigned int n_points = dealii::Utilities::pow(n, dim);
-  static constexpr unsigned int n_lines = n_points / n;
-  using Line = std::array<Values, n>;
+  using Base::weight_;
+  using Line = typename Base::Line;
 
-  void load(const Real *state);
-  void set_blending();
+  void bind_radial();
   void sweep(const unsigned int direction,
              const HangingData<dim, Real> &hanging);
   void load_line(const unsigned int direction, const unsigned int line);
@@ -83,36 +87,11 @@ private:
   Number compression(const unsigned int direction,
                      const unsigned int point) const;
   void add_line(const unsigned int direction, const unsigned int line);
-  void finish(const BasicStage<Real> &stage);
-  void restore_positivity(const BasicStage<Real> &stage);
-  void bound_products();
-  Values mean() const;
-  Values radial_mean() const;
-  void scale_to_mean(const Values &mean,
-                     const Number &theta,
-                     const bool densities_only);
-  Number blending_factor() const;
 
-  const LobattoBasis basis_;
-  const TroubleIndicator<dim, n> indicator_;
   /// w_j D_ji / w_i: the volume term of the weak form at node i.
   std::array<std::array<double, n>, n> weak_derivative_;
-  std::array<double, n> weight_;
-  std::array<double, n + 1> subface_;
-  /// Middle of each subcell, for which its nodal value stands there.
-  std::array<double, n> center_;
-  /// From the middle before to that of subcell i, likewise behind the last.
-  std::array<double, n + 1> inverse_distance_;
-  std::vector<SlopeWeights> slope_weights_;
 
   RadialNodes<Number> radial_;
-  bool any_blending_ = false;
-  Number blending_;
-  Number reference_pressure_;
-
-  std::array<std::array<Number, n_points>, nc> conserved_;
-  std::array<std::array<Number, n_points>, nc> primitive_;
-  std::array<std::array<Number, n_points>, nc> residual_;
   Line line_; ///< primitive
   Line line_conserved_;
   Line line_residual_;

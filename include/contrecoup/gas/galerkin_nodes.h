@@ -8,13 +8,14 @@
 #include <contrecoup/numerics/trouble_indicator.h>
 
 #include <array>
+#include <vector>
 
 namespace contrecoup::gas
 {
 /**
  * What the discontinuous Galerkin kernels on boxes and on leaves of any
  * shape share: the values at the nodes of one batch, how much of them finite
- * volumes take over, limited slopes along lines of nodes, and the end of a
+ * volumes take over, limited slopes in the nodes' subcells, and the end of a
  * stage, which scales towards the mean where a node would lose positivity
  * (Zhang and Shu 2010).
  *
@@ -25,6 +26,7 @@ class GalerkinNodes : protected LeafBase
 {
 public:
   using Number = typename LeafBase::Number;
+  using Real = typename Number::value_type;
   using Values = typename LeafBase::Values;
   using C = Component<dim>;
 
@@ -54,54 +56,55 @@ protected:
     subface_[0] = 0.;
     for (unsigned int i = 0; i < n; ++i)
     {
-      node_[i] = basis_.nodes()[i];
       weight_[i] = basis_.weights()[i];
       subface_[i + 1] = subface_[i] + weight_[i];
-      if (i > 0)
-        inverse_distance_[i] = 1. / (node_[i] - node_[i - 1]);
+      center_[i] = 0.5 * (subface_[i] + subface_[i + 1]);
     }
-    inverse_distance_[0] = inverse_distance_[n] = inverse_distance_[1];
+    for (unsigned int i = 1; i < n; ++i)
+      inverse_distance_[i] = 1. / (center_[i] - center_[i - 1]);
+    inverse_distance_[0] = inverse_distance_[n] = 1. / (2. * center_[0]);
+    for (unsigned int i = 0; i < n; ++i)
+      slope_weights_.emplace_back(1. / inverse_distance_[i],
+                                  1. / inverse_distance_[i + 1],
+                                  center_[i] - subface_[i],
+                                  subface_[i + 1] - center_[i]);
   }
 
   /// Reads the bound leaves from @p state.
-  void load(const double *state);
+  void load(const Real *state);
 
-  void set_blending();
+  /// Finds how much finite volumes take over, @p least or more.
+  void set_blending(const Number &least = Number(0.));
 
   /**
-   * Limited slopes, per relative length, of the values along a line.
+   * Limited slopes, per relative length, in the subcells of a line.
    *
    * @param line primitive values
    * @param beyond the next values before and after them
-   * @param inverse_distance of each to the one before, from the first to
-   * @p beyond[1]; double or Number
    */
-  template <typename Distance>
-  Line
-  subcell_slopes(const Line &line,
-                 const std::array<Values, 2> &beyond,
-                 const std::array<Distance, n + 1> &inverse_distance) const;
+  Line subcell_slopes(const Line &line,
+                      const std::array<Values, 2> &beyond) const;
 
-  /// Admissible left and right state at face @p f between subcells, for
-  /// values that stand at the relative places @p place.
-  template <typename Places>
+  /// Admissible left and right state at face @p f between subcells.
   std::array<Values, 2> subcell_traces(const unsigned int f,
                                        const Line &line,
-                                       const Line &slope,
-                                       const Places &place) const;
+                                       const Line &slope) const;
 
   /// Adds the residual, restores positivity and writes the new state.
-  void finish(const Stage &stage);
+  void finish(const BasicStage<Real> &stage);
 
   /// What stage.sensor_out takes, of the values that load() read.
   Number blending_factor() const;
 
   const LobattoBasis basis_;
   const TroubleIndicator<dim, n> indicator_;
-  std::array<double, n> node_;
   std::array<double, n> weight_;
-  std::array<double, n + 1> subface_;
-  std::array<double, n + 1> inverse_distance_; ///< see subcell_slopes()
+  std::array<double, n + 1> subface_; ///< ends of the nodes' subcells
+  /// Middle of each subcell, for which its nodal value stands there.
+  std::array<double, n> center_;
+  /// From the middle before to that of subcell i, likewise behind the last.
+  std::array<double, n + 1> inverse_distance_;
+  std::vector<SlopeWeights> slope_weights_;
 
   bool any_blending_ = false;
   Number blending_;
@@ -114,54 +117,11 @@ protected:
   std::array<Number, n_points> volume_;
 
 private:
-  void restore_positivity(const Stage &stage);
+  void bound_products();
+  void restore_positivity(const BasicStage<Real> &stage);
   Values mean() const;
   void scale_to_mean(const Values &mean,
                      const Number &theta,
                      const bool densities_only);
 };
-
-
-template <int dim, int n, typename Gas, typename LeafBase>
-template <typename Distance>
-typename GalerkinNodes<dim, n, Gas, LeafBase>::Line
-GalerkinNodes<dim, n, Gas, LeafBase>::subcell_slopes(
-  const Line &line,
-  const std::array<Values, 2> &beyond,
-  const std::array<Distance, n + 1> &inverse_distance) const
-{
-  Line slope;
-  for (unsigned int c = 0; c < nc; ++c)
-  {
-    Number backward = (line[0][c] - beyond[0][c]) * inverse_distance[0];
-    for (unsigned int i = 0; i < n; ++i)
-    {
-      const Number next = i + 1 < n ? line[i + 1][c] : beyond[1][c];
-      const Number forward = (next - line[i][c]) * inverse_distance[i + 1];
-      slope[i][c] = limited_slope(scheme_.limiter, backward, forward);
-      backward = forward;
-    }
-  }
-  return slope;
-}
-
-
-template <int dim, int n, typename Gas, typename LeafBase>
-template <typename Places>
-std::array<typename GalerkinNodes<dim, n, Gas, LeafBase>::Values, 2>
-GalerkinNodes<dim, n, Gas, LeafBase>::subcell_traces(const unsigned int f,
-                                                     const Line &line,
-                                                     const Line &slope,
-                                                     const Places &place) const
-{
-  std::array<Values, 2> traces;
-  for (unsigned int side = 0; side < 2; ++side)
-  {
-    const unsigned int i = f - 1 + side;
-    for (unsigned int c = 0; c < nc; ++c)
-      traces[side][c] = line[i][c] + slope[i][c] * (subface_[f] - place[i]);
-    restore_if_inadmissible<dim>(gas_, line[i], traces[side]);
-  }
-  return traces;
-}
 } // namespace contrecoup::gas

@@ -53,7 +53,6 @@ private:
   using Base::n_lines;
   using Base::n_points;
   using Base::nc;
-  using Base::node_;
   using Base::primitive_;
   using Base::reference_pressure_;
   using Base::residual_;
