@@ -10,9 +10,16 @@ ground is ahead of that sphere there is a Mach stem; its upper end is the
 triple point. Writes OUTPUT_FOLDER/pictures/triple_point.png and prints the
 path and the ground range at which the stem begins, where a parabola through
 the path meets the ground.
+
+Stems shorter than a captured front is wide cannot be seen. If the run has
+probes on the ground, the range where reflection ceases to be regular is found
+from them as well: where the gas behind the reflected wave, seen from the point
+of reflection, no longer is supersonic, so that what happens above the ground
+can reach that point. Two-shock theory has its limit a tenth of a degree on.
 """
 
 import os
+import re
 import sys
 
 import matplotlib.pyplot as plt
@@ -20,7 +27,9 @@ import numpy as np
 
 import look
 import planes
+import tables
 
+EXPONENT = 1.4   # of air
 DISTURBED = 1.1  # times the pressure at rest
 AHEAD = 1.5      # samples that a stem is ahead of the sphere at least
 
@@ -93,34 +102,68 @@ def triple_point(plane, height, background):
     return (place[-1], top if slope < 0. else y[-1])
 
 
-def main(arguments):
-    if len(arguments) != 2:
-        print("usage: triple_point.py OUTPUT_FOLDER HEIGHT", file=sys.stderr)
-        return 1
-    folder, height = arguments[0], float(arguments[1])
-    cuts = planes.open_planes(folder).get("plane_pressure", [])
-    if not cuts:
-        print(f"triple_point.py: {folder} has no pressure planes; set "
-              "Pictures/Planes = all", file=sys.stderr)
-        return 1
-    background = float(np.median(cuts[0].values))
-    path = [(cut.time, *point) for cut in cuts
-            for point in [triple_point(cut, height, background)] if point]
-    if len(path) < 4:
-        print("triple_point.py: no Mach stem found", file=sys.stderr)
-        return 1
-    time, ground, top = np.array(path).T
-    for row in path:
-        print("time %.6g s  range %.4f m  height %.4f m" % row)
-    # The beginning of the path, where it is nearly a parabola.
-    early = top < 0.25 * height
-    if np.count_nonzero(early) < 4:
-        early[:] = True
-    curve = np.polyfit(top[early], ground[early], 2)
-    print(f"Mach stem from a ground range of {curve[-1]:.4f} m on")
+def ground_probes(folder):
+    """Numbers and ranges of the probes on the ground, off the axis."""
+    with open(os.path.join(folder, "parameters.prm"),
+              encoding="utf-8") as file:
+        text = file.read()
+    entry = re.search(r"^subsection Probes$.*?^  set Points *=(.*?)$", text,
+                      re.MULTILINE | re.DOTALL)
+    points = entry[1].split(";") if entry and entry[1].strip() else []
+    places = [[float(word) for word in point.split(",")] for point in points]
+    return [(number, x) for number, (x, y) in enumerate(places, 1)
+            if y == 0. and x > 0.]
 
-    look.set_up()
-    figure, axis = plt.subplots(figsize=(6., 3.6))
+
+def mach_numbers(folder, height):
+    """Ground ranges [m], and Mach numbers of the gas at peak pressure
+    relative to the point of reflection, which moves along the ground."""
+    table = tables.open_table(folder, "probes.csv")
+    probes = ground_probes(folder) if table else []
+    ranges, arrivals, states = [], [], []
+    for number, x in probes:
+        pressure = table[f"probe_{number}_pressure"]
+        above = np.nonzero(pressure > DISTURBED * pressure[0])[0]
+        peak = np.argmax(pressure)
+        if len(above) == 0 or peak + 1 == len(pressure):
+            continue
+        ranges.append(x)
+        arrivals.append(table["time"][above[0]])
+        states.append((table[f"probe_{number}_velocity_x"][peak],
+                       np.sqrt(EXPONENT * pressure[peak]
+                               / table[f"probe_{number}_density"][peak])))
+    if len(ranges) < 6:
+        return None
+    ranges, states = np.array(ranges), np.array(states)
+    # Smoother in the distance from the charge, which the front is a sphere
+    # around, than in the range.
+    distance = np.hypot(ranges, height)
+    slowness = np.polyval(np.polyder(np.polyfit(distance, arrivals, 4)),
+                          distance)
+    speed = distance / (ranges * slowness)
+    return ranges, (speed - states[:, 0]) / states[:, 1]
+
+
+def sonic_range(ranges, mach):
+    """Where the Mach number falls through one [m], or None."""
+    for i in range(len(ranges) - 1):
+        if mach[i] >= 1. > mach[i + 1]:
+            part = (mach[i] - 1.) / (mach[i] - mach[i + 1])
+            return ranges[i] + part * (ranges[i + 1] - ranges[i])
+    return None
+
+
+def draw_mach(axis, ranges, mach, transition):
+    axis.plot(ranges, mach, "o-", markersize=3)
+    axis.axhline(1., color=look.GREY)
+    if transition:
+        axis.axvline(transition, color=look.GREY, linestyle="--")
+        axis.set_title(f"regular up to {transition:.3f} m")
+    axis.set_xlabel(look.label("ground range", "m"))
+    axis.set_ylabel("Mach number behind the reflection")
+
+
+def draw_path(axis, ground, top, early, curve, height):
     axis.plot(ground, top, "o", markersize=3, label="triple point")
     heights = np.linspace(0., top[early].max(), 50)
     axis.plot(np.polyval(curve, heights), heights, color=look.GREY,
@@ -130,6 +173,56 @@ def main(arguments):
     axis.set_title(f"path of the triple point, charge at {height:g} m")
     axis.set_ylim(bottom=0.)
     axis.legend()
+
+
+def follow_path(folder, height):
+    """Ground ranges and heights of the triple point [m], which of them are
+    early, and a parabola through those, or None without a stem."""
+    cuts = planes.open_planes(folder).get("plane_pressure", [])
+    if not cuts:
+        return None
+    background = float(np.median(cuts[0].values))
+    path = [(cut.time, *point) for cut in cuts
+            for point in [triple_point(cut, height, background)] if point]
+    if len(path) < 4:
+        return None
+    for row in path:
+        print("time %.6g s  range %.4f m  height %.4f m" % row)
+    _, ground, top = np.array(path).T
+    # The beginning of the path, where it is nearly a parabola.
+    early = top < 0.25 * height
+    if np.count_nonzero(early) < 4:
+        early[:] = True
+    return ground, top, early, np.polyfit(top[early], ground[early], 2)
+
+
+def main(arguments):
+    if len(arguments) != 2:
+        print("usage: triple_point.py OUTPUT_FOLDER HEIGHT", file=sys.stderr)
+        return 1
+    folder, height = arguments[0], float(arguments[1])
+    panels = []
+    path = follow_path(folder, height)
+    if path:
+        print(f"Mach stem from a ground range of {path[-1][-1]:.4f} m on")
+        panels.append(lambda axis: draw_path(axis, *path, height))
+    reflection = mach_numbers(folder, height)
+    if reflection:
+        limit = sonic_range(*reflection)
+        if limit:
+            print(f"Regular reflection up to a ground range of {limit:.4f} m")
+        panels.append(lambda axis: draw_mach(axis, *reflection, limit))
+    if not panels:
+        print(f"triple_point.py: {folder} has neither a Mach stem in its "
+              "pressure planes (Pictures/Planes = all) nor six probes on the "
+              "ground", file=sys.stderr)
+        return 1
+
+    look.set_up()
+    figure, axes = plt.subplots(1, len(panels), squeeze=False,
+                                figsize=(5.5 * len(panels), 3.6))
+    for axis, draw in zip(axes[0], panels):
+        draw(axis)
     pictures = os.path.join(folder, "pictures")
     os.makedirs(pictures, exist_ok=True)
     look.save(figure, os.path.join(pictures, "triple_point.png"))

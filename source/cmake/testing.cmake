@@ -88,6 +88,8 @@ endfunction()
 #   check         --check accepts the file and writes nothing
 #   pictures      COMPARE <png>...: plot_run.py or plot_anatomy.py draws these from the run
 #   stem          BOUNDS "deviation < 1e-3": [m] of a Mach stem from smooth
+#   reflection    BOUNDS "regular_up_to < 1.1" HEIGHT <m>: ground range [m] where
+#                 regular reflection of a blast from that height ends
 #   refusal       MESSAGE <text> [EXIT <code>] [OUTPUT <folder>] [CONTENT
 #                 <lines appended to the file>] [ARGUMENTS ...]: bad input;
 #                 @FOLDER@ in OUTPUT is a folder that has a file named a_file
@@ -99,7 +101,7 @@ endfunction()
 function(contrecoup_add_application_test name kind)
   cmake_parse_arguments(ARG ""
     "FILE;OTHER_FILE;MPI;TIMEOUT;TOLERANCE;MESSAGE;OUTPUT;CONTENT;VARY;\
-ERROR;ORDER;STOP_AFTER"
+ERROR;ORDER;STOP_AFTER;HEIGHT"
     "SET;BOUNDS;COMPARE;EXIT;ARGUMENTS;LABELS" ${ARGN})
   if(NOT ARG_FILE OR ARG_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "contrecoup_add_application_test(${name}): FILE is "
@@ -124,7 +126,7 @@ ERROR;ORDER;STOP_AFTER"
     list(APPEND _options --other-file=${_files}/${ARG_OTHER_FILE})
   endif()
   foreach(_key TOLERANCE MESSAGE OUTPUT CONTENT VARY ERROR ORDER
-          STOP_AFTER)
+          STOP_AFTER HEIGHT)
     if(DEFINED ARG_${_key})
       string(TOLOWER ${_key} _option)
       string(REPLACE "_" "-" _option ${_option})

@@ -46,6 +46,17 @@ blast_verifies(woodward_colella woodward_colella
 blast_verifies(shu_osher shu_osher "errors.density_L1 < 6.2e-2")
 # Plain HLLC has a carbuncle here and an error of 3.2e-2.
 blast_verifies(quirk quirk "errors.density_L1 < 9.2e-3")
+# Regular reflection ends within 10 % of the 1.04 m of two-shock theory; cells
+# of 2.5 mm near the ground.
+contrecoup_add_application_test(regular_reflection reflection
+  FILE blast/verification/height_of_burst.prm HEIGHT 1.27
+  SET "Output/Fields=false" "Pictures/Planes=" "Time/End time=0.0012"
+  "Adaptation/Largest level=5" "Adaptation/Limit high/Shape=box"
+  "Adaptation/Limit high/Lower corner=0,0.25"
+  "Adaptation/Limit high/Upper corner=3,3"
+  "Adaptation/Limit high/Largest level=3"
+  BOUNDS "regular_up_to < 1.144" "regular_up_to > 0.936" LABELS verification)
+
 # Subcells of 1/64 m. With plain HLLC the stem has a kink of 2.3e-3 m.
 contrecoup_add_application_test(double_mach stem
   FILE ${_folder}/double_mach.prm SET "Domain/Initial refinement=3"

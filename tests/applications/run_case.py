@@ -337,6 +337,23 @@ def stem(case):
         check_bound({"deviation": float(run.stdout)}, bound)
 
 
+def reflection(case):
+    """Bounds of 'regular_up_to', the ground range [m] up to which a blast from
+    --height is reflected regularly, see triple_point.py."""
+    output = case.folder("run")
+    case.run(output)
+    script = os.path.join(REPOSITORY, "applications", "plot",
+                          "triple_point.py")
+    run = subprocess.run([script, output, case.options.height],
+                         capture_output=True, text=True)
+    print(run.stdout, run.stderr)
+    found = re.search(r"Regular reflection up to .* ([0-9.]+) m", run.stdout)
+    if run.returncode != 0 or not found:
+        raise Failed("triple_point.py found no end of regular reflection")
+    for bound in case.options.bound:
+        check_bound({"regular_up_to": float(found[1])}, bound)
+
+
 def expect_refusal(case, output, **keywords):
     """The application stops with one line on stderr that has the message."""
     codes = case.options.exit or (1,)
@@ -431,7 +448,7 @@ def of_study(kind):
 
 KINDS = {kind.__name__: kind for kind in
          (bounds, regression, ranks, same, convergence, resume, sigterm,
-          check, pictures, stem, refusal, damaged_checkpoint,
+          check, pictures, stem, reflection, refusal, damaged_checkpoint,
           foreign_checkpoint,
           disk)}
 KINDS.update({name: of_study(kind)
@@ -461,6 +478,7 @@ def parse(arguments):
     parser.add_argument("--vary")
     parser.add_argument("--error")
     parser.add_argument("--order", type=float)
+    parser.add_argument("--height")
     options = parser.parse_args(arguments)
     options.compare = options.compare or ["history.csv"]
     return options
