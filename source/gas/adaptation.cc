@@ -409,7 +409,8 @@ SizeLimits::Levels Adaptation<dim>::levels(const unsigned int leaf) const
                                 parameters_.most_level};
   if (is_in_fine_box(centre))
     general.least = std::max(general.least, parameters_.fine_level);
-  return parameters_.limits.levels(centre, time_, general);
+  return parameters_.limits.levels(
+    centre, time_, general, 0.5 * mesh_.cell(leaf)->diameter());
 }
 
 

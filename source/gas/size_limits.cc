@@ -40,7 +40,9 @@ namespace
                       {"everywhere", "ball", "outside of ball", "box"},
                       "Where the limit holds: leaves with their centre in all "
                       "of the domain, within Radius of a Center, farther from "
-                      "all of them, or between two corners.");
+                      "all of them, or between two corners. However coarse, a "
+                      "leaf that touches a ball has its Smallest level, and "
+                      "none that is set as Largest level for outside of it.");
     declare_points(prm,
                    "Center",
                    "0, 0, 0",
@@ -157,7 +159,8 @@ void SizeLimits::check(const Limit &limit,
 template <int dim>
 bool SizeLimits::holds(const Limit &limit,
                        const dealii::Point<dim> &place,
-                       const double time)
+                       const double time,
+                       const double margin)
 {
   if (time < limit.from || time >= limit.until)
     return false;
@@ -170,7 +173,8 @@ bool SizeLimits::holds(const Limit &limit,
         return false;
     return true;
   }
-  const double radius = limit.radius + limit.growth * (time - limit.from);
+  const double radius =
+    limit.radius + limit.growth * (time - limit.from) + margin;
   const bool is_within =
     std::any_of(limit.centers.begin(),
                 limit.centers.end(),
@@ -187,24 +191,33 @@ bool SizeLimits::holds(const Limit &limit,
 template <int dim>
 SizeLimits::Levels SizeLimits::levels(const dealii::Point<dim> &place,
                                       const double time,
-                                      const Levels &general) const
+                                      const Levels &general,
+                                      const double reach) const
 {
   Levels result = general;
   for (const Limit &limit : limits_)
-    if (holds(limit, place, time))
-    {
+  {
+    const bool is_ball = limit.shape == "ball";
+    if (holds(limit, place, time, is_ball ? reach : 0.))
       result.least = std::max(result.least, limit.levels.least);
+    if (holds(limit, place, time, is_ball ? 0. : reach))
       result.most = std::min(result.most, limit.levels.most);
-    }
+  }
   result.least = std::min(result.least, result.most);
   return result;
 }
 
 
-template SizeLimits::Levels
-SizeLimits::levels(const dealii::Point<1> &, double, const Levels &) const;
-template SizeLimits::Levels
-SizeLimits::levels(const dealii::Point<2> &, double, const Levels &) const;
-template SizeLimits::Levels
-SizeLimits::levels(const dealii::Point<3> &, double, const Levels &) const;
+template SizeLimits::Levels SizeLimits::levels(const dealii::Point<1> &,
+                                               double,
+                                               const Levels &,
+                                               double) const;
+template SizeLimits::Levels SizeLimits::levels(const dealii::Point<2> &,
+                                               double,
+                                               const Levels &,
+                                               double) const;
+template SizeLimits::Levels SizeLimits::levels(const dealii::Point<3> &,
+                                               double,
+                                               const Levels &,
+                                               double) const;
 } // namespace contrecoup::gas

@@ -221,6 +221,14 @@ TEST(SizeLimits, HoldAroundSeveralPoints)
   EXPECT_EQ(most(0.8, 0.55), 6u);
   EXPECT_EQ(most(0.2, 0.5), 3u);
   EXPECT_EQ(most(0.8, 0.2), 3u);
+  // A coarse leaf beside a ball may be halved until its parts are outside.
+  const auto allowed = [&](const double reach) {
+    return run.adaptation_parameters.limits
+      .levels(Point<2>(0.4, 0.4), 0., {1, 6}, reach)
+      .most;
+  };
+  EXPECT_EQ(allowed(0.2), 6u);
+  EXPECT_EQ(allowed(0.1), 3u);
 
   EXPECT_THROW(
     GasRun<2>(balls + Lines{"Adaptation/Limit far/Center=0.2, 0.2; 0.8"}),

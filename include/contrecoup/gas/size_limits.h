@@ -35,11 +35,15 @@ public:
    * hold at @p place and @p time [s]. Where least and most contradict each
    * other, most counts.
    * @param place centre of the leaf [m]
+   * @param reach from there to its corners [m]: whatever its size, a leaf
+   * that touches a ball is kept as fine as the ball is to be, and as fine as
+   * it may be where the limit is for what is outside
    */
   template <int dim>
   Levels levels(const dealii::Point<dim> &place,
                 const double time,
-                const Levels &general) const;
+                const Levels &general,
+                const double reach = 0.) const;
 
   bool empty() const
   {
@@ -63,9 +67,12 @@ private:
   static void
   check(const Limit &limit, const std::string &where, const unsigned int dim);
 
+  /// Whether a limit holds at a place; balls are larger by @p margin [m].
   template <int dim>
-  static bool
-  holds(const Limit &limit, const dealii::Point<dim> &place, const double time);
+  static bool holds(const Limit &limit,
+                    const dealii::Point<dim> &place,
+                    const double time,
+                    const double margin);
 
   std::vector<Limit> limits_;
 };
