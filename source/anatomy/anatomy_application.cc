@@ -60,7 +60,7 @@ namespace anatomy
       {
         const LabelGrid grid =
           make_grid(surface_->bounding_box(), parameters_.element_size);
-        log_line("anatomy would mesh a " + parameters_.body.kind() + " of " +
+        log_line("anatomy would mesh the " + parameters_.body.kind() + " of " +
                  std::to_string(body_->parts().size()) + " part(s), " +
                  told_box() + ",");
         log_line("  in hexahedra of " + brief(parameters_.element_size) +
@@ -84,7 +84,7 @@ namespace anatomy
             " m: no element has its centre in the body, " + told_box());
         const double meshed = seconds();
         start(parameter_text);
-        log_line("meshed a " + parameters_.body.kind() + ", " + told_box() +
+        log_line("meshed the " + parameters_.body.kind() + ", " + told_box() +
                  ", with " + std::to_string(mesh_.cells.size()) +
                  " hexahedra and " + std::to_string(mesh_.nodes.size()) +
                  " nodes in " + duration(meshed));
@@ -254,7 +254,8 @@ namespace anatomy
   {
     return {"anatomy",
             "Makes a body for blasts: hexahedra by tissue, their surface and "
-            "their quality, from a human phantom or a simple shape.",
+            "their quality, from a human phantom, a simple shape, a surface or "
+            "medical images.",
             AnatomyParameters::declare_parameters,
             execute};
   }

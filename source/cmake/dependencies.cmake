@@ -32,6 +32,15 @@ if(NOT CONTRECOUP_ASSIMP OR NOT CONTRECOUP_ASSIMP_HEADERS
     "On Debian: apt install libassimp-dev libcgal-dev")
 endif()
 
+# Medical images are read by the library of NIfTI's authors.
+find_library(CONTRECOUP_NIFTI niftiio)
+find_path(CONTRECOUP_NIFTI_HEADERS nifti/nifti1_io.h)
+mark_as_advanced(CONTRECOUP_NIFTI CONTRECOUP_NIFTI_HEADERS)
+if(NOT CONTRECOUP_NIFTI OR NOT CONTRECOUP_NIFTI_HEADERS)
+  message(FATAL_ERROR "Contrecoup needs the NIfTI library. "
+    "On Debian: apt install libnifti-dev")
+endif()
+
 # Debian 13's deal.II asks for the linker mold but does not bring it along.
 find_program(CONTRECOUP_MOLD mold)
 mark_as_advanced(CONTRECOUP_MOLD)

@@ -11,9 +11,10 @@ void BodyDescription::declare_parameters(dealii::ParameterHandler &prm)
   declare_selection(prm,
                     "Kind",
                     "phantom",
-                    {"phantom", "shape", "surface"},
+                    {"phantom", "shape", "surface", "image"},
                     "Where the body comes from: the human phantom, a simple "
-                    "shape, or a surface of triangles from a file.");
+                    "shape, a surface of triangles from a file, or a medical "
+                    "image.");
   declare_selection(prm,
                     "Origin",
                     "as given",
@@ -31,8 +32,12 @@ void BodyDescription::declare_parameters(dealii::ParameterHandler &prm)
     const Section section(prm, "Shape");
     SimpleBody::declare_parameters(prm);
   }
-  const Section section(prm, "Surface");
-  SurfaceBody::declare_parameters(prm);
+  {
+    const Section section(prm, "Surface");
+    SurfaceBody::declare_parameters(prm);
+  }
+  const Section section(prm, "Image");
+  ImageDescription::declare_parameters(prm);
 }
 
 void BodyDescription::parse_parameters(dealii::ParameterHandler &prm)
@@ -50,6 +55,11 @@ void BodyDescription::parse_parameters(dealii::ParameterHandler &prm)
     const Section section(prm, "Surface");
     from_surface_.parse_parameters(prm);
   }
+  else if (kind_ == "image")
+  {
+    const Section section(prm, "Image");
+    from_image_.parse_parameters(prm);
+  }
   else
   {
     const Section section(prm, "Shape");
@@ -63,6 +73,8 @@ BodyPointer BodyDescription::create_unplaced() const
     return phantom_.create();
   if (kind_ == "surface")
     return from_surface_.create();
+  if (kind_ == "image")
+    return from_image_.create();
   return simple_.create();
 }
 

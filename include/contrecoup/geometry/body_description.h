@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/geometry/body.h>
+#include <contrecoup/geometry/image_body.h>
 #include <contrecoup/geometry/phantom.h>
 #include <contrecoup/geometry/placement.h>
 #include <contrecoup/geometry/simple_bodies.h>
@@ -18,8 +19,8 @@ namespace contrecoup
 {
 /**
  * A body as a subsection of a parameter file describes it: the human phantom, a
- * simple shape, or what a surface from a file encloses; scaled, turned and
- * moved.
+ * simple shape, what a surface from a file encloses, or a medical image;
+ * scaled, turned and moved.
  */
 class BodyDescription
 {
@@ -55,6 +56,7 @@ private:
   Phantom phantom_;
   SimpleBody simple_;
   SurfaceBody from_surface_;
+  ImageDescription from_image_;
   std::string origin_;
   Placement placement_;
 };

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/geometry/body.h>
+#include <contrecoup/geometry/head_segmentation.h>
+#include <contrecoup/geometry/voxel_image.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+#include <vector>
+
+namespace contrecoup
+{
+/// Labels of an image that stand for one part of a body.
+struct LabelRow
+{
+  unsigned int first;
+  unsigned int last;
+  BodyPart part;
+};
+
+/**
+ * Reads a table of labels: "1: brain; 2-5: skeleton; 7: soft tissue = scalp".
+ * Behind the colon stands a tissue, or a name of the part's own, "=" and the
+ * tissue.
+ * @throws InputError naming the row that is wrong
+ */
+std::vector<LabelRow> parse_label_table(const std::string &text);
+
+/// A body whose voxels have part numbers; between their centres the nearest
+/// one counts.
+class ImageBody : public Body
+{
+public:
+  /**
+   * @param image its size and place; the values do not matter
+   * @param labels part number of each voxel, or LabelGrid::nothing
+   * @throws InputError when no voxel has a part, or the axes are oblique to
+   *   each other
+   */
+  ImageBody(const VoxelImage &image,
+            const std::vector<unsigned char> &labels,
+            const std::vector<BodyPart> &parts);
+
+  BodyPointer placed(const Placement &placement) const override;
+  ShapePointer surface() const override;
+  unsigned char part_at(const dealii::Point<3> &point) const override;
+  void fill(LabelGrid &grid) const override;
+
+private:
+  std::array<unsigned int, 3> size_;
+  dealii::Tensor<2, 3> to_index_; ///< inverse of the axes [1/m]
+  dealii::Tensor<1, 3> origin_;
+  std::shared_ptr<const std::vector<unsigned char>> labels_;
+  ShapePointer surface_;
+  std::vector<Placement> placements_; ///< one after the other
+};
+
+/// A body from medical images: a map of labels, or a head of a T1-weighted
+/// image and a mask of its brain.
+class ImageDescription
+{
+public:
+  /// Declares the entries of the current subsection.
+  static void declare_parameters(dealii::ParameterHandler &prm);
+
+  /// Reads the entries of the current subsection.
+  /// @throws InputError without a file, or for a wrong table
+  void parse_parameters(dealii::ParameterHandler &prm);
+
+  /// @throws InputError when images cannot be read, do not fit each other, or
+  ///   hold labels that the table does not name
+  BodyPointer create() const;
+
+private:
+  BodyPointer create_from_labels() const;
+  BodyPointer create_head() const;
+
+  std::string kind_;
+  std::string file_;
+  std::string mask_file_;
+  std::vector<LabelRow> table_;
+  HeadRules rules_;
+};
+} // namespace contrecoup
