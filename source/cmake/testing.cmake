@@ -11,6 +11,7 @@ set(CONTRECOUP_TEST_ENVIRONMENT
   OMPI_MCA_btl_vader_single_copy_mechanism=none
   OMPI_MCA_hwloc_base_binding_policy=none
   OMP_NUM_THREADS=1
+  CONTRECOUP_CHECK_SECONDS=0
   PYTHONDONTWRITEBYTECODE=1)
 
 # The main function of all unit tests; compiled once.
@@ -74,7 +75,7 @@ endfunction()
 # The ctest <application>_<name> runs a shipped parameter file (below
 # parameter_files/) with overrides. What it proves depends on <kind>:
 #   bounds        BOUNDS "errors.density_L1 < 1e-3" ...: of summary.json, with
-#                 <, > or ==; [EXIT <code>...] [MESSAGE <text>]
+#                 <, > or ==; [EXIT <code>...] [MESSAGE <text>] on the screen
 #   regression    COMPARE <table>... TOLERANCE "-r 1e-8 -a 1e-6": numdiff with
 #                 tests/applications/references/<application>_<name>/
 #   ranks         COMPARE, TOLERANCE: one rank agrees with MPI <n> (default 2)
@@ -86,6 +87,10 @@ endfunction()
 #                 straight through, to the last bit on one rank
 #   sigterm       the same, stopped by SIGTERM; the run must last a second
 #   check         --check accepts the file and writes nothing
+#   forecast      --check predicts processor time, memory and output within the
+#                 factor TOLERANCE, and keeps that for the next time
+#   presets       COMPARE <name>...: the presets beside FILE, the cheapest
+#                 first, have the errors and relative costs that they state
 #   pictures      COMPARE <png>...: plot_run.py or plot_anatomy.py draws these from the run
 #   stem          BOUNDS "deviation < 1e-3": [m] of a Mach stem from smooth
 #   reflection    BOUNDS "regular_up_to < 1.1" HEIGHT <m>: ground range [m] where

@@ -4,6 +4,8 @@
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/coupling/blast_application.h>
+#include <contrecoup/coupling/coarse_scene.h>
+#include <contrecoup/coupling/domain_size.h>
 #include <contrecoup/coupling/staged_simulation.h>
 
 namespace contrecoup::coupling
@@ -14,6 +16,13 @@ namespace
   std::unique_ptr<Simulation> create(ParameterHandler &prm,
                                      const MPI_Comm communicator)
   {
+    bool by_time = false;
+    {
+      const Section section(prm, "Domain");
+      by_time = prm.get("Size") == "by time";
+    }
+    if (by_time)
+      fit_domain<dim>(prm, communicator);
     StageParameters stages;
     stages.parse_parameters(prm);
     if constexpr (dim > 1)
@@ -57,6 +66,8 @@ io::ApplicationDescription blast_application()
           "Solves the Euler equations of a compressible gas, air or "
           "explosive products, on adaptive octree meshes.",
           StagedSimulation<3>::declare_parameters,
-          create_any};
+          create_any,
+          {},
+          coarsen_scene};
 }
 } // namespace contrecoup::coupling

@@ -67,6 +67,13 @@ namespace
       return simulation_;
     }
 
+    std::pair<double, double> blast() override
+    {
+      simulation_.plan();
+      const auto &plan = simulation_.modelling_plan();
+      return {plan.energy, plan.centre[stage_dim - 1]};
+    }
+
     double front() override
     {
       return simulation_.disturbed_box().second[0];

@@ -106,6 +106,18 @@ void StagedSimulation<dim>::read_gauges()
 
 
 template <int dim>
+double StagedSimulation<dim>::margin() const
+{
+  // The front of the second stage is a subcell wide on either side.
+  double margin = 0.;
+  const auto cell = scene_.smallest_cell();
+  for (unsigned int d = 0; d < dim; ++d)
+    margin = std::max(margin, 2. * cell[d]);
+  return margin + 4. * parameters_.cell_size;
+}
+
+
+template <int dim>
 bool StagedSimulation<dim>::is_due()
 {
   if (first_->is_burning())
@@ -120,13 +132,7 @@ bool StagedSimulation<dim>::is_due()
     return time() >= parameters_.time * (1. - 1e-13);
   if (parameters_.criterion == "radius")
     return first_->front() >= parameters_.radius;
-  // The front of the second stage is a subcell wide on either side.
-  double margin = 0.;
-  const auto cell = scene_.smallest_cell();
-  for (unsigned int d = 0; d < dim; ++d)
-    margin = std::max(margin, 2. * cell[d]);
-  margin += 4. * parameters_.cell_size;
-  return first_->front() >= plan_.nearest - margin;
+  return first_->front() >= plan_.nearest - margin();
 }
 
 
@@ -232,6 +238,57 @@ std::vector<NamedValue> StagedSimulation<dim>::assumptions()
   values.push_back({"hand_over_time", "s", hand_over_time_});
   values.push_back({"hand_over_radius", "m", hand_over_radius_});
   return values;
+}
+
+
+template <int dim>
+Assumption StagedSimulation<dim>::hand_over_item(const double radius) const
+{
+  return {"first_stage",
+          parameters_.kind + " at first",
+          "distance of the front at the hand-over",
+          "m",
+          radius,
+          plan_.nearest,
+          false,
+          "First stage/Hand over at"};
+}
+
+
+template <int dim>
+std::vector<Assumption> StagedSimulation<dim>::plan()
+{
+  double radius = plan_.nearest - margin();
+  if (parameters_.criterion == "radius")
+    radius = parameters_.radius;
+  if (first_)
+  {
+    const auto [energy, height] = first_->blast();
+    auto centre = plan_.centre;
+    if (parameters_.kind == "axisymmetric")
+      centre[dim - 1] = height;
+    scene_.expect_blast(energy, centre);
+  }
+  const auto rest = scene_.plan();
+  if (!first_)
+    radius = hand_over_radius_;
+  else if (parameters_.criterion == "time")
+    radius = scene_.modelling_plan().expected_front(parameters_.time);
+  std::vector<Assumption> items = {hand_over_item(radius)};
+  items.insert(items.end(), rest.begin(), rest.end());
+  return items;
+}
+
+
+template <int dim>
+std::vector<Assumption> StagedSimulation<dim>::audit()
+{
+  if (first_)
+    return {};
+  std::vector<Assumption> items = {hand_over_item(hand_over_radius_)};
+  for (const Assumption &item : scene_.audit())
+    items.push_back(item);
+  return items;
 }
 
 

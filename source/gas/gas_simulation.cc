@@ -223,6 +223,7 @@ void GasSimulation<dim>::mesh_changed()
   stepper_->reinit(field_);
   probes_.reinit(mesh_, points_);
   gauges_.reinit(mesh_, points_);
+  open_sides_.reinit(mesh_, boundary_);
 }
 
 
@@ -250,6 +251,8 @@ StepReport GasSimulation<dim>::advance(const double largest_step)
     stepper_->analyse(field_);
   probes_.read(field_, material_, time_);
   gauges_.add(field_, material_, time_, result.step);
+  if (n_steps_ % OpenSides<dim>::interval == 0)
+    open_sides_.watch(field_, material_, ambient().pressure, time_);
   if (!maps_.empty())
   {
     const TimerScope timer("maps");
@@ -407,6 +410,7 @@ void GasSimulation<dim>::save(const std::string &folder)
 {
   save_leaves(mesh_, field_, folder, &maps_);
   gauges_.share();
+  open_sides_.share(mesh_.communicator());
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
     io::write_file(folder + "/gas.bin", [&](std::ostream &out) {
       out.write(reinterpret_cast<const char *>(&time_), sizeof(time_));
@@ -416,6 +420,8 @@ void GasSimulation<dim>::save(const std::string &folder)
       afterburn_.save(out);
       probes_.save(out);
       gauges_.save(out);
+      open_sides_.save(out);
+      modelling_plan_.save(out);
     });
 }
 
@@ -433,6 +439,8 @@ void GasSimulation<dim>::restore(const std::string &folder)
   afterburn_.load(stream);
   probes_.load(stream);
   gauges_.load(stream);
+  open_sides_.load(stream);
+  modelling_plan_.load(stream);
   mesh_changed();
   if (!stream)
     throw InputError("Checkpoint file " + folder +

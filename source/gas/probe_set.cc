@@ -121,6 +121,16 @@ std::vector<NamedValue> ProbeSet<dim>::values(const bool has_products) const
 
 
 template <int dim>
+std::vector<BlastMeasures> ProbeSet<dim>::blasts() const
+{
+  std::vector<BlastMeasures> result;
+  for (const Record &record : records_)
+    result.push_back(record.blast.measures(record.last_time));
+  return result;
+}
+
+
+template <int dim>
 std::vector<NamedValue>
 ProbeSet<dim>::measures(const ReferenceSolution<dim> &reference) const
 {

@@ -126,6 +126,13 @@ void CoarseMesh<dim>::declare_parameters(ParameterHandler &prm)
                     "1, 1, 1",
                     Patterns::List(Patterns::Double(), 1, 3),
                     "Corner of the box with the largest coordinates [m].");
+  prm.declare_entry(
+    "Size",
+    "given",
+    Patterns::Selection("given|by time"),
+    "Whether the box is as the corners give it, or grows beyond its open "
+    "sides by whole coarse leaves until no wave from these can be back at a "
+    "point of Probes before the end time.");
   prm.declare_entry("Coarse leaves",
                     "1, 1, 1",
                     Patterns::List(Patterns::Integer(1), 1, 3),

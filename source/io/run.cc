@@ -9,8 +9,13 @@
 #include <contrecoup/base/text.h>
 #include <contrecoup/base/timers.h>
 #include <contrecoup/base/version.h>
+#include <contrecoup/io/cost_cache.h>
+#include <contrecoup/io/cost_forecast.h>
+#include <contrecoup/io/plan_table.h>
 #include <contrecoup/io/run.h>
 #include <contrecoup/io/summary.h>
+
+#include <cstdlib>
 
 namespace contrecoup
 {
@@ -39,6 +44,13 @@ namespace io
                                            begin)
         .count();
     }
+
+    /// Processor time that trial runs of --check may take [s].
+    double trial_seconds()
+    {
+      const char *text = std::getenv("CONTRECOUP_CHECK_SECONDS");
+      return text ? std::strtod(text, nullptr) : 4.;
+    }
   } // namespace
 
   Run::Run(const CommandLine &command,
@@ -48,6 +60,7 @@ namespace io
            Collective &collective)
     : command_(command)
     , description_(description)
+    , prm_(prm)
     , parameter_text_("# " + description.name + " " + version() + " (" +
                       git_revision() + "): every entry as used\n\n" +
                       parameter_text(prm, false))
@@ -76,9 +89,38 @@ namespace io
     return cost;
   }
 
+  CostEstimate Run::forecast()
+  {
+    const CostEstimate rough = estimate();
+    const double budget = trial_seconds();
+    if (!(budget > 0.))
+      return rough;
+    const MPI_Comm all = collective_.communicator();
+    const CostCache cache(
+      description_.name + " on " +
+      std::to_string(dealii::Utilities::MPI::n_mpi_processes(all)) +
+      " ranks, " + brief(budget) + " s\n" + parameter_text(prm_, false));
+    const bool first = dealii::Utilities::MPI::this_mpi_process(all) == 0;
+    const std::optional<CostEstimate> known =
+      first ? cache.read() : std::nullopt;
+    if (dealii::Utilities::MPI::max(known ? 1 : 0, all) > 0)
+    {
+      log_line("The cost is known from trial runs on this machine, kept in " +
+               cache.file());
+      return known.value_or(rough);
+    }
+    log_line("Calibrating by trial runs on coarser meshes, some " +
+             brief(budget) + " s ...");
+    const CostEstimate cost =
+      forecast_cost(description_, prm_, rough, budget, collective_);
+    if (first)
+      cache.write(cost);
+    return cost;
+  }
+
   void Run::check()
   {
-    const CostEstimate cost = estimate();
+    const CostEstimate cost = forecast();
     log_line(description_.name + " would run " + command_.parameter_file + ":");
     log_line("  cells     " + brief(cost.cells, 7));
     log_line("  unknowns  " + brief(cost.unknowns, 7));
@@ -86,7 +128,9 @@ namespace io
              brief(time_.end_time, 6) + " s");
     log_line("  memory    about " + bytes(cost.memory));
     log_line("  wall time about " + duration(cost.seconds));
-    log_line("  output    " + folder_.path());
+    log_line("  output    " +
+             (cost.output > 0. ? "about " + bytes(cost.output) + " in " : "") +
+             folder_.path());
     log_line("The parameters are valid.");
   }
 
@@ -122,6 +166,9 @@ namespace io
     log_line(std::to_string(size.first) + " cells, " +
              std::to_string(size.second) + " unknowns; output in " +
              folder_.path());
+    collective_.run([&]() { plan_ = simulation_.plan(); });
+    for (const std::string &line : plan_lines(plan_))
+      log_line(line);
     folder_.write_text("parameters.prm", parameter_text_);
     collective_.run([&]() {
       Log::instance().open(folder_.path("log.txt"), command_.resume);
@@ -192,6 +239,8 @@ namespace io
       collective_.run([&]() {
         summary.errors = simulation_.errors();
         summary.assumptions = simulation_.assumptions();
+        summary.plan = plan_;
+        summary.audit = simulation_.audit();
       });
     folder_.write_text("summary.json", to_text(summary));
 
@@ -202,6 +251,8 @@ namespace io
              (message.empty() ? "" : ": " + message));
     for (const NamedValue &error : summary.errors)
       log_line("  " + error.name + " = " + brief(error.value, 6));
+    for (const std::string &line : audit_lines(plan_, summary.audit))
+      log_line(line);
     log_line("results in " + folder_.path());
     collective_.run([]() { Log::instance().check(); });
   }

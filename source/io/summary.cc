@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/version.h>
+#include <contrecoup/io/plan_table.h>
 #include <contrecoup/io/summary.h>
 
 #include <nlohmann/json.hpp>
@@ -47,6 +48,25 @@ namespace io
       return object;
     }
 
+    Json assumptions(const Summary &summary)
+    {
+      Json object = by_name(summary.assumptions);
+      for (const Assumption &item : summary.audit)
+      {
+        const Assumption *planned = find_assumption(summary.plan, item.name);
+        object[item.name] = {
+          {"decision", item.decision},
+          {"quantity", item.quantity},
+          {"unit", item.unit},
+          {"estimate", planned ? number(planned->value) : Json(nullptr)},
+          {"measured", number(item.value)},
+          {item.is_least ? "at_least" : "at_most", number(item.limit)},
+          {"holds", !item.fails()},
+          {"entry", item.entry}};
+      }
+      return object;
+    }
+
     Json performance(const Summary &summary)
     {
       const double rate = summary.updates / summary.loop_seconds;
@@ -81,7 +101,7 @@ namespace io
     json["conservation"] =
       conservation(summary.first_values, summary.last_values);
     json["errors"] = by_name(summary.errors);
-    json["assumptions"] = by_name(summary.assumptions);
+    json["assumptions"] = assumptions(summary);
     json["timers"] = timers;
     return json.dump(2) + "\n";
   }

@@ -5,9 +5,9 @@
 #include <contrecoup/base/parameter_file.h>
 #include <contrecoup/base/text.h>
 #include <contrecoup/io/checked_file.h>
+#include <contrecoup/io/temporary_folder.h>
 #include <contrecoup/study/application_under_study.h>
 #include <contrecoup/study/child_process.h>
-#include <contrecoup/study/temporary_folder.h>
 
 #include <unistd.h>
 
@@ -68,7 +68,7 @@ ApplicationUnderStudy::ApplicationUnderStudy(const std::string &name,
   , parameter_file_(parameter_file)
   , ranks_(ranks)
 {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   const ProcessText text = run_process({program_, "--version"}, folder.path());
   if (text.end.exit_code != 0 || text.end.signal != 0)
     throw InputError("Study/Application: \"" + program_ +
@@ -83,7 +83,7 @@ std::string ApplicationUnderStudy::ask(const Settings &settings,
   for (const auto &[entry, value] : settings)
     words.insert(words.end(), {"--set", entry + "=" + value});
   words.push_back(option);
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   const ProcessText text = run_process(words, folder.path());
   if (text.end.signal != 0)
     throw SystemError(name_ + " " + option + " was ended by signal " +
@@ -103,7 +103,7 @@ std::map<std::string, std::string>
 ApplicationUnderStudy::entries(const Settings &settings) const
 {
   const std::string text = ask(settings, "--print-parameters");
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   const std::string file = folder.path() + "/parameters.prm";
   io::write_file(file, [&](std::ostream &out) { out << text; });
   std::map<std::string, std::string> values;

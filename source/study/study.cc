@@ -6,9 +6,9 @@
 #include <contrecoup/base/text.h>
 #include <contrecoup/base/version.h>
 #include <contrecoup/io/checked_file.h>
+#include <contrecoup/io/temporary_folder.h>
 #include <contrecoup/study/report.h>
 #include <contrecoup/study/study.h>
-#include <contrecoup/study/temporary_folder.h>
 
 #include <nlohmann/json.hpp>
 
@@ -290,7 +290,7 @@ void Study::draw() const
     std::string(CONTRECOUP_PLOT_FOLDER) + "/plot_study.py";
   try
   {
-    const TemporaryFolder temporary;
+    const io::TemporaryFolder temporary;
     const ProcessText text = run_process({script, folder_}, temporary.path());
     if (text.end.exit_code != 0 || text.end.signal != 0)
       throw SystemError(text.errors);

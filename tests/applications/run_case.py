@@ -20,6 +20,7 @@ import subprocess
 import sys
 import time
 
+import cost_cases
 import full_disk
 import study_cases
 
@@ -160,9 +161,10 @@ def bounds(case):
     """The run ends with one of the exit codes, and its summary keeps all
     bounds."""
     output = case.folder("run")
-    code, _, err = case.run(output, codes=case.options.exit or (0,))
-    if code != 0 and case.options.message not in err:
-        raise Failed(f"stderr lacks '{case.options.message}': {err}")
+    code, out, err = case.run(output, codes=case.options.exit or (0,))
+    told = out if code == 0 else err
+    if case.options.message not in told:
+        raise Failed(f"nothing says '{case.options.message}': {told}")
     check_finite(output)
     summary = read_summary(output)
     for bound in case.options.bound:
@@ -437,7 +439,7 @@ def disk(case):
     compare_bytes(straight, output, case.options.compare)
 
 
-def of_study(kind):
+def of_module(kind):
     def judged(case):
         try:
             kind(case, check_bound, read_summary)
@@ -451,8 +453,9 @@ KINDS = {kind.__name__: kind for kind in
           check, pictures, stem, reflection, refusal, damaged_checkpoint,
           foreign_checkpoint,
           disk)}
-KINDS.update({name: of_study(kind)
-              for name, kind in study_cases.KINDS.items()})
+KINDS.update({name: of_module(kind)
+              for name, kind in {**study_cases.KINDS,
+                                 **cost_cases.KINDS}.items()})
 
 
 def parse(arguments):

@@ -4,8 +4,8 @@
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/io/numpy.h>
+#include <contrecoup/io/temporary_folder.h>
 #include <contrecoup/study/error_measure.h>
-#include <contrecoup/study/temporary_folder.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -57,8 +57,8 @@ TEST(ErrorMeasure, ComparesWithAKnownValue)
 
 TEST(ErrorMeasure, ComparesProbesAndPlanesOfRuns)
 {
-  const TemporaryFolder one, other;
-  for (const TemporaryFolder *folder : {&one, &other})
+  const io::TemporaryFolder one, other;
+  for (const io::TemporaryFolder *folder : {&one, &other})
   {
     const double factor = folder == &one ? 3. : 2.;
     std::ofstream(folder->path() + "/summary.json") << summary;

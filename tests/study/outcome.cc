@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/io/checked_file.h>
+#include <contrecoup/io/temporary_folder.h>
 #include <contrecoup/study/outcome.h>
-#include <contrecoup/study/temporary_folder.h>
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ Outcome judged(const ProcessEnd &end,
                const std::string &errors = "",
                const bool timed_out = false)
 {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   if (!summary.empty())
     std::ofstream(folder.path() + "/summary.json") << summary;
   std::ofstream(folder.path() + "/errors.txt") << errors;
@@ -52,7 +52,7 @@ TEST(Outcome, IsJudgedByCodeAndSummary)
 
 TEST(Outcome, IsFoundAgainForTheSameIdentityAlone)
 {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   const std::string file = folder.path() + "/outcome.json";
   const std::string who = identity("blast", "1", 1, {{"A/B", "1"}});
   for (const std::string &other : {identity("blast", "2", 1, {{"A/B", "1"}}),
@@ -81,7 +81,7 @@ TEST(Outcome, IsFoundAgainForTheSameIdentityAlone)
 
 TEST(Outcome, IsRepeatedWhenItMayTurnOutOtherwise)
 {
-  const TemporaryFolder folder;
+  const io::TemporaryFolder folder;
   const std::string file = folder.path() + "/outcome.json";
   const std::string who = identity("blast", "1", 1, {});
   Outcome outcome;

@@ -3,8 +3,8 @@
 
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameter_tree.h>
+#include <contrecoup/io/temporary_folder.h>
 #include <contrecoup/study/report.h>
-#include <contrecoup/study/temporary_folder.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -68,7 +68,7 @@ protected:
     return task;
   }
 
-  TemporaryFolder folder_;
+  io::TemporaryFolder folder_;
   StudyParameters parameters_;
   std::vector<Task> tasks_;
 };

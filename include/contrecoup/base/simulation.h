@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,6 +41,31 @@ struct CostEstimate
   double steps = 0.;    ///< time steps to the end time [-]
   double memory = 0.;   ///< peak memory, all ranks [byte]
   double seconds = 0.;  ///< wall time [s]
+  double output = 0.;   ///< files in the output folder [byte]
+};
+
+/**
+ * Something that a run leaves out or takes for granted, with the number that
+ * tells whether it may: estimated before the run, measured by it.
+ */
+struct Assumption
+{
+  std::string name;     ///< in the summary
+  std::string decision; ///< what is done, in a few words
+  std::string quantity; ///< what the number is, in a few words
+  std::string unit;
+  /// The number; NaN: not known.
+  double value = std::numeric_limits<double>::quiet_NaN();
+  /// What it may be at most, or at least; NaN: it is for information.
+  double limit = std::numeric_limits<double>::quiet_NaN();
+  bool is_least = false; ///< whether the limit is the least
+  std::string entry;     ///< of the parameter file that decides otherwise
+
+  /// Whether the number is known and beyond its limit.
+  bool fails() const
+  {
+    return is_least ? value < limit : value > limit;
+  }
 };
 
 /**
@@ -92,6 +118,27 @@ public:
 
   /// Measured modelling assumptions, for the summary; may be empty.
   virtual std::vector<NamedValue> assumptions() = 0;
+
+  /// What the run will leave out and take for granted, as estimated from the
+  /// scene; may be asked before setup().
+  virtual std::vector<Assumption> plan()
+  {
+    return {};
+  }
+
+  /// The same with the numbers that the run found, in the same order; only
+  /// for what it could measure.
+  virtual std::vector<Assumption> audit()
+  {
+    return {};
+  }
+
+  /// Space dimensions of the mesh that is at work [-]: the cost of its cells
+  /// grows with these.
+  virtual unsigned int dimension() const
+  {
+    return 3;
+  }
 
   /// Writes what belongs to the end of a run into the output folder; called
   /// once, when the end time is reached.

@@ -33,6 +33,10 @@ public:
   /// The gas at the places of the scene's gauges.
   virtual std::vector<gas::GasState<dim>> gauges() = 0;
 
+  /// Energy of the blast in full space [J], 0 if unknown, and its height on
+  /// the axis of an axisymmetric stage [m].
+  virtual std::pair<double, double> blast() = 0;
+
   /// Distance of the outermost disturbance from centre or axis [m].
   virtual double front() = 0;
 

@@ -38,6 +38,12 @@ public:
                            unsigned int index) override;
   std::vector<NamedValue> errors() override;
   std::vector<NamedValue> assumptions() override;
+  std::vector<Assumption> plan() override;
+  std::vector<Assumption> audit() override;
+  unsigned int dimension() const override
+  {
+    return active().dimension();
+  }
   void finish(const std::string &folder) override;
   std::pair<std::uint64_t, std::uint64_t> size() const override;
 
@@ -45,6 +51,10 @@ private:
   /// The solver of the stage that is at work.
   Simulation &active() const;
   void read_gauges();
+  /// Distance before the nearest side at which "auto" hands over [m].
+  double margin() const;
+  /// The front at the hand-over, for plan and audit.
+  Assumption hand_over_item(const double radius) const;
   bool is_due();
   void hand_over();
 

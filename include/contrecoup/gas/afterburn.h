@@ -45,6 +45,12 @@ public:
     return fraction_;
   }
 
+  /// Energy that a kilogramme of products has still to release [J/kg].
+  double energy_left() const
+  {
+    return active() ? (1. - fraction_) * energy_ : 0.;
+  }
+
   /// Energy released so far [J].
   double released() const
   {

@@ -17,6 +17,8 @@
 #include <contrecoup/gas/initial_state.h>
 #include <contrecoup/gas/leaf_mesh.h>
 #include <contrecoup/gas/leaf_points.h>
+#include <contrecoup/gas/modelling_plan.h>
+#include <contrecoup/gas/open_sides.h>
 #include <contrecoup/gas/probe_set.h>
 #include <contrecoup/gas/profile.h>
 #include <contrecoup/gas/profile_mapping.h>
@@ -54,6 +56,12 @@ public:
                            unsigned int index) override;
   std::vector<NamedValue> errors() override;
   std::vector<NamedValue> assumptions() override;
+  std::vector<Assumption> plan() override;
+  std::vector<Assumption> audit() override;
+  unsigned int dimension() const override
+  {
+    return dim;
+  }
   /// Writes the profile if "Output/Profile file" asks for it.
   void finish(const std::string &folder) override;
   std::pair<std::uint64_t, std::uint64_t> size() const override;
@@ -87,6 +95,19 @@ public:
   {
     return material_;
   }
+  /// Energy of the domain, chemical energy and afterburn to come included,
+  /// above that of gas that nothing happened to [J]. Collective.
+  double excess_energy() const;
+
+  /// Tells the plan of a blast of @p energy in full space [J] that this
+  /// state does not show, or no longer.
+  void expect_blast(const double energy, const dealii::Point<dim> &centre);
+
+  const ModellingPlan<dim> &modelling_plan() const
+  {
+    return modelling_plan_;
+  }
+
   /// Edge lengths of the smallest subcells that adaptation may make [m].
   dealii::Tensor<1, dim> smallest_cell() const;
 
@@ -114,6 +135,10 @@ private:
   void go_on_burning();
   /// Takes over the profile's maps of what the blast did so far.
   void go_on_mapping();
+  /// Finds the blast for the plan in the initial state, if there is one.
+  void foresee_blast();
+  /// Shortest edge of a subcell [m].
+  double finest_edge() const;
   [[noreturn]] void give_up(const typename TimeStepper<dim>::Result &result);
   std::string describe_leaf(const unsigned int leaf);
 
@@ -146,6 +171,9 @@ private:
   /// Whether all explosive has burned. Once it has, changes of the cells'
   /// sizes must not take that back.
   bool has_burned_ = false;
+
+  ModellingPlan<dim> modelling_plan_;
+  OpenSides<dim> open_sides_;
 
   double time_ = 0.;
   std::uint64_t n_steps_ = 0;

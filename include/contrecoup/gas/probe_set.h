@@ -63,7 +63,10 @@ public:
   /// Pressure, density, velocity and, for mixtures, products of each.
   std::vector<NamedValue> values(const bool has_products) const;
 
-  /// What the blast did at each probe, see BlastRecord, and beside it what
+  /// What the blast did at each probe so far.
+  std::vector<BlastMeasures> blasts() const;
+
+  /// The same with names, and beside it what
   /// @p reference says where it does.
   std::vector<NamedValue>
   measures(const ReferenceSolution<dim> &reference) const;

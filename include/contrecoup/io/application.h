@@ -35,6 +35,11 @@ namespace io
     /// Entries that may differ on --resume besides those of the run loop,
     /// as "Section/Entry", or "Section/" for a whole subsection.
     std::vector<std::string> free_on_resume = {};
+
+    /// Changes the entries so that the scene's cells are 2^levels times as
+    /// large, for trial runs; returns false when they cannot be. Empty: never.
+    std::function<bool(dealii::ParameterHandler &, unsigned int levels)>
+      coarsen = {};
   };
 
   /**

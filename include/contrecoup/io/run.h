@@ -37,11 +37,13 @@ namespace io
 
   private:
     CostEstimate estimate();
+    CostEstimate forecast();
     void prepare();
     void summarise(const std::string &status, const std::string &message);
 
     const CommandLine &command_;
     const ApplicationDescription &description_;
+    const dealii::ParameterHandler &prm_;
     std::string parameter_text_;
     TimeParameters time_;
     Simulation &simulation_;
@@ -49,6 +51,7 @@ namespace io
     OutputFolder folder_;
     RunState state_;
     double updates_before_ = 0.;
+    std::vector<Assumption> plan_;
 
     std::chrono::steady_clock::time_point begin_;
     double begin_processor_; ///< of this process [s]

@@ -36,6 +36,8 @@ namespace io
     std::vector<NamedValue> last_values;
     std::vector<NamedValue> errors;
     std::vector<NamedValue> assumptions;
+    std::vector<Assumption> plan;         ///< with estimates
+    std::vector<Assumption> audit;        ///< with measurements
     std::map<std::string, double> timers; ///< [s]
   };
 
@@ -45,7 +47,10 @@ namespace io
    * processor time of everything, all ranks added up. For each conserved
    * quantity Q of the history, "conservation" has Q_first, Q_last and
    * Q_relative_change = (last - first) / |first|. A number that is not finite
-   * is written as null.
+   * is written as null. "assumptions" has the numbers of that name and for
+   * each item of the audit an object with what was decided, quantity, unit,
+   * estimate, measured value, limit, whether it holds, and the entry that
+   * decides.
    */
   std::string to_text(const Summary &summary);
 } // namespace io

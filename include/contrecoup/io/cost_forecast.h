@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/io/trial_run.h>
+
+namespace contrecoup
+{
+namespace io
+{
+  /**
+   * Predicts what a scene costs on this machine from trial runs of the same
+   * scene on coarser meshes: each has cells half as large as the one before,
+   * the last is the finest that @p budget seconds of processor time allow. A
+   * scene that costs less than that is run as it is, which tells exactly.
+   *
+   * From the last two trials follow, for each number of dimensions d that the
+   * mesh has during the run: the number of steps as a + b 2^level, for the
+   * step size falls with that of the cells; the cells as a 2^((d-1) level) +
+   * b 2^(d level), since fronts that the mesh follows are surfaces and the
+   * rest is volume; and the time of a step as a + b cells. Memory is what the
+   * process held besides the largest mesh of the trials plus that of the scene;
+   * fields grow as cells do and tables as steps.
+   *
+   * @param rough what the solver says without trial runs; kept where these
+   *   tell nothing
+   */
+  CostEstimate forecast_cost(const ApplicationDescription &description,
+                             const dealii::ParameterHandler &prm,
+                             const CostEstimate &rough,
+                             double budget,
+                             Collective &collective);
+
+  /**
+   * The value at @p levels levels after the last of a quantity
+   * a 2^(low level) + b 2^(high level) with a, b >= 0 that was @p before one
+   * level earlier and is @p last now. Without a value before (0) it grows by
+   * the mean exponent; a quantity that grows more slowly than a 2^(low level)
+   * goes on at its own rate, one that falls stays.
+   */
+  double extrapolate(double before,
+                     double last,
+                     unsigned int levels,
+                     double low,
+                     double high);
+} // namespace io
+} // namespace contrecoup

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/parameter_tree.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/coupling/coarse_scene.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace contrecoup::coupling
+{
+namespace
+{
+  /// Lowers an integer of the current subsection by @p levels, down to 0.
+  void lower(ParameterHandler &prm,
+             const std::string &entry,
+             const unsigned int levels)
+  {
+    const unsigned int value = read_unsigned(prm, entry);
+    prm.set(entry, static_cast<long int>(value - std::min(value, levels)));
+  }
+
+  /// Halves the coarse leaves of each direction @p times; returns whether
+  /// the last time changed any.
+  bool halve_leaves(ParameterHandler &prm, const unsigned int times)
+  {
+    bool changed = times == 0;
+    std::vector<std::string> words;
+    for (const std::string &word : split(prm.get("Coarse leaves"), ','))
+    {
+      const long int leaves = std::stol(word);
+      const auto after = [&](const unsigned int n) {
+        return static_cast<long int>(std::ceil(leaves / std::pow(2., n)));
+      };
+      words.push_back(std::to_string(after(times)));
+      changed = changed || after(times) < after(times - 1);
+    }
+    prm.set("Coarse leaves", join(words, ", "));
+    return changed;
+  }
+} // namespace
+
+
+bool coarsen_scene(ParameterHandler &prm, const unsigned int levels)
+{
+  unsigned int refinements = 0;
+  bool adapts = false;
+  {
+    const Section section(prm, "Adaptation");
+    adapts = prm.get_bool("Active");
+    if (adapts)
+      refinements = read_unsigned(prm, "Largest level");
+    lower(prm, "Largest level", levels);
+    lower(prm, "Smallest level", levels);
+    lower(prm, "Fine box levels", levels);
+  }
+  for (const std::string &name : item_names(prm, "Adaptation/Limit"))
+  {
+    const Section section(prm, "Adaptation");
+    const Section limit(prm, "Limit " + name);
+    lower(prm, "Largest level", levels);
+    lower(prm, "Smallest level", levels);
+  }
+  {
+    const Section section(prm, "First stage");
+    prm.set("Cell size", read_double(prm, "Cell size") * std::pow(2., levels));
+  }
+  const Section section(prm, "Domain");
+  if (!adapts)
+    refinements = read_unsigned(prm, "Initial refinement");
+  lower(prm, "Initial refinement", levels);
+  const unsigned int halvings = levels - std::min(levels, refinements);
+  return prm.get("Mesh") == "box" ? halve_leaves(prm, halvings) : halvings == 0;
+}
+} // namespace contrecoup::coupling

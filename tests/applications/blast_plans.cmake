@@ -1,0 +1,38 @@
+# What --check foretells, and what a run takes for granted.
+
+# Time, memory and output within a factor of 1.5: a blast that begins in 1-D
+# and goes on in an adaptive 3-D mesh, an adaptive one in 2-D, a uniform one.
+contrecoup_add_application_test(forecast_stages forecast
+  FILE blast/quickstart.prm TOLERANCE 1.5 SET "Time/End time=0.0012"
+  "First stage/Cell size=0.002" "Output/Fields interval=0")
+contrecoup_add_application_test(forecast_adaptive forecast
+  FILE blast/verification/height_of_burst.prm TOLERANCE 1.5
+  SET "Time/End time=0.0015" "Adaptation/Largest level=3"
+  "Output/Fields interval=0.0003")
+contrecoup_add_application_test(forecast_uniform forecast
+  FILE blast/verification/noh_3d.prm TOLERANCE 1.5)
+
+# A file that is missing is named, with the one that includes it.
+contrecoup_add_application_test(refuses_missing_include refusal
+  FILE blast/verification/sod.prm CONTENT "include no_such.prm"
+  MESSAGE "no_such.prm\" that" TIMEOUT 60)
+
+# The plan and its audit. Where the domain ends too early the run says so, and
+# Domain/Size = by time mends it.
+set(_short_domain "Domain/Upper corner=2.2" "Domain/Coarse leaves=55"
+  "Time/End time=0.008" "Output/Fields=false")
+contrecoup_add_application_test(audit_finds_reflection bounds
+  FILE blast/verification/kingery_bulmash.prm SET ${_short_domain}
+  MESSAGE "WARNING: reflection" BOUNDS "assumptions.reflection.holds == False"
+  "assumptions.reflection.estimate < 0.008"
+  "assumptions.reflection.measured < 0.008")
+contrecoup_add_application_test(domain_by_time bounds
+  FILE blast/verification/kingery_bulmash.prm
+  SET ${_short_domain} "Domain/Size=by time"
+  BOUNDS "assumptions.reflection.holds == True"
+  "assumptions.reflection.measured > 0.008"
+  "assumptions.gravity.holds == True" "assumptions.viscosity.holds == True"
+  "assumptions.quiet_leaves.measured > 0.1")
+contrecoup_add_application_test(refuses_domain_by_time refusal
+  FILE blast/verification/sod.prm ARGUMENTS --set "Domain/Size=by time"
+  MESSAGE "Domain/Size = by time needs" TIMEOUT 60)

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/io/cost_cache.h>
+#include <contrecoup/io/cost_forecast.h>
+#include <contrecoup/io/plan_table.h>
+#include <contrecoup/io/temporary_folder.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+
+using namespace contrecoup;
+using namespace contrecoup::io;
+
+// Both terms are found again from two values.
+TEST(CostForecast, ExtrapolatesSurfacesAndVolumes)
+{
+  const auto cells = [](const double level) {
+    return 5. * std::pow(4., level) + 0.3 * std::pow(8., level);
+  };
+  EXPECT_NEAR(extrapolate(cells(2), cells(3), 2, 2., 3.) / cells(5), 1., 1e-12);
+  EXPECT_NEAR(extrapolate(cells(2), cells(3), 0, 2., 3.) / cells(3), 1., 1e-12);
+}
+
+TEST(CostForecast, ExtrapolatesBeyondBothLaws)
+{
+  EXPECT_DOUBLE_EQ(extrapolate(1., 16., 1, 2., 3.), 128.); // not faster
+  EXPECT_DOUBLE_EQ(extrapolate(1., 2., 2, 2., 3.), 8.);    // at its own rate
+  EXPECT_DOUBLE_EQ(extrapolate(2., 1., 3, 0., 1.), 1.);    // never falls
+  EXPECT_DOUBLE_EQ(extrapolate(0., 1., 2, 0., 1.), 2.);    // no trial before
+}
+
+TEST(CostCache, GivesBackWhatItKeptForTheSameScene)
+{
+  const TemporaryFolder folder;
+  setenv("XDG_CACHE_HOME", folder.path().c_str(), 1);
+  const CostCache cache("a scene"), other("another scene");
+  EXPECT_FALSE(cache.read());
+  CostEstimate cost;
+  cost.seconds = 0.1;
+  cost.output = 1e12 / 3.;
+  cache.write(cost);
+  ASSERT_TRUE(CostCache("a scene").read());
+  EXPECT_EQ(cache.read()->seconds, 0.1);
+  EXPECT_EQ(cache.read()->output, 1e12 / 3.);
+  EXPECT_FALSE(other.read());
+}
+
+TEST(CostCache, DoesWithoutAFolder)
+{
+  setenv("XDG_CACHE_HOME", "/proc/none", 1);
+  const CostCache cache("a scene");
+  cache.write({});
+  EXPECT_FALSE(cache.read());
+}
+
+namespace
+{
+Assumption item(const double value, const bool is_least)
+{
+  return {
+    "gravity", "left out", "its speed", "m/s", value, 2., is_least, "A/B"};
+}
+
+bool warns(const std::vector<std::string> &lines)
+{
+  for (const std::string &line : lines)
+    if (line.rfind("WARNING", 0) == 0)
+      return true;
+  return false;
+}
+} // namespace
+
+TEST(Plan, WarnsBeyondLimitsAlone)
+{
+  const double unknown = std::nan("");
+  for (const auto &[value, most_fails, least_fails] :
+       {std::tuple{1., false, true},
+        std::tuple{2., false, false},
+        std::tuple{3., true, false},
+        std::tuple{unknown, false, false}})
+  {
+    EXPECT_EQ(item(value, false).fails(), most_fails);
+    EXPECT_EQ(item(value, true).fails(), least_fails);
+    EXPECT_EQ(warns(plan_lines({item(value, false)})), most_fails);
+    EXPECT_EQ(warns(audit_lines({}, {item(value, true)})), least_fails);
+  }
+  EXPECT_TRUE(plan_lines({}).empty());
+  EXPECT_TRUE(audit_lines({}, {}).empty());
+}
+
+TEST(Plan, NamesEstimateMeasurementAndEntry)
+{
+  const auto lines = audit_lines({item(1.25, false)}, {item(7.5, false)});
+  ASSERT_EQ(lines.size(), 3U);
+  EXPECT_NE(lines[1].find("1.25 m/s"), std::string::npos) << lines[1];
+  EXPECT_NE(lines[1].find("7.5 m/s"), std::string::npos) << lines[1];
+  EXPECT_NE(lines[2].find("A/B"), std::string::npos) << lines[2];
+}
