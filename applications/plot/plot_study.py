@@ -215,8 +215,12 @@ def draw_stability_map(study, folder):
             for line in cells]
     axis.imshow(grid, cmap=colours, vmin=-0.5, vmax=len(kinds) - 0.5,
                 aspect="auto")
+    crowded = (len(across["labels"]) > 8
+               or max(map(len, across["labels"])) > 10)
     axis.set_xticks(range(len(across["labels"])), across["labels"],
-                    rotation=45 if len(across["labels"]) > 8 else 0)
+                    rotation=45 if crowded else 0,
+                    ha="right" if crowded else "center",
+                    rotation_mode="anchor" if crowded else None)
     axis.set_yticks(range(len(upwards["labels"])), upwards["labels"])
     axis.set_xticks([i - 0.5 for i in range(len(across["labels"]))],
                     minor=True)
@@ -229,7 +233,7 @@ def draw_stability_map(study, folder):
     axis.set_ylabel(upwards["name"])
     title = study["title"]
     if study["error"]:
-        title += f"; in the cells: {study['error']}"
+        title += f"\nin the cells: {study['error']}"
     axis.set_title(title)
     words = {kind: OUTCOMES[kind][2] for kind in shown}
     if "retried" in words:

@@ -12,6 +12,10 @@ contrecoup_add_application_test(forecast_adaptive forecast
 contrecoup_add_application_test(forecast_uniform forecast
   FILE blast/verification/noh_3d.prm TOLERANCE 1.5)
 
+# What presets promise.
+contrecoup_add_application_test(presets presets
+  FILE blast/presets/height_of_burst.prm COMPARE fast balanced accurate)
+
 # A file that is missing is named, with the one that includes it.
 contrecoup_add_application_test(refuses_missing_include refusal
   FILE blast/verification/sod.prm CONTENT "include no_such.prm"

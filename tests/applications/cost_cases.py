@@ -52,7 +52,7 @@ def forecast(case, check_bound, read_summary):
 
 
 PROMISE = re.compile(r"peaks ([\d.]+) %, impulses ([\d.]+) %[^;]*; "
-                     r"relative cost ([\d.]+)")
+                     r"relative cost (\d+(?:\.\d+)?)")
 GAUGE = re.compile(r"^# +(\d) +([\d.]+) +([\d.]+)$", re.MULTILINE)
 
 
