@@ -25,6 +25,10 @@ TISSUE_COLOURS = ["#ffffff", "#e8b9a0", "#c98d70", "#f2ecd9", "#d98cb3",
                   "#a6458a", "#8ecae6", "#7fb7a4", "#b5362f", "#7d3c2a",
                   "#5aa9e6", "#f4d58d", "#9aa5b1"]
 
+# Corners at the beginning and the end of the four edges along each axis.
+EDGES = [((0, 3, 7, 4), (1, 2, 6, 5)), ((0, 1, 5, 4), (3, 2, 6, 7)),
+         ((0, 1, 2, 3), (4, 5, 6, 7))]
+
 # Name of a view, axes to the right and up with signs, and the axis of depth
 # with the sign that points to the eye.
 VIEWS = [("front", (1, 1), (2, 1), (0, 1)),
@@ -92,18 +96,19 @@ def draw_outside(mesh, path):
 
 
 def draw_cut(axis, mesh, normal, place):
-    """Rectangles where the plane x_normal = place cuts cells, by tissue."""
+    """Where the plane x_normal = place cuts cells, by tissue."""
     connectivity = mesh["connectivity"].reshape(-1, 8)
-    coordinate = mesh["points"][:, normal]
-    ends = coordinate[connectivity]
+    ends = mesh["points"][:, normal][connectivity]
     cut = np.flatnonzero((ends.min(axis=1) <= place)
                          & (ends.max(axis=1) > place))
     others = [d for d in range(3) if d != normal]
-    corners = mesh["points"][connectivity[cut]][:, :, others]
-    low, high = corners.min(axis=1), corners.max(axis=1)
-    polygons = np.stack([low, np.stack([high[:, 0], low[:, 1]], axis=1),
-                         high, np.stack([low[:, 0], high[:, 1]], axis=1)],
-                        axis=1)
+    corners = mesh["points"][connectivity[cut]]
+    # The four edges along the normal, around the cell.
+    begin, end = (corners[:, list(side)] for side in EDGES[normal])
+    height = end[:, :, normal] - begin[:, :, normal]
+    part = np.clip((place - begin[:, :, normal])
+                   / np.where(height == 0., 1., height), 0., 1.)[:, :, None]
+    polygons = ((1. - part) * begin + part * end)[:, :, others]
     tissues = mesh["tissue"][cut]
     axis.add_collection(PolyCollection(
         polygons, facecolors=np.array(TISSUE_COLOURS)[tissues],

@@ -67,6 +67,11 @@ namespace anatomy
                  " m out of a grid of " + std::to_string(grid.size[0]) + " x " +
                  std::to_string(grid.size[1]) + " x " +
                  std::to_string(grid.size[2]));
+        const double cubes = static_cast<double>(grid.labels.size());
+        const double elements = estimate_volume() / grid.volume();
+        log_line("  about " + brief(elements, 2) + " of them" +
+                 (parameters_.levels > 0 ? " before coarsening" : "") + ", " +
+                 bytes(6. * cubes + 180. * elements) + " of memory");
         for (const std::string &remark : body_->remarks())
           log_line("  " + remark);
         log_line("  output " + folder_);
@@ -77,11 +82,14 @@ namespace anatomy
         LabelGrid grid =
           make_grid(surface_->bounding_box(), parameters_.element_size);
         body_->fill(grid);
-        mesh_ = make_voxel_mesh(grid, body_->parts());
+        mesh_ = make_hex_mesh(grid, body_->parts(), parameters_.levels);
         if (mesh_.cells.empty())
           throw InputError(
             "Mesh/Element size = " + brief(parameters_.element_size) +
             " m: no element has its centre in the body, " + told_box());
+        SmoothingReport smoothing;
+        if (parameters_.smoothing.iterations > 0)
+          smoothing = smooth(mesh_, parameters_.smoothing);
         const double meshed = seconds();
         start(parameter_text);
         log_line("meshed the " + parameters_.body.kind() + ", " + told_box() +
@@ -90,6 +98,15 @@ namespace anatomy
                  " nodes in " + duration(meshed));
         for (const std::string &remark : body_->remarks())
           log_line("  " + remark);
+        if (!mesh_.hanging_nodes.empty())
+          log_line("  " + std::to_string(mesh_.hanging_nodes.size()) +
+                   " nodes hang between larger elements");
+        if (smoothing.n_moved > 0)
+          log_line("  smoothed " + std::to_string(smoothing.n_moved) +
+                   " nodes of surfaces and interfaces by at most " +
+                   brief(1e3 * smoothing.largest_displacement, 3) + " mm; " +
+                   std::to_string(smoothing.n_held_back) +
+                   " nodes were held back for the shape of elements");
         const BodyReport report = make_report(mesh_,
                                               grid,
                                               *surface_,
@@ -111,6 +128,20 @@ namespace anatomy
         return std::chrono::duration<double>(std::chrono::steady_clock::now() -
                                              begin_)
           .count();
+      }
+
+      /// Volume of the body, from some hundred thousand cubes [m^3].
+      double estimate_volume() const
+      {
+        const auto box = surface_->bounding_box();
+        LabelGrid grid = make_grid(
+          box,
+          std::max(parameters_.element_size, std::cbrt(box.volume() / 3e5)));
+        body_->fill(grid);
+        const auto n_empty = std::count(
+          grid.labels.begin(), grid.labels.end(), LabelGrid::nothing);
+        return grid.volume() *
+               static_cast<double>(grid.labels.size() - n_empty);
       }
 
       /// The extents of the body.
@@ -156,6 +187,8 @@ namespace anatomy
           io::write_surface_vtu(mesh_, *surface_, path("surface.vtu"));
           io::write_surface_stl(mesh_, path("surface.stl"));
         }
+        if (!mesh_.hanging_nodes.empty())
+          io::write_hanging_nodes(mesh_, path("hanging_nodes.csv"));
         if (parameters_.write_gmsh)
           io::write_msh(mesh_, path("mesh.msh"));
         if (parameters_.distance_spacing > 0.)

@@ -11,6 +11,43 @@ namespace anatomy
 {
   namespace
   {
+    void declare_mesh(dealii::ParameterHandler &prm)
+    {
+      const Section section(prm, "Mesh");
+      declare_double(prm,
+                     "Element size",
+                     "0.01",
+                     1e-6,
+                     1e3,
+                     "m",
+                     "Edge of the hexahedra; with coarsening, of those at "
+                     "surfaces and interfaces.");
+      declare_integer(prm,
+                      "Coarsening levels",
+                      "0",
+                      0,
+                      6,
+                      "Times that elements may double away from surfaces and "
+                      "interfaces, 0 to 6; neighbours differ by one doubling, "
+                      "and nodes that hang between are listed in "
+                      "hanging_nodes.csv.");
+      declare_integer(prm,
+                      "Smoothing iterations",
+                      "0",
+                      0,
+                      1000,
+                      "Steps of Taubin's filter on surfaces and interfaces, 0 "
+                      "(stairs) to 1000; 20 are usual.");
+      declare_double(prm,
+                     "Smallest scaled Jacobian",
+                     "0.2",
+                     0.01,
+                     0.9,
+                     "-",
+                     "Smoothing goes back where an element would have less, "
+                     "0.01 to 0.9.");
+    }
+
     void declare_output(dealii::ParameterHandler &prm)
     {
       const Section section(prm, "Output");
@@ -45,11 +82,7 @@ namespace anatomy
       const Section section(prm, "Body");
       BodyDescription::declare_parameters(prm);
     }
-    {
-      const Section section(prm, "Mesh");
-      declare_double(
-        prm, "Element size", "0.01", 1e-6, 1e3, "m", "Edge of the hexahedra.");
-    }
+    declare_mesh(prm);
     {
       const Section section(prm, "Tissues");
       declare_selection(prm,
@@ -72,6 +105,10 @@ namespace anatomy
     {
       const Section section(prm, "Mesh");
       element_size = read_double(prm, "Element size");
+      levels = read_unsigned(prm, "Coarsening levels");
+      smoothing.iterations = read_unsigned(prm, "Smoothing iterations");
+      smoothing.smallest_scaled_jacobian =
+        read_double(prm, "Smallest scaled Jacobian");
     }
     {
       const Section section(prm, "Tissues");

@@ -71,3 +71,10 @@ contrecoup_add_application_test(refuses_missing_image refusal
   SET "Body/Kind=image" "Body/Image/File=/nowhere/a.nii"
     "Body/Image/Labels=1: brain"
   MESSAGE "there is no such file")
+
+contrecoup_add_application_test(graded bounds
+  FILE anatomy/quickstart.prm
+  SET "Output/Pictures=false" "Mesh/Element size=0.008"
+    "Mesh/Coarsening levels=2" "Mesh/Smoothing iterations=20"
+  BOUNDS "smallest_scaled_jacobian > 0.1999999" "connected_components == 1"
+    "errors.whole_body_volume < 0.01" "hanging_nodes > 1000")

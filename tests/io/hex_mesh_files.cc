@@ -33,7 +33,7 @@ protected:
       {{{"core", Tissue::brain}, core}, {{"shell", Tissue::skeleton}, ball_}});
     LabelGrid grid = make_grid(ball_->bounding_box(), 0.2);
     body.fill(grid);
-    mesh_ = make_voxel_mesh(grid, body.parts());
+    mesh_ = make_hex_mesh(grid, body.parts());
   }
 
   ~HexMeshFiles() override

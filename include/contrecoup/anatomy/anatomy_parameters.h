@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/geometry/body_description.h>
+#include <contrecoup/geometry/mesh_smoothing.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -24,6 +25,8 @@ namespace anatomy
 
     BodyDescription body;
     double element_size = 0.01; ///< [m]
+    unsigned int levels = 0;    ///< of larger elements
+    SmoothingOptions smoothing; ///< no iterations: none
     std::string tissue_set;
     bool write_gmsh = false;
     bool write_surface = true;

@@ -42,6 +42,8 @@ struct HexMesh
   std::vector<unsigned char> part; ///< of each cell
   std::vector<BodyPart> parts;     ///< by number
   std::vector<Facet> boundary;
+  /// Faces between two parts, the boundary left out.
+  std::vector<std::array<std::uint32_t, 4>> interfaces;
   std::vector<HangingNode> hanging_nodes;
 
   dealii::Point<3> center(const Facet &facet) const;
@@ -51,9 +53,14 @@ struct HexMesh
 };
 
 /**
- * One cube for each labelled cube of the grid, in the order of the grid.
- * @param grid at most 2^32 - 2 nodes may come out
+ * Makes cubes of the labelled cubes of a grid, in the order of the grid: one of
+ * each, or larger ones away from what bounds the parts. Cubes at the boundary
+ * and at interfaces, and their neighbours, are as small as those of the grid;
+ * each merged one is as large as 2, 4, ... 2^levels of them, and its neighbours
+ * through faces, edges and corners are at least half as large.
+ * @param levels times that cubes may double
  */
-HexMesh make_voxel_mesh(const LabelGrid &grid,
-                        const std::vector<BodyPart> &parts);
+HexMesh make_hex_mesh(const LabelGrid &grid,
+                      const std::vector<BodyPart> &parts,
+                      unsigned int levels = 0);
 } // namespace contrecoup
