@@ -29,3 +29,45 @@ blast_survives(rest_100000_steps
   "errors.density_Linf < 1e-12;errors.velocity_Linf < 1e-12;${_closed}")
 blast_survives(ten_levels "${_closed}")
 blast_survives(vacuum "errors.density_L1 < 7.5e-3")
+
+# The same in single precision and three dimensions: totals to its round-off,
+# and rest at rest.
+#
+# blast_survives_in_single(<file> [<bounds>] [<overrides>...])
+function(blast_survives_in_single file bounds)
+  contrecoup_add_application_test(extreme_single_${file} bounds
+    FILE blast/extremes/${file}.prm
+    SET "Output/Fields=false" "Method/Precision=single" ${ARGN}
+    BOUNDS "status == finished" ${bounds} LABELS extremes TIMEOUT 300)
+endfunction()
+
+set(_round_off "")
+foreach(_total mass energy products_mass)
+  list(APPEND _round_off "conservation.${_total}_relative_change < 2e-6"
+    "conservation.${_total}_relative_change > -2e-6")
+endforeach()
+foreach(_file charge_1_mg charge_cut hand_over_cells_times_1000 hand_over_early
+        hand_over_late)
+  blast_survives_in_single(${_file} "${_round_off}")
+endforeach()
+blast_survives_in_single(charge_1000_kg "${_round_off}"
+  "Domain/Dimension=3" "Domain/Geometry=plane" "Domain/Lower corner=0,0,0"
+  "Domain/Upper corner=4,4,4" "Domain/Coarse leaves=5,5,5"
+  "Boundaries/x high=wall" "Boundaries/y low=symmetry"
+  "Boundaries/z low=symmetry" "Time/End time=8e-4")
+blast_survives_in_single(mach_1000_jet "" "Domain/Dimension=3"
+  "Domain/Lower corner=0,0,0" "Domain/Upper corner=1,0.5,0.5"
+  "Domain/Coarse leaves=2,1,1" "Boundaries/z low=symmetry"
+  "Boundaries/z high=open" "Adaptation/Largest level=3" "Pictures/Planes="
+  "Initial state/Region nozzle/Lower corner=-1,-0.05,-0.05"
+  "Initial state/Region nozzle/Upper corner=1e-6,0.05,0.05"
+  "Initial state/Region nozzle/Velocity=371,0,0" "Time/End time=0.001")
+blast_survives_in_single(rest_100000_steps "errors.density_Linf < 1e-7;\
+errors.velocity_Linf < 1e-12;errors.pressure_Linf < 1e-2"
+  "Domain/Dimension=3" "Domain/Geometry=plane" "Domain/Lower corner=0,0,0"
+  "Domain/Upper corner=1,1,1" "Domain/Coarse leaves=1,1,1" "Method/Subcells=4"
+  "Time/Largest number of steps=10000")
+blast_survives_in_single(ten_levels "" "Domain/Dimension=3"
+  "Domain/Lower corner=0,0,0" "Domain/Upper corner=100,100,100"
+  "Domain/Coarse leaves=1,1,1" "Method/Subcells=4"
+  "Time/Largest number of steps=200")
