@@ -5,6 +5,7 @@
 #include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/base/text.h>
 #include <contrecoup/coupling/stage_parameters.h>
+#include <contrecoup/gas/rigid_body.h>
 
 #include <algorithm>
 #include <cmath>
@@ -174,14 +175,15 @@ void StageParameters::declare_parameters(ParameterHandler &prm)
                   20,
                   "Times that leaves of an axisymmetric first stage are "
                   "halved down to the Cell size where the blast is.");
-  declare_selection(prm,
-                    "Hand over at",
-                    "auto",
-                    {"auto", "time", "radius"},
-                    "When the scene goes on from the first stage: just before "
-                    "the front reaches the ground or another side of the "
-                    "domain that is no plane of symmetry of the charge, at a "
-                    "time, or when the front has reached a radius.");
+  declare_selection(
+    prm,
+    "Hand over at",
+    "auto",
+    {"auto", "time", "radius"},
+    "When the scene goes on from the first stage: just before "
+    "the front reaches the body, the ground or another side of the "
+    "domain that is no plane of symmetry of the charge, at a "
+    "time, or when the front has reached a radius.");
   declare_double(prm,
                  "Time",
                  "0",
@@ -210,6 +212,36 @@ void StageParameters::parse_parameters(ParameterHandler &prm)
   time = read_double(prm, "Time");
   radius = read_double(prm, "Radius");
 }
+
+
+namespace
+{
+  /// How far the front may go before it meets the scene's body: at least the
+  /// distance from the charge's centre or, if axisymmetric, from its axis.
+  template <int dim>
+  double distance_to_body(ParameterHandler &scene,
+                          const CoarseMesh<dim> &domain,
+                          dealii::Point<dim> centre,
+                          const std::string &stage)
+  {
+    gas::RigidBody body;
+    body.parse_parameters(scene);
+    if (body.empty())
+      return std::numeric_limits<double>::max();
+    if (stage != "axisymmetric")
+      return body.value(centre);
+    const unsigned int n = 1000;
+    const double low = domain.lower_corner()[dim - 1];
+    const double spacing = (domain.upper_corner()[dim - 1] - low) / n;
+    double nearest = std::numeric_limits<double>::max();
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      centre[dim - 1] = low + (i + 0.5) * spacing;
+      nearest = std::min(nearest, body.value(centre) - 0.5 * spacing);
+    }
+    return nearest;
+  }
+} // namespace
 
 
 template <int dim>
@@ -252,6 +284,9 @@ StagePlan<dim> make_plan(ParameterHandler &scene,
       plan.part *= 0.5;
     }
   }
+  plan.nearest =
+    std::min(plan.nearest,
+             distance_to_body(scene, domain, plan.centre, parameters.kind));
   if (axisymmetric_stage)
     plan.centre[dim - 1] = 0.;
   if (axisymmetric_scene && plan.centre[0] != 0.)
@@ -307,6 +342,7 @@ void derive_first_stage(const ParameterHandler &scene,
   changes["Adaptation/Fine box levels"] = "0";
   changes["Method/Scheme"] = "finite volume";
   changes["Method/Precision"] = "double";
+  changes["Rigid body/Kind"] = "none";
   changes["Reference/Kind"] = "none";
   changes["Pictures/Planes"] = "";
   changes["Output/Profile file"] = "";

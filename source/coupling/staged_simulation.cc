@@ -202,6 +202,9 @@ std::vector<NamedValue> StagedSimulation<dim>::history()
   if (mesh.geometry() == Geometry::axisymmetric)
     volume *=
       dealii::numbers::PI * (mesh.upper_corner()[0] + mesh.lower_corner()[0]);
+  if (!body_volume_)
+    body_volume_ = scene_.body_volume();
+  volume -= *body_volume_;
   return first_->history(
     {{volume * state[0], volume * state[dim + 1], volume * state[dim + 2]}});
 }

@@ -285,6 +285,12 @@ template <int dim>
 bool Adaptation<dim>::adapt_now(GasField &field, BlastMaps<dim> &maps)
 {
   std::vector<double> marks = sensors(field);
+  // Cells without gas would look like fronts; leaves at the body keep their
+  // size anyhow, and those beside them see what comes.
+  for (unsigned int leaf = 0; leaf < marks.size(); ++leaf)
+    if (field.open_fractions() != nullptr &&
+        !field.open_fractions()->is_open(leaf))
+      marks[leaf] = 0.;
   // Explosive that is to burn stays as fine as it was lit.
   for (unsigned int leaf = 0; leaf < marks.size() && field.burn() != nullptr;
        ++leaf)
@@ -385,45 +391,6 @@ void Adaptation<dim>::set_flags(const std::vector<double> &marks)
              level > allowed.most)
       cell->set_coarsen_flag();
   }
-}
-
-
-template <int dim>
-bool Adaptation<dim>::is_in_fine_box(const dealii::Point<dim> &place) const
-{
-  if (parameters_.fine_level == 0)
-    return false;
-  for (unsigned int d = 0; d < dim; ++d)
-    if (place[d] < parameters_.fine_lower[d] ||
-        place[d] > parameters_.fine_upper[d])
-      return false;
-  return true;
-}
-
-
-template <int dim>
-SizeLimits::Levels Adaptation<dim>::levels(const unsigned int leaf) const
-{
-  const auto centre = mesh_.cell(leaf)->center();
-  SizeLimits::Levels general = {parameters_.least_level,
-                                parameters_.most_level};
-  if (is_in_fine_box(centre))
-    general.least = std::max(general.least, parameters_.fine_level);
-  return parameters_.limits.levels(
-    centre, time_, general, 0.5 * mesh_.cell(leaf)->diameter());
-}
-
-
-template <int dim>
-void Adaptation<dim>::refine_fine_box()
-{
-  do
-    for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
-      if (parameters_.fine_level > 0 &&
-          static_cast<unsigned int>(mesh_.cell(leaf)->level()) <
-            levels(leaf).least)
-        mesh_.cell(leaf)->set_refine_flag();
-  while (refine_flagged());
 }
 
 

@@ -38,6 +38,7 @@ FiniteVolumeKernel<dim, Gas, Real>::FiniteVolumeKernel(
   , right_(layout.n + 1)
   , flux_(layout.n + 1)
   , compression_(layout.n + 2)
+  , touch_(layout.n + 3)
 {}
 
 
@@ -93,7 +94,7 @@ void FiniteVolumeKernel<dim, Gas, Real>::sweep(
       Base::fill_progress(direction, line);
     if (Base::needs_shear_factor())
       fill_compression(direction, line);
-    reconstruct();
+    reconstruct<false>();
     line_fluxes(direction);
     Base::replace_hanging_fluxes(
       direction, line, hanging, flux_[0], flux_[layout_.n]);
@@ -190,6 +191,7 @@ void FiniteVolumeKernel<dim, Gas, Real>::fill_ghost_lane(
 
 
 template <int dim, typename Gas, typename Real>
+template <bool masked>
 void FiniteVolumeKernel<dim, Gas, Real>::reconstruct()
 {
   const int n = layout_.n;
@@ -206,10 +208,16 @@ void FiniteVolumeKernel<dim, Gas, Real>::reconstruct()
   {
     Values half, low, high;
     for (unsigned int c = 0; c < nc; ++c)
-      half[c] = limited_slope(scheme_.limiter,
-                              Number(cell(i)[c] - cell(i - 1)[c]),
-                              Number(cell(i + 1)[c] - cell(i)[c])) *
-                0.5;
+    {
+      Number backward = cell(i)[c] - cell(i - 1)[c];
+      Number forward = cell(i + 1)[c] - cell(i)[c];
+      if (masked)
+      {
+        backward *= touch(i);
+        forward *= touch(i + 1);
+      }
+      half[c] = limited_slope(scheme_.limiter, backward, forward) * 0.5;
+    }
     if (Base::careful_)
       limit_velocity_slope<dim>(gas_, cell(i), half);
     for (unsigned int c = 0; c < nc; ++c)
@@ -324,10 +332,25 @@ void FiniteVolumeKernel<dim, Gas, Real>::finish(const BasicStage<Real> &stage)
     }
     smallest = std::min(smallest, is_admissible<dim>(gas_, u));
   }
+  report(smallest, stage);
+  fill_padding(out);
+}
+
+
+template <int dim, typename Gas, typename Real>
+void FiniteVolumeKernel<dim, Gas, Real>::report(
+  const Number &smallest,
+  const BasicStage<Real> &stage) const
+{
   for (unsigned int lane = 0; lane < mesh_.n_filled_lanes(batch_); ++lane)
     if (!(smallest[lane] > 0.))
       *stage.unphysical_leaf = batch_ * Base::width + lane;
-  // Padding lanes copy the first, so that they never overflow.
+}
+
+
+template <int dim, typename Gas, typename Real>
+void FiniteVolumeKernel<dim, Gas, Real>::fill_padding(Real *out) const
+{
   for (unsigned int lane = mesh_.n_filled_lanes(batch_); lane < Base::width;
        ++lane)
     for (std::size_t i = 0; i < layout_.batch_size(); i += Base::width)
@@ -358,10 +381,18 @@ template <int dim, typename Gas, typename Real>
 void FiniteVolumeKernel<dim, Gas, Real>::analyse(const unsigned int batch,
                                                  const BasicStage<Real> &stage)
 {
-  // A jump of the pressure by a tenth in compressed gas counts as a shock.
-  const double threshold = 0.1;
   Base::bind_burn(batch, stage);
   load(stage.out);
+  const Number rate = largest_rate(stage);
+  const auto everywhere = [](unsigned int, unsigned int) { return Number(1.); };
+  store_sensors(rate, largest_jump(everywhere), stage);
+}
+
+
+template <int dim, typename Gas, typename Real>
+typename FiniteVolumeKernel<dim, Gas, Real>::Number
+FiniteVolumeKernel<dim, Gas, Real>::largest_rate(const BasicStage<Real> &stage)
+{
   Number rate(0.);
   for (unsigned int q = 0; q < layout_.n_points; ++q)
   {
@@ -382,32 +413,33 @@ void FiniteVolumeKernel<dim, Gas, Real>::analyse(const unsigned int batch,
                signal_rate<dim>(
                  gas_, p, mesh_.template extents<Real>(batch_), least_speed));
   }
-  Number shock(0.);
-  for (unsigned int d = 0; d < dim; ++d)
-  {
-    const unsigned int s = layout_.stride(d);
-    for (unsigned int q = 0; q < layout_.n_points; ++q)
-      if ((q / s) % layout_.n + 1 < layout_.n)
-      {
-        const Number *p = &primitive_[C::energy * layout_.n_points + q];
-        const Number *u = &primitive_[(C::momentum + d) * layout_.n_points + q];
-        const Number jump =
-          std::abs(p[s] - p[0]) - std::min(p[0], p[s]) * threshold;
-        shock = std::max(shock, select_less(u[s], u[0], jump, Number(0.)));
-      }
-  }
-  shock = select_less(Number(0.), shock, Number(1.), Number(0.));
+  return rate;
+}
+
+
+template <int dim, typename Gas, typename Real>
+void FiniteVolumeKernel<dim, Gas, Real>::store_sensors(
+  const Number &rate,
+  const Number &jump,
+  const BasicStage<Real> &stage) const
+{
+  const Number shock = select_less(Number(0.), jump, Number(1.), Number(0.));
   rate.store(stage.signal_rate + batch_ * Base::width);
   shock.store(stage.sensor_out + batch_ * Base::width);
 }
 
 
-template class FiniteVolumeKernel<1, IdealGas>;
-template class FiniteVolumeKernel<2, IdealGas>;
-template class FiniteVolumeKernel<3, IdealGas>;
-template class FiniteVolumeKernel<3, IdealGas, float>;
-template class FiniteVolumeKernel<1, MieGrueneisen>;
-template class FiniteVolumeKernel<2, MieGrueneisen>;
-template class FiniteVolumeKernel<3, MieGrueneisen>;
-template class FiniteVolumeKernel<3, MieGrueneisen, float>;
+#define CONTRECOUP_INSTANTIATE(...)               \
+  template class FiniteVolumeKernel<__VA_ARGS__>; \
+  template void FiniteVolumeKernel<__VA_ARGS__>::reconstruct<true>()
+
+CONTRECOUP_INSTANTIATE(1, IdealGas);
+CONTRECOUP_INSTANTIATE(2, IdealGas);
+CONTRECOUP_INSTANTIATE(3, IdealGas);
+CONTRECOUP_INSTANTIATE(3, IdealGas, float);
+CONTRECOUP_INSTANTIATE(1, MieGrueneisen);
+CONTRECOUP_INSTANTIATE(2, MieGrueneisen);
+CONTRECOUP_INSTANTIATE(3, MieGrueneisen);
+CONTRECOUP_INSTANTIATE(3, MieGrueneisen, float);
+#undef CONTRECOUP_INSTANTIATE
 } // namespace contrecoup::gas

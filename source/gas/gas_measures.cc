@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/lane_math.h>
 #include <contrecoup/gas/gas_measures.h>
 #include <contrecoup/gas/lobatto_metric.h>
 #include <contrecoup/gas/primitive.h>
@@ -55,6 +56,15 @@ namespace
     for (unsigned int c = 0; c < u.size(); ++c)
       u[c] = leaf[c * n_points + q];
     return primitive_state<dim>(u.data(), material);
+  }
+
+  /// Differences of density, velocity and pressure.
+  template <int dim>
+  std::array<double, 3> errors_of(const Comparison<dim> &item)
+  {
+    return {{std::abs(item.computed.density - item.exact.density),
+             (item.computed.velocity - item.exact.velocity).norm(),
+             std::abs(item.computed.pressure - item.exact.pressure)}};
   }
 
   template <int dim>
@@ -170,14 +180,22 @@ namespace
       volumes_from(first_leaf, 0, mesh, points) * (1. / first);
     std::array<Number, nc + 1> sums;
     sums.fill(Number(0.));
+    const Number none(std::numeric_limits<double>::lowest());
     std::array<Number, 4> largest;
-    largest.fill(Number(std::numeric_limits<double>::lowest()));
+    largest.fill(none);
     for (unsigned int q = 0; q < field.layout().n_points; ++q)
     {
-      const Number volume = metric ? metric->volume(q)
-                            : is_plane
-                              ? whole * points.relative_volume(q)
-                              : volumes_from(first_leaf, q, mesh, points);
+      Number volume = metric     ? metric->volume(q)
+                      : is_plane ? whole * points.relative_volume(q)
+                                 : volumes_from(first_leaf, q, mesh, points);
+      Number is_gas(1.);
+      for (unsigned int lane = 0; lane < W && field.open_fractions() != nullptr;
+           ++lane)
+      {
+        const double part = field.open_fraction(first_leaf + lane, q);
+        volume[lane] *= part;
+        is_gas[lane] = part;
+      }
       std::array<Number, nc> u;
       for (unsigned int c = 0; c < nc; ++c)
       {
@@ -190,10 +208,13 @@ namespace
           p[C::energy][lane], field.burned(first_leaf + lane, q));
       for (unsigned int d = 0; d < dim; ++d)
         sums[nc] += volume * p[C::momentum + d] * u[C::momentum + d] * 0.5;
-      largest[0] = std::max(largest[0], Number(-p[C::density]));
-      largest[1] = std::max(largest[1], p[C::density]);
-      largest[2] = std::max(largest[2], Number(-p[C::energy]));
-      largest[3] = std::max(largest[3], p[C::energy]);
+      const auto if_gas = [&](const Number &value) {
+        return select_less(Number(0.), is_gas, value, none);
+      };
+      largest[0] = std::max(largest[0], if_gas(Number(-p[C::density])));
+      largest[1] = std::max(largest[1], if_gas(p[C::density]));
+      largest[2] = std::max(largest[2], if_gas(Number(-p[C::energy])));
+      largest[3] = std::max(largest[3], if_gas(p[C::energy]));
     }
     for (unsigned int lane = 0; lane < W && first_leaf + lane < mesh.n_owned();
          ++lane)
@@ -278,12 +299,6 @@ std::vector<NamedValue> gas_errors(const LeafMesh<dim> &mesh,
   // Volume, then L1, L2 and L1 of the means of each.
   std::vector<double> sums(10, 0.);
   std::vector<double> largest(3, 0.);
-  const auto errors_of = [](const Comparison<dim> &item) {
-    return std::array<double, 3>{
-      {std::abs(item.computed.density - item.exact.density),
-       (item.computed.velocity - item.exact.velocity).norm(),
-       std::abs(item.computed.pressure - item.exact.pressure)}};
-  };
   for (unsigned int leaf = 0; leaf < mesh.n_owned(); ++leaf)
   {
     const auto compare = [&](const auto &way) {
@@ -296,16 +311,19 @@ std::vector<NamedValue> gas_errors(const LeafMesh<dim> &mesh,
                  time);
     };
     auto means = compare(compare_means<dim>);
-    // Only finite volumes, an item for each subcell, burn.
-    for (unsigned int q = 0; q < means.size() && field.burn() != nullptr; ++q)
+    // Only finite volumes, an item for each subcell, burn and meet bodies.
+    for (unsigned int q = 0; q < means.size() && !points.is_galerkin(); ++q)
+    {
+      means[q].volume *= field.open_fraction(leaf, q);
       means[q].computed.pressure = field.exerted_pressure(
         means[q].computed.pressure, field.burned(leaf, q));
+    }
     for (const auto &item :
          points.is_galerkin() ? compare(compare_polynomials<dim>) : means)
     {
       const auto errors = errors_of(item);
       sums[0] += item.volume;
-      for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int i = 0; i < 3 && item.volume > 0.; ++i)
       {
         sums[1 + 2 * i] += item.volume * errors[i];
         sums[2 + 2 * i] += item.volume * errors[i] * errors[i];

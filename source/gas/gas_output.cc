@@ -100,6 +100,18 @@ namespace
     std::vector<dealii::Point<dim>> places;
   };
 
+  /// The open part of the volume around a place of a leaf.
+  double
+  open_fraction(const GasField &field,
+                const unsigned int leaf,
+                const std::vector<std::pair<unsigned int, double>> &stencil)
+  {
+    double result = 0.;
+    for (const auto &[q, weight] : stencil)
+      result += weight * field.open_fraction(leaf, q);
+    return result;
+  }
+
   /// Measures of point @p q of a leaf.
   template <int dim>
   std::array<double, 4> mapped(const BlastMaps<dim> &maps,
@@ -204,14 +216,10 @@ std::string GasOutput<dim>::write(const std::string &folder,
 
 
 template <int dim>
-std::string GasOutput<dim>::write_leaves(const std::string &folder,
-                                         const unsigned int index,
-                                         const double time,
-                                         const LeafMesh<dim> &mesh,
-                                         const LeafPoints<dim> &points,
-                                         const GasField &field,
-                                         const GasMaterial &material,
-                                         const BlastMaps<dim> &maps) const
+std::vector<io::FieldName>
+GasOutput<dim>::field_names(const GasField &field,
+                            const GasMaterial &material,
+                            const BlastMaps<dim> &maps) const
 {
   std::vector<io::FieldName> names = {{"density", "kg/m^3"},
                                       {"velocity", "m/s", true},
@@ -225,7 +233,23 @@ std::string GasOutput<dim>::write_leaves(const std::string &folder,
   if (!maps.empty())
     for (const auto &[name, unit] : map_quantities)
       names.push_back({name, unit});
-  io::FieldOutput<dim> output(names);
+  if (field.open_fractions() != nullptr)
+    names.push_back({"open_fraction", "-"});
+  return names;
+}
+
+
+template <int dim>
+std::string GasOutput<dim>::write_leaves(const std::string &folder,
+                                         const unsigned int index,
+                                         const double time,
+                                         const LeafMesh<dim> &mesh,
+                                         const LeafPoints<dim> &points,
+                                         const GasField &field,
+                                         const GasMaterial &material,
+                                         const BlastMaps<dim> &maps) const
+{
+  io::FieldOutput<dim> output(field_names(field, material, maps));
   const LeafLayout &layout = field.layout();
   const unsigned int n = std::max(1U, layout.n - 1);
   const unsigned int n_output = dealii::Utilities::pow(n + 1, dim);
@@ -264,6 +288,8 @@ std::string GasOutput<dim>::write_leaves(const std::string &folder,
         for (const double value :
              mapped(maps, leaf, layout.n > 1 ? o : 0, time))
           patch.data(row++, o) = value;
+      if (field.open_fractions() != nullptr)
+        patch.data(row++, o) = open_fraction(field, leaf, stencils[o]);
     }
     output.add_patch(std::move(patch));
   }

@@ -32,6 +32,8 @@ void GasSimulation<dim>::declare_parameters(ParameterHandler &prm)
   ReferenceSolution<dim>::declare_parameters(prm);
   Boundary<dim>::declare_parameters(prm);
   AdaptationParameters::declare_parameters(prm);
+  RigidBody::declare_parameters(prm);
+  WallLoads<dim>::declare_parameters(prm);
   ProbeSet<dim>::declare_parameters(prm);
   GaugeRasters<dim>::declare_parameters(prm);
   GasOutput<dim>::declare_parameters(prm);
@@ -72,6 +74,7 @@ void GasSimulation<dim>::parse_parameters(ParameterHandler &prm)
   adaptation_parameters_.fit_interval(
     scheme_.cfl * scheme_.stability_limit(), dim, scheme_.n_points);
   probes_.parse_parameters(prm, coarse_mesh_);
+  parse_body(prm);
   probes_.set_ambient(initial_state_);
   gauges_.parse_parameters(prm, coarse_mesh_);
   gauges_.set_ambient(initial_state_);
@@ -105,16 +108,34 @@ template <int dim>
 void GasSimulation<dim>::create_octree()
 {
   mesh_.create(coarse_mesh_, scheme_.precision);
-  operator_ = make_gas_operator(mesh_, layout_, scheme_, material_, boundary_);
+  operator_ = make_gas_operator(mesh_,
+                                layout_,
+                                scheme_,
+                                material_,
+                                boundary_,
+                                body_.empty() ? nullptr : &cut_leaves_);
   stepper_ = std::make_unique<TimeStepper<dim>>(
     mesh_, scheme_, *operator_, skip_quiet_leaves_);
   adaptation_ = std::make_unique<Adaptation<dim>>(
     adaptation_parameters_, mesh_, points_, material_);
+  if (!body_.empty())
+    adaptation_->set_body(body_,
+                          coarse_mesh_.initial_refinement() + body_.levels());
   const auto &tria = mesh_.triangulation();
   const typename LeafMesh<dim>::CellIterator last(
     &tria, 0, tria.n_cells(0) - 1);
   maps_.set_ambient(
     initial_state_.ambient_pressure(last->vertex((1U << dim) - 1)));
+}
+
+
+template <int dim>
+void GasSimulation<dim>::refine_octree()
+{
+  mesh_.triangulation().refine_global(coarse_mesh_.initial_refinement());
+  mesh_.rebuild();
+  adaptation_->refine_fine_box();
+  adaptation_->refine_at_body();
 }
 
 
@@ -125,9 +146,7 @@ void GasSimulation<dim>::setup()
   time_ = initial_state_.time();
   if (initial_state_.profile() != nullptr)
     go_on_burning();
-  mesh_.triangulation().refine_global(coarse_mesh_.initial_refinement());
-  mesh_.rebuild();
-  adaptation_->refine_fine_box();
+  refine_octree();
   if (adaptation_parameters_.active)
   {
     while (adaptation_->refine_where([this](const unsigned int leaf) {
@@ -179,10 +198,12 @@ std::vector<std::string> GasSimulation<dim>::set_initial_state()
 {
   const TimerScope timer("initial state");
   field_.reinit(layout_, mesh_.n_stored_batches());
+  cut_leaves();
   if (const auto *profile = initial_state_.profile())
   {
     const auto mapping =
       map_profile(*profile, mesh_, points_, material_, field_);
+    fill_closed_cells();
     field_.fill_padding(mesh_.n_owned());
     mesh_changed();
     return mapping_report(mapping);
@@ -208,6 +229,7 @@ std::vector<std::string> GasSimulation<dim>::set_initial_state()
                                      dim == 3 ? 4 : 8));
   }
   const auto report = charges_.fill(mesh_, points_, field_);
+  fill_closed_cells();
   field_.fill_padding(mesh_.n_owned());
   mesh_changed();
   return report;
@@ -220,6 +242,7 @@ void GasSimulation<dim>::mesh_changed()
   if (!charges_.empty() && !has_burned_)
     detonation_.reinit(mesh_, points_, charges_);
   update_burn();
+  cut_leaves();
   stepper_->reinit(field_);
   probes_.reinit(mesh_, points_);
   gauges_.reinit(mesh_, points_);
@@ -253,6 +276,14 @@ StepReport GasSimulation<dim>::advance(const double largest_step)
   gauges_.add(field_, material_, time_, result.step);
   if (n_steps_ % OpenSides<dim>::interval == 0)
     open_sides_.watch(field_, material_, ambient().pressure, time_);
+  if (loads_.active())
+    loads_.add(field_,
+               material_,
+               scheme_.flux,
+               time_,
+               result.step,
+               stepper_->quiet_leaves(),
+               result.wall_force);
   if (!maps_.empty())
   {
     const TimerScope timer("maps");
@@ -386,6 +417,8 @@ std::vector<NamedValue> GasSimulation<dim>::assumptions()
     troubled += field_.sensor_of(leaf) > 0. ? 1. : 0.;
   troubled = dealii::Utilities::MPI::sum(troubled, mesh_.communicator());
   std::vector<NamedValue> values = probes_.measures(reference_);
+  for (const NamedValue &value : loads_.audit())
+    values.push_back(value);
   values.push_back({"troubled_leaves", "-", troubled / mesh_.n_global()});
   values.push_back({"careful_steps", "-", n_careful_steps_});
   const double n_possible = dealii::Utilities::MPI::sum(
@@ -411,6 +444,7 @@ void GasSimulation<dim>::save(const std::string &folder)
   save_leaves(mesh_, field_, folder, &maps_);
   gauges_.share();
   open_sides_.share(mesh_.communicator());
+  loads_.flush();
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
     io::write_file(folder + "/gas.bin", [&](std::ostream &out) {
       out.write(reinterpret_cast<const char *>(&time_), sizeof(time_));
@@ -422,6 +456,7 @@ void GasSimulation<dim>::save(const std::string &folder)
       gauges_.save(out);
       open_sides_.save(out);
       modelling_plan_.save(out);
+      loads_.save(out);
     });
 }
 
@@ -441,6 +476,7 @@ void GasSimulation<dim>::restore(const std::string &folder)
   gauges_.load(stream);
   open_sides_.load(stream);
   modelling_plan_.load(stream);
+  loads_.load(stream);
   mesh_changed();
   if (!stream)
     throw InputError("Checkpoint file " + folder +

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/gas/embedded_operator.h>
 #include <contrecoup/gas/finite_volume_hanging.h>
 #include <contrecoup/gas/finite_volume_kernel.h>
 #include <contrecoup/gas/leaf_operator.h>
@@ -14,7 +15,8 @@ make_finite_volume_operator(const LeafMesh<dim> &mesh,
                             const LeafLayout &layout,
                             const Scheme &scheme,
                             const GasMaterial &material,
-                            const Boundary<dim> &boundary)
+                            const Boundary<dim> &boundary,
+                            const CutLeaves<dim> *cut_leaves)
 {
   return std::visit(
     [&](const auto &gas) -> std::unique_ptr<GasOperator<dim>> {
@@ -31,6 +33,10 @@ make_finite_volume_operator(const LeafMesh<dim> &mesh,
         layout.precision,
         [&](const auto real) -> std::unique_ptr<GasOperator<dim>> {
           using Real = kernel_number<dim, std::decay_t<decltype(real)>>;
+          if constexpr (dim > 1)
+            if (cut_leaves != nullptr)
+              return std::make_unique<EmbeddedOperator<dim, Gas, Real>>(
+                mesh, layout, scheme, gas, boundary, *cut_leaves);
           return std::make_unique<
             LeafOperator<dim,
                          Gas,
@@ -48,17 +54,20 @@ make_finite_volume_operator(const LeafMesh<1> &,
                             const LeafLayout &,
                             const Scheme &,
                             const GasMaterial &,
-                            const Boundary<1> &);
+                            const Boundary<1> &,
+                            const CutLeaves<1> *);
 template std::unique_ptr<GasOperator<2>>
 make_finite_volume_operator(const LeafMesh<2> &,
                             const LeafLayout &,
                             const Scheme &,
                             const GasMaterial &,
-                            const Boundary<2> &);
+                            const Boundary<2> &,
+                            const CutLeaves<2> *);
 template std::unique_ptr<GasOperator<3>>
 make_finite_volume_operator(const LeafMesh<3> &,
                             const LeafLayout &,
                             const Scheme &,
                             const GasMaterial &,
-                            const Boundary<3> &);
+                            const Boundary<3> &,
+                            const CutLeaves<3> *);
 } // namespace contrecoup::gas

@@ -194,8 +194,17 @@ std::vector<double> PointSampler<dim>::conserved(const GasField &field) const
     if (i == 0 || place.leaf != places_[i - 1].leaf)
       leaf = field.leaf(place.leaf);
     double *value = &values[i * (nc + 1)];
+    // Points without gas do not count, unless there are no others.
+    double sum = 0.;
     for (const auto &[q, weight] : place.weights)
+      if (field.open_fraction(place.leaf, q) > 0.)
+        sum += weight;
+    const bool is_near_body = sum > 0. && sum < 1. - 1e-9;
+    for (const auto &[q, full_weight] : place.weights)
     {
+      if (is_near_body && field.open_fraction(place.leaf, q) == 0.)
+        continue;
+      const double weight = is_near_body ? full_weight / sum : full_weight;
       for (unsigned int c = 0; c < nc; ++c)
         value[c] += weight * leaf[c * n_points + q];
       value[nc] += weight * field.burned(place.leaf, q);

@@ -29,6 +29,8 @@ void TimeStepper<dim>::reinit(GasField &field)
   });
   compute_sensors(field);
   quiet_leaves_.reinit(field, operator_.driven_leaves());
+  for (const unsigned int batch : operator_.still_batches())
+    field.copy_to_stages(batch);
 }
 
 
@@ -80,6 +82,7 @@ std::optional<unsigned int> TimeStepper<dim>::try_step(GasField &field,
   Real *sensor = field.sensor<Real>();
   unsigned int target = 0;
   unphysical_leaf_ = no_leaf;
+  wall_force_.fill(0.);
   for (unsigned int s = 0; s < stages.size(); ++s)
   {
     {
@@ -101,8 +104,16 @@ std::optional<unsigned int> TimeStepper<dim>::try_step(GasField &field,
     stage.signal_rate =
       s + 1 == stages.size() ? signal_rates<Real>().data() : nullptr;
     stage.careful = careful;
+    stage.wall_force = &wall_force_;
+    for (unsigned int later = s; later < stages.size(); ++later)
+      stage.weight *= 1. - stages[later].initial_weight;
     stage.unphysical_leaf = &unphysical_leaf_;
     operator_.apply(stage, quiet_leaves_);
+    if (operator_.redistributes())
+    {
+      exchange_.update(stage.out, stage.sensor_out);
+      operator_.redistribute(stage, quiet_leaves_);
+    }
     in = field.stage<Real>(target);
     sensor = field.stage_sensor<Real>(target);
   }
@@ -136,6 +147,7 @@ TimeStepper<dim>::advance(GasField &field, const double time, const double step)
     if (target)
     {
       field.accept_stage(*target);
+      result.wall_force = wall_force_;
       return result;
     }
     if (result.retries == scheme_.largest_retries)

@@ -142,6 +142,7 @@ namespace io
              "), " + std::to_string(ranks) +
              (ranks == 1 ? " rank, " : " ranks, ") + command_.parameter_file);
     const TimerScope timer("setup");
+    simulation_.set_output_folder(folder_.path());
     if (command_.resume)
     {
       auto exempt = free_entries;

@@ -8,11 +8,15 @@
 #include <contrecoup/gas/adaptation.h>
 #include <contrecoup/gas/boundary.h>
 #include <contrecoup/gas/charge_set.h>
+#include <contrecoup/gas/cut_leaves.h>
 #include <contrecoup/gas/detonation.h>
 #include <contrecoup/gas/gas_measures.h>
 #include <contrecoup/gas/gas_operator.h>
 #include <contrecoup/gas/leaf_mesh.h>
+#include <contrecoup/gas/rigid_body.h>
 #include <contrecoup/gas/time_stepper.h>
+
+#include "run_lines.h"
 
 #include <map>
 #include <string>
@@ -45,6 +49,7 @@ public:
     ChargeSet<dim>::declare_parameters(prm);
     Boundary<dim>::declare_parameters(prm);
     AdaptationParameters::declare_parameters(prm);
+    RigidBody::declare_parameters(prm);
     std::vector<Assignment> assignments;
     for (const std::string &line : lines)
       assignments.push_back(parse_override(line));
@@ -66,6 +71,7 @@ public:
                                            scheme.kind ==
                                              Scheme::Kind::finite_volume,
                                            coarse_mesh.is_axis_aligned());
+    body.parse_parameters(prm);
     layout = LeafLayout(dim,
                         scheme.n_points,
                         dim + 2 + (material.is_ideal() ? 0 : 1),
@@ -75,11 +81,34 @@ public:
     mesh.create(coarse_mesh, scheme.precision);
     mesh.triangulation().refine_global(coarse_mesh.initial_refinement());
     mesh.rebuild();
-    gas_operator = make_gas_operator(mesh, layout, scheme, material, boundary);
+    gas_operator = make_gas_operator(mesh,
+                                     layout,
+                                     scheme,
+                                     material,
+                                     boundary,
+                                     body.empty() ? nullptr : &cut_leaves);
     stepper = std::make_unique<TimeStepper<dim>>(
       mesh, scheme, *gas_operator, QuietLeaves<dim>::parse_parameters(prm));
     adaptation = std::make_unique<Adaptation<dim>>(
       adaptation_parameters, mesh, points, material);
+    if (!body.empty())
+    {
+      adaptation->set_body(body,
+                           coarse_mesh.initial_refinement() + body.levels());
+      adaptation->refine_at_body();
+    }
+  }
+
+  /// Renews what depends on mesh and body.
+  void reinit()
+  {
+    if constexpr (dim > 1)
+      if (!body.empty())
+      {
+        cut_leaves.reinit(mesh, layout, body);
+        field.set_open_fractions(&cut_leaves.fractions());
+      }
+    stepper->reinit(field);
   }
 
   /// Halves the leaves whose centre is @p wanted.
@@ -106,7 +135,7 @@ public:
                                       near_feature,
                                       4));
     field.fill_padding(mesh.n_owned());
-    stepper->reinit(field);
+    reinit();
   }
 
   /// The gas around the charges, and these, ready to be lit.
@@ -149,7 +178,7 @@ public:
       detonation.reinit(mesh, points, charges);
       field.set_burn(&detonation.burn(), time);
     }
-    stepper->reinit(field);
+    reinit();
     return true;
   }
 
@@ -178,56 +207,16 @@ public:
   Detonation<dim> detonation;
   ReferenceSolution<dim> reference;
   Boundary<dim> boundary;
+  RigidBody body;
   AdaptationParameters adaptation_parameters;
   LeafMesh<dim> mesh;
   LeafLayout layout;
   LeafPoints<dim> points;
+  CutLeaves<dim> cut_leaves;
   GasField field;
   std::unique_ptr<GasOperator<dim>> gas_operator;
   std::unique_ptr<TimeStepper<dim>> stepper;
   std::unique_ptr<Adaptation<dim>> adaptation;
   double time = 0.;
 };
-
-
-/// Lines joined to one list.
-inline std::vector<std::string> operator+(std::vector<std::string> a,
-                                          const std::vector<std::string> &b)
-{
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
-}
-
-
-/// Lines for finite volumes with @p n subcells a side.
-inline std::vector<std::string> finite_volume(const unsigned int n)
-{
-  return {"Method/Scheme=finite volume",
-          "Method/Subcells=" + std::to_string(n),
-          std::string("Method/Reconstruction=") +
-            (n == 1 ? "constant" : "linear")};
-}
-
-
-/// Lines for a Galerkin scheme.
-inline std::vector<std::string> galerkin(const unsigned int degree)
-{
-  return {"Method/Scheme=discontinuous galerkin",
-          "Method/Degree=" + std::to_string(degree),
-          "Method/Time stepping=ssp rk3"};
-}
-
-
-/// Lines for a mixture of TNT products and air.
-inline std::vector<std::string> products_in_air()
-{
-  return {"Material/Equation of state=jwl in air", "Material/Explosive=tnt"};
-}
-
-
-/// Numbers between -1 and 1 that look irregular, the same on every rank.
-inline double ripple(const double x, const unsigned int seed)
-{
-  return std::sin(6.283185307179586 * x * (1 + seed % 3) + 1.7 * seed);
-}
 } // namespace contrecoup::gas

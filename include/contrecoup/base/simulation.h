@@ -91,6 +91,10 @@ public:
   /// Writes mesh and state into the existing @p folder.
   virtual void save(const std::string &folder) = 0;
 
+  /// Says where the run keeps its results, before setup() or restore().
+  virtual void set_output_folder(const std::string & /*folder*/)
+  {}
+
   /// Simulated time [s].
   virtual double time() const = 0;
 

@@ -5,6 +5,8 @@
 
 #include <contrecoup/coupling/first_stage.h>
 
+#include <optional>
+
 namespace contrecoup::coupling
 {
 /**
@@ -26,6 +28,10 @@ public:
   void parse_parameters(ParameterHandler &prm);
 
   CostEstimate estimate() override;
+  void set_output_folder(const std::string &folder) override
+  {
+    scene_.set_output_folder(folder);
+  }
   void setup() override;
   void restore(const std::string &folder) override;
   void save(const std::string &folder) override;
@@ -66,5 +72,7 @@ private:
   std::unique_ptr<FirstStage<dim>> first_; ///< nullptr after it
   double hand_over_time_ = 0.;             ///< [s]
   double hand_over_radius_ = 0.;           ///< [m]
+  /// In the domain, once it was asked for [m^dim].
+  std::optional<double> body_volume_;
 };
 } // namespace contrecoup::coupling

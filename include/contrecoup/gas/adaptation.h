@@ -7,6 +7,7 @@
 #include <contrecoup/gas/gas_field.h>
 #include <contrecoup/gas/leaf_transfer.h>
 #include <contrecoup/gas/quiet_leaves.h>
+#include <contrecoup/gas/rigid_body.h>
 #include <contrecoup/gas/size_limits.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -102,6 +103,18 @@ public:
   /// true, without carrying the field over. Returns whether any was.
   bool refine_where(const std::function<bool(const unsigned int leaf)> &wanted);
 
+  /// Leaves that meet the surface of @p body, and those within one such leaf
+  /// of it, shall be of level @p level, neither more nor less; the body must
+  /// outlive this object.
+  void set_body(const RigidBody &body, const unsigned int level)
+  {
+    body_ = &body;
+    body_level_ = level;
+  }
+
+  /// Halves the leaves at the body until they have their level.
+  void refine_at_body();
+
   /// Halves the leaves in the fine box until they have its level.
   void refine_fine_box();
 
@@ -118,6 +131,7 @@ private:
   bool adapt_now(GasField &field, BlastMaps<dim> &maps);
   /// Levels that a leaf may have.
   SizeLimits::Levels levels(const unsigned int leaf) const;
+  bool is_at_body(const unsigned int leaf) const;
   bool is_in_fine_box(const dealii::Point<dim> &place) const;
   void weigh_leaves();
   /// What a leaf costs that persists, is merged or halved, in parts of the
@@ -140,6 +154,8 @@ private:
   LeafMesh<dim> &mesh_;
   const LeafPoints<dim> points_;
   const GasMaterial material_;
+  const RigidBody *body_ = nullptr;
+  unsigned int body_level_ = 0;
   double time_ = 0.; ///< [s]
   QuietLeaves<dim> *quiet_leaves_ = nullptr;
   boost::signals2::scoped_connection weights_;

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <contrecoup/base/lane_math.h>
 #include <contrecoup/gas/leaf_kernel.h>
 #include <contrecoup/gas/radial_weights.h>
 
@@ -18,7 +19,7 @@ namespace contrecoup::gas
  * leaves only.
  */
 template <int dim, typename Gas, typename Real = double>
-class FiniteVolumeKernel : private LeafKernel<dim, Gas, Real>
+class FiniteVolumeKernel : protected LeafKernel<dim, Gas, Real>
 {
 public:
   using Base = LeafKernel<dim, Gas, Real>;
@@ -40,7 +41,7 @@ public:
   /// Computes only sensor and signal rate of the state stage.out.
   void analyse(const unsigned int batch, const BasicStage<Real> &stage);
 
-private:
+protected:
   using Base::batch_;
   using Base::gas_;
   using Base::layout_;
@@ -60,11 +61,35 @@ private:
                        const unsigned int line,
                        const HangingData<dim, Real> &hanging);
   void fill_compression(const unsigned int direction, const unsigned int line);
+  /// Traces at the faces of the line. Differences between cells whose common
+  /// face has no gas, touch_ = 0, do not count if @p masked.
+  template <bool masked>
   void reconstruct();
   void line_fluxes(const unsigned int direction);
   void add_flux_differences(const unsigned int direction,
                             const unsigned int line);
   void finish(const BasicStage<Real> &stage);
+  /// Notes lanes without a positive number as unphysical.
+  void report(const Number &smallest, const BasicStage<Real> &stage) const;
+  /// Padding lanes copy the first, so that they never overflow.
+  void fill_padding(Real *out) const;
+  /// One where there is gas between cells face - 1 and face of the line, from
+  /// -1 to n + 1, else zero.
+  Number &touch(const int face)
+  {
+    return touch_[face + 1];
+  }
+  /// Largest positive jump of the pressure between neighbouring points beyond
+  /// a tenth of it, in compressed gas; @p weight(direction, point) is its
+  /// factor between point and the next.
+  template <typename Weight>
+  Number largest_jump(const Weight &weight) const;
+  /// Largest signal rate of the points that are loaded; their pressures
+  /// become those that unburned explosive exerts.
+  Number largest_rate(const BasicStage<Real> &stage);
+  void store_sensors(const Number &rate,
+                     const Number &jump,
+                     const BasicStage<Real> &stage) const;
 
   /// Cells of the line from -2 to n + 1, velocity in the frame of the line.
   Values &cell(const int i)
@@ -80,5 +105,31 @@ private:
   dealii::AlignedVector<Values> right_;       ///< trace right of each face
   dealii::AlignedVector<Values> flux_;        ///< at each face of the line
   dealii::AlignedVector<Number> compression_; ///< cells -1 to n, transverse
+  dealii::AlignedVector<Number> touch_;       ///< see touch()
 };
+
+
+template <int dim, typename Gas, typename Real>
+template <typename Weight>
+inline typename FiniteVolumeKernel<dim, Gas, Real>::Number
+FiniteVolumeKernel<dim, Gas, Real>::largest_jump(const Weight &weight) const
+{
+  const double threshold = 0.1;
+  Number shock(0.);
+  for (unsigned int d = 0; d < dim; ++d)
+  {
+    const unsigned int s = layout_.stride(d);
+    for (unsigned int q = 0; q < layout_.n_points; ++q)
+      if ((q / s) % layout_.n + 1 < layout_.n)
+      {
+        const Number *p = &primitive_[C::energy * layout_.n_points + q];
+        const Number *u = &primitive_[(C::momentum + d) * layout_.n_points + q];
+        const Number jump =
+          (std::abs(p[s] - p[0]) - std::min(p[0], p[s]) * threshold) *
+          weight(d, q);
+        shock = std::max(shock, select_less(u[s], u[0], jump, Number(0.)));
+      }
+  }
+  return shock;
+}
 } // namespace contrecoup::gas

@@ -6,6 +6,7 @@
 #include <contrecoup/gas/burn.h>
 #include <contrecoup/gas/ghost_exchange.h>
 #include <contrecoup/gas/leaf_layout.h>
+#include <contrecoup/gas/open_fractions.h>
 
 #include <deal.II/base/aligned_vector.h>
 
@@ -117,6 +118,23 @@ public:
     return burn_ == nullptr ? pressure : burn_->pressure(pressure, burned);
   }
 
+  /// Says where a rigid body leaves less room for gas; null: nowhere. Holds
+  /// until the mesh changes.
+  void set_open_fractions(const OpenFractions *open_fractions)
+  {
+    open_fractions_ = open_fractions;
+  }
+  /// Null where there is no body.
+  const OpenFractions *open_fractions() const
+  {
+    return open_fractions_;
+  }
+  /// The part of a point's volume that is gas [-].
+  double open_fraction(const unsigned int leaf, const unsigned int point) const
+  {
+    return open_fractions_ == nullptr ? 1. : (*open_fractions_)(leaf, point);
+  }
+
   /// Makes padding lanes and unused ghosts copies of leaf 0: valid states.
   void fill_padding(const unsigned int n_owned);
 
@@ -161,6 +179,7 @@ private:
   LeafLayout layout_;
   const Burn *burn_ = nullptr;
   double time_ = 0.;
+  const OpenFractions *open_fractions_ = nullptr;
   std::tuple<Copies<double>, Copies<float>> copies_;
 };
 

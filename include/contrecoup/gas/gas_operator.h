@@ -14,6 +14,9 @@
 
 namespace contrecoup::gas
 {
+template <int dim>
+class CutLeaves;
+
 /**
  * The spatial discretisation of one scheme, for the leaves of this rank:
  * what the time stepping needs of it, without templates on scheme or
@@ -40,6 +43,30 @@ public:
     Assert(false, dealii::ExcInternalError());
   }
 
+  /// Whether stages end with redistribute(), on every rank alike.
+  virtual bool redistributes() const
+  {
+    return false;
+  }
+
+  /// Completes what apply() began in cells that a body cuts: shares the
+  /// change of small ones with their neighbours, conservatively. The ghosts
+  /// of stage.out must be up to date.
+  virtual void redistribute(const BasicStage<double> &, QuietLeaves<dim> &)
+  {
+    Assert(false, dealii::ExcInternalError());
+  }
+  virtual void redistribute(const BasicStage<float> &, QuietLeaves<dim> &)
+  {
+    Assert(false, dealii::ExcInternalError());
+  }
+
+  /// Batches that stages never touch, because they hold no gas.
+  virtual std::vector<unsigned int> still_batches() const
+  {
+    return {};
+  }
+
   /// Computes stage.sensor_out and stage.signal_rate of stage.out.
   virtual void analyse(const BasicStage<double> &)
   {
@@ -56,14 +83,16 @@ public:
 };
 
 /// The operator that @p scheme and @p material ask for; the arguments must
-/// outlive it.
+/// outlive it. Finite volumes on boxes go around the body of @p cut_leaves;
+/// null: there is none.
 template <int dim>
 std::unique_ptr<GasOperator<dim>>
 make_gas_operator(const LeafMesh<dim> &mesh,
                   const LeafLayout &layout,
                   const Scheme &scheme,
                   const GasMaterial &material,
-                  const Boundary<dim> &boundary);
+                  const Boundary<dim> &boundary,
+                  const CutLeaves<dim> *cut_leaves = nullptr);
 
 /// Makes finite-volume operators; see make_gas_operator().
 template <int dim>
@@ -72,7 +101,8 @@ make_finite_volume_operator(const LeafMesh<dim> &mesh,
                             const LeafLayout &layout,
                             const Scheme &scheme,
                             const GasMaterial &material,
-                            const Boundary<dim> &boundary);
+                            const Boundary<dim> &boundary,
+                            const CutLeaves<dim> *cut_leaves);
 
 /// Makes discontinuous Galerkin operators; see make_gas_operator().
 template <int dim>

@@ -7,6 +7,7 @@
 #include <contrecoup/gas/gas_field.h>
 #include <contrecoup/gas/leaf_points.h>
 #include <contrecoup/gas/leaf_sampling.h>
+#include <contrecoup/io/field_output.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -35,9 +36,10 @@ public:
   }
 
   /**
-   * Writes density, velocity, pressure, level, sensor and, unless they are
-   * empty, the maps of all leaves as VTU, and the planes as arrays; planes
-   * of maps replace those of earlier outputs. Collective.
+   * Writes density, velocity, pressure, level, sensor, the open fraction
+   * beside a body and, unless they are empty, the maps of all leaves as VTU,
+   * and the planes as arrays; planes of maps replace those of earlier outputs.
+   * Collective.
    * @return the file for the .pvd collection
    */
   std::string write(const std::string &folder,
@@ -62,6 +64,9 @@ private:
     double position; ///< [m]
   };
 
+  std::vector<io::FieldName> field_names(const GasField &field,
+                                         const GasMaterial &material,
+                                         const BlastMaps<dim> &maps) const;
   std::string write_leaves(const std::string &folder,
                            const unsigned int index,
                            const double time,

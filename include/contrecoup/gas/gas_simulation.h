@@ -9,6 +9,7 @@
 #include <contrecoup/gas/blast_maps.h>
 #include <contrecoup/gas/boundary.h>
 #include <contrecoup/gas/charge_set.h>
+#include <contrecoup/gas/cut_leaves.h>
 #include <contrecoup/gas/detonation.h>
 #include <contrecoup/gas/gas_field.h>
 #include <contrecoup/gas/gas_operator.h>
@@ -23,8 +24,10 @@
 #include <contrecoup/gas/profile.h>
 #include <contrecoup/gas/profile_mapping.h>
 #include <contrecoup/gas/reference_solution.h>
+#include <contrecoup/gas/rigid_body.h>
 #include <contrecoup/gas/scheme.h>
 #include <contrecoup/gas/time_stepper.h>
+#include <contrecoup/gas/wall_loads.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -41,6 +44,10 @@ public:
   void parse_parameters(dealii::ParameterHandler &prm);
 
   CostEstimate estimate() override;
+  void set_output_folder(const std::string &folder) override
+  {
+    loads_.set_folder(folder);
+  }
   void setup() override;
   void restore(const std::string &folder) override;
   void save(const std::string &folder) override;
@@ -87,6 +94,10 @@ public:
   /// The state before anything happened.
   GasState<dim> ambient() const;
 
+  /// Volume that the body takes up in the domain, as the cells have it
+  /// [m^dim]. Builds and forgets the octree. Collective.
+  double body_volume();
+
   const CoarseMesh<dim> &coarse_mesh() const
   {
     return coarse_mesh_;
@@ -123,7 +134,17 @@ public:
 
 private:
   void parse_afterburn(ParameterHandler &prm);
+  /// @throws InputError when the body does not go with the rest.
+  void parse_body(ParameterHandler &prm);
   void create_octree();
+  /// Halves leaves wherever the parameters, not the state, say so.
+  void refine_octree();
+  /// Finds how the body cuts the leaves.
+  void cut_leaves();
+  /// Gives gas at rest to cells without gas.
+  /// @throws InputError when the body leaves no gas, lies outside of the
+  /// domain, or in a charge.
+  void fill_closed_cells();
   /// Returns lines for the log about what it made.
   std::vector<std::string> set_initial_state();
   bool wants_initial_refinement(const unsigned int leaf) const;
@@ -150,6 +171,8 @@ private:
   Afterburn afterburn_;
   ReferenceSolution<dim> reference_;
   Boundary<dim> boundary_;
+  RigidBody body_;
+  WallLoads<dim> loads_;
   AdaptationParameters adaptation_parameters_;
   ProbeSet<dim> probes_;
   GaugeRasters<dim> gauges_;
@@ -162,6 +185,7 @@ private:
   LeafMesh<dim> mesh_;
   LeafLayout layout_;
   LeafPoints<dim> points_;
+  CutLeaves<dim> cut_leaves_; ///< unused without a body
   GasField field_;
   BlastMaps<dim> maps_; ///< empty unless wanted
   std::unique_ptr<GasOperator<dim>> operator_;

@@ -46,13 +46,7 @@ public:
              QuietLeaves<dim> &quiet_leaves) override
   {
     quiet_leaves.begin_stage(stage.in);
-    for (const auto &group : groups_)
-      if (std::any_of(group.face.begin(),
-                      group.face.begin() + group.n_filled,
-                      [&](const unsigned int face) {
-                        return quiet_leaves.is_active_face(face);
-                      }))
-        hanging_kernel_.compute(group, stage, hanging_);
+    compute_hanging_faces(stage, quiet_leaves);
     for (unsigned int batch = 0; batch < mesh_.n_batches(); ++batch)
       if (quiet_leaves.is_active(batch))
       {
@@ -80,13 +74,27 @@ public:
     return result;
   }
 
-private:
+protected:
+  void compute_hanging_faces(const BasicStage<Real> &stage,
+                             const QuietLeaves<dim> &quiet_leaves)
+  {
+    for (const auto &group : groups_)
+      if (std::any_of(group.face.begin(),
+                      group.face.begin() + group.n_filled,
+                      [&](const unsigned int face) {
+                        return quiet_leaves.is_active_face(face);
+                      }))
+        hanging_kernel_.compute(group, stage, hanging_);
+  }
+
   const LeafMesh<dim> &mesh_;
   const LeafLayout layout_;
   Kernel kernel_;
+  HangingData<dim, Real> hanging_;
+
+private:
   HangingKernel hanging_kernel_;
   const Boundary<dim> &boundary_;
   std::vector<HangingGroup<dim>> groups_;
-  HangingData<dim, Real> hanging_;
 };
 } // namespace contrecoup::gas

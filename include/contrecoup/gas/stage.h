@@ -42,6 +42,12 @@ struct BasicStage
   /// Whether finite volumes bound their velocity slopes by the energy of each
   /// subcell: needed where a step failed without, and first order in cold gas.
   bool careful = false;
+  /// Part that this stage's rate of change has in that of the step [-].
+  double weight = 1.;
+  /// The gas's force on a body's wall [N; in 2-D per metre of depth] and the
+  /// wall's area vector [m^2] in the leaves that are computed, times weight,
+  /// are added. May be null.
+  std::array<double, 6> *wall_force = nullptr;
   /// Set to the number of a leaf whose new state is not physical.
   unsigned int *unphysical_leaf = nullptr;
 };

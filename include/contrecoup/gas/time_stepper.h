@@ -57,6 +57,8 @@ public:
     /// unphysical; its state is in stage 0 of the field.
     std::optional<unsigned int> unphysical_leaf;
     bool failed = false; ///< on any rank
+    /// Mean of Stage::wall_force over the step, on this rank.
+    std::array<double, 6> wall_force = {};
   };
 
   /// Goes ahead by @p step [s] or, after retries, by less. Collective.
@@ -113,5 +115,6 @@ private:
     signal_rates_;
   QuietLeaves<dim> quiet_leaves_;
   unsigned int unphysical_leaf_ = no_leaf;
+  std::array<double, 6> wall_force_; ///< see Result
 };
 } // namespace contrecoup::gas

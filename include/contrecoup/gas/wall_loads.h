@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/simulation.h>
+#include <contrecoup/gas/blast_record.h>
+#include <contrecoup/gas/cut_leaves.h>
+#include <contrecoup/gas/gas_field.h>
+#include <contrecoup/gas/quiet_leaves.h>
+#include <contrecoup/materials/gas_material.h>
+#include <contrecoup/numerics/riemann_flux.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace contrecoup::gas
+{
+/**
+ * The pressure of the gas on a rigid body, recorded as the run goes. The
+ * facets are the pieces of the surface in the cells that it cuts; the pressure
+ * on one is that of the Riemann problem between the gas in its cell and the
+ * mirror image. Written to loads.h5, see io::LoadFile.
+ *
+ * Audits itself: force and impulse of all facets against what the scheme took
+ * from the gas.
+ */
+template <int dim>
+class WallLoads
+{
+public:
+  /// Declares subsection "Loads".
+  static void declare_parameters(dealii::ParameterHandler &prm);
+
+  /// @throws InputError when there is no body to record the loads of.
+  void parse_parameters(dealii::ParameterHandler &prm, const RigidBody &body);
+
+  bool active() const
+  {
+    return active_;
+  }
+
+  /// @param pressure ambient [Pa]
+  void set_ambient(const double pressure)
+  {
+    ambient_ = pressure;
+  }
+  void set_folder(const std::string &folder)
+  {
+    file_ = folder + "/loads.h5";
+  }
+
+  /// Finds the facets. Call when the mesh changed. Collective.
+  void reinit(const LeafMesh<dim> &mesh,
+              const LeafLayout &layout,
+              const CutLeaves<dim> &cut_leaves,
+              const RigidBody &body);
+
+  /// Takes the state at the end of a step. Collective.
+  /// @param wall_force of the step, see TimeStepper::Result
+  void add(const GasField &field,
+           const GasMaterial &material,
+           const RiemannFlux flux,
+           const double time,
+           const double step,
+           const QuietLeaves<dim> &quiet_leaves,
+           const std::array<double, 6> &wall_force);
+
+  /// Writes what is still in memory. Collective.
+  void flush();
+
+  /// What is known so far, for checkpoints; call flush() before save().
+  void save(std::ostream &stream) const;
+  void load(std::istream &stream);
+
+  /// Number and area of the facets, impulses and the audit.
+  std::vector<NamedValue> audit() const;
+
+private:
+  /// A facet in the leaves of this rank.
+  struct Facet
+  {
+    unsigned int leaf;
+    unsigned int point;
+    std::size_t number;          ///< among those of all ranks
+    dealii::Tensor<1, dim> area; ///< vector, into the body [m^(dim-1)]
+  };
+  /// What is known of a facet.
+  struct Record
+  {
+    BlastRecord<double> blast;
+    double sum = 0.;         ///< integral of the sample that is going on [Pa s]
+    double last = 0.;        ///< overpressure at the end of the last step [Pa]
+    double sample_peak = 0.; ///< largest sample so far [Pa]
+  };
+  /// The whole run so far.
+  struct Totals
+  {
+    double sample_begin = 0.;                             ///< [s]
+    double n_times = 0.;                                  ///< that the file has
+    std::array<double, 3> facet_impulse = {{0., 0., 0.}}; ///< [N s]
+    std::array<double, 3> gas_impulse = {{0., 0., 0.}};   ///< [N s]
+    double largest_force = 0.;                            ///< [N]
+    double largest_difference = 0.; ///< between facets and gas [N]
+    double time = 0.;               ///< [s]
+    /// Largest part of a facet's peak that no sample shows, among those with
+    /// a twentieth of the highest peak at least [-].
+    double peak_loss = 0.;
+  };
+
+  /// Makes every rank know the records of all facets. Collective.
+  void share();
+  /// A number that tells the cell apart from all others.
+  static std::uint64_t key_of(const dealii::Point<dim> &place,
+                              const dealii::Tensor<1, dim> &size,
+                              const CoarseMesh<dim> &domain);
+  void add_facets(const unsigned int leaf,
+                  const LeafMesh<dim> &mesh,
+                  const LeafLayout &layout,
+                  const CutLeaves<dim> &cut_leaves,
+                  const RigidBody &body,
+                  std::vector<std::uint64_t> &keys,
+                  std::vector<double> &geometry);
+  void number_facets(const std::vector<std::uint64_t> &keys,
+                     const std::vector<double> &geometry);
+  template <typename Gas>
+  double wall_pressure(const Facet &facet,
+                       const GasField &field,
+                       const Gas &gas,
+                       const RiemannFlux flux) const;
+  void add_forces(const std::array<double, 3> &facet_force,
+                  const std::array<double, 6> &wall_force,
+                  const double step);
+  void end_sample(const double time);
+  void create_file() const;
+  void write_measures();
+
+  bool active_ = false;
+  double interval_ = 0.; ///< of samples [s]; 0: every step
+  double ambient_ = 0.;  ///< [Pa]
+  std::string file_;
+  bool has_file_ = false;
+  MPI_Comm communicator_ = MPI_COMM_SELF;
+
+  std::vector<std::uint64_t> keys_; ///< places of all facets, in order
+  std::vector<double> geometry_;    ///< of all: centroid and area vector
+  std::vector<Facet> facets_;       ///< of this rank
+  std::vector<Record> records_;     ///< of all; up to date for this rank's
+  Totals totals_;
+  std::vector<double> times_;  ///< not yet in the file [s]
+  std::vector<float> samples_; ///< [time][facet], zero for other ranks' [Pa]
+};
+} // namespace contrecoup::gas

@@ -1,0 +1,393 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/gas/cut_cell.h>
+#include <contrecoup/gas/cut_leaves.h>
+#include <contrecoup/gas/gas_measures.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace contrecoup::gas
+{
+namespace
+{
+  /// A grid of values at the corners or centres of subcells, and where they
+  /// are.
+  template <int dim>
+  struct Grid
+  {
+    Grid(const LeafBox<dim> &box,
+         const unsigned int n_cells,
+         const double shift,
+         const unsigned int n,
+         const RigidBody &body)
+      : n(n)
+    {
+      const double smallest = box.extents.norm() / n_cells * 1e-12;
+      values.resize(dealii::Utilities::pow(n, dim));
+      for (unsigned int i = 0; i < values.size(); ++i)
+      {
+        dealii::Point<dim> place = box.origin;
+        unsigned int rest = i;
+        for (unsigned int d = 0; d < dim; ++d)
+        {
+          place[d] += box.extents[d] * ((rest % n + shift) / n_cells);
+          rest /= n;
+        }
+        const double value = body.value(place);
+        values[i] = std::abs(value) < smallest ? 0. : value;
+      }
+    }
+
+    /// Index of the value at these places along the directions.
+    unsigned int index(const std::array<unsigned int, dim> &place) const
+    {
+      unsigned int result = 0;
+      for (unsigned int d = dim; d-- > 0;)
+        result = result * n + place[d];
+      return result;
+    }
+
+    unsigned int n;
+    std::vector<double> values;
+  };
+
+
+  template <int dim>
+  std::array<unsigned int, dim> places_of(unsigned int q, const unsigned int n)
+  {
+    std::array<unsigned int, dim> result;
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      result[d] = q % n;
+      q /= n;
+    }
+    return result;
+  }
+
+
+  /// What tells leaves apart: corner and edge lengths.
+  template <int dim>
+  std::array<double, 2 * dim> place_of(const LeafBox<dim> &box)
+  {
+    std::array<double, 2 * dim> result;
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      result[d] = box.origin[d];
+      result[dim + d] = box.extents[d];
+    }
+    return result;
+  }
+
+
+  template <typename Function>
+  void for_each_face(const LeafLayout &layout,
+                     const unsigned int direction,
+                     const Function &function)
+  {
+    for (unsigned int layer = 0; layer <= layout.n; ++layer)
+      for (unsigned int line = 0; line < layout.n_face_points; ++line)
+        // The cell above the face, or the one below the last layer.
+        function(layer,
+                 layer * layout.n_face_points + line,
+                 layout.face_point(
+                   2 * direction, line, std::min(layer, layout.n - 1)));
+  }
+} // namespace
+
+
+template <int dim>
+bool CutLeaves<dim>::Shape::is_open() const
+{
+  const auto all_one = [](const std::vector<double> &values) {
+    return std::all_of(
+      values.begin(), values.end(), [](const double x) { return x == 1.; });
+  };
+  return all_one(fraction) &&
+         std::all_of(opening.begin(), opening.end(), all_one);
+}
+
+
+template <int dim>
+void CutLeaves<dim>::reinit(const LeafMesh<dim> &mesh,
+                            const LeafLayout &layout,
+                            const RigidBody &body)
+{
+  mesh_ = &mesh;
+  body_ = &body;
+  layout_ = layout;
+  measure_all();
+  find_neighbors();
+  choose_directions();
+  share(directions_);
+  find_neighborhoods();
+  share(memberships_);
+  classify_batches();
+}
+
+
+template <int dim>
+void CutLeaves<dim>::measure_all()
+{
+  const unsigned int n_stored = mesh_->n_stored_batches() * mesh_->width();
+  fractions_.reinit(n_stored, layout_.n_points);
+  shape_of_.assign(n_stored, -1);
+  former_shapes_.swap(shapes_);
+  former_places_.swap(place_of_shape_);
+  shapes_.clear();
+  place_of_shape_.clear();
+  for (unsigned int leaf = 0; leaf < mesh_->n_owned(); ++leaf)
+    measure(leaf_box(*mesh_, leaf), leaf);
+  for (const auto &cell : mesh_->triangulation().active_cell_iterators())
+    if (cell->is_ghost() && mesh_->leaf_of(cell) != no_leaf)
+    {
+      LeafBox<dim> box;
+      box.origin = cell->vertex(0);
+      box.extents = cell->vertex((1U << dim) - 1) - cell->vertex(0);
+      measure(box, mesh_->leaf_of(cell));
+    }
+  former_shapes_.clear();
+  former_places_.clear();
+}
+
+
+template <int dim>
+void CutLeaves<dim>::measure(const LeafBox<dim> &box, const unsigned int leaf)
+{
+  const double radius =
+    box.extents.norm() * (0.5 + 1. / layout_.n) * (1. + 1e-9);
+  const double value =
+    body_->value(dealii::Point<dim>(box.origin + box.extents * 0.5));
+  if (value > radius)
+    return;
+  if (value < -radius)
+  {
+    fractions_.close(leaf);
+    return;
+  }
+  Shape shape = shape_in(box);
+  if (shape.is_open())
+    return;
+  const auto &parts = shape.fraction;
+  if (*std::max_element(parts.begin(), parts.end()) == 0.)
+  {
+    fractions_.close(leaf);
+    return;
+  }
+  fractions_.set(leaf, parts);
+  shape_of_[leaf] = static_cast<int>(shapes_.size());
+  place_of_shape_[place_of(box)] = shapes_.size();
+  shapes_.push_back(std::move(shape));
+}
+
+
+template <int dim>
+typename CutLeaves<dim>::Shape CutLeaves<dim>::shape_in(const LeafBox<dim> &box)
+{
+  const auto known = former_places_.find(place_of(box));
+  if (known != former_places_.end())
+    return std::move(former_shapes_[known->second]);
+  return treatment() == RigidBody::Treatment::embedded ? cut_shape(box)
+                                                       : staircase_shape(box);
+}
+
+
+template <int dim>
+typename CutLeaves<dim>::Shape
+CutLeaves<dim>::cut_shape(const LeafBox<dim> &box) const
+{
+  constexpr unsigned int n_corners = 1U << dim;
+  const Grid<dim> grid(box, layout_.n, 0., layout_.n + 1, *body_);
+  std::array<unsigned int, n_corners> corner;
+  for (unsigned int v = 0; v < n_corners; ++v)
+    corner[v] = grid.index(places_of<dim>(v, 2));
+  Shape shape;
+  for (unsigned int q = 0; q < layout_.n_points; ++q)
+  {
+    const unsigned int first = grid.index(places_of<dim>(q, layout_.n));
+    std::array<double, n_corners> values;
+    for (unsigned int v = 0; v < n_corners; ++v)
+      values[v] = grid.values[first + corner[v]];
+    // No smaller number, so that changes can be divided by it.
+    const double part = positive_part<n_corners>(values);
+    shape.fraction.push_back(part > 0. ? std::max(part, 1e-14) : 0.);
+  }
+  for (unsigned int d = 0; d < dim; ++d)
+    for_each_face(
+      layout_,
+      d,
+      [&](const unsigned int layer, unsigned int, const unsigned int q) {
+        auto place = places_of<dim>(q, layout_.n);
+        place[d] = layer;
+        const unsigned int first = grid.index(place);
+        std::array<double, n_corners / 2> values;
+        for (unsigned int v = 0; v < n_corners / 2; ++v)
+          values[v] =
+            grid.values[first + corner[face_corner<dim>(2 * d, v % 2, v / 2)]];
+        shape.opening[d].push_back(positive_part<n_corners / 2>(values));
+      });
+  return shape;
+}
+
+
+template <int dim>
+typename CutLeaves<dim>::Shape
+CutLeaves<dim>::staircase_shape(const LeafBox<dim> &box) const
+{
+  // Centres from one before the first to one behind the last.
+  const Grid<dim> grid(box, layout_.n, -0.5, layout_.n + 2, *body_);
+  const auto is_open = [&](std::array<unsigned int, dim> place) {
+    for (unsigned int &i : place)
+      ++i;
+    return grid.values[grid.index(place)] > 0. ? 1. : 0.;
+  };
+  Shape shape;
+  for (unsigned int q = 0; q < layout_.n_points; ++q)
+    shape.fraction.push_back(is_open(places_of<dim>(q, layout_.n)));
+  for (unsigned int d = 0; d < dim; ++d)
+    for_each_face(
+      layout_,
+      d,
+      [&](const unsigned int layer, unsigned int, const unsigned int q) {
+        auto place = places_of<dim>(q, layout_.n);
+        place[d] = layer;
+        auto below = place;
+        --below[d];
+        shape.opening[d].push_back(is_open(place) * is_open(below));
+      });
+  return shape;
+}
+
+
+template <int dim>
+void CutLeaves<dim>::find_neighbors()
+{
+  neighbors_.clear();
+  for (unsigned int leaf = 0; leaf < mesh_->n_owned(); ++leaf)
+  {
+    const unsigned int batch = leaf / mesh_->width();
+    bool is_near = shape(leaf) != nullptr;
+    for (unsigned int face = 0; face < 2 * dim; ++face)
+      is_near =
+        is_near || shape(mesh_->neighbors(batch, face)[leaf % mesh_->width()]);
+    if (is_near)
+      connect(leaf);
+  }
+}
+
+
+template <int dim>
+void CutLeaves<dim>::connect(const unsigned int leaf)
+{
+  const unsigned int batch = leaf / mesh_->width();
+  const unsigned int lane = leaf % mesh_->width();
+  std::array<unsigned int, 2 * dim> neighbors;
+  for (unsigned int face = 0; face < 2 * dim; ++face)
+    neighbors[face] = mesh_->neighbors(batch, face)[lane];
+  for (auto s = mesh_->special_begin(batch); s != mesh_->special_end(batch);
+       ++s)
+    if (s->lane == lane)
+    {
+      neighbors[s->face] = no_leaf;
+      if (s->kind != SpecialFace::Kind::boundary && shape(leaf) != nullptr)
+      {
+        std::ostringstream message;
+        message
+          << "Rigid body: its surface cuts the leaf around "
+          << mesh_->cell(leaf)->center()
+          << " m, which has neighbours of another size; Rigid body/Levels "
+             "must make all leaves there equal";
+        throw InputError(message.str());
+      }
+    }
+  neighbors_[leaf] = neighbors;
+  for (unsigned int face = 0; face < 2 * dim; ++face)
+    if (neighbors[face] != no_leaf && neighbors[face] >= mesh_->first_ghost())
+    {
+      std::array<unsigned int, 2 * dim> none;
+      none.fill(no_leaf);
+      neighbors_.try_emplace(neighbors[face], none).first->second[face ^ 1U] =
+        leaf;
+    }
+}
+
+
+template <int dim>
+unsigned int CutLeaves<dim>::line_of(const unsigned int point,
+                                     const unsigned int d) const
+{
+  const unsigned int s = layout_.stride(d);
+  return point % s + point / (s * layout_.n) * s;
+}
+
+
+template <int dim>
+double CutLeaves<dim>::opening(const Cell &cell, const unsigned int face) const
+{
+  const Shape *here = shape(cell.leaf);
+  if (here == nullptr)
+    return fractions_.is_open(cell.leaf) ? 1. : 0.;
+  const unsigned int d = face / 2;
+  const unsigned int layer =
+    cell.point / layout_.stride(d) % layout_.n + face % 2;
+  return here
+    ->opening[d][layer * layout_.n_face_points + line_of(cell.point, d)];
+}
+
+
+template <int dim>
+double CutLeaves<dim>::inner_opening_beyond(const unsigned int leaf,
+                                            const unsigned int face,
+                                            const unsigned int line) const
+{
+  const auto found = neighbors_.find(leaf);
+  if (found == neighbors_.end() || found->second[face] == no_leaf)
+    return 1.;
+  return opening({found->second[face], layout_.face_point(face ^ 1U, line, 0)},
+                 face);
+}
+
+
+template <int dim>
+bool CutLeaves<dim>::reads_cut(const unsigned int leaf) const
+{
+  if (neighbors_.find(leaf) == neighbors_.end())
+    return false;
+  for (unsigned int face = 0; face < 2 * dim; ++face)
+    for (unsigned int line = 0; line < layout_.n_face_points; ++line)
+      if (inner_opening_beyond(leaf, face, line) == 0.)
+        return true;
+  return false;
+}
+
+
+template <int dim>
+void CutLeaves<dim>::classify_batches()
+{
+  batch_kind_.assign(mesh_->n_batches(), BatchKind::open);
+  for (unsigned int batch = 0; batch < mesh_->n_batches(); ++batch)
+  {
+    unsigned int n_closed = 0;
+    bool is_cut = false;
+    for (unsigned int lane = 0; lane < mesh_->n_filled_lanes(batch); ++lane)
+    {
+      const unsigned int leaf = batch * mesh_->width() + lane;
+      if (fractions_.is_closed(leaf))
+        ++n_closed;
+      else
+        is_cut = is_cut || shape(leaf) != nullptr || reads_cut(leaf) ||
+                 memberships_.count(leaf) > 0;
+    }
+    if (n_closed == mesh_->n_filled_lanes(batch))
+      batch_kind_[batch] = BatchKind::closed;
+    else if (is_cut || n_closed > 0)
+      batch_kind_[batch] = BatchKind::cut;
+  }
+}
+
+
+template class CutLeaves<2>;
+template class CutLeaves<3>;
+} // namespace contrecoup::gas

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/timers.h>
+#include <contrecoup/gas/gas_measures.h>
+#include <contrecoup/gas/gas_simulation.h>
+
+#include <sstream>
+
+namespace contrecoup::gas
+{
+namespace
+{
+  /// Where a point of a leaf is.
+  template <int dim>
+  dealii::Point<dim> place_of(const LeafBox<dim> &box,
+                              const LeafPoints<dim> &points,
+                              const unsigned int q)
+  {
+    dealii::Point<dim> x;
+    for (unsigned int d = 0; d < dim; ++d)
+      x[d] = points.position(points.indices(q)[d]);
+    return box.place(x);
+  }
+} // namespace
+
+
+template <int dim>
+void GasSimulation<dim>::parse_body(ParameterHandler &prm)
+{
+  body_.parse_parameters(prm);
+  loads_.parse_parameters(prm, body_);
+  if (body_.empty())
+    return;
+  if (dim == 1 || !coarse_mesh_.is_axis_aligned() ||
+      coarse_mesh_.geometry() != Geometry::plane)
+    throw InputError("Rigid body/Kind: bodies need Domain/Mesh = box, "
+                     "Domain/Dimension = 2 or 3 and Domain/Geometry = plane");
+  if (scheme_.kind != Scheme::Kind::finite_volume)
+    throw InputError(
+      "Rigid body/Kind: bodies need Method/Scheme = finite volume");
+  const unsigned int least = 4;
+  for (const auto &place : probes_.places())
+    if (body_.value(place) < -1e-9)
+    {
+      std::ostringstream message;
+      message << "Probes/Points: the point " << place
+              << " m is in the rigid body, where there is no gas";
+      throw InputError(message.str());
+    }
+  if (scheme_.n_points < least)
+    throw InputError(
+      "Rigid body/Kind: bodies need Method/Subcells of 4 or more, "
+      "not " +
+      std::to_string(scheme_.n_points));
+}
+
+
+template <int dim>
+void GasSimulation<dim>::cut_leaves()
+{
+  if constexpr (dim > 1)
+    if (!body_.empty())
+    {
+      const TimerScope timer("body");
+      cut_leaves_.reinit(mesh_, layout_, body_);
+      field_.set_open_fractions(&cut_leaves_.fractions());
+      loads_.set_ambient(ambient().pressure);
+      loads_.reinit(mesh_, layout_, cut_leaves_, body_);
+    }
+}
+
+
+template <int dim>
+double GasSimulation<dim>::body_volume()
+{
+  double volume = 0.;
+  if constexpr (dim > 1)
+    if (!body_.empty())
+    {
+      create_octree();
+      refine_octree();
+      cut_leaves_.reinit(mesh_, layout_, body_);
+      for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
+        for (unsigned int q = 0; q < layout_.n_points; ++q)
+          volume += (1. - cut_leaves_.fractions()(leaf, q)) *
+                    point_volume(leaf_box(mesh_, leaf), points_, q);
+    }
+  return dealii::Utilities::MPI::sum(volume, mesh_.communicator());
+}
+
+
+template <int dim>
+void GasSimulation<dim>::fill_closed_cells()
+{
+  if (body_.empty())
+    return;
+  const auto rest = conserved_state(ambient(), material_, layout_.n_components);
+  const OpenFractions &fractions = cut_leaves_.fractions();
+  // Whether there is gas, body, and explosive in the body.
+  std::vector<unsigned int> found = {0, 0, 0};
+  for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
+  {
+    found[0] |= !fractions.is_closed(leaf);
+    if (fractions.is_open(leaf))
+      continue;
+    found[1] = 1;
+    const LeafBox<dim> box = leaf_box(mesh_, leaf);
+    auto values = field_.leaf(leaf);
+    for (unsigned int q = 0; q < layout_.n_points; ++q)
+    {
+      if (!charges_.empty() && fractions(leaf, q) < 1. &&
+          charges_.signed_distance(place_of(box, points_, q)) < 0.)
+        found[2] = 1;
+      if (fractions(leaf, q) == 0.)
+        for (unsigned int c = 0; c < layout_.n_components; ++c)
+          values[c * layout_.n_points + q] = rest[c];
+    }
+    field_.set_leaf(leaf, values);
+  }
+  dealii::Utilities::MPI::max(found, mesh_.communicator(), found);
+  if (found[0] == 0)
+    throw InputError("Rigid body: it fills the whole domain and leaves no gas");
+  if (found[1] == 0)
+    throw InputError(
+      "Rigid body: no cell of the domain is cut by it or lies in it; "
+      "it is elsewhere, or too thin for cells of this size");
+  if (found[2] != 0)
+    throw InputError("Charges: a charge and the rigid body overlap");
+}
+
+
+#define CONTRECOUP_INSTANTIATE(dim)                                 \
+  template void GasSimulation<dim>::parse_body(ParameterHandler &); \
+  template void GasSimulation<dim>::cut_leaves();                   \
+  template double GasSimulation<dim>::body_volume();                \
+  template void GasSimulation<dim>::fill_closed_cells()
+
+CONTRECOUP_INSTANTIATE(1);
+CONTRECOUP_INSTANTIATE(2);
+CONTRECOUP_INSTANTIATE(3);
+#undef CONTRECOUP_INSTANTIATE
+} // namespace contrecoup::gas

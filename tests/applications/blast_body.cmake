@@ -1,0 +1,49 @@
+# Rigid bodies in the gas.
+set(_cylinder blast/verification/body_cylinder.prm)
+
+# A shock in a closed box runs over a sphere: mass and energy stay.
+contrecoup_add_application_test(body_closed bounds FILE ${_cylinder}
+  SET "Output/Fields=false" "Domain/Initial refinement=2"
+    "Boundaries/x low=wall" "Boundaries/x high=wall" "Boundaries/y high=wall"
+  BOUNDS "status == finished" "conservation.mass_relative_change < 1e-12"
+    "conservation.energy_relative_change < 1e-12")
+
+# The loads on the facets are what the gas loses.
+contrecoup_add_application_test(body_loads bounds FILE ${_cylinder}
+  SET "Output/Fields=false" "Domain/Initial refinement=2" "Loads/Record=true"
+    "Loads/Interval=0.01"
+  BOUNDS "status == finished" "assumptions.loads_impulse_difference < 1e-2"
+    "assumptions.loads_force_difference < 1e-2"
+    "assumptions.loads_sampled_peak_loss < 2e-2")
+
+# Against two-shock theory, on a quarter of the cells a side.
+contrecoup_add_application_test(body_wedge bounds
+  FILE blast/verification/body_wedge.prm
+  SET "Output/Fields=false" "Domain/Initial refinement=1"
+  BOUNDS "assumptions.probe_1_peak_overpressure > 12.53"
+    "assumptions.probe_1_peak_overpressure < 13.04" LABELS verification)
+
+contrecoup_add_application_test(body_ranks ranks FILE ${_cylinder}
+  SET "Output/Fields=false" "Domain/Initial refinement=2" "Time/End time=0.8"
+    "Output/History interval=0.1"
+  COMPARE history.csv probes.csv TOLERANCE "-r 1e-10 -a 1e-10")
+
+contrecoup_add_application_test(body_resume resume FILE ${_cylinder}
+  SET "Domain/Initial refinement=1" "Time/End time=0.8"
+    "Loads/Record=true"
+  COMPARE history.csv probes.csv STOP_AFTER 20)
+
+blast_refuses(body_in_one_dimension "Rigid body/Kind: bodies need"
+  FILE ${_sod} SET "Rigid body/Kind=half space")
+blast_refuses(body_galerkin "Method/Scheme = finite volume" FILE ${_cylinder}
+  SET "Method/Scheme=discontinuous galerkin")
+blast_refuses(body_subcells "Method/Subcells of 4 or more" FILE ${_cylinder}
+  SET "Method/Subcells=2")
+blast_refuses(body_elsewhere "Rigid body: no cell of the domain" FILE ${_cylinder}
+  SET "Body/Shift=7, 7, 0")
+blast_refuses(body_everywhere "Rigid body: it fills the whole domain"
+  FILE ${_cylinder} SET "Body/Shape/Size=70, 1" "Probes/Points=")
+blast_refuses(loads_without_body "Loads/Record = true needs" FILE ${_sod}
+  SET "Loads/Record=true")
+blast_refuses(probe_in_body "is in the rigid body" FILE ${_cylinder}
+  SET "Probes/Points=0.1, 0.1")

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include "gas_run.h"
+
+#include <sstream>
+
+namespace contrecoup::gas
+{
+using Lines = std::vector<std::string>;
+
+inline constexpr double degree = 0.017453292519943295;
+
+template <int dim>
+GasState<dim> still_air()
+{
+  GasState<dim> state;
+  state.density = 1.4;
+  state.pressure = 1.;
+  return state;
+}
+
+
+/// Gas of sound speed 1 behind a shock of this Mach number along a direction.
+template <int dim>
+GasState<dim> shocked_air(const double mach,
+                          const dealii::Tensor<1, dim> &direction)
+{
+  const double gamma = 1.4;
+  GasState<dim> state;
+  state.pressure = 1. + 2. * gamma / (gamma + 1.) * (mach * mach - 1.);
+  state.density =
+    1.4 * (gamma + 1.) * mach * mach / ((gamma - 1.) * mach * mach + 2.);
+  state.velocity = direction * (2. / (gamma + 1.) * (mach - 1. / mach));
+  return state;
+}
+
+
+/// Calls function(leaf, point, place, open part) for all points with gas.
+template <int dim, typename Function>
+void for_each_gas_point(const GasRun<dim> &run, const Function &function)
+{
+  for (unsigned int leaf = 0; leaf < run.mesh.n_owned(); ++leaf)
+  {
+    const auto box = leaf_box(run.mesh, leaf);
+    for (unsigned int q = 0; q < run.layout.n_points; ++q)
+    {
+      const auto index = run.points.indices(q);
+      dealii::Point<dim> place = box.origin;
+      for (unsigned int d = 0; d < dim; ++d)
+        place[d] += box.extents[d] * run.points.position(index[d]);
+      const double part = run.field.open_fraction(leaf, q);
+      if (part > 0.)
+        function(leaf, q, place, part);
+    }
+  }
+}
+
+
+template <int dim>
+GasState<dim> state_at(const GasRun<dim> &run,
+                       const unsigned int leaf,
+                       const unsigned int point)
+{
+  std::vector<double> u(run.layout.n_components);
+  for (unsigned int c = 0; c < u.size(); ++c)
+    u[c] = run.field.value(leaf, c, point);
+  return primitive_state<dim>(u.data(), run.material);
+}
+
+
+/// Text that reads back as the same number.
+inline std::string exactly(const double x)
+{
+  std::ostringstream text;
+  text.precision(17);
+  text << x;
+  return text.str();
+}
+} // namespace contrecoup::gas
