@@ -15,7 +15,7 @@ using namespace contrecoup::study;
 
 TEST(ChildProcess, TellsHowItEnded)
 {
-  const io::TemporaryFolder folder;
+  const contrecoup::io::TemporaryFolder folder;
   const ProcessText text = run_process(
     {"sh", "-c", "echo out; echo 'error: bad' >&2; echo more >&2; exit 3"},
     folder.path());
@@ -32,7 +32,7 @@ TEST(ChildProcess, TellsHowItEnded)
 
 TEST(ChildProcess, IsEndedWithItsChildren)
 {
-  const io::TemporaryFolder folder;
+  const contrecoup::io::TemporaryFolder folder;
   const std::string out = folder.path() + "/o", err = folder.path() + "/e";
   ChildProcess patient({"sh", "-c", "sleep 60 & wait"}, out, err);
   EXPECT_FALSE(patient.poll().has_value());
@@ -57,7 +57,7 @@ TEST(ChildProcess, DoesNotInheritAnMpiJob)
   setenv("PMIX_RANK", "1", 1);
   setenv("OMPI_COMM_WORLD_RANK", "1", 1);
   setenv("OMPI_MCA_btl_vader_single_copy_mechanism", "none", 1);
-  const io::TemporaryFolder folder;
+  const contrecoup::io::TemporaryFolder folder;
   const std::string variables = run_process({"env"}, folder.path()).output;
   EXPECT_EQ(variables.find("PMIX_"), std::string::npos);
   EXPECT_EQ(variables.find("OMPI_COMM"), std::string::npos);

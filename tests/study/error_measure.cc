@@ -57,8 +57,8 @@ TEST(ErrorMeasure, ComparesWithAKnownValue)
 
 TEST(ErrorMeasure, ComparesProbesAndPlanesOfRuns)
 {
-  const io::TemporaryFolder one, other;
-  for (const io::TemporaryFolder *folder : {&one, &other})
+  const contrecoup::io::TemporaryFolder one, other;
+  for (const contrecoup::io::TemporaryFolder *folder : {&one, &other})
   {
     const double factor = folder == &one ? 3. : 2.;
     std::ofstream(folder->path() + "/summary.json") << summary;

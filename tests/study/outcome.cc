@@ -19,7 +19,7 @@ Outcome judged(const ProcessEnd &end,
                const std::string &errors = "",
                const bool timed_out = false)
 {
-  const io::TemporaryFolder folder;
+  const contrecoup::io::TemporaryFolder folder;
   if (!summary.empty())
     std::ofstream(folder.path() + "/summary.json") << summary;
   std::ofstream(folder.path() + "/errors.txt") << errors;
@@ -52,7 +52,7 @@ TEST(Outcome, IsJudgedByCodeAndSummary)
 
 TEST(Outcome, IsFoundAgainForTheSameIdentityAlone)
 {
-  const io::TemporaryFolder folder;
+  const contrecoup::io::TemporaryFolder folder;
   const std::string file = folder.path() + "/outcome.json";
   const std::string who = identity("blast", "1", 1, {{"A/B", "1"}});
   for (const std::string &other : {identity("blast", "2", 1, {{"A/B", "1"}}),
@@ -81,7 +81,7 @@ TEST(Outcome, IsFoundAgainForTheSameIdentityAlone)
 
 TEST(Outcome, IsRepeatedWhenItMayTurnOutOtherwise)
 {
-  const io::TemporaryFolder folder;
+  const contrecoup::io::TemporaryFolder folder;
   const std::string file = folder.path() + "/outcome.json";
   const std::string who = identity("blast", "1", 1, {});
   Outcome outcome;

@@ -68,7 +68,7 @@ protected:
     return task;
   }
 
-  io::TemporaryFolder folder_;
+  contrecoup::io::TemporaryFolder folder_;
   StudyParameters parameters_;
   std::vector<Task> tasks_;
 };
