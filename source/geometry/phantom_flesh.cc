@@ -168,10 +168,11 @@ namespace phantom
     }
     const ShapePointer whole =
       std::make_shared<Union>(parts, 0.03 * frame.height);
-    const Point<3> middle(0., 0., 10.);
-    const ShapePointer above_ground =
-      std::make_shared<RoundedBox>(middle, Point<3>(10., 10., 10.));
-    return std::make_shared<Intersection>(whole, above_ground);
+    // From the ground to the vertex; blends alone would give a larger box.
+    const double vertex = frame.at_head(0., 0., 0.0745)[2];
+    const ShapePointer layer = std::make_shared<RoundedBox>(
+      Point<3>(0., 0., 0.5 * vertex), Point<3>(10., 10., 0.5 * vertex));
+    return std::make_shared<Intersection>(whole, layer);
   }
 } // namespace phantom
 } // namespace contrecoup

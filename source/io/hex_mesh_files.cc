@@ -80,8 +80,9 @@ namespace io
     write_file(name, [&](std::ostream &out) {
       out.precision(12);
       out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n"
-          << tissue_names().size() << "\n";
-      for (std::size_t i = 0; i < tissue_names().size(); ++i)
+          << tissue_names().size() - 1 << "\n";
+      // Gmsh knows no group 0, and no element is of no tissue.
+      for (std::size_t i = 1; i < tissue_names().size(); ++i)
         out << "3 " << i << " \"" << tissue_names()[i] << "\"\n";
       out << "$EndPhysicalNames\n$Nodes\n" << mesh.nodes.size() << "\n";
       for (std::size_t i = 0; i < mesh.nodes.size(); ++i)

@@ -56,6 +56,10 @@ protected:
 TEST_F(HexMeshFiles, DealiiReadsTheGmshFile)
 {
   io::write_msh(mesh_, path("mesh.msh"));
+  // Gmsh has no group 0.
+  const std::string text = io::read_file(path("mesh.msh"));
+  EXPECT_NE(text.find("3 1 \"soft tissue\""), std::string::npos);
+  EXPECT_EQ(text.find("\n3 0 \""), std::string::npos);
   dealii::Triangulation<3> triangulation;
   dealii::GridIn<3> reader(triangulation);
   std::ifstream file(path("mesh.msh"));
