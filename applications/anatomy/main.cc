@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/anatomy/anatomy_application.h>
+#include <contrecoup/coupling/anatomy_application.h>
 #include <contrecoup/io/tool.h>
 
 int main(int argc, char **argv)
 {
   return contrecoup::io::run_tool(
-    argc, argv, contrecoup::anatomy::anatomy_application());
+    argc, argv, contrecoup::coupling::anatomy_application());
 }

@@ -19,10 +19,10 @@ BELOW["materials"] = {"base"}
 BELOW["geometry"] = {"base"}
 BELOW["numerics"] = {"base", "materials"}
 BELOW["io"] = {"base", "materials", "numerics", "geometry"}
-for _solver in ("anatomy", "gas", "solid", "mpm"):
+for _solver in ("gas", "solid", "mpm"):
     BELOW[_solver] = BELOW["io"] | {"io"}
 for _upper in ("ale", "coupling", "study"):
-    BELOW[_upper] = BELOW["gas"] | {"anatomy", "gas", "solid", "mpm"}
+    BELOW[_upper] = BELOW["gas"] | {"gas", "solid", "mpm"}
 
 LONGEST_HEADER = 250
 LONGEST_SOURCE = 500

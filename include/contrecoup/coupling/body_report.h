@@ -12,7 +12,7 @@
 
 namespace contrecoup
 {
-namespace anatomy
+namespace coupling
 {
   /// One line of the quality table: a part, a tissue, or the whole body.
   struct ReportRow
@@ -81,5 +81,5 @@ namespace anatomy
 
   /// quality.csv.
   std::string to_csv(const BodyReport &report);
-} // namespace anatomy
+} // namespace coupling
 } // namespace contrecoup

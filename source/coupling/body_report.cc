@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/anatomy/body_report.h>
 #include <contrecoup/base/text.h>
+#include <contrecoup/coupling/body_report.h>
 #include <contrecoup/materials/tissue_library.h>
 
 #include <iomanip>
@@ -10,7 +10,7 @@
 
 namespace contrecoup
 {
-namespace anatomy
+namespace coupling
 {
   namespace
   {
@@ -214,5 +214,5 @@ namespace anatomy
               "\n";
     return text;
   }
-} // namespace anatomy
+} // namespace coupling
 } // namespace contrecoup

@@ -7,10 +7,10 @@
 
 namespace contrecoup
 {
-namespace anatomy
+namespace coupling
 {
   /// `anatomy`: makes hexahedra by tissue of a body, with its surface, its
   /// quality and pictures.
   io::ToolDescription anatomy_application();
-} // namespace anatomy
+} // namespace coupling
 } // namespace contrecoup

@@ -12,7 +12,7 @@
 
 namespace contrecoup
 {
-namespace anatomy
+namespace coupling
 {
   /// What a run of `anatomy` is to do.
   struct AnatomyParameters
@@ -33,5 +33,5 @@ namespace anatomy
     double distance_spacing = 0.; ///< [m], 0: no grid of distances
     bool draw = true;
   };
-} // namespace anatomy
+} // namespace coupling
 } // namespace contrecoup

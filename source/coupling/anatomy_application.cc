@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/anatomy/anatomy_application.h>
-#include <contrecoup/anatomy/anatomy_parameters.h>
-#include <contrecoup/anatomy/body_report.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/log.h>
 #include <contrecoup/base/memory.h>
@@ -11,6 +8,9 @@
 #include <contrecoup/base/processor_time.h>
 #include <contrecoup/base/text.h>
 #include <contrecoup/base/version.h>
+#include <contrecoup/coupling/anatomy_application.h>
+#include <contrecoup/coupling/anatomy_parameters.h>
+#include <contrecoup/coupling/body_report.h>
 #include <contrecoup/io/checked_file.h>
 #include <contrecoup/io/hex_mesh_files.h>
 
@@ -22,7 +22,7 @@
 
 namespace contrecoup
 {
-namespace anatomy
+namespace coupling
 {
   namespace
   {
@@ -292,5 +292,5 @@ namespace anatomy
             AnatomyParameters::declare_parameters,
             execute};
   }
-} // namespace anatomy
+} // namespace coupling
 } // namespace contrecoup

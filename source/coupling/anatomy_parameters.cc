@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/anatomy/anatomy_parameters.h>
 #include <contrecoup/base/parameters.h>
+#include <contrecoup/coupling/anatomy_parameters.h>
 #include <contrecoup/materials/tissue_library.h>
 
 namespace contrecoup
 {
-namespace anatomy
+namespace coupling
 {
   namespace
   {
@@ -120,5 +120,5 @@ namespace anatomy
     distance_spacing = read_double(prm, "Distance spacing");
     draw = prm.get_bool("Pictures");
   }
-} // namespace anatomy
+} // namespace coupling
 } // namespace contrecoup
