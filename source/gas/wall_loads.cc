@@ -316,6 +316,13 @@ void WallLoads<dim>::flush()
 {
   if (!active_)
     return;
+  if (file_.empty())
+  {
+    // A run without results, such as a trial of the costs.
+    times_.clear();
+    samples_.clear();
+    return;
+  }
   const TimerScope timer("loads");
   dealii::Utilities::MPI::sum(samples_, communicator_, samples_);
   share();

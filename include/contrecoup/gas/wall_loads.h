@@ -26,7 +26,8 @@ namespace contrecoup::gas
  * mirror image. Written to loads.h5, see io::LoadFile.
  *
  * Audits itself: force and impulse of all facets against what the scheme took
- * from the gas.
+ * from the gas. A staircase's facets take one pressure for all sides of a cell
+ * together, and so differ by some per cent from its scheme.
  */
 template <int dim>
 class WallLoads
@@ -69,7 +70,8 @@ public:
            const QuietLeaves<dim> &quiet_leaves,
            const std::array<double, 6> &wall_force);
 
-  /// Writes what is still in memory. Collective.
+  /// Writes what is still in memory, or forgets it where there is no folder.
+  /// Collective.
   void flush();
 
   /// What is known so far, for checkpoints; call flush() before save().
