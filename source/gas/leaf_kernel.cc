@@ -39,11 +39,9 @@ void LeafKernel<dim, Gas, Real>::bind(const unsigned int batch,
   for (unsigned int face = 0; face < 2 * dim; ++face)
   {
     const unsigned int *neighbors = mesh_.neighbors(batch, face);
+    neighbors_[face].reinit(neighbors, layout_);
     for (unsigned int lane = 0; lane < width; ++lane)
-    {
-      neighbor_offset_[face][lane] = layout_.offset(neighbors[lane]);
       neighbor_sensor_[face][lane] = stage.sensor_in[neighbors[lane]];
-    }
     any = std::max(any, neighbor_sensor_[face]);
   }
   needs_shear_factor_ = dim > 1 &&
@@ -174,7 +172,7 @@ LeafKernel<dim, Gas, Real>::neighbor_primitive(const unsigned int face,
 {
   Values u;
   for (unsigned int c = 0; c < nc; ++c)
-    u[c].gather(in_ + layout_.value(c, point), neighbor_offset_[face].data());
+    u[c] = neighbors_[face].read(in_ + layout_.value(c, point));
   return to_primitive<dim>(gas_, u);
 }
 
@@ -246,11 +244,9 @@ LeafKernel<dim, Gas, Real>::neighbor_compression(const unsigned int face,
 {
   const auto velocity = [&](const unsigned int t,
                             const unsigned int q) -> Number {
-    const unsigned int *offsets = neighbor_offset_[face].data();
-    Number density, momentum;
-    density.gather(in_ + layout_.value(C::density, q), offsets);
-    momentum.gather(in_ + layout_.value(C::momentum + t, q), offsets);
-    return momentum / density;
+    const auto &neighbors = neighbors_[face];
+    const Number density = neighbors.read(in_ + layout_.value(C::density, q));
+    return neighbors.read(in_ + layout_.value(C::momentum + t, q)) / density;
   };
   return transverse_compression(
     face / 2, layout_.face_point(face ^ 1U, line, 0), velocity);

@@ -5,6 +5,7 @@
 
 #include <contrecoup/gas/boundary.h>
 #include <contrecoup/gas/leaf_layout.h>
+#include <contrecoup/gas/neighbor_reader.h>
 #include <contrecoup/gas/primitive.h>
 #include <contrecoup/gas/scheme.h>
 #include <contrecoup/gas/stage.h>
@@ -171,7 +172,7 @@ private:
   void fill_progress_beyond(const unsigned int face, const unsigned int line);
 
   bool needs_shear_factor_ = false;
-  std::array<std::array<unsigned int, width>, 2 * dim> neighbor_offset_;
+  std::array<NeighborReader<Real>, 2 * dim> neighbors_;
 };
 
 
