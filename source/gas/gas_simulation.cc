@@ -148,22 +148,7 @@ void GasSimulation<dim>::setup()
     go_on_burning();
   refine_octree();
   if (adaptation_parameters_.active)
-  {
-    while (adaptation_->refine_where([this](const unsigned int leaf) {
-      return wants_initial_refinement(leaf);
-    }))
-      ;
-    // The sensor then sees what distances alone cannot tell.
-    for (unsigned int level = 0; level < adaptation_parameters_.most_level;
-         ++level)
-    {
-      set_initial_state();
-      stepper_->update_ghosts(field_);
-      if (!adaptation_->adapt(field_))
-        break;
-      mesh_changed();
-    }
-  }
+    fit_mesh_to_initial_state();
   if (!charges_.empty())
     log_line(charges_.description());
   for (const std::string &line : set_initial_state())
@@ -173,6 +158,25 @@ void GasSimulation<dim>::setup()
   if (initial_state_.profile() != nullptr)
     go_on_mapping();
   probes_.read(field_, material_, time_);
+}
+
+
+template <int dim>
+void GasSimulation<dim>::fit_mesh_to_initial_state()
+{
+  while (adaptation_->refine_where(
+    [this](const unsigned int leaf) { return wants_initial_refinement(leaf); }))
+    ;
+  // The sensor then sees what distances alone cannot tell.
+  for (unsigned int level = 0; level < adaptation_parameters_.most_level;
+       ++level)
+  {
+    set_initial_state(true);
+    stepper_->update_ghosts(field_);
+    if (!adaptation_->adapt(field_))
+      break;
+    mesh_changed();
+  }
 }
 
 
@@ -194,7 +198,7 @@ bool GasSimulation<dim>::wants_initial_refinement(const unsigned int leaf) const
 
 
 template <int dim>
-std::vector<std::string> GasSimulation<dim>::set_initial_state()
+std::vector<std::string> GasSimulation<dim>::set_initial_state(const bool rough)
 {
   const TimerScope timer("initial state");
   field_.reinit(layout_, mesh_.n_stored_batches());
@@ -202,7 +206,7 @@ std::vector<std::string> GasSimulation<dim>::set_initial_state()
   if (const auto *profile = initial_state_.profile())
   {
     const auto mapping =
-      map_profile(*profile, mesh_, points_, material_, field_);
+      map_profile(*profile, mesh_, points_, material_, field_, rough);
     fill_closed_cells();
     field_.fill_padding(mesh_.n_owned());
     mesh_changed();

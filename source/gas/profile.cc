@@ -180,6 +180,13 @@ unsigned int Profile::index(const unsigned int direction,
                             const double place) const
 {
   const auto &edges = data_.edges[direction];
+  // Most profiles have equal cells.
+  const double share = (place - edges.front()) / (edges.back() - edges.front());
+  const double last = static_cast<double>(edges.size() - 2);
+  const auto guess = static_cast<unsigned int>(
+    std::min(std::max(share * (last + 1.), 0.), last));
+  if (edges[guess] <= place && place < edges[guess + 1])
+    return guess;
   const auto above =
     std::upper_bound(edges.begin() + 1, edges.end() - 1, place);
   return static_cast<unsigned int>(above - edges.begin() - 1);
@@ -194,7 +201,10 @@ double Profile::cell_width(const unsigned int direction,
 }
 
 
-void Profile::integral(const std::array<double, 2> &place, double *sums) const
+void Profile::integral(const std::array<double, 2> &place,
+                       const unsigned int begin,
+                       const unsigned int end,
+                       double *sums) const
 {
   const unsigned int rows = n_components() + 1, line = n_cells_[0] + 1;
   const auto fraction = [&](const unsigned int d, const unsigned int i) {
@@ -206,7 +216,7 @@ void Profile::integral(const std::array<double, 2> &place, double *sums) const
   if (n_directions() == 1)
   {
     const double *low = table_.data() + (std::size_t(line) + i) * rows;
-    for (unsigned int c = 0; c < rows; ++c)
+    for (unsigned int c = begin; c < end; ++c)
       sums[c] = (1. - s) * low[c] + s * low[c + rows];
     return;
   }
@@ -214,7 +224,7 @@ void Profile::integral(const std::array<double, 2> &place, double *sums) const
   const double t = fraction(1, j);
   const double *low = table_.data() + (std::size_t(j) * line + i) * rows;
   const double *high = low + std::size_t(line) * rows;
-  for (unsigned int c = 0; c < rows; ++c)
+  for (unsigned int c = begin; c < end; ++c)
     sums[c] = (1. - t) * ((1. - s) * low[c] + s * low[c + rows]) +
               t * ((1. - s) * high[c] + s * high[c + rows]);
 }
@@ -238,7 +248,7 @@ void Profile::mean(const std::array<double, 2> &lower,
   }
   std::array<double, most_rows> sums{};
   const auto add = [&](const std::array<double, 2> &place, const double sign) {
-    integral(place, sums.data());
+    integral(place, 0, nc, sums.data());
     for (unsigned int c = 0; c < nc; ++c)
       means[c] += sign * sums[c] / size;
   };
@@ -258,7 +268,7 @@ double Profile::variation(const std::array<double, 2> &lower,
   const unsigned int row = n_components();
   std::array<double, most_rows> sums{};
   const auto at = [&](const double x, const double z) {
-    integral({{x, z}}, sums.data());
+    integral({{x, z}}, row, row + 1, sums.data());
     return sums[row];
   };
   if (n_directions() == 1)

@@ -51,9 +51,12 @@ namespace
   class PartSampler
   {
   public:
-    PartSampler(const ProfileField<dim> &profile, const unsigned int exponent)
+    PartSampler(const ProfileField<dim> &profile,
+                const unsigned int exponent,
+                const bool rough)
       : profile_(profile)
       , exponent_(exponent)
+      , rough_(rough)
     {}
 
     /// Mean excess of the conserved quantities; false where there is none.
@@ -69,7 +72,7 @@ namespace
       // Parts of a thirtieth of the whole tell its shape.
       const double size = profile_.profile().end(0);
       const double levels = std::ceil(std::log2(longest * 30. / size));
-      add(part, std::min(std::max(levels, 2.), 10.));
+      add(part, rough_ ? 0. : std::min(std::max(levels, 2.), 10.));
       for (double &value : sum_)
         value /= volume_;
       return is_disturbed_;
@@ -144,6 +147,7 @@ namespace
 
     const ProfileField<dim> &profile_;
     const unsigned int exponent_;
+    const bool rough_;
     const LeafBox<dim> *leaf_ = nullptr;
     double volume_ = 0.;
     bool is_disturbed_ = false;
@@ -232,9 +236,9 @@ namespace
       , disturbed_(std::size_t(mesh.n_owned()) * n_points_, false)
     {}
 
-    void fill()
+    void fill(const bool rough)
     {
-      PartSampler<dim> sampler(profile_, points_.exponent());
+      PartSampler<dim> sampler(profile_, points_.exponent(), rough);
       const unsigned int nc = field_.layout().n_components;
       std::vector<double> values(std::size_t(nc) * n_points_);
       for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
@@ -397,11 +401,12 @@ ProfileMapping map_profile(const ProfileField<dim> &profile,
                            const LeafMesh<dim> &mesh,
                            const LeafPoints<dim> &points,
                            const GasMaterial &material,
-                           GasField &field)
+                           GasField &field,
+                           const bool rough)
 {
   Mapper<dim> mapper(profile, mesh, points, material, field);
-  mapper.fill();
-  return mapper.scale();
+  mapper.fill(rough);
+  return rough ? ProfileMapping() : mapper.scale();
 }
 
 
@@ -465,7 +470,8 @@ std::string to_text(const ProfileMapping &mapping, const bool has_products)
                                       const LeafMesh<dim> &,     \
                                       const LeafPoints<dim> &,   \
                                       const GasMaterial &,       \
-                                      GasField &);               \
+                                      GasField &,                \
+                                      bool);                     \
   template bool is_steep_in(                                     \
     const ProfileField<dim> &, const LeafBox<dim> &, unsigned int)
 

@@ -146,7 +146,9 @@ private:
   /// domain, or in a charge.
   void fill_closed_cells();
   /// Returns lines for the log about what it made.
-  std::vector<std::string> set_initial_state();
+  /// @param rough whether profiles are mapped well enough for sensors alone
+  std::vector<std::string> set_initial_state(const bool rough = false);
+  void fit_mesh_to_initial_state();
   bool wants_initial_refinement(const unsigned int leaf) const;
   void mesh_changed();
   void update_burn();

@@ -123,8 +123,11 @@ private:
   /// Logarithmic variation per length in each cell [1/m].
   std::vector<double> variations() const;
   unsigned int index(const unsigned int direction, const double place) const;
-  /// Integral of all table rows from the raster's begin to @p place.
-  void integral(const std::array<double, 2> &place, double *sums) const;
+  /// Integral of some table rows from the raster's begin to @p place.
+  void integral(const std::array<double, 2> &place,
+                const unsigned int begin,
+                const unsigned int end,
+                double *sums) const;
 
   ProfileData data_;
   std::array<unsigned int, 2> n_cells_{};

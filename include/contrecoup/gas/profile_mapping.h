@@ -35,6 +35,7 @@ struct ProfileMapping
  * so that the totals of the disturbed gas are those of the profile to
  * round-off; if the domain cuts the profile other than by planes through its
  * centre, nothing is. Collective.
+ * @param rough for choosing a mesh: no part is halved and nothing multiplied
  * @throws NumericsError when a state would become unphysical
  */
 template <int dim>
@@ -42,7 +43,8 @@ ProfileMapping map_profile(const ProfileField<dim> &profile,
                            const LeafMesh<dim> &mesh,
                            const LeafPoints<dim> &points,
                            const GasMaterial &material,
-                           GasField &field);
+                           GasField &field,
+                           const bool rough = false);
 
 /**
  * Whether the profile varies by more than 5 % across a subcell of the leaf,
