@@ -5,6 +5,8 @@
 #include <contrecoup/gas/front_sensor.h>
 #include <contrecoup/gas/primitive.h>
 
+#include <algorithm>
+
 namespace contrecoup::gas
 {
 namespace
@@ -36,7 +38,8 @@ namespace
         distance_.push_back(distance(i));
     }
 
-    Number compute(const unsigned int batch)
+    /// By face; see front_sensor_by_face().
+    std::array<Number, 2 * dim> compute(const unsigned int batch)
     {
       batch_ = batch;
       for (unsigned int q = 0; q < layout_.n_points; ++q)
@@ -53,14 +56,19 @@ namespace
       }
       for (unsigned int q = 0; q < layout_.n_points; ++q)
         compression_share_[q] = compression_share(q);
-      Number largest(0.);
+      std::array<Number, 2 * dim> largest;
+      largest.fill(Number(0.));
       for (unsigned int d = 0; d < dim; ++d)
         for (unsigned int line = 0; line < layout_.n_face_points; ++line)
         {
           fill_line(d, line);
-          largest = std::max(largest, line_rise(d, line));
+          const auto [up, down] = line_rises(d, line);
+          largest[2 * d] = std::max(largest[2 * d], up);
+          largest[2 * d + 1] = std::max(largest[2 * d + 1], down);
         }
-      return largest / (largest + noise_);
+      for (Number &rise : largest)
+        rise = rise / (rise + noise_);
+      return largest;
     }
 
   private:
@@ -180,10 +188,10 @@ namespace
       return p;
     }
 
-    /// Rise of the pressure along a line, towards either end, where the gas
-    /// does not expand.
-    Number line_rise(const unsigned int direction,
-                     const unsigned int line) const
+    /// Rise of the pressure along a line, towards its upper and its lower end,
+    /// where the gas does not expand.
+    std::array<Number, 2> line_rises(const unsigned int direction,
+                                     const unsigned int line) const
     {
       const int n = layout_.n;
       const unsigned int stride = layout_.stride(direction);
@@ -205,7 +213,7 @@ namespace
         up += std::max(change, zero);
         down -= std::min(change, zero);
       }
-      return std::max(up, down);
+      return {{up, down}};
     }
 
     /// Distance of point i (from 0, before the first, on) to the next, in
@@ -238,14 +246,15 @@ namespace
 
 
 template <int dim>
-std::vector<double> front_sensor(const LeafMesh<dim> &mesh,
-                                 const LeafPoints<dim> &points,
-                                 const GasMaterial &material,
-                                 const GasField &field,
-                                 const double noise,
-                                 const std::vector<bool> &wanted)
+std::vector<FaceValues<dim>>
+front_sensor_by_face(const LeafMesh<dim> &mesh,
+                     const LeafPoints<dim> &points,
+                     const GasMaterial &material,
+                     const GasField &field,
+                     const double noise,
+                     const std::vector<bool> &wanted)
 {
-  std::vector<double> result(mesh.n_owned(), 0.);
+  std::vector<FaceValues<dim>> result(mesh.n_owned(), FaceValues<dim>{});
   const auto compute = [&](const auto &gas, const auto real) {
     using Real = kernel_number<dim, std::decay_t<decltype(real)>>;
     BatchFronts<dim, std::decay_t<decltype(gas)>, Real> fronts(
@@ -256,7 +265,8 @@ std::vector<double> front_sensor(const LeafMesh<dim> &mesh,
         continue;
       const auto values = fronts.compute(batch);
       for (unsigned int lane = 0; lane < mesh.n_filled_lanes(batch); ++lane)
-        result[batch * n_lanes<Real> + lane] = values[lane];
+        for (unsigned int face = 0; face < 2 * dim; ++face)
+          result[batch * n_lanes<Real> + lane][face] = values[face][lane];
     }
   };
   std::visit(
@@ -269,22 +279,39 @@ std::vector<double> front_sensor(const LeafMesh<dim> &mesh,
 }
 
 
-template std::vector<double> front_sensor(const LeafMesh<1> &,
-                                          const LeafPoints<1> &,
-                                          const GasMaterial &,
-                                          const GasField &,
-                                          double,
-                                          const std::vector<bool> &);
-template std::vector<double> front_sensor(const LeafMesh<2> &,
-                                          const LeafPoints<2> &,
-                                          const GasMaterial &,
-                                          const GasField &,
-                                          double,
-                                          const std::vector<bool> &);
-template std::vector<double> front_sensor(const LeafMesh<3> &,
-                                          const LeafPoints<3> &,
-                                          const GasMaterial &,
-                                          const GasField &,
-                                          double,
-                                          const std::vector<bool> &);
+template <int dim>
+std::vector<double> front_sensor(const LeafMesh<dim> &mesh,
+                                 const LeafPoints<dim> &points,
+                                 const GasMaterial &material,
+                                 const GasField &field,
+                                 const double noise,
+                                 const std::vector<bool> &wanted)
+{
+  std::vector<double> result;
+  for (const auto &values :
+       front_sensor_by_face(mesh, points, material, field, noise, wanted))
+    result.push_back(*std::max_element(values.begin(), values.end()));
+  return result;
+}
+
+
+#define CONTRECOUP_INSTANTIATE(dim)                                  \
+  template std::vector<FaceValues<dim>> front_sensor_by_face(        \
+    const LeafMesh<dim> &,                                           \
+    const LeafPoints<dim> &,                                         \
+    const GasMaterial &,                                             \
+    const GasField &,                                                \
+    double,                                                          \
+    const std::vector<bool> &);                                      \
+  template std::vector<double> front_sensor(const LeafMesh<dim> &,   \
+                                            const LeafPoints<dim> &, \
+                                            const GasMaterial &,     \
+                                            const GasField &,        \
+                                            double,                  \
+                                            const std::vector<bool> &)
+
+CONTRECOUP_INSTANTIATE(1);
+CONTRECOUP_INSTANTIATE(2);
+CONTRECOUP_INSTANTIATE(3);
+#undef CONTRECOUP_INSTANTIATE
 } // namespace contrecoup::gas

@@ -105,10 +105,14 @@ TEST(FrontSensor, SeesNoContactsAndNoVortices)
 }
 
 
-TEST(FrontSensor, AFrontStaysInFineLeavesBetweenAdaptations)
+namespace
 {
-  // With the longest interval that the buffer allows.
-  GasRun<2> run(adaptive + finite_volume(8) + Lines{"Adaptation/Interval=0"});
+/// With the longest interval that the buffer allows. Returns the number of
+/// leaves at the end.
+double follow_a_front(const Lines &lines)
+{
+  GasRun<2> run(adaptive + finite_volume(8) + Lines{"Adaptation/Interval=0"} +
+                lines);
   AdaptationParameters parameters = run.adaptation_parameters;
   parameters.fit_interval(run.scheme.cfl * run.scheme.stability_limit(), 2, 8);
   EXPECT_EQ(parameters.interval, 26u);
@@ -143,6 +147,46 @@ TEST(FrontSensor, AFrontStaysInFineLeavesBetweenAdaptations)
     EXPECT_GT(farthest[1], 0.2 + 900. * run.time - 1. / 16.);
     run.adapt();
   }
+  return run.mesh.n_global();
+}
+} // namespace
+
+
+TEST(FrontSensor, AFrontStaysInFineLeavesBetweenAdaptations)
+{
+  const double all_around = follow_a_front({});
+  const double ahead = follow_a_front({"Adaptation/Buffer side=ahead"});
+  EXPECT_LE(ahead, all_around);
+}
+
+
+TEST(FrontSensor, KnowsWhereFrontsRunTo)
+{
+  // A weak front at x = 0.54 runs to the right; only there the leaves beyond
+  // those that see it stay fine.
+  const auto leaves = [](const std::string &side) {
+    GasRun<2> run(
+      adaptive + finite_volume(8) +
+      Lines{"Adaptation/Buffer side=" + side, "Domain/Initial refinement=4"});
+    run.set_state([](const Point<2> &p) {
+      return weak_front({p[0] - 0.02, p[1]});
+    });
+    run.adapt();
+    std::array<double, 2> finest = {{1., 0.}};
+    for (unsigned int leaf = 0; leaf < run.mesh.n_owned(); ++leaf)
+      if (run.mesh.cell(leaf)->level() == 4)
+      {
+        const double x = run.mesh.cell(leaf)->center()[0];
+        finest[0] = std::min(finest[0], x);
+        finest[1] = std::max(finest[1], x);
+      }
+    return std::array<double, 2>{
+      {dealii::Utilities::MPI::min(finest[0], MPI_COMM_WORLD),
+       dealii::Utilities::MPI::max(finest[1], MPI_COMM_WORLD)}};
+  };
+  const auto all = leaves("all"), ahead = leaves("ahead");
+  EXPECT_GT(ahead[0], all[0]);
+  EXPECT_EQ(ahead[1], all[1]);
 }
 
 
@@ -292,6 +336,9 @@ TEST(SizeLimits, BadInputIsRefused)
   EXPECT_NE(refusal({"Adaptation/Limit a/Smallest level=5",
                      "Adaptation/Limit a/Largest level=4"})
               .find("Adaptation/Limit a: Smallest level"),
+            std::string::npos);
+  EXPECT_NE(refusal({"Adaptation/Active=true", "Adaptation/Buffer side=ahead"})
+              .find("Buffer side = ahead needs"),
             std::string::npos);
   EXPECT_NE(refusal({"Adaptation/Limit a/From time=2",
                      "Adaptation/Limit a/Until time=1"})

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/gas/blast_maps.h>
+#include <contrecoup/gas/front_sensor.h>
 #include <contrecoup/gas/gas_field.h>
 #include <contrecoup/gas/leaf_transfer.h>
 #include <contrecoup/gas/quiet_leaves.h>
@@ -55,6 +56,7 @@ struct AdaptationParameters
   double coarsen = 0.1;    ///< sensor below which they are merged
   double noise = 0.02;     ///< relative jump that counts as noise
   unsigned int buffer = 1; ///< layers of leaves around marked ones
+  bool only_ahead = false; ///< whether these are only where fronts run to
   /// A box whose leaves stay at this level at least; level 0: none.
   unsigned int fine_level = 0;
   std::vector<double> fine_lower; ///< [m]
@@ -126,9 +128,14 @@ private:
   using CellIterator = typename LeafMesh<dim>::CellIterator;
   using ActiveIterator =
     typename dealii::Triangulation<dim>::active_cell_iterator;
-  using Marks = std::function<double(const CellIterator &)>;
+  using FaceMarks = FaceValues<dim>;
+  using Marks = std::function<FaceMarks(const CellIterator &)>;
 
   bool adapt_now(GasField &field, BlastMaps<dim> &maps);
+  /// Sensor of each owned leaf, by the face through which it marks the next.
+  std::vector<FaceMarks> face_marks(const GasField &field) const;
+  /// Batches whose leaves are looked at.
+  std::vector<bool> wanted_batches() const;
   /// Levels that a leaf may have.
   SizeLimits::Levels levels(const unsigned int leaf) const;
   bool is_at_body(const unsigned int leaf) const;
@@ -138,12 +145,14 @@ private:
   /// cost of a quiet one.
   unsigned int weight(const typename LeafMesh<dim>::CellIterator &cell) const;
   bool refine_flagged();
-  void spread(std::vector<double> &marks) const;
-  /// Largest mark beyond a face of leaves that are not coarser.
-  double largest_mark(const CellIterator &cell,
-                      const unsigned int face,
-                      const Marks &mark) const;
-  void set_flags(const std::vector<double> &marks);
+  void spread(std::vector<FaceMarks> &marks) const;
+  /// Takes over the marks of leaves beyond a face, that are not coarser,
+  /// if they mark what is on this side of it.
+  void inherit(const CellIterator &cell,
+               const unsigned int face,
+               const Marks &marks,
+               FaceMarks &result) const;
+  void set_flags(const std::vector<FaceMarks> &marks);
   void carry_over(GasField &field, BlastMaps<dim> &maps);
   /// In 1-D, changes the flags so that neighbours stay within one level and
   /// siblings merge together.

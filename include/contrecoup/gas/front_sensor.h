@@ -7,6 +7,7 @@
 #include <contrecoup/gas/leaf_points.h>
 #include <contrecoup/materials/gas_material.h>
 
+#include <array>
 #include <vector>
 
 namespace contrecoup::gas
@@ -35,4 +36,22 @@ std::vector<double> front_sensor(const LeafMesh<dim> &mesh,
                                  const GasField &field,
                                  const double noise,
                                  const std::vector<bool> &wanted);
+
+/// A value for each face of a leaf.
+template <int dim>
+using FaceValues = std::array<double, 2 * dim>;
+
+/**
+ * The same for each face of a leaf by itself: of fronts whose pressure falls
+ * towards that face, where they run to. The largest of a leaf is
+ * front_sensor().
+ */
+template <int dim>
+std::vector<FaceValues<dim>>
+front_sensor_by_face(const LeafMesh<dim> &mesh,
+                     const LeafPoints<dim> &points,
+                     const GasMaterial &material,
+                     const GasField &field,
+                     const double noise,
+                     const std::vector<bool> &wanted);
 } // namespace contrecoup::gas
