@@ -38,9 +38,9 @@ public:
   /**
    * Writes density, velocity, pressure, level, sensor, the open fraction
    * beside a body and, unless they are empty, the maps of all leaves as VTU,
-   * and the planes as arrays; planes of maps replace those of earlier outputs.
-   * Collective.
-   * @return the file for the .pvd collection
+   * unless planes are enough, and the planes as arrays; planes of maps replace
+   * those of earlier outputs. Collective.
+   * @return the file for the .pvd collection; empty: none
    */
   std::string write(const std::string &folder,
                     const unsigned int index,
@@ -86,6 +86,7 @@ private:
                    const BlastMaps<dim> &maps) const;
 
   bool wants_maps_ = false;
+  bool wants_volume_ = true;
   std::vector<Plane> planes_;
   bool shows_burned_ = false;
   unsigned int resolution_ = 256;
