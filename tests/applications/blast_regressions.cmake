@@ -20,6 +20,9 @@ blast_regresses(vortex verification/vortex "-r 1e-9 -a 1e-9" 20
   "Domain/Initial refinement=3")
 blast_regresses(noh_3d verification/noh_3d "-r 1e-7 -a 1e-9" 20
   "Domain/Initial refinement=2")
-blast_regresses(height_of_burst showcase/height_of_burst "-r 1e-6 -a 1e-6" 30)
+# Both stages; the second begins with step 121.
+blast_regresses(height_of_burst showcase/height_of_burst "-r 1e-6 -a 1e-6" 150
+  "First stage/Cell size=0.005" "First stage/Hand over at=radius"
+  "First stage/Radius=0.4" "Adaptation/Largest level=3")
 blast_regresses(hot_ball showcase/hot_ball "-r 1e-6 -a 1e-6" 15
   "Adaptation/Largest level=2")

@@ -51,3 +51,17 @@ contrecoup_add_application_test(hand_over_peak bounds ${_free_air}
   SET "Output/Fields=false" "Adaptation/Largest level=5"
   "Adaptation/Limit far/Largest level=2" "Time/End time=0.00057"
   BOUNDS "status == finished" ${_bounds} LABELS verification TIMEOUT 600)
+
+# The showcase in single precision, with cells of 37 mm at fronts: what its mesh
+# costs does not grow, and single precision keeps what it can.
+contrecoup_add_application_test(c4_above_ground bounds
+  FILE blast/showcase/c4_above_ground.prm SET "Output/Fields=false"
+  "First stage/Cell size=0.005" "Domain/Coarse leaves=9, 9, 7"
+  "Adaptation/Largest level=1" "Adaptation/Limit fireball/Largest level=0"
+  "Time/End time=0.0009" BOUNDS "status == finished"
+  "performance.updates < 3.6e8"
+  "conservation.mass_relative_change < 3e-6"
+  "conservation.mass_relative_change > -3e-6"
+  "conservation.energy_relative_change < 3e-6"
+  "conservation.energy_relative_change > -3e-6"
+  "assumptions.probe_4_peak_overpressure > 3.4e6" TIMEOUT 200)
