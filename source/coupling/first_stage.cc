@@ -67,11 +67,11 @@ namespace
       return simulation_;
     }
 
-    std::pair<double, double> blast() override
+    typename FirstStage<dim>::Blast blast() override
     {
       simulation_.plan();
       const auto &plan = simulation_.modelling_plan();
-      return {plan.energy, plan.centre[stage_dim - 1]};
+      return {plan.energy, plan.centre[stage_dim - 1], plan.non_ideal_part};
     }
 
     double front() override

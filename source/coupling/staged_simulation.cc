@@ -266,11 +266,11 @@ std::vector<Assumption> StagedSimulation<dim>::plan()
     radius = parameters_.radius;
   if (first_)
   {
-    const auto [energy, height] = first_->blast();
+    const auto blast = first_->blast();
     auto centre = plan_.centre;
     if (parameters_.kind == "axisymmetric")
-      centre[dim - 1] = height;
-    scene_.expect_blast(energy, centre);
+      centre[dim - 1] = blast.height;
+    scene_.expect_blast(blast.energy, centre, blast.non_ideal_part);
   }
   const auto rest = scene_.plan();
   if (!first_)
@@ -278,7 +278,9 @@ std::vector<Assumption> StagedSimulation<dim>::plan()
   else if (parameters_.criterion == "time")
     radius = scene_.modelling_plan().expected_front(parameters_.time);
   std::vector<Assumption> items = {hand_over_item(radius)};
-  items.insert(items.end(), rest.begin(), rest.end());
+  for (const Assumption &item : rest)
+    if (item.name != items.front().name)
+      items.push_back(item);
   return items;
 }
 

@@ -3,6 +3,7 @@
 
 #include <contrecoup/gas/gas_measures.h>
 #include <contrecoup/gas/gas_simulation.h>
+#include <contrecoup/gas/leaf_sampling.h>
 
 namespace contrecoup::gas
 {
@@ -46,10 +47,12 @@ double GasSimulation<dim>::excess_energy() const
 
 template <int dim>
 void GasSimulation<dim>::expect_blast(const double energy,
-                                      const dealii::Point<dim> &centre)
+                                      const dealii::Point<dim> &centre,
+                                      const double non_ideal_part)
 {
   modelling_plan_.energy = energy;
   modelling_plan_.centre = centre;
+  modelling_plan_.non_ideal_part = non_ideal_part;
 }
 
 
@@ -108,8 +111,43 @@ std::vector<Assumption> GasSimulation<dim>::plan()
   plan.end_time = end_time_;
   plan.skips_quiet_leaves = skip_quiet_leaves_;
   plan.smallest_cell = finest_edge();
+  if (const double part = non_ideal_part(); !std::isnan(part))
+    plan.non_ideal_part = part;
   foresee_blast();
   return plan.plan();
+}
+
+
+template <int dim>
+double GasSimulation<dim>::non_ideal_part() const
+{
+  if (!material_.has_products())
+    return std::numeric_limits<double>::quiet_NaN();
+  // Less are traces, which have the pressure of the air around them.
+  constexpr double least_products = 0.5;
+  double largest = -1.;
+  std::vector<double> u(layout_.n_components);
+  for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
+  {
+    const auto values = field_.leaf(leaf);
+    for (unsigned int q = 0; q < layout_.n_points; ++q)
+    {
+      for (unsigned int c = 0; c < u.size(); ++c)
+        u[c] = values[c * layout_.n_points + q];
+      const auto state = primitive_state<dim>(u.data(), material_);
+      if (state.products < least_products)
+        continue;
+      // Pressures are linear in the energy; an ideal gas has none without.
+      const double energy = material_.internal_energy_density(
+        state.density, state.pressure, state.products);
+      const double more =
+        material_.pressure(state.density, 1.01 * energy, state.products);
+      const double ideal = (more - state.pressure) / 0.01;
+      largest = std::max(largest, std::abs(1. - ideal / state.pressure));
+    }
+  }
+  largest = dealii::Utilities::MPI::max(largest, mesh_.communicator());
+  return largest < 0. ? std::numeric_limits<double>::quiet_NaN() : largest;
 }
 
 
@@ -140,6 +178,7 @@ std::vector<Assumption> GasSimulation<dim>::audit()
   for (const BlastMeasures &blast : probes_.blasts())
     findings.peaks.push_back(blast.peak);
   findings.smallest_cell = finest_edge();
+  findings.non_ideal_part = non_ideal_part();
   const double n_possible = dealii::Utilities::MPI::sum(
     stepper_->quiet_leaves().n_possible(), mesh_.communicator());
   findings.skipped = n_possible > 0. ? 1. - n_computed_ / n_possible : 0.;
@@ -147,13 +186,14 @@ std::vector<Assumption> GasSimulation<dim>::audit()
 }
 
 
-#define CONTRECOUP_INSTANTIATE(dim)                                           \
-  template double GasSimulation<dim>::excess_energy() const;                  \
-  template void GasSimulation<dim>::expect_blast(double,                      \
-                                                 const dealii::Point<dim> &); \
-  template void GasSimulation<dim>::foresee_blast();                          \
-  template double GasSimulation<dim>::finest_edge() const;                    \
-  template std::vector<Assumption> GasSimulation<dim>::plan();                \
+#define CONTRECOUP_INSTANTIATE(dim)                            \
+  template double GasSimulation<dim>::excess_energy() const;   \
+  template void GasSimulation<dim>::expect_blast(              \
+    double, const dealii::Point<dim> &, double);               \
+  template void GasSimulation<dim>::foresee_blast();           \
+  template double GasSimulation<dim>::non_ideal_part() const;  \
+  template double GasSimulation<dim>::finest_edge() const;     \
+  template std::vector<Assumption> GasSimulation<dim>::plan(); \
   template std::vector<Assumption> GasSimulation<dim>::audit()
 
 CONTRECOUP_INSTANTIATE(1);

@@ -27,6 +27,41 @@ namespace
   {
     return std::sqrt(diffusivity * std::max(0., time));
   }
+
+  /// What is left out of the physics of air, without values.
+  std::vector<Assumption> omitted_physics(const bool has_probes)
+  {
+    std::vector<Assumption> result;
+    if (has_probes)
+    {
+      result.push_back({"air",
+                        "constant heat capacities",
+                        "excess pressure behind the front at the nearest probe",
+                        "-",
+                        unknown,
+                        0.1,
+                        false,
+                        "Material/Equation of state"});
+      result.push_back({"gravity",
+                        "left out",
+                        "its speed over the gas speed at the farthest probe",
+                        "-",
+                        unknown,
+                        0.05,
+                        false,
+                        "Time/End time"});
+    }
+    for (const char *name : {"viscosity", "heat_conduction"})
+      result.push_back({name,
+                        "left out",
+                        "thickness of its layer at the end over a cell",
+                        "-",
+                        unknown,
+                        1.,
+                        false,
+                        "Time/End time"});
+    return result;
+  }
 } // namespace
 
 
@@ -43,6 +78,24 @@ template <int dim>
 std::vector<Assumption> ModellingPlan<dim>::items() const
 {
   std::vector<Assumption> result;
+  if (dim > 1 && is_spherical && energy > 0.)
+    result.push_back({"first_stage",
+                      "none",
+                      "part of the time in which 1-D would do",
+                      "-",
+                      unknown,
+                      unknown,
+                      false,
+                      "First stage/Kind"});
+  if (!std::isnan(non_ideal_part))
+    result.push_back({"equation_of_state",
+                      "JWL for products",
+                      "part of their pressure that an ideal gas would miss",
+                      "-",
+                      unknown,
+                      unknown,
+                      false,
+                      "Material/Equation of state"});
   if (!open_sides.empty() && !probes.empty())
     result.push_back({"reflection",
                       "open sides stay out of the way",
@@ -52,35 +105,9 @@ std::vector<Assumption> ModellingPlan<dim>::items() const
                       end_time,
                       true,
                       "Domain/Size"});
-  if (is_air() && !probes.empty())
-  {
-    result.push_back({"air",
-                      "constant heat capacities",
-                      "excess pressure behind the front at the nearest probe",
-                      "-",
-                      unknown,
-                      0.1,
-                      false,
-                      "Material/Equation of state"});
-    result.push_back({"gravity",
-                      "left out",
-                      "its speed over the gas speed at the farthest probe",
-                      "-",
-                      unknown,
-                      0.05,
-                      false,
-                      "Time/End time"});
-  }
   if (is_air())
-    for (const char *name : {"viscosity", "heat_conduction"})
-      result.push_back({name,
-                        "left out",
-                        "thickness of its layer at the end over a cell",
-                        "-",
-                        unknown,
-                        1.,
-                        false,
-                        "Time/End time"});
+    for (const Assumption &item : omitted_physics(!probes.empty()))
+      result.push_back(item);
   if (skips_quiet_leaves)
     result.push_back({"quiet_leaves",
                       "not computed",
@@ -126,6 +153,19 @@ double ModellingPlan<dim>::expected_return() const
     for (const auto &probe : probes)
       first = std::min(first, blast.arrival(reflected_path(side, probe).first));
   return first;
+}
+
+
+template <int dim>
+double ModellingPlan<dim>::expected_end_of_symmetry() const
+{
+  const ExpectedBlast blast(energy, ambient.pressure, ambient.density);
+  double nearest = OpenSides<dim>::never;
+  for (unsigned int d = 0; d < dim; ++d)
+    for (const double distance : {centre[d] - lower[d], upper[d] - centre[d]})
+      if (distance > 1e-9 * (upper[d] - lower[d]))
+        nearest = std::min(nearest, distance);
+  return blast.arrival(nearest);
 }
 
 
@@ -190,8 +230,12 @@ std::vector<Assumption> ModellingPlan<dim>::plan() const
       item.value =
         diffusion_length(diffusivity * inverse_prandtl_number, end_time) /
         smallest_cell;
+    else if (item.name == "equation_of_state")
+      item.value = non_ideal_part;
     else if (!blast)
       continue;
+    else if (item.name == "first_stage")
+      item.value = std::min(1., expected_end_of_symmetry() / end_time);
     else if (item.name == "reflection")
       item.value = expected_return();
     else if (item.name == "air")
@@ -213,7 +257,17 @@ template <int dim>
 std::vector<Assumption>
 ModellingPlan<dim>::audit(const Findings &findings) const
 {
-  std::vector<Assumption> result = items();
+  ModellingPlan<dim> known = *this;
+  if (std::isnan(non_ideal_part))
+    known.non_ideal_part = findings.non_ideal_part;
+  std::vector<Assumption> result = known.items();
+  // How long 1-D would have done was not looked at.
+  result.erase(std::remove_if(result.begin(),
+                              result.end(),
+                              [](const Assumption &item) {
+                                return item.name == "first_stage";
+                              }),
+               result.end());
   const double diffusivity = viscosity_of_air / ambient.density;
   double strongest = 0., weakest = OpenSides<dim>::never;
   for (const double peak : findings.peaks)
@@ -234,6 +288,8 @@ ModellingPlan<dim>::audit(const Findings &findings) const
       item.value = measured_return(findings);
     else if (item.name == "quiet_leaves")
       item.value = findings.skipped;
+    else if (item.name == "equation_of_state")
+      item.value = findings.non_ideal_part;
     else if (!(strongest > 0.))
       continue;
     else if (item.name == "air")

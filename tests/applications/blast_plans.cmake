@@ -10,7 +10,7 @@ contrecoup_add_application_test(forecast_adaptive forecast
   SET "Time/End time=0.0015" "Adaptation/Largest level=3"
   "Output/Fields interval=0.0003")
 contrecoup_add_application_test(forecast_uniform forecast
-  FILE blast/verification/noh_3d.prm TOLERANCE 1.5)
+  FILE blast/verification/noh_3d.prm TOLERANCE 1.5 SET "Time/End time=0.3")
 
 # What presets promise.
 contrecoup_add_application_test(presets presets
@@ -36,7 +36,16 @@ contrecoup_add_application_test(domain_by_time bounds
   BOUNDS "assumptions.reflection.holds == True"
   "assumptions.reflection.measured > 0.008"
   "assumptions.gravity.holds == True" "assumptions.viscosity.holds == True"
-  "assumptions.quiet_leaves.measured > 0.1")
+  "assumptions.quiet_leaves.measured > 0.1"
+  "assumptions.equation_of_state.estimate > 0.5"
+  "assumptions.equation_of_state.measured < 0.1")
+contrecoup_add_application_test(audit_of_stages bounds
+  FILE blast/presets/height_of_burst.prm
+  SET "Adaptation/Largest level=2" "First stage/Cell size=0.004"
+  BOUNDS "assumptions.first_stage.holds == True"
+  "assumptions.first_stage.measured > 0.9"
+  "assumptions.equation_of_state.estimate > 0.5"
+  "assumptions.reflection.holds == True")
 contrecoup_add_application_test(refuses_domain_by_time refusal
   FILE blast/verification/sod.prm ARGUMENTS --set "Domain/Size=by time"
   MESSAGE "Domain/Size = by time needs" TIMEOUT 60)

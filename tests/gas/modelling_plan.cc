@@ -114,6 +114,32 @@ TEST(ModellingPlan, EstimatesTheQuietPart)
   EXPECT_GT(value(plan.plan(), "quiet_leaves"), 0.95);
 }
 
+// The nearest side that is no plane through the charge is x = 3.
+TEST(ModellingPlan, KnowsHowLongOneDimensionWouldDo)
+{
+  ModellingPlan<2> plan = quarter();
+  plan.end_time = 0.1;
+  const ExpectedBlast blast(4e6, pressure, density);
+  EXPECT_DOUBLE_EQ(value(plan.plan(), "first_stage"), blast.arrival(3.) / 0.1);
+  plan.end_time = 1e-4;
+  EXPECT_EQ(value(plan.plan(), "first_stage"), 1.);
+}
+
+TEST(ModellingPlan, AsksForAnEquationOfStateOfProducts)
+{
+  ModellingPlan<2> plan = quarter();
+  ModellingPlan<2>::Findings findings;
+  findings.time = 0.008;
+  findings.smallest_cell = 0.01;
+  findings.side_arrivals.fill(OpenSides<2>::never);
+  findings.non_ideal_part = 0.25;
+  // What came with a first stage is not in the plan of the second.
+  EXPECT_EQ(value(plan.audit(findings), "equation_of_state"), 0.25);
+  plan.non_ideal_part = 0.75;
+  EXPECT_EQ(value(plan.plan(), "equation_of_state"), 0.75);
+  EXPECT_EQ(value(plan.audit(findings), "equation_of_state"), 0.25);
+}
+
 TEST(ModellingPlan, SaysNothingOfUnknownBlastsAndOtherGases)
 {
   ModellingPlan<2> plan = quarter();

@@ -33,9 +33,14 @@ public:
   /// The gas at the places of the scene's gauges.
   virtual std::vector<gas::GasState<dim>> gauges() = 0;
 
-  /// Energy of the blast in full space [J], 0 if unknown, and its height on
-  /// the axis of an axisymmetric stage [m].
-  virtual std::pair<double, double> blast() = 0;
+  /// The blast as the stage's plan knows it before its first step.
+  struct Blast
+  {
+    double energy = 0.; ///< in full space [J], 0 if unknown
+    double height = 0.; ///< of its centre if the stage is axisymmetric [m]
+    double non_ideal_part = 0.; ///< see gas::ModellingPlan
+  };
+  virtual Blast blast() = 0;
 
   /// Distance of the outermost disturbance from centre or axis [m].
   virtual double front() = 0;

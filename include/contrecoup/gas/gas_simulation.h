@@ -112,7 +112,10 @@ public:
 
   /// Tells the plan of a blast of @p energy in full space [J] that this
   /// state does not show, or no longer.
-  void expect_blast(const double energy, const dealii::Point<dim> &centre);
+  /// @param non_ideal_part see ModellingPlan
+  void expect_blast(const double energy,
+                    const dealii::Point<dim> &centre,
+                    const double non_ideal_part);
 
   const ModellingPlan<dim> &modelling_plan() const
   {
@@ -160,6 +163,9 @@ private:
   void go_on_mapping();
   /// Finds the blast for the plan in the initial state, if there is one.
   void foresee_blast();
+  /// See ModellingPlan; NaN without products, or with less than half of them
+  /// everywhere.
+  double non_ideal_part() const;
   /// Shortest edge of a subcell [m].
   double finest_edge() const;
   [[noreturn]] void give_up(const typename TimeStepper<dim>::Result &result);

@@ -17,6 +17,9 @@ namespace contrecoup::gas
  * that its scene is expected to be (ExpectedBlast), and as measured after it.
  * What depends on an unknown blast is NaN in the plan.
  *
+ *   first_stage      part of the time in which 1-D would do; plan alone
+ *   equation_of_state part of the pressure of explosive products that an ideal
+ *                    gas would not give
  *   reflection       waves that come back from open sides are later than the
  *                    end time at all probes
  *   air              heat capacities are constant
@@ -41,6 +44,10 @@ public:
   double end_time = 0.;      ///< [s]
   double smallest_cell = 0.; ///< edge [m]
   bool skips_quiet_leaves = true;
+  /// Largest difference of the pressure of products from that of an ideal gas
+  /// of their density, energy and Grueneisen coefficient, over the pressure
+  /// [-]; NaN: there are no products.
+  double non_ideal_part = std::numeric_limits<double>::quiet_NaN();
 
   /// What a run found.
   struct Findings
@@ -50,6 +57,8 @@ public:
     std::vector<double> peaks; ///< overpressures at the probes [Pa]
     double smallest_cell = 0.; ///< [m]
     double skipped = 0.;       ///< part of the updates [-]
+    /// As in the plan, in the end.
+    double non_ideal_part = std::numeric_limits<double>::quiet_NaN();
   };
 
   /// Distance of the blast's front from its centre at @p time [m]; NaN: not
@@ -72,6 +81,9 @@ private:
   reflected_path(const unsigned int side,
                  const dealii::Point<dim> &probe) const;
   double expected_return() const;
+  /// When the front reaches what is not spherical: the nearest side that is
+  /// no plane through the centre [s].
+  double expected_end_of_symmetry() const;
   double measured_return(const Findings &findings) const;
   double expected_quiet_part() const;
   /// Whether the ambient gas is air as at ground level.
