@@ -11,7 +11,7 @@ contrecoup_add_application_test(body_closed bounds FILE ${_cylinder}
 # The loads on the facets are what the gas loses.
 contrecoup_add_application_test(body_loads bounds FILE ${_cylinder}
   SET "Output/Fields=false" "Domain/Initial refinement=2" "Loads/Record=true"
-    "Loads/Interval=0.01"
+    "Loads/Interval=0.005"
   BOUNDS "status == finished" "assumptions.loads_impulse_difference < 1e-2"
     "assumptions.loads_force_difference < 1e-2"
     "assumptions.loads_sampled_peak_loss < 2e-2")
