@@ -21,19 +21,6 @@ namespace
      {{5, 7, 2}},
      {{6, 4, 3}}}};
 
-  constexpr std::array<std::array<unsigned int, 2>, 12> edges{{{{0, 1}},
-                                                               {{1, 2}},
-                                                               {{2, 3}},
-                                                               {{3, 0}},
-                                                               {{4, 5}},
-                                                               {{5, 6}},
-                                                               {{6, 7}},
-                                                               {{7, 4}},
-                                                               {{0, 4}},
-                                                               {{1, 5}},
-                                                               {{2, 6}},
-                                                               {{3, 7}}}};
-
   constexpr std::array<std::array<unsigned int, 4>, 6> faces{{{{0, 4, 7, 3}},
                                                               {{1, 2, 6, 5}},
                                                               {{0, 1, 5, 4}},
@@ -116,7 +103,7 @@ std::vector<HexQuality> measure_quality(const HexMesh &mesh)
       scaled_jacobian(corners);
     one.shortest_length = characteristic_length(corners);
     one.shortest_edge = std::numeric_limits<double>::max();
-    for (const auto &edge : edges)
+    for (const auto &edge : hex_edges)
     {
       const double length = corners[edge[0]].distance(corners[edge[1]]);
       one.shortest_edge = std::min(one.shortest_edge, length);

@@ -22,19 +22,6 @@ namespace
     boundary = 2,
   };
 
-  constexpr std::array<std::array<unsigned int, 2>, 12> edges{{{{0, 1}},
-                                                               {{1, 2}},
-                                                               {{2, 3}},
-                                                               {{3, 0}},
-                                                               {{4, 5}},
-                                                               {{5, 6}},
-                                                               {{6, 7}},
-                                                               {{7, 4}},
-                                                               {{0, 4}},
-                                                               {{1, 5}},
-                                                               {{2, 6}},
-                                                               {{3, 7}}}};
-
   /// One run of smooth().
   class Smoother
   {
@@ -114,7 +101,7 @@ namespace
         std::fill(sum.begin(), sum.end(), Tensor<1, 3>());
         std::fill(count.begin(), count.end(), 0);
         for (const HexMesh::Cell &cell : mesh_.cells)
-          for (const auto &edge : edges)
+          for (const auto &edge : hex_edges)
             for (const auto &[to, from] :
                  {std::make_pair(cell[edge[0]], cell[edge[1]]),
                   std::make_pair(cell[edge[1]], cell[edge[0]])})

@@ -171,6 +171,20 @@ namespace phantom
       head * x, head * y, reference_stature * height + head * (z - 0.0745));
   }
 
+  ShapePointer make_rod(const Frame &frame,
+                        const double side,
+                        const std::vector<Stop> &stops,
+                        const double thickness,
+                        const unsigned int n_between)
+  {
+    std::vector<Sweep::Node> nodes;
+    for (const Stop &stop : stops)
+      nodes.push_back({frame.at(stop.x, side * stop.y, stop.z),
+                       frame.height * thickness * stop.radius});
+    return std::make_shared<Sweep>(
+      n_between > 0 ? smooth_curve(nodes, n_between) : nodes);
+  }
+
   std::vector<ShapeBody::Piece> make_nerves(const Frame &frame)
   {
     const Point<3> center = frame.at_head(0., 0., 0.);

@@ -15,22 +15,12 @@ namespace phantom
   {
     using Shapes = std::vector<ShapePointer>;
 
-    /// A node of a limb: its place for the 50th percentile, and its radius [m].
-    struct Stop
-    {
-      double x, y, z, radius;
-    };
-
     /// A limb through these stops, on one side of the body.
     ShapePointer make_limb(const Frame &frame,
                            const double side,
                            const std::vector<Stop> &stops)
     {
-      std::vector<Sweep::Node> nodes;
-      for (const Stop &stop : stops)
-        nodes.push_back({frame.at(stop.x, side * stop.y, stop.z),
-                         frame.height * frame.girth * stop.radius});
-      return std::make_shared<Sweep>(smooth_curve(nodes, 1));
+      return make_rod(frame, side, stops, frame.girth, 1);
     }
 
     /// A lobe of the trunk, which grows sideways with the girth.

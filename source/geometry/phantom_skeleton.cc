@@ -15,24 +15,13 @@ namespace phantom
   {
     using Shapes = std::vector<ShapePointer>;
 
-    /// A node of a bone: its place for the 50th percentile, and its radius [m].
-    struct Stop
-    {
-      double x, y, z, radius;
-    };
-
     /// A bone through these stops; @p side 1 is left, -1 mirrors it.
     ShapePointer make_bone(const Frame &frame,
                            const double side,
                            const std::vector<Stop> &stops,
                            const unsigned int n_between = 1)
     {
-      std::vector<Sweep::Node> nodes;
-      for (const Stop &stop : stops)
-        nodes.push_back({frame.at(stop.x, side * stop.y, stop.z),
-                         frame.height * stop.radius});
-      return std::make_shared<Sweep>(
-        n_between > 0 ? smooth_curve(nodes, n_between) : nodes);
+      return make_rod(frame, side, stops, 1., n_between);
     }
 
     /// A bone of the head.

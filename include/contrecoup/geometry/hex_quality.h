@@ -10,6 +10,22 @@
 
 namespace contrecoup
 {
+/// The corners at both ends of each edge of a hexahedron, numbered as in
+/// HexMesh.
+inline constexpr std::array<std::array<unsigned int, 2>, 12> hex_edges{
+  {{{0, 1}},
+   {{1, 2}},
+   {{2, 3}},
+   {{3, 0}},
+   {{4, 5}},
+   {{5, 6}},
+   {{6, 7}},
+   {{7, 4}},
+   {{0, 4}},
+   {{1, 5}},
+   {{2, 6}},
+   {{3, 7}}}};
+
 /// The corners of one hexahedron, in the order of HexMesh.
 using HexCorners = std::array<dealii::Point<3>, 8>;
 

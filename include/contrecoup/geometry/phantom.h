@@ -84,6 +84,27 @@ namespace phantom
     dealii::Point<3> at_head(double x, double y, double z) const;
   };
 
+  /// A node of a rod: its place for the 50th percentile, and its radius [m].
+  struct Stop
+  {
+    double x, y, z, radius;
+  };
+
+  /**
+   * A rod of flesh or bone below the head.
+   *
+   * @param side 1 is left, -1 mirrors it
+   * @param stops the rod goes through these
+   * @param thickness factor of the radii beside the stature's
+   * @param n_between nodes of a smooth curve between two stops; 0 leaves the
+   * rod straight
+   */
+  ShapePointer make_rod(const Frame &frame,
+                        double side,
+                        const std::vector<Stop> &stops,
+                        double thickness,
+                        unsigned int n_between);
+
   /// The outer surface.
   ShapePointer make_flesh(const Frame &frame);
 
