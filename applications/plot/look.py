@@ -67,6 +67,7 @@ def label(name, unit):
 
 
 def save(figure, path):
-    figure.savefig(path)
+    # Colour bars inside of axes are not seen by the constrained layout.
+    figure.savefig(path, bbox_inches="tight")
     plt.close(figure)
     print(path)

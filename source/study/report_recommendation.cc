@@ -56,16 +56,16 @@ std::vector<std::string> recommendation(const StudyParameters &parameters,
   const ResultRow *best = most_accurate(result);
   if (parameters.error.wanted() <= 0. || best == nullptr)
     return {};
-  const std::string goal = "an " + parameters.error.title() + " of at most " +
+  const std::string goal = "the " + parameters.error.title() + " at or below " +
                            brief(parameters.error.wanted(), 3);
   if (!result.recommended)
-    return {"No variant reaches " + goal + ". The most accurate, " +
+    return {"No variant keeps " + goal + ". The most accurate, " +
             describe(parameters, *best) + ", has " + brief(best->error, 3) +
             " for " + cost_of(parameters, *best) + "."};
   const ResultRow &row = result.rows[*result.recommended];
-  return {"The cheapest way to " + goal + " is " + describe(parameters, row) +
-          ": error " + brief(row.error, 3) + " for " +
-          cost_of(parameters, row) + ". It is in recommended.prm."};
+  return {"The cheapest way to keep " + goal + " is " +
+          describe(parameters, row) + ": error " + brief(row.error, 3) +
+          " for " + cost_of(parameters, row) + ". It is in recommended.prm."};
 }
 
 std::string recommended_file(const StudyParameters &parameters,
