@@ -206,135 +206,113 @@ void GasOutput<dim>::parse_parameters(ParameterHandler &prm,
 
 
 template <int dim>
-std::string GasOutput<dim>::write(const std::string &folder,
-                                  const unsigned int index,
-                                  const double time,
-                                  const LeafMesh<dim> &mesh,
-                                  const LeafPoints<dim> &points,
-                                  const GasField &field,
-                                  const GasMaterial &material,
-                                  const BlastMaps<dim> &maps) const
+std::string GasOutput<dim>::write(const GasSnapshot<dim> &gas) const
 {
   for (const Plane &plane : planes_)
-    write_plane(
-      plane, folder, index, time, mesh, points, field, material, maps);
+    write_plane(plane, gas);
   if (!wants_volume_)
     return "";
-  return write_leaves(folder, index, time, mesh, points, field, material, maps);
+  return write_leaves(gas);
 }
 
 
 template <int dim>
 std::vector<io::FieldName>
-GasOutput<dim>::field_names(const GasField &field,
-                            const GasMaterial &material,
-                            const BlastMaps<dim> &maps) const
+GasOutput<dim>::field_names(const GasSnapshot<dim> &gas) const
 {
   std::vector<io::FieldName> names = {{"density", "kg/m^3"},
                                       {"velocity", "m/s", true},
                                       {"pressure", "Pa"},
                                       {"sensor", "-"},
                                       {"level", "-"}};
-  if (material.has_products())
+  if (gas.material.has_products())
     names.push_back({"products", "-"});
   if (shows_burned_)
     names.push_back({"burned", "-"});
-  if (!maps.empty())
+  if (!gas.maps.empty())
     for (const auto &[name, unit] : map_quantities)
       names.push_back({name, unit});
-  if (field.open_fractions() != nullptr)
+  if (gas.field.open_fractions() != nullptr)
     names.push_back({"open_fraction", "-"});
   return names;
 }
 
 
 template <int dim>
-std::string GasOutput<dim>::write_leaves(const std::string &folder,
-                                         const unsigned int index,
-                                         const double time,
-                                         const LeafMesh<dim> &mesh,
-                                         const LeafPoints<dim> &points,
-                                         const GasField &field,
-                                         const GasMaterial &material,
-                                         const BlastMaps<dim> &maps) const
+std::string GasOutput<dim>::write_leaves(const GasSnapshot<dim> &gas) const
 {
-  io::FieldOutput<dim> output(field_names(field, material, maps));
-  const LeafLayout &layout = field.layout();
+  io::FieldOutput<dim> output(field_names(gas));
+  const LeafLayout &layout = gas.field.layout();
   const unsigned int n = std::max(1U, layout.n - 1);
   const unsigned int n_output = dealii::Utilities::pow(n + 1, dim);
-  const auto stencils = output_stencils(points, n + 1);
+  const auto stencils = output_stencils(gas.points, n + 1);
 
-  for (unsigned int leaf = 0; is_writer<dim>() && leaf < mesh.n_owned(); ++leaf)
+  for (unsigned int leaf = 0; is_writer<dim>() && leaf < gas.mesh.n_owned();
+       ++leaf)
   {
     auto patch = output.make_patch(n);
-    const auto values = field.leaf(leaf);
+    const auto values = gas.field.leaf(leaf);
     for (const unsigned int v : dealii::GeometryInfo<dim>::vertex_indices())
-      patch.vertices[v] = mesh.cell(leaf)->vertex(v);
+      patch.vertices[v] = gas.mesh.cell(leaf)->vertex(v);
     for (unsigned int o = 0; o < n_output; ++o)
     {
       std::vector<double> u(layout.n_components, 0.);
       for (const auto &[q, weight] : stencils[o])
         for (unsigned int c = 0; c < layout.n_components; ++c)
           u[c] += weight * values[c * layout.n_points + q];
-      auto state = primitive_state<dim>(u.data(), material);
+      auto state = primitive_state<dim>(u.data(), gas.material);
       double burned = 0.;
       for (const auto &[q, weight] : stencils[o])
-        burned += weight * field.burned(leaf, q);
-      state.pressure = field.exerted_pressure(state.pressure, burned);
+        burned += weight * gas.field.burned(leaf, q);
+      state.pressure = gas.field.exerted_pressure(state.pressure, burned);
       unsigned int row = 0;
       patch.data(row++, o) = state.density;
       for (unsigned int d = 0; d < dim; ++d)
         patch.data(row++, o) = state.velocity[d];
       patch.data(row++, o) = state.pressure;
-      patch.data(row++, o) = field.sensor_of(leaf);
-      patch.data(row++, o) = mesh.cell(leaf)->level();
-      if (material.has_products())
+      patch.data(row++, o) = gas.field.sensor_of(leaf);
+      patch.data(row++, o) = gas.mesh.cell(leaf)->level();
+      if (gas.material.has_products())
         patch.data(row++, o) = state.products;
       if (shows_burned_)
         patch.data(row++, o) = burned;
       // Nothing is interpolated in maps: as many places as points, or one.
-      if (!maps.empty())
+      if (!gas.maps.empty())
         for (const double value :
-             mapped(maps, leaf, layout.n > 1 ? o : 0, time))
+             mapped(gas.maps, leaf, layout.n > 1 ? o : 0, gas.time))
           patch.data(row++, o) = value;
-      if (field.open_fractions() != nullptr)
-        patch.data(row++, o) = open_fraction(field, leaf, stencils[o]);
+      if (gas.field.open_fractions() != nullptr)
+        patch.data(row++, o) = open_fraction(gas.field, leaf, stencils[o]);
     }
     output.add_patch(std::move(patch));
   }
   if (!is_writer<dim>())
     return "";
-  return output.write_vtu(folder, "fields", index, mesh.communicator());
+  return output.write_vtu(
+    gas.folder, "fields", gas.index, gas.mesh.communicator());
 }
 
 
 template <int dim>
 void GasOutput<dim>::write_plane(const Plane &plane,
-                                 const std::string &folder,
-                                 const unsigned int index,
-                                 const double time,
-                                 const LeafMesh<dim> &mesh,
-                                 const LeafPoints<dim> &points,
-                                 const GasField &field,
-                                 const GasMaterial &material,
-                                 const BlastMaps<dim> &maps) const
+                                 const GasSnapshot<dim> &gas) const
 {
   if constexpr (dim > 1)
   {
     Raster<dim> raster(
-      mesh.coarse_mesh(), plane.direction, plane.position, resolution_);
+      gas.mesh.coarse_mesh(), plane.direction, plane.position, resolution_);
     PointSampler<dim> sampler;
-    sampler.reinit(raster.places, mesh, points);
-    const auto states = sampler.sample(field, material);
-    const unsigned int n_maps = maps.empty() ? 0 : map_quantities.size();
+    sampler.reinit(raster.places, gas.mesh, gas.points);
+    const auto states = sampler.sample(gas.field, gas.material);
+    const unsigned int n_maps = gas.maps.empty() ? 0 : map_quantities.size();
     std::vector<double> records;
     if (n_maps > 0)
       records = sampler.nearest(
         n_maps, [&](const unsigned int leaf, const unsigned int q, double *to) {
-          const auto values = mapped(maps, leaf, q, time);
+          const auto values = mapped(gas.maps, leaf, q, gas.time);
           std::copy_n(values.begin(), n_maps, to);
         });
-    if (dealii::Utilities::MPI::this_mpi_process(mesh.communicator()) != 0)
+    if (dealii::Utilities::MPI::this_mpi_process(gas.mesh.communicator()) != 0)
       return;
 
     const std::string suffix =
@@ -342,8 +320,8 @@ void GasOutput<dim>::write_plane(const Plane &plane,
                : "_" + axis_names.substr(plane.direction, 1) + "_" +
                    std::to_string(&plane - planes_.data());
     std::ostringstream number;
-    number << "_" << std::setw(4) << std::setfill('0') << index;
-    raster.samples.time = time;
+    number << "_" << std::setw(4) << std::setfill('0') << gas.index;
+    raster.samples.time = gas.time;
     const auto write = [&](const std::string &quantity,
                            const std::string &unit,
                            const std::string &ending,
@@ -353,7 +331,7 @@ void GasOutput<dim>::write_plane(const Plane &plane,
       raster.samples.values.clear();
       for (std::size_t i = 0; i < states.size(); ++i)
         raster.samples.values.push_back(value(i));
-      io::write_plane(folder + "/plane" + suffix + "_" + quantity + ending,
+      io::write_plane(gas.folder + "/plane" + suffix + "_" + quantity + ending,
                       raster.samples);
     };
     write("pressure", "Pa", number.str(), [&](const std::size_t i) {

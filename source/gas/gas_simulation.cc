@@ -394,7 +394,7 @@ std::string GasSimulation<dim>::write_fields(const std::string &folder,
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
     gauges_.write(folder, time_);
   return output_.write(
-    folder, index, time_, mesh_, points_, field_, material_, maps_);
+    {folder, index, time_, mesh_, points_, field_, material_, maps_});
 }
 
 

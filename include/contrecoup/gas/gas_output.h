@@ -16,6 +16,20 @@
 
 namespace contrecoup::gas
 {
+/// The gas at one time, and where output of it goes.
+template <int dim>
+struct GasSnapshot
+{
+  const std::string &folder; ///< that takes the files
+  unsigned int index;        ///< number of the output
+  double time;               ///< [s]
+  const LeafMesh<dim> &mesh;
+  const LeafPoints<dim> &points;
+  const GasField &field;
+  const GasMaterial &material;
+  const BlastMaps<dim> &maps; ///< may be empty
+};
+
 /// What is written at each output tick, as subsection "Pictures" says
 /// beyond the fields themselves.
 template <int dim>
@@ -42,14 +56,7 @@ public:
    * those of earlier outputs. Collective.
    * @return the file for the .pvd collection; empty: none
    */
-  std::string write(const std::string &folder,
-                    const unsigned int index,
-                    const double time,
-                    const LeafMesh<dim> &mesh,
-                    const LeafPoints<dim> &points,
-                    const GasField &field,
-                    const GasMaterial &material,
-                    const BlastMaps<dim> &maps) const;
+  std::string write(const GasSnapshot<dim> &gas) const;
 
   /// Whether "Output/Maps" asks for maps.
   bool wants_maps() const
@@ -64,26 +71,9 @@ private:
     double position; ///< [m]
   };
 
-  std::vector<io::FieldName> field_names(const GasField &field,
-                                         const GasMaterial &material,
-                                         const BlastMaps<dim> &maps) const;
-  std::string write_leaves(const std::string &folder,
-                           const unsigned int index,
-                           const double time,
-                           const LeafMesh<dim> &mesh,
-                           const LeafPoints<dim> &points,
-                           const GasField &field,
-                           const GasMaterial &material,
-                           const BlastMaps<dim> &maps) const;
-  void write_plane(const Plane &plane,
-                   const std::string &folder,
-                   const unsigned int index,
-                   const double time,
-                   const LeafMesh<dim> &mesh,
-                   const LeafPoints<dim> &points,
-                   const GasField &field,
-                   const GasMaterial &material,
-                   const BlastMaps<dim> &maps) const;
+  std::vector<io::FieldName> field_names(const GasSnapshot<dim> &gas) const;
+  std::string write_leaves(const GasSnapshot<dim> &gas) const;
+  void write_plane(const Plane &plane, const GasSnapshot<dim> &gas) const;
 
   bool wants_maps_ = false;
   bool wants_volume_ = true;
