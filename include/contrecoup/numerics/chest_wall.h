@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace contrecoup
+{
+/// How a chest moved under a blast.
+struct ChestWallResponse
+{
+  double velocity = 0.;      ///< largest, inward [m/s]
+  double displacement = 0.;  ///< largest, inward [m]
+  double lung_pressure = 0.; ///< largest, above the ambient one [Pa]
+};
+
+/**
+ * The chest wall of a man of 70 kg as a mass on a spring and a damper before a
+ * gas-filled lung:
+ *
+ *   M x'' + J x' + K x = A (p(t) + p0 - p0 (V / (V - A x))^gamma)
+ *
+ * with the inward displacement x, the overpressure p on the chest, M = 2.03 kg,
+ * J = 696 kg/s, K = 989 N/m, A = 0.082 m^2, V = 1.82e-3 m^3, gamma = 1.2
+ * (H. Axelsson and J. T. Yelverton, J. Trauma 40 (1996) S31-S37; their model
+ * has one such wall for each of the loads on four sides of a trunk).
+ *
+ * @param times increasing [s]
+ * @param overpressures at these times, straight between them [Pa]
+ * @param ambient_pressure p0 [Pa]
+ * @throws InputError for times that do not increase, or as many overpressures
+ * as times are missing
+ */
+ChestWallResponse chest_wall_response(const std::vector<double> &times,
+                                      const std::vector<double> &overpressures,
+                                      const double ambient_pressure);
+
+/**
+ * Adjusted severity of injury index of the thorax [-], (0.124 + 0.117 v)^2.63,
+ * of the mean over the sides of a trunk of the largest inward chest wall
+ * velocity v [m/s] (Axelsson and Yelverton 1996; fitted to sheep).
+ */
+double thorax_injury_index(const double chest_wall_velocity);
+
+/// What Axelsson and Yelverton (1996) call the injury of that velocity: "none"
+/// below 3.6 m/s, "trace" below 7.5, "slight" below 9.8, "moderate" below
+/// 12.8, "extensive" below 16.9, else "lethal to most".
+std::string thorax_injury_band(const double chest_wall_velocity);
+} // namespace contrecoup
