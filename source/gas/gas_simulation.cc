@@ -403,6 +403,8 @@ std::vector<NamedValue> GasSimulation<dim>::errors()
 {
   for (const std::string &line : probes_.comparison(reference_))
     log_line(line);
+  for (const std::string &line : loads_.table())
+    log_line(line);
   std::vector<NamedValue> values = probes_.errors(reference_);
   if (reference_.is_measured())
     for (const auto &value :

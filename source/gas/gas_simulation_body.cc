@@ -30,7 +30,7 @@ template <int dim>
 void GasSimulation<dim>::parse_body(ParameterHandler &prm)
 {
   body_.parse_parameters(prm);
-  loads_.parse_parameters(prm, body_);
+  loads_.parse_parameters(prm, body_, coarse_mesh_);
   if (body_.empty())
     return;
   if (dim == 1 || !coarse_mesh_.is_axis_aligned() ||

@@ -28,12 +28,12 @@ namespace
   }
 
 
-  ShapePointer read_body(ParameterHandler &prm)
+  BodyPointer read_body(ParameterHandler &prm)
   {
     const Section section(prm, "Body");
     BodyDescription description;
     description.parse_parameters(prm);
-    return description.create()->surface();
+    return description.create();
   }
 } // namespace
 
@@ -84,7 +84,12 @@ void RigidBody::parse_parameters(ParameterHandler &prm)
     if (kind == "half space")
       shape_ = read_half_space(prm);
   }
+  landmarks_.clear();
   if (kind == "body")
-    shape_ = read_body(prm);
+  {
+    const BodyPointer body = read_body(prm);
+    shape_ = body->surface();
+    landmarks_ = body->landmarks();
+  }
 }
 } // namespace contrecoup::gas

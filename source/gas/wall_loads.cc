@@ -52,12 +52,14 @@ void WallLoads<dim>::declare_parameters(ParameterHandler &prm)
                  "Least time between samples, which are means since the last "
                  "one, so that impulses stay exact; 0 for every step. Peaks "
                  "and arrivals are found from every step anyhow.");
+  LoadGauges::declare_parameters(prm);
 }
 
 
 template <int dim>
 void WallLoads<dim>::parse_parameters(ParameterHandler &prm,
-                                      const RigidBody &body)
+                                      const RigidBody &body,
+                                      const CoarseMesh<dim> &domain)
 {
   const Section section(prm, "Loads");
   active_ = prm.get_bool("Record");
@@ -65,6 +67,9 @@ void WallLoads<dim>::parse_parameters(ParameterHandler &prm,
   if (active_ && body.empty())
     throw InputError("Loads/Record = true needs a Rigid body/Kind other than "
                      "none");
+  if (active_)
+    gauges_.parse_parameters(
+      prm, body, domain.lower_corner(), domain.upper_corner());
 }
 
 
@@ -170,6 +175,10 @@ void WallLoads<dim>::number_facets(const std::vector<std::uint64_t> &keys,
                 &geometry_[n_geometry * facets_[i].number]);
   }
   dealii::Utilities::MPI::sum(geometry_, communicator_, geometry_);
+  std::vector<std::size_t> numbers;
+  for (const Facet &facet : facets_)
+    numbers.push_back(facet.number);
+  gauges_.reinit(geometry_, numbers);
 }
 
 
@@ -257,9 +266,20 @@ void WallLoads<dim>::add(const GasField &field,
       }
     },
     material.model());
+  add_gauges(time, step);
   add_forces(force, wall_force, step);
   if (time - totals_.sample_begin >= interval_ * (1. - 1e-9))
     end_sample(time);
+}
+
+
+template <int dim>
+void WallLoads<dim>::add_gauges(const double time, const double step)
+{
+  std::vector<double> sums = gauges_.partial_sums(
+    [this](const std::size_t facet) { return records_[facet].last; });
+  dealii::Utilities::MPI::sum(sums, communicator_, sums);
+  gauges_.add(sums, time, step, BlastRecord<double>::threshold * ambient_);
 }
 
 
@@ -304,6 +324,10 @@ void WallLoads<dim>::end_sample(const double time)
     record.sample_peak = std::max(record.sample_peak, mean);
     record.sum = 0.;
   }
+  gauges_.end_sample(time,
+                     duration,
+                     dealii::Utilities::MPI::this_mpi_process(communicator_) ==
+                       0);
   times_.push_back(time);
   totals_.sample_begin = time;
   if (samples_.size() * sizeof(float) > most_in_memory)
@@ -335,6 +359,7 @@ void WallLoads<dim>::flush()
       create_file();
     file.append(times_, samples_);
     write_measures();
+    gauges_.flush();
   }
   has_file_ = true;
   totals_.n_times += times_.size();
@@ -362,7 +387,8 @@ void WallLoads<dim>::create_file() const
     facets,
     {{"application", "blast " + version() + " (" + git_revision() + ")"},
      {"units", dim == 3 ? "m, m^2, s, Pa, Pa s" : "m, m, s, Pa, Pa s"},
-     {"overpressure_samples", "means since the time before"}});
+     {"overpressure_samples", "means since the time before"},
+     {"gauges", gauges_.description()}});
 }
 
 
@@ -421,6 +447,8 @@ std::vector<NamedValue> WallLoads<dim>::audit() const
      "-",
      relative(totals_.largest_difference, totals_.largest_force)});
   values.push_back({"loads_sampled_peak_loss", "-", totals_.peak_loss});
+  for (const NamedValue &value : gauges_.measures(totals_.time))
+    values.push_back(value);
   return values;
 }
 
@@ -435,6 +463,7 @@ void WallLoads<dim>::save(std::ostream &stream) const
   stream.write(reinterpret_cast<const char *>(&n), sizeof(n));
   stream.write(reinterpret_cast<const char *>(records_.data()),
                n * sizeof(Record));
+  gauges_.save(stream);
 }
 
 
@@ -450,6 +479,7 @@ void WallLoads<dim>::load(std::istream &stream)
     return;
   records_.assign(n, {});
   stream.read(reinterpret_cast<char *>(records_.data()), n * sizeof(Record));
+  gauges_.load(stream);
 }
 
 

@@ -37,6 +37,10 @@ BodyPointer ShapeBody::placed(const Placement &placement) const
   const auto body = std::make_shared<ShapeBody>(
     std::make_shared<PlacedShape>(surface_, placement), pieces);
   body->set_remarks(remarks());
+  std::vector<Landmark> moved = landmarks();
+  for (Landmark &landmark : moved)
+    landmark.place = placement.apply(landmark.place);
+  body->set_landmarks(moved);
   return body;
 }
 

@@ -123,7 +123,9 @@ BodyPointer Phantom::create() const
   }
   else
     pieces.push_back({{"soft tissue", Tissue::soft_tissue}, flesh});
-  return std::make_shared<ShapeBody>(flesh, pieces);
+  const auto body = std::make_shared<ShapeBody>(flesh, pieces);
+  body->set_landmarks(phantom::find_landmarks(frame, *flesh));
+  return body;
 }
 
 

@@ -33,6 +33,26 @@ contrecoup_add_application_test(body_resume resume FILE ${_cylinder}
     "Loads/Record=true"
   COMPARE history.csv probes.csv STOP_AFTER 20)
 
+# Named places on the body, on any number of ranks and after a stop.
+set(_gauges "Domain/Initial refinement=1" "Time/End time=0.8"
+  "Loads/Record=true" "Loads/Gauges=stagnation point: -0.5, 0"
+  "Loads/Gauge radius=0.05")
+contrecoup_add_application_test(body_gauges bounds FILE ${_cylinder}
+  SET "Output/Fields=false" "Domain/Initial refinement=2" "Loads/Record=true"
+    "Loads/Gauges=stagnation point: -0.7, 0" "Loads/Gauge radius=0.05"
+  BOUNDS "assumptions.loads_stagnation_point_peak > 3"
+    "assumptions.loads_stagnation_point_peak < 4.43"
+    "assumptions.loads_stagnation_point_arrival > 0.18"
+    "assumptions.loads_stagnation_point_arrival < 0.22")
+contrecoup_add_application_test(body_gauges_ranks ranks FILE ${_cylinder}
+  SET "Output/Fields=false" ${_gauges}
+  COMPARE load_gauges.csv TOLERANCE "-r 1e-10 -a 1e-10")
+contrecoup_add_application_test(body_gauges_resume resume FILE ${_cylinder}
+  SET "Output/Fields=false" ${_gauges} "Loads/Interval=0.01"
+  COMPARE load_gauges.csv STOP_AFTER 20)
+
+blast_refuses(gauges_outside "is outside of the domain" FILE ${_cylinder}
+  SET "Loads/Record=true" "Loads/Gauges=below: 0.1, -0.5")
 blast_refuses(body_in_one_dimension "Rigid body/Kind: bodies need"
   FILE ${_sod} SET "Rigid body/Kind=half space")
 blast_refuses(body_galerkin "Method/Scheme = finite volume" FILE ${_cylinder}

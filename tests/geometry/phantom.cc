@@ -124,6 +124,52 @@ TEST(Phantom, StandsUprightOnTheGroundAndIsSymmetric)
 }
 
 
+TEST(Phantom, LandmarksAreOnTheSkinWhereTheirNamesSay)
+{
+  struct Case
+  {
+    std::vector<std::string> lines;
+    unsigned int forward; ///< axis that the man faces
+    double head;          ///< factor of his head
+  };
+  for (const Case &man :
+       {Case{{}, 0, 1.},
+        Case{{"Phantom/Mass=115"}, 0, 1.},
+        Case{
+          {"Phantom/Stature=1.6", "Phantom/Mass=50", "Phantom/Head scale=1.1"},
+          0,
+          1.1},
+        Case{{"Scale=0.5", "Rotation=0, 0, 90", "Shift=1, 2, 3"}, 1, 0.5}})
+  {
+    const BodyPointer body = describe(man.lines).create();
+    std::map<std::string, Point<3>> places;
+    for (const Landmark &landmark : body->landmarks())
+    {
+      EXPECT_NEAR(body->surface()->value(landmark.place), 0., 1e-6)
+        << landmark.name;
+      places[landmark.name] = landmark.place;
+    }
+    ASSERT_EQ(places.size(), 19u);
+    const auto box = body->surface()->bounding_box();
+    const double height = box.side_length(2);
+    EXPECT_NEAR(places.at("vertex")[2], box.upper_bound(2), 1e-6);
+    const auto depth = [&](const std::string &front, const std::string &back) {
+      return places.at(front)[man.forward] - places.at(back)[man.forward];
+    };
+    for (const std::string side : {"left ", "right "})
+      EXPECT_GT(depth(side + "shin", side + "calf"), 0.04 * height);
+    // The head is 197 mm long, and 135 mm wide 45 mm before its middle.
+    EXPECT_NEAR(depth("forehead", "occiput") / man.head, 0.19, 0.01);
+    EXPECT_GT(depth("chest", "back"), 0.1 * height);
+    const auto across = places.at("left temple") - places.at("right temple");
+    EXPECT_NEAR(across.norm() / man.head, 0.135, 0.003);
+    EXPECT_GT(across[1 - man.forward] * (man.forward == 0 ? 1. : -1.), 0.);
+    EXPECT_NEAR(
+      (places.at("left shin")[2] - box.lower_bound(2)) / height, 0.17, 0.01);
+  }
+}
+
+
 TEST(Phantom, SkinIsALayer)
 {
   const BodyPointer body = describe({"Phantom/Skin thickness=0.006"}).create();

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/geometry/shape.h>
+#include <contrecoup/geometry/body.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/point.h>
@@ -67,8 +67,20 @@ public:
     return shape_->project(point);
   }
 
+  /// The unit normal out of the body at a place of its surface.
+  dealii::Tensor<1, 3> normal(const dealii::Point<3> &place) const
+  {
+    return shape_->normal(place);
+  }
+
+  const std::vector<Landmark> &landmarks() const
+  {
+    return landmarks_;
+  }
+
 private:
   ShapePointer shape_;
+  std::vector<Landmark> landmarks_;
   Treatment treatment_ = Treatment::embedded;
   unsigned int levels_ = 0;
 };

@@ -7,6 +7,7 @@
 #include <contrecoup/gas/blast_record.h>
 #include <contrecoup/gas/cut_leaves.h>
 #include <contrecoup/gas/gas_field.h>
+#include <contrecoup/gas/load_gauges.h>
 #include <contrecoup/gas/quiet_leaves.h>
 #include <contrecoup/materials/gas_material.h>
 #include <contrecoup/numerics/riemann_flux.h>
@@ -23,7 +24,8 @@ namespace contrecoup::gas
  * The pressure of the gas on a rigid body, recorded as the run goes. The
  * facets are the pieces of the surface in the cells that it cuts; the pressure
  * on one is that of the Riemann problem between the gas in its cell and the
- * mirror image. Written to loads.h5, see io::LoadFile.
+ * mirror image. Written to loads.h5, see io::LoadFile, and at named places to
+ * load_gauges.csv, see LoadGauges.
  *
  * Audits itself: force and impulse of all facets against what the scheme took
  * from the gas. A staircase's facets take one pressure for all sides of a cell
@@ -36,8 +38,11 @@ public:
   /// Declares subsection "Loads".
   static void declare_parameters(dealii::ParameterHandler &prm);
 
-  /// @throws InputError when there is no body to record the loads of.
-  void parse_parameters(dealii::ParameterHandler &prm, const RigidBody &body);
+  /// @throws InputError when there is no body to record the loads of, and
+  /// for gauges that are not on it.
+  void parse_parameters(dealii::ParameterHandler &prm,
+                        const RigidBody &body,
+                        const CoarseMesh<dim> &domain);
 
   bool active() const
   {
@@ -52,6 +57,7 @@ public:
   void set_folder(const std::string &folder)
   {
     file_ = folder + "/loads.h5";
+    gauges_.set_folder(folder);
   }
 
   /// Finds the facets. Call when the mesh changed. Collective.
@@ -78,8 +84,15 @@ public:
   void save(std::ostream &stream) const;
   void load(std::istream &stream);
 
-  /// Number and area of the facets, impulses and the audit.
+  /// Number and area of the facets, impulses and the audit, and what the
+  /// gauges say.
   std::vector<NamedValue> audit() const;
+
+  /// What the gauges say, for people; empty without loads.
+  std::vector<std::string> table() const
+  {
+    return active_ ? gauges_.table(totals_.time) : std::vector<std::string>();
+  }
 
 private:
   /// A facet in the leaves of this rank.
@@ -128,6 +141,7 @@ private:
                   std::vector<double> &geometry);
   void number_facets(const std::vector<std::uint64_t> &keys,
                      const std::vector<double> &geometry);
+  void add_gauges(const double time, const double step);
   template <typename Gas>
   double wall_pressure(const Facet &facet,
                        const GasField &field,
@@ -151,6 +165,7 @@ private:
   std::vector<double> geometry_;    ///< of all: centroid and area vector
   std::vector<Facet> facets_;       ///< of this rank
   std::vector<Record> records_;     ///< of all; up to date for this rank's
+  LoadGauges gauges_;
   Totals totals_;
   std::vector<double> times_;  ///< not yet in the file [s]
   std::vector<float> samples_; ///< [time][facet], zero for other ranks' [Pa]

@@ -21,6 +21,13 @@ struct BodyPart
   Tissue tissue;
 };
 
+/// A named place on the surface of a body.
+struct Landmark
+{
+  std::string name;       ///< in lower case
+  dealii::Point<3> place; ///< [m]
+};
+
 /// A body of several parts in space. Lengths in m.
 class Body
 {
@@ -47,6 +54,17 @@ public:
     remarks_ = remarks;
   }
 
+  /// Places on the surface that have a name; only shapes known beforehand
+  /// have some.
+  const std::vector<Landmark> &landmarks() const
+  {
+    return landmarks_;
+  }
+  void set_landmarks(const std::vector<Landmark> &landmarks)
+  {
+    landmarks_ = landmarks;
+  }
+
   /// The outer surface, which holds all parts: what gas meets.
   virtual ShapePointer surface() const = 0;
 
@@ -61,6 +79,7 @@ protected:
 
 private:
   std::vector<std::string> remarks_;
+  std::vector<Landmark> landmarks_;
 };
 
 using BodyPointer = std::shared_ptr<const Body>;

@@ -47,7 +47,8 @@ public:
 
   /// The body; parts are brain, spinal cord, cerebrospinal fluid, skull,
   /// spine, ribs, shoulders, arm bones, pelvis, leg bones, heart, liver,
-  /// lungs, skin (if it has a thickness) and soft tissue.
+  /// lungs, skin (if it has a thickness) and soft tissue; landmarks are those
+  /// of phantom::find_landmarks().
   BodyPointer create() const;
 
   /// What the literature says of the organs, scaled to this stature and head.
@@ -117,5 +118,10 @@ namespace phantom
 
   /// Heart, liver, lungs.
   std::vector<ShapeBody::Piece> make_organs(const Frame &frame);
+
+  /// Places on the skin where blast loads are usually told: forehead, vertex,
+  /// occiput, throat, chest (breast bone), abdomen, back, and left and right
+  /// eye, temple, ear, thigh, shin and calf.
+  std::vector<Landmark> find_landmarks(const Frame &frame, const Shape &skin);
 } // namespace phantom
 } // namespace contrecoup
