@@ -343,6 +343,7 @@ void derive_first_stage(const ParameterHandler &scene,
   changes["Method/Scheme"] = "finite volume";
   changes["Method/Precision"] = "double";
   changes["Rigid body/Kind"] = "none";
+  changes["Loads/Record"] = "false";
   changes["Reference/Kind"] = "none";
   changes["Pictures/Planes"] = "";
   changes["Output/Profile file"] = "";
