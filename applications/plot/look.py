@@ -7,11 +7,16 @@ import matplotlib
 matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt  # noqa: E402 (after the choice of backend)
+import numpy as np  # noqa: E402
+from matplotlib.colors import FuncNorm  # noqa: E402
+from matplotlib.ticker import (FormatStrFormatter, LogLocator,  # noqa: E402
+                               NullLocator)
 
 # Okabe and Ito (2008): told apart by people with any colour vision.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9",
            "#000000", "#F0E442"]
 GREY = "#666666"
+BODY = "#8a8a8a"  # where there is no gas
 
 # Both are readable with any colour vision.
 SEQUENTIAL = "magma"
@@ -64,6 +69,19 @@ def label(name, unit):
     name = name.replace("_", " ")
     unit = unit.replace("^2", "²").replace("^3", "³")
     return f"{name} [{unit}]" if unit else name
+
+
+def about_zero(largest):
+    """Square roots to both sides of zero, so that weak waves show as well."""
+    return FuncNorm((lambda x: np.sign(x) * np.sqrt(np.abs(x)),
+                     lambda x: np.sign(x) * x * x), -largest, largest)
+
+
+def label_decades(axis):
+    """Marks a logarithmic axis with plain numbers."""
+    axis.set_major_locator(LogLocator(subs=(1., 2., 5.)))
+    axis.set_major_formatter(FormatStrFormatter("%g"))
+    axis.set_minor_locator(NullLocator())
 
 
 def save(figure, path):

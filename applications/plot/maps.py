@@ -9,8 +9,7 @@ import os
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.colors import LogNorm, Normalize
-from matplotlib.ticker import (FormatStrFormatter, LogLocator, MaxNLocator,
-                               NullLocator)
+from matplotlib.ticker import MaxNLocator
 
 import look
 import tables
@@ -79,9 +78,7 @@ def _draw_panel(figure, axis, plane, arrived):
                           fraction=0.05)
     bar.set_label(unit, fontsize=9)
     if spread:
-        bar.ax.yaxis.set_major_locator(LogLocator(subs=(1., 2., 5.)))
-        bar.ax.yaxis.set_major_formatter(FormatStrFormatter("%g"))
-        bar.ax.yaxis.set_minor_locator(NullLocator())
+        look.label_decades(bar.ax.yaxis)
     bar.outline.set_visible(False)
 
 

@@ -9,7 +9,7 @@ import re
 
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.colors import FuncNorm, PowerNorm
+from matplotlib.colors import PowerNorm
 from matplotlib.ticker import MaxNLocator
 
 import look
@@ -124,12 +124,6 @@ def draw_planes(planes, path):
     look.save(figure, path)
 
 
-def _about_zero(largest):
-    """Square roots to both sides of zero, so that weak waves show as well."""
-    return FuncNorm((lambda x: np.sign(x) * np.sqrt(np.abs(x)),
-                     lambda x: np.sign(x) * x * x), -largest, largest)
-
-
 def _draw_panel(figure, axis, plane, values):
     finite = values[np.isfinite(values)]
     largest = np.max(np.abs(finite))
@@ -138,11 +132,12 @@ def _draw_panel(figure, axis, plane, values):
     if low == high:
         high = low + 1.
     if plane.quantity == "pressure":
-        colours, norm = look.DIVERGING, _about_zero(max(-low, high))
+        colours, norm = look.DIVERGING, look.about_zero(max(-low, high))
     else:
         colours, norm = look.SEQUENTIAL, PowerNorm(0.5, low, high)
     image = axis.imshow(values * factor, extent=plane.extent(), norm=norm,
                         cmap=colours, interpolation="bilinear")
+    axis.set_facecolor(look.BODY)
     bar = figure.colorbar(image, cax=axis.inset_axes([1.02, 0., 0.03, 1.]))
     bar.set_label(look.label(_name(plane), unit), fontsize=9)
     bar.ax.yaxis.set_major_locator(MaxNLocator(5))

@@ -5,13 +5,15 @@
 
 Writes PNG files into OUTPUT_FOLDER/pictures and prints their paths: the
 history, the pressure at the probes, plane cuts through fields, values along
-their lowest row of samples, maps of what the blast did, lines of gauges, and
-profiles of one-dimensional runs.
+their lowest row of samples, maps of what the blast did, lines of gauges,
+loads on a body from four sides and at its named places, and profiles of
+one-dimensional runs.
 """
 
 import os
 import sys
 
+import loads
 import look
 import maps
 import planes
@@ -46,6 +48,7 @@ def main(arguments):
         stem = os.path.join(pictures, name)
         planes.draw_planes(cuts, stem + ".png")
         planes.draw_lines(cuts, stem + "_lowest.png")
+    loads.draw(folder, pictures)
     lines = profiles.open_profiles(folder)
     if lines:
         profiles.draw_profiles(lines, os.path.join(pictures, "profiles.png"))

@@ -12,6 +12,7 @@
 #include <deal.II/base/geometry_info.h>
 
 #include <iomanip>
+#include <limits>
 #include <sstream>
 
 namespace contrecoup::gas
@@ -110,6 +111,20 @@ namespace
     for (const auto &[q, weight] : stencil)
       result += weight * field.open_fraction(leaf, q);
     return result;
+  }
+
+  /// What pictures show inside a body.
+  constexpr double no_gas = std::numeric_limits<double>::quiet_NaN();
+
+  /// The open part of the cell that each sample is in.
+  template <int dim>
+  std::vector<double> open_fractions(const PointSampler<dim> &sampler,
+                                     const GasField &field)
+  {
+    return sampler.nearest(
+      1, [&](const unsigned int leaf, const unsigned int q, double *to) {
+        *to = field.open_fraction(leaf, q);
+      });
   }
 
   /// Measures of point @p q of a leaf.
@@ -312,6 +327,7 @@ void GasOutput<dim>::write_plane(const Plane &plane,
           const auto values = mapped(gas.maps, leaf, q, gas.time);
           std::copy_n(values.begin(), n_maps, to);
         });
+    const std::vector<double> open = open_fractions(sampler, gas.field);
     if (dealii::Utilities::MPI::this_mpi_process(gas.mesh.communicator()) != 0)
       return;
 
@@ -330,7 +346,7 @@ void GasOutput<dim>::write_plane(const Plane &plane,
       raster.samples.unit = unit;
       raster.samples.values.clear();
       for (std::size_t i = 0; i < states.size(); ++i)
-        raster.samples.values.push_back(value(i));
+        raster.samples.values.push_back(open[i] > 0. ? value(i) : no_gas);
       io::write_plane(gas.folder + "/plane" + suffix + "_" + quantity + ending,
                       raster.samples);
     };
