@@ -49,7 +49,9 @@ void EmbeddedKernel<dim, Gas, Real>::reinit()
       faces.resize(layout_.n_face_points);
     for (unsigned int lane = 0; lane < mesh_.n_filled_lanes(batch); ++lane)
       take(batch * Base::width + lane, lane, openings);
-    all_openings_.push_back(openings);
+    if (cut_leaves_.treatment() == RigidBody::Treatment::embedded)
+      pack_walls(batch, openings);
+    all_openings_.push_back(std::move(openings));
   }
 }
 
@@ -70,6 +72,57 @@ void EmbeddedKernel<dim, Gas, Real>::take(const unsigned int leaf,
     for (unsigned int line = 0; line < layout_.n_face_points; ++line)
       to.beyond[face][line][lane] =
         cut_leaves_.inner_opening_beyond(leaf, face, line);
+}
+
+
+template <int dim, typename Gas, typename Real>
+void EmbeddedKernel<dim, Gas, Real>::pack_walls(const unsigned int batch,
+                                                Openings &openings) const
+{
+  unsigned int n_filled = Base::width;
+  for (unsigned int lane = 0; lane < mesh_.n_filled_lanes(batch); ++lane)
+  {
+    const unsigned int leaf = batch * Base::width + lane;
+    if (cut_leaves_.shape(leaf) == nullptr)
+      continue;
+    dealii::Tensor<1, dim> size;
+    double volume = 1.;
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      size[d] = mesh_.extents(leaf / W)[d][leaf % W] / layout_.n;
+      volume *= size[d];
+    }
+    for (unsigned int q = 0; q < layout_.n_points; ++q)
+    {
+      dealii::Tensor<1, dim> wall = cut_leaves_.wall({leaf, q});
+      for (unsigned int d = 0; d < dim; ++d)
+        wall[d] /= size[d];
+      const double area = wall.norm();
+      if (!(area > 0.) || cut_leaves_.fractions()(leaf, q) == 0.)
+        continue;
+      if (n_filled == Base::width)
+      {
+        n_filled = 0;
+        openings.walls.emplace_back();
+        WallPack &empty = openings.walls.back();
+        empty.area = Number(0.);
+        empty.volume = Number(0.);
+        empty.normal.fill(Number(0.));
+        empty.point.fill(q);
+        empty.lane.fill(lane);
+        empty.offset.fill(q * Base::width + lane);
+      }
+      WallPack &walls = openings.walls.back();
+      walls.point[n_filled] = q;
+      walls.lane[n_filled] = lane;
+      walls.offset[n_filled] = q * Base::width + lane;
+      for (unsigned int d = 0; d < dim; ++d)
+        walls.normal[d][n_filled] = wall[d] / area;
+      walls.area[n_filled] = area;
+      walls.volume[n_filled] = volume;
+      ++n_filled;
+    }
+  }
 }
 
 
@@ -167,54 +220,46 @@ EmbeddedKernel<dim, Gas, Real>::opening_of(const unsigned int point,
 
 
 template <int dim, typename Gas, typename Real>
-typename EmbeddedKernel<dim, Gas, Real>::Number
-EmbeddedKernel<dim, Gas, Real>::wall_area(const unsigned int point,
-                                          const unsigned int direction) const
-{
-  return (opening_of(point, direction, 0) - opening_of(point, direction, 1)) *
-         inverse_size(direction);
-}
-
-
-template <int dim, typename Gas, typename Real>
 void EmbeddedKernel<dim, Gas, Real>::add_walls()
 {
   wall_force_.fill(Number(0.));
   wall_area_.fill(Number(0.));
-  for (unsigned int q = 0; q < layout_.n_points; ++q)
-    if (cut_leaves_.treatment() == RigidBody::Treatment::embedded)
-      add_embedded_wall(q);
-    else
+  for (const WallPack &walls : openings_->walls)
+    add_embedded_walls(walls);
+  if (cut_leaves_.treatment() == RigidBody::Treatment::staircase)
+    for (unsigned int q = 0; q < layout_.n_points; ++q)
       add_staircase_wall(q);
 }
 
 
 template <int dim, typename Gas, typename Real>
-void EmbeddedKernel<dim, Gas, Real>::add_embedded_wall(const unsigned int point)
+void EmbeddedKernel<dim, Gas, Real>::add_embedded_walls(const WallPack &walls)
 {
-  std::array<Number, dim> area;
-  Number square(0.);
-  for (unsigned int d = 0; d < dim; ++d)
-  {
-    area[d] = wall_area(point, d);
-    square += area[d] * area[d];
-  }
-  if (!(largest_lane(square) > 0.))
-    return;
-  const Number inverse = select_less(
-    Number(0.), square, Number(Number(1.) / std::sqrt(square)), Number(0.));
+  Values inside;
+  for (unsigned int c = 0; c < nc; ++c)
+    inside[c].gather(
+      reinterpret_cast<const Real *>(&Base::primitive_[c * layout_.n_points]),
+      walls.offset.data());
+  Number progress(0.);
+  if (Base::burn_ != nullptr)
+    for (unsigned int i = 0; i < Base::width; ++i)
+      progress[i] = Base::burn_->progress(
+        batch_ * Base::width + walls.lane[i], walls.point[i], Base::time_);
   Number speed(0.);
   for (unsigned int d = 0; d < dim; ++d)
-    speed += Base::primitive_[(C::momentum + d) * layout_.n_points + point] *
-             area[d] * inverse;
-  const Number pressure = wall_pressure(point, speed);
-  const Number excess = pressure - point_pressure(point);
+    speed += inside[C::momentum + d] * walls.normal[d];
+  const Number pressure = wall_pressure(inside, speed, progress);
+  const Number excess =
+    (pressure - exerted_pressure(inside, progress)) * walls.area;
   for (unsigned int d = 0; d < dim; ++d)
   {
-    Base::residual_[(C::momentum + d) * layout_.n_points + point] -=
-      excess * area[d];
-    wall_force_[d] += pressure * area[d];
-    wall_area_[d] += area[d];
+    const Number change = excess * walls.normal[d];
+    Number *residual = &Base::residual_[(C::momentum + d) * layout_.n_points];
+    for (unsigned int i = 0; i < Base::width; ++i)
+      residual[walls.point[i]][walls.lane[i]] -= change[i];
+    const Number area = walls.normal[d] * walls.area * walls.volume;
+    wall_force_[d] += pressure * area;
+    wall_area_[d] += area;
   }
 }
 
@@ -223,34 +268,41 @@ template <int dim, typename Gas, typename Real>
 void EmbeddedKernel<dim, Gas, Real>::add_staircase_wall(
   const unsigned int point)
 {
-  const Number own = point_pressure(point);
+  Values inside;
+  for (unsigned int c = 0; c < nc; ++c)
+    inside[c] = Base::primitive_[c * layout_.n_points + point];
+  Number progress(0.);
+  if (Base::burn_ != nullptr)
+    progress = Base::progress(point, Base::time_);
+  const Number own = exerted_pressure(inside, progress);
   const Number is_gas = positive(openings_->fraction[point]);
+  Number volume(1.);
+  for (unsigned int d = 0; d < dim; ++d)
+    volume *= mesh_.template extents<Real>(batch_)[d] / Number(layout_.n);
   for (unsigned int d = 0; d < dim; ++d)
   {
     const Number low = is_gas - opening_of(point, d, 0) * is_gas;
     const Number high = is_gas - opening_of(point, d, 1) * is_gas;
     if (!(largest_lane(Number(low + high)) > 0.))
       continue;
-    const Number speed =
-      Base::primitive_[(C::momentum + d) * layout_.n_points + point];
-    const Number below = wall_pressure(point, -speed);
-    const Number above = wall_pressure(point, speed);
+    const Number speed = inside[C::momentum + d];
+    const Number below = wall_pressure(inside, -speed, progress);
+    const Number above = wall_pressure(inside, speed, progress);
     Base::residual_[(C::momentum + d) * layout_.n_points + point] +=
       ((below - own) * low - (above - own) * high) * inverse_size(d);
-    wall_force_[d] += (above * high - below * low) * inverse_size(d);
-    wall_area_[d] += (high - low) * inverse_size(d);
+    const Number area = inverse_size(d) * volume;
+    wall_force_[d] += (above * high - below * low) * area;
+    wall_area_[d] += (high - low) * area;
   }
 }
 
 
 template <int dim, typename Gas, typename Real>
 typename EmbeddedKernel<dim, Gas, Real>::Number
-EmbeddedKernel<dim, Gas, Real>::wall_pressure(const unsigned int point,
-                                              const Number &speed) const
+EmbeddedKernel<dim, Gas, Real>::wall_pressure(Values inside,
+                                              const Number &speed,
+                                              const Number &progress) const
 {
-  Values inside;
-  for (unsigned int c = 0; c < nc; ++c)
-    inside[c] = Base::primitive_[c * layout_.n_points + point];
   for (unsigned int d = 0; d < dim; ++d)
     inside[C::momentum + d] = Number(0.);
   Values image = inside;
@@ -260,7 +312,6 @@ EmbeddedKernel<dim, Gas, Real>::wall_pressure(const unsigned int point,
   auto right = to_face_state<dim>(Base::gas_, image);
   if (Base::burn_ != nullptr)
   {
-    const Number progress = Base::progress(point, Base::time_);
     Base::burn_->template hold_back<dim>(progress, left);
     Base::burn_->template hold_back<dim>(progress, right);
   }
@@ -271,17 +322,14 @@ EmbeddedKernel<dim, Gas, Real>::wall_pressure(const unsigned int point,
 
 template <int dim, typename Gas, typename Real>
 typename EmbeddedKernel<dim, Gas, Real>::Number
-EmbeddedKernel<dim, Gas, Real>::point_pressure(const unsigned int point) const
+EmbeddedKernel<dim, Gas, Real>::exerted_pressure(const Values &inside,
+                                                 const Number &progress) const
 {
-  const Number pressure =
-    Base::primitive_[C::energy * layout_.n_points + point];
+  const Number &pressure = inside[C::energy];
   if (Base::burn_ == nullptr)
     return pressure;
   return Base::burn_->pressure(
-    pressure,
-    Base::burn_->fraction(
-      Base::progress(point, Base::time_),
-      Base::primitive_[C::density * layout_.n_points + point]));
+    pressure, Base::burn_->fraction(progress, inside[C::density]));
 }
 
 
@@ -317,15 +365,11 @@ template <int dim, typename Gas, typename Real>
 void EmbeddedKernel<dim, Gas, Real>::add_wall_force(
   const BasicStage<Real> &stage) const
 {
-  Number volume(1.);
   for (unsigned int d = 0; d < dim; ++d)
-    volume *= mesh_.template extents<Real>(batch_)[d] / Number(layout_.n);
-  for (unsigned int d = 0; d < dim; ++d)
-    for (unsigned int lane = 0; lane < mesh_.n_filled_lanes(batch_); ++lane)
+    for (unsigned int lane = 0; lane < Base::width; ++lane)
     {
-      const double factor = stage.weight * volume[lane];
-      (*stage.wall_force)[d] += factor * wall_force_[d][lane];
-      (*stage.wall_force)[3 + d] += factor * wall_area_[d][lane];
+      (*stage.wall_force)[d] += stage.weight * double(wall_force_[d][lane]);
+      (*stage.wall_force)[3 + d] += stage.weight * double(wall_area_[d][lane]);
     }
 }
 

@@ -96,13 +96,18 @@ void WallLoads<dim>::reinit(const LeafMesh<dim> &mesh,
 
 template <int dim>
 std::uint64_t WallLoads<dim>::key_of(const dealii::Point<dim> &place,
-                                     const dealii::Tensor<1, dim> &size,
                                      const CoarseMesh<dim> &domain)
 {
+  // Centres of cells differ by some millionths of the domain at least.
+  const double resolution = 1U << 21;
   std::uint64_t key = 0;
   for (unsigned int d = 0; d < dim; ++d)
-    key = (key << 21) + static_cast<std::uint64_t>(
-                          (place[d] - domain.lower_corner()[d]) / size[d]);
+  {
+    const double extent = domain.upper_corner()[d] - domain.lower_corner()[d];
+    key = (key << 21) +
+          static_cast<std::uint64_t>((place[d] - domain.lower_corner()[d]) /
+                                     extent * resolution);
+  }
   return key;
 }
 
@@ -139,7 +144,16 @@ void WallLoads<dim>::add_facets(const unsigned int leaf,
       area[d] *= volume / size[d];
     }
     facets_.push_back({leaf, q, 0, area});
-    keys.push_back(key_of(place, size, mesh.coarse_mesh()));
+    keys.push_back(key_of(place, mesh.coarse_mesh()));
+    // Known facets stay where they are: it is costly to find them.
+    const auto known =
+      std::lower_bound(keys_.begin(), keys_.end(), keys.back());
+    if (known != keys_.end() && *known == keys.back())
+    {
+      const double *values = &geometry_[n_geometry * (known - keys_.begin())];
+      geometry.insert(geometry.end(), values, values + n_geometry);
+      continue;
+    }
     const dealii::Point<3> centroid = body.project(place);
     for (unsigned int d = 0; d < 3; ++d)
       geometry.push_back(centroid[d]);

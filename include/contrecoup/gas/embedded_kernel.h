@@ -52,9 +52,23 @@ private:
   using Base::mesh_;
   using Base::nc;
 
+  /// Pieces of the wall, as many as lanes, of any points and leaves of a batch.
+  struct WallPack
+  {
+    std::array<unsigned int, Base::width> point;
+    std::array<unsigned int, Base::width> lane;
+    /// Where the points' values stand among those of a component.
+    std::array<unsigned int, Base::width> offset;
+    /// Vector out of the gas, of which the unit length is kept apart.
+    std::array<Number, dim> normal;
+    Number area;   ///< over the cell's volume [1/m]; 0: no piece
+    Number volume; ///< of the cell [m^dim]
+  };
+
   /// The shapes of the leaves of a batch.
   struct Openings
   {
+    std::vector<WallPack> walls;            ///< of embedded bodies
     dealii::AlignedVector<Number> fraction; ///< per point
     /// Per direction: [layer][line].
     std::array<dealii::AlignedVector<Number>, dim> face;
@@ -65,6 +79,8 @@ private:
   /// Copies the shape of a leaf to a lane.
   void
   take(const unsigned int leaf, const unsigned int lane, Openings &to) const;
+  /// Finds the pieces of the wall, for which the openings are there already.
+  void pack_walls(const unsigned int batch, Openings &openings) const;
   void bind_openings(const unsigned int batch)
   {
     openings_ = &all_openings_[openings_of_batch_[batch]];
@@ -78,22 +94,22 @@ private:
   void sweep_openings(const unsigned int direction,
                       const HangingData<dim, Real> &hanging);
   void fill_touch(const unsigned int direction, const unsigned int line);
-  /// Area of the wall in a point's cell over the cell's volume, along a
-  /// direction, out of the gas [1/m].
-  Number wall_area(const unsigned int point,
-                   const unsigned int direction) const;
   /// Opening of the low (side 0) or high face of a point.
   const Number &opening_of(const unsigned int point,
                            const unsigned int direction,
                            const unsigned int side) const;
   void add_open_fluxes(const unsigned int direction, const unsigned int line);
   void add_walls();
-  void add_embedded_wall(const unsigned int point);
+  void add_embedded_walls(const WallPack &walls);
   void add_staircase_wall(const unsigned int point);
-  /// Pressure on a wall that the gas of a point moves towards at @p speed.
-  Number wall_pressure(const unsigned int point, const Number &speed) const;
-  /// Pressure that the gas of a point exerts [Pa].
-  Number point_pressure(const unsigned int point) const;
+  /// Pressure on a wall that the gas moves towards at @p speed.
+  /// @param inside primitive values, of which the velocity does not count
+  /// @param progress Burn::progress(), where explosive burns
+  Number wall_pressure(Values inside,
+                       const Number &speed,
+                       const Number &progress) const;
+  /// Pressure that gas exerts [Pa].
+  Number exerted_pressure(const Values &inside, const Number &progress) const;
   Number inverse_size(const unsigned int direction) const
   {
     return Number(layout_.n) / mesh_.template extents<Real>(batch_)[direction];
@@ -105,7 +121,7 @@ private:
   std::vector<int> openings_of_batch_; ///< index, or -1
   std::vector<Openings> all_openings_;
   const Openings *openings_ = nullptr; ///< of the bound batch
-  std::array<Number, dim> wall_force_; ///< per volume of a cell [N/m^3]
-  std::array<Number, dim> wall_area_;  ///< likewise [1/m]
+  std::array<Number, dim> wall_force_; ///< sums by lane [N]
+  std::array<Number, dim> wall_area_;  ///< likewise [m^2]
 };
 } // namespace contrecoup::gas

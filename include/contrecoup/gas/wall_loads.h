@@ -128,9 +128,8 @@ private:
 
   /// Makes every rank know the records of all facets. Collective.
   void share();
-  /// A number that tells the cell apart from all others.
+  /// A number that tells the cell around a place apart from all others.
   static std::uint64_t key_of(const dealii::Point<dim> &place,
-                              const dealii::Tensor<1, dim> &size,
                               const CoarseMesh<dim> &domain);
   void add_facets(const unsigned int leaf,
                   const LeafMesh<dim> &mesh,
