@@ -3,7 +3,7 @@
 
 #include <contrecoup/gas/adaptation.h>
 
-#include <cmath>
+#include <algorithm>
 
 namespace contrecoup::gas
 {
@@ -26,8 +26,16 @@ SizeLimits::Levels Adaptation<dim>::levels(const unsigned int leaf) const
   const auto centre = mesh_.cell(leaf)->center();
   SizeLimits::Levels general = {parameters_.least_level,
                                 parameters_.most_level};
-  if (is_at_body(leaf))
-    return {body_level_, body_level_};
+  if (body_ != nullptr)
+  {
+    const unsigned int level = body_level(leaf);
+    const double layers = layers_from_body(leaf);
+    if (layers <= RigidBody::at_body)
+      return {level, level};
+    // Finer ones beside those at the body would have them halved as well.
+    if (layers <= 2.)
+      general.most = std::min(general.most, level + 2);
+  }
   if (is_in_fine_box(centre))
     general.least = std::max(general.least, parameters_.fine_level);
   return parameters_.limits.levels(
@@ -36,16 +44,21 @@ SizeLimits::Levels Adaptation<dim>::levels(const unsigned int leaf) const
 
 
 template <int dim>
-bool Adaptation<dim>::is_at_body(const unsigned int leaf) const
+unsigned int Adaptation<dim>::body_level(const unsigned int leaf) const
 {
-  if (body_ == nullptr)
-    return false;
   const auto &cell = mesh_.cell(leaf);
-  const double diagonal =
-    (cell->vertex((1U << dim) - 1) - cell->vertex(0)).norm();
-  const double wanted = std::ldexp(diagonal, cell->level() - int(body_level_));
-  return std::abs(body_->value(cell->center())) <=
-         (0.5 * diagonal + wanted) * (1. + 1e-9);
+  return initial_level_ +
+         body_->levels(cell->vertex(0), cell->vertex((1U << dim) - 1));
+}
+
+
+template <int dim>
+double Adaptation<dim>::layers_from_body(const unsigned int leaf) const
+{
+  const auto &cell = mesh_.cell(leaf);
+  return body_->layers_to(cell->vertex(0),
+                          cell->vertex((1U << dim) - 1),
+                          cell->level() - int(initial_level_));
 }
 
 
@@ -54,8 +67,10 @@ void Adaptation<dim>::refine_at_body()
 {
   do
     for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
-      if (is_at_body(leaf) &&
-          static_cast<unsigned int>(mesh_.cell(leaf)->level()) < body_level_)
+      if (body_ != nullptr &&
+          static_cast<unsigned int>(mesh_.cell(leaf)->level()) <
+            body_level(leaf) &&
+          layers_from_body(leaf) <= RigidBody::at_body)
         mesh_.cell(leaf)->set_refine_flag();
   while (refine_flagged());
 }

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
 #include <contrecoup/gas/cut_cell.h>
 #include <contrecoup/gas/cut_leaves.h>
 #include <contrecoup/gas/gas_measures.h>
 
 #include <algorithm>
-#include <sstream>
 
 namespace contrecoup::gas
 {
@@ -119,6 +117,7 @@ void CutLeaves<dim>::reinit(const LeafMesh<dim> &mesh,
   body_ = &body;
   layout_ = layout;
   measure_all();
+  match_sizes();
   find_neighbors();
   choose_directions();
   share(directions_);
@@ -133,11 +132,11 @@ void CutLeaves<dim>::measure_all()
 {
   const unsigned int n_stored = mesh_->n_stored_batches() * mesh_->width();
   fractions_.reinit(n_stored, layout_.n_points);
-  shape_of_.assign(n_stored, -1);
-  former_shapes_.swap(shapes_);
-  former_places_.swap(place_of_shape_);
-  shapes_.clear();
-  place_of_shape_.clear();
+  shape_of_.assign(n_stored, open);
+  matched_of_.assign(n_stored, open);
+  matched_shapes_.clear();
+  former_memory_ = std::move(memory_);
+  memory_ = {};
   for (unsigned int leaf = 0; leaf < mesh_->n_owned(); ++leaf)
     measure(leaf_box(*mesh_, leaf), leaf);
   for (const auto &cell : mesh_->triangulation().active_cell_iterators())
@@ -148,8 +147,7 @@ void CutLeaves<dim>::measure_all()
       box.extents = cell->vertex((1U << dim) - 1) - cell->vertex(0);
       measure(box, mesh_->leaf_of(cell));
     }
-  former_shapes_.clear();
-  former_places_.clear();
+  former_memory_ = {};
 }
 
 
@@ -159,38 +157,48 @@ void CutLeaves<dim>::measure(const LeafBox<dim> &box, const unsigned int leaf)
   const double radius =
     box.extents.norm() * (0.5 + 1. / layout_.n) * (1. + 1e-9);
   const double value =
-    body_->value(dealii::Point<dim>(box.origin + box.extents * 0.5));
+    body_->value_in_leaf(dealii::Point<dim>(box.origin + box.extents * 0.5));
   if (value > radius)
     return;
-  if (value < -radius)
-  {
+  const int index = value < -radius ? closed : find_shape(box);
+  if (index == closed)
     fractions_.close(leaf);
+  if (index < 0)
     return;
-  }
-  Shape shape = shape_in(box);
-  if (shape.is_open())
-    return;
-  const auto &parts = shape.fraction;
-  if (*std::max_element(parts.begin(), parts.end()) == 0.)
-  {
-    fractions_.close(leaf);
-    return;
-  }
-  fractions_.set(leaf, parts);
-  shape_of_[leaf] = static_cast<int>(shapes_.size());
-  place_of_shape_[place_of(box)] = shapes_.size();
-  shapes_.push_back(std::move(shape));
+  shape_of_[leaf] = index;
+  fractions_.set(leaf, memory_.shapes[index].fraction);
 }
 
 
 template <int dim>
-typename CutLeaves<dim>::Shape CutLeaves<dim>::shape_in(const LeafBox<dim> &box)
+int CutLeaves<dim>::find_shape(const LeafBox<dim> &box)
 {
-  const auto known = former_places_.find(place_of(box));
-  if (known != former_places_.end())
-    return std::move(former_shapes_[known->second]);
-  return treatment() == RigidBody::Treatment::embedded ? cut_shape(box)
-                                                       : staircase_shape(box);
+  const Place place = place_of(box);
+  int &index = memory_.index[place];
+  index = static_cast<int>(memory_.shapes.size());
+  const auto known = former_memory_.index.find(place);
+  if (known == former_memory_.index.end())
+  {
+    Shape shape = treatment() == RigidBody::Treatment::embedded
+                    ? cut_shape(box)
+                    : staircase_shape(box);
+    const auto &parts = shape.fraction;
+    if (shape.is_open())
+      return index = open;
+    if (*std::max_element(parts.begin(), parts.end()) == 0.)
+      return index = closed;
+    memory_.shapes.push_back(std::move(shape));
+    memory_.directions.emplace_back();
+    memory_.sides.push_back(0);
+    return index;
+  }
+  const int former = known->second;
+  if (former < 0)
+    return index = former;
+  memory_.shapes.push_back(std::move(former_memory_.shapes[former]));
+  memory_.directions.push_back(std::move(former_memory_.directions[former]));
+  memory_.sides.push_back(former_memory_.sides[former]);
+  return index;
 }
 
 
@@ -289,19 +297,7 @@ void CutLeaves<dim>::connect(const unsigned int leaf)
   for (auto s = mesh_->special_begin(batch); s != mesh_->special_end(batch);
        ++s)
     if (s->lane == lane)
-    {
       neighbors[s->face] = no_leaf;
-      if (s->kind != SpecialFace::Kind::boundary && shape(leaf) != nullptr)
-      {
-        std::ostringstream message;
-        message
-          << "Rigid body: its surface cuts the leaf around "
-          << mesh_->cell(leaf)->center()
-          << " m, which has neighbours of another size; Rigid body/Levels "
-             "must make all leaves there equal";
-        throw InputError(message.str());
-      }
-    }
   neighbors_[leaf] = neighbors;
   for (unsigned int face = 0; face < 2 * dim; ++face)
     if (neighbors[face] != no_leaf && neighbors[face] >= mesh_->first_ghost())

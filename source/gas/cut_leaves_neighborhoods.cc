@@ -33,6 +33,62 @@ CutLeaves<dim>::next(const Cell &cell, const unsigned int face) const
 
 
 template <int dim>
+bool CutLeaves<dim>::cross(const unsigned int face, Chain &chain) const
+{
+  const Cell cell = chain.back();
+  const unsigned int d = face / 2;
+  const auto found = sides_.find({cell.leaf, face});
+  if (cell.point / layout_.stride(d) % layout_.n !=
+        (face % 2) * (layout_.n - 1) ||
+      found == sides_.end())
+    return false;
+  const auto &hanging = mesh_->hanging_faces()[found->second.first];
+  const unsigned int n_fine = HangingFace<dim>::n_fine;
+  const unsigned int line = line_of(cell.point, d);
+  const std::size_t former = chain.size();
+  if (const unsigned int part = found->second.second; part != no_leaf)
+  {
+    if (hanging_opening(hanging, part, line) > 0.)
+      chain.push_back(
+        {hanging.coarse_leaf,
+         layout_.face_point(face ^ 1U, coarse_face_point(part, line), 0),
+         double(2 * n_fine)});
+    return chain.size() > former;
+  }
+  for (unsigned int part = 0; part < n_fine; ++part)
+    for (unsigned int q = 0; q < layout_.n_face_points; ++q)
+      if (hanging.fine_leaf[part] != no_leaf &&
+          coarse_face_point(part, q) == line &&
+          hanging_opening(hanging, part, q) > 0.)
+        chain.push_back({hanging.fine_leaf[part],
+                         layout_.face_point(face ^ 1U, q, 0),
+                         0.5 / n_fine});
+  return chain.size() > former;
+}
+
+
+template <int dim>
+typename CutLeaves<dim>::Chain
+CutLeaves<dim>::chain(const Cell &cell,
+                      const unsigned int face,
+                      const unsigned int length) const
+{
+  Chain result(1, cell);
+  for (unsigned int i = 1; i <= length; ++i)
+  {
+    const Cell other = next(result.back(), face);
+    if (other.leaf != no_leaf)
+      result.push_back(other);
+    else if (i == length && cross(face, result))
+      return result;
+    else
+      return {};
+  }
+  return result;
+}
+
+
+template <int dim>
 unsigned char CutLeaves<dim>::choose_direction(const Cell &cell) const
 {
   const double enough = 0.5;
@@ -55,17 +111,10 @@ unsigned char CutLeaves<dim>::choose_direction(const Cell &cell) const
       {
         if (towards >= 0. && !any_direction)
           continue;
-        double volume = fractions_(cell.leaf, cell.point);
-        Cell other = cell;
-        unsigned int n_steps = 0;
-        for (; n_steps < length; ++n_steps)
-        {
-          other = next(other, face);
-          if (other.leaf == no_leaf)
-            break;
-          volume += fractions_(other.leaf, other.point);
-        }
-        if (n_steps == length && volume > largest)
+        double volume = 0.;
+        for (const Cell &other : chain(cell, face, length))
+          volume += fractions_(other.leaf, other.point) * other.size;
+        if (volume > largest)
         {
           largest = volume;
           best = 1 + face + 2 * dim * (length - 1);
@@ -78,21 +127,48 @@ unsigned char CutLeaves<dim>::choose_direction(const Cell &cell) const
 
 
 template <int dim>
+unsigned int CutLeaves<dim>::kinds_of_sides(const unsigned int leaf) const
+{
+  const auto &neighbors = neighbors_.at(leaf);
+  // The first bit tells it from what was never found.
+  unsigned int result = 1;
+  for (unsigned int face = 0; face < 2 * dim; ++face)
+  {
+    result *= 4;
+    if (neighbors[face] != no_leaf)
+      result += 1;
+    else if (const auto side = sides_.find({leaf, face}); side != sides_.end())
+      result += side->second.second == no_leaf ? 2 : 3;
+  }
+  return result;
+}
+
+
+template <int dim>
 void CutLeaves<dim>::choose_directions()
 {
   directions_.clear();
   for (unsigned int leaf = 0; leaf < mesh_->n_owned(); ++leaf)
-    if (shape(leaf) != nullptr)
+  {
+    // Others have no small cells.
+    const int index = shape_of_[leaf];
+    if (index < 0)
+      continue;
+    const unsigned int sides = kinds_of_sides(leaf);
+    Codes &codes = memory_.directions[index];
+    if (memory_.sides[index] != sides)
     {
-      Codes codes(layout_.n_points, 0);
+      memory_.sides[index] = sides;
+      codes.assign(layout_.n_points, 0);
       for (unsigned int q = 0; q < layout_.n_points; ++q)
         if (const double part = fractions_(leaf, q); part > 0. && part < 0.5)
           codes[q] = choose_direction({leaf, q});
-      if (std::any_of(codes.begin(), codes.end(), [](const unsigned char c) {
-            return c != 0;
-          }))
-        directions_[leaf] = codes;
     }
+    if (std::any_of(codes.begin(), codes.end(), [](const unsigned char c) {
+          return c != 0;
+        }))
+      directions_[leaf] = codes;
+  }
 }
 
 
@@ -107,22 +183,18 @@ void CutLeaves<dim>::find_neighborhoods()
       {
         const unsigned int face = (codes[q] - 1) % (2 * dim);
         const unsigned int length = 1 + (codes[q] - 1) / (2 * dim);
-        Neighborhood neighborhood{face, {{leaf, q}}};
-        bool is_needed = leaf < mesh_->n_owned();
-        for (unsigned int i = 0; i < length; ++i)
-        {
-          const Cell other = next(neighborhood.cells.back(), face);
-          if (other.leaf == no_leaf)
-            break;
-          neighborhood.cells.push_back(other);
-          if (other.leaf < mesh_->n_owned())
+        const Neighborhood neighborhood{face, chain({leaf, q}, face, length)};
+        bool is_needed = false;
+        for (const Cell &cell : neighborhood.cells)
+          if (cell.leaf < mesh_->n_owned())
           {
             is_needed = true;
-            Codes &members = memberships_[other.leaf];
+            if (cell.size == 1. && cell.leaf == leaf && cell.point == q)
+              continue;
+            Codes &members = memberships_[cell.leaf];
             members.resize(layout_.n_points, 0);
-            ++members[other.point];
+            ++members[cell.point];
           }
-        }
         if (is_needed)
           neighborhoods_.push_back(neighborhood);
       }

@@ -20,6 +20,7 @@ FiniteVolumeHanging<dim, Gas, Real>::FiniteVolumeHanging(
   , coarse_halo_(layout.n_face_points)
   , coarse_flux_(layout.n_face_points)
   , first_flux_(layout.n_face_points)
+  , open_sum_(layout.n_face_points)
 {
   for (auto &slope : coarse_slope_)
     slope.resize(layout.n_face_points);
@@ -42,17 +43,25 @@ template <int dim, typename Gas, typename Real>
 void FiniteVolumeHanging<dim, Gas, Real>::compute(
   const HangingGroup<dim> &group,
   const BasicStage<Real> &stage,
-  HangingData<dim, Real> &hanging)
+  HangingData<dim, Real> &hanging,
+  const HangingOpenings<dim, Real> *openings)
 {
   careful_ = stage.careful;
+  openings_ = openings;
   load(group, stage.in);
   load_progress(group, stage);
-  average_fine_side(group);
+  if (openings_ == nullptr)
+    average_fine_side();
+  else
+    average_open_fine_side();
   if (scheme_.linear)
     limit_coarse_slopes();
   for (unsigned int part = 0; part < n_fine; ++part)
     part_fluxes(group, part);
-  average_fluxes(group);
+  if (openings_ == nullptr)
+    average_fluxes(group);
+  else
+    average_open_fluxes();
   store(group, hanging);
 }
 
@@ -155,8 +164,7 @@ unsigned int FiniteVolumeHanging<dim, Gas, Real>::coarse_point(
 
 
 template <int dim, typename Gas, typename Real>
-void FiniteVolumeHanging<dim, Gas, Real>::average_fine_side(
-  const HangingGroup<dim> & /*group*/)
+void FiniteVolumeHanging<dim, Gas, Real>::average_fine_side()
 {
   // A coarse subcell beyond the face holds 2^(dim-1) fine ones in each of
   // two layers, or of one where a leaf is a single cell deep.
@@ -171,6 +179,29 @@ void FiniteVolumeHanging<dim, Gas, Real>::average_fine_side(
         for (unsigned int c = 0; c < nc; ++c)
           coarse_halo_[coarse_point(part, q, distance)][c] +=
             fine_[part][layer][q][c] * weight;
+}
+
+
+template <int dim, typename Gas, typename Real>
+void FiniteVolumeHanging<dim, Gas, Real>::average_open_fine_side()
+{
+  // Differences from the coarse value, so that equal ones keep every bit.
+  coarse_halo_ = coarse_[0];
+  open_sum_.fill(Number(0.));
+  std::array<double, dim == 1 ? 1 : dim - 1> distance;
+  for (unsigned int part = 0; part < n_fine; ++part)
+    for (unsigned int q = 0; q < layout_.n_face_points; ++q)
+      for (unsigned int layer = 0; layer < 2; ++layer)
+      {
+        const unsigned int at = coarse_point(part, q, distance);
+        const Number &volume = openings_->fraction[part][layer][q];
+        open_sum_[at] += volume;
+        const Number share = select_less(
+          Number(0.), volume, Number(volume / open_sum_[at]), Number(0.));
+        for (unsigned int c = 0; c < nc; ++c)
+          coarse_halo_[at][c] +=
+            (fine_[part][layer][q][c] - coarse_halo_[at][c]) * share;
+      }
 }
 
 
@@ -192,12 +223,19 @@ FiniteVolumeHanging<dim, Gas, Real>::tangential_slope(
   const unsigned int first =
     n == 2 ? 0 : std::min(index > 0 ? index - 1 : 0, n - 3);
   const unsigned int second = n == 2 ? 0 : first + 1;
-  const Values *line = &coarse_[0][point - index * s];
+  const unsigned int begin = point - index * s;
+  const Values *line = &coarse_[0][begin];
   for (unsigned int c = 0; c < nc; ++c)
-    slope[c] =
-      limited_slope(scheme_.limiter,
-                    Number(line[(first + 1) * s][c] - line[first * s][c]),
-                    Number(line[(second + 1) * s][c] - line[second * s][c]));
+  {
+    Number one = line[(first + 1) * s][c] - line[first * s][c];
+    Number other = line[(second + 1) * s][c] - line[second * s][c];
+    if (openings_ != nullptr)
+    {
+      one *= openings_->along[t][begin + first * s];
+      other *= openings_->along[t][begin + second * s];
+    }
+    slope[c] = limited_slope(scheme_.limiter, one, other);
+  }
   return slope;
 }
 
@@ -212,10 +250,14 @@ void FiniteVolumeHanging<dim, Gas, Real>::limit_coarse_slopes()
     for (unsigned int t = 0; t + 1 < dim; ++t)
       coarse_slope_[t][q] = tangential_slope(q, t);
     for (unsigned int c = 0; c < nc; ++c)
-      coarse_slope_[dim - 1][q][c] =
-        limited_slope(scheme_.limiter,
-                      Number(coarse[c] - coarse_[1][q][c]),
-                      Number(coarse_halo_[q][c] - coarse[c]));
+    {
+      // Beyond what is closed, the halo is the coarse value.
+      Number inner = coarse[c] - coarse_[1][q][c];
+      if (openings_ != nullptr)
+        inner *= openings_->below[q];
+      coarse_slope_[dim - 1][q][c] = limited_slope(
+        scheme_.limiter, inner, Number(coarse_halo_[q][c] - coarse[c]));
+    }
     Number square(0.);
     for (unsigned int d = 0; d < dim; ++d)
     {
@@ -282,10 +324,13 @@ void FiniteVolumeHanging<dim, Gas, Real>::reconstruct(const unsigned int part,
   restore_if_inadmissible<dim>(gas_, coarse_[0][at], halo);
   Values half;
   for (unsigned int c = 0; c < nc; ++c)
-    half[c] = limited_slope(scheme_.limiter,
-                            Number(fine[c] - fine_[part][1][point][c]),
-                            Number(halo[c] - fine[c])) *
-              0.5;
+  {
+    Number inner = fine[c] - fine_[part][1][point][c];
+    if (openings_ != nullptr)
+      inner *= openings_->fine_below[part][point];
+    half[c] =
+      limited_slope(scheme_.limiter, inner, Number(halo[c] - fine[c])) * 0.5;
+  }
   if (careful_)
     limit_velocity_slope<dim>(gas_, fine, half);
   for (unsigned int c = 0; c < nc; ++c)
@@ -366,6 +411,35 @@ void FiniteVolumeHanging<dim, Gas, Real>::average_fluxes(
         (1. / n_fine);
       for (unsigned int c = 0; c < nc; ++c)
         coarse_flux_[at][c] += (flux[c] - first_flux_[at][c]) * area;
+    }
+}
+
+
+template <int dim, typename Gas, typename Real>
+void FiniteVolumeHanging<dim, Gas, Real>::average_open_fluxes()
+{
+  open_sum_.fill(Number(0.));
+  std::array<double, dim == 1 ? 1 : dim - 1> distance;
+  for (unsigned int part = 0; part < n_fine; ++part)
+    for (unsigned int q = 0; q < layout_.n_face_points; ++q)
+    {
+      const unsigned int at = coarse_point(part, q, distance);
+      const Number &open = openings_->opening[part][q];
+      const Values &flux = fine_flux_[part][q];
+      // The first one that is open is taken as it is: equal fluxes have just
+      // that mean, to the last bit.
+      const Number is_first =
+        select_less(Number(0.), open_sum_[at], Number(0.), Number(1.));
+      open_sum_[at] += open;
+      const Number share =
+        select_less(Number(0.), open, Number(open / open_sum_[at]), Number(0.));
+      for (unsigned int c = 0; c < nc; ++c)
+        coarse_flux_[at][c] =
+          select_less(Number(0.),
+                      is_first,
+                      flux[c],
+                      Number(coarse_flux_[at][c] +
+                             (flux[c] - coarse_flux_[at][c]) * share));
     }
 }
 

@@ -119,8 +119,7 @@ void GasSimulation<dim>::create_octree()
   adaptation_ = std::make_unique<Adaptation<dim>>(
     adaptation_parameters_, mesh_, points_, material_);
   if (!body_.empty())
-    adaptation_->set_body(body_,
-                          coarse_mesh_.initial_refinement() + body_.levels());
+    adaptation_->set_body(body_, coarse_mesh_.initial_refinement());
   const auto &tria = mesh_.triangulation();
   const typename LeafMesh<dim>::CellIterator last(
     &tria, 0, tria.n_cells(0) - 1);

@@ -6,6 +6,7 @@
 #include <contrecoup/gas/gas_measures.h>
 #include <contrecoup/gas/gas_simulation.h>
 
+#include <cmath>
 #include <sstream>
 
 namespace contrecoup::gas
@@ -33,6 +34,7 @@ void GasSimulation<dim>::parse_body(ParameterHandler &prm)
   loads_.parse_parameters(prm, body_, coarse_mesh_);
   if (body_.empty())
     return;
+  body_.check(dim);
   if (dim == 1 || !coarse_mesh_.is_axis_aligned() ||
       coarse_mesh_.geometry() != Geometry::plane)
     throw InputError("Rigid body/Kind: bodies need Domain/Mesh = box, "
@@ -49,11 +51,64 @@ void GasSimulation<dim>::parse_body(ParameterHandler &prm)
               << " m is in the rigid body, where there is no gas";
       throw InputError(message.str());
     }
+  if (scheme_.n_points % 2 == 1 && body_.most_levels() > 0)
+    throw InputError("Rigid body/Levels above 0 need an even number of "
+                     "Method/Subcells, not " +
+                     std::to_string(scheme_.n_points));
   if (scheme_.n_points < least)
     throw InputError(
       "Rigid body/Kind: bodies need Method/Subcells of 4 or more, "
       "not " +
       std::to_string(scheme_.n_points));
+}
+
+
+template <int dim>
+double GasSimulation<dim>::n_leaves_in(const LeafBox<dim> &box,
+                                       const int halvings) const
+{
+  if (body_.layers_to(box.origin,
+                      dealii::Point<dim>(box.origin + box.extents),
+                      halvings) > RigidBody::at_body)
+    return std::pow(2., dim * std::max(0, -halvings));
+  if (halvings >= static_cast<int>(body_.levels(
+                    box.origin, dealii::Point<dim>(box.origin + box.extents))))
+    return 1.;
+  double result = 0.;
+  for (unsigned int c = 0; c < (1U << dim); ++c)
+  {
+    LeafBox<dim> child = box;
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      child.extents[d] *= 0.5;
+      child.origin[d] += ((c >> d) & 1U) * child.extents[d];
+    }
+    result += n_leaves_in(child, halvings + 1);
+  }
+  return result;
+}
+
+
+template <int dim>
+double GasSimulation<dim>::n_leaves_with_body() const
+{
+  double result = 0.;
+  const auto coarse_box = [this](unsigned int i) {
+    LeafBox<dim> box;
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      const unsigned int n = coarse_mesh_.coarse_cells(d);
+      box.extents[d] =
+        (coarse_mesh_.upper_corner()[d] - coarse_mesh_.lower_corner()[d]) / n;
+      box.origin[d] = coarse_mesh_.lower_corner()[d] + (i % n) * box.extents[d];
+      i /= n;
+    }
+    return box;
+  };
+  for (unsigned int i = 0; i < coarse_mesh_.n_coarse_cells(); ++i)
+    result +=
+      n_leaves_in(coarse_box(i), -int(coarse_mesh_.initial_refinement()));
+  return result;
 }
 
 
@@ -122,7 +177,7 @@ void GasSimulation<dim>::fill_closed_cells()
   dealii::Utilities::MPI::max(found, mesh_.communicator(), found);
   if (found[0] == 0)
     throw InputError("Rigid body: it fills the whole domain and leaves no gas");
-  if (found[1] == 0)
+  if (found[1] == 0 && body_.is_required())
     throw InputError(
       "Rigid body: no cell of the domain is cut by it or lies in it; "
       "it is elsewhere, or too thin for cells of this size");
@@ -135,6 +190,7 @@ void GasSimulation<dim>::fill_closed_cells()
   template void GasSimulation<dim>::parse_body(ParameterHandler &); \
   template void GasSimulation<dim>::cut_leaves();                   \
   template double GasSimulation<dim>::body_volume();                \
+  template double GasSimulation<dim>::n_leaves_with_body() const;   \
   template void GasSimulation<dim>::fill_closed_cells()
 
 CONTRECOUP_INSTANTIATE(1);

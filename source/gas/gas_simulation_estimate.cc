@@ -113,16 +113,20 @@ CostEstimate GasSimulation<dim>::estimate()
           coarse_mesh_, initial_state_, material_, charges_.speed());
   CostEstimate result;
   result.cells =
-    coarse.n_cells * std::pow(2., dim * coarse_mesh_.initial_refinement());
+    body_.empty()
+      ? coarse.n_cells * std::pow(2., dim * coarse_mesh_.initial_refinement())
+      : n_leaves_with_body();
   result.unknowns = result.cells * layout_.n_points * layout_.n_components;
   result.memory = result.unknowns * bytes_per_unknown(scheme_.precision);
   if (output_.wants_maps())
     result.memory +=
       result.cells * layout_.n_points * sizeof(BlastRecord<float>);
 
-  const unsigned int levels = adaptation_parameters_.active
-                                ? adaptation_parameters_.most_level
-                                : coarse_mesh_.initial_refinement();
+  const unsigned int levels =
+    std::max(adaptation_parameters_.active ? adaptation_parameters_.most_level
+                                           : coarse_mesh_.initial_refinement(),
+             coarse_mesh_.initial_refinement() +
+               (body_.empty() ? 0 : body_.most_levels()));
   result.steps = std::ceil(end_time_ * coarse.rate * std::pow(2., levels) /
                            (scheme_.cfl * scheme_.stability_limit()));
   result.seconds =

@@ -4,7 +4,6 @@
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/base/parameters.h>
-#include <contrecoup/base/text.h>
 #include <contrecoup/gas/size_limits.h>
 
 #include <algorithm>
@@ -34,37 +33,12 @@ namespace
 
   void declare_where(ParameterHandler &prm)
   {
-    declare_selection(prm,
-                      "Shape",
-                      "everywhere",
-                      {"everywhere", "ball", "outside of ball", "box"},
-                      "Where the limit holds: leaves with their centre in all "
-                      "of the domain, within Radius of a Center, farther from "
-                      "all of them, or between two corners. However coarse, a "
-                      "leaf that touches a ball has its Smallest level, and "
-                      "none that is set as Largest level for outside of it.");
-    declare_points(prm,
-                   "Center",
-                   "0, 0, 0",
-                   "m",
-                   "Middle of the ball, or of several balls of equal radius.");
-    for (const std::string name : {"Lower corner", "Upper corner"})
-      declare_list(prm,
-                   name,
-                   "0, 0, 0",
-                   1,
-                   3,
-                   -unbounded,
-                   unbounded,
-                   "m",
-                   "Place in the coordinates of the mesh.");
-    declare_double(prm,
-                   "Radius",
-                   "1",
-                   0.,
-                   unbounded,
-                   "m",
-                   "Radius of the ball when the limit begins to hold.");
+    Region::declare_parameters(
+      prm,
+      "Where the limit holds: leaves with their centre in all of the domain, "
+      "within Radius of a Center, farther from all of them, or between two "
+      "corners. However coarse, a leaf that touches a ball has its Smallest "
+      "level, and none that is set as Largest level for outside of it.");
     declare_double(prm,
                    "Radius growth",
                    "0",
@@ -72,18 +46,6 @@ namespace
                    unbounded,
                    "m/s",
                    "How fast the radius grows from then on.");
-  }
-
-  std::vector<std::vector<double>> read_centers(const ParameterHandler &prm)
-  {
-    std::vector<std::vector<double>> centers;
-    for (const std::string &point : split(prm.get("Center"), ';'))
-    {
-      centers.emplace_back();
-      for (const std::string &number : split(point, ','))
-        centers.back().push_back(std::stod(number));
-    }
-    return centers;
   }
 } // namespace
 
@@ -119,12 +81,8 @@ void SizeLimits::parse_parameters(ParameterHandler &prm, const unsigned int dim)
                     read_unsigned(prm, "Largest level")};
     limit.from = read_double(prm, "From time");
     limit.until = read_double(prm, "Until time");
-    limit.shape = prm.get("Shape");
-    limit.centers = read_centers(prm);
-    limit.radius = read_double(prm, "Radius");
+    limit.region.parse_parameters(prm);
     limit.growth = read_double(prm, "Radius growth");
-    limit.lower = read_list(prm, "Lower corner");
-    limit.upper = read_list(prm, "Upper corner");
     check(limit, "Adaptation/Limit " + name, dim);
     limits_.push_back(limit);
   }
@@ -140,19 +98,7 @@ void SizeLimits::check(const Limit &limit,
                              "Largest level");
   if (!(limit.from < limit.until))
     throw InputError(where + ": From time must be before Until time");
-  const bool has_ball =
-    limit.shape == "ball" || limit.shape == "outside of ball";
-  const bool is_short =
-    std::any_of(limit.centers.begin(),
-                limit.centers.end(),
-                [&](const auto &center) { return center.size() < dim; });
-  if ((has_ball && (limit.centers.empty() || is_short)) ||
-      (limit.shape == "box" &&
-       std::min(limit.lower.size(), limit.upper.size()) < dim))
-    throw InputError(
-      where + ": " +
-      (has_ball ? "Center needs " : "Lower corner and Upper corner need ") +
-      std::to_string(dim) + " numbers, one for each direction");
+  limit.region.check(where, dim);
 }
 
 
@@ -164,27 +110,8 @@ bool SizeLimits::holds(const Limit &limit,
 {
   if (time < limit.from || time >= limit.until)
     return false;
-  if (limit.shape == "everywhere")
-    return true;
-  if (limit.shape == "box")
-  {
-    for (unsigned int d = 0; d < dim; ++d)
-      if (place[d] < limit.lower[d] || place[d] > limit.upper[d])
-        return false;
-    return true;
-  }
-  const double radius =
-    limit.radius + limit.growth * (time - limit.from) + margin;
-  const bool is_within =
-    std::any_of(limit.centers.begin(),
-                limit.centers.end(),
-                [&](const std::vector<double> &coordinates) {
-                  dealii::Point<dim> center;
-                  for (unsigned int d = 0; d < dim; ++d)
-                    center[d] = coordinates[d];
-                  return place.distance(center) <= radius;
-                });
-  return is_within == (limit.shape == "ball");
+  return limit.region.contains(place,
+                               limit.growth * (time - limit.from) + margin);
 }
 
 
@@ -197,7 +124,7 @@ SizeLimits::Levels SizeLimits::levels(const dealii::Point<dim> &place,
   Levels result = general;
   for (const Limit &limit : limits_)
   {
-    const bool is_ball = limit.shape == "ball";
+    const bool is_ball = limit.region.is_ball();
     if (holds(limit, place, time, is_ball ? reach : 0.))
       result.least = std::max(result.least, limit.levels.least);
     if (holds(limit, place, time, is_ball ? 0. : reach))

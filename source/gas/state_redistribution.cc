@@ -7,6 +7,23 @@
 
 namespace contrecoup::gas
 {
+namespace
+{
+  /// A number that tells apart the neighbourhoods that a cell belongs to, the
+  /// same on all ranks: by face, place, and where the first cell is in one of
+  /// twice the size.
+  template <typename Neighborhood>
+  unsigned int place_in_order(const Neighborhood &neighborhood,
+                              const unsigned int place,
+                              const LeafLayout &layout)
+  {
+    const unsigned int q = neighborhood.cells.front().point, n = layout.n;
+    return 64 * neighborhood.face + 8 * place + q % n % 2 + q / n % n % 2 * 2 +
+           q / (n * n) % 2 * 4;
+  }
+} // namespace
+
+
 template <int dim>
 void StateRedistribution<dim>::reinit(const CutLeaves<dim> &cut_leaves,
                                       const LeafMesh<dim> &mesh,
@@ -24,7 +41,8 @@ void StateRedistribution<dim>::reinit(const CutLeaves<dim> &cut_leaves,
     for (const auto &cell : neighborhood.cells)
     {
       const double part = 1. / cut_leaves.n_memberships(cell);
-      const double share = cut_leaves.fractions()(cell.leaf, cell.point) * part;
+      const double share =
+        cut_leaves.fractions()(cell.leaf, cell.point) * cell.size * part;
       const std::size_t position =
         layout.offset(cell.leaf) + layout.value(0, cell.point);
       volume += share;
@@ -32,7 +50,7 @@ void StateRedistribution<dim>::reinit(const CutLeaves<dim> &cut_leaves,
       if (cell.leaf < mesh.n_owned())
         receivers_.push_back(
           {position,
-           4 * neighborhood.face + place,
+           place_in_order(neighborhood, place, layout),
            static_cast<unsigned int>(first_member_.size() - 1),
            part});
       ++place;

@@ -16,6 +16,29 @@ contrecoup_add_application_test(body_loads bounds FILE ${_cylinder}
     "assumptions.loads_force_difference < 1e-2"
     "assumptions.loads_sampled_peak_loss < 2e-2")
 
+# With smaller leaves at the front than behind, mass, energy and loads hold as
+# well, and the stagnation point gets what such leaves everywhere give it.
+set(_finer_front "Rigid body/Finer region front/Levels=1"
+  "Rigid body/Finer region front/Shape=box"
+  "Rigid body/Finer region front/Lower corner=-2, -2"
+  "Rigid body/Finer region front/Upper corner=-0.1, 2")
+contrecoup_add_application_test(body_levels bounds FILE ${_cylinder}
+  SET "Output/Fields=false" "Domain/Initial refinement=2" ${_finer_front}
+    "Boundaries/x low=wall" "Boundaries/x high=wall" "Boundaries/y high=wall"
+  BOUNDS "status == finished" "conservation.mass_relative_change < 1e-12"
+    "conservation.energy_relative_change < 1e-12")
+contrecoup_add_application_test(body_levels_loads bounds FILE ${_cylinder}
+  SET "Output/Fields=false" "Domain/Initial refinement=2" "Loads/Record=true"
+    "Loads/Interval=0.005" ${_finer_front}
+  BOUNDS "status == finished" "assumptions.loads_impulse_difference < 1e-2"
+    "assumptions.loads_force_difference < 1e-2"
+    "assumptions.probe_1_peak_overpressure > 4.0"
+    "assumptions.probe_1_peak_overpressure < 4.1")
+contrecoup_add_application_test(body_levels_resume resume FILE ${_cylinder}
+  SET "Domain/Initial refinement=1" "Time/End time=0.8" ${_finer_front}
+    "Loads/Record=true"
+  COMPARE history.csv probes.csv STOP_AFTER 20)
+
 # Against two-shock theory, on a quarter of the cells a side.
 contrecoup_add_application_test(body_wedge bounds
   FILE blast/verification/body_wedge.prm
@@ -67,3 +90,9 @@ blast_refuses(loads_without_body "Loads/Record = true needs" FILE ${_sod}
   SET "Loads/Record=true")
 blast_refuses(probe_in_body "is in the rigid body" FILE ${_cylinder}
   SET "Probes/Points=0.1, 0.1")
+blast_refuses(body_odd_subcells "Levels above 0 need an even number"
+  FILE ${_cylinder} SET "Method/Subcells=5" "Rigid body/Levels=1")
+blast_refuses(body_region_in_one_direction
+  "Rigid body/Finer region front: Lower corner and Upper corner need 2"
+  FILE ${_cylinder} SET ${_finer_front}
+  "Rigid body/Finer region front/Lower corner=1")

@@ -93,8 +93,7 @@ public:
       adaptation_parameters, mesh, points, material);
     if (!body.empty())
     {
-      adaptation->set_body(body,
-                           coarse_mesh.initial_refinement() + body.levels());
+      adaptation->set_body(body, coarse_mesh.initial_refinement());
       adaptation->refine_at_body();
     }
   }

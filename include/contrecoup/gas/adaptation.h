@@ -106,12 +106,12 @@ public:
   bool refine_where(const std::function<bool(const unsigned int leaf)> &wanted);
 
   /// Leaves that meet the surface of @p body, and those within one such leaf
-  /// of it, shall be of level @p level, neither more nor less; the body must
-  /// outlive this object.
-  void set_body(const RigidBody &body, const unsigned int level)
+  /// of it, shall be halved as often as the body says beyond @p initial_level,
+  /// neither more nor less; the body must outlive this object.
+  void set_body(const RigidBody &body, const unsigned int initial_level)
   {
     body_ = &body;
-    body_level_ = level;
+    initial_level_ = initial_level;
   }
 
   /// Halves the leaves at the body until they have their level.
@@ -138,7 +138,10 @@ private:
   std::vector<bool> wanted_batches() const;
   /// Levels that a leaf may have.
   SizeLimits::Levels levels(const unsigned int leaf) const;
-  bool is_at_body(const unsigned int leaf) const;
+  /// See RigidBody::layers_to().
+  double layers_from_body(const unsigned int leaf) const;
+  /// Level that the leaf shall have if it is at the body.
+  unsigned int body_level(const unsigned int leaf) const;
   bool is_in_fine_box(const dealii::Point<dim> &place) const;
   void weigh_leaves();
   /// What a leaf costs that persists, is merged or halved, in parts of the
@@ -164,7 +167,7 @@ private:
   const LeafPoints<dim> points_;
   const GasMaterial material_;
   const RigidBody *body_ = nullptr;
-  unsigned int body_level_ = 0;
+  unsigned int initial_level_ = 0;
   double time_ = 0.; ///< [s]
   QuietLeaves<dim> *quiet_leaves_ = nullptr;
   boost::signals2::scoped_connection weights_;

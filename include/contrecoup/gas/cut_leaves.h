@@ -9,8 +9,12 @@
 #include <contrecoup/gas/open_fractions.h>
 #include <contrecoup/gas/rigid_body.h>
 
+#include <boost/container/static_vector.hpp>
+#include <boost/functional/hash.hpp>
+
 #include <array>
 #include <map>
+#include <unordered_map>
 #include <vector>
 
 namespace contrecoup::gas
@@ -21,11 +25,17 @@ namespace contrecoup::gas
  * centres (staircase). The areas of what is closed add up, in each subcell,
  * to the area vector of the wall in it.
  *
+ * Between leaves of different size the fine side's faces count, closed where
+ * the coarse subcell has no gas; the open part of a coarse subcell's face is
+ * their mean, so that the surface stays closed.
+ *
  * Small cells, less than half open, share their change with a
  * neighbourhood: themselves and the next one or two cells along one direction,
  * the one nearest to the wall's normal that makes half a cell of volume
  * (state redistribution of Berger and Giuliani, J. Comput. Phys. 428, 109820,
- * 2021). Nothing here depends on how ranks share the leaves.
+ * 2021); where the direction leads to leaves of another size, it ends with the
+ * first cell, or the first layer of finer ones, there. Nothing here depends on
+ * how ranks share the leaves.
  */
 template <int dim>
 class CutLeaves
@@ -48,6 +58,8 @@ public:
   {
     unsigned int leaf = no_leaf;
     unsigned int point = 0;
+    /// Its whole volume in parts of that of a neighbourhood's first cell [-].
+    double size = 1.;
 
     friend bool operator<(const Cell &a, const Cell &b)
     {
@@ -55,18 +67,20 @@ public:
     }
   };
 
+  /// Cells side by side, at most 1 + 1 + 2^(dim-1).
+  using Chain = boost::container::static_vector<Cell, 6>;
+
   /// A small cell and the next ones, across @p face, that it shares its
   /// change with.
   struct Neighborhood
   {
     unsigned int face;
-    std::vector<Cell> cells;
+    Chain cells;
   };
 
   /// Measures all leaves; the arguments must outlive this object, and body and
   /// layout stay the same from call to call. Call when the mesh changed.
   /// Collective.
-  /// @throws InputError when leaves of different size meet at the surface.
   void reinit(const LeafMesh<dim> &mesh,
               const LeafLayout &layout,
               const RigidBody &body);
@@ -96,7 +110,9 @@ public:
   /// Shape of a stored leaf; null where it is open or closed throughout.
   const Shape *shape(const unsigned int leaf) const
   {
-    return shape_of_[leaf] < 0 ? nullptr : &shapes_[shape_of_[leaf]];
+    if (matched_of_[leaf] >= 0)
+      return &matched_shapes_[matched_of_[leaf]];
+    return shape_of_[leaf] < 0 ? nullptr : &memory_.shapes[shape_of_[leaf]];
   }
 
   /// Differences of the openings of an owned cell's low and high faces: the
@@ -114,6 +130,25 @@ public:
   double inner_opening_beyond(const unsigned int leaf,
                               const unsigned int face,
                               const unsigned int line) const;
+
+  /// Whether leaves that meet there are cut or closed.
+  bool is_cut_face(const unsigned int hanging_face) const
+  {
+    return is_cut_face_[hanging_face] != 0;
+  }
+
+  /// Open part of a fine subcell's face on a hanging face: of the fine leaf's
+  /// face point @p q in a part of it, which is stored here.
+  double hanging_opening(const HangingFace<dim> &face,
+                         const unsigned int part,
+                         const unsigned int q) const;
+
+  /// Coarse face point that holds the fine face point @p q of a part.
+  unsigned int coarse_face_point(const unsigned int part,
+                                 const unsigned int q) const;
+
+  /// Open part of a face of an owned cell, or within a leaf.
+  double opening(const Cell &cell, const unsigned int face) const;
 
   /// Neighbourhoods of which owned leaves hold cells.
   const std::vector<Neighborhood> &neighborhoods() const
@@ -134,9 +169,9 @@ private:
 
   /// Classifies a stored leaf.
   void measure(const LeafBox<dim> &box, const unsigned int leaf);
-  /// The shape of a leaf near the surface; one that was known before is taken
-  /// over, since bodies may be costly to ask.
-  Shape shape_in(const LeafBox<dim> &box);
+  /// Index of the shape of a leaf near the surface, or what it is instead; one
+  /// that was known before is taken over, since bodies may be costly to ask.
+  int find_shape(const LeafBox<dim> &box);
   Shape cut_shape(const LeafBox<dim> &box) const;
   Shape staircase_shape(const LeafBox<dim> &box) const;
   void measure_all();
@@ -145,11 +180,27 @@ private:
   void connect(const unsigned int leaf);
   /// The line of a point across a direction.
   unsigned int line_of(const unsigned int point, const unsigned int d) const;
-  double opening(const Cell &cell, const unsigned int face) const;
-  /// The cell across a face; leaf no_leaf where there is none, or where the
-  /// face is closed.
+  /// Closes the faces between leaves of different size alike on both sides.
+  void match_sizes();
+  void match_coarse_side(const HangingFace<dim> &face);
+  void match_fine_side(const HangingFace<dim> &face, const unsigned int part);
+  /// The shape of a leaf, for changes that hold while its neighbours have the
+  /// sizes that they have.
+  Shape &own_shape(const unsigned int leaf);
+  /// The cell of equal size across a face; leaf no_leaf where there is none,
+  /// or where the face is closed.
   Cell next(const Cell &cell, const unsigned int face) const;
+  /// Adds to a chain what lies across a face, in leaves of another size, of
+  /// its last cell; returns whether there is anything.
+  bool cross(const unsigned int face, Chain &chain) const;
+  /// The cell and the next @p length ones across a face, where leaves of
+  /// another size end it; empty where there are not so many.
+  Chain chain(const Cell &cell,
+              const unsigned int face,
+              const unsigned int length) const;
   unsigned char choose_direction(const Cell &cell) const;
+  /// A number for the sizes of what is beyond the sides of an owned leaf.
+  unsigned int kinds_of_sides(const unsigned int leaf) const;
   void choose_directions();
   void find_neighborhoods();
   void share(std::map<unsigned int, Codes> &codes) const;
@@ -160,12 +211,30 @@ private:
   const RigidBody *body_ = nullptr;
   LeafLayout layout_;
   OpenFractions fractions_;
-  std::vector<int> shape_of_; ///< per stored leaf: index, or -1
-  std::vector<Shape> shapes_;
-  /// Where the shapes are: corners and edge lengths [m].
-  std::map<std::array<double, 2 * dim>, std::size_t> place_of_shape_;
-  std::map<std::array<double, 2 * dim>, std::size_t> former_places_;
-  std::vector<Shape> former_shapes_; ///< while new ones are found
+  /// Corner and edge lengths of a leaf [m].
+  using Place = std::array<double, 2 * dim>;
+  /// What is instead of an index of a shape.
+  static constexpr int open = -1;
+  static constexpr int closed = -2;
+  /// What leaves near the surface have, by where they are.
+  struct Memory
+  {
+    std::vector<Shape> shapes;
+    /// Per shape: directions_, and the kinds of sides for which they hold.
+    std::vector<Codes> directions;
+    std::vector<unsigned int> sides;
+    std::unordered_map<Place, int, boost::hash<Place>> index;
+  };
+  Memory memory_;
+  Memory former_memory_;        ///< while leaves are measured
+  std::vector<int> shape_of_;   ///< per stored leaf: index in memory_, or open
+  std::vector<int> matched_of_; ///< per stored leaf: index, or open
+  std::vector<Shape> matched_shapes_; ///< see own_shape()
+  std::vector<char> is_cut_face_;     ///< per hanging face
+  /// By leaf and face, where leaves of different size are cut: the hanging
+  /// face, and the part of the fine leaf, no_leaf for the coarse one.
+  using Side = std::pair<unsigned int, unsigned int>;
+  std::map<std::pair<unsigned int, unsigned int>, Side> sides_;
   std::vector<BatchKind> batch_kind_;
   /// Of leaves at the surface: neighbours of equal size that are known.
   std::map<unsigned int, std::array<unsigned int, 2 * dim>> neighbors_;

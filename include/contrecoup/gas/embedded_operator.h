@@ -46,6 +46,7 @@ public:
   {
     Base::reinit();
     embedded_kernel_.reinit();
+    reinit_openings();
     redistribution_.reinit(cut_leaves_, mesh_, layout_);
   }
 
@@ -53,7 +54,14 @@ public:
              QuietLeaves<dim> &quiet_leaves) override
   {
     quiet_leaves.begin_stage(stage.in);
-    Base::compute_hanging_faces(stage, quiet_leaves);
+    for (unsigned int g = 0; g < groups_.size(); ++g)
+      if (Base::is_active(groups_[g], quiet_leaves))
+        hanging_kernel_.compute(groups_[g],
+                                stage,
+                                hanging_,
+                                openings_of_group_[g] < 0
+                                  ? nullptr
+                                  : &openings_[openings_of_group_[g]]);
     for (unsigned int batch = 0; batch < mesh_.n_batches(); ++batch)
       if (quiet_leaves.is_active(batch) && !cut_leaves_.is_closed(batch))
       {
@@ -109,12 +117,35 @@ public:
   }
 
 private:
+  using Base::groups_;
   using Base::hanging_;
+  using Base::hanging_kernel_;
   using Base::kernel_;
   using Base::layout_;
   using Base::mesh_;
 
+  void reinit_openings()
+  {
+    openings_.clear();
+    openings_of_group_.clear();
+    for (const auto &group : groups_)
+    {
+      const bool is_cut = std::any_of(
+        group.face.begin(),
+        group.face.begin() + group.n_filled,
+        [&](const unsigned int face) { return cut_leaves_.is_cut_face(face); });
+      openings_of_group_.push_back(is_cut ? int(openings_.size()) : -1);
+      if (is_cut)
+      {
+        openings_.emplace_back();
+        openings_.back().reinit(group, mesh_, layout_, cut_leaves_);
+      }
+    }
+  }
+
   const CutLeaves<dim> &cut_leaves_;
+  std::vector<int> openings_of_group_; ///< index, or -1
+  std::vector<HangingOpenings<dim, Real>> openings_;
   EmbeddedKernel<dim, Gas, Real> embedded_kernel_;
   StateRedistribution<dim> redistribution_;
 };

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/gas/hanging_group.h>
+#include <contrecoup/gas/hanging_openings.h>
 #include <contrecoup/gas/primitive.h>
 #include <contrecoup/gas/scheme.h>
 #include <contrecoup/gas/stage.h>
@@ -31,9 +32,13 @@ public:
                       const Scheme &scheme,
                       const Gas &gas);
 
+  /// @param openings where a rigid body is, what it leaves open: slopes do not
+  /// look through what is closed, and the coarse side gets the mean over what
+  /// is open
   void compute(const HangingGroup<dim> &group,
                const BasicStage<Real> &stage,
-               HangingData<dim, Real> &hanging);
+               HangingData<dim, Real> &hanging,
+               const HangingOpenings<dim, Real> *openings = nullptr);
 
 private:
   static constexpr unsigned int n_fine = HangingFace<dim>::n_fine;
@@ -41,7 +46,8 @@ private:
   void load(const HangingGroup<dim> &group, const Real *state);
   void load_progress(const HangingGroup<dim> &group,
                      const BasicStage<Real> &stage);
-  void average_fine_side(const HangingGroup<dim> &group);
+  void average_fine_side();
+  void average_open_fine_side();
   /// Slopes of the coarse subcells, zero where the subcell's own parts
   /// would not all be admissible: then no trace holds more than twice what
   /// the subcell has.
@@ -54,6 +60,7 @@ private:
                    Values &outside);
   void part_fluxes(const HangingGroup<dim> &group, const unsigned int part);
   void average_fluxes(const HangingGroup<dim> &group);
+  void average_open_fluxes();
   void store(const HangingGroup<dim> &group,
              HangingData<dim, Real> &hanging) const;
 
@@ -76,6 +83,7 @@ private:
   const Scheme &scheme_;
   const Gas gas_;
   bool careful_ = false; ///< see Stage::careful
+  const HangingOpenings<dim, Real> *openings_ = nullptr;
   /// Set where a leaf of the group is still to burn.
   const Burn *burn_ = nullptr;
 
@@ -92,6 +100,8 @@ private:
   std::array<dealii::AlignedVector<Values>, n_fine> fine_halo_;
   dealii::AlignedVector<Values> coarse_flux_;
   dealii::AlignedVector<Values> first_flux_; ///< of each coarse subcell face
+  /// Sum of what its fine ones have open, or of the volumes beyond it.
+  dealii::AlignedVector<Number> open_sum_;
   std::array<dealii::AlignedVector<Values>, n_fine> fine_flux_;
 };
 } // namespace contrecoup::gas

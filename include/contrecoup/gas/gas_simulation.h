@@ -139,6 +139,11 @@ private:
   void parse_afterburn(ParameterHandler &prm);
   /// @throws InputError when the body does not go with the rest.
   void parse_body(ParameterHandler &prm);
+  /// Leaves that the initial refinement and the body make.
+  double n_leaves_with_body() const;
+  /// Of these, those in a box that was halved so often beyond the initial
+  /// refinement.
+  double n_leaves_in(const LeafBox<dim> &box, const int halvings) const;
   void create_octree();
   /// Halves leaves wherever the parameters, not the state, say so.
   void refine_octree();

@@ -79,22 +79,28 @@ protected:
                              const QuietLeaves<dim> &quiet_leaves)
   {
     for (const auto &group : groups_)
-      if (std::any_of(group.face.begin(),
-                      group.face.begin() + group.n_filled,
-                      [&](const unsigned int face) {
-                        return quiet_leaves.is_active_face(face);
-                      }))
+      if (is_active(group, quiet_leaves))
         hanging_kernel_.compute(group, stage, hanging_);
+  }
+
+  static bool is_active(const HangingGroup<dim> &group,
+                        const QuietLeaves<dim> &quiet_leaves)
+  {
+    return std::any_of(group.face.begin(),
+                       group.face.begin() + group.n_filled,
+                       [&](const unsigned int face) {
+                         return quiet_leaves.is_active_face(face);
+                       });
   }
 
   const LeafMesh<dim> &mesh_;
   const LeafLayout layout_;
   Kernel kernel_;
+  HangingKernel hanging_kernel_;
+  std::vector<HangingGroup<dim>> groups_;
   HangingData<dim, Real> hanging_;
 
 private:
-  HangingKernel hanging_kernel_;
   const Boundary<dim> &boundary_;
-  std::vector<HangingGroup<dim>> groups_;
 };
 } // namespace contrecoup::gas

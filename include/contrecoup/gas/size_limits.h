@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <contrecoup/gas/region.h>
+
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/point.h>
 
@@ -54,14 +56,10 @@ private:
   struct Limit
   {
     Levels levels;
-    double from = 0.;  ///< [s]
-    double until = 0.; ///< [s]
-    std::string shape;
-    std::vector<std::vector<double>> centers; ///< [m]
-    double radius = 0.;                       ///< at time "from" [m]
-    double growth = 0.;                       ///< of the radius [m/s]
-    std::vector<double> lower;                ///< [m]
-    std::vector<double> upper;                ///< [m]
+    double from = 0.;   ///< [s]
+    double until = 0.;  ///< [s]
+    Region region;      ///< at time "from"
+    double growth = 0.; ///< of the radius [m/s]
   };
 
   static void

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include "body_run.h"
+#include <gtest/gtest.h>
+
+using namespace contrecoup;
+using namespace contrecoup::gas;
+using dealii::Point;
+using dealii::Tensor;
+
+namespace
+{
+/// A ball in the unit box, whose leaves are smaller where x is large.
+template <int dim>
+Lines ball_of_two_sizes(const std::string &treatment)
+{
+  return {"Rigid body/Kind=body",
+          "Rigid body/Treatment=" + treatment,
+          "Rigid body/Finer region half/Levels=1",
+          "Rigid body/Finer region half/Shape=box",
+          "Rigid body/Finer region half/Lower corner=0.52, 0, 0",
+          "Rigid body/Finer region half/Upper corner=1, 1, 1",
+          "Body/Kind=shape",
+          "Body/Shape/Shape=sphere",
+          "Body/Shape/Size=0.213",
+          std::string("Body/Shift=0.53, 0.48, ") + (dim == 3 ? "0.51" : "0"),
+          "Domain/Initial refinement=" + std::to_string(dim == 3 ? 2 : 3)};
+}
+
+
+/// Hanging faces at which the surface meets leaves of two sizes.
+template <int dim>
+unsigned int n_cut_faces(const GasRun<dim> &run)
+{
+  unsigned int result = 0;
+  for (unsigned int i = 0; i < run.mesh.hanging_faces().size(); ++i)
+  {
+    const auto &face = run.mesh.hanging_faces()[i];
+    const auto is_cut = [&](const unsigned int leaf) {
+      return leaf != no_leaf && run.cut_leaves.shape(leaf) != nullptr;
+    };
+    if (is_cut(face.coarse_leaf) &&
+        std::any_of(face.fine_leaf.begin(), face.fine_leaf.end(), is_cut))
+    {
+      EXPECT_TRUE(run.cut_leaves.is_cut_face(i));
+      ++result;
+    }
+  }
+  return dealii::Utilities::MPI::sum(result, run.mesh.communicator());
+}
+
+
+/// Mass and energy of the gas in a closed box with a strong wave stay.
+template <int dim>
+void check_conservation(const Lines &lines)
+{
+  GasRun<dim> run(lines);
+  run.set_state([](const Point<dim> &p) {
+    GasState<dim> state = still_air<dim>();
+    if (p[0] < 0.25)
+    {
+      state.pressure = 20.;
+      state.density = 5.;
+    }
+    return state;
+  });
+  EXPECT_GT(n_cut_faces(run), 1u);
+  const auto before = run.totals();
+  run.steps(60);
+  auto after = run.totals();
+  EXPECT_GT(after["kinetic_energy"], 0.05 * before.at("energy"));
+  for (const std::string name : {"mass", "energy"})
+    EXPECT_NEAR(after[name], before.at(name), 1e-12 * before.at(name)) << name;
+}
+
+
+/// Largest relative change of gas that flows along an oblique plane, while
+/// cells without gas hold what must not leak out.
+template <int dim>
+double change_along_plane(const Lines &lines, const Tensor<1, dim> &velocity)
+{
+  GasRun<dim> run(
+    lines +
+    Lines{"Rigid body/Kind=half space",
+          "Rigid body/Finer region half/Levels=1",
+          "Rigid body/Finer region half/Shape=box",
+          "Rigid body/Finer region half/Lower corner=0, 0.55, 0",
+          "Rigid body/Finer region half/Upper corner=1, 1, 1",
+          "Initial state/Background/Density=1.4",
+          "Initial state/Background/Pressure=1",
+          "Boundaries/x low=initial",
+          "Boundaries/x high=initial",
+          "Boundaries/y low=initial",
+          "Boundaries/y high=initial",
+          "Boundaries/z low=initial",
+          "Boundaries/z high=initial",
+          "Domain/Initial refinement=" + std::to_string(dim == 3 ? 2 : 3)});
+  const GasState<dim> state = run.initial.value(Point<dim>());
+  EXPECT_NEAR((state.velocity - velocity).norm(), 0., 1e-12);
+  run.set_state([&](const Point<dim> &) { return state; });
+  EXPECT_GT(n_cut_faces(run), 0u);
+  auto other = still_air<dim>();
+  other.pressure = 7.;
+  const auto closed = conserved_state(other, run.material, dim + 2);
+  for (unsigned int leaf = 0; leaf < run.mesh.n_owned(); ++leaf)
+  {
+    auto values = run.field.leaf(leaf);
+    for (unsigned int q = 0; q < run.layout.n_points; ++q)
+      for (unsigned int c = 0; c < dim + 2; ++c)
+        if (run.field.open_fraction(leaf, q) == 0.)
+          values[c * run.layout.n_points + q] = closed[c];
+    run.field.set_leaf(leaf, values);
+  }
+  run.field.fill_padding(run.mesh.n_owned());
+  run.stepper->reinit(run.field);
+  run.steps(40);
+  double largest = 0.;
+  for_each_gas_point(
+    run,
+    [&](const unsigned int leaf, const unsigned int q, const auto &, double) {
+      const auto now = state_at(run, leaf, q);
+      largest = std::max({largest,
+                          std::abs(now.pressure / state.pressure - 1.),
+                          std::abs(now.density / state.density - 1.),
+                          (now.velocity - velocity).norm() / velocity.norm()});
+    });
+  return largest;
+}
+} // namespace
+
+
+TEST(BodyLevels, MassAndEnergyStay)
+{
+  for (const std::string treatment : {"embedded", "staircase"})
+  {
+    check_conservation<2>(ball_of_two_sizes<2>(treatment));
+    check_conservation<2>(ball_of_two_sizes<2>(treatment) + products_in_air());
+    check_conservation<3>(ball_of_two_sizes<3>(treatment) + finite_volume(4));
+  }
+}
+
+
+TEST(BodyLevels, GasAtRestKeepsEveryBit)
+{
+  for (const std::string treatment : {"embedded", "staircase"})
+  {
+    GasRun<3> run(ball_of_two_sizes<3>(treatment) + finite_volume(4) +
+                  Lines{"Method/Skip quiet leaves=false"});
+    const auto rest = still_air<3>();
+    run.set_state([&](const Point<3> &) { return rest; });
+    EXPECT_GT(n_cut_faces(run), 1u);
+    const auto before = run.leaves();
+    run.steps(20);
+    EXPECT_EQ(run.leaves(), before);
+  }
+}
+
+
+TEST(BodyLevels, FlowAlongObliquePlanesStays)
+{
+  for (const double angle : {0., 17., 30., 45., 71.})
+  {
+    Tensor<1, 2> along;
+    along[0] = -1.3 * std::sin(angle * degree);
+    along[1] = 1.3 * std::cos(angle * degree);
+    const Lines plane = {
+      "Rigid body/Half space/Rotation=0, 0, " + std::to_string(angle),
+      "Rigid body/Half space/Shift=0.513, 0.507, 0",
+      "Initial state/Background/Velocity=" + exactly(along[0]) + ", " +
+        exactly(along[1])};
+    EXPECT_LT(change_along_plane<2>(plane, along), 1e-11) << angle;
+  }
+}
+
+
+TEST(BodyLevels, FlowAlongPlaneInSpaceStays)
+{
+  const double tilt = std::atan(std::sqrt(0.5)) / degree;
+  Tensor<1, 3> along;
+  along[0] = 0.9;
+  along[1] = -1.1;
+  along[2] = 0.2;
+  for (const std::string shift : {"0.5, 0.5, 0.5", "0.513, 0.507, 0.53"})
+    EXPECT_LT(
+      change_along_plane<3>(
+        finite_volume(4) +
+          Lines{"Rigid body/Half space/Rotation=0, " + exactly(-tilt) + ", 45",
+                "Rigid body/Half space/Shift=" + shift,
+                "Initial state/Background/Velocity=0.9, -1.1, 0.2"},
+        along),
+      1e-10);
+}
+
+
+TEST(BodyLevels, RanksAgree)
+{
+  for (const std::string treatment : {"embedded", "staircase"})
+  {
+    const Lines lines = ball_of_two_sizes<3>(treatment) + finite_volume(4);
+    GasRun<3> shared(lines);
+    GasRun<3> alone(lines, MPI_COMM_SELF);
+    const auto wave = [](const Point<3> &p) {
+      GasState<3> state = still_air<3>();
+      if (p[0] + 0.3 * p[2] < 0.35)
+        state.pressure = 10.;
+      return state;
+    };
+    for (auto *run : {&shared, &alone})
+    {
+      run->set_state(wave);
+      run->steps(30);
+    }
+    const auto all = alone.leaves();
+    for (const auto &[name, values] : shared.leaves())
+      for (unsigned int i = 0; i < values.size(); ++i)
+        ASSERT_NEAR(values[i], all.at(name)[i], 1e-12) << name << ' ' << i;
+  }
+}
+
+
+TEST(BodyLevels, SmallCellsFindRoom)
+{
+  // The surface runs just above faces between leaves of two sizes, so that
+  // small cells have their way out across these alone.
+  GasRun<2> run({"Rigid body/Kind=half space",
+                 "Rigid body/Half space/Rotation=0, 0, 90",
+                 "Rigid body/Half space/Shift=0, 0.7502, 0",
+                 "Rigid body/Finer region top/Levels=1",
+                 "Rigid body/Finer region top/Shape=box",
+                 "Rigid body/Finer region top/Lower corner=0, 0.76, 0",
+                 "Rigid body/Finer region top/Upper corner=1, 1, 0",
+                 "Domain/Initial refinement=2"});
+  run.set_state([](const Point<2> &) { return still_air<2>(); });
+  double least = 1.;
+  std::size_t n_crossing = 0;
+  for (const auto &neighborhood : run.cut_leaves.neighborhoods())
+  {
+    double volume = 0.;
+    for (const auto &cell : neighborhood.cells)
+    {
+      volume += run.field.open_fraction(cell.leaf, cell.point) * cell.size;
+      n_crossing += cell.size != 1. ? 1 : 0;
+    }
+    least = std::min(least, volume);
+  }
+  EXPECT_GE(dealii::Utilities::MPI::min(least, MPI_COMM_WORLD), 0.5);
+  EXPECT_GT(dealii::Utilities::MPI::sum(n_crossing, MPI_COMM_WORLD), 0u);
+}
+
+
+TEST(BodyLevels, AdaptationKeepsMassAndTheSurface)
+{
+  GasRun<2> run(ball_of_two_sizes<2>("embedded") +
+                Lines{"Adaptation/Active=true",
+                      "Adaptation/Smallest level=2",
+                      "Adaptation/Largest level=6"});
+  run.set_state([](const Point<2> &p) {
+    GasState<2> state = still_air<2>();
+    if (p[0] + 0.2 * p[1] < 0.22)
+      state.pressure = 20.;
+    return state;
+  });
+  const auto surface = [&run]() {
+    std::map<std::string, std::vector<double>> result;
+    for (unsigned int leaf = 0; leaf < run.mesh.n_owned(); ++leaf)
+      if (const auto *shape = run.cut_leaves.shape(leaf))
+        result[run.mesh.cell(leaf)->id().to_string()] = shape->fraction;
+    return result;
+  };
+  auto before = run.totals();
+  const auto surface_before = surface();
+  const bool is_alone =
+    dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1;
+  unsigned int n_changes = 0;
+  for (unsigned int i = 0; i < 40; ++i)
+  {
+    run.steps(2);
+    n_changes += run.adapt() ? 1 : 0;
+    if (is_alone)
+      ASSERT_EQ(surface(), surface_before);
+  }
+  EXPECT_GT(n_changes, 5u);
+  auto after = run.totals();
+  for (const std::string name : {"mass", "energy"})
+    EXPECT_NEAR(after[name], before[name], 1e-12 * before[name]) << name;
+}
