@@ -39,6 +39,20 @@ namespace
     prm.set("Coarse leaves", join(words, ", "));
     return changed;
   }
+
+
+  /// Lowers the levels of leaves at the body, which may then be missed.
+  void coarsen_body(ParameterHandler &prm, const unsigned int levels)
+  {
+    const Section section(prm, "Rigid body");
+    prm.set("Required", "false");
+    lower(prm, "Levels", levels);
+    for (const std::string &name : item_names(prm, "Rigid body/Finer region"))
+    {
+      const Section region(prm, "Finer region " + name);
+      lower(prm, "Levels", levels);
+    }
+  }
 } // namespace
 
 
@@ -66,10 +80,16 @@ bool coarsen_scene(ParameterHandler &prm, const unsigned int levels)
     const Section section(prm, "First stage");
     prm.set("Cell size", read_double(prm, "Cell size") * std::pow(2., levels));
   }
+  unsigned int initial = 0;
+  {
+    const Section section(prm, "Domain");
+    initial = read_unsigned(prm, "Initial refinement");
+    lower(prm, "Initial refinement", levels);
+  }
+  refinements = adapts ? std::max(refinements, initial) : initial;
+  // What neither halving less in the beginning nor fewer coarse leaves does.
+  coarsen_body(prm, std::min(levels, refinements) - std::min(levels, initial));
   const Section section(prm, "Domain");
-  if (!adapts)
-    refinements = read_unsigned(prm, "Initial refinement");
-  lower(prm, "Initial refinement", levels);
   const unsigned int halvings = levels - std::min(levels, refinements);
   return prm.get("Mesh") == "box" ? halve_leaves(prm, halvings) : halvings == 0;
 }
