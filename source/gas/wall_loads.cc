@@ -99,15 +99,12 @@ std::uint64_t WallLoads<dim>::key_of(const dealii::Point<dim> &place,
                                      const CoarseMesh<dim> &domain)
 {
   // Centres of cells differ by some millionths of the domain at least.
-  const double resolution = 1U << 21;
+  const auto &lower = domain.lower_corner(), &upper = domain.upper_corner();
   std::uint64_t key = 0;
   for (unsigned int d = 0; d < dim; ++d)
-  {
-    const double extent = domain.upper_corner()[d] - domain.lower_corner()[d];
     key = (key << 21) +
-          static_cast<std::uint64_t>((place[d] - domain.lower_corner()[d]) /
-                                     extent * resolution);
-  }
+          static_cast<std::uint64_t>((place[d] - lower[d]) /
+                                     (upper[d] - lower[d]) * (1U << 21));
   return key;
 }
 
@@ -146,11 +143,11 @@ void WallLoads<dim>::add_facets(const unsigned int leaf,
     facets_.push_back({leaf, q, 0, area});
     keys.push_back(key_of(place, mesh.coarse_mesh()));
     // Known facets stay where they are: it is costly to find them.
-    const auto known =
-      std::lower_bound(keys_.begin(), keys_.end(), keys.back());
-    if (known != keys_.end() && *known == keys.back())
+    const std::size_t known =
+      std::lower_bound(keys_.begin(), keys_.end(), keys.back()) - keys_.begin();
+    if (known < keys_.size() && keys_[known] == keys.back())
     {
-      const double *values = &geometry_[n_geometry * (known - keys_.begin())];
+      const auto values = geometry_.begin() + n_geometry * known;
       geometry.insert(geometry.end(), values, values + n_geometry);
       continue;
     }
