@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <deal.II/base/function_parser.h>
+#include <deal.II/base/point.h>
+
+#include <memory>
+#include <string>
+
+namespace contrecoup
+{
+/// A muParser expression of x, y, z [m], t [s] and pi.
+class Expression
+{
+public:
+  /// @param entry where the text stands, for the message
+  /// @throws InputError when it cannot be read
+  Expression(const std::string &entry, const std::string &text);
+
+  double value(const dealii::Point<3> &point, double time = 0.) const;
+
+  /// Whether it is just the number 0.
+  bool is_zero() const
+  {
+    return text_ == "0";
+  }
+
+  /// Whether x, y or z is in it.
+  bool depends_on_place() const
+  {
+    return depends_on_place_;
+  }
+
+  const std::string &text() const
+  {
+    return text_;
+  }
+
+private:
+  std::string text_;
+  bool depends_on_place_;
+  std::shared_ptr<dealii::FunctionParser<3>> function_;
+};
+} // namespace contrecoup

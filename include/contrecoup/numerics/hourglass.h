@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/numerics/hex8_geometry.h>
+
+#include <string>
+#include <vector>
+
+/**
+ * @file
+ * Forces against the hourglass modes, which one integration point does not
+ * see. All moduli are made of the instantaneous shear modulus: scaled with
+ * K + 4/3 G they would be thousands of times the stiffness of nearly
+ * incompressible tissue.
+ */
+
+namespace contrecoup
+{
+/// What resists hourglass modes.
+enum class HourglassKind
+{
+  none,
+  viscous,       ///< forces along the rate of the modes
+  stiffness,     ///< the same spring for all modes
+  assumed_strain ///< what bending and torsion of a brick cost
+};
+
+/// Their words in parameter files, in the order of the enumeration.
+const std::vector<std::string> &hourglass_names();
+
+/// @throws InputError with the nearest word
+HourglassKind find_hourglass(const std::string &name);
+
+/// Hourglass control of one material. Forces are on modes, which are 8 times
+/// the amplitudes.
+template <typename Number>
+struct Hourglass
+{
+  HourglassKind kind = HourglassKind::stiffness;
+  /// Spring: times stiffness_length() [Pa]. Assumed strain: the shear modulus
+  /// times the coefficient [Pa].
+  Number stiffness{};
+  /// Damper: times stiffness_length()^2 [Pa s/m].
+  Number viscosity{};
+};
+
+/**
+ * The spring that gives a cube the energy of its shear in a warping mode when
+ * the coefficient is 1: 8/3 G h in amplitudes, hence 1/64 of it in modes.
+ */
+inline constexpr double hourglass_spring = 8. / 3. / 64.;
+
+/// The damper for coefficient 1: rho c_s h^2 in amplitudes.
+inline constexpr double hourglass_damper = 1. / 64.;
+
+/// Hourglass forces of equal springs, and their energy [J].
+template <typename Number>
+inline DEAL_II_ALWAYS_INLINE std::array<Vector3<Number>, 4>
+spring_forces(const Number &spring, const std::array<Vector3<Number>, 4> &q)
+{
+  std::array<Vector3<Number>, 4> force;
+  for (unsigned int m = 0; m < 4; ++m)
+    for (unsigned int i = 0; i < 3; ++i)
+      force[m][i] = spring * q[m][i];
+  return force;
+}
+
+/// Half the work of hourglass forces that are linear in the modes [J].
+template <typename Number>
+inline DEAL_II_ALWAYS_INLINE Number
+half_work(const std::array<Vector3<Number>, 4> &force,
+          const std::array<Vector3<Number>, 4> &q)
+{
+  Number sum = dot(force[0], q[0]);
+  for (unsigned int m = 1; m < 4; ++m)
+    sum += dot(force[m], q[m]);
+  return Number(0.5) * sum;
+}
+} // namespace contrecoup

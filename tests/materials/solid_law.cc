@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/materials/solid_law.h>
+
+#include <gtest/gtest.h>
+
+using namespace contrecoup;
+
+namespace
+{
+SolidMaterial brain(const bool g1_is_long_term = false)
+{
+  return solid_material(find_tissue_properties("paper", Tissue::brain),
+                        g1_is_long_term);
+}
+
+/// Shear stress after @p n steps of constant strain rate and then rest.
+double relaxed_stress(const SolidMaterial &material,
+                      const double step,
+                      const unsigned int n)
+{
+  const double decay = std::exp(-0.5 * step / material.relaxation_time);
+  Symmetric3<double> strain{}, relaxed{};
+  strain[3] = 0.5e-3;
+  double stress = 0.;
+  for (unsigned int i = 0; i <= n; ++i)
+  {
+    const double before = i == 0 ? 1. : decay;
+    const auto now = relax(relaxed, strain, before);
+    stress = 2. * material.instantaneous_shear * strain[3] -
+             2. * material.relaxing_shear * now[3];
+    relaxed = relax(now, strain, decay);
+  }
+  return stress;
+}
+} // namespace
+
+
+TEST(SolidMaterial, BothReadingsOfG1)
+{
+  // G(t) of 16 + 33 exp(-t / 6 ms) kPa, and of 33 + 16 exp(-t / 6 ms) kPa.
+  EXPECT_NEAR(brain().relaxation_modulus(1e-3), 43.9339e3, 0.1);
+  EXPECT_NEAR(brain().relaxation_modulus(6e-3), 28.1400e3, 0.1);
+  EXPECT_NEAR(brain().relaxation_modulus(12e-3), 20.4661e3, 0.1);
+  EXPECT_NEAR(brain(true).relaxation_modulus(1e3), 33e3, 1e-6);
+  EXPECT_NEAR(brain(true).relaxation_modulus(0.), 49e3, 1e-9);
+}
+
+
+TEST(SolidMaterial, ShearWavesOfTheBrain)
+{
+  // k = omega sqrt(rho / G*): speed omega / Re k and attenuation - Im k.
+  const double expected[3][3] = {
+    {50., 6.7117, 7.463}, {100., 6.9207, 7.868}, {200., 6.9797, 7.979}};
+  for (const auto &[frequency, speed, attenuation] : expected)
+  {
+    const double omega = 2. * 3.14159265358979 * frequency;
+    const std::complex<double> k =
+      omega * std::sqrt(brain().density / brain().dynamic_shear(omega));
+    EXPECT_NEAR(omega / k.real(), speed, 1e-4);
+    EXPECT_NEAR(-k.imag(), attenuation, 1e-3);
+  }
+}
+
+
+TEST(SolidMaterial, RefusesWhatIsNoSolid)
+{
+  SolidMaterial material = brain();
+  material.check("brain");
+  material.relaxing_shear = 50e3;
+  EXPECT_THROW(material.check("brain"), InputError);
+  EXPECT_THROW(find_solid_kinematics("small strains"), InputError);
+}
+
+
+TEST(SolidLaw, SuddenStrainRelaxesExactly)
+{
+  const SolidMaterial material = brain();
+  for (const unsigned int n : {10U, 1000U})
+    EXPECT_NEAR(relaxed_stress(material, 6e-3 / n, n),
+                1e-3 * material.relaxation_modulus(6e-3),
+                1e-9);
+}
+
+
+TEST(SolidLaw, SmallStrainsAreTheLimitOfFiniteOnes)
+{
+  const Matrix3<double> h{
+    {{{1e-8, 2e-8, 3e-8}}, {{-4e-8, 5e-8, 6e-8}}, {{7e-8, -8e-8, 9e-8}}}};
+  const auto c = cofactor(h);
+  const auto small = solid_strain<SolidKinematics::small_strain>(h, c);
+  const auto green = solid_strain<SolidKinematics::finite_rotation>(h, c);
+  const auto large = solid_strain<SolidKinematics::neo_hookean>(h, c);
+  for (unsigned int k = 0; k < 6; ++k)
+  {
+    EXPECT_NEAR(green.measure[k], small.measure[k], 1e-13);
+    EXPECT_NEAR(large.measure[k], small.measure[k], 1e-13);
+  }
+  EXPECT_NEAR(green.dilatation, small.dilatation, 1e-14);
+}
+
+
+TEST(SolidLaw, NeoHookeanStressDerivesFromItsEnergy)
+{
+  SolidLaw<double> law{};
+  law.bulk = 3e6;
+  law.twice_shear = 2e6;
+  const Matrix3<double> h{
+    {{{0.3, 0.2, -0.1}}, {{0.1, -0.2, 0.2}}, {{-0.2, 0.1, 0.4}}}};
+  const auto energy = [&](const Matrix3<double> &g) {
+    return stored_energy<SolidKinematics::neo_hookean>(
+      law, solid_strain<SolidKinematics::neo_hookean>(g, cofactor(g)), {});
+  };
+  const auto strain =
+    solid_strain<SolidKinematics::neo_hookean>(h, cofactor(h));
+  Symmetric3<double> shear;
+  for (unsigned int k = 0; k < 6; ++k)
+    shear[k] = law.twice_shear * strain.measure[k];
+  const auto p = piola_stress<SolidKinematics::neo_hookean>(
+    h, cofactor(h), law.bulk * strain.dilatation, shear);
+  for (unsigned int i = 0; i < 3; ++i)
+    for (unsigned int j = 0; j < 3; ++j)
+    {
+      Matrix3<double> up = h, down = h;
+      up[i][j] += 1e-6;
+      down[i][j] -= 1e-6;
+      EXPECT_NEAR(p[i][j], (energy(up) - energy(down)) / 2e-6, 1e-2);
+    }
+}
+
+
+TEST(SolidLaw, InverseCubeRoot)
+{
+  for (const double x : {0.05, 0.3, 1., 1.001, 3., 20.})
+    EXPECT_NEAR(inverse_cube_root(x) * std::cbrt(x), 1., 3e-4);
+  for (const double x : {0.5, 0.9, 1., 1.1, 2.})
+    EXPECT_NEAR(inverse_cube_root(x) * std::cbrt(x), 1., 1e-12);
+}
