@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/io/application.h>
+
+namespace contrecoup::coupling
+{
+/// The application "biomechanics": stress waves in a body under a blast.
+io::ApplicationDescription biomechanics_application();
+} // namespace contrecoup::coupling

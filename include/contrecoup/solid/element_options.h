@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/materials/solid_material.h>
+#include <contrecoup/numerics/hourglass.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace contrecoup::solid
+{
+/// How elements are integrated: subsection "Elements".
+struct ElementOptions
+{
+  SolidKinematics kinematics = SolidKinematics::small_strain;
+  HourglassKind hourglass = HourglassKind::stiffness;
+  double hourglass_coefficient = 0.1;
+  double linear_viscosity = 0.06;
+  double quadratic_viscosity = 1.2;
+
+  static void declare_parameters(dealii::ParameterHandler &prm);
+  void parse_parameters(dealii::ParameterHandler &prm);
+
+  /// What is left of the stable step beside bulk viscosity: the factor
+  /// sqrt(1 + xi^2) - xi with xi = linear_viscosity.
+  double step_factor() const;
+};
+} // namespace contrecoup::solid

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/lanes.h>
+
+#include <contrecoup/numerics/hex8_one_point.h>
+#include <contrecoup/solid/node_fields.h>
+#include <contrecoup/solid/solid_mesh.h>
+
+#include <deal.II/base/aligned_vector.h>
+
+#include <vector>
+
+namespace contrecoup::solid
+{
+/**
+ * The elements of a rank, as many side by side as the processor has lanes, all
+ * of one tissue. Lanes that are left over belong to a cube of nodes of their
+ * own, behind those of the mesh, which never moves.
+ */
+template <typename Real>
+class HexBatches
+{
+public:
+  using Lane = Lanes<Real>;
+  static constexpr unsigned int n = n_lanes<Real>;
+
+  /// Batches of one tissue.
+  struct Range
+  {
+    unsigned int tissue;
+    unsigned int begin;
+    unsigned int end;
+    bool viscoelastic;
+    unsigned int first_relaxed; ///< place of the first one's relaxed strain
+  };
+
+  /// @param viscoelastic whether each tissue needs memory of strains
+  void reinit(const SolidMesh &mesh, const std::vector<bool> &viscoelastic);
+
+  /// Sets coordinates of the mesh and of the nodes for spare lanes.
+  static void reinit_nodes(const SolidMesh &mesh, NodeFields<Real> &nodes);
+
+  const std::vector<Range> &ranges() const
+  {
+    return ranges_;
+  }
+
+  unsigned int n_batches() const
+  {
+    return static_cast<unsigned int>(dilatation.size());
+  }
+
+  /// NodeFields::width times the nodes, of a corner in all lanes.
+  const unsigned int *offsets(const unsigned int batch,
+                              const unsigned int corner) const
+  {
+    return &offsets_[(8 * batch + corner) * n];
+  }
+
+  /// The cell of the mesh in a lane; lanes to spare have none.
+  std::uint32_t cell(const unsigned int batch, const unsigned int lane) const
+  {
+    return cells_[batch * n + lane];
+  }
+  static constexpr std::uint32_t spare = -1;
+
+  /// The place of each cell of the mesh: batch times n, plus lane.
+  std::uint32_t slot(const std::uint32_t cell) const
+  {
+    return slots_[cell];
+  }
+
+  /// Bytes that elements need, without nodes.
+  double memory() const;
+
+  /// State by batch; of viscoelastic ones 6 relaxed strains in a row.
+  dealii::AlignedVector<Lane> dilatation;
+  dealii::AlignedVector<Lane> viscous_pressure;
+  dealii::AlignedVector<Lane> relaxed;
+
+  template <bool viscoelastic>
+  DEAL_II_ALWAYS_INLINE void load_state(const Range &range,
+                                        const unsigned int batch,
+                                        HexState<Lane> &state) const
+  {
+    state.dilatation = dilatation[batch];
+    state.viscous_pressure = viscous_pressure[batch];
+    if constexpr (viscoelastic)
+      for (unsigned int k = 0; k < 6; ++k)
+        state.relaxed[k] =
+          relaxed[range.first_relaxed + 6 * (batch - range.begin) + k];
+  }
+
+  template <bool viscoelastic>
+  DEAL_II_ALWAYS_INLINE void store_state(const Range &range,
+                                         const unsigned int batch,
+                                         const HexState<Lane> &state)
+  {
+    dilatation[batch] = state.dilatation;
+    viscous_pressure[batch] = state.viscous_pressure;
+    if constexpr (viscoelastic)
+      for (unsigned int k = 0; k < 6; ++k)
+        relaxed[range.first_relaxed + 6 * (batch - range.begin) + k] =
+          state.relaxed[k];
+  }
+
+  /// The state of elements at rest.
+  void reset_state();
+
+private:
+  std::vector<Range> ranges_;
+  dealii::AlignedVector<unsigned int> offsets_;
+  std::vector<std::uint32_t> cells_;
+  std::vector<std::uint32_t> slots_;
+};
+
+
+/// Numbers of corners of a batch: @p place of positions and displacements.
+template <typename Real>
+inline DEAL_II_ALWAYS_INLINE void load_corners(const Real *place,
+                                               const unsigned int *offsets,
+                                               HexVectors<Lanes<Real>> &x,
+                                               HexVectors<Lanes<Real>> &u)
+{
+  constexpr unsigned int n = n_lanes<Real>;
+  for (unsigned int corner = 0; corner < 8; ++corner)
+  {
+    unsigned int doubled[n];
+    for (unsigned int lane = 0; lane < n; ++lane)
+      doubled[lane] = 2 * offsets[n * corner + lane];
+    Lanes<Real> values[NodeFields<Real>::place_width];
+    dealii::vectorized_load_and_transpose(
+      NodeFields<Real>::place_width, place, doubled, values);
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      x[corner][d] = values[d];
+      u[corner][d] = values[3 + d];
+    }
+  }
+}
+
+/// Four numbers of each corner, from forces or velocities.
+template <typename Real>
+inline DEAL_II_ALWAYS_INLINE void
+load_vectors(const Real *values,
+             const unsigned int *offsets,
+             std::array<std::array<Lanes<Real>, 4>, 8> &result)
+{
+  constexpr unsigned int n = n_lanes<Real>;
+  for (unsigned int corner = 0; corner < 8; ++corner)
+    dealii::vectorized_load_and_transpose(
+      4, values, offsets + n * corner, result[corner].data());
+}
+
+/// Takes internal forces of a batch off those of its nodes.
+template <typename Real>
+inline DEAL_II_ALWAYS_INLINE void
+subtract_forces(Real *force,
+                const unsigned int *offsets,
+                const HexVectors<Lanes<Real>> &internal)
+{
+  constexpr unsigned int n = n_lanes<Real>;
+  for (unsigned int corner = 0; corner < 8; ++corner)
+  {
+    Lanes<Real> values[4];
+    for (unsigned int d = 0; d < 3; ++d)
+      values[d] = -internal[corner][d];
+    values[3] = Real();
+    // One lane after the other: lanes may share a node.
+    dealii::vectorized_transpose_and_store(
+      true, 4, values, offsets + n * corner, force);
+  }
+}
+} // namespace contrecoup::solid

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/solid/node_exchange.h>
+#include <contrecoup/solid/node_motion.h>
+#include <contrecoup/solid/solid_operator.h>
+#include <contrecoup/solid/supports.h>
+#include <contrecoup/solid/surface_loads.h>
+
+namespace contrecoup::solid
+{
+/// What the elements and the assembled body allow as a step.
+struct StepCertificate
+{
+  double body_step = 0.;        ///< 2 / omega of the body [s]
+  double uncertainty = 0.;      ///< of omega, relative
+  double element_step = 0.;     ///< least of any element alone [s]
+  std::uint32_t element = 0;    ///< that element, in the whole mesh
+  Tissue tissue = Tissue::none; ///< of it
+  dealii::Point<3> place;       ///< of it [m]
+  unsigned int iterations = 0;
+};
+
+/// Energies of all ranks [J].
+struct EnergyBalance
+{
+  std::vector<TissueEnergies> tissues;
+  TissueEnergies sum;
+  double external_work = 0.; ///< of loads and moved supports
+  /// Work of the elements' forces as their nodes felt it: what the sums over
+  /// elements should be.
+  double nodal_internal_work = 0.;
+  double initial = 0.; ///< kinetic and stored energy at the start
+  /// What changes of the step size did to the energy that central differences
+  /// conserve, which is H - dt^2 / 8 f M^-1 f.
+  double step_change = 0.;
+
+  /// What is missing in the energy of elements and nodes.
+  double residual() const
+  {
+    return sum.kinetic + sum.internal() - external_work - initial - step_change;
+  }
+};
+
+/**
+ * A deformable body: mesh, state, and its steps by central differences with a
+ * lumped mass. Every function is collective.
+ */
+template <typename Real>
+class SolidBody
+{
+public:
+  /**
+   * Builds the part of this rank, at rest.
+   * @throws InputError for inverted elements
+   */
+  void reinit(
+    const HexMesh &mesh,
+    const std::function<std::vector<SolidMaterial>(const std::vector<Tissue> &)>
+      &find_materials,
+    const ElementOptions &options,
+    const Supports &supports,
+    const SurfaceLoads &loads,
+    MPI_Comm communicator);
+
+  /// The longest stable step without bulk viscosity. Only at rest: uses the
+  /// displacements and velocities as memory and leaves them zero.
+  StepCertificate certify_step();
+
+  /// Makes the forces of a state that was set from outside, at its time.
+  void start(const double time);
+
+  /// One step.
+  void advance(const double step);
+
+  EnergyBalance balance() const;
+
+  double time() const
+  {
+    return time_;
+  }
+  const SolidMesh &mesh() const
+  {
+    return mesh_;
+  }
+  NodeFields<Real> &nodes()
+  {
+    return nodes_;
+  }
+  const NodeFields<Real> &nodes() const
+  {
+    return nodes_;
+  }
+  const SolidOperator<Real> &elements() const
+  {
+    return operator_;
+  }
+  const StepTimes &times() const
+  {
+    return times_;
+  }
+  MPI_Comm communicator() const
+  {
+    return communicator_;
+  }
+
+  /// Mass of all ranks [kg].
+  double mass() const
+  {
+    return mass_;
+  }
+
+  /// Momentum of all ranks in the middle of the last step [N s].
+  dealii::Tensor<1, 3> momentum() const;
+
+  /// Writes the state of this rank into @p folder. @throws SystemError
+  void save(const std::string &folder) const;
+
+  /// Reads the state, which any number of ranks wrote.
+  /// @throws InputError when it belongs to another scene
+  void restore(const std::string &folder);
+
+private:
+  struct Numbers; ///< of the whole body, in checkpoints
+
+  Numbers read_numbers(std::istream &in, const std::string &file);
+  void set_masses();
+  void gather_hanging(Real *values, unsigned int width, unsigned int stride);
+  void move_hanging();
+  void assemble();
+  void book_step_change(const double before, const double next);
+  double largest_square_frequency(double &uncertainty, unsigned int &n);
+  double lanczos_step(double &before, double &next);
+  void find_weakest_element(StepCertificate &certificate) const;
+
+  MPI_Comm communicator_ = MPI_COMM_SELF;
+  SolidMesh mesh_;
+  SolidOperator<Real> operator_;
+  NodeFields<Real> nodes_;
+  NodeExchange exchange_;
+  Supports supports_;
+  SurfaceLoads loads_;
+  std::vector<unsigned char> counted_; ///< nodes with inertia of this rank
+  double mass_ = 0.;
+  double time_ = 0.;
+  double relaxed_time_ = 0.; ///< to which relaxed strains were brought [s]
+  StepTimes times_;
+  double external_work_ = 0.; ///< of this rank
+  double nodal_work_ = 0.;    ///< of all forces, of this rank
+  double step_change_ = 0.;   ///< of the energy, of this rank
+  double initial_energy_ = 0.;
+};
+} // namespace contrecoup::solid

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/solid/element_options.h>
+#include <contrecoup/solid/hex_batches.h>
+
+#include <functional>
+
+namespace contrecoup::solid
+{
+/// Where the energy of a tissue is, or went [J].
+struct TissueEnergies
+{
+  double kinetic = 0.;
+  double stored = 0.;    ///< in strains
+  double hourglass = 0.; ///< in hourglass modes, or lost in their dampers
+  double bulk_viscosity = 0.;
+  double relaxation = 0.; ///< lost in Prony branches
+
+  double internal() const
+  {
+    return stored + hourglass + bulk_viscosity + relaxation;
+  }
+};
+
+/// The state of an element, for output.
+struct ElementValues
+{
+  Symmetric3<double> strain; ///< Green's, or the small one [-]
+  Symmetric3<double> stress; ///< Cauchy's [Pa]
+  double dilatation = 0.;
+  double volume = 0.; ///< undeformed [m^3]
+};
+
+/// The step that led to the present, and how far relaxation goes.
+struct StepTimes
+{
+  double before = 0.;       ///< size of the last step; 0: none was made [s]
+  double relax_before = 0.; ///< from where relaxed strains stand to now [s]
+  double relax_after = 0.;  ///< half of the next step [s]
+};
+
+/**
+ * Internal forces of a rank's elements, and what can be said of these.
+ * Knows neither other ranks nor loads.
+ */
+template <typename Real>
+class SolidOperator
+{
+public:
+  /// @param materials by tissue of the mesh
+  void reinit(const SolidMesh &mesh,
+              const std::vector<SolidMaterial> &materials,
+              const ElementOptions &options);
+
+  /// Coordinates, and everything else zero.
+  void reinit_nodes(NodeFields<Real> &nodes) const;
+
+  /// An eighth of each element's mass at its corners [kg].
+  std::vector<double> nodal_masses() const;
+
+  /// Adds internal forces, and brings the elements' state to the present.
+  void add_forces(NodeFields<Real> &nodes, const StepTimes &times);
+
+  /// Adds the forces of small displacements of a body at rest, with the
+  /// instantaneous moduli; changes no state.
+  void add_linear_forces(NodeFields<Real> &nodes);
+
+  /// Energies by tissue, of this rank. Kinetic ones are half of v(before) M
+  /// v(after a step) around the present, which is conserved exactly.
+  std::vector<TissueEnergies> energies(const NodeFields<Real> &nodes,
+                                       const StepTimes &times) const;
+
+  /// Calls @p function for each element (number in the mesh of this rank).
+  void visit(const NodeFields<Real> &nodes,
+             const StepTimes &times,
+             const std::function<void(std::uint32_t, const ElementValues &)>
+               &function) const;
+
+  /// One element.
+  ElementValues values(const NodeFields<Real> &nodes,
+                       const StepTimes &times,
+                       const std::uint32_t cell) const;
+
+  HexBatches<Real> &batches()
+  {
+    return batches_;
+  }
+  const HexBatches<Real> &batches() const
+  {
+    return batches_;
+  }
+
+  const std::vector<SolidMaterial> &materials() const
+  {
+    return materials_;
+  }
+
+  /// What was turned into heat so far, for checkpoints.
+  std::vector<TissueEnergies> &losses()
+  {
+    return losses_;
+  }
+  const std::vector<TissueEnergies> &losses() const
+  {
+    return losses_;
+  }
+
+private:
+  using Lane = Lanes<Real>;
+  using Range = typename HexBatches<Real>::Range;
+
+  HexModel<Lane> model(const SolidMaterial &material,
+                       const StepTimes &times) const;
+
+  template <SolidKinematics kinematics, bool viscoelastic>
+  void add_range(const Range &range,
+                 NodeFields<Real> &nodes,
+                 const StepTimes &times,
+                 TissueEnergies &losses);
+  template <SolidKinematics kinematics>
+  void add_all(NodeFields<Real> &nodes, const StepTimes &times);
+  template <SolidKinematics kinematics>
+  void energies_of(const Range &range,
+                   const NodeFields<Real> &nodes,
+                   const StepTimes &times,
+                   const std::vector<Real> &squares,
+                   TissueEnergies &sum) const;
+  /// v(before) v(after a step) of each node [m^2/s^2].
+  std::vector<Real> velocity_squares(const NodeFields<Real> &nodes,
+                                     const StepTimes &times) const;
+  template <SolidKinematics kinematics>
+  void visit_batch(const Range &range,
+                   const unsigned int batch,
+                   const NodeFields<Real> &nodes,
+                   const StepTimes &times,
+                   std::array<ElementValues, n_lanes<Real>> &values) const;
+  void visit_any(const Range &range,
+                 const unsigned int batch,
+                 const NodeFields<Real> &nodes,
+                 const StepTimes &times,
+                 std::array<ElementValues, n_lanes<Real>> &values) const;
+
+  const SolidMesh *mesh_ = nullptr;
+  std::vector<SolidMaterial> materials_;
+  ElementOptions options_;
+  HexBatches<Real> batches_;
+  std::vector<TissueEnergies> losses_; ///< by tissue
+};
+} // namespace contrecoup::solid

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/solid/element_options.h>
+
+#include <cmath>
+
+namespace contrecoup::solid
+{
+void ElementOptions::declare_parameters(ParameterHandler &prm)
+{
+  const Section section(prm, "Elements");
+  declare_selection(prm,
+                    "Kinematics",
+                    "small strain",
+                    solid_kinematics_names(),
+                    "small strain has no rotations; finite rotation is exact "
+                    "for turns of any size with small strains; neo-hookean "
+                    "also for large strains.");
+  declare_selection(prm,
+                    "Hourglass control",
+                    "stiffness",
+                    hourglass_names(),
+                    "What resists the modes that one integration point does "
+                    "not see; none leaves them to grow.");
+  declare_double(prm,
+                 "Hourglass coefficient",
+                 "0.1",
+                 0.,
+                 10.,
+                 "-",
+                 "Times the resistance that comes from the shear modulus; "
+                 "with assumed strain 1 makes a brick bend as it should.");
+  declare_double(prm,
+                 "Linear bulk viscosity",
+                 "0.06",
+                 0.,
+                 2.,
+                 "-",
+                 "Part of the critical damping of compression in an element; "
+                 "takes that part off the stable step.");
+  declare_double(prm,
+                 "Quadratic bulk viscosity",
+                 "1.2",
+                 0.,
+                 10.,
+                 "-",
+                 "Spreads shocks over some elements; nothing for waves of "
+                 "small strain.");
+}
+
+
+void ElementOptions::parse_parameters(ParameterHandler &prm)
+{
+  const Section section(prm, "Elements");
+  kinematics = find_solid_kinematics(prm.get("Kinematics"));
+  hourglass = find_hourglass(prm.get("Hourglass control"));
+  hourglass_coefficient = read_double(prm, "Hourglass coefficient");
+  linear_viscosity = read_double(prm, "Linear bulk viscosity");
+  quadratic_viscosity = read_double(prm, "Quadratic bulk viscosity");
+}
+
+
+double ElementOptions::step_factor() const
+{
+  return std::sqrt(1. + linear_viscosity * linear_viscosity) - linear_viscosity;
+}
+} // namespace contrecoup::solid

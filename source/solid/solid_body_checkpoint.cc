@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/io/checked_file.h>
+#include <contrecoup/solid/solid_body.h>
+
+#include <filesystem>
+#include <sstream>
+#include <unordered_map>
+
+namespace contrecoup::solid
+{
+/// What every file of a checkpoint says first.
+template <typename Real>
+struct SolidBody<Real>::Numbers
+{
+  std::uint64_t n_nodes;
+  std::uint64_t n_cells;
+  std::uint64_t n_global_nodes;
+  std::uint64_t n_global_cells;
+  std::uint64_t n_tissues;
+  std::uint64_t number_size;
+  double time;
+  double relaxed_time;
+  StepTimes times;
+  double external_work;
+  double nodal_work;
+  double step_change;
+  double initial_energy;
+};
+
+
+namespace
+{
+  template <typename Value>
+  void put(std::ostream &out, const Value &value)
+  {
+    out.write(reinterpret_cast<const char *>(&value), sizeof(value));
+  }
+
+  template <typename Value>
+  void take(std::istream &in, Value &value)
+  {
+    in.read(reinterpret_cast<char *>(&value), sizeof(value));
+  }
+
+  std::string file_of(const std::string &folder, const unsigned int rank)
+  {
+    return folder + "/solid." + std::to_string(rank) + ".bin";
+  }
+
+  /// Displacement, velocity and force, and what supports added to the latter.
+  template <typename Real>
+  struct NodeRecord
+  {
+    std::uint32_t node;
+    std::array<Real, 9> values;
+    std::array<double, 3> reaction;
+  };
+
+  /// Dilatation, viscous pressure and relaxed strain.
+  template <typename Real>
+  struct CellRecord
+  {
+    std::uint32_t cell;
+    std::array<Real, 8> values;
+  };
+
+  template <typename Real>
+  std::array<Real, 9> node_values(const NodeFields<Real> &nodes,
+                                  const std::size_t i)
+  {
+    std::array<Real, 9> values;
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      values[d] = nodes.displacement_of(i)[d];
+      values[3 + d] = nodes.velocity_of(i)[d];
+      values[6 + d] = nodes.force_of(i)[d];
+    }
+    return values;
+  }
+
+  /// Calls @p function with each number of an element's state.
+  template <typename Batches, typename Function>
+  void for_each_state(Batches &batches,
+                      const std::uint32_t cell,
+                      const Function &function)
+  {
+    const std::uint32_t slot = batches.slot(cell);
+    const unsigned int batch = slot / batches.n, lane = slot % batches.n;
+    function(0, batches.dilatation[batch][lane]);
+    function(1, batches.viscous_pressure[batch][lane]);
+    for (const auto &range : batches.ranges())
+      if (range.viscoelastic && batch >= range.begin && batch < range.end)
+        for (unsigned int k = 0; k < 6; ++k)
+          function(2 + k,
+                   batches.relaxed[range.first_relaxed +
+                                   6 * (batch - range.begin) + k][lane]);
+  }
+} // namespace
+
+
+template <typename Real>
+void SolidBody<Real>::save(const std::string &folder) const
+{
+  const unsigned int rank =
+    dealii::Utilities::MPI::this_mpi_process(communicator_);
+  std::vector<std::array<double, 3>> reactions(mesh_.nodes.size());
+  Supports supports = supports_;
+  supports.for_each_reaction(
+    [&](const std::uint32_t node, const unsigned int d, const double value) {
+      reactions[node][d] = value;
+    });
+  io::write_file(file_of(folder, rank), [&](std::ostream &out) {
+    put(out,
+        Numbers{mesh_.nodes.size(),
+                mesh_.cells.size(),
+                mesh_.n_global_nodes,
+                mesh_.n_global_cells,
+                mesh_.tissues.size(),
+                sizeof(Real),
+                time_,
+                relaxed_time_,
+                times_,
+                external_work_,
+                nodal_work_,
+                step_change_,
+                initial_energy_});
+    for (const TissueEnergies &one : operator_.losses())
+      put(out, one);
+    for (std::size_t i = 0; i < mesh_.nodes.size(); ++i)
+      put(out,
+          NodeRecord<Real>{
+            mesh_.global_node[i], node_values(nodes_, i), reactions[i]});
+    for (std::size_t i = 0; i < mesh_.cells.size(); ++i)
+    {
+      CellRecord<Real> record{mesh_.global_cell[i], {}};
+      for_each_state(
+        operator_.batches(), i, [&](const unsigned int k, const Real value) {
+          record.values[k] = value;
+        });
+      put(out, record);
+    }
+  });
+}
+
+
+template <typename Real>
+void SolidBody<Real>::restore(const std::string &folder)
+{
+  std::vector<std::array<double, 3>> reactions(mesh_.nodes.size());
+  std::unordered_map<std::uint32_t, std::uint32_t> node, cell;
+  for (std::size_t i = 0; i < mesh_.nodes.size(); ++i)
+    node[mesh_.global_node[i]] = i;
+  for (std::size_t i = 0; i < mesh_.cells.size(); ++i)
+    cell[mesh_.global_cell[i]] = i;
+  for (unsigned int rank = 0; std::filesystem::exists(file_of(folder, rank));
+       ++rank)
+  {
+    std::ifstream in(file_of(folder, rank), std::ios::binary);
+    const Numbers numbers = read_numbers(in, file_of(folder, rank));
+    for (std::uint64_t i = 0; i < numbers.n_nodes; ++i)
+    {
+      NodeRecord<Real> record;
+      take(in, record);
+      const auto found = node.find(record.node);
+      if (found == node.end())
+        continue;
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        nodes_.displacement_of(found->second)[d] = record.values[d];
+        nodes_.velocity_of(found->second)[d] = record.values[3 + d];
+        nodes_.force_of(found->second)[d] = record.values[6 + d];
+        reactions[found->second][d] = record.reaction[d];
+      }
+    }
+    for (std::uint64_t i = 0; i < numbers.n_cells; ++i)
+    {
+      CellRecord<Real> record;
+      take(in, record);
+      const auto found = cell.find(record.cell);
+      if (found != cell.end())
+        for_each_state(
+          operator_.batches(),
+          found->second,
+          [&](const unsigned int k, Real &value) { value = record.values[k]; });
+    }
+    if (!in)
+      throw InputError("Checkpoint file " + file_of(folder, rank) +
+                       " ends too early");
+  }
+  supports_.for_each_reaction([&](const std::uint32_t i,
+                                  const unsigned int d,
+                                  double &value) { value = reactions[i][d]; });
+  loads_.set_time(time_);
+}
+
+
+template <typename Real>
+typename SolidBody<Real>::Numbers
+SolidBody<Real>::read_numbers(std::istream &in, const std::string &file)
+{
+  Numbers numbers;
+  take(in, numbers);
+  if (!in || numbers.n_global_nodes != mesh_.n_global_nodes ||
+      numbers.n_global_cells != mesh_.n_global_cells ||
+      numbers.n_tissues != mesh_.tissues.size() ||
+      numbers.number_size != sizeof(Real))
+    throw InputError("Checkpoint file " + file + " belongs to another scene");
+  time_ = numbers.time;
+  relaxed_time_ = numbers.relaxed_time;
+  times_ = numbers.times;
+  initial_energy_ = numbers.initial_energy;
+  std::vector<TissueEnergies> losses(operator_.losses().size());
+  for (TissueEnergies &one : losses)
+    take(in, one);
+  // Sums over ranks go on at the first one.
+  if (dealii::Utilities::MPI::this_mpi_process(communicator_) != 0)
+    return numbers;
+  external_work_ += numbers.external_work;
+  nodal_work_ += numbers.nodal_work;
+  step_change_ += numbers.step_change;
+  for (std::size_t i = 0; i < losses.size(); ++i)
+  {
+    operator_.losses()[i].hourglass += losses[i].hourglass;
+    operator_.losses()[i].bulk_viscosity += losses[i].bulk_viscosity;
+    operator_.losses()[i].relaxation += losses[i].relaxation;
+  }
+  return numbers;
+}
+
+
+template class SolidBody<double>;
+template class SolidBody<float>;
+} // namespace contrecoup::solid

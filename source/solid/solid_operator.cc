@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/solid/solid_operator.h>
+
+#include <numeric>
+
+namespace contrecoup::solid
+{
+namespace
+{
+  /// The least modulus against hourglass modes, over the bulk modulus: what
+  /// fluids have.
+  constexpr double fluid_hourglass = 1e-6;
+
+  /// Batches whose losses are added up before they go into a double.
+  constexpr unsigned int batches_at_once = 32;
+
+  template <typename Real>
+  double sum_of(const Lanes<Real> &values)
+  {
+    double sum = 0.;
+    for (unsigned int lane = 0; lane < n_lanes<Real>; ++lane)
+      sum += static_cast<double>(values[lane]);
+    return sum;
+  }
+
+  /// Velocities of the corners of a batch.
+  template <typename Real>
+  HexVectors<Lanes<Real>> corner_velocities(const Real *velocity,
+                                            const unsigned int *offsets)
+  {
+    std::array<std::array<Lanes<Real>, 4>, 8> loaded;
+    load_vectors(velocity, offsets, loaded);
+    HexVectors<Lanes<Real>> v;
+    for (unsigned int corner = 0; corner < 8; ++corner)
+      for (unsigned int d = 0; d < 3; ++d)
+        v[corner][d] = loaded[corner][d];
+    return v;
+  }
+} // namespace
+
+
+template <typename Real>
+void SolidOperator<Real>::reinit(const SolidMesh &mesh,
+                                 const std::vector<SolidMaterial> &materials,
+                                 const ElementOptions &options)
+{
+  mesh_ = &mesh;
+  materials_ = materials;
+  options_ = options;
+  std::vector<bool> viscoelastic;
+  for (const SolidMaterial &material : materials)
+    viscoelastic.push_back(material.is_viscoelastic());
+  batches_.reinit(mesh, viscoelastic);
+  losses_.assign(materials.size(), {});
+}
+
+
+template <typename Real>
+void SolidOperator<Real>::reinit_nodes(NodeFields<Real> &nodes) const
+{
+  HexBatches<Real>::reinit_nodes(*mesh_, nodes);
+}
+
+
+template <typename Real>
+std::vector<double> SolidOperator<Real>::nodal_masses() const
+{
+  std::vector<double> masses(mesh_->nodes.size(), 0.);
+  for (std::size_t i = 0; i < mesh_->cells.size(); ++i)
+  {
+    HexVectors<double> x;
+    for (unsigned int c = 0; c < 8; ++c)
+      for (unsigned int d = 0; d < 3; ++d)
+        x[c][d] = mesh_->nodes[mesh_->cells[i][c]][d];
+    const double mass =
+      materials_[mesh_->tissue[i]].density * hex_geometry(to_modes(x)).volume;
+    for (const std::uint32_t node : mesh_->cells[i])
+      masses[node] += mass / 8.;
+  }
+  return masses;
+}
+
+
+template <typename Real>
+HexModel<Lanes<Real>> SolidOperator<Real>::model(const SolidMaterial &material,
+                                                 const StepTimes &times) const
+{
+  const double tau = material.relaxation_time;
+  HexModel<Lane> model;
+  model.law.bulk = Real(material.bulk_modulus);
+  model.law.twice_shear = Real(2. * material.instantaneous_shear);
+  model.law.twice_relaxing = Real(2. * material.relaxing_shear);
+  model.law.decay_before = Real(std::exp(-times.relax_before / tau));
+  model.law.decay_after = Real(std::exp(-times.relax_after / tau));
+  model.law.dissipation_per_strain = Real(times.before / tau);
+  const double wave = material.density * material.dilatational_speed();
+  model.viscosity.linear = Real(options_.linear_viscosity * wave);
+  model.viscosity.quadratic =
+    Real(options_.quadratic_viscosity * material.density);
+  model.viscosity.inverse_step =
+    Real(times.before > 0. ? 1. / times.before : 0.);
+  model.step = Real(times.before);
+
+  const double shear = std::max(material.instantaneous_shear,
+                                fluid_hourglass * material.bulk_modulus);
+  const double factor = options_.hourglass_coefficient;
+  Hourglass<Lane> &hourglass = model.hourglass;
+  hourglass.kind = options_.hourglass;
+  hourglass.stiffness = Real(0.);
+  hourglass.viscosity = Real(0.);
+  if (hourglass.kind == HourglassKind::none)
+    hourglass.kind = HourglassKind::stiffness;
+  else if (hourglass.kind == HourglassKind::stiffness)
+    hourglass.stiffness = Real(factor * hourglass_spring * shear);
+  else if (hourglass.kind == HourglassKind::assumed_strain)
+    hourglass.stiffness = Real(factor * shear);
+  else
+    hourglass.viscosity =
+      Real(factor * hourglass_damper * std::sqrt(material.density * shear));
+  return model;
+}
+
+
+template <typename Real>
+template <SolidKinematics kinematics, bool viscoelastic>
+void SolidOperator<Real>::add_range(const Range &range,
+                                    NodeFields<Real> &nodes,
+                                    const StepTimes &times,
+                                    TissueEnergies &losses)
+{
+  const HexModel<Lane> model = this->model(materials_[range.tissue], times);
+  for (unsigned int first = range.begin; first < range.end;
+       first += batches_at_once)
+  {
+    HexHeat<Lane> sum;
+    const unsigned int last = std::min(first + batches_at_once, range.end);
+    for (unsigned int batch = first; batch < last; ++batch)
+    {
+      const unsigned int *offsets = batches_.offsets(batch, 0);
+      HexVectors<Lane> x, u;
+      load_corners(nodes.place.data(), offsets, x, u);
+      HexState<Lane> state;
+      batches_.template load_state<viscoelastic>(range, batch, state);
+      HexHeat<Lane> heat;
+      const auto velocities = [&]() {
+        return corner_velocities(nodes.velocity.data(), offsets);
+      };
+      const HexVectors<Lane> forces =
+        one_point_forces<kinematics, viscoelastic>(
+          model, x, u, velocities, state, heat);
+      batches_.template store_state<viscoelastic>(range, batch, state);
+      subtract_forces(nodes.force.data(), offsets, forces);
+      sum.bulk_viscosity += heat.bulk_viscosity;
+      sum.relaxation += heat.relaxation;
+      sum.hourglass += heat.hourglass;
+    }
+    losses.bulk_viscosity += sum_of<Real>(sum.bulk_viscosity);
+    losses.relaxation += sum_of<Real>(sum.relaxation);
+    losses.hourglass += sum_of<Real>(sum.hourglass);
+  }
+}
+
+
+template <typename Real>
+template <SolidKinematics kinematics>
+void SolidOperator<Real>::add_all(NodeFields<Real> &nodes,
+                                  const StepTimes &times)
+{
+  for (const Range &range : batches_.ranges())
+    if (range.viscoelastic)
+      add_range<kinematics, true>(range, nodes, times, losses_[range.tissue]);
+    else
+      add_range<kinematics, false>(range, nodes, times, losses_[range.tissue]);
+}
+
+
+template <typename Real>
+void SolidOperator<Real>::add_forces(NodeFields<Real> &nodes,
+                                     const StepTimes &times)
+{
+  switch (options_.kinematics)
+  {
+    case SolidKinematics::small_strain:
+      return add_all<SolidKinematics::small_strain>(nodes, times);
+    case SolidKinematics::finite_rotation:
+      return add_all<SolidKinematics::finite_rotation>(nodes, times);
+    default:
+      return add_all<SolidKinematics::neo_hookean>(nodes, times);
+  }
+}
+
+
+template <typename Real>
+void SolidOperator<Real>::add_linear_forces(NodeFields<Real> &nodes)
+{
+  // Without a step there is no viscosity, and state is only what it needs.
+  TissueEnergies unused;
+  for (const Range &range : batches_.ranges())
+    add_range<SolidKinematics::small_strain, false>(
+      range, nodes, StepTimes(), unused);
+  batches_.reset_state();
+}
+
+
+template class SolidOperator<double>;
+template class SolidOperator<float>;
+} // namespace contrecoup::solid

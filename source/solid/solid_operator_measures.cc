@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/solid/solid_operator.h>
+
+namespace contrecoup::solid
+{
+namespace
+{
+  template <typename Real>
+  double sum_of(const Lanes<Real> &values, const unsigned int n_filled)
+  {
+    double sum = 0.;
+    for (unsigned int lane = 0; lane < n_filled; ++lane)
+      sum += static_cast<double>(values[lane]);
+    return sum;
+  }
+
+  /// Energy of hourglass springs [J].
+  template <SolidKinematics kinematics, typename Number>
+  Number hourglass_energy(const Hourglass<Number> &control,
+                          const HexVectors<Number> &x,
+                          const HexGeometry<Number> &g,
+                          const HexVectors<Number> &u,
+                          const Matrix3<Number> &h)
+  {
+    const auto q = hourglass_modes(g, u, h);
+    if (control.kind != HourglassKind::assumed_strain)
+      return half_work(
+        spring_forces(control.stiffness * g.stiffness_length(), q), q);
+    Number energy;
+    Matrix3<Number> unused{};
+    constexpr bool finite = kinematics != SolidKinematics::small_strain;
+    assumed_strain_forces(control.stiffness,
+                          hex_frame(x),
+                          g,
+                          q,
+                          finite ? &h : nullptr,
+                          unused,
+                          energy);
+    return energy;
+  }
+
+  /// The strain of the relaxing branch at the present, from where it is
+  /// stored: after the half step to come.
+  template <typename Number>
+  Symmetric3<Number> relaxed_now(const Symmetric3<Number> &stored,
+                                 const Symmetric3<Number> &measure,
+                                 const Number &decay_after)
+  {
+    Symmetric3<Number> now;
+    for (unsigned int k = 0; k < 6; ++k)
+      now[k] = measure[k] + (stored[k] - measure[k]) / decay_after;
+    return now;
+  }
+
+  /// F sigma-like product: F P^T / J of a first Piola-Kirchhoff stress.
+  template <typename Number>
+  Symmetric3<Number> cauchy_stress(const Matrix3<Number> &h,
+                                   const Matrix3<Number> &p,
+                                   const Number &dilatation)
+  {
+    constexpr unsigned int row[] = {0, 1, 2, 0, 1, 2};
+    constexpr unsigned int column[] = {0, 1, 2, 1, 2, 0};
+    const Number factor = Number(1.) / (Number(1.) + dilatation);
+    Symmetric3<Number> s;
+    for (unsigned int k = 0; k < 6; ++k)
+    {
+      const unsigned int i = row[k], j = column[k];
+      s[k] = factor * (p[i][j] + p[i][0] * h[j][0] + p[i][1] * h[j][1] +
+                       p[i][2] * h[j][2]);
+    }
+    return s;
+  }
+
+  /// Whether lanes of a batch hold elements; they are the first ones.
+  template <typename Real>
+  unsigned int count_filled(const HexBatches<Real> &batches,
+                            const unsigned int batch)
+  {
+    unsigned int n = 0;
+    while (n < n_lanes<Real> &&
+           batches.cell(batch, n) != HexBatches<Real>::spare)
+      ++n;
+    return n;
+  }
+} // namespace
+
+
+template <typename Real>
+template <SolidKinematics kinematics>
+void SolidOperator<Real>::energies_of(const Range &range,
+                                      const NodeFields<Real> &nodes,
+                                      const StepTimes &times,
+                                      const std::vector<Real> &squares,
+                                      TissueEnergies &sum) const
+{
+  const SolidMaterial &material = materials_[range.tissue];
+  const HexModel<Lane> model = this->model(material, times);
+  for (unsigned int batch = range.begin; batch < range.end; ++batch)
+  {
+    const unsigned int *offsets = batches_.offsets(batch, 0);
+    HexVectors<Lane> x, u;
+    load_corners(nodes.place.data(), offsets, x, u);
+    x = to_modes(x);
+    u = to_modes(u);
+    const HexGeometry<Lane> g = hex_geometry(x);
+    const Matrix3<Lane> h = mean_gradient(g, u);
+    const auto strain = solid_strain<kinematics>(h, cofactor(h));
+    HexState<Lane> state{};
+    Symmetric3<Lane> relaxed{};
+    if (range.viscoelastic)
+    {
+      batches_.template load_state<true>(range, batch, state);
+      relaxed =
+        relaxed_now(state.relaxed, strain.measure, model.law.decay_after);
+    }
+    const unsigned int n_filled = count_filled(batches_, batch);
+    sum.stored += sum_of<Real>(
+      g.volume * stored_energy<kinematics>(model.law, strain, relaxed),
+      n_filled);
+    sum.hourglass += sum_of<Real>(
+      hourglass_energy<kinematics>(model.hourglass, x, g, u, h), n_filled);
+
+    Lane square{};
+    for (unsigned int i = 0; i < 8 * n_lanes<Real>; ++i)
+      square[i % n_lanes<Real>] += squares[offsets[i] / nodes.width];
+    sum.kinetic +=
+      material.density / 16. * sum_of<Real>(g.volume * square, n_filled);
+  }
+}
+
+
+template <typename Real>
+std::vector<Real>
+SolidOperator<Real>::velocity_squares(const NodeFields<Real> &nodes,
+                                      const StepTimes &times) const
+{
+  std::vector<Real> squares(nodes.size(), Real());
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
+    const Real factor = Real(times.before) * nodes.inverse_mass_of(i);
+    const Real *v = nodes.velocity_of(i), *f = nodes.force_of(i);
+    for (unsigned int d = 0; d < 3; ++d)
+      squares[i] += v[d] * (v[d] + factor * f[d]);
+  }
+  // The inertia of nodes that hang is that of their masters.
+  for (const HexMesh::HangingNode &one : mesh_->hanging_nodes)
+  {
+    squares[one.node] = Real();
+    for (std::size_t i = 0; i < one.masters.size(); ++i)
+      squares[one.node] += Real(one.weights[i]) * squares[one.masters[i]];
+  }
+  return squares;
+}
+
+
+template <typename Real>
+std::vector<TissueEnergies>
+SolidOperator<Real>::energies(const NodeFields<Real> &nodes,
+                              const StepTimes &times) const
+{
+  std::vector<TissueEnergies> sums = losses_;
+  const std::vector<Real> squares = velocity_squares(nodes, times);
+  for (const Range &range : batches_.ranges())
+  {
+    TissueEnergies &sum = sums[range.tissue];
+    switch (options_.kinematics)
+    {
+      case SolidKinematics::small_strain:
+        energies_of<SolidKinematics::small_strain>(
+          range, nodes, times, squares, sum);
+        break;
+      case SolidKinematics::finite_rotation:
+        energies_of<SolidKinematics::finite_rotation>(
+          range, nodes, times, squares, sum);
+        break;
+      case SolidKinematics::neo_hookean:
+        energies_of<SolidKinematics::neo_hookean>(
+          range, nodes, times, squares, sum);
+    }
+  }
+  return sums;
+}
+
+
+template <typename Real>
+template <SolidKinematics kinematics>
+void SolidOperator<Real>::visit_batch(
+  const Range &range,
+  const unsigned int batch,
+  const NodeFields<Real> &nodes,
+  const StepTimes &times,
+  std::array<ElementValues, n_lanes<Real>> &values) const
+{
+  const HexModel<Lane> model = this->model(materials_[range.tissue], times);
+  HexVectors<Lane> x, u;
+  load_corners(nodes.place.data(), batches_.offsets(batch, 0), x, u);
+  const HexGeometry<Lane> g = hex_geometry(to_modes(x));
+  const Matrix3<Lane> h = mean_gradient(g, to_modes(u));
+  const Matrix3<Lane> cofactors = cofactor(h);
+  const auto strain = solid_strain<kinematics>(h, cofactors);
+  Symmetric3<Lane> shear;
+  for (unsigned int k = 0; k < 6; ++k)
+    shear[k] = model.law.twice_shear * strain.measure[k];
+  if (range.viscoelastic)
+  {
+    HexState<Lane> state{};
+    batches_.template load_state<true>(range, batch, state);
+    const Symmetric3<Lane> relaxed =
+      relaxed_now(state.relaxed, strain.measure, model.law.decay_after);
+    for (unsigned int k = 0; k < 6; ++k)
+      shear[k] -= model.law.twice_relaxing * relaxed[k];
+  }
+  const Lane volumetric = model.law.bulk * strain.dilatation;
+  const auto piola = piola_stress<kinematics>(h, cofactors, volumetric, shear);
+  const Symmetric3<Lane> stress =
+    kinematics == SolidKinematics::small_strain
+      ? Symmetric3<Lane>{{piola[0][0],
+                          piola[1][1],
+                          piola[2][2],
+                          piola[0][1],
+                          piola[1][2],
+                          piola[2][0]}}
+      : cauchy_stress(h, piola, strain.dilatation);
+  for (unsigned int lane = 0; lane < n_lanes<Real>; ++lane)
+  {
+    for (unsigned int k = 0; k < 6; ++k)
+    {
+      values[lane].strain[k] = strain.total[k][lane];
+      values[lane].stress[k] = stress[k][lane];
+    }
+    values[lane].dilatation = strain.dilatation[lane];
+    values[lane].volume = g.volume[lane];
+  }
+}
+
+
+template <typename Real>
+void SolidOperator<Real>::visit_any(
+  const Range &range,
+  const unsigned int batch,
+  const NodeFields<Real> &nodes,
+  const StepTimes &times,
+  std::array<ElementValues, n_lanes<Real>> &values) const
+{
+  switch (options_.kinematics)
+  {
+    case SolidKinematics::small_strain:
+      return visit_batch<SolidKinematics::small_strain>(
+        range, batch, nodes, times, values);
+    case SolidKinematics::finite_rotation:
+      return visit_batch<SolidKinematics::finite_rotation>(
+        range, batch, nodes, times, values);
+    default:
+      return visit_batch<SolidKinematics::neo_hookean>(
+        range, batch, nodes, times, values);
+  }
+}
+
+
+template <typename Real>
+void SolidOperator<Real>::visit(
+  const NodeFields<Real> &nodes,
+  const StepTimes &times,
+  const std::function<void(std::uint32_t, const ElementValues &)> &function)
+  const
+{
+  std::array<ElementValues, n_lanes<Real>> values;
+  for (const Range &range : batches_.ranges())
+    for (unsigned int batch = range.begin; batch < range.end; ++batch)
+    {
+      visit_any(range, batch, nodes, times, values);
+      for (unsigned int lane = 0; lane < count_filled(batches_, batch); ++lane)
+        function(batches_.cell(batch, lane), values[lane]);
+    }
+}
+
+
+template <typename Real>
+ElementValues SolidOperator<Real>::values(const NodeFields<Real> &nodes,
+                                          const StepTimes &times,
+                                          const std::uint32_t cell) const
+{
+  const std::uint32_t slot = batches_.slot(cell);
+  const unsigned int batch = slot / n_lanes<Real>;
+  std::array<ElementValues, n_lanes<Real>> values;
+  for (const Range &range : batches_.ranges())
+    if (batch >= range.begin && batch < range.end)
+      visit_any(range, batch, nodes, times, values);
+  return values[slot % n_lanes<Real>];
+}
+
+
+template class SolidOperator<double>;
+template class SolidOperator<float>;
+} // namespace contrecoup::solid

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/parameter_tree.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/solid/surface_loads.h>
+
+namespace contrecoup::solid
+{
+namespace
+{
+  using dealii::Point;
+  using dealii::Tensor;
+
+  constexpr std::uint32_t none = -1;
+
+  /// Integrals of each node's shape function times the normal over a bilinear
+  /// facet [m^2].
+  std::array<Tensor<1, 3>, 4>
+  nodal_areas(const std::array<Point<3>, 4> &corners)
+  {
+    constexpr double signs[4][2] = {{-1., -1.}, {1., -1.}, {1., 1.}, {-1., 1.}};
+    const double gauss = std::sqrt(1. / 3.);
+    std::array<Tensor<1, 3>, 4> areas;
+    for (const auto &point : signs)
+    {
+      const double s = gauss * point[0], t = gauss * point[1];
+      Tensor<1, 3> along_s, along_t;
+      for (unsigned int v = 0; v < 4; ++v)
+      {
+        along_s += 0.25 * signs[v][0] * (1. + signs[v][1] * t) * corners[v];
+        along_t += 0.25 * signs[v][1] * (1. + signs[v][0] * s) * corners[v];
+      }
+      const Tensor<1, 3> normal = cross_product_3d(along_s, along_t);
+      for (unsigned int v = 0; v < 4; ++v)
+        areas[v] +=
+          0.25 * (1. + signs[v][0] * s) * (1. + signs[v][1] * t) * normal;
+    }
+    return areas;
+  }
+
+  std::array<Point<3>, 4> corners_of(const SolidMesh &mesh,
+                                     const HexMesh::Facet &facet)
+  {
+    std::array<Point<3>, 4> corners;
+    for (unsigned int v = 0; v < 4; ++v)
+      corners[v] = mesh.nodes[facet.nodes[v]];
+    return corners;
+  }
+
+  Point<3> middle_of(const std::array<Point<3>, 4> &corners)
+  {
+    return Point<3>((corners[0] + corners[1] + corners[2] + corners[3]) / 4.);
+  }
+} // namespace
+
+
+void SurfaceLoads::declare_parameters(ParameterHandler &prm)
+{
+  const Section section(prm, "Loads");
+  const Section load(prm, "Load *");
+  declare_string(prm,
+                 "Where",
+                 "1",
+                 "muParser expression of x, y, z that is true in the middle of "
+                 "the outer facets that are loaded.");
+  declare_string(prm,
+                 "Pressure",
+                 "0",
+                 "[Pa] Overpressure as a muParser expression of x, y, z, t "
+                 "and pi; it pushes inwards. A Friedlander pulse is "
+                 "if(t < T, P * (1 - t/T) * exp(-b*t/T), ...) with numbers.");
+}
+
+
+void SurfaceLoads::parse_parameters(ParameterHandler &prm)
+{
+  for (const std::string &name : item_names(prm, "Loads/Load"))
+  {
+    const Section section(prm, "Loads");
+    const Section load(prm, "Load " + name);
+    const std::string path = "Loads/Load " + name;
+    loads_.push_back({name,
+                      Expression(path + "/Where", prm.get("Where")),
+                      Expression(path + "/Pressure", prm.get("Pressure"))});
+  }
+}
+
+
+void SurfaceLoads::reinit(const SolidMesh &mesh, const MPI_Comm communicator)
+{
+  facets_.clear();
+  nodes_.clear();
+  entry_of_node_.assign(mesh.nodes.size(), none);
+  for (unsigned int load = 0; load < loads_.size(); ++load)
+    add_facets(mesh, load);
+  if (history_)
+  {
+    add_facets(mesh, static_cast<unsigned int>(loads_.size()));
+    std::vector<Point<3>> middles;
+    std::vector<Tensor<1, 3>> areas;
+    for (const HexMesh::Facet &facet : mesh.boundary)
+    {
+      const auto corners = corners_of(mesh, facet);
+      middles.push_back(middle_of(corners));
+      Tensor<1, 3> area;
+      for (const Tensor<1, 3> &one : nodal_areas(corners))
+        area += one;
+      areas.push_back(area);
+    }
+    history_->reinit(middles, areas, communicator);
+  }
+  forces_.assign(nodes_.size(), Tensor<1, 3>());
+}
+
+
+void SurfaceLoads::add_facets(const SolidMesh &mesh, const unsigned int load)
+{
+  for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
+  {
+    const auto corners = corners_of(mesh, mesh.boundary[i]);
+    const Point<3> middle = middle_of(corners);
+    if (load < loads_.size() && loads_[load].where.value(middle) == 0.)
+      continue;
+    Facet facet{i, load, middle, {}, nodal_areas(corners)};
+    for (unsigned int v = 0; v < 4; ++v)
+    {
+      std::uint32_t &entry = entry_of_node_[mesh.boundary[i].nodes[v]];
+      if (entry == none)
+      {
+        entry = static_cast<std::uint32_t>(nodes_.size());
+        nodes_.push_back(mesh.boundary[i].nodes[v]);
+      }
+      facet.entry[v] = entry;
+    }
+    facets_.push_back(facet);
+  }
+}
+
+
+void SurfaceLoads::set_time(const double time)
+{
+  for (Tensor<1, 3> &force : forces_)
+    force = Tensor<1, 3>();
+  std::vector<double> everywhere;
+  for (const Load &load : loads_)
+    everywhere.push_back(load.pressure.depends_on_place()
+                           ? 0.
+                           : load.pressure.value(Point<3>(), time));
+  if (history_)
+    history_->set_time(time);
+  for (const Facet &facet : facets_)
+  {
+    const bool recorded = facet.load == loads_.size();
+    const double pressure =
+      recorded ? history_->pressure(facet.number)
+      : loads_[facet.load].pressure.depends_on_place()
+        ? loads_[facet.load].pressure.value(facet.middle, time)
+        : everywhere[facet.load];
+    for (unsigned int v = 0; v < 4; ++v)
+      forces_[facet.entry[v]] -= pressure * facet.area[v];
+  }
+}
+
+
+template <typename Real>
+void SurfaceLoads::add_forces(NodeFields<Real> &nodes) const
+{
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+    for (unsigned int d = 0; d < 3; ++d)
+      nodes.force_of(nodes_[i])[d] += static_cast<Real>(forces_[i][d]);
+}
+
+
+template <typename Real>
+double SurfaceLoads::power(const NodeFields<Real> &nodes) const
+{
+  double sum = 0.;
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+    for (unsigned int d = 0; d < 3; ++d)
+      sum += forces_[i][d] * double(nodes.velocity_of(nodes_[i])[d]);
+  return sum;
+}
+
+
+Tensor<1, 3> SurfaceLoads::total() const
+{
+  Tensor<1, 3> sum;
+  for (const Tensor<1, 3> &force : forces_)
+    sum += force;
+  return sum;
+}
+
+
+template void SurfaceLoads::add_forces(NodeFields<double> &) const;
+template void SurfaceLoads::add_forces(NodeFields<float> &) const;
+template double SurfaceLoads::power(const NodeFields<double> &) const;
+template double SurfaceLoads::power(const NodeFields<float> &) const;
+} // namespace contrecoup::solid

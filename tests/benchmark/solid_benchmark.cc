@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+// Throughput of the solid's time step on a cube of a million one-point
+// elements, one row per case. Started without arguments it runs itself under
+// mpirun, on one rank and on two.
+
+#include <contrecoup/base/processor_time.h>
+#include <contrecoup/solid/node_exchange.h>
+#include <contrecoup/solid/node_motion.h>
+#include <contrecoup/solid/solid_operator.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+
+namespace
+{
+using namespace contrecoup;
+
+/// Wall time, or processor time of this process [s].
+double now(const bool wall)
+{
+  const auto time = std::chrono::steady_clock::now().time_since_epoch();
+  return wall ? std::chrono::duration<double>(time).count()
+              : processor_seconds();
+}
+
+/// A cube of n^3 elements of one tissue.
+HexMesh cube(const unsigned int n)
+{
+  LabelGrid grid;
+  grid.spacing = 1. / n;
+  grid.size = {{n + 2, n + 2, n + 2}};
+  grid.labels.assign((n + 2) * (n + 2) * (n + 2), LabelGrid::nothing);
+  for (unsigned int k = 1; k <= n; ++k)
+    for (unsigned int j = 1; j <= n; ++j)
+      for (unsigned int i = 1; i <= n; ++i)
+        grid.labels[grid.index(i, j, k)] = 0;
+  return make_hex_mesh(grid, {{"cube", Tissue::brain}});
+}
+
+/// A cube whose corner was pushed, and its steps.
+template <typename Real>
+class Steps
+{
+public:
+  Steps(const HexMesh &mesh,
+        const SolidMaterial &material,
+        const MPI_Comm communicator)
+    : mesh_(solid::distribute(mesh, communicator))
+    , n_cells_(mesh.cells.size())
+    , step_(0.3 / 100. / material.dilatational_speed())
+  {
+    solid::ElementOptions options;
+    operator_.reinit(mesh_, {material}, options);
+    operator_.reinit_nodes(nodes_);
+    exchange_.reinit(mesh_, communicator);
+    std::vector<double> masses = operator_.nodal_masses();
+    exchange_.add(masses.data(), 1, 1);
+    for (std::size_t i = 0; i < masses.size(); ++i)
+    {
+      nodes_.inverse_mass_of(i) = Real(1. / masses[i]);
+      for (unsigned int d = 0; d < 3; ++d)
+        nodes_.velocity_of(i)[d] =
+          Real(std::sin(7. * mesh_.nodes[i][d] + mesh_.nodes[i][(d + 1) % 3]));
+    }
+  }
+
+  void step()
+  {
+    solid::move_nodes(nodes_, mesh_.owned, step_, step_);
+    operator_.add_forces(nodes_, {step_, step_, 0.5 * step_});
+    exchange_.add(nodes_.force.data(), 3, nodes_.width);
+  }
+
+  /// Element updates per second, of wall time or of processor time: the
+  /// latter does not depend on what else the machine does.
+  double measure(const bool wall)
+  {
+    step();
+    double best = 0.;
+    for (unsigned int repetition = 0; repetition < 3; ++repetition)
+    {
+      const double start = now(wall);
+      const unsigned int n_steps = 10;
+      for (unsigned int i = 0; i < n_steps; ++i)
+        step();
+      best = std::max(best, n_steps * n_cells_ / (now(wall) - start));
+    }
+    return best;
+  }
+
+  /// Bytes that the time loop needs for an element with its nodes.
+  double bytes() const
+  {
+    return (operator_.batches().memory() + 16. * sizeof(Real) * nodes_.size() +
+            mesh_.owned.size()) /
+           n_cells_;
+  }
+
+private:
+  solid::SolidMesh mesh_;
+  double n_cells_;
+  double step_;
+  solid::SolidOperator<Real> operator_;
+  solid::NodeFields<Real> nodes_;
+  solid::NodeExchange exchange_;
+};
+
+SolidMaterial material(const bool viscoelastic)
+{
+  SolidMaterial brain =
+    solid_material(find_tissue_properties("paper", Tissue::brain));
+  if (!viscoelastic)
+    brain.relaxing_shear = 0.;
+  return brain;
+}
+
+void print(const char *name, const double value, const char *unit)
+{
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    std::printf("%s,%.6g,%s\n", name, value, unit);
+}
+
+void measure_one_rank(const HexMesh &mesh)
+{
+  const char *const unit = "element-updates/(s core)";
+  const auto rate = [&](auto number, const bool viscoelastic) {
+    return Steps<decltype(number)>(mesh, material(viscoelastic), MPI_COMM_SELF)
+      .measure(false);
+  };
+  print("hex8_elastic_double", rate(0., false), unit);
+  print("hex8_elastic_float", rate(0.F, false), unit);
+  print("hex8_viscoelastic_double", rate(0., true), unit);
+  print("hex8_viscoelastic_float", rate(0.F, true), unit);
+  print("hex8_bytes_per_element",
+        Steps<double>(mesh, material(true), MPI_COMM_SELF).bytes(),
+        "byte");
+}
+
+/// How much faster two ranks are than one of them alone.
+void measure_two_ranks(const HexMesh &mesh)
+{
+  double alone = 0.;
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    alone = Steps<double>(mesh, material(false), MPI_COMM_SELF).measure(true);
+  MPI_Barrier(MPI_COMM_WORLD);
+  const double both =
+    Steps<double>(mesh, material(false), MPI_COMM_WORLD).measure(true);
+  print("solid_two_ranks", both / alone, "speed ratio");
+}
+
+/// Runs this program on so many ranks; false when that fails.
+bool run_on(const std::string &program, const unsigned int n_ranks)
+{
+  const std::string command =
+    "mpirun --allow-run-as-root --oversubscribe -np " +
+    std::to_string(n_ranks) + " " + program + " worker";
+  return std::system(command.c_str()) == 0;
+}
+} // namespace
+
+
+int main(int argc, char **argv)
+{
+  if (argc == 1)
+    return run_on(argv[0], 1) && run_on(argv[0], 2) ? 0 : 1;
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const HexMesh mesh = cube(100);
+  if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)
+    measure_one_rank(mesh);
+  else
+    measure_two_ranks(mesh);
+  return 0;
+}

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/geometry/triangulation_hexes.h>
+#include <contrecoup/solid/solid_body.h>
+
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+using namespace contrecoup;
+using dealii::Point;
+
+namespace
+{
+/// A box of 6 x 4 x 4 elements, part of which may be refined; the upper half
+/// is brain.
+HexMesh box(const bool refined)
+{
+  dealii::Triangulation<3> mesh;
+  dealii::GridGenerator::subdivided_hyper_rectangle(
+    mesh, {6, 4, 4}, Point<3>(), Point<3>(0.06, 0.04, 0.04));
+  for (const auto &cell : mesh.active_cell_iterators())
+    cell->set_material_id(cell->center()[2] > 0.02 ? 1 : 0);
+  if (refined)
+  {
+    for (const auto &cell : mesh.active_cell_iterators())
+      if (cell->center()[0] > 0.03 && cell->center()[1] > 0.01)
+        cell->set_refine_flag();
+    mesh.execute_coarsening_and_refinement();
+  }
+  return to_hex_mesh(mesh,
+                     {{"bone", Tissue::skeleton}, {"brain", Tissue::brain}});
+}
+
+std::vector<SolidMaterial> find_materials(const std::vector<Tissue> &tissues)
+{
+  std::vector<SolidMaterial> materials;
+  for (const Tissue tissue : tissues)
+    materials.push_back(
+      solid_material(find_tissue_properties("paper", tissue)));
+  return materials;
+}
+
+template <typename Real>
+void set_up(solid::SolidBody<Real> &body,
+            const HexMesh &mesh,
+            const solid::ElementOptions &options,
+            const MPI_Comm communicator)
+{
+  body.reinit(mesh,
+              find_materials,
+              options,
+              solid::Supports(),
+              solid::SurfaceLoads(),
+              communicator);
+}
+
+/// A push that is neither uniform nor a rotation.
+template <typename Real>
+void push(solid::SolidBody<Real> &body)
+{
+  for (std::size_t i = 0; i < body.mesh().nodes.size(); ++i)
+  {
+    const Point<3> &x = body.mesh().nodes[i];
+    body.nodes().velocity_of(i)[0] = Real(std::sin(100. * x[0] + 40. * x[1]));
+    body.nodes().velocity_of(i)[1] = Real(std::cos(90. * x[1] * x[2] / 0.04));
+    body.nodes().velocity_of(i)[2] = Real(50. * x[0]);
+  }
+}
+
+/// Displacements by node of the whole mesh, from all ranks.
+template <typename Real>
+std::vector<double> gather(const solid::SolidBody<Real> &body)
+{
+  std::vector<double> u(3 * body.mesh().n_global_nodes, 0.);
+  for (std::size_t i = 0; i < body.mesh().nodes.size(); ++i)
+    if (body.mesh().owned[i] != 0)
+      for (unsigned int d = 0; d < 3; ++d)
+        u[3 * body.mesh().global_node[i] + d] =
+          body.nodes().displacement_of(i)[d];
+  dealii::Utilities::MPI::sum(u, body.communicator(), u);
+  return u;
+}
+
+template <typename Real>
+std::vector<double> run(const HexMesh &mesh,
+                        const solid::ElementOptions &options,
+                        const MPI_Comm communicator,
+                        const unsigned int n_steps)
+{
+  solid::SolidBody<Real> body;
+  set_up(body, mesh, options, communicator);
+  const double step = 0.5 * body.certify_step().body_step;
+  push(body);
+  body.start(0.);
+  for (unsigned int i = 0; i < n_steps; ++i)
+    body.advance(step);
+  return gather(body);
+}
+
+double largest(const std::vector<double> &a)
+{
+  double result = 0.;
+  for (const double x : a)
+    result = std::max(result, std::abs(x));
+  return result;
+}
+
+double largest_difference(std::vector<double> a, const std::vector<double> &b)
+{
+  for (std::size_t i = 0; i < a.size(); ++i)
+    a[i] -= b[i];
+  return largest(a);
+}
+} // namespace
+
+
+TEST(SolidBody, StepOfALoneCubeIsThatOfTheory)
+{
+  dealii::Triangulation<3> mesh;
+  dealii::GridGenerator::hyper_cube(mesh, 0., 0.01);
+  solid::SolidBody<double> body;
+  set_up(
+    body, to_hex_mesh(mesh, {{"bone", Tissue::skeleton}}), {}, MPI_COMM_SELF);
+  const auto certificate = body.certify_step();
+  // omega^2 = 12 K / (rho h^2).
+  const double exact = 2. * 0.01 / std::sqrt(12. * 5e9 / (3. * 0.4) / 1100.);
+  EXPECT_NEAR(certificate.element_step, exact, 1e-10 * exact);
+  EXPECT_NEAR(certificate.body_step, exact, 3e-3 * exact);
+  EXPECT_LE(certificate.body_step, exact * (1. + 1e-9));
+  EXPECT_EQ(certificate.tissue, Tissue::skeleton);
+}
+
+
+TEST(SolidBody, AssembledStepIsLongerAndStable)
+{
+  solid::SolidBody<double> body;
+  set_up(body, box(true), {}, MPI_COMM_WORLD);
+  const auto certificate = body.certify_step();
+  EXPECT_GT(certificate.body_step, 1.05 * certificate.element_step);
+  solid::ElementOptions options;
+  options.linear_viscosity = options.quadratic_viscosity = 0.;
+  set_up(body, box(true), options, MPI_COMM_WORLD);
+  push(body);
+  body.start(0.);
+  for (unsigned int i = 0; i < 2000; ++i)
+    body.advance(0.999 * certificate.body_step);
+  const auto balance = body.balance();
+  EXPECT_LT(std::abs(balance.residual()), 1e-5 * balance.initial);
+  EXPECT_LT(balance.sum.kinetic, 1.1 * balance.initial);
+}
+
+
+TEST(SolidBody, EnergyClosesForAllKinematicsAndControls)
+{
+  for (const auto kinematics : {SolidKinematics::small_strain,
+                                SolidKinematics::finite_rotation,
+                                SolidKinematics::neo_hookean})
+    for (const auto hourglass : {HourglassKind::stiffness,
+                                 HourglassKind::viscous,
+                                 HourglassKind::assumed_strain})
+    {
+      solid::ElementOptions options;
+      options.kinematics = kinematics;
+      options.hourglass = hourglass;
+      solid::SolidBody<double> body;
+      set_up(body, box(true), options, MPI_COMM_WORLD);
+      const double step = 0.3 * body.certify_step().body_step;
+      push(body);
+      body.start(0.);
+      const auto before = body.momentum();
+      for (unsigned int i = 0; i < 200; ++i)
+        body.advance(step);
+      const auto balance = body.balance();
+      // What dampers take is booked with the velocity before the step.
+      const double tolerance =
+        (hourglass == HourglassKind::viscous ? 3e-4 : 1e-4) * balance.initial;
+      EXPECT_LT(std::abs(balance.residual()), tolerance)
+        << static_cast<int>(kinematics) << static_cast<int>(hourglass);
+      EXPECT_NEAR(balance.nodal_internal_work,
+                  balance.sum.internal() - balance.step_change,
+                  tolerance);
+      EXPECT_GT(balance.sum.stored, 0.01 * balance.initial);
+      EXPECT_LT((body.momentum() - before).norm(), 1e-12 * body.mass());
+    }
+}
+
+
+TEST(SolidBody, RanksAgree)
+{
+  for (const bool refined : {false, true})
+    for (const auto kinematics :
+         {SolidKinematics::small_strain, SolidKinematics::finite_rotation})
+    {
+      solid::ElementOptions options;
+      options.kinematics = kinematics;
+      const auto one = run<double>(box(refined), options, MPI_COMM_SELF, 50);
+      const auto all = run<double>(box(refined), options, MPI_COMM_WORLD, 50);
+      EXPECT_LT(largest_difference(one, all), 1e-11 * largest(one));
+    }
+}
+
+
+TEST(SolidBody, SinglePrecisionIsNearDouble)
+{
+  const auto exact = run<double>(box(true), {}, MPI_COMM_WORLD, 100);
+  const auto single = run<float>(box(true), {}, MPI_COMM_WORLD, 100);
+  EXPECT_LT(largest_difference(exact, single), 2e-4 * largest(exact));
+  EXPECT_GT(largest_difference(exact, single), 0.);
+}
+
+
+TEST(SolidBody, GoesOnFromACheckpointBitByBit)
+{
+  const std::string folder = "solid_checkpoint";
+  std::filesystem::create_directories(folder);
+  const HexMesh mesh = box(true);
+  solid::SolidBody<double> straight, stopped;
+  set_up(straight, mesh, {}, MPI_COMM_WORLD);
+  const double step = 0.5 * straight.certify_step().body_step;
+  push(straight);
+  straight.start(0.);
+  for (unsigned int i = 0; i < 10; ++i)
+    straight.advance(step);
+  straight.save(folder);
+  MPI_Barrier(MPI_COMM_WORLD);
+  set_up(stopped, mesh, {}, MPI_COMM_WORLD);
+  stopped.restore(folder);
+  MPI_Barrier(MPI_COMM_WORLD);
+  for (unsigned int i = 0; i < 10; ++i)
+  {
+    straight.advance(step);
+    stopped.advance(step);
+  }
+  EXPECT_EQ(gather(straight), gather(stopped));
+  EXPECT_NEAR(straight.balance().residual(),
+              stopped.balance().residual(),
+              1e-12 * straight.balance().initial);
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    std::filesystem::remove_all(folder);
+}
+
+
+TEST(SolidBody, InvertedElementIsNamed)
+{
+  HexMesh mesh = box(false);
+  std::swap(mesh.cells[5][0], mesh.cells[5][1]);
+  solid::SolidBody<double> body;
+  try
+  {
+    set_up(body, mesh, {}, MPI_COMM_SELF);
+    FAIL() << "an inverted element passed";
+  }
+  catch (const InputError &error)
+  {
+    EXPECT_NE(std::string(error.what()).find("hexahedron 5"),
+              std::string::npos);
+  }
+}
