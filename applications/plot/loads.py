@@ -189,7 +189,7 @@ def _draw_gauges(gauges, loads, views, path):
     names = gauges.others("time")
     if not names or len(gauges["time"]) < 3:
         return
-    columns = 2 if len(names) < 5 else 3
+    columns = min(len(names), 2 if len(names) < 5 else 3)
     rows = -(-len(names) // columns)
     width = 3.1 * columns
     figure = plt.figure(

@@ -74,6 +74,23 @@ contrecoup_add_application_test(body_gauges_resume resume FILE ${_cylinder}
   SET "Output/Fields=false" ${_gauges} "Loads/Interval=0.01"
   COMPARE load_gauges.csv STOP_AFTER 20)
 
+# The man before a blast, with cells of 80 mm until the front has passed him.
+set(_human FILE blast/quickstart_human.prm SET "Rigid body/Levels=1"
+  "Adaptation/Largest level=1" "Adaptation/Limit not at the body/Largest level=1"
+  "Adaptation/Limit fireball/Largest level=1" "First stage/Cell size=0.004"
+  "Time/End time=0.0032")
+contrecoup_add_application_test(human bounds ${_human} "Output/Fields=false"
+  BOUNDS "status == finished" "assumptions.loads_impulse_difference < 1e-2"
+    "assumptions.loads_chest_peak > 3e5" "assumptions.loads_chest_peak < 1.2e6"
+    "assumptions.loads_forehead_peak > 2e5"
+    "assumptions.loads_left_temple_peak > 1e5"
+    "assumptions.loads_left_temple_peak < 4e5"
+    "assumptions.loads_occiput_arrival > 2e-3"
+    "assumptions.loads_occiput_arrival < 2.6e-3")
+contrecoup_add_application_test(human_pictures pictures ${_human}
+  COMPARE body_pressure.png body_maps.png body_gauges.png
+    plane_y_0_pressure.png)
+
 blast_refuses(gauges_outside "is outside of the domain" FILE ${_cylinder}
   SET "Loads/Record=true" "Loads/Gauges=below: 0.1, -0.5")
 blast_refuses(body_in_one_dimension "Rigid body/Kind: bodies need"
