@@ -177,7 +177,9 @@ double RigidBody::layers_to(const dealii::Point<dim> &lower,
     std::ldexp(diagonal, halvings - int(levels(lower, upper)));
   const double distance =
     value_in_leaf(dealii::Point<dim>(lower + edges * 0.5));
-  return (std::abs(distance) - 0.5 * diagonal) / wanted;
+  // Inside, where there is no gas, none are wanted beside those at the surface.
+  const double none_beside = distance < 0. ? at_body : 0.;
+  return (std::abs(distance) - 0.5 * diagonal) / wanted + none_beside;
 }
 
 

@@ -75,7 +75,8 @@ public:
   }
 
   /// Diagonals of leaves of that size that fit between the ball around a leaf
-  /// and the surface; negative where they meet.
+  /// and the surface, negative where they meet; inside of the body, where none
+  /// are wanted beside those at the surface, one more.
   /// @param halvings times that this leaf has been halved beyond the initial
   /// refinement
   template <int dim>
