@@ -30,6 +30,13 @@ blast_survives(rest_100000_steps
 blast_survives(ten_levels "${_closed}")
 blast_survives(vacuum "errors.density_L1 < 7.5e-3")
 
+# Rigid bodies.
+foreach(_file on_ground cut_by_boundary thin_plate thin_shell needle gap
+        one_voxel flawed_surface charge_5_cm)
+  blast_survives(body_${_file} "${_closed}")
+endforeach()
+blast_survives(body_charge_50_m "")
+
 # The same in single precision and three dimensions: totals to its round-off,
 # and rest at rest.
 #
