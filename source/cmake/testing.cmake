@@ -93,6 +93,8 @@ endfunction()
 #                 first, have the errors and relative costs that they state
 #   pictures      COMPARE <png>...: plot_run.py or plot_anatomy.py draws these from the run
 #   stem          BOUNDS "deviation < 1e-3": [m] of a Mach stem from smooth
+#   wedge         BOUNDS "reflected < 20" "triple_point < 9" ANGLE <degrees>:
+#                 angles of shocks at a wedge
 #   reflection    BOUNDS "regular_up_to < 1.1" HEIGHT <m>: ground range [m] where
 #                 regular reflection of a blast from that height ends
 #   refusal       MESSAGE <text> [EXIT <code>] [OUTPUT <folder>] [CONTENT
@@ -106,7 +108,7 @@ endfunction()
 function(contrecoup_add_application_test name kind)
   cmake_parse_arguments(ARG ""
     "FILE;OTHER_FILE;MPI;TIMEOUT;TOLERANCE;MESSAGE;OUTPUT;CONTENT;VARY;\
-ERROR;ORDER;STOP_AFTER;HEIGHT"
+ERROR;ORDER;STOP_AFTER;HEIGHT;ANGLE"
     "SET;BOUNDS;COMPARE;EXIT;ARGUMENTS;LABELS" ${ARGN})
   if(NOT ARG_FILE OR ARG_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "contrecoup_add_application_test(${name}): FILE is "
@@ -131,7 +133,7 @@ ERROR;ORDER;STOP_AFTER;HEIGHT"
     list(APPEND _options --other-file=${_files}/${ARG_OTHER_FILE})
   endif()
   foreach(_key TOLERANCE MESSAGE OUTPUT CONTENT VARY ERROR ORDER
-          STOP_AFTER HEIGHT)
+          STOP_AFTER HEIGHT ANGLE)
     if(DEFINED ARG_${_key})
       string(TOLOWER ${_key} _option)
       string(REPLACE "_" "-" _option ${_option})

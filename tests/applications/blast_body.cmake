@@ -46,6 +46,20 @@ contrecoup_add_application_test(body_wedge bounds
   BOUNDS "assumptions.probe_1_peak_overpressure > 12.53"
     "assumptions.probe_1_peak_overpressure < 13.04" LABELS verification)
 
+# Angles on half of the cells a side: regular reflection, 19.79 degrees in
+# two-shock theory; the triple point of a Mach reflection at a wedge of 30
+# degrees, 8.50 in three-shock theory with a straight stem.
+contrecoup_add_application_test(body_wedge_regular wedge
+  FILE blast/verification/body_wedge.prm ANGLE 60
+  SET "Output/Volume fields=false" "Domain/Initial refinement=2"
+  BOUNDS "reflected > 19.3" "reflected < 20.3" LABELS verification)
+contrecoup_add_application_test(body_wedge_mach wedge
+  FILE blast/verification/body_wedge.prm ANGLE 30
+  SET "Output/Volume fields=false" "Domain/Initial refinement=2"
+    "Rigid body/Half space/Rotation=0, 0, -60" "Time/End time=0.45"
+    "Probes/Points="
+  BOUNDS "triple_point > 8.2" "triple_point < 8.9" LABELS verification)
+
 contrecoup_add_application_test(body_ranks ranks FILE ${_cylinder}
   SET "Output/Fields=false" "Domain/Initial refinement=2" "Time/End time=0.8"
     "Output/History interval=0.1"

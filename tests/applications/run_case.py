@@ -339,6 +339,21 @@ def stem(case):
         check_bound({"deviation": float(run.stdout)}, bound)
 
 
+def wedge(case):
+    """Bounds of the angles of shocks at a wedge of --angle, see wedge.py."""
+    output = case.folder("run")
+    case.run(output)
+    script = os.path.join(os.path.dirname(os.path.abspath(__file__)),
+                          "wedge.py")
+    run = subprocess.run([script, output, case.options.angle],
+                         capture_output=True, text=True)
+    print(run.stdout, run.stderr)
+    if run.returncode != 0:
+        raise Failed(f"wedge.py failed: {run.stderr}")
+    for bound in case.options.bound:
+        check_bound(json.loads(run.stdout), bound)
+
+
 def reflection(case):
     """Bounds of 'regular_up_to', the ground range [m] up to which a blast from
     --height is reflected regularly, see triple_point.py."""
@@ -450,7 +465,7 @@ def of_module(kind):
 
 KINDS = {kind.__name__: kind for kind in
          (bounds, regression, ranks, same, convergence, resume, sigterm,
-          check, pictures, stem, reflection, refusal, damaged_checkpoint,
+          check, pictures, stem, wedge, reflection, refusal, damaged_checkpoint,
           foreign_checkpoint,
           disk)}
 KINDS.update({name: of_module(kind)
@@ -482,6 +497,7 @@ def parse(arguments):
     parser.add_argument("--error")
     parser.add_argument("--order", type=float)
     parser.add_argument("--height")
+    parser.add_argument("--angle")
     options = parser.parse_args(arguments)
     options.compare = options.compare or ["history.csv"]
     return options
