@@ -94,7 +94,8 @@ HexModel<Lanes<Real>> SolidOperator<Real>::model(const SolidMaterial &material,
   model.law.twice_relaxing = Real(2. * material.relaxing_shear);
   model.law.decay_before = Real(std::exp(-times.relax_before / tau));
   model.law.decay_after = Real(std::exp(-times.relax_after / tau));
-  model.law.dissipation_per_strain = Real(times.before / tau);
+  model.law.dissipation_per_strain =
+    Real((0.5 * times.before + times.relax_after) / tau);
   const double wave = material.density * material.dilatational_speed();
   model.viscosity.linear = Real(options_.linear_viscosity * wave);
   model.viscosity.quadratic =

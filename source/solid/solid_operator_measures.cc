@@ -54,7 +54,29 @@ namespace
     return now;
   }
 
-  /// F sigma-like product: F P^T / J of a first Piola-Kirchhoff stress.
+  /// What relaxation will turn into heat in the half step to come, which is
+  /// booked already [J/m^3].
+  template <typename Number>
+  Number half_step_loss(const SolidLaw<Number> &law,
+                        const SolidStrain<Number> &strain,
+                        const Symmetric3<Number> &relaxed,
+                        const StepTimes &times)
+  {
+    if (!(times.relax_after > 0.))
+      return Number();
+    Symmetric3<Number> stretch, rate;
+    for (unsigned int k = 0; k < 6; ++k)
+    {
+      stretch[k] = strain.total[k] - relaxed[k];
+      rate[k] = strain.measure[k] - relaxed[k];
+    }
+    const double part =
+      times.relax_after / (0.5 * times.before + times.relax_after);
+    return Number(part) * law.dissipation_per_strain * law.twice_relaxing *
+           contract(stretch, rate);
+  }
+
+  /// Cauchy's stress P F^T / J of a first Piola-Kirchhoff stress.
   template <typename Number>
   Symmetric3<Number> cauchy_stress(const Matrix3<Number> &h,
                                    const Matrix3<Number> &p,
@@ -116,6 +138,9 @@ void SolidOperator<Real>::energies_of(const Range &range,
         relaxed_now(state.relaxed, strain.measure, model.law.decay_after);
     }
     const unsigned int n_filled = count_filled(batches_, batch);
+    if (range.viscoelastic)
+      sum.relaxation -= sum_of<Real>(
+        g.volume * half_step_loss(model.law, strain, relaxed, times), n_filled);
     sum.stored += sum_of<Real>(
       g.volume * stored_energy<kinematics>(model.law, strain, relaxed),
       n_filled);

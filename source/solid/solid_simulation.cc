@@ -295,6 +295,8 @@ std::vector<NamedValue> SolidSimulation<Real>::assumptions()
     {"body_step", "s", certificate_.body_step}};
   for (const NamedValue &value : probes_.measured())
     values.push_back(value);
+  for (const NamedValue &value : body_.loads().audit())
+    values.push_back(value);
   return values;
 }
 

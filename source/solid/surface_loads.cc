@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/base/parameters.h>
+#include <contrecoup/solid/recorded_loads.h>
 #include <contrecoup/solid/surface_loads.h>
 
 namespace contrecoup::solid
@@ -58,6 +59,10 @@ namespace
 void SurfaceLoads::declare_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "Loads");
+  {
+    const Section recorded(prm, "Recorded");
+    RecordedLoads::declare_parameters(prm);
+  }
   const Section load(prm, "Load *");
   declare_string(prm,
                  "Where",
@@ -75,6 +80,11 @@ void SurfaceLoads::declare_parameters(ParameterHandler &prm)
 
 void SurfaceLoads::parse_parameters(ParameterHandler &prm)
 {
+  {
+    const Section section(prm, "Loads");
+    const Section recorded(prm, "Recorded");
+    history_ = RecordedLoads::parse_parameters(prm);
+  }
   for (const std::string &name : item_names(prm, "Loads/Load"))
   {
     const Section section(prm, "Loads");

@@ -8,9 +8,9 @@ function(biomechanics_verifies name file bounds)
     LABELS verification TIMEOUT 300)
 endfunction()
 
-set(_exact "errors.displacement_maximum < 1e-12"
-  "errors.normal_stress < 1e-12;errors.shear_stress < 1e-12"
-  "assumptions.energy_residual < 1e-12")
+set(_exact "errors.displacement_maximum < 1e-12;\
+errors.normal_stress < 1e-12;errors.shear_stress < 1e-12;\
+assumptions.energy_residual < 1e-12")
 foreach(_control none viscous stiffness "assumed strain")
   string(REPLACE " " "_" _name ${_control})
   biomechanics_verifies(patch_${_name} patch_test "${_exact}"
@@ -24,6 +24,39 @@ biomechanics_verifies(plane_wave_single plane_wave
 biomechanics_verifies(spherical_cavity spherical_cavity
   "errors.peak_displacement < 1e-2;assumptions.energy_residual < 1e-10"
   "Mesh/Refinements=4")
+
+biomechanics_verifies(fluid_sphere fluid_sphere "errors.pressure_L1 < 6.5e-2")
+biomechanics_verifies(shear_wave shear_wave
+  "errors.frequency < 4.5e-3;assumptions.energy_residual < 1e-10")
+biomechanics_verifies(shear_attenuation shear_attenuation
+  "errors.amplitude < 4e-3;errors.passing_zero < 1.1e-3")
+biomechanics_verifies(shear_attenuation_100 shear_attenuation
+  "errors.amplitude < 8e-3;errors.passing_zero < 1.1e-3"
+  "Supports/Support end/Velocity y=sin(2*pi*100*t)"
+  "Measures/Measure amplitude/Expected=0.674770"
+  "Measures/Measure passing_zero/Expected=0.0372247")
+biomechanics_verifies(cantilever cantilever "errors.frequency < 9e-3"
+  "Time/End time=0.055")
+biomechanics_verifies(interface interface
+  "errors.transmitted < 5e-3;errors.reflected < 5e-3")
+biomechanics_verifies(interface_lung interface_lung
+  "errors.transmitted < 1e-2;errors.reflected < 1e-2")
+biomechanics_verifies(interface_brain interface
+  "errors.transmitted < 1e-2;errors.reflected < 1e-2"
+  "Mesh/Tissue=skeleton" "Mesh/Region far/Tissue=brain"
+  "Mesh/Elements=300, 1, 1" "Measures/Measure transmitted/Expected=-704.559"
+  "Measures/Measure reflected/Statistic=maximum"
+  "Measures/Measure reflected/First time=6.2e-5"
+  "Measures/Measure reflected/Expected=295.441" "Time/End time=1.15e-4")
+biomechanics_verifies(hanging_nodes hanging_nodes 
+  "errors.passed < 1.4e-2;\
+assumptions.returned_push < 1e4;assumptions.returned_pull < 1e4")
+biomechanics_verifies(relaxation relaxation "errors.stress < 1e-6")
+biomechanics_verifies(relaxation_long_term relaxation "errors.stress < 1e-6"
+  "Materials/Reading of G1=long-term modulus"
+  "Measures/Measure stress/Expected=38.886070")
+biomechanics_verifies(phantom ../quickstart
+  "assumptions.energy_residual < 1e-4" "Time/End time=1e-3")
 
 contrecoup_add_application_test(resume resume FILE ${_folder}/plane_wave.prm
   SET "Output/Fields=false" COMPARE history.csv probes.csv)

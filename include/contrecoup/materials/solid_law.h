@@ -25,7 +25,7 @@ struct SolidLaw
   Number twice_relaxing;           ///< 2 G_1 [Pa]
   Number decay_before{};           ///< exp(-dt / (2 tau)), of the last step
   Number decay_after{};            ///< the same, of the next step
-  Number dissipation_per_strain{}; ///< dt / tau: of one step
+  Number dissipation_per_strain{}; ///< half steps around now / tau
 };
 
 /// The strain that stresses are made of.

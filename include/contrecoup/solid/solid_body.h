@@ -101,6 +101,10 @@ public:
   {
     return times_;
   }
+  const SurfaceLoads &loads() const
+  {
+    return loads_;
+  }
   MPI_Comm communicator() const
   {
     return communicator_;

@@ -35,12 +35,6 @@ public:
   /// Reads every entry. @throws InputError
   void parse_parameters(dealii::ParameterHandler &prm);
 
-  /// Loads besides those of the parameters; before setup().
-  void set_history(const std::shared_ptr<PressureHistory> &history)
-  {
-    loads_.set_history(history);
-  }
-
   CostEstimate estimate() override;
   void setup() override;
   void restore(const std::string &folder) override;

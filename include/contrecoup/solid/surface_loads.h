@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/base/expression.h>
+#include <contrecoup/base/simulation.h>
 #include <contrecoup/solid/node_fields.h>
 #include <contrecoup/solid/solid_mesh.h>
 
@@ -33,6 +34,9 @@ public:
 
   /// Overpressure on a facet at that time [Pa].
   virtual double pressure(std::size_t facet) const = 0;
+
+  /// What there is to say of how the loads were brought here. Collective.
+  virtual std::vector<NamedValue> audit() const = 0;
 };
 
 
@@ -47,12 +51,6 @@ public:
   static void declare_parameters(dealii::ParameterHandler &prm);
   void parse_parameters(dealii::ParameterHandler &prm);
 
-  /// A history that acts on all facets besides what the parameters say.
-  void set_history(const std::shared_ptr<PressureHistory> &history)
-  {
-    history_ = history;
-  }
-
   void reinit(const SolidMesh &mesh, MPI_Comm communicator);
 
   /// Makes the forces of this rank's facets at a time [s].
@@ -65,6 +63,12 @@ public:
   /// Their power with the nodes' velocities [W], of this rank.
   template <typename Real>
   double power(const NodeFields<Real> &nodes) const;
+
+  /// What there is to say of recorded loads. Collective.
+  std::vector<NamedValue> audit() const
+  {
+    return history_ ? history_->audit() : std::vector<NamedValue>();
+  }
 
   /// Their sum, of this rank [N].
   dealii::Tensor<1, 3> total() const;

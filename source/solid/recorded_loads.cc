@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/log.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/solid/recorded_loads.h>
+
+#include <deal.II/numerics/rtree.h>
+
+namespace contrecoup::solid
+{
+namespace
+{
+  using dealii::Point;
+  using dealii::Tensor;
+
+  constexpr std::uint32_t none = -1;
+
+  /// Samples that are read at once.
+  constexpr std::size_t samples_at_once = 64;
+
+  /// Nearest recorded facets among which one that faces the same way is
+  /// sought.
+  constexpr unsigned int n_candidates = 12;
+
+  Point<3> point_at(const std::vector<double> &numbers, const std::size_t i)
+  {
+    return Point<3>(numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]);
+  }
+} // namespace
+
+
+void RecordedLoads::declare_parameters(ParameterHandler &prm)
+{
+  declare_file(prm,
+               "File",
+               "",
+               "loads.h5 that a blast on a rigid body recorded; empty: none.");
+  declare_double(prm,
+                 "Time offset",
+                 "0",
+                 -unbounded,
+                 unbounded,
+                 "s",
+                 "Recorded time at which this run begins.");
+  declare_double(prm,
+                 "Largest distance",
+                 "0.05",
+                 0.,
+                 unbounded,
+                 "m",
+                 "Facets farther than this from any recorded one are not "
+                 "loaded.");
+  declare_selection(prm,
+                    "Mirror",
+                    "none",
+                    {"none", "x", "y", "z"},
+                    "Direction across a plane of symmetry through 0, on one "
+                    "side of which loads were recorded.");
+}
+
+
+std::shared_ptr<RecordedLoads>
+RecordedLoads::parse_parameters(ParameterHandler &prm)
+{
+  if (prm.get("File").empty())
+    return nullptr;
+  auto loads = std::make_shared<RecordedLoads>();
+  loads->reader_ = std::make_unique<io::LoadReader>(prm.get("File"));
+  if (loads->reader_->n_facets() == 0 || loads->reader_->times().empty())
+    throw InputError("Loads/Recorded/File = \"" + prm.get("File") +
+                     "\" has no facets or no times");
+  loads->offset_ = read_double(prm, "Time offset");
+  loads->largest_distance_ = read_double(prm, "Largest distance");
+  const std::string mirror = prm.get("Mirror");
+  loads->mirror_ = mirror == "none" ? -1 : mirror[0] - 'x';
+  return loads;
+}
+
+
+void RecordedLoads::reinit(const std::vector<Point<3>> &middles,
+                           const std::vector<Tensor<1, 3>> &areas,
+                           const MPI_Comm communicator)
+{
+  communicator_ = communicator;
+  areas_ = areas;
+  const io::LoadFile::Facets &facets = reader_->facets();
+  std::vector<Point<3>> places;
+  double side = 0.;
+  for (std::size_t i = 0; i < reader_->n_facets(); ++i)
+  {
+    places.push_back(point_at(facets.centroids, i));
+    if (mirror_ >= 0)
+      side += places.back()[mirror_];
+  }
+  const auto tree = dealii::pack_rtree_of_indices(places);
+  source_.assign(middles.size(), none);
+  distances_.assign(middles.size(), 0.);
+  for (std::size_t i = 0; i < middles.size(); ++i)
+  {
+    Point<3> place = middles[i];
+    Tensor<1, 3> area = areas[i];
+    if (mirror_ >= 0 && place[mirror_] * side < 0.)
+    {
+      place[mirror_] *= -1.;
+      area[mirror_] *= -1.;
+    }
+    double best = std::numeric_limits<double>::max();
+    const auto query = boost::geometry::index::nearest(place, n_candidates);
+    for (auto found = tree.qbegin(query); found != tree.qend(); ++found)
+    {
+      const bool faces =
+        area * Tensor<1, 3>(point_at(facets.normals, *found)) > 0.;
+      // Those that face away are taken only when no other is near.
+      const double distance =
+        place.distance(places[*found]) + (faces ? 0. : largest_distance_);
+      if (distance < best)
+      {
+        best = distance;
+        source_[i] = static_cast<std::uint32_t>(*found);
+      }
+    }
+    distances_[i] = place.distance(places[source_[i]]);
+    if (distances_[i] > largest_distance_)
+      source_[i] = none;
+  }
+  first_ = count_ = 0;
+  recorded_impulse_ = mapped_impulse_ = Tensor<1, 3>();
+}
+
+
+void RecordedLoads::set_time(const double time)
+{
+  const std::vector<double> &ends = reader_->times();
+  const double now = time + offset_;
+  const auto middle = [&](const std::size_t i) {
+    return i == 0 ? 0.5 * ends[0] : 0.5 * (ends[i - 1] + ends[i]);
+  };
+  // Nothing before the first sample, nothing after the last one.
+  after_ = std::upper_bound(ends.begin(), ends.end(), now) - ends.begin();
+  if (after_ < ends.size() && middle(after_) <= now)
+    ++after_;
+  started_ = after_ < ends.size() ? 1. : 0.;
+  if (started_ == 0.)
+    return;
+  before_ = after_ == 0 ? 0 : after_ - 1;
+  const double begin = after_ == 0 ? 0. : middle(before_);
+  weight_ = (now - begin) / (middle(after_) - begin);
+  if (before_ < first_ || after_ >= first_ + count_)
+  {
+    first_ = before_;
+    count_ = std::min(samples_at_once, ends.size() - first_);
+    samples_ = reader_->read(first_, count_);
+    add_impulses();
+  }
+}
+
+
+double RecordedLoads::pressure(const std::size_t facet) const
+{
+  if (started_ == 0. || source_[facet] == none)
+    return 0.;
+  const float *row = &samples_[source_[facet] * count_];
+  const double now = row[after_ - first_];
+  const double old = after_ == 0 ? 0. : double(row[before_ - first_]);
+  return (1. - weight_) * old + weight_ * now;
+}
+
+
+void RecordedLoads::add_impulses()
+{
+  const std::vector<double> &ends = reader_->times();
+  const io::LoadFile::Facets &facets = reader_->facets();
+  // The first of these samples was the last one of those before.
+  for (std::size_t t = first_ == 0 ? 0 : 1; t < count_; ++t)
+  {
+    const std::size_t sample = first_ + t;
+    const double step = ends[sample] - (sample == 0 ? 0. : ends[sample - 1]);
+    for (std::size_t i = 0; i < reader_->n_facets(); ++i)
+      recorded_impulse_ -= step * double(samples_[i * count_ + t]) *
+                           facets.areas[i] *
+                           Tensor<1, 3>(point_at(facets.normals, i));
+    for (std::size_t i = 0; i < source_.size(); ++i)
+      if (source_[i] != none)
+        mapped_impulse_ -=
+          step * double(samples_[source_[i] * count_ + t]) * areas_[i];
+  }
+}
+
+
+std::vector<NamedValue> RecordedLoads::audit() const
+{
+  double largest = 0., unmatched = 0., distance = 0.;
+  for (std::size_t i = 0; i < source_.size(); ++i)
+  {
+    largest = std::max(largest, distances_[i]);
+    distance += distances_[i];
+    unmatched += source_[i] == none ? 1. : 0.;
+  }
+  std::vector<double> sums{distance,
+                           unmatched,
+                           double(source_.size()),
+                           mapped_impulse_[0],
+                           mapped_impulse_[1],
+                           mapped_impulse_[2]};
+  dealii::Utilities::MPI::sum(sums, communicator_, sums);
+  largest = dealii::Utilities::MPI::max(largest, communicator_);
+  std::vector<NamedValue> values{
+    {"loads_unmatched_facets", "-", sums[1]},
+    {"loads_largest_distance", "m", largest},
+    {"loads_mean_distance", "m", sums[0] / std::max(1., sums[2])}};
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    const std::string axis(1, "xyz"[d]);
+    values.push_back(
+      {"loads_recorded_impulse_" + axis, "N s", recorded_impulse_[d]});
+    values.push_back({"loads_mapped_impulse_" + axis, "N s", sums[3 + d]});
+  }
+  return values;
+}
+} // namespace contrecoup::solid

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/solid/recorded_loads.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+using namespace contrecoup;
+using dealii::Point;
+using dealii::Tensor;
+
+namespace
+{
+/// Two facets of 1 and 2 m^2, at x = 0 and 1, that face -x and +x, with four
+/// samples of 1 ms.
+void write_loads(const std::string &file)
+{
+  io::LoadFile loads(file);
+  loads.create({{0., 0., 0., 1., 0., 0.}, {-1., 0., 0., 1., 0., 0.}, {1., 2.}},
+               {{"application", "test"}});
+  loads.append({1e-3, 2e-3}, {100.F, 10.F, 300.F, 30.F});
+  loads.append({3e-3, 4e-3}, {200.F, 20.F, 0.F, 0.F});
+}
+
+std::shared_ptr<solid::RecordedLoads> read_loads(const std::string &file)
+{
+  ParameterHandler prm;
+  solid::RecordedLoads::declare_parameters(prm);
+  prm.set("File", file);
+  prm.set("Largest distance", 0.4);
+  return solid::RecordedLoads::parse_parameters(prm);
+}
+} // namespace
+
+
+TEST(RecordedLoads, NearestFacetThatFacesTheSameWay)
+{
+  const std::string file = "recorded_loads.h5";
+  write_loads(file);
+  const auto loads = read_loads(file);
+  // Near each, and one far from both.
+  const std::vector<Point<3>> middles{
+    {0.1, 0.1, 0.}, {0.9, 0., 0.1}, {0.5, 2., 0.}};
+  const std::vector<Tensor<1, 3>> areas{
+    Point<3>(-1., 0.5, 0.), Point<3>(2., 0., 0.), Point<3>(0., 1., 0.)};
+  loads->reinit(middles, areas, MPI_COMM_SELF);
+
+  loads->set_time(0.5e-3); // the middle of the first sample
+  EXPECT_NEAR(loads->pressure(0), 100., 1e-10);
+  EXPECT_NEAR(loads->pressure(1), 10., 1e-11);
+  EXPECT_EQ(loads->pressure(2), 0.);
+  loads->set_time(1e-3); // between the first two
+  EXPECT_NEAR(loads->pressure(0), 200., 1e-10);
+  loads->set_time(2.25e-3);
+  EXPECT_NEAR(loads->pressure(0), 225., 1e-10);
+  loads->set_time(10.);
+  EXPECT_EQ(loads->pressure(0), 0.);
+
+  for (const NamedValue &value : loads->audit())
+  {
+    if (value.name == "loads_unmatched_facets")
+      EXPECT_EQ(value.value, 1.);
+    // Means over 1 ms: 600 and 60 Pa ms, on 1 m^2 towards +x and 2 towards -x.
+    if (value.name == "loads_recorded_impulse_x")
+      EXPECT_NEAR(value.value, 0.6 - 0.12, 1e-12);
+    if (value.name == "loads_mapped_impulse_y")
+      EXPECT_NEAR(value.value, -0.3, 1e-12);
+  }
+  std::filesystem::remove(file);
+}
+
+
+TEST(RecordedLoads, WhatIsNoFileOfLoadsIsRefused)
+{
+  EXPECT_THROW(read_loads("no such file.h5"), InputError);
+  ParameterHandler prm;
+  solid::RecordedLoads::declare_parameters(prm);
+  EXPECT_EQ(solid::RecordedLoads::parse_parameters(prm), nullptr);
+}
