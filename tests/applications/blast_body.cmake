@@ -46,6 +46,18 @@ contrecoup_add_application_test(body_wedge bounds
   BOUNDS "assumptions.probe_1_peak_overpressure > 12.53"
     "assumptions.probe_1_peak_overpressure < 13.04" LABELS verification)
 
+# A sphere in space with 8 cells in the radius: a third of the peak is missing,
+# as stated in the file.
+contrecoup_add_application_test(body_sphere bounds
+  FILE blast/verification/body_sphere.prm
+  SET "Output/Fields=false" "Domain/Initial refinement=1"
+  BOUNDS "status == finished" "assumptions.probe_1_peak_overpressure > 2.69"
+    "assumptions.probe_1_peak_overpressure < 2.73"
+    "assumptions.probe_2_peak_overpressure > 1.49"
+    "assumptions.probe_2_peak_overpressure < 1.51"
+    "assumptions.probe_3_peak_overpressure > 2.38"
+    "assumptions.probe_3_peak_overpressure < 2.43" LABELS verification)
+
 # Angles on half of the cells a side: regular reflection, 19.79 degrees in
 # two-shock theory; the triple point of a Mach reflection at a wedge of 30
 # degrees, 8.50 in three-shock theory with a straight stem.
