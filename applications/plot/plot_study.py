@@ -157,6 +157,11 @@ def draw_panel(axis, study, key, quantity, label):
                   color="black")
     axis.set_xscale("log")
     axis.set_yscale("log")
+    # Costs that hardly differ would get labels with many digits.
+    low, high = axis.get_xlim()
+    if high < 4. * low:
+        middle = (low * high) ** 0.5
+        axis.set_xlim(0.25 * middle, 4. * middle)
     axis.grid(True, which="minor", linewidth=0.3)
     axis.set_xlabel(label)
 
