@@ -288,17 +288,22 @@ template <typename Real>
 void SolidOperator<Real>::visit(
   const NodeFields<Real> &nodes,
   const StepTimes &times,
-  const std::function<void(std::uint32_t, const ElementValues &)> &function)
-  const
+  const std::function<void(std::uint32_t, const ElementValues &)> &function,
+  const unsigned int tissue) const
 {
   std::array<ElementValues, n_lanes<Real>> values;
   for (const Range &range : batches_.ranges())
+  {
+    if (tissue != all_tissues && range.tissue != tissue)
+      continue;
     for (unsigned int batch = range.begin; batch < range.end; ++batch)
     {
       visit_any(range, batch, nodes, times, values);
-      for (unsigned int lane = 0; lane < count_filled(batches_, batch); ++lane)
+      const unsigned int n_filled = count_filled(batches_, batch);
+      for (unsigned int lane = 0; lane < n_filled; ++lane)
         function(batches_.cell(batch, lane), values[lane]);
     }
+  }
 }
 
 

@@ -70,6 +70,7 @@ void SolidSimulation<Real>::declare_parameters(ParameterHandler &prm)
   InitialMotion::declare_parameters(prm);
   ReferenceMotion::declare_parameters(prm);
   SolidProbes::declare_parameters(prm);
+  InjuryReport<Real>::declare_parameters(prm);
   const Section section(prm, "Energy audit");
   declare_double(prm,
                  "Largest residual",
@@ -105,6 +106,7 @@ void SolidSimulation<Real>::parse_parameters(ParameterHandler &prm)
   initial_.parse_parameters(prm);
   reference_.parse_parameters(prm);
   probes_.parse_parameters(prm);
+  injury_.parse_parameters(prm);
   {
     const Section section(prm, "Energy audit");
     largest_residual_ = read_double(prm, "Largest residual");
@@ -150,6 +152,8 @@ void SolidSimulation<Real>::build()
   certificate_ = body_.certify_step();
   stable_step_ = safety_ * options_.step_factor() * certificate_.body_step;
   probes_.reinit(body_.mesh(), communicator_);
+  if (injury_.active())
+    injury_.reinit(body_);
 }
 
 
@@ -190,6 +194,11 @@ StepReport SolidSimulation<Real>::advance(const double largest_step)
   report.step_size = std::min(stable_step_, largest_step);
   body_.advance(report.step_size);
   report.updates = static_cast<double>(body_.mesh().n_global_cells);
+  if (injury_.active())
+  {
+    const TimerScope timer("injury");
+    injury_.follow(body_);
+  }
   if (probes_.measures())
     probes_.read(body_);
   return report;
@@ -297,13 +306,33 @@ std::vector<NamedValue> SolidSimulation<Real>::assumptions()
     values.push_back(value);
   for (const NamedValue &value : body_.loads().audit())
     values.push_back(value);
+  if (injury_.active())
+    for (const InjuryMeasure &measure : injury_.measures(body_))
+      values.push_back(measure.value);
   return values;
 }
 
 
 template <typename Real>
-void SolidSimulation<Real>::finish(const std::string & /*folder*/)
+void SolidSimulation<Real>::report_injury(const std::string &folder)
 {
+  if (!injury_.active())
+    return;
+  const auto measures = injury_.measures(body_);
+  for (const InjuryMeasure &measure : measures)
+    log_line("  " + measure.value.name + " = " + brief(measure.value.value) +
+             " " + measure.value.unit + " (" + measure.threshold + ")");
+  if (dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
+    io::write_file(folder + "/injury.csv", [&](std::ostream &out) {
+      out << InjuryReport<Real>::to_csv(measures);
+    });
+}
+
+
+template <typename Real>
+void SolidSimulation<Real>::finish(const std::string &folder)
+{
+  report_injury(folder);
   const EnergyBalance balance = audit_energy();
   if (energy_scale_ == 0.)
     return;
@@ -341,6 +370,8 @@ template <typename Real>
 void SolidSimulation<Real>::save(const std::string &folder)
 {
   body_.save(folder);
+  if (injury_.active())
+    injury_.save(body_, folder);
   if (dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
     io::write_file(folder + "/probes.bin", [&](std::ostream &out) {
       out.write(reinterpret_cast<const char *>(&energy_scale_),
@@ -355,6 +386,8 @@ void SolidSimulation<Real>::restore(const std::string &folder)
 {
   build();
   body_.restore(folder);
+  if (injury_.active())
+    injury_.restore(body_, folder);
   std::istringstream stream(io::read_file(folder + "/probes.bin"));
   stream.read(reinterpret_cast<char *>(&energy_scale_), sizeof(energy_scale_));
   probes_.load(stream);

@@ -6,6 +6,8 @@
 #include <contrecoup/solid/recorded_loads.h>
 #include <contrecoup/solid/surface_loads.h>
 
+#include <limits>
+
 namespace contrecoup::solid
 {
 namespace
@@ -132,7 +134,7 @@ void SurfaceLoads::add_facets(const SolidMesh &mesh, const unsigned int load)
     const Point<3> middle = middle_of(corners);
     if (load < loads_.size() && loads_[load].where.value(middle) == 0.)
       continue;
-    Facet facet{i, load, middle, {}, nodal_areas(corners)};
+    Facet facet{i, load, middle, {}, nodal_areas(corners), 0.};
     for (unsigned int v = 0; v < 4; ++v)
     {
       std::uint32_t &entry = entry_of_node_[mesh.boundary[i].nodes[v]];
@@ -159,7 +161,7 @@ void SurfaceLoads::set_time(const double time)
                            : load.pressure.value(Point<3>(), time));
   if (history_)
     history_->set_time(time);
-  for (const Facet &facet : facets_)
+  for (Facet &facet : facets_)
   {
     const bool recorded = facet.load == loads_.size();
     const double pressure =
@@ -167,6 +169,7 @@ void SurfaceLoads::set_time(const double time)
       : loads_[facet.load].pressure.depends_on_place()
         ? loads_[facet.load].pressure.value(facet.middle, time)
         : everywhere[facet.load];
+    facet.pressure = pressure;
     for (unsigned int v = 0; v < 4; ++v)
       forces_[facet.entry[v]] -= pressure * facet.area[v];
   }
@@ -190,6 +193,32 @@ double SurfaceLoads::power(const NodeFields<Real> &nodes) const
     for (unsigned int d = 0; d < 3; ++d)
       sum += forces_[i][d] * double(nodes.velocity_of(nodes_[i])[d]);
   return sum;
+}
+
+
+double SurfaceLoads::pressure_near(const Point<3> &point,
+                                   const MPI_Comm communicator) const
+{
+  double nearest = std::numeric_limits<double>::max(), pressure = 0.;
+  for (const Facet &facet : facets_)
+  {
+    const double distance = facet.middle.distance_square(point);
+    if (distance < nearest)
+    {
+      nearest = distance;
+      pressure = facet.pressure;
+    }
+    else if (distance == nearest && facet.pressure != pressure)
+      pressure += facet.pressure; // several loads on one facet
+  }
+  for (const auto &[distance, value] : dealii::Utilities::MPI::all_gather(
+         communicator, std::make_pair(nearest, pressure)))
+    if (distance < nearest)
+    {
+      nearest = distance;
+      pressure = value;
+    }
+  return pressure;
 }
 
 

@@ -71,3 +71,15 @@ contrecoup_add_application_test(energy_gate bounds
   FILE ${_folder}/plane_wave.prm
   SET "Output/Fields=false" "Energy audit/Largest residual=0"
   BOUNDS "status == failed" EXIT 2 MESSAGE "energy audit")
+
+# The phantom with its measures of injury.
+contrecoup_add_application_test(injury bounds FILE biomechanics/quickstart.prm
+  SET "Output/Fields=false" "Time/End time=2e-3"
+  BOUNDS "status == finished" "assumptions.injury_strain_95 > 1e-6"
+  "assumptions.injury_intracranial_pressure_peak > 1e4"
+  "assumptions.injury_hic15 > 1e-6" "assumptions.injury_eardrum_rupture > 0.01"
+  "assumptions.injury_chest_wall_velocity > 0.1")
+contrecoup_add_application_test(injury_resume resume
+  FILE biomechanics/quickstart.prm
+  SET "Output/Fields=false" "Time/End time=3e-4" "Injury/Every steps=3"
+  STOP_AFTER 20 COMPARE history.csv probes.csv injury.csv)

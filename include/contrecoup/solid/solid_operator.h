@@ -73,11 +73,14 @@ public:
   std::vector<TissueEnergies> energies(const NodeFields<Real> &nodes,
                                        const StepTimes &times) const;
 
-  /// Calls @p function for each element (number in the mesh of this rank).
-  void visit(const NodeFields<Real> &nodes,
-             const StepTimes &times,
-             const std::function<void(std::uint32_t, const ElementValues &)>
-               &function) const;
+  /// Calls @p function for each element (number in the mesh of this rank), or
+  /// for those of one tissue (index in the mesh).
+  void visit(
+    const NodeFields<Real> &nodes,
+    const StepTimes &times,
+    const std::function<void(std::uint32_t, const ElementValues &)> &function,
+    const unsigned int tissue = all_tissues) const;
+  static constexpr unsigned int all_tissues = -1;
 
   /// One element.
   ElementValues values(const NodeFields<Real> &nodes,

@@ -5,6 +5,7 @@
 
 #include <contrecoup/base/simulation.h>
 #include <contrecoup/solid/displacement_field.h>
+#include <contrecoup/solid/injury_report.h>
 #include <contrecoup/solid/mesh_description.h>
 #include <contrecoup/solid/solid_body.h>
 #include <contrecoup/solid/solid_materials.h>
@@ -60,6 +61,7 @@ public:
 private:
   void build();
   void report_step() const;
+  void report_injury(const std::string &folder);
   EnergyBalance audit_energy();
 
   MPI_Comm communicator_;
@@ -71,6 +73,7 @@ private:
   InitialMotion initial_;
   ReferenceMotion reference_;
   SolidProbes probes_;
+  InjuryReport<Real> injury_;
   double safety_ = 0.9;
   double largest_residual_ = 0.01;
   double largest_hourglass_ = 0.1;

@@ -70,6 +70,11 @@ public:
     return history_ ? history_->audit() : std::vector<NamedValue>();
   }
 
+  /// Pressure on the loaded facet whose middle is nearest to a point [Pa], 0
+  /// without any. Collective.
+  double pressure_near(const dealii::Point<3> &point,
+                       MPI_Comm communicator) const;
+
   /// Their sum, of this rank [N].
   dealii::Tensor<1, 3> total() const;
 
@@ -89,6 +94,7 @@ private:
     dealii::Point<3> middle;
     std::array<unsigned int, 4> entry; ///< in forces_
     std::array<dealii::Tensor<1, 3>, 4> area;
+    double pressure; ///< at the time that was set [Pa]
   };
 
   void add_facets(const SolidMesh &mesh, unsigned int load);

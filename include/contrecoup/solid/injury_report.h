@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/simulation.h>
+#include <contrecoup/solid/solid_body.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+#include <vector>
+
+namespace contrecoup::solid
+{
+/// A measure of injury with what it is compared to.
+struct InjuryMeasure
+{
+  NamedValue value;
+  std::string threshold; ///< with its source
+  std::string limits;    ///< of what it says
+};
+
+/**
+ * Follows what injures: strains and pressures in the brain, motion of the head,
+ * pressure on the chest. Subsection "Injury".
+ */
+template <typename Real>
+class InjuryReport
+{
+public:
+  static void declare_parameters(dealii::ParameterHandler &prm);
+  void parse_parameters(dealii::ParameterHandler &prm);
+
+  /// Whether anything is followed.
+  bool active() const
+  {
+    return active_;
+  }
+
+  void reinit(const SolidBody<Real> &body);
+
+  /// Call after each step. Collective.
+  void follow(const SolidBody<Real> &body);
+
+  /// What was found so far. Collective.
+  std::vector<InjuryMeasure> measures(const SolidBody<Real> &body) const;
+
+  /// The same as a table, for injury.csv.
+  static std::string to_csv(const std::vector<InjuryMeasure> &measures);
+
+  /// Of this rank, into and from @p folder.
+  void save(const SolidBody<Real> &body, const std::string &folder) const;
+  void restore(const SolidBody<Real> &body, const std::string &folder);
+
+private:
+  /// A part of the brain.
+  struct Piece
+  {
+    std::uint32_t cell = 0; ///< in the whole mesh
+    double volume = 0.;     ///< [m^3]
+    double peak_strain = 0.;
+    double peak_pressure = 0.;
+    double lowest_pressure = 0.;
+  };
+
+  void follow_brain(const SolidBody<Real> &body, const double span);
+  void follow_head(const SolidBody<Real> &body);
+  void add_brain(const SolidBody<Real> &body,
+                 std::vector<InjuryMeasure> &list) const;
+  void add_head(std::vector<InjuryMeasure> &list) const;
+  void add_chest(const SolidBody<Real> &body,
+                 std::vector<InjuryMeasure> &list) const;
+
+  /// Volume, peak strain, highest and lowest pressure of each piece.
+  std::vector<std::array<double, 4>> pieces_data() const;
+  double n_samples() const;
+
+  bool active_ = false;
+  unsigned int interval_ = 10;
+  dealii::Point<3> chest_;
+  double mass_ = 70.;
+  unsigned int brain_ = 0; ///< index of the tissue; number of tissues: none
+  std::vector<std::uint32_t> piece_of_cell_;
+  std::vector<Piece> pieces_;
+  std::uint64_t n_steps_ = 0;
+  double last_time_ = 0.;
+  double cavitation_dose_ = 0.; ///< volume times time of this rank [m^3 s]
+  std::vector<double> times_;
+  std::vector<std::array<double, 3>> speeds_; ///< of the head [m/s]
+  std::vector<double> chest_pressures_;       ///< [Pa]
+  std::array<double, 3> largest_spin_{};      ///< [rad/s]
+};
+} // namespace contrecoup::solid

@@ -1,0 +1,428 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/io/checked_file.h>
+#include <contrecoup/solid/injury_formulas.h>
+#include <contrecoup/solid/injury_report.h>
+#include <contrecoup/solid/solid_probes.h>
+
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <filesystem>
+#include <sstream>
+#include <unordered_map>
+
+namespace contrecoup::solid
+{
+namespace
+{
+  using dealii::Point;
+  using dealii::SymmetricTensor;
+  using dealii::Tensor;
+
+  constexpr std::uint32_t none = -1;
+
+  /// Pressure below which fluid may cavitate [Pa].
+  constexpr double cavitation = -100e3;
+
+  template <typename Value>
+  void put(std::ostream &out, const std::vector<Value> &values)
+  {
+    const std::uint64_t size = values.size();
+    out.write(reinterpret_cast<const char *>(&size), sizeof(size));
+    out.write(reinterpret_cast<const char *>(values.data()),
+              static_cast<std::streamsize>(size * sizeof(Value)));
+  }
+
+  template <typename Value>
+  void take(std::istream &in, std::vector<Value> &values)
+  {
+    std::uint64_t size = 0;
+    in.read(reinterpret_cast<char *>(&size), sizeof(size));
+    values.resize(in ? size : 0);
+    in.read(reinterpret_cast<char *>(values.data()),
+            static_cast<std::streamsize>(values.size() * sizeof(Value)));
+  }
+
+  std::string file_of(const std::string &folder, const unsigned int rank)
+  {
+    return folder + "/injury." + std::to_string(rank) + ".bin";
+  }
+} // namespace
+
+
+template <typename Real>
+void InjuryReport<Real>::declare_parameters(ParameterHandler &prm)
+{
+  const Section section(prm, "Injury");
+  declare_bool(prm,
+               "Active",
+               "false",
+               "Whether strains and pressures of the brain, motion of the "
+               "head and pressure on the chest are followed for injury.csv.");
+  declare_integer(prm,
+                  "Every steps",
+                  "10",
+                  1,
+                  1000000,
+                  "Steps from one look at the body to the next; peaks between "
+                  "are missed.");
+  declare_list(prm,
+               "Chest",
+               "0.12, 0, 1.3",
+               3,
+               3,
+               -1e6,
+               1e6,
+               "m",
+               "Place of the chest: pressure is that on the nearest loaded "
+               "facet.");
+  declare_double(
+    prm, "Body mass", "78.5", 1., 500., "kg", "For limits that scale with it.");
+}
+
+
+template <typename Real>
+void InjuryReport<Real>::parse_parameters(ParameterHandler &prm)
+{
+  const Section section(prm, "Injury");
+  active_ = prm.get_bool("Active");
+  interval_ = read_unsigned(prm, "Every steps");
+  chest_ = read_point<3>(prm, "Chest");
+  mass_ = read_double(prm, "Body mass");
+}
+
+
+template <typename Real>
+void InjuryReport<Real>::reinit(const SolidBody<Real> &body)
+{
+  const SolidMesh &mesh = body.mesh();
+  brain_ = static_cast<unsigned int>(
+    std::find(mesh.tissues.begin(), mesh.tissues.end(), Tissue::brain) -
+    mesh.tissues.begin());
+  piece_of_cell_.assign(mesh.cells.size(), none);
+  pieces_.clear();
+  for (std::size_t i = 0; i < mesh.cells.size(); ++i)
+    if (mesh.tissue[i] == brain_)
+    {
+      piece_of_cell_[i] = static_cast<std::uint32_t>(pieces_.size());
+      Piece piece;
+      piece.cell = mesh.global_cell[i];
+      pieces_.push_back(piece);
+    }
+  last_time_ = body.time();
+}
+
+
+template <typename Real>
+void InjuryReport<Real>::follow(const SolidBody<Real> &body)
+{
+  if (++n_steps_ % interval_ != 0)
+    return;
+  follow_brain(body, body.time() - last_time_);
+  last_time_ = body.time();
+  follow_head(body);
+  chest_pressures_.push_back(
+    body.loads().pressure_near(chest_, body.communicator()));
+}
+
+
+template <typename Real>
+void InjuryReport<Real>::follow_brain(const SolidBody<Real> &body,
+                                      const double span)
+{
+  if (pieces_.empty())
+    return;
+  body.elements().visit(
+    body.nodes(),
+    body.times(),
+    [&](const std::uint32_t cell, const ElementValues &element) {
+      Piece &piece = pieces_[piece_of_cell_[cell]];
+      const double pressure = pressure_of(element.stress);
+      piece.volume = element.volume;
+      piece.peak_strain =
+        std::max(piece.peak_strain, largest_principal(element.strain));
+      piece.peak_pressure = std::max(piece.peak_pressure, pressure);
+      piece.lowest_pressure = std::min(piece.lowest_pressure, pressure);
+      if (pressure < cavitation)
+        cavitation_dose_ += span * element.volume;
+    },
+    brain_);
+}
+
+
+template <typename Real>
+void InjuryReport<Real>::follow_head(const SolidBody<Real> &body)
+{
+  // Moments of the brain, each of its elements a mass in its middle.
+  std::vector<double> sums(16, 0.);
+  const SolidMesh &mesh = body.mesh();
+  for (std::size_t i = 0; i < mesh.cells.size(); ++i)
+  {
+    if (piece_of_cell_[i] == none)
+      continue;
+    const double mass = pieces_[piece_of_cell_[i]].volume;
+    Tensor<1, 3> place, velocity;
+    for (const std::uint32_t node : mesh.cells[i])
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        place[d] += (mesh.nodes[node][d] +
+                     double(body.nodes().displacement_of(node)[d])) /
+                    8.;
+        velocity[d] += double(body.nodes().velocity_of(node)[d]) / 8.;
+      }
+    const Tensor<1, 3> spin = cross_product_3d(place, velocity);
+    sums[0] += mass;
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      sums[1 + d] += mass * place[d];
+      sums[4 + d] += mass * velocity[d];
+      sums[7 + d] += mass * spin[d];
+      sums[10 + d] += mass * place[d] * place[d];
+      sums[13 + d] += mass * place[d] * place[(d + 1) % 3];
+    }
+  }
+  dealii::Utilities::MPI::sum(sums, body.communicator(), sums);
+  if (!(sums[0] > 0.))
+    return;
+  for (unsigned int i = 1; i < sums.size(); ++i)
+    sums[i] /= sums[0];
+  const Tensor<1, 3> centre = Point<3>(sums[1], sums[2], sums[3]);
+  const Tensor<1, 3> velocity = Point<3>(sums[4], sums[5], sums[6]);
+  const Tensor<1, 3> spin =
+    Point<3>(sums[7], sums[8], sums[9]) - cross_product_3d(centre, velocity);
+  SymmetricTensor<2, 3> inertia;
+  double square = 0.;
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    const unsigned int e = (d + 1) % 3;
+    const double own = sums[10 + d] - centre[d] * centre[d];
+    square += own;
+    inertia[d][d] = -own;
+    inertia[d][e] = -(sums[13 + d] - centre[d] * centre[e]);
+  }
+  for (unsigned int d = 0; d < 3; ++d)
+    inertia[d][d] += square;
+  const Tensor<1, 3> rate = invert(inertia) * spin;
+  for (unsigned int d = 0; d < 3; ++d)
+    largest_spin_[d] = std::max(largest_spin_[d], std::abs(rate[d]));
+  times_.push_back(body.time());
+  speeds_.push_back({{velocity[0], velocity[1], velocity[2]}});
+}
+
+
+template <typename Real>
+std::vector<InjuryMeasure>
+InjuryReport<Real>::measures(const SolidBody<Real> &body) const
+{
+  std::vector<InjuryMeasure> list;
+  add_brain(body, list);
+  add_head(list);
+  add_chest(body, list);
+  return list;
+}
+
+
+template <typename Real>
+void InjuryReport<Real>::add_brain(const SolidBody<Real> &body,
+                                   std::vector<InjuryMeasure> &list) const
+{
+  using dealii::Utilities::MPI::all_gather;
+  std::vector<std::pair<double, double>> strains;
+  double volume = 0., above_15 = 0., above_25 = 0., cavitating = 0., peak = 0.,
+         lowest = 0.;
+  for (const auto &rank : all_gather(body.communicator(), pieces_data()))
+    for (const auto &piece : rank)
+    {
+      strains.emplace_back(piece[1], piece[0]);
+      volume += piece[0];
+      above_15 += piece[1] > 0.15 ? piece[0] : 0.;
+      above_25 += piece[1] > 0.25 ? piece[0] : 0.;
+      peak = std::max(peak, piece[2]);
+      lowest = std::min(lowest, piece[3]);
+      cavitating += piece[3] < cavitation ? piece[0] : 0.;
+    }
+  if (!(volume > 0.))
+    return;
+  const double dose =
+    dealii::Utilities::MPI::sum(cavitation_dose_, body.communicator());
+  const std::string model =
+    "thresholds were found with other models of the head";
+  list.push_back({{"injury_intracranial_pressure_peak", "Pa", peak},
+                  "173 kPa minor, 235 kPa serious (Ward et al. 1980, recalled)",
+                  "of impacts; blasts that are survived exceed it"});
+  list.push_back({{"injury_intracranial_pressure_lowest", "Pa", lowest},
+                  "-100 kPa: cavitation",
+                  "elements do not cavitate: tension goes on"});
+  list.push_back({{"injury_cavitating_fraction", "-", cavitating / volume},
+                  "0.072 (DDM, recalled)",
+                  "part of the brain that was ever below -100 kPa"});
+  list.push_back({{"injury_cavitation_dose", "s", dose / volume},
+                  "none published",
+                  "mean time below -100 kPa"});
+  list.push_back({{"injury_strain_95", "-", volume_percentile(strains, 0.95)},
+                  "0.19: half of mild injuries (Zhang et al. 2004, recalled)",
+                  model});
+  list.push_back({{"injury_csdm_15", "-", above_15 / volume},
+                  "0.55 (SIMon 2003, recalled)",
+                  model});
+  list.push_back({{"injury_csdm_25", "-", above_25 / volume},
+                  "0.54 (SIMon 2008, recalled)",
+                  model});
+}
+
+
+template <typename Real>
+std::vector<std::array<double, 4>> InjuryReport<Real>::pieces_data() const
+{
+  std::vector<std::array<double, 4>> data;
+  for (const Piece &piece : pieces_)
+    data.push_back({{piece.volume,
+                     piece.peak_strain,
+                     piece.peak_pressure,
+                     piece.lowest_pressure}});
+  return data;
+}
+
+
+template <typename Real>
+void InjuryReport<Real>::add_head(std::vector<InjuryMeasure> &list) const
+{
+  if (times_.size() < 2)
+    return;
+  list.push_back(
+    {{"injury_hic15", "-", head_injury_criterion(times_, speeds_, 0.015)},
+     "700 (road traffic), 250 (NATO AEP-55)",
+     "of the mean motion of the brain; made for impacts, not blasts"});
+  list.push_back({{"injury_bric", "-", brain_injury_criterion(largest_spin_)},
+                  "1.0: half of injuries of degree 4 (Takhounts et al. 2013)",
+                  "of the mean turning of the brain"});
+}
+
+
+template <typename Real>
+void InjuryReport<Real>::add_chest(const SolidBody<Real> &body,
+                                   std::vector<InjuryMeasure> &list) const
+{
+  if (chest_pressures_.empty())
+    return;
+  double peak = 0., duration = 0.;
+  for (std::size_t i = 0; i < chest_pressures_.size(); ++i)
+  {
+    peak = std::max(peak, chest_pressures_[i]);
+    duration += chest_pressures_[i] > 0. ? last_time_ / n_samples() : 0.;
+  }
+  const double velocity = chest_wall_velocity(
+    [&](const double time) {
+      const auto i = static_cast<std::size_t>(time / last_time_ * n_samples());
+      return chest_pressures_[std::min(i, chest_pressures_.size() - 1)];
+    },
+    body.time());
+  list.push_back({{"injury_chest_pressure_peak", "Pa", peak},
+                  "none of its own",
+                  "as loaded, on the facet nearest to the place of the chest"});
+  list.push_back({{"injury_chest_wall_velocity", "m/s", velocity},
+                  "3.6: slight, 7.5: moderate, 12.8: lethal for half "
+                  "(Axelsson and Yelverton 1996)",
+                  "model of one mass; the mesh moves by the probes"});
+  list.push_back(
+    {{"injury_adjusted_severity", "-", adjusted_severity_index(velocity)},
+     "0.2 to 1: slight (recalled)",
+     "of that velocity"});
+  if (duration > 0.)
+    list.push_back(
+      {{"injury_lung_exposure",
+        "-",
+        peak / half_lethal_overpressure(duration, mass_)},
+       "0.2: lung injury begins, 1: half die (Bowen et al. 1968, recalled)",
+       "for long bodies near no wall; takes the pressure on the chest"});
+  list.push_back({{"injury_eardrum_rupture", "-", eardrum_rupture(peak)},
+                  "a probability",
+                  "takes the pressure on the chest for that at the ear"});
+}
+
+
+template <typename Real>
+double InjuryReport<Real>::n_samples() const
+{
+  return static_cast<double>(chest_pressures_.size());
+}
+
+
+template <typename Real>
+std::string
+InjuryReport<Real>::to_csv(const std::vector<InjuryMeasure> &measures)
+{
+  std::string text = "measure,value,unit,threshold,limits\n";
+  for (const InjuryMeasure &measure : measures)
+    text += measure.value.name + "," + exact(measure.value.value) + "," +
+            measure.value.unit + ",\"" + measure.threshold + "\",\"" +
+            measure.limits + "\"\n";
+  return text;
+}
+
+
+template <typename Real>
+void InjuryReport<Real>::save(const SolidBody<Real> &body,
+                              const std::string &folder) const
+{
+  const unsigned int rank =
+    dealii::Utilities::MPI::this_mpi_process(body.communicator());
+  io::write_file(file_of(folder, rank), [&](std::ostream &out) {
+    put(out,
+        std::vector<double>{double(n_steps_),
+                            last_time_,
+                            cavitation_dose_,
+                            largest_spin_[0],
+                            largest_spin_[1],
+                            largest_spin_[2]});
+    put(out, pieces_);
+    put(out, times_);
+    put(out, speeds_);
+    put(out, chest_pressures_);
+  });
+}
+
+
+template <typename Real>
+void InjuryReport<Real>::restore(const SolidBody<Real> &body,
+                                 const std::string &folder)
+{
+  reinit(body);
+  std::unordered_map<std::uint32_t, std::size_t> here;
+  for (std::size_t i = 0; i < pieces_.size(); ++i)
+    here[pieces_[i].cell] = i;
+  const bool first =
+    dealii::Utilities::MPI::this_mpi_process(body.communicator()) == 0;
+  for (unsigned int rank = 0; std::filesystem::exists(file_of(folder, rank));
+       ++rank)
+  {
+    std::istringstream in(io::read_file(file_of(folder, rank)));
+    std::vector<double> numbers;
+    std::vector<Piece> pieces;
+    take(in, numbers);
+    take(in, pieces);
+    take(in, times_);
+    take(in, speeds_);
+    take(in, chest_pressures_);
+    if (!in || numbers.size() != 6)
+      throw InputError("Checkpoint file " + file_of(folder, rank) +
+                       " belongs to another scene");
+    n_steps_ = static_cast<std::uint64_t>(numbers[0]);
+    last_time_ = numbers[1];
+    // Sums over ranks go on at the first one.
+    cavitation_dose_ += first ? numbers[2] : 0.;
+    largest_spin_ = {{numbers[3], numbers[4], numbers[5]}};
+    for (const Piece &piece : pieces)
+      if (here.count(piece.cell) > 0)
+        pieces_[here[piece.cell]] = piece;
+  }
+}
+
+
+template class InjuryReport<double>;
+template class InjuryReport<float>;
+} // namespace contrecoup::solid
