@@ -4,31 +4,27 @@
 #include <contrecoup/solid/node_motion.h>
 
 #include <algorithm>
+#include <array>
 
 namespace contrecoup::solid
 {
 namespace
 {
-  /// The numbers of a node side by side.
+  /// As many of the four numbers of a node as fit into lanes.
   template <typename Real>
-  using Four = dealii::VectorizedArray<Real, 4>;
+  constexpr std::size_t width = n_lanes<Real> < 4 ? n_lanes<Real> : 4;
+  template <typename Real>
+  using Part = dealii::VectorizedArray<Real, width<Real>>;
 
   /// Nodes whose work is added up before it goes into a double.
   constexpr std::size_t nodes_at_once = 512;
 
   template <typename Real>
-  Four<Real> load(const Real *values)
+  Part<Real> load(const Real *values)
   {
-    Four<Real> result;
+    Part<Real> result;
     result.load(values);
     return result;
-  }
-
-  template <typename Real>
-  double sum_of(const Four<Real> &values)
-  {
-    return double(values[0]) + double(values[1]) + double(values[2]) +
-           double(values[3]);
   }
 } // namespace
 
@@ -39,32 +35,40 @@ double move_nodes(NodeFields<Real> &nodes,
                   const double before,
                   const double next)
 {
-  const Four<Real> zero = Real(0.);
+  constexpr std::size_t n_parts = 4 / width<Real>;
+  const Part<Real> zero = Real(0.);
   const Real half = Real(0.5 * (before + next));
   const Real work_before = Real(0.5 * before), work_next = Real(0.5 * next);
-  Four<Real> step = Real(next);
-  step[3] = Real(0.);
+  // The fourth of a node's displacements is something else, and stays.
+  std::array<Part<Real>, n_parts> step;
+  step.fill(Part<Real>(Real(next)));
+  step.back()[width<Real> - 1] = Real(0.);
   double work = 0.;
   for (std::size_t first = 0; first < counted.size(); first += nodes_at_once)
   {
-    Four<Real> sum = zero;
+    std::array<Part<Real>, n_parts> sum;
+    sum.fill(zero);
     const std::size_t last = std::min(first + nodes_at_once, counted.size());
     for (std::size_t i = first; i < last; ++i)
-    {
-      const Four<Real> force = load(nodes.force_of(i));
-      const Four<Real> old = load(nodes.velocity_of(i));
-      // The fourth of a force is zero, so masses stay.
-      const Four<Real> velocity =
-        old + (half * nodes.inverse_mass_of(i)) * force;
-      const Four<Real> displacement =
-        load(nodes.displacement_of(i)) + step * velocity;
-      velocity.store(nodes.velocity_of(i));
-      displacement.store(nodes.displacement_of(i));
-      zero.store(nodes.force_of(i));
-      sum +=
-        Real(counted[i]) * force * (work_before * old + work_next * velocity);
-    }
-    work += sum_of(sum);
+      for (std::size_t k = 0; k < n_parts; ++k)
+      {
+        const std::size_t at = k * width<Real>;
+        const Part<Real> force = load(nodes.force_of(i) + at);
+        const Part<Real> old = load(nodes.velocity_of(i) + at);
+        // The fourth of a force is zero, so masses stay.
+        const Part<Real> velocity =
+          old + (half * nodes.inverse_mass_of(i)) * force;
+        const Part<Real> displacement =
+          load(nodes.displacement_of(i) + at) + step[k] * velocity;
+        velocity.store(nodes.velocity_of(i) + at);
+        displacement.store(nodes.displacement_of(i) + at);
+        zero.store(nodes.force_of(i) + at);
+        sum[k] +=
+          Real(counted[i]) * force * (work_before * old + work_next * velocity);
+      }
+    for (const Part<Real> &part : sum)
+      for (std::size_t lane = 0; lane < width<Real>; ++lane)
+        work += double(part[lane]);
   }
   return work;
 }
