@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/coupling/first_stage.h>
+#include <contrecoup/coupling/staged_simulation.h>
 
 #include <cmath>
 
@@ -36,8 +36,34 @@ namespace
   };
 
 
+  /// The solver with the dimensions of the stage.
+  template <int stage_dim>
+  GasSimulation<stage_dim> &gas_of(GasSimulation<stage_dim> &solver)
+  {
+    return solver;
+  }
+
+  GasSimulation<2> &gas_of(StagedSimulation<2> &solver)
+  {
+    return solver.scene();
+  }
+
+
+  /// What is before that solver, or null.
+  template <int stage_dim>
+  FirstStage<stage_dim> *stage_before(const GasSimulation<stage_dim> &)
+  {
+    return nullptr;
+  }
+
+  FirstStage<2> *stage_before(const StagedSimulation<2> &solver)
+  {
+    return solver.first_stage();
+  }
+
+
   /// A first stage that is a simulation of @p stage_dim dimensions.
-  template <int dim, int stage_dim>
+  template <int dim, int stage_dim, typename Solver>
   class ReducedStage : public FirstStage<dim>
   {
   public:
@@ -48,7 +74,7 @@ namespace
                  const std::vector<dealii::Point<dim>> &gauges,
                  const MPI_Comm communicator)
       : plan_(plan)
-      , simulation_(communicator)
+      , solver_(communicator)
     {
       for (const auto &place : gauges)
         gauges_.emplace_back(place, plan.centre);
@@ -59,40 +85,48 @@ namespace
         if (is_inside(gauge))
           places.push_back(gauge.place);
       derive_first_stage<dim, stage_dim>(scene, parameters, plan, places, prm);
-      simulation_.parse_parameters(prm);
+      solver_.parse_parameters(prm);
     }
 
     Simulation &simulation() override
     {
-      return simulation_;
+      return solver_;
     }
 
     typename FirstStage<dim>::Blast blast() override
     {
-      simulation_.plan();
-      const auto &plan = simulation_.modelling_plan();
+      solver_.plan();
+      const auto &plan = gas().modelling_plan();
       return {plan.energy, plan.centre[stage_dim - 1], plan.non_ideal_part};
     }
 
     double front() override
     {
-      return simulation_.disturbed_box().second[0];
+      auto *const before = stage_before(solver_);
+      return before != nullptr ? before->front()
+                               : gas().disturbed_box().second[0];
     }
 
     bool is_burning() const override
     {
-      return simulation_.is_burning();
+      auto *const before = stage_before(solver_);
+      return before != nullptr ? before->is_burning() : gas().is_burning();
+    }
+
+    bool is_ready() const override
+    {
+      return stage_before(solver_) == nullptr;
     }
 
     gas::ProfileData profile() override
     {
-      return simulation_.profile();
+      return gas().profile();
     }
 
     std::vector<GasState<dim>> gauges() override
     {
-      const GasState<stage_dim> ambient = simulation_.ambient();
-      const auto &states = simulation_.probe_set().states();
+      const GasState<stage_dim> ambient = gas().ambient();
+      const auto &states = gas().probe_set().states();
       std::size_t next = 0;
       std::vector<GasState<dim>> result;
       for (const auto &gauge : gauges_)
@@ -118,7 +152,7 @@ namespace
         {"energy", {own[1], ambient[1]}},
         {"energy_before_afterburn", {own[1], ambient[1]}},
         {"products_mass", {own[2], ambient[2]}}};
-      const auto values = simulation_.history();
+      const auto values = solver_.history();
       std::vector<NamedValue> result;
       for (const NamedValue &value : values)
       {
@@ -139,6 +173,11 @@ namespace
     }
 
   private:
+    GasSimulation<stage_dim> &gas() const
+    {
+      return gas_of(solver_);
+    }
+
     bool is_inside(const Gauge<dim, stage_dim> &gauge) const
     {
       return gauge.place[0] <= plan_.domain_radius;
@@ -147,9 +186,9 @@ namespace
     /// Mass, energy, mass of products of gas at rest in the whole domain.
     std::array<double, 3> own_ambient() const
     {
-      const auto &mesh = simulation_.coarse_mesh();
-      const auto state = gas::conserved_state(
-        simulation_.ambient(), simulation_.material(), stage_dim + 3);
+      const auto &mesh = gas().coarse_mesh();
+      const auto state =
+        gas::conserved_state(gas().ambient(), gas().material(), stage_dim + 3);
       const double radius = mesh.upper_corner()[0];
       double volume = 4. / 3. * dealii::numbers::PI * radius * radius * radius;
       if constexpr (stage_dim == 2)
@@ -186,7 +225,8 @@ namespace
 
     const StagePlan<dim> plan_;
     std::vector<Gauge<dim, stage_dim>> gauges_;
-    GasSimulation<stage_dim> simulation_;
+    /// Asking does not change it, but its functions do not promise that.
+    mutable Solver solver_;
   };
 } // namespace
 
@@ -202,9 +242,14 @@ make_first_stage(const ParameterHandler &scene,
 {
   if constexpr (dim == 3)
     if (parameters.kind == "axisymmetric")
-      return std::make_unique<ReducedStage<dim, 2>>(
+    {
+      if (parameters.spherical_cell_size > 0.)
+        return std::make_unique<ReducedStage<dim, 2, StagedSimulation<2>>>(
+          scene, declare, parameters, plan, gauges, communicator);
+      return std::make_unique<ReducedStage<dim, 2, GasSimulation<2>>>(
         scene, declare, parameters, plan, gauges, communicator);
-  return std::make_unique<ReducedStage<dim, 1>>(
+    }
+  return std::make_unique<ReducedStage<dim, 1, GasSimulation<1>>>(
     scene, declare, parameters, plan, gauges, communicator);
 }
 

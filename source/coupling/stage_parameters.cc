@@ -19,11 +19,11 @@ namespace
   using Changes = std::map<std::string, std::string>;
 
   /// Hands all entries of @p from to @p to but for those in @p changes, by
-  /// "Section/Entry", and those whose path begins with @p left_out.
+  /// "Section/Entry", and those whose path begins as one of @p left_out.
   void copy_entries(const ParameterHandler &from,
                     const Changes &changes,
                     ParameterHandler &to,
-                    const std::string &left_out = "")
+                    const std::vector<std::string> &left_out)
   {
     std::vector<Assignment> assignments;
     for (Assignment &assignment : assignments_of(from))
@@ -31,7 +31,10 @@ namespace
       std::string path;
       for (const std::string &section : assignment.sections)
         path += section + "/";
-      if (!left_out.empty() && path.rfind(left_out, 0) == 0)
+      if (std::any_of(
+            left_out.begin(), left_out.end(), [&](const std::string &begin) {
+              return path.rfind(begin, 0) == 0;
+            }))
         continue;
       const auto change = changes.find(path + assignment.entry);
       if (change != changes.end())
@@ -175,6 +178,15 @@ void StageParameters::declare_parameters(ParameterHandler &prm)
                   20,
                   "Times that leaves of an axisymmetric first stage are "
                   "halved down to the Cell size where the blast is.");
+  declare_double(prm,
+                 "Spherical cell size",
+                 "0",
+                 0.,
+                 unbounded,
+                 "m",
+                 "Edge of the subcells of a spherical stage that an "
+                 "axisymmetric one begins with, until the front comes near "
+                 "the ground; 0: it begins with the charge.");
   declare_selection(
     prm,
     "Hand over at",
@@ -208,6 +220,11 @@ void StageParameters::parse_parameters(ParameterHandler &prm)
   kind = prm.get("Kind");
   cell_size = read_double(prm, "Cell size");
   levels = kind == "axisymmetric" ? read_unsigned(prm, "Levels") : 0;
+  spherical_cell_size = read_double(prm, "Spherical cell size");
+  if (spherical_cell_size > 0. && kind != "axisymmetric")
+    throw InputError("First stage/Spherical cell size is for Kind = "
+                     "axisymmetric, not " +
+                     kind + "; there it is Cell size");
   criterion = prm.get("Hand over at");
   time = read_double(prm, "Time");
   radius = read_double(prm, "Radius");
@@ -355,15 +372,24 @@ void derive_first_stage(const ParameterHandler &scene,
   changes["Probes/Gauge planes"] = "";
   // The scene's maps and gauges begin with what the stage knows by radius.
   changes["Output/Maps"] = "true";
+  const bool is_staged = stage_dim > 1 && parameters.spherical_cell_size > 0.;
+  changes["First stage/Kind"] = is_staged ? "spherical" : "none";
+  changes["First stage/Cell size"] = is_staged
+                                       ? exact(parameters.spherical_cell_size)
+                                       : values.at("First stage/Cell size");
+  changes["First stage/Hand over at"] = "auto";
+  changes["First stage/Spherical cell size"] = "0";
   move_charges(scene, values, stage_dim, changes);
-  copy_entries(scene, changes, stage);
+  // Places in the scene mean nothing in the stage.
+  copy_entries(
+    scene, changes, stage, {"Adaptation/Limit ", "Rigid body/Finer region "});
 }
 
 
 void derive_second_stage(const ParameterHandler &scene, ParameterHandler &stage)
 {
   copy_entries(
-    scene, {{"Initial state/Kind", "uniform"}}, stage, "Charges/Charge ");
+    scene, {{"Initial state/Kind", "uniform"}}, stage, {"Charges/Charge "});
 }
 
 

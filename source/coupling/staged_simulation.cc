@@ -26,6 +26,14 @@ namespace
   {
     stream.read(reinterpret_cast<char *>(&number), sizeof(number));
   }
+
+  /// The file of a checkpoint that says how far the stages are; those of a
+  /// first stage that has one itself stand in the same folder.
+  template <int dim>
+  std::string stages_file(const std::string &folder)
+  {
+    return folder + "/stages_" + std::to_string(dim) + "d.bin";
+  }
 } // namespace
 
 
@@ -126,6 +134,14 @@ bool StagedSimulation<dim>::is_due()
       throw InputError("First stage: the front reaches a side of the domain "
                        "before all of the charge has burned; use First "
                        "stage/Kind = none, or axisymmetric");
+    return false;
+  }
+  if (!first_->is_ready())
+  {
+    if (first_->front() >= plan_.nearest - margin())
+      throw InputError("First stage: the front is as near to the body or a "
+                       "side of the domain as to the ground, so that nothing "
+                       "is left for Kind = axisymmetric to do; use spherical");
     return false;
   }
   if (parameters_.criterion == "time")
@@ -317,7 +333,7 @@ void StagedSimulation<dim>::save(const std::string &folder)
 {
   active().save(folder);
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-    io::write_file(folder + "/stages.bin", [&](std::ostream &out) {
+    io::write_file(stages_file<dim>(folder), [&](std::ostream &out) {
       write_number<std::uint64_t>(out, first_ ? 1 : 2);
       write_number(out, hand_over_time_);
       write_number(out, hand_over_radius_);
@@ -329,15 +345,15 @@ void StagedSimulation<dim>::save(const std::string &folder)
 template <int dim>
 void StagedSimulation<dim>::restore(const std::string &folder)
 {
-  std::istringstream stream(io::read_file(folder + "/stages.bin"));
+  std::istringstream stream(io::read_file(stages_file<dim>(folder)));
   std::uint64_t stage = 0;
   read_number(stream, stage);
   read_number(stream, hand_over_time_);
   read_number(stream, hand_over_radius_);
   scene_.probe_set().load(stream);
   if (!stream || stage < 1 || stage > 2)
-    throw InputError("Checkpoint file " + folder +
-                     "/stages.bin belongs to another scene");
+    throw InputError("Checkpoint file " + stages_file<dim>(folder) +
+                     " belongs to another scene");
   if (stage == 2)
     first_.reset();
   active().restore(folder);

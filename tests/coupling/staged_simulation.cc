@@ -73,6 +73,23 @@ Lines above_ground()
 }
 
 
+/// A ball above ground that stays spherical, then axisymmetric.
+Lines three_stages()
+{
+  return octant() + Lines{"Domain/Upper corner=1.2, 1.2, 1.2",
+                          "Initial state/Region ball/Center=0, 0, 0.5",
+                          "First stage/Kind=axisymmetric",
+                          "First stage/Levels=1",
+                          "First stage/Cell size=0.02",
+                          "First stage/Spherical cell size=0.01",
+                          "First stage/Radius=0.6",
+                          "Adaptation/Limit corner/Shape=ball",
+                          "Adaptation/Limit corner/Center=1, 1, 1",
+                          "Probes/Points=0.25, 0, 0.5; 0.15, 0.2, 0.1; "
+                          "1, 1, 1.2"};
+}
+
+
 template <int dim>
 std::unique_ptr<StagedSimulation<dim>> make(const Lines &lines)
 {
@@ -224,6 +241,31 @@ TEST(StagedSimulation, KeepsTotalsFromTwoToThreeDimensions)
 }
 
 
+TEST(StagedSimulation, KeepsTotalsFromOneThroughTwoToThreeDimensions)
+{
+  check_run(*make<3>(three_stages()), 4);
+}
+
+
+TEST(StagedSimulation, RefusesAnAxisymmetricStageThatHasNothingToDo)
+{
+  const auto simulation =
+    make<3>(three_stages() + Lines{"First stage/Hand over at=auto",
+                                   "Rigid body/Kind=body",
+                                   "Body/Kind=shape",
+                                   "Body/Shape/Shape=sphere",
+                                   "Body/Shape/Size=0.1",
+                                   "Body/Shift=0.45, 0, 0.6"});
+  simulation->setup();
+  EXPECT_THROW(
+    {
+      for (unsigned int i = 0; i < 2000; ++i)
+        steps(*simulation, 1);
+    },
+    InputError);
+}
+
+
 TEST(StagedSimulation, HandsOverBeforeTheFrontReachesTheGround)
 {
   const auto simulation = make<2>(above_ground());
@@ -285,6 +327,35 @@ TEST(StagedSimulation, GoesOnFromBothStages)
 }
 
 
+TEST(StagedSimulation, GoesOnFromEachOfThreeStages)
+{
+  const std::string folder = scratch();
+  const auto straight = make<3>(three_stages());
+  straight->setup();
+  const auto n_stages_to_come = [](const StagedSimulation<3> &simulation) {
+    const auto *const first = simulation.first_stage();
+    return first == nullptr ? 0 : (first->is_ready() ? 1 : 2);
+  };
+  for (const int to_come : {2, 1, 0})
+  {
+    while (n_stages_to_come(*straight) > to_come)
+      steps(*straight, 1);
+    steps(*straight, 2);
+    ASSERT_EQ(n_stages_to_come(*straight), to_come);
+    straight->save(folder);
+    MPI_Barrier(MPI_COMM_WORLD);
+    const auto resumed = make<3>(three_stages());
+    resumed->restore(folder);
+    ASSERT_EQ(n_stages_to_come(*resumed), to_come);
+    steps(*straight, 3);
+    steps(*resumed, 3);
+    EXPECT_EQ(resumed->time(), straight->time());
+    EXPECT_EQ(row(resumed->history()), row(straight->history()));
+    EXPECT_EQ(row(resumed->probes()), row(straight->probes()));
+  }
+}
+
+
 TEST(StagePlan, KnowsWhatTheChargeIsBetween)
 {
   ParameterHandler prm;
@@ -327,4 +398,7 @@ TEST(StagePlan, RefusesScenesThatCannotBeginSo)
                InputError);
   EXPECT_THROW(make<2>(above_ground() + Lines{"Domain/Geometry=plane"}),
                InputError);
+  EXPECT_THROW(
+    make<3>(octant() + Lines{"First stage/Spherical cell size=1e-3"}),
+    InputError);
 }

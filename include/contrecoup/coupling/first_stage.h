@@ -48,6 +48,10 @@ public:
   /// Whether there is explosive that has not burned yet.
   virtual bool is_burning() const = 0;
 
+  /// Whether it has the number of dimensions in which it hands over, so that
+  /// there is a profile().
+  virtual bool is_ready() const = 0;
+
   /// The state as a profile.
   virtual gas::ProfileData profile() = 0;
 };

@@ -15,7 +15,8 @@ namespace contrecoup::coupling
 /**
  * How a blast begins in fewer dimensions, as subsection "First stage" says:
  * spherical around the centre of the charge, or axisymmetric around the
- * vertical through it, until the front comes near what is not so.
+ * vertical through it, until the front comes near what is not so; or first the
+ * one, then the other.
  */
 class StageParameters
 {
@@ -27,9 +28,11 @@ public:
   /// together.
   void parse_parameters(ParameterHandler &prm);
 
-  std::string kind = "none";      ///< none, spherical, axisymmetric
-  double cell_size = 0.001;       ///< of the smallest subcells [m]
-  unsigned int levels = 3;        ///< halvings by adaptation, if axisymmetric
+  std::string kind = "none"; ///< none, spherical, axisymmetric
+  double cell_size = 0.001;  ///< of the smallest subcells [m]
+  unsigned int levels = 3;   ///< halvings by adaptation, if axisymmetric
+  /// Of the spherical stage that an axisymmetric one begins with; 0: none [m].
+  double spherical_cell_size = 0.;
   std::string criterion = "auto"; ///< auto, time, radius
   double time = 0.;               ///< to hand over at [s]
   double radius = 0.;             ///< of the front to hand over at [m]

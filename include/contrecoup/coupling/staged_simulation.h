@@ -53,6 +53,22 @@ public:
   void finish(const std::string &folder) override;
   std::pair<std::uint64_t, std::uint64_t> size() const override;
 
+  /// The second stage, without mesh and state before the hand-over.
+  gas::GasSimulation<dim> &scene()
+  {
+    return scene_;
+  }
+  const gas::GasSimulation<dim> &scene() const
+  {
+    return scene_;
+  }
+
+  /// The first stage; null after it.
+  FirstStage<dim> *first_stage() const
+  {
+    return first_.get();
+  }
+
 private:
   /// The solver of the stage that is at work.
   Simulation &active() const;
