@@ -72,6 +72,21 @@ namespace
     }
   }
 
+  /// The entries that say how the first stage itself begins.
+  void set_stage_before(const std::map<std::string, std::string> &values,
+                        const StageParameters &parameters,
+                        const int stage_dim,
+                        Changes &changes)
+  {
+    const bool is_staged = stage_dim > 1 && parameters.spherical_cell_size > 0.;
+    changes["First stage/Kind"] = is_staged ? "spherical" : "none";
+    changes["First stage/Cell size"] = is_staged
+                                         ? exact(parameters.spherical_cell_size)
+                                         : values.at("First stage/Cell size");
+    changes["First stage/Hand over at"] = "auto";
+    changes["First stage/Spherical cell size"] = "0";
+  }
+
   template <int dim>
   std::string text_of(const dealii::Point<dim> &point)
   {
@@ -372,13 +387,7 @@ void derive_first_stage(const ParameterHandler &scene,
   changes["Probes/Gauge planes"] = "";
   // The scene's maps and gauges begin with what the stage knows by radius.
   changes["Output/Maps"] = "true";
-  const bool is_staged = stage_dim > 1 && parameters.spherical_cell_size > 0.;
-  changes["First stage/Kind"] = is_staged ? "spherical" : "none";
-  changes["First stage/Cell size"] = is_staged
-                                       ? exact(parameters.spherical_cell_size)
-                                       : values.at("First stage/Cell size");
-  changes["First stage/Hand over at"] = "auto";
-  changes["First stage/Spherical cell size"] = "0";
+  set_stage_before(values, parameters, stage_dim, changes);
   move_charges(scene, values, stage_dim, changes);
   // Places in the scene mean nothing in the stage.
   copy_entries(
