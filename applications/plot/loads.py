@@ -174,7 +174,7 @@ def find_peaks(time, over):
     for i in range(1, len(over)):
         if over[i] > over[first]:
             first = i
-        elif over[i] < 0.8 * over[first] and over[first] > 0.1 * np.max(over):
+        elif over[i] < 0.8 * over[first] and over[first] > 0.3 * np.max(over):
             break
     later = over[first:]
     rise = later - np.minimum.accumulate(later)
