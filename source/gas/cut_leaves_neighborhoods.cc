@@ -7,10 +7,37 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace contrecoup::gas
 {
+namespace
+{
+  /// Area of what surrounds a chain of cells across a face, walls and open
+  /// faces, in parts of a face of its first cell.
+  template <int dim>
+  double surface(const CutLeaves<dim> &leaves,
+                 const typename CutLeaves<dim>::Chain &chain,
+                 const unsigned int face)
+  {
+    double result = 0.;
+    for (const auto &cell : chain)
+    {
+      const double scale = std::pow(cell.size, (dim - 1.) / dim);
+      double area = leaves.wall(cell).norm();
+      for (unsigned int f = 0; f < 2 * dim; ++f)
+        area += leaves.opening(cell, f);
+      // Each but the first shares a face with the one before.
+      if (&cell != &chain.front())
+        area -= 2. * leaves.opening(cell, face ^ 1U);
+      result += scale * area;
+    }
+    return result;
+  }
+} // namespace
+
+
 template <int dim>
 typename CutLeaves<dim>::Cell
 CutLeaves<dim>::next(const Cell &cell, const unsigned int face) const
@@ -105,24 +132,35 @@ unsigned char CutLeaves<dim>::choose_direction(const Cell &cell) const
   std::sort(faces.begin(), faces.end());
   unsigned char best = 0;
   double largest = fractions_(cell.leaf, cell.point);
-  for (const bool any_direction : {false, true})
-    for (unsigned int length = 1; length <= 2; ++length)
-      for (const auto &[towards, face] : faces)
-      {
-        if (towards >= 0. && !any_direction)
-          continue;
-        double volume = 0.;
-        for (const Cell &other : chain(cell, face, length))
-          volume += fractions_(other.leaf, other.point) * other.size;
-        if (volume > largest)
+  const auto search = [&]() {
+    for (const bool any_direction : {false, true})
+      for (unsigned int length = 1; length <= 2; ++length)
+        for (const auto &[towards, face] : faces)
         {
-          largest = volume;
-          best = 1 + face + 2 * dim * (length - 1);
+          if (towards >= 0. && !any_direction)
+            continue;
+          double volume = 0.;
+          for (const Cell &other : chain(cell, face, length))
+            volume += fractions_(other.leaf, other.point) * other.size;
+          if (volume > largest)
+          {
+            largest = volume;
+            best = 1 + face + 2 * dim * (length - 1);
+          }
+          if (largest >= enough)
+            return;
         }
-        if (largest >= enough)
-          return best;
-      }
-  return best;
+  };
+  search();
+  // Waves between walls that are too close need shorter steps: a cell that is
+  // half open has a surface of (dim + 1) / 0.5.
+  const double least = 0.25, most_surface = 4. * dim;
+  const unsigned int face = best == 0 ? 0 : (best - 1) % (2 * dim);
+  const Chain cells =
+    best == 0 ? Chain(1, cell) : chain(cell, face, 1 + (best - 1) / (2 * dim));
+  return largest < least || surface(*this, cells, face) > most_surface * largest
+           ? pocket
+           : best;
 }
 
 
@@ -145,29 +183,100 @@ unsigned int CutLeaves<dim>::kinds_of_sides(const unsigned int leaf) const
 
 
 template <int dim>
+void CutLeaves<dim>::choose_in_leaf(const unsigned int leaf, Codes &codes) const
+{
+  codes.resize(layout_.n_points, 0);
+  for (unsigned int q = 0; q < layout_.n_points; ++q)
+    if (codes[q] != pocket)
+    {
+      const double part = fractions_(leaf, q);
+      codes[q] = part > 0. && part < 0.5 ? choose_direction({leaf, q}) : 0;
+    }
+}
+
+
+template <int dim>
 void CutLeaves<dim>::choose_directions()
 {
   directions_.clear();
+  std::vector<unsigned int> new_leaves;
   for (unsigned int leaf = 0; leaf < mesh_->n_owned(); ++leaf)
   {
     // Others have no small cells.
     const int index = shape_of_[leaf];
     if (index < 0)
       continue;
-    const unsigned int sides = kinds_of_sides(leaf);
-    Codes &codes = memory_.directions[index];
-    if (memory_.sides[index] != sides)
+    if (memory_.sides[index] == kinds_of_sides(leaf))
+      directions_[leaf] = memory_.directions[index];
+    else
+      new_leaves.push_back(leaf);
+  }
+  close_pockets(directions_);
+  // What is closed may make pockets of what is next to it.
+  const unsigned int most_rounds = 10;
+  for (unsigned int round = 0; round < most_rounds; ++round)
+  {
+    unsigned int n_pockets = 0;
+    std::map<unsigned int, Codes> pockets;
+    for (const unsigned int leaf : new_leaves)
     {
-      memory_.sides[index] = sides;
-      codes.assign(layout_.n_points, 0);
-      for (unsigned int q = 0; q < layout_.n_points; ++q)
-        if (const double part = fractions_(leaf, q); part > 0. && part < 0.5)
-          codes[q] = choose_direction({leaf, q});
+      Codes &codes = directions_[leaf];
+      const auto before = std::count(codes.begin(), codes.end(), pocket);
+      choose_in_leaf(leaf, codes);
+      const auto now = std::count(codes.begin(), codes.end(), pocket);
+      n_pockets += now - before;
+      if (now > before)
+        pockets[leaf] = codes;
     }
-    if (std::any_of(codes.begin(), codes.end(), [](const unsigned char c) {
-          return c != 0;
-        }))
-      directions_[leaf] = codes;
+    if (dealii::Utilities::MPI::max(n_pockets, mesh_->communicator()) == 0)
+      break;
+    close_pockets(pockets);
+  }
+  for (const unsigned int leaf : new_leaves)
+  {
+    memory_.directions[shape_of_[leaf]] = directions_[leaf];
+    memory_.sides[shape_of_[leaf]] = kinds_of_sides(leaf);
+  }
+}
+
+
+template <int dim>
+void CutLeaves<dim>::close_pockets(std::map<unsigned int, Codes> pockets)
+{
+  share(pockets);
+  for (const auto &[leaf, codes] : pockets)
+  {
+    if (std::find(codes.begin(), codes.end(), pocket) == codes.end())
+      continue;
+    for (unsigned int q = 0; q < layout_.n_points; ++q)
+      if (codes[q] == pocket)
+        close({leaf, q});
+    fractions_.set(leaf, own_shape(leaf).fraction);
+  }
+  match_cut_faces();
+}
+
+
+template <int dim>
+void CutLeaves<dim>::close(const Cell &cell)
+{
+  own_shape(cell.leaf).fraction[cell.point] = 0.;
+  for (unsigned int face = 0; face < 2 * dim; ++face)
+  {
+    const unsigned int d = face / 2;
+    const unsigned int line = line_of(cell.point, d);
+    const unsigned int layer =
+      cell.point / layout_.stride(d) % layout_.n + face % 2;
+    own_shape(cell.leaf).opening[d][layer * layout_.n_face_points + line] = 0.;
+    if (layer != (face % 2) * layout_.n)
+      continue;
+    const auto found = neighbors_.find(cell.leaf);
+    if (found == neighbors_.end())
+      continue;
+    const unsigned int other = found->second[face];
+    if (other != no_leaf && !fractions_.is_closed(other))
+      own_shape(other)
+        .opening[d][(layout_.n - layer) * layout_.n_face_points + line] = 0.;
   }
 }
 
@@ -179,7 +288,7 @@ void CutLeaves<dim>::find_neighborhoods()
   memberships_.clear();
   for (const auto &[leaf, codes] : directions_)
     for (unsigned int q = 0; q < layout_.n_points; ++q)
-      if (codes[q] != 0)
+      if (codes[q] != 0 && codes[q] != pocket)
       {
         const unsigned int face = (codes[q] - 1) % (2 * dim);
         const unsigned int length = 1 + (codes[q] - 1) / (2 * dim);

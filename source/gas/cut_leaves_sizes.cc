@@ -54,6 +54,14 @@ void CutLeaves<dim>::match_sizes()
                                                     faces[i].fine_leaf.end(),
                                                     is_cut))
       is_cut_face_[i] = 1;
+  match_cut_faces();
+}
+
+
+template <int dim>
+void CutLeaves<dim>::match_cut_faces()
+{
+  const auto &faces = mesh_->hanging_faces();
   for (unsigned int i = 0; i < faces.size(); ++i)
   {
     if (is_cut_face_[i] == 0)

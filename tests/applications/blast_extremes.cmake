@@ -31,7 +31,8 @@ blast_survives(ten_levels "${_closed}")
 blast_survives(vacuum "errors.density_L1 < 7.5e-3")
 
 # Rigid bodies.
-foreach(_file on_ground cut_by_boundary thin_plate thin_shell needle gap
+blast_survives(body_on_ground "${_closed};retries == 0")
+foreach(_file cut_by_boundary thin_plate thin_shell needle gap
         one_voxel flawed_surface charge_5_cm)
   blast_survives(body_${_file} "${_closed}")
 endforeach()

@@ -249,6 +249,57 @@ TEST(BodyLevels, SmallCellsFindRoom)
 }
 
 
+TEST(BodyLevels, PocketsAreClosed)
+{
+  // A cylinder that touches a wall, with cusps finer than any cell.
+  GasRun<2> run({"Rigid body/Kind=body",
+                 "Rigid body/Finer region half/Levels=1",
+                 "Rigid body/Finer region half/Shape=box",
+                 "Rigid body/Finer region half/Lower corner=0.52, 0, 0",
+                 "Rigid body/Finer region half/Upper corner=1, 1, 1",
+                 "Body/Kind=shape",
+                 "Body/Shape/Shape=cylinder",
+                 "Body/Shape/Size=0.213, 1",
+                 "Body/Shift=0.53, 0.213, 0",
+                 "Domain/Initial refinement=3"});
+  run.set_state([](const Point<2> &) { return still_air<2>(); });
+  std::map<std::pair<unsigned int, unsigned int>, double> volumes;
+  for (const auto &neighborhood : run.cut_leaves.neighborhoods())
+  {
+    double volume = 0.;
+    for (const auto &cell : neighborhood.cells)
+      volume += run.field.open_fraction(cell.leaf, cell.point) * cell.size;
+    const auto &first = neighborhood.cells.front();
+    volumes[{first.leaf, first.point}] = volume;
+  }
+  unsigned int n_small = 0;
+  for_each_gas_point(
+    run,
+    [&](const unsigned int leaf,
+        const unsigned int q,
+        const Point<2> &place,
+        const double part) {
+      if (part >= 0.5)
+        return;
+      ++n_small;
+      const auto found = volumes.find({leaf, q});
+      EXPECT_GE(found == volumes.end() ? part : found->second, 0.25) << place;
+    });
+  EXPECT_GT(dealii::Utilities::MPI::sum(n_small, MPI_COMM_WORLD), 20u);
+  // Closed surfaces: what all walls add up to is the strip of the bottom that
+  // the body and the pockets cover.
+  Tensor<1, 2> sum;
+  for_each_gas_point(
+    run,
+    [&](
+      const unsigned int leaf, const unsigned int q, const Point<2> &, double) {
+      sum +=
+        run.cut_leaves.wall({leaf, q}) * leaf_box(run.mesh, leaf).extents[0];
+    });
+  EXPECT_NEAR(dealii::Utilities::MPI::sum(sum[0], MPI_COMM_WORLD), 0., 1e-12);
+}
+
+
 TEST(BodyLevels, AdaptationKeepsMassAndTheSurface)
 {
   GasRun<2> run(ball_of_two_sizes<2>("embedded") +

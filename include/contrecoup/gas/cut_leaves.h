@@ -33,9 +33,9 @@ namespace contrecoup::gas
  * neighbourhood: themselves and the next one or two cells along one direction,
  * the one nearest to the wall's normal that makes half a cell of volume
  * (state redistribution of Berger and Giuliani, J. Comput. Phys. 428, 109820,
- * 2021); where the direction leads to leaves of another size, it ends with the
- * first cell, or the first layer of finer ones, there. Nothing here depends on
- * how ranks share the leaves.
+ * 2021); among leaves of another size it ends with the first layer. Pockets,
+ * in which none makes a quarter of a cell, or only with too large a surface,
+ * are closed. Nothing here depends on how ranks share the leaves.
  */
 template <int dim>
 class CutLeaves
@@ -167,7 +167,6 @@ private:
   };
   using Codes = std::vector<unsigned char>;
 
-  /// Classifies a stored leaf.
   void measure(const LeafBox<dim> &box, const unsigned int leaf);
   /// Index of the shape of a leaf near the surface, or what it is instead; one
   /// that was known before is taken over, since bodies may be costly to ask.
@@ -176,12 +175,11 @@ private:
   Shape staircase_shape(const LeafBox<dim> &box) const;
   void measure_all();
   void find_neighbors();
-  /// Sets the neighbours of an owned leaf, and itself as one of ghosts.
   void connect(const unsigned int leaf);
-  /// The line of a point across a direction.
   unsigned int line_of(const unsigned int point, const unsigned int d) const;
   /// Closes the faces between leaves of different size alike on both sides.
   void match_sizes();
+  void match_cut_faces();
   void match_coarse_side(const HangingFace<dim> &face);
   void match_fine_side(const HangingFace<dim> &face, const unsigned int part);
   /// The shape of a leaf, for changes that hold while its neighbours have the
@@ -202,6 +200,11 @@ private:
   /// A number for the sizes of what is beyond the sides of an owned leaf.
   unsigned int kinds_of_sides(const unsigned int leaf) const;
   void choose_directions();
+  /// For all small cells that are not yet known as pockets.
+  void choose_in_leaf(const unsigned int leaf, Codes &codes) const;
+  /// Closes the cells whose code is `pocket`; of ghosts as well. Collective.
+  void close_pockets(std::map<unsigned int, Codes> pockets);
+  void close(const Cell &cell);
   void find_neighborhoods();
   void share(std::map<unsigned int, Codes> &codes) const;
   bool reads_cut(const unsigned int leaf) const;
@@ -211,12 +214,10 @@ private:
   const RigidBody *body_ = nullptr;
   LeafLayout layout_;
   OpenFractions fractions_;
-  /// Corner and edge lengths of a leaf [m].
   using Place = std::array<double, 2 * dim>;
-  /// What is instead of an index of a shape.
   static constexpr int open = -1;
   static constexpr int closed = -2;
-  /// What leaves near the surface have, by where they are.
+  /// Of leaves near the surface, by corner and edge lengths.
   struct Memory
   {
     std::vector<Shape> shapes;
@@ -238,7 +239,8 @@ private:
   std::vector<BatchKind> batch_kind_;
   /// Of leaves at the surface: neighbours of equal size that are known.
   std::map<unsigned int, std::array<unsigned int, 2 * dim>> neighbors_;
-  /// Per leaf with small cells: 0, or 1 + face + 2 dim (length - 1).
+  static constexpr unsigned char pocket = 255;
+  /// Per leaf with small cells: 0, pocket, or 1 + face + 2 dim (length - 1).
   std::map<unsigned int, Codes> directions_;
   /// Per leaf with cells in others' neighbourhoods: how many of them.
   std::map<unsigned int, Codes> memberships_;
