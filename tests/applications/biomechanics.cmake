@@ -83,3 +83,21 @@ contrecoup_add_application_test(injury_resume resume
   FILE biomechanics/quickstart.prm
   SET "Output/Fields=false" "Time/End time=3e-4" "Injury/Every steps=3"
   STOP_AFTER 20 COMPARE history.csv probes.csv injury.csv)
+
+# biomechanics_endures(<name> <bounds>)
+function(biomechanics_endures name bounds)
+  contrecoup_add_application_test(${name} bounds
+    FILE biomechanics/extremes/${name}.prm SET "Output/Fields=false"
+    BOUNDS "status == finished" ${bounds} LABELS extremes TIMEOUT 300)
+endfunction()
+biomechanics_endures(incompressible "errors.frequency < 2.6e-2")
+biomechanics_endures(lung_by_bone "assumptions.energy_residual < 1e-5")
+biomechanics_endures(ten_megapascal "assumptions.energy_residual < 1e-3")
+biomechanics_endures(slivers "assumptions.energy_residual < 1e-12")
+biomechanics_endures(microsecond_pulse "assumptions.energy_residual < 1e-12")
+biomechanics_endures(million_steps "assumptions.energy_residual < 1e-6")
+contrecoup_add_application_test(inverted_element refusal
+  FILE biomechanics/quickstart.prm
+  ARGUMENTS "--set" "Mesh/Kind=file"
+    "--set" "Mesh/File=${CMAKE_CURRENT_SOURCE_DIR}/inverted_hexahedron.msh"
+  MESSAGE "hexahedron 1 of")
