@@ -26,12 +26,12 @@ void ElementOptions::declare_parameters(ParameterHandler &prm)
                     "not see; none leaves them to grow.");
   declare_double(prm,
                  "Hourglass coefficient",
-                 "0.1",
+                 "1",
                  0.,
                  10.,
                  "-",
                  "Times the resistance that comes from the shear modulus; "
-                 "with assumed strain 1 makes a brick bend as it should.");
+                 "1 makes bricks bend as they should, less is softer.");
   declare_double(prm,
                  "Linear bulk viscosity",
                  "0.06",

@@ -27,7 +27,7 @@ biomechanics_verifies(spherical_cavity spherical_cavity
 
 biomechanics_verifies(fluid_sphere fluid_sphere "errors.pressure_L1 < 6.5e-2")
 biomechanics_verifies(shear_wave shear_wave
-  "errors.frequency < 4.5e-3;assumptions.energy_residual < 1e-10")
+  "errors.frequency < 3.5e-3;assumptions.energy_residual < 1e-10")
 biomechanics_verifies(shear_attenuation shear_attenuation
   "errors.amplitude < 4e-3;errors.passing_zero < 1.1e-3")
 biomechanics_verifies(shear_attenuation_100 shear_attenuation
@@ -90,7 +90,7 @@ function(biomechanics_endures name bounds)
     FILE biomechanics/extremes/${name}.prm SET "Output/Fields=false"
     BOUNDS "status == finished" ${bounds} LABELS extremes TIMEOUT 300)
 endfunction()
-biomechanics_endures(incompressible "errors.frequency < 2.6e-2")
+biomechanics_endures(incompressible "errors.frequency < 9e-3")
 biomechanics_endures(lung_by_bone "assumptions.energy_residual < 1e-5")
 biomechanics_endures(ten_megapascal "assumptions.energy_residual < 1e-3")
 biomechanics_endures(slivers "assumptions.energy_residual < 1e-12")

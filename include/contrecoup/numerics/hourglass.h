@@ -52,8 +52,9 @@ struct Hourglass
  */
 inline constexpr double hourglass_spring = 8. / 3. / 64.;
 
-/// The damper for coefficient 1: rho c_s h^2 in amplitudes.
-inline constexpr double hourglass_damper = 1. / 64.;
+/// The damper for coefficient 1: 0.1 rho c_s h^2 in amplitudes, which the steps
+/// of distorted elements bear as well.
+inline constexpr double hourglass_damper = 0.1 / 64.;
 
 /// Hourglass forces of equal springs, and their energy [J].
 template <typename Number>
