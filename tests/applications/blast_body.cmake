@@ -103,7 +103,8 @@ contrecoup_add_application_test(body_gauges_resume resume FILE ${_cylinder}
 # The man before a blast, with cells of 80 mm until the front has passed him.
 set(_human FILE blast/quickstart_human.prm SET "Rigid body/Levels=1"
   "Adaptation/Largest level=1" "Adaptation/Limit not at the body/Largest level=1"
-  "Adaptation/Limit fireball/Largest level=1" "First stage/Cell size=0.004"
+  "Adaptation/Limit fireball/Largest level=1" "First stage/Cell size=0.04"
+  "First stage/Levels=1" "First stage/Spherical cell size=0.004"
   "Time/End time=0.0032")
 contrecoup_add_application_test(human bounds ${_human} "Output/Fields=false"
   BOUNDS "status == finished" "assumptions.loads_impulse_difference < 1e-2"
