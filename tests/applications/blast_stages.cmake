@@ -56,10 +56,10 @@ contrecoup_add_application_test(hand_over_peak bounds ${_free_air}
 # costs does not grow, and single precision keeps what it can.
 contrecoup_add_application_test(c4_above_ground bounds
   FILE blast/showcase/c4_above_ground.prm SET "Output/Fields=false"
-  "First stage/Cell size=0.005" "Domain/Coarse leaves=9, 9, 7"
+  "First stage/Cell size=0.005" "Domain/Coarse leaves=5, 5, 7"
   "Adaptation/Largest level=1" "Adaptation/Limit fireball/Largest level=0"
   "Time/End time=0.0009" BOUNDS "status == finished"
-  "performance.updates < 3.6e8"
+  "performance.updates < 1.12e8"
   "conservation.mass_relative_change < 3e-6"
   "conservation.mass_relative_change > -3e-6"
   "conservation.energy_relative_change < 3e-6"
