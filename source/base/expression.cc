@@ -3,39 +3,15 @@
 
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/expression.h>
+#include <contrecoup/base/silence.h>
 #include <contrecoup/base/text.h>
 
 #include <boost/math/constants/constants.hpp>
 
-#include <iostream>
 #include <regex>
-#include <sstream>
 
 namespace contrecoup
 {
-namespace
-{
-  /// deal.II tells std::cerr about a bad expression before it throws; the
-  /// message of the exception says it all.
-  class Silence
-  {
-  public:
-    Silence()
-      : before_(std::cerr.rdbuf(unread_.rdbuf()))
-    {}
-
-    ~Silence()
-    {
-      std::cerr.rdbuf(before_);
-    }
-
-  private:
-    std::ostringstream unread_;
-    std::streambuf *before_;
-  };
-} // namespace
-
-
 Expression::Expression(const std::string &entry, const std::string &text)
   : text_(trim(text))
   , depends_on_place_(std::regex_search(text, std::regex("\\b[xyz]\\b")))

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/silence.h>
 #include <contrecoup/base/text.h>
 #include <contrecoup/gas/expression_field.h>
 #include <contrecoup/gas/state_parameters.h>
@@ -9,7 +10,6 @@
 #include <boost/math/constants/constants.hpp>
 
 #include <array>
-#include <iostream>
 #include <map>
 #include <sstream>
 
@@ -29,26 +29,6 @@ namespace
     names.insert(names.end(), {"Pressure", "Products"});
     return names;
   }
-
-
-  /// deal.II tells std::cerr about a bad expression before it throws; the
-  /// message of the exception says it all.
-  class Silence
-  {
-  public:
-    Silence()
-      : before_(std::cerr.rdbuf(unread_.rdbuf()))
-    {}
-
-    ~Silence()
-    {
-      std::cerr.rdbuf(before_);
-    }
-
-  private:
-    std::ostringstream unread_;
-    std::streambuf *before_;
-  };
 
 
   /// Throws whatever deal.II throws for an expression it cannot read.

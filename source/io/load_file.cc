@@ -2,9 +2,8 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/exceptions.h>
+#include <contrecoup/io/hdf5_handle.h>
 #include <contrecoup/io/load_file.h>
-
-#include <hdf5.h>
 
 #include <algorithm>
 #include <functional>
@@ -17,31 +16,17 @@ namespace io
   {
     const char *const format = "contrecoup loads 1";
 
-    /// An HDF5 object that is closed with the scope.
-    class Handle
+    /// An HDF5 object that must be there.
+    class Handle : public Hdf5Handle
     {
     public:
+      /// @throws SystemError where it is not
       Handle(const hid_t id, herr_t (*close)(hid_t), const std::string &path)
-        : id_(id)
-        , close_(close)
+        : Hdf5Handle(id, close)
       {
-        if (id_ < 0)
+        if (id < 0)
           throw SystemError(path + " cannot be written or read");
       }
-      ~Handle()
-      {
-        close_(id_);
-      }
-      Handle(const Handle &) = delete;
-      Handle &operator=(const Handle &) = delete;
-      operator hid_t() const
-      {
-        return id_;
-      }
-
-    private:
-      hid_t id_;
-      herr_t (*close_)(hid_t);
     };
 
 

@@ -2,9 +2,8 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/exceptions.h>
+#include <contrecoup/io/hdf5_handle.h>
 #include <contrecoup/io/load_reader.h>
-
-#include <hdf5.h>
 
 namespace contrecoup
 {
@@ -12,30 +11,7 @@ namespace io
 {
   namespace
   {
-    /// An HDF5 object that is closed with the scope.
-    class Handle
-    {
-    public:
-      Handle(const hid_t id, herr_t (*close)(hid_t))
-        : id_(id)
-        , close_(close)
-      {}
-      ~Handle()
-      {
-        if (id_ >= 0)
-          close_(id_);
-      }
-      Handle(const Handle &) = delete;
-      Handle &operator=(const Handle &) = delete;
-      operator hid_t() const
-      {
-        return id_;
-      }
-
-    private:
-      hid_t id_;
-      herr_t (*close_)(hid_t);
-    };
+    using Handle = Hdf5Handle;
 
     /// A whole dataset of numbers. @throws InputError
     std::vector<double>

@@ -51,27 +51,14 @@ unsigned int n_cut_faces(const GasRun<dim> &run)
 }
 
 
-/// Mass and energy of the gas in a closed box with a strong wave stay.
+/// check_conservation() where leaves of different size are cut.
 template <int dim>
-void check_conservation(const Lines &lines)
+void check_sizes(const Lines &lines)
 {
   GasRun<dim> run(lines);
-  run.set_state([](const Point<dim> &p) {
-    GasState<dim> state = still_air<dim>();
-    if (p[0] < 0.25)
-    {
-      state.pressure = 20.;
-      state.density = 5.;
-    }
-    return state;
-  });
+  run.set_state([](const Point<dim> &) { return still_air<dim>(); });
   EXPECT_GT(n_cut_faces(run), 1u);
-  const auto before = run.totals();
-  run.steps(60);
-  auto after = run.totals();
-  EXPECT_GT(after["kinetic_energy"], 0.05 * before.at("energy"));
-  for (const std::string name : {"mass", "energy"})
-    EXPECT_NEAR(after[name], before.at(name), 1e-12 * before.at(name)) << name;
+  check_conservation<dim>(lines);
 }
 
 
@@ -115,17 +102,7 @@ double change_along_plane(const Lines &lines, const Tensor<1, dim> &velocity)
   run.field.fill_padding(run.mesh.n_owned());
   run.stepper->reinit(run.field);
   run.steps(40);
-  double largest = 0.;
-  for_each_gas_point(
-    run,
-    [&](const unsigned int leaf, const unsigned int q, const auto &, double) {
-      const auto now = state_at(run, leaf, q);
-      largest = std::max({largest,
-                          std::abs(now.pressure / state.pressure - 1.),
-                          std::abs(now.density / state.density - 1.),
-                          (now.velocity - velocity).norm() / velocity.norm()});
-    });
-  return largest;
+  return largest_change(run, state);
 }
 } // namespace
 
@@ -134,9 +111,9 @@ TEST(BodyLevels, MassAndEnergyStay)
 {
   for (const std::string treatment : {"embedded", "staircase"})
   {
-    check_conservation<2>(ball_of_two_sizes<2>(treatment));
-    check_conservation<2>(ball_of_two_sizes<2>(treatment) + products_in_air());
-    check_conservation<3>(ball_of_two_sizes<3>(treatment) + finite_volume(4));
+    check_sizes<2>(ball_of_two_sizes<2>(treatment));
+    check_sizes<2>(ball_of_two_sizes<2>(treatment) + products_in_air());
+    check_sizes<3>(ball_of_two_sizes<3>(treatment) + finite_volume(4));
   }
 }
 

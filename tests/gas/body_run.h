@@ -4,6 +4,7 @@
 #pragma once
 
 #include "gas_run.h"
+#include <gtest/gtest.h>
 
 #include <sstream>
 
@@ -78,5 +79,48 @@ inline std::string exactly(const double x)
   text.precision(17);
   text << x;
   return text.str();
+}
+
+
+/// Mass and energy of the gas in a closed box stay while a strong wave meets
+/// the body.
+template <int dim>
+void check_conservation(const Lines &lines)
+{
+  GasRun<dim> run(lines);
+  run.set_state([](const dealii::Point<dim> &p) {
+    GasState<dim> state = still_air<dim>();
+    if (p[0] < 0.25)
+    {
+      state.pressure = 20.;
+      state.density = 5.;
+    }
+    return state;
+  });
+  const auto before = run.totals();
+  run.steps(60);
+  auto after = run.totals();
+  EXPECT_GT(after["kinetic_energy"], 0.05 * before.at("energy"));
+  for (const std::string name : {"mass", "energy"})
+    EXPECT_NEAR(after[name], before.at(name), 1e-12 * before.at(name)) << name;
+}
+
+
+/// Largest relative difference of the gas at any point from @p state.
+template <int dim>
+double largest_change(const GasRun<dim> &run, const GasState<dim> &state)
+{
+  double largest = 0.;
+  for_each_gas_point(
+    run,
+    [&](const unsigned int leaf, const unsigned int q, const auto &, double) {
+      const auto now = state_at(run, leaf, q);
+      largest = std::max(
+        {largest,
+         std::abs(now.pressure / state.pressure - 1.),
+         std::abs(now.density / state.density - 1.),
+         (now.velocity - state.velocity).norm() / state.velocity.norm()});
+    });
+  return largest;
 }
 } // namespace contrecoup::gas
