@@ -450,19 +450,21 @@ void GasSimulation<dim>::save(const std::string &folder)
   gauges_.share();
   open_sides_.share(mesh_.communicator());
   loads_.flush();
-  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-    io::write_file(folder + "/gas.bin", [&](std::ostream &out) {
-      out.write(reinterpret_cast<const char *>(&time_), sizeof(time_));
-      out.write(reinterpret_cast<const char *>(&n_steps_), sizeof(n_steps_));
-      out.write(reinterpret_cast<const char *>(&has_burned_),
-                sizeof(has_burned_));
-      afterburn_.save(out);
-      probes_.save(out);
-      gauges_.save(out);
-      open_sides_.save(out);
-      modelling_plan_.save(out);
-      loads_.save(out);
-    });
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+    return;
+  loads_.save_file(folder);
+  io::write_file(folder + "/gas.bin", [&](std::ostream &out) {
+    out.write(reinterpret_cast<const char *>(&time_), sizeof(time_));
+    out.write(reinterpret_cast<const char *>(&n_steps_), sizeof(n_steps_));
+    out.write(reinterpret_cast<const char *>(&has_burned_),
+              sizeof(has_burned_));
+    afterburn_.save(out);
+    probes_.save(out);
+    gauges_.save(out);
+    open_sides_.save(out);
+    modelling_plan_.save(out);
+    loads_.save(out);
+  });
 }
 
 
@@ -482,6 +484,8 @@ void GasSimulation<dim>::restore(const std::string &folder)
   open_sides_.load(stream);
   modelling_plan_.load(stream);
   loads_.load(stream);
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    loads_.restore_file(folder);
   mesh_changed();
   if (!stream)
     throw InputError("Checkpoint file " + folder +

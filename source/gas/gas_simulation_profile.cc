@@ -193,7 +193,7 @@ dealii::Tensor<1, dim> GasSimulation<dim>::smallest_cell() const
 template <int dim>
 void GasSimulation<dim>::finish(const std::string &folder)
 {
-  loads_.flush();
+  loads_.finish();
   if (profile_file_.empty())
     return;
   const ProfileData data = profile();

@@ -4,36 +4,16 @@
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/base/timers.h>
-#include <contrecoup/base/version.h>
 #include <contrecoup/gas/gas_measures.h>
 #include <contrecoup/gas/primitive.h>
 #include <contrecoup/gas/wall_loads.h>
-#include <contrecoup/io/load_file.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <numeric>
 
 namespace contrecoup::gas
 {
-namespace
-{
-  constexpr unsigned int n_geometry = 6; ///< numbers of a facet
-
-  double norm(const std::array<double, 3> &v)
-  {
-    return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-  }
-
-  double distance(const std::array<double, 3> &a,
-                  const std::array<double, 3> &b)
-  {
-    return norm({{a[0] - b[0], a[1] - b[1], a[2] - b[2]}});
-  }
-} // namespace
-
-
 template <int dim>
 void WallLoads<dim>::declare_parameters(ParameterHandler &prm)
 {
@@ -49,9 +29,18 @@ void WallLoads<dim>::declare_parameters(ParameterHandler &prm)
                  0.,
                  unbounded,
                  "s",
-                 "Least time between samples, which are means since the last "
-                 "one, so that impulses stay exact; 0 for every step. Peaks "
-                 "and arrivals are found from every step anyhow.");
+                 "Time between samples, which are means since the last one, so "
+                 "that impulses stay exact; 0 for every step. Peaks and "
+                 "arrivals are found from every step anyhow.");
+  declare_double(prm,
+                 "Largest loss of peaks",
+                 "0.01",
+                 0.,
+                 1.,
+                 "-",
+                 "Part of a facet's peak that samples may miss; where the next "
+                 "step would make it more, the sample ends before and after "
+                 "that step. 1: samples end by the interval alone.");
   LoadGauges::declare_parameters(prm);
 }
 
@@ -64,6 +53,7 @@ void WallLoads<dim>::parse_parameters(ParameterHandler &prm,
   const Section section(prm, "Loads");
   active_ = prm.get_bool("Record");
   interval_ = read_double(prm, "Interval");
+  largest_loss_ = read_double(prm, "Largest loss of peaks");
   if (active_ && body.empty())
     throw InputError("Loads/Record = true needs a Rigid body/Kind other than "
                      "none");
@@ -91,6 +81,7 @@ void WallLoads<dim>::reinit(const LeafMesh<dim> &mesh,
     if (cut_leaves.shape(leaf) != nullptr)
       add_facets(leaf, mesh, layout, cut_leaves, body, keys, geometry);
   number_facets(keys, geometry);
+  pressures_.assign(facets_.size(), 0.);
 }
 
 
@@ -257,30 +248,66 @@ void WallLoads<dim>::add(const GasField &field,
     totals_.sample_begin = time - step;
   totals_.time = time;
   const double smallest = BlastRecord<double>::threshold * ambient_;
-  std::array<double, 3> force = {};
+  dealii::Tensor<1, 3> force;
   std::visit(
     [&](const auto &gas) {
-      for (const Facet &facet : facets_)
+      for (std::size_t i = 0; i < facets_.size(); ++i)
       {
-        if (quiet_leaves.is_quiet(facet.leaf))
-          continue;
-        const double overpressure =
-          wall_pressure(facet, field, gas, flux) - ambient_;
-        Record &record = records_[facet.number];
-        record.blast.add(overpressure, time, step, smallest);
-        // Over the step, the mean of begin and end.
-        const double mean = 0.5 * (record.last + overpressure);
-        record.last = overpressure;
-        record.sum += mean * step;
-        for (unsigned int d = 0; d < dim; ++d)
-          force[d] += mean * facet.area[d];
+        const Facet &facet = facets_[i];
+        pressures_[i] = quiet_leaves.is_quiet(facet.leaf)
+                          ? 0.
+                          : wall_pressure(facet, field, gas, flux) - ambient_;
       }
     },
     material.model());
+  const bool is_peak = loses_peaks(time, step);
+  if (is_peak && time - step > totals_.sample_begin)
+    end_sample(time - step);
+  for (std::size_t i = 0; i < facets_.size(); ++i)
+  {
+    Record &record = records_[facets_[i].number];
+    record.blast.add(pressures_[i], time, step, smallest);
+    // Over the step, the mean of begin and end.
+    for (unsigned int d = 0; d < dim; ++d)
+      force[d] += 0.5 * (record.last + pressures_[i]) * facets_[i].area[d];
+    record.last = pressures_[i];
+    record.sum += pressures_[i] * step;
+  }
   add_gauges(time, step);
   add_forces(force, wall_force, step);
-  if (time - totals_.sample_begin >= interval_ * (1. - 1e-9))
+  if (is_peak || time - totals_.sample_begin >= interval_ * (1. - 1e-9))
     end_sample(time);
+}
+
+
+template <int dim>
+bool WallLoads<dim>::loses_peaks(const double time, const double step)
+{
+  if (largest_loss_ >= 1.)
+    return false;
+  // Half of what may be lost, for the round-off of floats and slow rises that
+  // are cut short.
+  const double part = 1. - 0.5 * largest_loss_;
+  const double duration = time - totals_.sample_begin;
+  double loses = 0.;
+  for (std::size_t i = 0; i < facets_.size(); ++i)
+  {
+    const double now = pressures_[i];
+    const Record &record = records_[facets_[i].number];
+    if (now <= counted_part * totals_.highest || now <= record.blast.peak)
+      continue;
+    const double mean = (record.sum + now * step) / duration;
+    if (std::max(mean, record.sample_peak) < part * now)
+      loses = 1.;
+  }
+  const double highest =
+    pressures_.empty()
+      ? 0.
+      : *std::max_element(pressures_.begin(), pressures_.end());
+  std::vector<double> largest = {loses, highest};
+  dealii::Utilities::MPI::max(largest, communicator_, largest);
+  totals_.highest = std::max(totals_.highest, largest[1]);
+  return largest[0] > 0.;
 }
 
 
@@ -295,7 +322,7 @@ void WallLoads<dim>::add_gauges(const double time, const double step)
 
 
 template <int dim>
-void WallLoads<dim>::add_forces(const std::array<double, 3> &facet_force,
+void WallLoads<dim>::add_forces(const dealii::Tensor<1, 3> &facet_force,
                                 const std::array<double, 6> &wall_force,
                                 const double step)
 {
@@ -306,7 +333,7 @@ void WallLoads<dim>::add_forces(const std::array<double, 3> &facet_force,
     sums[3 + d] = wall_force[d] - ambient_ * wall_force[3 + d];
   }
   dealii::Utilities::MPI::sum(sums, communicator_, sums);
-  std::array<double, 3> facets, gas;
+  dealii::Tensor<1, 3> facets, gas;
   for (unsigned int d = 0; d < 3; ++d)
   {
     facets[d] = sums[d];
@@ -314,183 +341,9 @@ void WallLoads<dim>::add_forces(const std::array<double, 3> &facet_force,
     totals_.facet_impulse[d] += step * facets[d];
     totals_.gas_impulse[d] += step * gas[d];
   }
-  totals_.largest_force = std::max(totals_.largest_force, norm(gas));
+  totals_.largest_force = std::max(totals_.largest_force, gas.norm());
   totals_.largest_difference =
-    std::max(totals_.largest_difference, distance(facets, gas));
-}
-
-
-template <int dim>
-void WallLoads<dim>::end_sample(const double time)
-{
-  const std::size_t most_in_memory = 64 << 20;
-  const double duration = time - totals_.sample_begin;
-  const std::size_t row = samples_.size();
-  samples_.resize(row + records_.size(), 0.F);
-  for (const Facet &facet : facets_)
-  {
-    Record &record = records_[facet.number];
-    const double mean = record.sum / duration;
-    samples_[row + facet.number] = static_cast<float>(mean);
-    record.sample_peak = std::max(record.sample_peak, mean);
-    record.sum = 0.;
-  }
-  gauges_.end_sample(time,
-                     duration,
-                     dealii::Utilities::MPI::this_mpi_process(communicator_) ==
-                       0);
-  times_.push_back(time);
-  totals_.sample_begin = time;
-  if (samples_.size() * sizeof(float) > most_in_memory)
-    flush();
-}
-
-
-template <int dim>
-void WallLoads<dim>::flush()
-{
-  if (!active_)
-    return;
-  if (file_.empty())
-  {
-    // A run without results, such as a trial of the costs.
-    times_.clear();
-    samples_.clear();
-    return;
-  }
-  const TimerScope timer("loads");
-  dealii::Utilities::MPI::sum(samples_, communicator_, samples_);
-  share();
-  if (dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
-  {
-    io::LoadFile file(file_);
-    if (!has_file_ && totals_.n_times > 0.)
-      file.truncate(static_cast<std::size_t>(totals_.n_times));
-    else if (!has_file_)
-      create_file();
-    file.append(times_, samples_);
-    write_measures();
-    gauges_.flush();
-  }
-  has_file_ = true;
-  totals_.n_times += times_.size();
-  times_.clear();
-  samples_.clear();
-}
-
-
-template <int dim>
-void WallLoads<dim>::create_file() const
-{
-  io::LoadFile::Facets facets;
-  for (std::size_t i = 0; i < keys_.size(); ++i)
-  {
-    const double *values = &geometry_[n_geometry * i];
-    const double area = norm({{values[3], values[4], values[5]}});
-    facets.areas.push_back(area);
-    for (unsigned int d = 0; d < 3; ++d)
-    {
-      facets.centroids.push_back(values[d]);
-      facets.normals.push_back(-values[3 + d] / area);
-    }
-  }
-  io::LoadFile(file_).create(
-    facets,
-    {{"application", "blast " + version() + " (" + git_revision() + ")"},
-     {"units", dim == 3 ? "m, m^2, s, Pa, Pa s" : "m, m, s, Pa, Pa s"},
-     {"overpressure_samples", "means since the time before"},
-     {"gauges", gauges_.description()}});
-}
-
-
-template <int dim>
-void WallLoads<dim>::write_measures()
-{
-  std::array<std::vector<double>, 4> values;
-  double highest = 0.;
-  for (const Record &record : records_)
-  {
-    const BlastMeasures measures = record.blast.measures(totals_.time);
-    values[0].push_back(measures.peak);
-    values[1].push_back(measures.impulse);
-    values[2].push_back(measures.arrival);
-    values[3].push_back(measures.duration);
-    highest = std::max(highest, measures.peak);
-  }
-  totals_.peak_loss = 0.;
-  for (const Record &record : records_)
-    if (record.blast.peak > 0.05 * highest)
-      totals_.peak_loss = std::max(totals_.peak_loss,
-                                   1. - record.sample_peak / record.blast.peak);
-  io::LoadFile file(file_);
-  const char *const names[] = {"peak", "impulse", "arrival", "duration"};
-  for (unsigned int k = 0; k < 4; ++k)
-    file.write(names[k], values[k]);
-  io::LoadFile::Numbers numbers = {{"ambient_pressure_Pa", ambient_}};
-  for (const NamedValue &value : audit())
-    numbers.emplace_back(value.name, value.value);
-  file.write(numbers);
-}
-
-
-template <int dim>
-std::vector<NamedValue> WallLoads<dim>::audit() const
-{
-  if (!active_)
-    return {};
-  const auto relative = [](const double part, const double whole) {
-    return whole > 0. ? part / whole : 0.;
-  };
-  std::vector<NamedValue> values = {
-    {"loads_facets", "-", double(keys_.size())}};
-  const std::array<const char *, 3> axes = {{"x", "y", "z"}};
-  for (unsigned int d = 0; d < dim; ++d)
-    values.push_back({std::string("loads_impulse_") + axes[d],
-                      dim == 3 ? "N s" : "N s/m",
-                      totals_.facet_impulse[d]});
-  values.push_back(
-    {"loads_impulse_difference",
-     "-",
-     relative(distance(totals_.facet_impulse, totals_.gas_impulse),
-              norm(totals_.gas_impulse))});
-  values.push_back(
-    {"loads_force_difference",
-     "-",
-     relative(totals_.largest_difference, totals_.largest_force)});
-  values.push_back({"loads_sampled_peak_loss", "-", totals_.peak_loss});
-  for (const NamedValue &value : gauges_.measures(totals_.time))
-    values.push_back(value);
-  return values;
-}
-
-
-template <int dim>
-void WallLoads<dim>::save(std::ostream &stream) const
-{
-  if (!active_)
-    return;
-  const std::size_t n = records_.size();
-  stream.write(reinterpret_cast<const char *>(&totals_), sizeof(totals_));
-  stream.write(reinterpret_cast<const char *>(&n), sizeof(n));
-  stream.write(reinterpret_cast<const char *>(records_.data()),
-               n * sizeof(Record));
-  gauges_.save(stream);
-}
-
-
-template <int dim>
-void WallLoads<dim>::load(std::istream &stream)
-{
-  if (!active_)
-    return;
-  std::size_t n = 0;
-  stream.read(reinterpret_cast<char *>(&totals_), sizeof(totals_));
-  stream.read(reinterpret_cast<char *>(&n), sizeof(n));
-  if (!stream)
-    return;
-  records_.assign(n, {});
-  stream.read(reinterpret_cast<char *>(records_.data()), n * sizeof(Record));
-  gauges_.load(stream);
+    std::max(totals_.largest_difference, (facets - gas).norm());
 }
 
 

@@ -74,6 +74,14 @@ namespace io
     return content.str();
   }
 
+  void copy_file(const std::string &source, const std::string &target)
+  {
+    std::ifstream input(source, std::ios::binary);
+    if (!input)
+      throw SystemError("cannot read \"" + source + "\"");
+    write_file(target, [&](std::ostream &out) { out << input.rdbuf(); });
+  }
+
   void sync(const std::string &path)
   {
     const int descriptor = open(path.c_str(), O_RDONLY);

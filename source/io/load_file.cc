@@ -213,19 +213,6 @@ namespace io
   }
 
 
-  void LoadFile::truncate(const std::size_t n_times)
-  {
-    const Handle file = open_file(path_);
-    for (const char *name : {"time", "overpressure"})
-    {
-      const Handle data(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose, path_);
-      auto size = size_of(data, path_);
-      size.back() = std::min<hsize_t>(size.back(), n_times);
-      check(H5Dset_extent(data, size.data()), path_);
-    }
-  }
-
-
   void LoadFile::append(const std::vector<double> &times,
                         const std::vector<float> &overpressures)
   {

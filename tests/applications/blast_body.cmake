@@ -14,7 +14,7 @@ contrecoup_add_application_test(body_loads bounds FILE ${_cylinder}
     "Loads/Interval=0.005"
   BOUNDS "status == finished" "assumptions.loads_impulse_difference < 1e-2"
     "assumptions.loads_force_difference < 1e-2"
-    "assumptions.loads_sampled_peak_loss < 2e-2")
+    "assumptions.loads_sampled_peak_loss < 1e-2")
 
 # With smaller leaves at the front than behind, mass, energy and loads hold as
 # well, and the stagnation point gets what such leaves everywhere give it.

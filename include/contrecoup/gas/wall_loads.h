@@ -80,9 +80,17 @@ public:
   /// Collective.
   void flush();
 
+  /// Ends the sample that is going on, and flushes. Collective.
+  void finish();
+
   /// What is known so far, for checkpoints; call flush() before save().
   void save(std::ostream &stream) const;
   void load(std::istream &stream);
+
+  /// Keeps loads.h5 in the folder of a checkpoint, and brings it back after
+  /// load(): a run that was killed may have left it half-written. By one rank.
+  void save_file(const std::string &folder) const;
+  void restore_file(const std::string &folder) const;
 
   /// Number and area of the facets, impulses and the audit, and what the
   /// gauges say.
@@ -95,6 +103,11 @@ public:
   }
 
 private:
+  static constexpr unsigned int n_geometry = 6; ///< numbers of a facet
+
+  /// Peaks below this part of the highest do not count for the samples.
+  static constexpr double counted_part = 0.05;
+
   /// A facet in the leaves of this rank.
   struct Facet
   {
@@ -114,16 +127,17 @@ private:
   /// The whole run so far.
   struct Totals
   {
-    double sample_begin = 0.;                             ///< [s]
-    double n_times = 0.;                                  ///< that the file has
-    std::array<double, 3> facet_impulse = {{0., 0., 0.}}; ///< [N s]
-    std::array<double, 3> gas_impulse = {{0., 0., 0.}};   ///< [N s]
-    double largest_force = 0.;                            ///< [N]
-    double largest_difference = 0.; ///< between facets and gas [N]
-    double time = 0.;               ///< [s]
+    double sample_begin = 0.;           ///< [s]
+    double n_times = 0.;                ///< that the file has
+    dealii::Tensor<1, 3> facet_impulse; ///< [N s]
+    dealii::Tensor<1, 3> gas_impulse;   ///< [N s]
+    double largest_force = 0.;          ///< [N]
+    double largest_difference = 0.;     ///< between facets and gas [N]
+    double time = 0.;                   ///< [s]
     /// Largest part of a facet's peak that no sample shows, among those with
     /// a twentieth of the highest peak at least [-].
     double peak_loss = 0.;
+    double highest = 0.; ///< overpressure so far [Pa]
   };
 
   /// Makes every rank know the records of all facets. Collective.
@@ -146,23 +160,27 @@ private:
                        const GasField &field,
                        const Gas &gas,
                        const RiemannFlux flux) const;
-  void add_forces(const std::array<double, 3> &facet_force,
+  void add_forces(const dealii::Tensor<1, 3> &facet_force,
                   const std::array<double, 6> &wall_force,
                   const double step);
+  /// Whether a facet's peak would be lost in the sample that is going on if
+  /// it took the step with the present pressures. Collective.
+  bool loses_peaks(const double time, const double step);
   void end_sample(const double time);
   void create_file() const;
   void write_measures();
 
   bool active_ = false;
-  double interval_ = 0.; ///< of samples [s]; 0: every step
-  double ambient_ = 0.;  ///< [Pa]
+  double interval_ = 0.;     ///< of samples [s]; 0: every step
+  double largest_loss_ = 1.; ///< of a peak in samples [-]
+  double ambient_ = 0.;      ///< [Pa]
   std::string file_;
-  bool has_file_ = false;
   MPI_Comm communicator_ = MPI_COMM_SELF;
 
   std::vector<std::uint64_t> keys_; ///< places of all facets, in order
   std::vector<double> geometry_;    ///< of all: centroid and area vector
   std::vector<Facet> facets_;       ///< of this rank
+  std::vector<double> pressures_;   ///< on this rank's, after the step [Pa]
   std::vector<Record> records_;     ///< of all; up to date for this rank's
   LoadGauges gauges_;
   Totals totals_;

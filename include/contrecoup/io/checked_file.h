@@ -23,6 +23,10 @@ namespace io
   /// The content of a file. @throws SystemError when it cannot be read.
   std::string read_file(const std::string &file);
 
+  /// Makes @p target the same as @p source, as write_file() does.
+  /// @throws SystemError with the system's reason
+  void copy_file(const std::string &source, const std::string &target);
+
   /// Brings a file or folder to the disk. @throws SystemError
   void sync(const std::string &path);
 

@@ -41,9 +41,6 @@ namespace io
     /// Makes a new file without times. @throws SystemError
     void create(const Facets &facets, const Words &words);
 
-    /// Forgets all but the first @p n_times times. @throws SystemError
-    void truncate(const std::size_t n_times);
-
     /// Appends samples, [time][facet]. @throws SystemError
     void append(const std::vector<double> &times,
                 const std::vector<float> &overpressures);
