@@ -28,6 +28,8 @@ namespace
   /// Pressure below which fluid may cavitate [Pa].
   constexpr double cavitation = -100e3;
 
+  const std::vector<std::string> pressure_names{"averaged", "of elements"};
+
   template <typename Value>
   void put(std::ostream &out, const std::vector<Value> &values)
   {
@@ -63,6 +65,14 @@ void InjuryReport<Real>::declare_parameters(ParameterHandler &prm)
                "false",
                "Whether strains and pressures of the brain, motion of the "
                "head and pressure on the chest are followed for injury.csv.");
+  declare_selection(prm,
+                    "Pressure",
+                    "averaged",
+                    pressure_names,
+                    "In the brain: that of each element, or its average over "
+                    "the corners and the elements around these, which removes "
+                    "pressures that alternate from element to element and a "
+                    "tenth of waves as short as ten elements.");
   declare_integer(prm,
                   "Every steps",
                   "10",
@@ -90,6 +100,7 @@ void InjuryReport<Real>::parse_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "Injury");
   active_ = prm.get_bool("Active");
+  averaged_ = prm.get("Pressure") == pressure_names[0];
   interval_ = read_unsigned(prm, "Every steps");
   chest_ = read_point<3>(prm, "Chest");
   mass_ = read_double(prm, "Body mass");
@@ -103,16 +114,17 @@ void InjuryReport<Real>::reinit(const SolidBody<Real> &body)
   brain_ = static_cast<unsigned int>(
     std::find(mesh.tissues.begin(), mesh.tissues.end(), Tissue::brain) -
     mesh.tissues.begin());
+  average_.reinit(mesh, body.exchange(), brain_);
   piece_of_cell_.assign(mesh.cells.size(), none);
   pieces_.clear();
-  for (std::size_t i = 0; i < mesh.cells.size(); ++i)
-    if (mesh.tissue[i] == brain_)
-    {
-      piece_of_cell_[i] = static_cast<std::uint32_t>(pieces_.size());
-      Piece piece;
-      piece.cell = mesh.global_cell[i];
-      pieces_.push_back(piece);
-    }
+  for (const std::uint32_t cell : average_.cells())
+  {
+    piece_of_cell_[cell] = static_cast<std::uint32_t>(pieces_.size());
+    Piece piece;
+    piece.cell = mesh.global_cell[cell];
+    piece.volume = average_.volumes()[pieces_.size()];
+    pieces_.push_back(piece);
+  }
   last_time_ = body.time();
 }
 
@@ -134,23 +146,30 @@ template <typename Real>
 void InjuryReport<Real>::follow_brain(const SolidBody<Real> &body,
                                       const double span)
 {
-  if (pieces_.empty())
-    return;
+  std::vector<double> pressures(pieces_.size());
   body.elements().visit(
     body.nodes(),
     body.times(),
     [&](const std::uint32_t cell, const ElementValues &element) {
-      Piece &piece = pieces_[piece_of_cell_[cell]];
-      const double pressure = pressure_of(element.stress);
-      piece.volume = element.volume;
-      piece.peak_strain =
-        std::max(piece.peak_strain, largest_principal(element.strain));
-      piece.peak_pressure = std::max(piece.peak_pressure, pressure);
-      piece.lowest_pressure = std::min(piece.lowest_pressure, pressure);
-      if (pressure < cavitation)
-        cavitation_dose_ += span * element.volume;
+      const std::uint32_t i = piece_of_cell_[cell];
+      pressures[i] = pressure_of(element.stress);
+      pieces_[i].peak_strain =
+        std::max(pieces_[i].peak_strain, largest_principal(element.strain));
     },
     brain_);
+  const std::vector<double> averages = average_.average(pressures);
+  for (std::size_t i = 0; i < pieces_.size(); ++i)
+  {
+    Piece &piece = pieces_[i];
+    const double weight = span * piece.volume;
+    const double pressure = averaged_ ? averages[i] : pressures[i];
+    piece.peak_pressure = std::max(piece.peak_pressure, pressure);
+    piece.lowest_pressure = std::min(piece.lowest_pressure, pressure);
+    cavitation_dose_ += pressure < cavitation ? weight : 0.;
+    const double rest = pressures[i] - averages[i];
+    rough_ += weight * rest * rest;
+    smooth_ += weight * averages[i] * averages[i];
+  }
 }
 
 
@@ -247,8 +266,9 @@ void InjuryReport<Real>::add_brain(const SolidBody<Real> &body,
     }
   if (!(volume > 0.))
     return;
-  const double dose =
-    dealii::Utilities::MPI::sum(cavitation_dose_, body.communicator());
+  std::vector<double> sums{cavitation_dose_, rough_, smooth_};
+  dealii::Utilities::MPI::sum(sums, body.communicator(), sums);
+  const double dose = sums[0];
   const std::string model =
     "thresholds were found with other models of the head";
   list.push_back({{"injury_intracranial_pressure_peak", "Pa", peak},
@@ -263,6 +283,12 @@ void InjuryReport<Real>::add_brain(const SolidBody<Real> &body,
   list.push_back({{"injury_cavitation_dose", "s", dose / volume},
                   "none published",
                   "mean time below -100 kPa"});
+  if (sums[2] > 0.)
+    list.push_back(
+      {{"injury_pressure_roughness", "-", std::sqrt(sums[1] / sums[2])},
+       "well below 1",
+       "pressures of elements less their averages, over the "
+       "averages: what alternates and is no pressure"});
   list.push_back({{"injury_strain_95", "-", volume_percentile(strains, 0.95)},
                   "0.19: half of mild injuries (Zhang et al. 2004, recalled)",
                   model});
@@ -376,6 +402,8 @@ void InjuryReport<Real>::save(const SolidBody<Real> &body,
         std::vector<double>{double(n_steps_),
                             last_time_,
                             cavitation_dose_,
+                            rough_,
+                            smooth_,
                             largest_spin_[0],
                             largest_spin_[1],
                             largest_spin_[2]});
@@ -408,14 +436,16 @@ void InjuryReport<Real>::restore(const SolidBody<Real> &body,
     take(in, times_);
     take(in, speeds_);
     take(in, chest_pressures_);
-    if (!in || numbers.size() != 6)
+    if (!in || numbers.size() != 8)
       throw InputError("Checkpoint file " + file_of(folder, rank) +
                        " belongs to another scene");
     n_steps_ = static_cast<std::uint64_t>(numbers[0]);
     last_time_ = numbers[1];
     // Sums over ranks go on at the first one.
     cavitation_dose_ += first ? numbers[2] : 0.;
-    largest_spin_ = {{numbers[3], numbers[4], numbers[5]}};
+    rough_ += first ? numbers[3] : 0.;
+    smooth_ += first ? numbers[4] : 0.;
+    largest_spin_ = {{numbers[5], numbers[6], numbers[7]}};
     for (const Piece &piece : pieces)
       if (here.count(piece.cell) > 0)
         pieces_[here[piece.cell]] = piece;

@@ -5,6 +5,7 @@
 #include <contrecoup/io/vtk_file.h>
 #include <contrecoup/solid/solid_output.h>
 #include <contrecoup/solid/solid_probes.h>
+#include <contrecoup/solid/tissue_average.h>
 
 namespace contrecoup::solid
 {
@@ -12,6 +13,7 @@ namespace
 {
   const std::vector<std::string> vector_names{"displacement", "velocity"};
   const std::vector<std::string> cell_names{"pressure",
+                                            "averaged_pressure",
                                             "von_mises_stress",
                                             "principal_strain"};
 
@@ -63,9 +65,20 @@ namespace
       body.times(),
       [&](const std::uint32_t cell, const ElementValues &element) {
         values[0][cell] = static_cast<float>(pressure_of(element.stress));
-        values[1][cell] = static_cast<float>(von_mises(element.stress));
-        values[2][cell] = static_cast<float>(largest_principal(element.strain));
+        values[2][cell] = static_cast<float>(von_mises(element.stress));
+        values[3][cell] = static_cast<float>(largest_principal(element.strain));
       });
+    for (unsigned int tissue = 0; tissue < mesh.tissues.size(); ++tissue)
+    {
+      TissueAverage average;
+      average.reinit(mesh, body.exchange(), tissue);
+      std::vector<double> pressures;
+      for (const std::uint32_t cell : average.cells())
+        pressures.push_back(values[0][cell]);
+      pressures = average.average(pressures);
+      for (std::size_t i = 0; i < pressures.size(); ++i)
+        values[1][average.cells()[i]] = static_cast<float>(pressures[i]);
+    }
     for (std::size_t k = 0; k < cell_names.size(); ++k)
       file.add("CellData", cell_names[k], values[k]);
   }

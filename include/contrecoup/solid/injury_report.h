@@ -5,6 +5,7 @@
 
 #include <contrecoup/base/simulation.h>
 #include <contrecoup/solid/solid_body.h>
+#include <contrecoup/solid/tissue_average.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -38,6 +39,7 @@ public:
     return active_;
   }
 
+  /// @p body must outlive this.
   void reinit(const SolidBody<Real> &body);
 
   /// Call after each step. Collective.
@@ -77,15 +79,21 @@ private:
   double n_samples() const;
 
   bool active_ = false;
+  bool averaged_ = true; ///< whether pressures are
   unsigned int interval_ = 10;
   dealii::Point<3> chest_;
   double mass_ = 70.;
   unsigned int brain_ = 0; ///< index of the tissue; number of tissues: none
+  TissueAverage average_;  ///< over the brain
   std::vector<std::uint32_t> piece_of_cell_;
   std::vector<Piece> pieces_;
   std::uint64_t n_steps_ = 0;
   double last_time_ = 0.;
   double cavitation_dose_ = 0.; ///< volume times time of this rank [m^3 s]
+  /// Squares of pressures less their averages, and of the latter, by volume
+  /// and time, of this rank [Pa^2 m^3 s].
+  double rough_ = 0.;
+  double smooth_ = 0.;
   std::vector<double> times_;
   std::vector<std::array<double, 3>> speeds_; ///< of the head [m/s]
   std::vector<double> chest_pressures_;       ///< [Pa]

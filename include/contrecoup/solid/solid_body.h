@@ -105,6 +105,10 @@ public:
   {
     return loads_;
   }
+  const NodeExchange &exchange() const
+  {
+    return exchange_;
+  }
   MPI_Comm communicator() const
   {
     return communicator_;

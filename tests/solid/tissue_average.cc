@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/geometry/triangulation_hexes.h>
+#include <contrecoup/solid/tissue_average.h>
+
+#include <deal.II/grid/grid_generator.h>
+
+#include <gtest/gtest.h>
+
+using namespace contrecoup;
+using dealii::Point;
+
+namespace
+{
+/// Cubes of 10 mm; the upper half is brain.
+HexMesh box()
+{
+  dealii::Triangulation<3> mesh;
+  dealii::GridGenerator::subdivided_hyper_rectangle(
+    mesh, {6, 4, 4}, Point<3>(), Point<3>(0.06, 0.04, 0.04));
+  for (const auto &cell : mesh.active_cell_iterators())
+    cell->set_material_id(cell->center()[2] > 0.02 ? 1 : 0);
+  return to_hex_mesh(mesh,
+                     {{"bone", Tissue::skeleton}, {"brain", Tissue::brain}});
+}
+
+/// Of this rank's part of the box.
+struct Part
+{
+  explicit Part(const MPI_Comm communicator)
+    : mesh(solid::distribute(box(), communicator))
+  {
+    exchange.reinit(mesh, communicator);
+    const auto brain =
+      std::find(mesh.tissues.begin(), mesh.tissues.end(), Tissue::brain);
+    average.reinit(
+      mesh, exchange, static_cast<unsigned int>(brain - mesh.tissues.begin()));
+    for (const std::uint32_t cell : average.cells())
+    {
+      Point<3> middle;
+      for (const std::uint32_t node : mesh.cells[cell])
+        middle += mesh.nodes[node] / 8.;
+      middles.push_back(middle);
+    }
+  }
+
+  solid::SolidMesh mesh;
+  solid::NodeExchange exchange;
+  solid::TissueAverage average;
+  std::vector<Point<3>> middles; ///< of the brain's elements
+};
+
+/// 1 or -1, from element to element.
+double alternating(const Point<3> &x)
+{
+  const int sum = static_cast<int>(x[0] / 0.01) +
+                  static_cast<int>(x[1] / 0.01) + static_cast<int>(x[2] / 0.01);
+  return sum % 2 == 0 ? 1. : -1.;
+}
+} // namespace
+
+
+TEST(TissueAverage, TakesAlternatingPartsAwayAndKeepsConstants)
+{
+  const Part part(MPI_COMM_WORLD);
+  std::vector<double> values;
+  for (const Point<3> &x : part.middles)
+    values.push_back(3. + alternating(x));
+  const std::vector<double> averages = part.average.average(values);
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    // A corner of the brain has one node with one element alone.
+    const Point<3> &x = part.middles[i];
+    const bool corner =
+      std::abs(x[0] - 0.03) > 0.02 && std::abs(x[1] - 0.02) > 0.01;
+    const double rest = corner ? alternating(x) / 8. : 0.;
+    EXPECT_NEAR(averages[i], 3. + rest, 1e-14);
+    EXPECT_NEAR(part.average.volumes()[i], 1e-6, 1e-18);
+  }
+}
+
+
+TEST(TissueAverage, WavesLoseCosineSquared)
+{
+  const Part part(MPI_COMM_WORLD);
+  const double k = 100.;
+  std::vector<double> values;
+  for (const Point<3> &x : part.middles)
+    values.push_back(std::sin(k * x[0]));
+  const std::vector<double> averages = part.average.average(values);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (std::abs(part.middles[i][0] - 0.03) < 0.02)
+      EXPECT_NEAR(
+        averages[i], values[i] * std::pow(std::cos(0.5 * k * 0.01), 2), 1e-14);
+}
