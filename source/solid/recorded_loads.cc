@@ -25,6 +25,13 @@ namespace
   /// sought.
   constexpr unsigned int n_candidates = 12;
 
+  /// Largest relative difference of impulses that a factor mends; more means
+  /// that the surfaces are not the same.
+  constexpr double largest_mended = 0.1;
+
+  const std::vector<std::string>
+    mirrors{"none", "x", "y", "z", "x and y", "x and z", "y and z"};
+
   Point<3> point_at(const std::vector<double> &numbers, const std::size_t i)
   {
     return Point<3>(numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]);
@@ -56,9 +63,15 @@ void RecordedLoads::declare_parameters(ParameterHandler &prm)
   declare_selection(prm,
                     "Mirror",
                     "none",
-                    {"none", "x", "y", "z"},
-                    "Direction across a plane of symmetry through 0, on one "
+                    mirrors,
+                    "Directions across planes of symmetry through 0, on one "
                     "side of which loads were recorded.");
+  declare_bool(prm,
+               "Keep impulse",
+               "true",
+               "Whether pressures get a factor so that their impulse, along "
+               "the recorded one, is the recorded one; only when it is within "
+               "10 % without.");
 }
 
 
@@ -75,7 +88,10 @@ RecordedLoads::parse_parameters(ParameterHandler &prm)
   loads->offset_ = read_double(prm, "Time offset");
   loads->largest_distance_ = read_double(prm, "Largest distance");
   const std::string mirror = prm.get("Mirror");
-  loads->mirror_ = mirror == "none" ? -1 : mirror[0] - 'x';
+  if (mirror != "none")
+    for (unsigned int d = 0; d < 3; ++d)
+      loads->mirrored_[d] = mirror.find("xyz"[d]) != std::string::npos;
+  loads->keep_impulse_ = prm.get_bool("Keep impulse");
   return loads;
 }
 
@@ -88,12 +104,11 @@ void RecordedLoads::reinit(const std::vector<Point<3>> &middles,
   areas_ = areas;
   const io::LoadFile::Facets &facets = reader_->facets();
   std::vector<Point<3>> places;
-  double side = 0.;
+  Tensor<1, 3> side;
   for (std::size_t i = 0; i < reader_->n_facets(); ++i)
   {
     places.push_back(point_at(facets.centroids, i));
-    if (mirror_ >= 0)
-      side += places.back()[mirror_];
+    side += places.back();
   }
   const auto tree = dealii::pack_rtree_of_indices(places);
   source_.assign(middles.size(), none);
@@ -102,11 +117,12 @@ void RecordedLoads::reinit(const std::vector<Point<3>> &middles,
   {
     Point<3> place = middles[i];
     Tensor<1, 3> area = areas[i];
-    if (mirror_ >= 0 && place[mirror_] * side < 0.)
-    {
-      place[mirror_] *= -1.;
-      area[mirror_] *= -1.;
-    }
+    for (unsigned int d = 0; d < 3; ++d)
+      if (mirrored_[d] && place[d] * side[d] < 0.)
+      {
+        place[d] *= -1.;
+        area[d] *= -1.;
+      }
     double best = std::numeric_limits<double>::max();
     const auto query = boost::geometry::index::nearest(place, n_candidates);
     for (auto found = tree.qbegin(query); found != tree.qend(); ++found)
@@ -127,7 +143,7 @@ void RecordedLoads::reinit(const std::vector<Point<3>> &middles,
       source_[i] = none;
   }
   first_ = count_ = 0;
-  recorded_impulse_ = mapped_impulse_ = Tensor<1, 3>();
+  measure_impulses();
 }
 
 
@@ -153,7 +169,6 @@ void RecordedLoads::set_time(const double time)
     first_ = before_;
     count_ = std::min(samples_at_once, ends.size() - first_);
     samples_ = reader_->read(first_, count_);
-    add_impulses();
   }
 }
 
@@ -165,28 +180,51 @@ double RecordedLoads::pressure(const std::size_t facet) const
   const float *row = &samples_[source_[facet] * count_];
   const double now = row[after_ - first_];
   const double old = after_ == 0 ? 0. : double(row[before_ - first_]);
-  return (1. - weight_) * old + weight_ * now;
+  return factor_ * ((1. - weight_) * old + weight_ * now);
 }
 
 
-void RecordedLoads::add_impulses()
+void RecordedLoads::measure_impulses()
 {
   const std::vector<double> &ends = reader_->times();
   const io::LoadFile::Facets &facets = reader_->facets();
-  // The first of these samples was the last one of those before.
-  for (std::size_t t = first_ == 0 ? 0 : 1; t < count_; ++t)
+  std::vector<double> impulse(reader_->n_facets(), 0.); // per area
+  for (std::size_t first = 0; first < ends.size(); first += samples_at_once)
   {
-    const std::size_t sample = first_ + t;
-    const double step = ends[sample] - (sample == 0 ? 0. : ends[sample - 1]);
-    for (std::size_t i = 0; i < reader_->n_facets(); ++i)
-      recorded_impulse_ -= step * double(samples_[i * count_ + t]) *
-                           facets.areas[i] *
-                           Tensor<1, 3>(point_at(facets.normals, i));
-    for (std::size_t i = 0; i < source_.size(); ++i)
-      if (source_[i] != none)
-        mapped_impulse_ -=
-          step * double(samples_[source_[i] * count_ + t]) * areas_[i];
+    const std::size_t count = std::min(samples_at_once, ends.size() - first);
+    const std::vector<float> samples = reader_->read(first, count);
+    for (std::size_t t = 0; t < count; ++t)
+    {
+      const std::size_t sample = first + t;
+      const double step = ends[sample] - (sample == 0 ? 0. : ends[sample - 1]);
+      for (std::size_t i = 0; i < impulse.size(); ++i)
+        impulse[i] += step * double(samples[i * count + t]);
+    }
   }
+  recorded_impulse_ = mapped_impulse_ = Tensor<1, 3>();
+  for (std::size_t i = 0; i < impulse.size(); ++i)
+    recorded_impulse_ -=
+      impulse[i] * facets.areas[i] * Tensor<1, 3>(point_at(facets.normals, i));
+  for (unsigned int d = 0; d < 3; ++d)
+    if (mirrored_[d])
+    {
+      recorded_impulse_ *= 2.;
+      recorded_impulse_[d] = 0.;
+    }
+  for (std::size_t i = 0; i < source_.size(); ++i)
+    if (source_[i] != none)
+      mapped_impulse_ -= impulse[source_[i]] * areas_[i];
+  std::vector<double> sum(mapped_impulse_.begin_raw(),
+                          mapped_impulse_.end_raw());
+  dealii::Utilities::MPI::sum(sum, communicator_, sum);
+  std::copy(sum.begin(), sum.end(), mapped_impulse_.begin_raw());
+  const double ratio = mapped_impulse_ * recorded_impulse_ /
+                       std::max(recorded_impulse_.norm_square(), 1e-300);
+  const bool mends = std::abs(ratio - 1.) < largest_mended;
+  factor_ = keep_impulse_ && mends ? 1. / ratio : 1.;
+  if (keep_impulse_ && !mends)
+    log_line("WARNING: the impulse of recorded loads on this surface is " +
+             brief(ratio) + " of the recorded one; it is left so");
 }
 
 
@@ -199,24 +237,21 @@ std::vector<NamedValue> RecordedLoads::audit() const
     distance += distances_[i];
     unmatched += source_[i] == none ? 1. : 0.;
   }
-  std::vector<double> sums{distance,
-                           unmatched,
-                           double(source_.size()),
-                           mapped_impulse_[0],
-                           mapped_impulse_[1],
-                           mapped_impulse_[2]};
+  std::vector<double> sums{distance, unmatched, double(source_.size())};
   dealii::Utilities::MPI::sum(sums, communicator_, sums);
   largest = dealii::Utilities::MPI::max(largest, communicator_);
   std::vector<NamedValue> values{
     {"loads_unmatched_facets", "-", sums[1]},
     {"loads_largest_distance", "m", largest},
-    {"loads_mean_distance", "m", sums[0] / std::max(1., sums[2])}};
+    {"loads_mean_distance", "m", sums[0] / std::max(1., sums[2])},
+    {"loads_impulse_factor", "-", factor_}};
   for (unsigned int d = 0; d < 3; ++d)
   {
     const std::string axis(1, "xyz"[d]);
     values.push_back(
       {"loads_recorded_impulse_" + axis, "N s", recorded_impulse_[d]});
-    values.push_back({"loads_mapped_impulse_" + axis, "N s", sums[3 + d]});
+    values.push_back(
+      {"loads_mapped_impulse_" + axis, "N s", factor_ * mapped_impulse_[d]});
   }
   return values;
 }

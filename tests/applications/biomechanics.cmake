@@ -84,6 +84,15 @@ contrecoup_add_application_test(injury_resume resume
   SET "Output/Fields=false" "Time/End time=3e-4" "Injury/Every steps=3"
   STOP_AFTER 20 COMPARE history.csv probes.csv injury.csv)
 
+# Experiment 37 of Nahum with elements of 6 mm until after the peak: signs and
+# order of pressures as measured.
+contrecoup_add_application_test(nahum_37 bounds
+  FILE biomechanics/showcase/nahum_37.prm
+  SET "Output/Fields=false" "Time/End time=5e-3" "Mesh/Element size=0.006"
+  "Energy audit/Largest hourglass part=0.2"
+  BOUNDS "status == finished" "errors.frontal < 0.5" "errors.parietal < 0.3"
+  "assumptions.frontal > 1.4e5" "assumptions.posterior_fossa < -6e4")
+
 # biomechanics_endures(<name> <bounds>)
 function(biomechanics_endures name bounds)
   contrecoup_add_application_test(${name} bounds

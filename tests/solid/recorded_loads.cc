@@ -74,6 +74,60 @@ TEST(RecordedLoads, NearestFacetThatFacesTheSameWay)
 }
 
 
+// The first facet has 0.95 of its area: a factor gives the impulse back. With
+// half of it the surfaces are not the same, and nothing is done.
+TEST(RecordedLoads, ImpulseIsKept)
+{
+  const std::string file = "recorded_impulse.h5";
+  write_loads(file);
+  const auto loads = read_loads(file);
+  const std::vector<Point<3>> middles{{0., 0., 0.}, {1., 0., 0.}};
+  for (const double area : {0.95, 0.5})
+  {
+    loads->reinit(
+      middles, {Point<3>(-area, 0., 0.), Point<3>(2., 0., 0.)}, MPI_COMM_SELF);
+    const double factor = area > 0.9 ? 0.48 / (0.95 * 0.6 - 0.12) : 1.;
+    loads->set_time(0.5e-3);
+    EXPECT_NEAR(loads->pressure(0), factor * 100., 1e-10);
+    for (const NamedValue &value : loads->audit())
+      if (value.name == "loads_impulse_factor")
+        EXPECT_NEAR(value.value, factor, 1e-12);
+  }
+  std::filesystem::remove(file);
+}
+
+
+// Recorded at y, z > 0 of a body that is symmetric.
+TEST(RecordedLoads, MirroredAcrossTwoPlanes)
+{
+  const std::string file = "recorded_quarter.h5";
+  {
+    io::LoadFile loads(file);
+    loads.create({{0., 1., 1.}, {-1., 0., 0.}, {1.}}, {{"application", "t"}});
+    loads.append({1e-3, 2e-3}, {100.F, 100.F});
+  }
+  ParameterHandler prm;
+  solid::RecordedLoads::declare_parameters(prm);
+  prm.set("File", file);
+  prm.set("Mirror", "y and z");
+  const auto loads = solid::RecordedLoads::parse_parameters(prm);
+  std::vector<Point<3>> middles;
+  for (const double y : {-1., 1.})
+    for (const double z : {-1., 1.})
+      middles.emplace_back(0., y, z);
+  loads->reinit(middles,
+                std::vector<Tensor<1, 3>>(4, Point<3>(-1., 0., 0.)),
+                MPI_COMM_SELF);
+  loads->set_time(0.5e-3);
+  for (unsigned int i = 0; i < 4; ++i)
+    EXPECT_NEAR(loads->pressure(i), 100., 1e-10);
+  for (const NamedValue &value : loads->audit())
+    if (value.name == "loads_recorded_impulse_x")
+      EXPECT_NEAR(value.value, 0.8, 1e-12);
+  std::filesystem::remove(file);
+}
+
+
 TEST(RecordedLoads, WhatIsNoFileOfLoadsIsRefused)
 {
   EXPECT_THROW(read_loads("no such file.h5"), InputError);

@@ -7,6 +7,7 @@
 #include <contrecoup/io/load_reader.h>
 #include <contrecoup/solid/surface_loads.h>
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -17,7 +18,8 @@ namespace contrecoup::solid
  * The loads that another run recorded: each facet has the pressure of the
  * nearest recorded one that faces the same way. Between the middles of
  * samples, which are means over time, pressures are linear, so that their
- * impulse is kept.
+ * impulse is kept. One factor makes the impulse on this surface that on the
+ * recorded one.
  */
 class RecordedLoads : public PressureHistory
 {
@@ -36,17 +38,20 @@ public:
   void set_time(double time) override;
   double pressure(std::size_t facet) const override;
 
-  /// How well the facets fit, and the impulse of all samples on the recorded
-  /// surface and on this one. Collective.
+  /// How well the facets fit, the factor of pressures, and the impulse of all
+  /// samples on the recorded surface and, with the factor, on this one.
+  /// Collective.
   std::vector<NamedValue> audit() const override;
 
 private:
-  void add_impulses();
+  void measure_impulses();
 
   std::unique_ptr<io::LoadReader> reader_;
   double offset_ = 0.; ///< of recorded times [s]
   double largest_distance_ = 0.;
-  int mirror_ = -1; ///< direction of a plane of symmetry through 0
+  std::array<bool, 3> mirrored_{}; ///< across planes of symmetry through 0
+  bool keep_impulse_ = true;
+  double factor_ = 1.; ///< of pressures
 
   MPI_Comm communicator_ = MPI_COMM_SELF;
   std::vector<std::uint32_t> source_; ///< by facet of this rank
@@ -63,7 +68,7 @@ private:
   double weight_ = 0.;
   double started_ = 0.; ///< 0 before the first sample
 
-  dealii::Tensor<1, 3> recorded_impulse_; ///< of the recorded facets [N s]
-  dealii::Tensor<1, 3> mapped_impulse_;   ///< of this rank's facets [N s]
+  dealii::Tensor<1, 3> recorded_impulse_; ///< with mirrored facets [N s]
+  dealii::Tensor<1, 3> mapped_impulse_;   ///< without the factor [N s]
 };
 } // namespace contrecoup::solid
