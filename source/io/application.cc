@@ -83,9 +83,34 @@ namespace io
     }
   } // namespace
 
-  int run_application(int argc,
-                      char **argv,
-                      const ApplicationDescription &description)
+  Failure run_within(const std::vector<std::string> &arguments,
+                     const ApplicationDescription &description)
+  {
+    std::vector<std::string> words = arguments;
+    std::vector<char *> argv;
+    for (std::string &word : words)
+      argv.push_back(word.data());
+    const int argc = static_cast<int>(argv.size());
+    Failure failure;
+    {
+      // What the inner one could not agree on, the outer one brings to an
+      // end.
+      Collective outer(MPI_COMM_WORLD);
+      Collective inner(MPI_COMM_WORLD);
+      try
+      {
+        outer.run([&]() { execute(argc, argv.data(), description, inner); });
+      }
+      catch (...)
+      {
+        failure = to_failure(std::current_exception(), ExitCode::system_failed);
+      }
+    }
+    Log::instance().close();
+    return failure;
+  }
+
+  int run_with_mpi(int argc, char **argv, const std::function<Failure()> &work)
   {
     dealii::deal_II_exceptions::disable_abort_on_exception();
     dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
@@ -97,26 +122,20 @@ namespace io
       mpi = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(
         argc, argv, 1);
     const SignalGuard signals;
-    Failure failure;
-    {
-      // What the inner one could not agree on, the outer one brings to an
-      // end.
-      Collective outer(MPI_COMM_WORLD);
-      Collective inner(MPI_COMM_WORLD);
-      try
-      {
-        outer.run([&]() { execute(argc, argv, description, inner); });
-      }
-      catch (...)
-      {
-        failure = to_failure(std::current_exception(), ExitCode::system_failed);
-      }
-    }
-    Log::instance().close();
+    const Failure failure = work();
     if (failure.code != ExitCode::done &&
         dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
       std::cerr << "error: " << failure.message << std::endl;
     return static_cast<int>(failure.code);
+  }
+
+  int run_application(int argc,
+                      char **argv,
+                      const ApplicationDescription &description)
+  {
+    const std::vector<std::string> arguments(argv, argv + argc);
+    return run_with_mpi(
+      argc, argv, [&]() { return run_within(arguments, description); });
   }
 } // namespace io
 } // namespace contrecoup

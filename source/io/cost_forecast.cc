@@ -3,11 +3,14 @@
 
 #include <contrecoup/base/log.h>
 #include <contrecoup/base/memory.h>
+#include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/base/text.h>
+#include <contrecoup/io/cost_cache.h>
 #include <contrecoup/io/cost_forecast.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace contrecoup
 {
@@ -111,6 +114,13 @@ namespace io
       }
       return levels > 0 ? std::min(levels + 2, most_levels) : 0;
     }
+
+    /// Processor time that trial runs of --check may take [s].
+    double trial_seconds()
+    {
+      const char *text = std::getenv("CONTRECOUP_CHECK_SECONDS");
+      return text ? std::strtod(text, nullptr) : 4.;
+    }
   } // namespace
 
   double extrapolate(const double before,
@@ -176,6 +186,37 @@ namespace io
       largest = std::max(largest, trial.largest_cells * trial.memory_per_cell);
     result.memory += peak_memory(collective.communicator()) - largest;
     return result;
+  }
+
+  CostEstimate known_cost(const ApplicationDescription &description,
+                          const dealii::ParameterHandler &prm,
+                          const CostEstimate &rough,
+                          Collective &collective)
+  {
+    const double budget = trial_seconds();
+    if (!(budget > 0.))
+      return rough;
+    const MPI_Comm all = collective.communicator();
+    const CostCache cache(
+      description.name + " on " +
+      std::to_string(dealii::Utilities::MPI::n_mpi_processes(all)) +
+      " ranks, " + brief(budget) + " s\n" + parameter_text(prm, false));
+    const bool first = dealii::Utilities::MPI::this_mpi_process(all) == 0;
+    const std::optional<CostEstimate> known =
+      first ? cache.read() : std::nullopt;
+    if (dealii::Utilities::MPI::max(known ? 1 : 0, all) > 0)
+    {
+      log_line("The cost is known from trial runs on this machine, kept in " +
+               cache.file());
+      return known.value_or(rough);
+    }
+    log_line("Calibrating by trial runs on coarser meshes, some " +
+             brief(budget) + " s ...");
+    const CostEstimate cost =
+      forecast_cost(description, prm, rough, budget, collective);
+    if (first)
+      cache.write(cost);
+    return cost;
   }
 } // namespace io
 } // namespace contrecoup

@@ -9,13 +9,10 @@
 #include <contrecoup/base/text.h>
 #include <contrecoup/base/timers.h>
 #include <contrecoup/base/version.h>
-#include <contrecoup/io/cost_cache.h>
 #include <contrecoup/io/cost_forecast.h>
 #include <contrecoup/io/plan_table.h>
 #include <contrecoup/io/run.h>
 #include <contrecoup/io/summary.h>
-
-#include <cstdlib>
 
 namespace contrecoup
 {
@@ -43,13 +40,6 @@ namespace io
       return std::chrono::duration<double>(std::chrono::steady_clock::now() -
                                            begin)
         .count();
-    }
-
-    /// Processor time that trial runs of --check may take [s].
-    double trial_seconds()
-    {
-      const char *text = std::getenv("CONTRECOUP_CHECK_SECONDS");
-      return text ? std::strtod(text, nullptr) : 4.;
     }
   } // namespace
 
@@ -89,38 +79,10 @@ namespace io
     return cost;
   }
 
-  CostEstimate Run::forecast()
-  {
-    const CostEstimate rough = estimate();
-    const double budget = trial_seconds();
-    if (!(budget > 0.))
-      return rough;
-    const MPI_Comm all = collective_.communicator();
-    const CostCache cache(
-      description_.name + " on " +
-      std::to_string(dealii::Utilities::MPI::n_mpi_processes(all)) +
-      " ranks, " + brief(budget) + " s\n" + parameter_text(prm_, false));
-    const bool first = dealii::Utilities::MPI::this_mpi_process(all) == 0;
-    const std::optional<CostEstimate> known =
-      first ? cache.read() : std::nullopt;
-    if (dealii::Utilities::MPI::max(known ? 1 : 0, all) > 0)
-    {
-      log_line("The cost is known from trial runs on this machine, kept in " +
-               cache.file());
-      return known.value_or(rough);
-    }
-    log_line("Calibrating by trial runs on coarser meshes, some " +
-             brief(budget) + " s ...");
-    const CostEstimate cost =
-      forecast_cost(description_, prm_, rough, budget, collective_);
-    if (first)
-      cache.write(cost);
-    return cost;
-  }
-
   void Run::check()
   {
-    const CostEstimate cost = forecast();
+    const CostEstimate cost =
+      known_cost(description_, prm_, estimate(), collective_);
     log_line(description_.name + " would run " + command_.parameter_file + ":");
     log_line("  cells     " + brief(cost.cells, 7));
     log_line("  unknowns  " + brief(cost.unknowns, 7));

@@ -48,6 +48,26 @@ namespace io
     }
   } // namespace
 
+  Failure run_within(const std::vector<std::string> &arguments,
+                     const ToolDescription &description)
+  {
+    std::vector<std::string> words = arguments;
+    std::vector<char *> argv;
+    for (std::string &word : words)
+      argv.push_back(word.data());
+    Failure failure;
+    try
+    {
+      execute(static_cast<int>(argv.size()), argv.data(), description);
+    }
+    catch (...)
+    {
+      failure = to_failure(std::current_exception(), ExitCode::system_failed);
+    }
+    Log::instance().close();
+    return failure;
+  }
+
   int run_tool(const int argc, char **argv, const ToolDescription &description)
   {
     if (is_surplus_rank())
@@ -55,16 +75,8 @@ namespace io
     dealii::deal_II_exceptions::disable_abort_on_exception();
     dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
     const SignalGuard signals;
-    Failure failure;
-    try
-    {
-      execute(argc, argv, description);
-    }
-    catch (...)
-    {
-      failure = to_failure(std::current_exception(), ExitCode::system_failed);
-    }
-    Log::instance().close();
+    const Failure failure =
+      run_within(std::vector<std::string>(argv, argv + argc), description);
     if (failure.code != ExitCode::done)
       std::cerr << "error: " << failure.message << std::endl;
     return static_cast<int>(failure.code);

@@ -10,6 +10,9 @@ namespace contrecoup
 /// The most memory that the ranks held at once, added up [byte]. Collective.
 double peak_memory(MPI_Comm communicator);
 
+/// Counts the peak from now on, where the system can.
+void forget_peak_memory();
+
 /// The memory that the machines of all ranks can still give, container
 /// limits included [byte]; 0 when the system does not say. Collective.
 double available_memory(MPI_Comm communicator);

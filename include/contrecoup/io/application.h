@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <contrecoup/base/collective.h>
 #include <contrecoup/base/simulation.h>
 
 #include <deal.II/base/mpi.h>
@@ -50,5 +51,17 @@ namespace io
   int run_application(int argc,
                       char **argv,
                       const ApplicationDescription &description);
+
+  /**
+   * The same within a program that has started MPI: tells what went wrong
+   * instead of writing it. Collective.
+   * @param arguments as main() gets them, the program's name first
+   */
+  Failure run_within(const std::vector<std::string> &arguments,
+                     const ApplicationDescription &description);
+
+  /// Starts MPI unless that was done, does the @p work on all ranks, and
+  /// returns its exit code; writes one line to stderr unless that is 0.
+  int run_with_mpi(int argc, char **argv, const std::function<Failure()> &work);
 } // namespace io
 } // namespace contrecoup

@@ -33,6 +33,15 @@ namespace io
                              Collective &collective);
 
   /**
+   * The same within the environment's CONTRECOUP_CHECK_SECONDS, 4 s unless
+   * set, or as an earlier run on this machine found it. Says which.
+   */
+  CostEstimate known_cost(const ApplicationDescription &description,
+                          const dealii::ParameterHandler &prm,
+                          const CostEstimate &rough,
+                          Collective &collective);
+
+  /**
    * The value at @p levels levels after the last of a quantity
    * a 2^(low level) + b 2^(high level) with a, b >= 0 that was @p before one
    * level earlier and is @p last now. Without a value before (0) it grows by

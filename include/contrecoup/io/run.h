@@ -37,7 +37,6 @@ namespace io
 
   private:
     CostEstimate estimate();
-    CostEstimate forecast();
     void prepare();
     void summarise(const std::string &status, const std::string &message);
 

@@ -3,10 +3,12 @@
 
 #pragma once
 
+#include <contrecoup/base/collective.h>
 #include <contrecoup/io/command_line.h>
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace contrecoup
 {
@@ -35,5 +37,10 @@ namespace io
    * unless it is 0.
    */
   int run_tool(int argc, char **argv, const ToolDescription &description);
+
+  /// The same within another program, by one rank: tells what went wrong
+  /// instead of writing it.
+  Failure run_within(const std::vector<std::string> &arguments,
+                     const ToolDescription &description);
 } // namespace io
 } // namespace contrecoup

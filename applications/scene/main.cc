@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/coupling/scene_application.h>
+#include <contrecoup/io/application.h>
+
+int main(int argc, char **argv)
+{
+  const std::vector<std::string> arguments(argv, argv + argc);
+  return contrecoup::io::run_with_mpi(
+    argc, argv, [&]() { return contrecoup::coupling::run_scene(arguments); });
+}

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/geometry/body.h>
+
+#include <deal.II/base/point.h>
+
+#include <string>
+#include <vector>
+
+namespace contrecoup::coupling
+{
+/// A place in a body whose history is of interest.
+struct TissuePlace
+{
+  std::string name;
+  dealii::Point<3> place; ///< [m]
+};
+
+/**
+ * Places that every report on a blast asks for, as far as the body has them:
+ * "coup" and "contrecoup", the ends of the brain towards @p from and away
+ * from it on the horizontal line through its centroid; "brain", its centroid;
+ * "skull", the bone before the coup; "lung left" and "lung right", the
+ * centroids of the lungs on both sides of their common one along y; "spinal
+ * cord", its centroid.
+ * @param from the charge [m]
+ * @param spacing of the grid of samples, an element's edge [m]; ends are two
+ * of them inside
+ */
+std::vector<TissuePlace> find_tissue_places(const Body &body,
+                                            const dealii::Point<3> &from,
+                                            double spacing);
+} // namespace contrecoup::coupling

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/parameter_tree.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/coupling/scene_files.h>
+
+#include <cmath>
+
+namespace contrecoup::coupling
+{
+using dealii::Point;
+
+namespace
+{
+  /// Entries in the order in which they were set.
+  class Entries
+  {
+  public:
+    void set(const std::string &path, const std::string &value)
+    {
+      entries_.push_back(parse_override(path + "=" + value));
+    }
+    void set(const std::string &path, const double value)
+    {
+      set(path, exact(value));
+    }
+    void set(const std::string &path, const unsigned int value)
+    {
+      set(path, std::to_string(value));
+    }
+    std::vector<Assignment> take()
+    {
+      return std::move(entries_);
+    }
+
+  private:
+    std::vector<Assignment> entries_;
+  };
+
+
+  std::string text_of(const Point<3> &point)
+  {
+    return exact(point[0]) + ", " + exact(point[1]) + ", " + exact(point[2]);
+  }
+
+
+  /// Centres of balls that hold what is near the body and before it.
+  std::vector<Point<3>> balls_near(const SceneLayout &layout,
+                                   const double spacing)
+  {
+    const auto &body = layout.body;
+    Point<3> axis = body.center();
+    const double before = axis[0] < layout.charge[0] ? spacing : -spacing;
+    const double height = body.side_length(2);
+    const auto count =
+      std::max(1U, static_cast<unsigned int>(std::ceil(height / spacing)));
+    std::vector<Point<3>> places;
+    for (unsigned int i = 0; i < count; ++i)
+    {
+      axis[2] = body.lower_bound(2) + (i + 0.5) * height / count;
+      places.push_back(axis);
+      places.push_back(axis + Point<3>(before, 0., 0.));
+    }
+    return places;
+  }
+
+
+  void set_domain(const SceneLayout &layout, Entries &entries)
+  {
+    entries.set("Domain/Dimension", 3U);
+    entries.set("Domain/Lower corner", text_of(layout.lower));
+    entries.set("Domain/Upper corner", text_of(layout.upper));
+    entries.set("Domain/Coarse leaves",
+                std::to_string(layout.n_leaves[0]) + ", " +
+                  std::to_string(layout.n_leaves[1]) + ", " +
+                  std::to_string(layout.n_leaves[2]));
+    for (const std::string side : {"x low", "x high", "y high", "z high"})
+      entries.set("Boundaries/" + side, "open");
+    entries.set("Boundaries/y low", layout.is_half ? "symmetry" : "open");
+    entries.set("Boundaries/z low", "wall");
+  }
+
+
+  void set_charge(const SceneParameters &scene,
+                  const SceneLayout &layout,
+                  Entries &entries)
+  {
+    // The mass of C-4 that acts as one of TNT (Kingery and Bulmash's tables
+    // are of TNT).
+    const double equivalence = scene.explosive == "c-4" ? 1.34 : 1.;
+    entries.set("Material/Equation of state", "jwl in air");
+    entries.set("Material/Explosive", scene.explosive);
+    entries.set("Charges/Charge 1/Mass", scene.mass);
+    entries.set("Charges/Charge 1/Center", text_of(layout.charge));
+    if (scene.afterburn > 0.)
+    {
+      entries.set("Charges/Afterburn/Kind", "miller");
+      entries.set("Charges/Afterburn/Energy", scene.afterburn);
+    }
+    entries.set("First stage/Kind", "axisymmetric");
+    entries.set("First stage/Cell size", 0.005);
+    entries.set("First stage/Levels", 4U);
+    entries.set("First stage/Spherical cell size", 0.001);
+    if (scene.explosive != "c-4" && scene.explosive != "tnt")
+      return;
+    const std::string reference = "Reference/Kingery Bulmash/";
+    entries.set("Reference/Kind", "kingery bulmash");
+    entries.set(reference + "Mass", scene.mass);
+    entries.set(reference + "Center", text_of(layout.charge));
+    entries.set(reference + "TNT equivalence of pressure", equivalence);
+    entries.set(reference + "TNT equivalence of impulse", equivalence);
+  }
+
+
+  void set_limit(const std::string &name,
+                 const unsigned int level,
+                 const std::string &shape,
+                 const std::vector<Point<3>> &centers,
+                 const double radius,
+                 Entries &entries)
+  {
+    const std::string limit = "Adaptation/Limit " + name + "/";
+    std::vector<std::string> places;
+    for (const Point<3> &center : centers)
+      places.push_back(text_of(center));
+    entries.set(limit + "Largest level", level);
+    entries.set(limit + "Shape", shape);
+    entries.set(limit + "Center", join(places, "; "));
+    entries.set(limit + "Radius", radius);
+  }
+
+
+  void set_adaptation(const SceneParameters &scene,
+                      const SceneLayout &layout,
+                      Entries &entries)
+  {
+    const unsigned int front = scene.accuracy.front_levels;
+    const auto below = [&](const unsigned int n) {
+      return front > n ? front - n : 0U;
+    };
+    const double spacing = 0.6;
+    // A fireball's radius goes with the cube root of the charge: 0.9 m for
+    // 2.268 kg of C-4.
+    const double fireball = 0.685 * std::cbrt(scene.mass);
+    const Point<3> middle =
+      layout.charge + 0.5 * (layout.body.center() - layout.charge);
+    entries.set("Adaptation/Active", "true");
+    entries.set("Adaptation/Sensor", "blast");
+    entries.set("Adaptation/Noise", 0.05);
+    entries.set("Adaptation/Interval", 0U);
+    entries.set("Adaptation/Buffer side", "ahead");
+    entries.set("Adaptation/Largest level", front);
+    set_limit("not at the body",
+              below(1),
+              "outside of ball",
+              balls_near(layout, spacing),
+              0.7,
+              entries);
+    set_limit("fireball", below(1), "ball", {layout.charge}, fireball, entries);
+    set_limit("far away",
+              below(2),
+              "outside of ball",
+              {middle},
+              0.5 * layout.distance + spacing,
+              entries);
+    entries.set("Adaptation/Limit later/From time", 2.8 * layout.arrival);
+    entries.set("Adaptation/Limit later/Largest level", below(1));
+    entries.set("Adaptation/Limit at last/From time", 4.4 * layout.arrival);
+    entries.set("Adaptation/Limit at last/Largest level", below(2));
+  }
+
+
+  /// A place as far from the charge as the body is, beside the body.
+  std::string place_beside(const SceneLayout &layout)
+  {
+    const double aside = layout.body.upper_bound(1) + 0.35 - layout.charge[1];
+    const double along =
+      std::sqrt(std::max(0., std::pow(layout.distance, 2) - aside * aside));
+    const double toward = layout.body.center()[0] < layout.charge[0] ? -1. : 1.;
+    return text_of(layout.charge + Point<3>(toward * along, aside, 0.));
+  }
+
+
+  void set_output(const double end_time,
+                  const unsigned int n_fields,
+                  Entries &entries)
+  {
+    entries.set("Time/End time", end_time);
+    entries.set("Output/History every steps", 20U);
+    entries.set("Output/Fields interval", end_time / n_fields);
+    entries.set("Output/Checkpoint every minutes", 5.);
+  }
+} // namespace
+
+
+std::vector<Assignment> anatomy_entries(const SceneParameters &scene)
+{
+  Entries entries;
+  entries.set("Mesh/Element size", scene.accuracy.element_size);
+  entries.set("Tissues/Set", scene.tissues);
+  return entries.take();
+}
+
+
+std::vector<Assignment> blast_entries(const SceneParameters &scene,
+                                      const SceneLayout &layout)
+{
+  Entries entries;
+  set_domain(layout, entries);
+  set_charge(scene, layout, entries);
+  entries.set("Method/Precision", "single");
+  entries.set("Method/Subcells", SceneLayout::subcells);
+  entries.set("Method/CFL number", 0.6);
+  entries.set("Rigid body/Kind", "body");
+  entries.set("Rigid body/Levels", scene.accuracy.levels);
+  entries.set("Loads/Record", "true");
+  entries.set("Loads/Interval", scene.end_time / 2400.);
+  set_adaptation(scene, layout, entries);
+  if (layout.distance > layout.body.side_length(1))
+    entries.set("Probes/Points", place_beside(layout));
+  entries.set("Pictures/Planes", "y = " + exact(layout.charge[1]));
+  entries.set("Pictures/Resolution", 640U);
+  set_output(scene.end_time, 24, entries);
+  entries.set("Output/Volume fields", "false");
+  return entries.take();
+}
+
+
+std::vector<Assignment>
+biomechanics_entries(const SceneParameters &scene,
+                     const SceneLayout &layout,
+                     const Body &body,
+                     const std::vector<TissuePlace> &places,
+                     const double body_mass)
+{
+  Entries entries;
+  entries.set("Mesh/Kind", "body");
+  entries.set("Mesh/Element size", scene.accuracy.element_size);
+  entries.set("Materials/Set", scene.tissues);
+  entries.set("Elements/Kinematics", "finite rotation");
+  entries.set("Elements/Precision", "single");
+  entries.set("Loads/Recorded/Largest distance", 0.5);
+  entries.set("Loads/Recorded/Mirror", layout.is_half ? "y" : "none");
+  entries.set("Injury/Active", "true");
+  entries.set("Injury/Body mass", body_mass);
+  for (const Landmark &landmark : body.landmarks())
+    if (landmark.name == "chest")
+      entries.set("Injury/Chest", text_of(landmark.place));
+  std::vector<std::string> points;
+  for (const TissuePlace &place : places)
+    points.push_back(text_of(place.place));
+  entries.set("Probes/Points", join(points, "; "));
+  entries.set("Output/Probes every steps", 5U);
+  set_output(scene.end_time, 12, entries);
+  return entries.take();
+}
+
+
+std::string
+stage_text(const std::string &name,
+           const std::vector<Assignment> &entries,
+           const dealii::ParameterHandler &scene,
+           const std::vector<Assignment> &wrote,
+           const std::function<void(dealii::ParameterHandler &)> &declare)
+{
+  std::vector<Assignment> all = entries;
+  for (const Assignment &assignment : assignments_of(scene))
+    if (!assignment.sections.empty() && assignment.sections[0] == "Body")
+      all.push_back(assignment);
+  for (Assignment assignment : wrote)
+    if (!assignment.sections.empty() && assignment.sections[0] == name)
+    {
+      assignment.sections.erase(assignment.sections.begin());
+      all.push_back(assignment);
+    }
+  dealii::ParameterHandler prm;
+  declare(prm);
+  apply_assignments(all, prm);
+  return parameter_text(prm, false);
+}
+} // namespace contrecoup::coupling

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/coupling/tissue_places.h>
+
+#include <cmath>
+#include <functional>
+#include <optional>
+
+namespace contrecoup::coupling
+{
+using dealii::Point;
+using dealii::Tensor;
+
+namespace
+{
+  /// A body in cubes.
+  class Samples
+  {
+  public:
+    Samples(const Body &body, const double spacing)
+      : body_(body)
+      , grid_(make_grid(body.surface()->bounding_box(), spacing))
+    {
+      body.fill(grid_);
+    }
+
+    /// Calls @p work for the centre of each cube of a tissue.
+    void for_each(const Tissue tissue,
+                  const std::function<void(const Point<3> &)> &work) const
+    {
+      for (unsigned int k = 0; k < grid_.size[2]; ++k)
+        for (unsigned int j = 0; j < grid_.size[1]; ++j)
+          for (unsigned int i = 0; i < grid_.size[0]; ++i)
+          {
+            const unsigned char label = grid_.at(i, j, k);
+            if (label != LabelGrid::nothing &&
+                body_.parts()[label].tissue == tissue)
+              work(grid_.center(i, j, k));
+          }
+    }
+
+    /// The mean of centres of a tissue for which @p counts; none without any.
+    std::optional<Point<3>>
+    centroid(const Tissue tissue,
+             const std::function<bool(const Point<3> &)> &counts) const
+    {
+      Tensor<1, 3> sum;
+      double n = 0.;
+      for_each(tissue, [&](const Point<3> &place) {
+        if (!counts(place))
+          return;
+        sum += place;
+        n += 1.;
+      });
+      if (n == 0.)
+        return {};
+      return Point<3>(sum / n);
+    }
+
+    bool is(const Tissue tissue, const Point<3> &place) const
+    {
+      const unsigned char part = body_.part_at(place);
+      return part != LabelGrid::nothing && body_.parts()[part].tissue == tissue;
+    }
+
+  private:
+    const Body &body_;
+    LabelGrid grid_;
+  };
+
+
+  /// The last place of a tissue on the way from @p begin along @p direction.
+  Point<3> last_of(const Samples &samples,
+                   const Tissue tissue,
+                   const Point<3> &begin,
+                   const Tensor<1, 3> &direction,
+                   const double spacing)
+  {
+    constexpr unsigned int most = 200;
+    Point<3> last = begin;
+    for (unsigned int i = 0; i < most; ++i)
+    {
+      const Point<3> place = begin + i * spacing * direction;
+      if (samples.is(tissue, place))
+        last = place;
+    }
+    return last;
+  }
+
+
+  void add_brain(const Samples &samples,
+                 const Point<3> &from,
+                 const double spacing,
+                 std::vector<TissuePlace> &places)
+  {
+    const auto all = [](const Point<3> &) { return true; };
+    const auto centre = samples.centroid(Tissue::brain, all);
+    if (!centre)
+      return;
+    Tensor<1, 3> towards = from - *centre;
+    towards[2] = 0.;
+    towards /= std::max(towards.norm(), 1e-12);
+    const double inside = 2. * spacing;
+    const Point<3> front =
+      last_of(samples, Tissue::brain, *centre, towards, spacing);
+    const Point<3> back =
+      last_of(samples, Tissue::brain, *centre, -towards, spacing);
+    places.push_back({"coup", front - inside * towards});
+    places.push_back({"contrecoup", back + inside * towards});
+    places.push_back({"brain", *centre});
+    for (unsigned int i = 1; i < 20; ++i)
+    {
+      const Point<3> place = front + i * spacing * towards;
+      if (samples.is(Tissue::skeleton, place))
+      {
+        places.push_back({"skull", place});
+        break;
+      }
+    }
+  }
+} // namespace
+
+
+std::vector<TissuePlace>
+find_tissue_places(const Body &body, const Point<3> &from, const double spacing)
+{
+  const Samples samples(body, spacing);
+  std::vector<TissuePlace> places;
+  add_brain(samples, from, spacing, places);
+  const auto all = [](const Point<3> &) { return true; };
+  if (const auto lungs = samples.centroid(Tissue::lung, all))
+    for (const double side : {1., -1.})
+    {
+      const auto lung =
+        samples.centroid(Tissue::lung, [&](const Point<3> &place) {
+          return side * (place[1] - (*lungs)[1]) > 0.;
+        });
+      if (lung)
+        places.push_back({side > 0. ? "lung left" : "lung right", *lung});
+    }
+  if (const auto cord = samples.centroid(Tissue::spinal_cord, all))
+    places.push_back({"spinal cord", *cord});
+  return places;
+}
+} // namespace contrecoup::coupling
