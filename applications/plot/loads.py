@@ -61,11 +61,11 @@ def draw(folder, pictures):
         views = body_views.BodyViews(
             loads.centroids, loads.normals, loads.areas,
             body_views.mirror_planes(folder, loads.centroids))
-        _draw_times(loads, views, os.path.join(pictures, "body_pressure.png"))
-        _draw_measures(loads, views, os.path.join(pictures, "body_maps.png"))
+        draw_times(loads, views, os.path.join(pictures, "body_pressure.png"))
+        draw_measures(loads, views, os.path.join(pictures, "body_maps.png"))
     gauges = tables.open_table(folder, "load_gauges.csv")
     if gauges is not None:
-        _draw_gauges(gauges, loads, views,
+        draw_gauges(gauges, loads, views,
                      os.path.join(pictures, "body_gauges.png"))
 
 
@@ -82,7 +82,7 @@ def _pick_times(loads):
     return np.unique(np.minimum(times, loads.times[-1]))
 
 
-def _draw_times(loads, views, path):
+def draw_times(loads, views, path):
     times = _pick_times(loads)
     columns = min(3, len(times))
     rows = -(-len(times) // columns)
@@ -102,7 +102,7 @@ def _draw_times(loads, views, path):
     look.save(figure, path)
 
 
-def _draw_measures(loads, views, path):
+def draw_measures(loads, views, path):
     names = [name for name in ("peak", "impulse", "arrival") if name in loads]
     figure, axes = _panels(views, 1, len(names))
     arrived = loads.measure("arrival") > 0.
@@ -184,7 +184,7 @@ def find_peaks(time, over):
     return first, second
 
 
-def _draw_gauges(gauges, loads, views, path):
+def draw_gauges(gauges, loads, views, path):
     """A panel for each place; the body with the places beside them."""
     names = gauges.others("time")
     if not names or len(gauges["time"]) < 3:
@@ -239,8 +239,11 @@ def _draw_history(axis, gauges, name, colour):
         place = (time[index] * time_factor, over[index] * factor)
         axis.plot(*place, marker=marker, markersize=4, color=colour)
         is_late = time[index] > 0.7 * time[-1]
+        # The second label stays below the first where peaks are as high.
+        drop = 8 if marker == "v" and over[index] > 0.8 * np.max(over) else -1
         axis.annotate(f"{place[1]:.3g} at {place[0]:.3g}", place,
-                      (-6 if is_late else 6, 1), textcoords="offset points",
+                      (-6 if is_late else 6, -drop),
+                      textcoords="offset points",
                       fontsize=8, ha="right" if is_late else "left")
     axis.set_ylabel(unit)
     axis.margins(y=0.15)

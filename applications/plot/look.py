@@ -85,7 +85,9 @@ def label_decades(axis):
 
 
 def save(figure, path):
+    """To a file, whose path is printed, or to a stream."""
     # Colour bars inside of axes are not seen by the constrained layout.
     figure.savefig(path, bbox_inches="tight")
     plt.close(figure)
-    print(path)
+    if isinstance(path, str):
+        print(path)

@@ -24,16 +24,13 @@ from plot_anatomy import EDGES
 MOST_TIMES = 8
 
 
-def open_fields(folder):
-    """Times and the files of each, of up to MOST_TIMES outputs."""
+def list_fields(folder):
+    """Times and the files of each output."""
     with open(os.path.join(folder, "fields.pvd"), encoding="utf-8") as file:
         found = re.findall(r'timestep="([^"]*)"[^>]*file="([^"]*)"',
                            file.read())
-    found = found[1:] or found
-    chosen = np.unique(np.linspace(0, len(found) - 1, MOST_TIMES).astype(int))
     result = []
-    for number in chosen:
-        time, name = found[number]
+    for time, name in found:
         path = os.path.join(folder, name)
         pieces = [path]
         if path.endswith(".pvtu"):
@@ -43,6 +40,14 @@ def open_fields(folder):
                                                   file.read())]
         result.append((float(time), pieces))
     return result
+
+
+def open_fields(folder):
+    """Up to MOST_TIMES of them, the first one only if there are few."""
+    found = list_fields(folder)
+    found = found[1:] or found
+    chosen = np.unique(np.linspace(0, len(found) - 1, MOST_TIMES).astype(int))
+    return [found[number] for number in chosen]
 
 
 def cut(mesh, place):
@@ -56,7 +61,9 @@ def cut(mesh, place):
     return begin[:, :, [0, 2]], found
 
 
-def draw_pressures(fields, place, path, head_only):
+def cut_fields(fields, place):
+    """Of each output the time, and of the cells that y = place cuts polygons
+    and pressures."""
     panels = []
     for time, pieces in fields:
         polygons, values = [], []
@@ -66,6 +73,11 @@ def draw_pressures(fields, place, path, head_only):
             polygons.append(shape)
             values.append(mesh["pressure"][found])
         panels.append((time, np.concatenate(polygons), np.concatenate(values)))
+    return panels
+
+
+def draw_pressures(panels, head_only, path):
+    """What cut_fields() gave, of the whole body or of its upper 0.3 m."""
     top = max(shape[:, :, 1].max() for _, shape, _ in panels)
     low = top - 0.3 if head_only else -np.inf
     shown = [values[shape[:, :, 1].min(axis=1) > low]
@@ -123,11 +135,9 @@ def main(arguments):
     place = float(arguments[1]) if len(arguments) > 1 else 1e-4
     pictures = os.path.join(folder, "pictures")
     os.makedirs(pictures, exist_ok=True)
-    fields = open_fields(folder)
-    draw_pressures(fields, place, os.path.join(pictures, "sagittal.png"),
-                   False)
-    draw_pressures(fields, place, os.path.join(pictures, "sagittal_head.png"),
-                   True)
+    panels = cut_fields(open_fields(folder), place)
+    draw_pressures(panels, False, os.path.join(pictures, "sagittal.png"))
+    draw_pressures(panels, True, os.path.join(pictures, "sagittal_head.png"))
     draw_energies(folder, os.path.join(pictures, "energies.png"))
     return 0
 

@@ -25,9 +25,17 @@ def _decompress(content, begin):
 
 def read(path):
     """All arrays by name; those with several components have a row for each
-    tuple."""
+    tuple. A ValueError names a file that is no such one."""
     with open(path, "rb") as file:
         content = file.read()
+    try:
+        return _arrays(content)
+    except (ValueError, IndexError, KeyError, zlib.error) as problem:
+        raise ValueError(f"{path}: no VTK file of compressed arrays, or cut "
+                         "off") from problem
+
+
+def _arrays(content):
     mark = b'<AppendedData encoding="raw">\n_'
     end = content.index(mark)
     begin = end + len(mark)

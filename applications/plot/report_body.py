@@ -1,0 +1,294 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""What happens inside of the body: stress waves, histories in the tissue, the
+audit of the energy, the mesh."""
+
+import csv
+import os
+
+import numpy as np
+
+import look
+import plot_solid
+import report_data
+import report_page as page
+import report_places
+import report_signals as signals
+from look import plt
+
+MOST_TIMES = 8
+BESIDE = 0.0801  # m, the parasagittal plane
+ENERGIES = (("external_work", "work of the loads"),
+            ("kinetic_energy", "kinetic"), ("stored_energy", "stored"),
+            ("relaxation_energy", "lost in relaxation"),
+            ("bulk_viscosity_energy", "bulk viscosity"),
+            ("hourglass_energy", "hourglass control"),
+            ("energy_residual", "missing"))
+
+
+def waves(scene):
+    """Pressure in the sagittal plane at several times."""
+    fields = _pick(scene)
+    if not fields:
+        return [page.missing("fields of biomechanics")]
+    with report_data.reading(scene.biomechanics.path("fields")):
+        # Beside the plane of symmetry, where elements have no faces.
+        panels = plot_solid.cut_fields(fields, 1e-4)
+        whole = page.drawn(plot_solid.draw_pressures, panels, False)
+        head = page.drawn(plot_solid.draw_pressures, panels, True)
+        beside = page.drawn(plot_solid.draw_pressures, plot_solid.cut_fields(
+            fields, BESIDE), False)
+    return [
+        page.figure(whole, "Pressure in the sagittal plane (cut beside y = "
+                    "0), one scale for all times: red is compression, blue "
+                    "tension, square-root colours. Skeleton, which is stiff, "
+                    "stands out."),
+        page.figure(beside, "The same in a parasagittal plane, y = "
+                    f"{BESIDE:g} m, through a lung and a leg."),
+        page.figure(head, "The head in the sagittal plane, with a scale of its own. "
+                    "Values are those of single elements; where they "
+                    "alternate from one to the next, as they do late in the "
+                    "nearly incompressible brain, only their mean counts.")]
+
+
+def _pick(scene):
+    """Outputs from the arrival on, denser at the beginning."""
+    fields = scene.field_list()
+    begin = 0.
+    probes = scene.biomechanics.table("probes.csv")
+    if probes is not None:
+        columns = [name for name in probes.names if name.endswith("_pressure")]
+        size = np.abs(np.stack([probes[name] for name in columns])) \
+            if columns else np.zeros((1, len(probes.values)))
+        struck = size.max(axis=0) > 0.02 * size.max()
+        begin = float(probes["time"][np.argmax(struck)])
+    later = [field for field in fields if field[0] >= begin] or fields[-1:]
+    if len(later) <= MOST_TIMES:
+        return later
+    wanted = np.linspace(0., 1., MOST_TIMES) ** 1.5 * (len(later) - 1)
+    numbers = []
+    for index in wanted.astype(int):
+        # Each output once, the early ones all.
+        numbers.append(max(index, numbers[-1] + 1 if numbers else 0))
+    return [later[index] for index in numbers if index < len(later)]
+
+
+def histories(scene):
+    """Pressure and strain over time where probes are."""
+    probes = scene.biomechanics.table("probes.csv")
+    if probes is None:
+        return [page.missing("probes.csv of biomechanics")]
+    places = report_places.find_places(scene)
+    groups = [("In the brain", [place for place in places if place.tissue
+                                == report_places.BRAIN]),
+              ("Lungs", [place for place in places if place.tissue
+                         == report_places.LUNG]),
+              ("Elsewhere", [place for place in places if place.tissue not in
+                             (report_places.BRAIN, report_places.LUNG)])]
+    groups = [group for group in groups if group[1]]
+    if not groups:
+        return [page.missing("named probes in Probes/Points of biomechanics")]
+    parts = []
+    brain = [place for place in groups[0][1]
+             if place.tissue == report_places.BRAIN]
+    if brain:
+        parts.append(page.figure(
+            _draw_first(probes, brain),
+            "The brain's pressure in the first 2.5 ms after the wave reaches "
+            "it. Dotted: −100 kPa, where fluid may cavitate, which the model "
+            "does not.", "svg"))
+    parts += [page.figure(
+        _draw_histories(probes, groups),
+        "Pressure in single elements over time; compression is positive. The "
+        "coup is the side of the brain towards the charge, the contrecoup the "
+        "opposite one.", "svg")]
+    rows = []
+    for place in places:
+        pressure = probes[place.column + "pressure"]
+        strain = probes[place.column + "principal_strain"]
+        shift = np.sqrt(sum(probes[f"{place.column}displacement_{axis}"] ** 2
+                            for axis in "xyz"))
+        rows.append((
+            place.name, page.Html("\u00a0".join(
+                f"{x:g}".replace("-", "−") for x in place.point)),
+            page.number(1e-3 * float(pressure.max())),
+            page.number(1e-3 * float(pressure.min())),
+            page.number(1e-3 * float(
+                probes[place.column + "von_mises_stress"].max())),
+            page.number(100. * float(strain.max())),
+            page.number(1e3 * float(shift.max()))))
+    parts.append(page.table(
+        ("place", "x, y, z [m]", "highest pressure [kPa]",
+         "lowest pressure [kPa]", "von Mises stress [kPa]",
+         "largest strain [%]", "displacement [mm]"), rows,
+        numbers=range(2, 7)))
+    return parts
+
+
+def _draw_first(probes, places):
+    """The first waves, before echoes of echoes."""
+    time = probes["time"]
+    begins = [signals.arrival(time, probes[place.column + "pressure"])
+              for place in places]
+    begin = min((x for x in begins if x is not None), default=0.)
+    part = (time >= begin - 1e-4) & (time <= begin + 2.5e-3)
+    figure, axis = plt.subplots(figsize=(9., 3.3))
+    for place in places:
+        axis.plot(1e3 * time[part],
+                  1e-3 * probes[place.column + "pressure"][part],
+                  label=place.name, linewidth=1.2)
+    axis.axhline(-100., color=look.GREY, linewidth=0.8, linestyle=":")
+    axis.set_xlabel("time [ms]")
+    axis.set_ylabel("pressure [kPa]")
+    axis.legend(loc="upper right")
+    return figure
+
+
+def _draw_histories(probes, groups):
+    time = 1e3 * probes["time"]
+    figure, axes = plt.subplots(len(groups), 1, sharex=True, squeeze=False,
+                                figsize=(9., 2.5 * len(groups) + 0.6))
+    size = [np.abs(probes[place.column + "pressure"])
+            for _, places in groups for place in places]
+    struck = np.max(size, axis=0) > 0.01 * np.max(size)
+    begin = time[np.argmax(struck)]
+    for axis, (title, places) in zip(axes.flat, groups):
+        largest = max(np.abs(probes[place.column + "pressure"]).max()
+                      for place in places)
+        factor, unit = look.scale_unit("Pa", largest)
+        for place in places:
+            axis.plot(time, factor * probes[place.column + "pressure"],
+                      linewidth=0.9, label=place.name)
+        if places[0].tissue == report_places.BRAIN:
+            axis.axhline(-1e5 * factor, color=look.GREY, linewidth=0.8,
+                         linestyle=":")
+        axis.set_title(title)
+        axis.set_ylabel(f"pressure [{unit}]")
+        axis.legend(loc="upper right", ncols=2)
+    axes[-1, 0].set_xlim(max(0., begin - 0.3), time[-1])
+    axes[-1, 0].set_xlabel("time [ms]")
+    return figure
+
+
+def energy(scene):
+    """Table and picture of the energy, and whether its audit holds."""
+    history = scene.biomechanics.table("history.csv")
+    if history is None or "external_work" not in history:
+        return [page.missing("history.csv of biomechanics")]
+    known = [(name, text) for name, text in ENERGIES if name in history]
+    work = max(abs(float(history["external_work"][-1])), 1e-300)
+    rows = [(text, page.quantity(float(history[name][-1]), "J", 4),
+             page.number(100. * float(history[name][-1]) / work) + " %")
+            for name, text in known]
+    parts = [_verdict(scene),
+             page.table(("energy at the end", "value",
+                         "of the work of the loads"), rows, numbers=(1, 2)),
+             page.figure(
+                 _draw_energy(history, known),
+                 "Energy of the whole body over time, and who has the "
+                 "internal one. The work of the loads must be the sum of all "
+                 "others; what is missing is drawn as well.", "svg")]
+    return parts
+
+
+def _verdict(scene):
+    residual = scene.biomechanics.found("assumptions", "energy_residual")
+    part = scene.biomechanics.found("assumptions", "hourglass_part")
+    if residual is None or part is None:
+        return page.missing("the audit in summary.json of biomechanics")
+    limits = [(scene.biomechanics.parameter(f"Energy audit/{name}")
+               or [usual])[0] for name, usual in
+              (("Largest residual", 0.01), ("Largest hourglass part", 0.1))]
+    holds = abs(residual) <= limits[0] and part <= limits[1]
+    return page.paragraph(
+        page.tag("span", "The audit holds" if holds else
+                 "The audit does not hold",
+                 kind="good" if holds else "bad"),
+        f": {page.number(100. * abs(residual), 2)} % of the energy is missing "
+        f"(allowed {page.number(100. * limits[0])} %), hourglass control has "
+        f"{page.number(100. * part, 2)} % of the internal energy (allowed "
+        f"{page.number(100. * limits[1])} %, a warning from 5 %).")
+
+
+def _draw_energy(history, known):
+    time = 1e3 * history["time"]
+    figure, axes = plt.subplots(1, 2, figsize=(9.4, 3.7))
+    for name, text in known:
+        axes[0].plot(time, history[name], label=text,
+                     linestyle="--" if name == "energy_residual" else "-")
+    axes[0].set_title("whole body")
+    tissues = [name[len("internal_energy_"):] for name in history.names
+               if name.startswith("internal_energy_")]
+    for number, tissue in enumerate(tissues):
+        axes[1].plot(time, history["internal_energy_" + tissue],
+                     color=look.COLOURS[number % 7], label=tissue.replace(
+                         "_", " "), linestyle="-" if number < 7 else "--")
+    axes[1].set_title("internal energy by tissue")
+    for axis in axes:
+        axis.set_xlabel("time [ms]")
+        axis.set_ylabel("energy [J]")
+        axis.legend(fontsize=8, loc="upper center", ncols=3,
+                    bbox_to_anchor=(0.5, -0.17))
+    return figure
+
+
+def mesh(scene):
+    """Volumes, masses and quality by tissue."""
+    path = scene.anatomy.path("quality.csv")
+    if not os.path.exists(path):
+        return [page.missing("anatomy/quality.csv")]
+    with report_data.reading(path), open(path, newline="",
+                                         encoding="utf-8") as file:
+        kinds = [row for row in csv.DictReader(file)]
+        kinds = [row for row in kinds if row["kind"] == "tissue"] or kinds
+        rows = [(row["name"], page.count(int(row["elements"])),
+                 page.number(1e3 * float(row["volume [m^3]"])),
+                 page.number(float(row["mass [kg]"])),
+                 page.number(float(row["smallest scaled Jacobian"]), 2),
+                 page.number(1e6 * float(row["time step [s]"])))
+                for row in kinds]
+    parts = []
+    for name in ("cuts.png", "body.png"):
+        picture = os.path.join(scene.anatomy.folder, "pictures", name)
+        if os.path.exists(picture):
+            with open(picture, "rb") as file:
+                parts.append(page.figure(
+                    file.read(), "The body in cuts, by tissue, as anatomy "
+                    "made it."))
+            break
+    parts.append(page.table(
+        ("tissue", "elements", "volume [litre]", "mass [kg]",
+         "smallest scaled Jacobian", "time step alone [µs]"), rows,
+        numbers=range(1, 6)))
+    return parts
+
+
+def largest_displacement(scene, time=None):
+    """Largest displacement of any node at the last output, or at the first
+    one from @p time on [m], and its time; None without fields."""
+    fields = scene.field_list()
+    if time is not None:
+        fields = [field for field in fields if field[0] >= time][:1]
+    if not fields:
+        return None
+    largest = 0.
+    for mesh_part in scene.field(fields[-1][1]):
+        shift = mesh_part["displacement"].reshape(-1, 3)
+        largest = max(largest, float(np.sqrt((shift ** 2).sum(1)).max()))
+    return largest, fields[-1][0]
+
+
+def tissue_pressures(scene):
+    """By tissue the 95th percentile of the size of the pressure [Pa] over its
+    elements, largest over all outputs."""
+    found = {}
+    for _, pieces in scene.field_list():
+        values = {}
+        for part in scene.field(pieces):
+            for tissue in np.unique(part["tissue"]):
+                values.setdefault(int(tissue), []).append(
+                    np.abs(part["pressure"][part["tissue"] == tissue]))
+        for tissue, lists in values.items():
+            size = float(np.percentile(np.concatenate(lists), 95.))
+            found[tissue] = max(found.get(tissue, 0.), size)
+    return found

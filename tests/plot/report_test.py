@@ -1,0 +1,187 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""Shows that report.py makes a page of a tiny scene that needs nothing besides
+itself and says what the files say, that it lives with missing files and refuses
+broken ones in one line."""
+
+import contextlib
+import html
+import io
+import os
+import re
+import shutil
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+
+import tiny_scene
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(
+    os.path.dirname(os.path.abspath(__file__)))), "applications", "plot"))
+
+import report  # noqa: E402 (after the path of the module)
+import report_page  # noqa: E402
+import report_signals  # noqa: E402
+
+
+class Made:
+    """What a call of report.py on a folder gave."""
+
+    def __init__(self, folder):
+        with contextlib.redirect_stdout(io.StringIO()), \
+                contextlib.redirect_stderr(io.StringIO()) as errors:
+            self.code = report.main([folder])
+        self.errors = errors.getvalue()
+        path = os.path.join(folder, "report.html")
+        self.page = None
+        if os.path.exists(path):
+            with open(path, encoding="utf-8") as file:
+                self.page = file.read()
+
+
+def text_of(page):
+    """The words of a page."""
+    words = re.sub(r"<style>.*?</style>", "", page, flags=re.S)
+    words = html.unescape(re.sub(r"<[^>]*>", " ", words))
+    return " ".join(words.replace("\u00a0", " ").split())
+
+
+class ReportTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.home = tempfile.TemporaryDirectory()
+        cls.whole = os.path.join(cls.home.name, "whole")
+        tiny_scene.write_all(cls.whole)
+        cls.made = Made(cls.whole)
+        cls.page = cls.made.page or ""
+        cls.text = text_of(cls.page)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.home.cleanup()
+
+    def copy_without(self, *names):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        copy = os.path.join(folder.name, "scene")
+        shutil.copytree(self.whole, copy)
+        for name in names + ("report.html",):
+            path = os.path.join(copy, name)
+            (shutil.rmtree if os.path.isdir(path) else os.remove)(path)
+        return copy
+
+    def expect(self, text, *words):
+        for word in words:
+            self.assertTrue(word in text, f"not in the report: {word}")
+
+    def test_is_made(self):
+        self.assertEqual(self.made.code, 0, self.made.errors)
+        self.assertFalse("Missing:" in self.text)
+        for section in (
+                "The scene", "What happens when", "Pressure in the air",
+                "Pressure on the skin", "Histories on the skin",
+                "Stress waves in the body", "Histories in the tissue",
+                "Injury", "As the published simulation had it, as found here",
+                "Energy of the body", "Conservation of the gas",
+                "What was taken for granted", "Accuracy", "The body's mesh",
+                "Cost", "How to reproduce"):
+            self.expect(self.page, f"  {html.escape(section)}</h2>")
+        self.assertGreaterEqual(self.page.count("<figure"), 12)
+        self.assertEqual(self.page.count("<figure>"),
+                         self.page.count("<figcaption>"))
+
+    def test_needs_nothing_else(self):
+        for word in ("<script", "<link", "url(", "@import", "<iframe"):
+            self.assertFalse(word in self.page, word)
+        for link in re.findall(r'(?:src|href)="([^"]*)"', self.page):
+            self.assertRegex(link[:40], r"^(data:image/|#section-)")
+        self.expect(self.page, "A tiny &lt;scene&gt;")
+        self.assertLess(len(self.page), 8e6)
+
+    def test_numbers(self):
+        self.expect(
+            self.text, "1.04 MPa", "−810 kPa", "0.0542", "931",
+            "2.268 kg of C-4", "2.337 m", "8.25 mm", "186.1 kg", "−22.0 %",
+            "268 kPa", "314 kPa", "−15 %", "0.055 %", "1 min 15 s",
+            "1 min 01 s", "2.2 GB", "5.5 MB", "mpirun -np 2 scene tiny.prm",
+            "abc123")
+        time = tiny_scene.TIMES
+        front, back = (report_signals.chest_wall_velocity(
+            time, tiny_scene.pulse(time, tiny_scene.GAUGES[name][3]))
+            for name in ("chest", "back"))
+        self.expect(self.text, f"{report_page.number(front)} m/s in front",
+                    f"{report_page.number(0.5 * (front + back))} m/s as the")
+
+    def test_chest_wall(self):
+        """Friedlander waves with b = 1: velocities that an independent
+        integration found."""
+        for peak, duration, velocity in ((1e5, 2e-3, 1.922),
+                                         (2e5, 5e-3, 6.020),
+                                         (4e5, 5e-3, 11.547)):
+            time = np.arange(0., 2. * duration, 5e-6)
+            x = time / duration
+            found = report_signals.chest_wall_velocity(
+                time, peak * (1. - x) * np.exp(-x))
+            self.assertAlmostEqual(found / velocity, 1., delta=2e-3)
+
+    def test_signals(self):
+        """A wave whose turning points and phases are known."""
+        time = np.linspace(0., 4., 4001)
+        values = np.where(time > 1., np.cos(np.pi * (time - 1.)), 0.)
+        tops, dips = report_signals.extrema(time, values, 0.5)
+        self.assertEqual([round(x, 2) for x, _ in tops + dips],
+                         [1., 3., 2.])
+        begin, end, impulse = report_signals.positive_phase(time, values)
+        self.assertAlmostEqual(begin, 1., delta=2e-3)
+        self.assertAlmostEqual(end, 1.5, delta=2e-3)
+        self.assertAlmostEqual(impulse, 1. / np.pi, delta=2e-3)
+
+    def test_other_scene(self):
+        """Other than the published one: without the comparison."""
+        folder = self.copy_without("blast/fields", "biomechanics/fields.pvd")
+        path = os.path.join(folder, "scene.json")
+        with open(path, encoding="utf-8") as file:
+            facts = file.read()
+        tiny_scene.write(path, facts.replace("2.268", "5.5"))
+        made = Made(folder)
+        self.assertEqual(made.code, 0, made.errors)
+        self.assertFalse("published simulation" in made.page)
+        self.expect(text_of(made.page), "Missing: fields of biomechanics.",
+                    "5.500 kg of C-4")
+
+    def test_missing_stages(self):
+        for names, words in (
+                (("biomechanics", "blast/loads.h5"), "m/s in front"),
+                (("blast", "anatomy", "scene.json"),
+                 "Missing: load_gauges.csv of the blast.")):
+            made = Made(self.copy_without(*names))
+            self.assertEqual(made.code, 0, made.errors)
+            self.expect(text_of(made.page), words)
+
+    def test_broken_files(self):
+        for name, content in (("scene.json", "{"), ("scene.json", "[]"),
+                              ("blast/load_gauges.csv", "time [s],a [Pa]\n1"),
+                              ("blast/loads.h5", "no HDF5"),
+                              ("biomechanics/injury.csv", "measure\nx\n"),
+                              ("biomechanics/fields/solid_0001.vtu", "")):
+            folder = self.copy_without()
+            tiny_scene.write(os.path.join(folder, name), content)
+            made = Made(folder)
+            self.assertEqual(made.code, 1, name)
+            self.assertEqual(made.errors.count("\n"), 1, made.errors)
+            self.expect(made.errors, name)
+            self.assertIsNone(made.page)
+
+    def test_no_scene(self):
+        with tempfile.TemporaryDirectory() as empty:
+            for folder in (empty, os.path.join(empty, "nowhere")):
+                made = Made(folder)
+                self.assertEqual(made.code, 1)
+                self.assertEqual(made.errors.count("\n"), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()

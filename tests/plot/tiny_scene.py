@@ -1,0 +1,226 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""Writes a tiny scene as its stages would leave it, for report_test.py."""
+
+import json
+import os
+import zlib
+
+import numpy as np
+
+BEGIN = 1.8e-3  # s, arrival at the body
+TIMES = np.linspace(0., 6e-3, 241)
+GAUGES = {"forehead": (0.09, 0., 1.7, 5e5), "chest": (0.12, 0., 1.3, 9e5),
+          "back": (-0.12, 0., 1.25, 2e5), "left ear": (0., 0.08, 1.65, 1.75e5)}
+PROBES = {"coup": (0.07, 0., 1.66), "contrecoup": (-0.07, 0., 1.66),
+          "lung left": (0., 0.09, 1.28)}
+QUANTITIES = (["displacement_" + axis + " [m]" for axis in "xyz"]
+              + ["velocity_" + axis + " [m/s]" for axis in "xyz"]
+              + ["pressure [Pa]", "von_mises_stress [Pa]",
+                 "principal_strain [-]"])
+INJURY = {"injury_intracranial_pressure_peak": (1.0425e6, "Pa"),
+          "injury_intracranial_pressure_lowest": (-8.1e5, "Pa"),
+          "injury_strain_95": (0.0542, "-"), "injury_hic15": (931., "-"),
+          "injury_chest_wall_velocity": (9.9, "m/s"),
+          "injury_lung_exposure": (0.35, "-")}
+
+
+def write(path, text):
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+
+
+def write_table(path, columns):
+    rows = [",".join(columns)]
+    rows += [",".join(repr(float(value)) for value in row)
+             for row in zip(*columns.values())]
+    write(path, "\n".join(rows) + "\n")
+
+
+def pulse(time, peak, delay=0., part=1.):
+    """A front that decays, and a weaker one 1.5 ms later."""
+    values = np.zeros_like(time)
+    for begin, size in ((BEGIN + delay, 1.), (BEGIN + delay + 1.5e-3, 0.25)):
+        x = (time - begin) / 1e-3
+        values += np.where(x >= 0., size * (1. - x) * np.exp(-x), 0.)
+    return part * peak * values
+
+
+def write_scene(folder):
+    stages = [{"name": name, "status": "finished", "folder": name,
+               "wall_seconds": 75., "core_seconds": 61.5,
+               "peak_memory": 2.2e9, "disk": 5.5e6, "hash": "00"}
+              for name in ("anatomy", "blast", "biomechanics")]
+    write(os.path.join(folder, "scene.json"), json.dumps({
+        "application": "scene", "version": "0.1.0", "git_revision": "abc123",
+        "title": "A tiny <scene>", "question": "injury", "accuracy": "fast",
+        "explosive": "c-4", "charge_mass": 2.268,
+        "charge_place": [2.458, 0, 1.27], "distance": 2.337, "height": 1.27,
+        "body": "phantom", "symmetry": "none", "end_time": 6e-3,
+        "cell_size_at_body": 0.02, "element_size": 0.01,
+        "command": "scene tiny.prm --set \"Scene/Accuracy=fast\"", "ranks": 2,
+        "stages": stages,
+        "audit": [{"item": "rigid_body", "decision": "at rest",
+                   "quantity": "way", "estimate": "1 mm", "found": "8.25 mm",
+                   "limit": "at most 20 mm", "holds": True,
+                   "entry": "Scene/Body"}],
+        "remarks": ["Organs are those of the phantom."]}))
+
+
+def write_blast(folder):
+    write(os.path.join(folder, "parameters.prm"),
+          "subsection Boundaries\n  set x low = open\nend\n")
+    write(os.path.join(folder, "log.txt"),
+          "first stage ends at 0.0005 s with its front at 1.25 m\n")
+    write(os.path.join(folder, "summary.json"), json.dumps({
+        "application": "blast", "version": "0.1.0", "status": "finished",
+        "cells": 100, "steps": 240, "conservation": {
+            "mass_first": 186.05, "mass_last": 145.11,
+            "mass_relative_change": -0.22005},
+        "assumptions": {
+            "probe_1_peak_overpressure": 267701.8,
+            "probe_1_reference_peak_overpressure": 314415.,
+            "loads_impulse_difference": 5.52e-4,
+            "gravity": {"decision": "left out", "quantity": "its speed",
+                        "unit": "-", "estimate": 2.9e-4, "measured": 3.3e-4,
+                        "at_most": 0.05, "holds": True,
+                        "entry": "Time/End time"}}}))
+    steps = np.arange(len(TIMES))
+    write_table(os.path.join(folder, "history.csv"), {
+        "step": steps, "time [s]": TIMES, "mass [kg]": 186. - steps / 6.})
+    write_table(os.path.join(folder, "load_gauges.csv"), {
+        "time [s]": TIMES, **{f"{name} [Pa]": pulse(TIMES, place[3])
+                              for name, place in GAUGES.items()}})
+    write_loads(os.path.join(folder, "loads.h5"))
+    for number, time in enumerate((1.5e-3, 2.5e-3)):
+        write_plane(os.path.join(folder, "fields",
+                                 f"plane_y_0_pressure_{number:04d}"), time)
+
+
+def write_loads(path):
+    import h5py
+    heights, angles = np.meshgrid(np.linspace(0.05, 1.7, 12),
+                                  np.arange(12) * np.pi / 6., indexing="ij")
+    normals = np.stack([np.cos(angles).ravel(), np.sin(angles).ravel(),
+                        np.zeros(angles.size)], axis=1)
+    centroids = 0.12 * normals
+    centroids[:, 2] = heights.ravel()
+    peaks = 1e5 * (2. + normals[:, 0])
+    arrivals = BEGIN + 1e-4 * (1. - normals[:, 0])
+    with h5py.File(path, "w") as file:
+        file["centroid"], file["normal"] = centroids, normals
+        file["area"] = np.full(len(peaks), 0.009)
+        file["time"] = TIMES
+        file["peak"], file["arrival"] = peaks, arrivals
+        file["impulse"] = peaks * 4e-4
+        file["overpressure"] = np.stack([
+            pulse(TIMES, peak, begin - BEGIN) for peak, begin
+            in zip(peaks, arrivals)]).astype(np.float32)
+        file.attrs["units"] = np.bytes_("m, m^2, s, Pa, Pa s")
+        file.attrs["gauges"] = np.bytes_("; ".join(
+            f"{name}: {x}, {y}, {z}" for name, (x, y, z, _)
+            in GAUGES.items()))
+
+
+def write_plane(stem, time):
+    os.makedirs(os.path.dirname(stem), exist_ok=True)
+    x, z = np.meshgrid(np.linspace(-1., 3., 60), np.linspace(0.02, 2., 30))
+    distance = np.hypot(x - 2.458, z - 1.27)
+    front = 2.337 * time / BEGIN
+    np.save(stem + ".npy", 101325. + 1e5 * np.where(
+        distance < front, np.exp(distance - front), 0.))
+    write(stem + ".json", json.dumps({
+        "quantity": "pressure", "unit": "Pa", "time": time,
+        "axes": ["x", "z"], "lower": [-1., 0.02], "upper": [3., 2.]}))
+
+
+def write_biomechanics(folder):
+    write(os.path.join(folder, "parameters.prm"),
+          "subsection Probes\n  set Points = " + "; ".join(
+              ", ".join(str(x) for x in place) for place in PROBES.values())
+          + "\nend\n")
+    write(os.path.join(folder, "summary.json"), json.dumps({
+        "application": "biomechanics", "version": "0.1.0",
+        "status": "finished", "cells": 64, "steps": 240,
+        "assumptions": {"energy_residual": 3.5e-6, "hourglass_part": 0.034,
+                        "loads_recorded_impulse_x": -118.4,
+                        "loads_mapped_impulse_x": -118.3}}))
+    work = 200. * (1. - np.exp(-np.maximum(TIMES - BEGIN, 0.) / 1e-3))
+    write_table(os.path.join(folder, "history.csv"), {
+        "step": np.arange(len(TIMES)), "time [s]": TIMES,
+        "external_work [J]": work, "kinetic_energy [J]": 0.7 * work,
+        "stored_energy [J]": 0.3 * work, "energy_residual [J]": 0. * work,
+        "internal_energy_brain [J]": 0.1 * work})
+    columns = {"time [s]": TIMES}
+    for number in range(1, len(PROBES) + 1):
+        values = pulse(TIMES, 6e5 / number, 1e-4 * number)
+        for quantity in QUANTITIES:
+            scale = 1. if "[Pa]" in quantity else 1e-8
+            columns[f"probe_{number}_{quantity}"] = scale * values
+    write_table(os.path.join(folder, "probes.csv"), columns)
+    write(os.path.join(folder, "injury.csv"),
+          "measure,value,unit,threshold,limits\n" + "".join(
+              f'{name},{value!r},{unit},"",""\n'
+              for name, (value, unit) in INJURY.items()))
+    write_fields(folder)
+
+
+def write_fields(folder):
+    listed = []
+    for number, time in enumerate((0., 2e-3, 4e-3)):
+        name = f"fields/solid_{number:04d}.vtu"
+        write_mesh(os.path.join(folder, name), 1e6 * time)
+        listed.append(f'<DataSet timestep="{time}" group="" part="0" '
+                      f'file="{name}"/>')
+    write(os.path.join(folder, "fields.pvd"), "\n".join(listed))
+
+
+def write_mesh(path, scale):
+    """A column of cubes with brain and lung."""
+    x, y, z = np.meshgrid(np.linspace(-0.1, 0.1, 5),
+                          np.linspace(-0.1, 0.1, 5), np.linspace(0., 1.7, 18),
+                          indexing="ij")
+    points = np.stack([x.ravel(), y.ravel(), z.ravel()], axis=1)
+    shape = (5, 5, 18)
+    i, j, k = (part.ravel() for part in np.meshgrid(
+        range(4), range(4), range(17), indexing="ij"))
+    cells = np.stack([np.ravel_multi_index((i + a, j + b, k + c), shape)
+                      for a, b, c in ((0, 0, 0), (1, 0, 0), (1, 1, 0),
+                                      (0, 1, 0), (0, 0, 1), (1, 0, 1),
+                                      (1, 1, 1), (0, 1, 1))], axis=1)
+    height = points[cells].mean(axis=1)[:, 2]
+    tissue = np.where(height > 1.5, 4, np.where(height > 1., 7, 3))
+    arrays = [("points", points.astype(np.float32), 3),
+              ("connectivity", cells.astype(np.uint32), 1),
+              ("displacement", np.full(points.shape, 1e-6 * scale,
+                                       np.float32), 3),
+              ("tissue", tissue.astype(np.uint8), 1),
+              ("pressure", (scale * height).astype(np.float32), 1)]
+    kinds = {"float32": "Float32", "uint32": "UInt32", "uint8": "UInt8"}
+    head, data = "", b""
+    for name, values, components in arrays:
+        head += (f'<DataArray type="{kinds[str(values.dtype)]}" Name="{name}"'
+                 f' NumberOfComponents="{components}" format="appended" '
+                 f'offset="{len(data)}"/>\n')
+        block = zlib.compress(values.tobytes())
+        data += np.array([1, values.nbytes, 0, len(block)],
+                         np.uint64).tobytes() + block
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    with open(path, "wb") as file:
+        file.write(head.encode() + b'<AppendedData encoding="raw">\n_' + data)
+
+
+def write_anatomy(folder):
+    write(os.path.join(folder, "quality.csv"),
+          "kind,name,tissue,elements,volume [m^3],mass [kg],"
+          "smallest scaled Jacobian,mean scaled Jacobian,shortest edge [m],"
+          "longest edge [m],time step [s],connected components\n"
+          "tissue,brain,brain,1444,0.001444,1.5,1,1,0.01,0.01,3.9e-06,1\n")
+
+
+def write_all(folder):
+    write_scene(folder)
+    write_blast(os.path.join(folder, "blast"))
+    write_biomechanics(os.path.join(folder, "biomechanics"))
+    write_anatomy(os.path.join(folder, "anatomy"))
