@@ -33,6 +33,17 @@ void ElementOptions::declare_parameters(ParameterHandler &prm)
                  "Times the resistance that comes from the shear modulus; "
                  "1 makes bricks bend as they should, less is softer.");
   declare_double(prm,
+                 "Hourglass damping",
+                 "0",
+                 0.,
+                 0.2,
+                 "-",
+                 "Part of rho c h^2 that damps hourglass modes where the bulk "
+                 "modulus is above 100 times the shear modulus, as in the "
+                 "brain: takes the motion away whose pressures alternate from "
+                 "element to element, and some of shear waves of few "
+                 "elements.");
+  declare_double(prm,
                  "Linear bulk viscosity",
                  "0.06",
                  0.,
@@ -57,6 +68,7 @@ void ElementOptions::parse_parameters(ParameterHandler &prm)
   kinematics = find_solid_kinematics(prm.get("Kinematics"));
   hourglass = find_hourglass(prm.get("Hourglass control"));
   hourglass_coefficient = read_double(prm, "Hourglass coefficient");
+  hourglass_damping = read_double(prm, "Hourglass damping");
   linear_viscosity = read_double(prm, "Linear bulk viscosity");
   quadratic_viscosity = read_double(prm, "Quadratic bulk viscosity");
 }

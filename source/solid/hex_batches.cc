@@ -20,12 +20,13 @@ namespace
 
 template <typename Real>
 void HexBatches<Real>::reinit(const SolidMesh &mesh,
-                              const std::vector<bool> &viscoelastic)
+                              const std::vector<bool> &viscoelastic,
+                              const std::vector<bool> &damped)
 {
   ranges_.clear();
   cells_.clear();
   slots_.assign(mesh.cells.size(), spare);
-  unsigned int n_relaxed = 0;
+  unsigned int n_relaxed = 0, n_damping = 0;
   for (std::uint32_t first = 0; first < mesh.cells.size();)
   {
     std::uint32_t last = first;
@@ -39,9 +40,17 @@ void HexBatches<Real>::reinit(const SolidMesh &mesh,
     const unsigned int begin = ranges_.empty() ? 0 : ranges_.back().end;
     const auto end = static_cast<unsigned int>(cells_.size() / n);
     const unsigned int tissue = mesh.tissue[first];
-    ranges_.push_back({tissue, begin, end, viscoelastic[tissue], n_relaxed});
+    ranges_.push_back({tissue,
+                       begin,
+                       end,
+                       viscoelastic[tissue],
+                       n_relaxed,
+                       damped[tissue],
+                       n_damping});
     if (viscoelastic[tissue])
       n_relaxed += 6 * (end - begin);
+    if (damped[tissue])
+      n_damping += 12 * (end - begin);
     first = last;
   }
 
@@ -59,6 +68,7 @@ void HexBatches<Real>::reinit(const SolidMesh &mesh,
   dilatation.resize(cells_.size() / n);
   viscous_pressure.resize(cells_.size() / n);
   relaxed.resize(n_relaxed);
+  damping.resize(n_damping);
   reset_state();
 }
 
@@ -69,6 +79,7 @@ void HexBatches<Real>::reset_state()
   dilatation.fill(Lane(Real()));
   viscous_pressure.fill(Lane(Real()));
   relaxed.fill(Lane(Real()));
+  damping.fill(Lane(Real()));
 }
 
 
@@ -96,7 +107,7 @@ double HexBatches<Real>::memory() const
   return static_cast<double>(
     offsets_.memory_consumption() + dilatation.memory_consumption() +
     viscous_pressure.memory_consumption() + relaxed.memory_consumption() +
-    4 * (cells_.capacity() + slots_.capacity()));
+    damping.memory_consumption() + 4 * (cells_.capacity() + slots_.capacity()));
 }
 
 

@@ -20,6 +20,7 @@ struct SolidBody<Real>::Numbers
   std::uint64_t n_global_nodes;
   std::uint64_t n_global_cells;
   std::uint64_t n_tissues;
+  std::uint64_t n_damped;
   std::uint64_t number_size;
   double time;
   double relaxed_time;
@@ -67,6 +68,14 @@ namespace
     std::array<Real, 8> values;
   };
 
+  /// Damping forces on hourglass modes.
+  template <typename Real>
+  struct DampingRecord
+  {
+    std::uint32_t cell;
+    std::array<Real, 12> values;
+  };
+
   template <typename Real>
   std::array<Real, 9> node_values(const NodeFields<Real> &nodes,
                                   const std::size_t i)
@@ -98,6 +107,22 @@ namespace
                    batches.relaxed[range.first_relaxed +
                                    6 * (batch - range.begin) + k][lane]);
   }
+
+  /// Calls @p function with the place of an element's damping forces and its
+  /// lane, if it has any.
+  template <typename Batches, typename Function>
+  void for_damping(Batches &batches,
+                   const std::uint32_t cell,
+                   const Function &function)
+  {
+    const std::uint32_t slot = batches.slot(cell);
+    const unsigned int batch = slot / batches.n, lane = slot % batches.n;
+    for (const auto &range : batches.ranges())
+      if (range.damped && batch >= range.begin && batch < range.end)
+        function(
+          &batches.damping[range.first_damping + 12 * (batch - range.begin)],
+          lane);
+  }
 } // namespace
 
 
@@ -112,6 +137,14 @@ void SolidBody<Real>::save(const std::string &folder) const
     [&](const std::uint32_t node, const unsigned int d, const double value) {
       reactions[node][d] = value;
     });
+  std::vector<DampingRecord<Real>> damping;
+  for (std::size_t i = 0; i < mesh_.cells.size(); ++i)
+    for_damping(
+      operator_.batches(), i, [&](const auto *forces, const unsigned int lane) {
+        damping.push_back({mesh_.global_cell[i], {}});
+        for (unsigned int k = 0; k < 12; ++k)
+          damping.back().values[k] = forces[k][lane];
+      });
   io::write_file(file_of(folder, rank), [&](std::ostream &out) {
     put(out,
         Numbers{mesh_.nodes.size(),
@@ -119,6 +152,7 @@ void SolidBody<Real>::save(const std::string &folder) const
                 mesh_.n_global_nodes,
                 mesh_.n_global_cells,
                 mesh_.tissues.size(),
+                damping.size(),
                 sizeof(Real),
                 time_,
                 relaxed_time_,
@@ -142,6 +176,8 @@ void SolidBody<Real>::save(const std::string &folder) const
         });
       put(out, record);
     }
+    for (const DampingRecord<Real> &record : damping)
+      put(out, record);
   });
 }
 
@@ -185,6 +221,19 @@ void SolidBody<Real>::restore(const std::string &folder)
           operator_.batches(),
           found->second,
           [&](const unsigned int k, Real &value) { value = record.values[k]; });
+    }
+    for (std::uint64_t i = 0; i < numbers.n_damped; ++i)
+    {
+      DampingRecord<Real> record;
+      take(in, record);
+      const auto found = cell.find(record.cell);
+      if (found != cell.end())
+        for_damping(operator_.batches(),
+                    found->second,
+                    [&](auto *forces, const unsigned int lane) {
+                      for (unsigned int k = 0; k < 12; ++k)
+                        forces[k][lane] = record.values[k];
+                    });
     }
     if (!in)
       throw InputError("Checkpoint file " + file_of(folder, rank) +

@@ -49,10 +49,13 @@ void SolidOperator<Real>::reinit(const SolidMesh &mesh,
   mesh_ = &mesh;
   materials_ = materials;
   options_ = options;
-  std::vector<bool> viscoelastic;
+  std::vector<bool> viscoelastic, damped;
   for (const SolidMaterial &material : materials)
+  {
     viscoelastic.push_back(material.is_viscoelastic());
-  batches_.reinit(mesh, viscoelastic);
+    damped.push_back(hourglass(material).has_damper());
+  }
+  batches_.reinit(mesh, viscoelastic, damped);
   losses_.assign(materials.size(), {});
 }
 
@@ -84,6 +87,45 @@ std::vector<double> SolidOperator<Real>::nodal_masses() const
 
 
 template <typename Real>
+Hourglass<Lanes<Real>>
+SolidOperator<Real>::hourglass(const SolidMaterial &material) const
+{
+  const double shear = std::max(material.instantaneous_shear,
+                                fluid_hourglass * material.bulk_modulus);
+  const double factor = options_.hourglass_coefficient;
+  double viscosity = 0.;
+  Hourglass<Lane> hourglass;
+  hourglass.kind = options_.hourglass;
+  hourglass.stiffness = Real(0.);
+  switch (options_.hourglass)
+  {
+    case HourglassKind::none:
+      hourglass.kind = HourglassKind::stiffness;
+      break;
+    case HourglassKind::viscous:
+      viscosity =
+        factor * hourglass_damper * std::sqrt(material.density * shear);
+      break;
+    case HourglassKind::stiffness:
+      hourglass.stiffness = Real(factor * hourglass_spring * shear);
+      break;
+    case HourglassKind::assumed_strain:
+      hourglass.stiffness = Real(factor * shear);
+  }
+  if (options_.hourglass_damping > 0. &&
+      material.bulk_modulus >
+        nearly_incompressible * material.instantaneous_shear)
+  {
+    viscosity += options_.hourglass_damping / 64. * material.density *
+                 material.dilatational_speed();
+    hourglass.damped = true;
+  }
+  hourglass.viscosity = Real(viscosity);
+  return hourglass;
+}
+
+
+template <typename Real>
 HexModel<Lanes<Real>> SolidOperator<Real>::model(const SolidMaterial &material,
                                                  const StepTimes &times) const
 {
@@ -104,22 +146,10 @@ HexModel<Lanes<Real>> SolidOperator<Real>::model(const SolidMaterial &material,
     Real(times.before > 0. ? 1. / times.before : 0.);
   model.step = Real(times.before);
 
-  const double shear = std::max(material.instantaneous_shear,
-                                fluid_hourglass * material.bulk_modulus);
-  const double factor = options_.hourglass_coefficient;
-  Hourglass<Lane> &hourglass = model.hourglass;
-  hourglass.kind = options_.hourglass;
-  hourglass.stiffness = Real(0.);
-  hourglass.viscosity = Real(0.);
-  if (hourglass.kind == HourglassKind::none)
-    hourglass.kind = HourglassKind::stiffness;
-  else if (hourglass.kind == HourglassKind::stiffness)
-    hourglass.stiffness = Real(factor * hourglass_spring * shear);
-  else if (hourglass.kind == HourglassKind::assumed_strain)
-    hourglass.stiffness = Real(factor * shear);
-  else
-    hourglass.viscosity =
-      Real(factor * hourglass_damper * std::sqrt(material.density * shear));
+  model.hourglass = hourglass(material);
+  // As with bulk viscosity, nothing is damped before the first step.
+  if (!(times.before > 0.))
+    model.hourglass.viscosity = Real(0.);
   return model;
 }
 

@@ -123,6 +123,15 @@ struct HexGeometry
     return Number(2. / 3.) * gradient_square * inverse_volume;
   }
 
+  /// A face of the cube with the same gradients [m^2]: what dampers of the
+  /// element are proportional to. Over its volume, it grows like its highest
+  /// frequency, which stable steps are made for.
+  Number damping_area() const
+  {
+    using std::sqrt;
+    return sqrt(Number(2. / 3.) * gradient_square);
+  }
+
   /// An edge of the cube with the same highest frequency [m].
   Number wave_length() const
   {

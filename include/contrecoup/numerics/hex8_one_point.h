@@ -43,6 +43,8 @@ struct HexState
   Number dilatation;          ///< after the last step
   Number viscous_pressure;    ///< artificial one, after the last step [Pa]
   Symmetric3<Number> relaxed; ///< of the Prony branch, between the steps
+  /// Forces of the damper on hourglass modes, after the last step [N].
+  std::array<Number, 12> damping;
 };
 
 /// Forces on the modes of displacements from a stress and hourglass forces
@@ -160,8 +162,7 @@ struct HexModel
  * Internal forces on the corners of an element [N].
  * @param x positions of the corners in the undeformed body [m]
  * @param u their displacements [m]
- * @param velocities gives the corners' velocities [m/s]; asked for viscous
- *   hourglass control only
+ * @param velocities gives the corners' velocities [m/s]; asked for dampers only
  * @param state is brought from the last step to the present
  * @param heat what the last step turned into heat [J]
  */
@@ -186,7 +187,8 @@ one_point_forces(const HexModel<Number> &model,
   if constexpr (viscoelastic)
     heat.relaxation *= g.volume;
 
-  std::array<Vector3<Number>, 4> q = hourglass_modes(g, u, h), resistance;
+  const std::array<Vector3<Number>, 4> q = hourglass_modes(g, u, h);
+  std::array<Vector3<Number>, 4> resistance;
   const Hourglass<Number> &control = model.hourglass;
   if (control.kind == HourglassKind::assumed_strain)
   {
@@ -202,16 +204,16 @@ one_point_forces(const HexModel<Number> &model,
   }
   else
   {
-    Number factor = control.stiffness * g.stiffness_length();
-    if (control.kind == HourglassKind::viscous)
-    {
-      const HexVectors<Number> v = to_modes(velocities());
-      q = hourglass_modes(g, v, mean_gradient(g, v));
-      factor = control.viscosity * g.stiffness_length() * g.stiffness_length();
-    }
-    resistance = spring_forces(factor, q);
-    if (control.kind == HourglassKind::viscous)
-      heat.hourglass = Number(2.) * model.step * half_work(resistance, q);
+    resistance = spring_forces(control.stiffness * g.stiffness_length(), q);
+  }
+  if (control.has_damper())
+  {
+    const HexVectors<Number> v = to_modes(velocities());
+    heat.hourglass = add_damping(control.viscosity * g.damping_area(),
+                                 hourglass_modes(g, v, mean_gradient(g, v)),
+                                 Number(0.5) * model.step,
+                                 state.damping,
+                                 resistance);
   }
   return to_corners(mode_forces(g, stress, resistance));
 }

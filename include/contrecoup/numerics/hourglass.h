@@ -42,8 +42,15 @@ struct Hourglass
   /// Spring: times stiffness_length() [Pa]. Assumed strain: the shear modulus
   /// times the coefficient [Pa].
   Number stiffness{};
-  /// Damper: times stiffness_length()^2 [Pa s/m].
+  /// Damper: times damping_area() [Pa s/m].
   Number viscosity{};
+  /// Whether there is a damper besides what `kind` says.
+  bool damped = false;
+
+  bool has_damper() const
+  {
+    return damped || kind == HourglassKind::viscous;
+  }
 };
 
 /**
@@ -56,6 +63,16 @@ inline constexpr double hourglass_spring = 8. / 3. / 64.;
 /// of distorted elements bear as well.
 inline constexpr double hourglass_damper = 0.1 / 64.;
 
+/**
+ * Least bulk over shear modulus of matter that is taken as nearly
+ * incompressible. There the hourglass modes that neighbours have in turn, with
+ * an amplitude that changes slowly, change volumes a little, from element to
+ * element the other way: they are waves of speed c, of long period however
+ * short, with pressures that alternate. Springs made of the shear modulus do
+ * not hold them.
+ */
+inline constexpr double nearly_incompressible = 100.;
+
 /// Hourglass forces of equal springs, and their energy [J].
 template <typename Number>
 inline DEAL_II_ALWAYS_INLINE std::array<Vector3<Number>, 4>
@@ -66,6 +83,36 @@ spring_forces(const Number &spring, const std::array<Vector3<Number>, 4> &q)
     for (unsigned int i = 0; i < 3; ++i)
       force[m][i] = spring * q[m][i];
   return force;
+}
+
+/**
+ * Adds the forces of a damper to @p force.
+ * @param rates of the modes [m/s]
+ * @param half_step of the step to the present [s]
+ * @param damping the same forces after the last step, are brought to the
+ *   present
+ * @return the heat of the step by the rule of the trapezoid, which closes the
+ *   energy of central differences [J]
+ */
+template <typename Number>
+inline DEAL_II_ALWAYS_INLINE Number
+add_damping(const Number &damper,
+            const std::array<Vector3<Number>, 4> &rates,
+            const Number &half_step,
+            std::array<Number, 12> &damping,
+            std::array<Vector3<Number>, 4> &force)
+{
+  Number power{};
+  for (unsigned int m = 0; m < 4; ++m)
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      Number &before = damping[3 * m + i];
+      const Number now = damper * rates[m][i];
+      power += (before + now) * rates[m][i];
+      force[m][i] += now;
+      before = now;
+    }
+  return half_step * power;
 }
 
 /// Half the work of hourglass forces that are linear in the modes [J].

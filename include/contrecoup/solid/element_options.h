@@ -16,6 +16,7 @@ struct ElementOptions
   SolidKinematics kinematics = SolidKinematics::small_strain;
   HourglassKind hourglass = HourglassKind::stiffness;
   double hourglass_coefficient = 1.;
+  double hourglass_damping = 0.;
   double linear_viscosity = 0.06;
   double quadratic_viscosity = 1.2;
 

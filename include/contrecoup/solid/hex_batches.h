@@ -35,10 +35,15 @@ public:
     unsigned int end;
     bool viscoelastic;
     unsigned int first_relaxed; ///< place of the first one's relaxed strain
+    bool damped;
+    unsigned int first_damping; ///< place of the first one's damping forces
   };
 
   /// @param viscoelastic whether each tissue needs memory of strains
-  void reinit(const SolidMesh &mesh, const std::vector<bool> &viscoelastic);
+  /// @param damped whether each tissue has dampers of hourglass modes
+  void reinit(const SolidMesh &mesh,
+              const std::vector<bool> &viscoelastic,
+              const std::vector<bool> &damped);
 
   /// Sets coordinates of the mesh and of the nodes for spare lanes.
   static void reinit_nodes(const SolidMesh &mesh, NodeFields<Real> &nodes);
@@ -76,10 +81,12 @@ public:
   /// Bytes that elements need, without nodes.
   double memory() const;
 
-  /// State by batch; of viscoelastic ones 6 relaxed strains in a row.
+  /// State by batch; of viscoelastic ones 6 relaxed strains in a row, of
+  /// damped ones 12 forces.
   dealii::AlignedVector<Lane> dilatation;
   dealii::AlignedVector<Lane> viscous_pressure;
   dealii::AlignedVector<Lane> relaxed;
+  dealii::AlignedVector<Lane> damping;
 
   template <bool viscoelastic>
   DEAL_II_ALWAYS_INLINE void load_state(const Range &range,
@@ -92,6 +99,10 @@ public:
       for (unsigned int k = 0; k < 6; ++k)
         state.relaxed[k] =
           relaxed[range.first_relaxed + 6 * (batch - range.begin) + k];
+    if (range.damped)
+      for (unsigned int k = 0; k < 12; ++k)
+        state.damping[k] =
+          damping[range.first_damping + 12 * (batch - range.begin) + k];
   }
 
   template <bool viscoelastic>
@@ -105,6 +116,10 @@ public:
       for (unsigned int k = 0; k < 6; ++k)
         relaxed[range.first_relaxed + 6 * (batch - range.begin) + k] =
           state.relaxed[k];
+    if (range.damped)
+      for (unsigned int k = 0; k < 12; ++k)
+        damping[range.first_damping + 12 * (batch - range.begin) + k] =
+          state.damping[k];
   }
 
   /// The state of elements at rest.

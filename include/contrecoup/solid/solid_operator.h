@@ -115,6 +115,8 @@ private:
   using Lane = Lanes<Real>;
   using Range = typename HexBatches<Real>::Range;
 
+  /// What resists hourglass modes of a material.
+  Hourglass<Lane> hourglass(const SolidMaterial &material) const;
   HexModel<Lane> model(const SolidMaterial &material,
                        const StepTimes &times) const;
 
