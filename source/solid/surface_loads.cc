@@ -7,6 +7,7 @@
 #include <contrecoup/solid/surface_loads.h>
 
 #include <limits>
+#include <set>
 
 namespace contrecoup::solid
 {
@@ -199,26 +200,23 @@ double SurfaceLoads::power(const NodeFields<Real> &nodes) const
 double SurfaceLoads::pressure_near(const Point<3> &point,
                                    const MPI_Comm communicator) const
 {
-  double nearest = std::numeric_limits<double>::max(), pressure = 0.;
+  double nearest = std::numeric_limits<double>::max();
   for (const Facet &facet : facets_)
-  {
-    const double distance = facet.middle.distance_square(point);
-    if (distance < nearest)
+    nearest = std::min(nearest, facet.middle.distance(point));
+  nearest = dealii::Utilities::MPI::min(nearest, communicator);
+  // Of facets that are equally near, as beside a plane of symmetry, the mean;
+  // several loads on one facet add up.
+  std::vector<double> sums(2, 0.);
+  std::set<std::size_t> numbers;
+  for (const Facet &facet : facets_)
+    if (facet.middle.distance(point) <= nearest * (1. + 1e-6))
     {
-      nearest = distance;
-      pressure = facet.pressure;
+      sums[0] += facet.pressure;
+      numbers.insert(facet.number);
     }
-    else if (distance == nearest && facet.pressure != pressure)
-      pressure += facet.pressure; // several loads on one facet
-  }
-  for (const auto &[distance, value] : dealii::Utilities::MPI::all_gather(
-         communicator, std::make_pair(nearest, pressure)))
-    if (distance < nearest)
-    {
-      nearest = distance;
-      pressure = value;
-    }
-  return pressure;
+  sums[1] = static_cast<double>(numbers.size());
+  dealii::Utilities::MPI::sum(sums, communicator, sums);
+  return sums[1] > 0. ? sums[0] / sums[1] : 0.;
 }
 
 

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/geometry/triangulation_hexes.h>
 #include <contrecoup/solid/solid_body.h>
 
@@ -282,4 +283,41 @@ TEST(SolidBody, InvertedElementIsNamed)
     EXPECT_NE(std::string(error.what()).find("hexahedron 5"),
               std::string::npos);
   }
+}
+
+
+// Four facets meet in the middle of a side: their mean; what several loads put
+// on one facet adds up there.
+TEST(SurfaceLoads, PressureNearAPoint)
+{
+  dealii::ParameterHandler prm;
+  solid::SurfaceLoads::declare_parameters(prm);
+  const auto assign = [](const std::string &load,
+                         const std::string &entry,
+                         const std::string &value) {
+    return Assignment{{"Loads", "Load " + load}, entry, value, "test"};
+  };
+  apply_assignments({assign("one", "Pressure", "1e5 * z"),
+                     assign("two", "Pressure", "3000"),
+                     assign("two", "Where", "x > 0.0599")},
+                    prm);
+  solid::SurfaceLoads loads;
+  loads.parse_parameters(prm);
+  solid::SolidBody<double> body;
+  body.reinit(box(false),
+              find_materials,
+              solid::ElementOptions(),
+              solid::Supports(),
+              loads,
+              MPI_COMM_WORLD);
+  body.start(0.);
+  // Middles of facets are at y and z of 5, 15, 25, 35 mm.
+  const auto pressure = [&](const double x, const double y, const double z) {
+    return body.loads().pressure_near(Point<3>(x, y, z), MPI_COMM_WORLD);
+  };
+  EXPECT_NEAR(pressure(0., 0.02, 0.03), 3000., 1e-9);
+  EXPECT_NEAR(pressure(0., 0.014, 0.024), 2500., 1e-9);
+  EXPECT_NEAR(pressure(0.06, 0.02, 0.03), 6000., 1e-9);
+  EXPECT_EQ(solid::SurfaceLoads().pressure_near(Point<3>(), MPI_COMM_WORLD),
+            0.);
 }

@@ -70,8 +70,8 @@ public:
     return history_ ? history_->audit() : std::vector<NamedValue>();
   }
 
-  /// Pressure on the loaded facet whose middle is nearest to a point [Pa], 0
-  /// without any. Collective.
+  /// Pressure on the loaded facet whose middle is nearest to a point [Pa], the
+  /// mean of several that are equally near, 0 without any. Collective.
   double pressure_near(const dealii::Point<3> &point,
                        MPI_Comm communicator) const;
 
