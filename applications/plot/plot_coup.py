@@ -59,8 +59,10 @@ def judge(time, coup, contrecoup):
     peaks = [smooth[i] for i, rising in turns
              if rising and smooth[i] > PROMINENT]
     dips = [(grid[i], smooth[i]) for i, rising in turns if not rising]
-    below = contrecoup < CAVITATION
-    n_below = int(below[0]) + int(np.sum(below[1:] & ~below[:-1]))
+    # A dip lies between prominent maxima.
+    parts = np.split(grid, [i for i, rising in turns if rising])
+    n_below = sum(np.interp(part, time, contrecoup).min() < CAVITATION
+                  for part in parts if len(part))
 
     def listed(values):
         return ", ".join(f"{1e-3 * value:.0f}" for value in values)
