@@ -103,7 +103,8 @@ endfunction()
 #   damaged_checkpoint, foreign_checkpoint (OTHER_FILE or ARGUMENTS): refused
 #                 with MESSAGE
 #   disk          a full disk: exit code 3 with MESSAGE, checkpoint intact
-#   study_*       the first lines in tests/applications/study_cases.py tell
+#   study_*, scene_*  the first lines in tests/applications/study_cases.py and
+#                 scene_cases.py tell
 # No value may contain a semicolon.
 function(contrecoup_add_application_test name kind)
   cmake_parse_arguments(ARG ""

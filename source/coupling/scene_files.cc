@@ -82,6 +82,23 @@ namespace
   }
 
 
+  void set_first_stage(const SceneLayout &layout, Entries &entries)
+  {
+    const double radial_cell = 0.001, cell = 0.005;
+    // In 2-D the blast goes on from the ground to the body, where that is a
+    // way at all.
+    const bool meets_ground_first = layout.distance > 1.2 * layout.charge[2];
+    entries.set("First stage/Kind",
+                meets_ground_first ? "axisymmetric" : "spherical");
+    entries.set("First stage/Cell size",
+                meets_ground_first ? cell : radial_cell);
+    if (!meets_ground_first)
+      return;
+    entries.set("First stage/Levels", 4U);
+    entries.set("First stage/Spherical cell size", radial_cell);
+  }
+
+
   void set_charge(const SceneParameters &scene,
                   const SceneLayout &layout,
                   Entries &entries)
@@ -98,10 +115,7 @@ namespace
       entries.set("Charges/Afterburn/Kind", "miller");
       entries.set("Charges/Afterburn/Energy", scene.afterburn);
     }
-    entries.set("First stage/Kind", "axisymmetric");
-    entries.set("First stage/Cell size", 0.005);
-    entries.set("First stage/Levels", 4U);
-    entries.set("First stage/Spherical cell size", 0.001);
+    set_first_stage(layout, entries);
     if (scene.explosive != "c-4" && scene.explosive != "tnt")
       return;
     const std::string reference = "Reference/Kingery Bulmash/";

@@ -52,6 +52,13 @@ namespace
                       "elements (" +
                         costs + "); finer ones cost more and err less.");
     declare_double(prm,
+                   "Element size",
+                   "0",
+                   0.,
+                   unbounded,
+                   "m",
+                   "Edge of the body's elements; 0: as the accuracy has it.");
+    declare_double(prm,
                    "End time",
                    "0.012",
                    1e-9,
@@ -157,6 +164,9 @@ void SceneParameters::parse_parameters(ParameterHandler &prm)
     accuracy = *std::find_if(accuracies.begin(),
                              accuracies.end(),
                              [&](const Accuracy &a) { return a.name == name; });
+    const double element_size = read_double(prm, "Element size");
+    if (element_size > 0.)
+      accuracy.element_size = element_size;
     end_time = read_double(prm, "End time");
     symmetry = prm.get("Symmetry");
     draws_report = prm.get_bool("Report");

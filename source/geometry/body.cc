@@ -44,6 +44,14 @@ BodyPointer ShapeBody::placed(const Placement &placement) const
   return body;
 }
 
+std::vector<ShapeBody::Piece> ShapeBody::pieces() const
+{
+  std::vector<Piece> result;
+  for (std::size_t i = 0; i < shapes_.size(); ++i)
+    result.push_back({parts_[i], shapes_[i]});
+  return result;
+}
+
 ShapePointer ShapeBody::surface() const
 {
   return surface_;

@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/geometry/body_description.h>
+#include <contrecoup/geometry/borrowed_organs.h>
 
 namespace contrecoup
 {
@@ -52,8 +53,13 @@ void BodyDescription::parse_parameters(dealii::ParameterHandler &prm)
   }
   else if (kind_ == "surface")
   {
-    const Section section(prm, "Surface");
-    from_surface_.parse_parameters(prm);
+    {
+      const Section section(prm, "Surface");
+      from_surface_.parse_parameters(prm);
+    }
+    const Section section(prm, "Phantom");
+    if (from_surface_.has_organs())
+      phantom_.parse_parameters(prm);
   }
   else if (kind_ == "image")
   {
@@ -72,7 +78,14 @@ BodyPointer BodyDescription::create_unplaced() const
   if (kind_ == "phantom")
     return phantom_.create();
   if (kind_ == "surface")
-    return from_surface_.create();
+  {
+    const BodyPointer body = from_surface_.create();
+    if (!from_surface_.has_organs())
+      return body;
+    const auto giver =
+      std::dynamic_pointer_cast<const ShapeBody>(phantom_.create());
+    return borrow_organs(*body, *giver, from_surface_.largest_loss());
+  }
   if (kind_ == "image")
     return from_image_.create();
   return simple_.create();

@@ -4,6 +4,7 @@
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/base/text.h>
+#include <contrecoup/geometry/placement.h>
 #include <contrecoup/geometry/surface_body.h>
 #include <contrecoup/geometry/triangle_intersections.h>
 #include <contrecoup/geometry/triangle_repair.h>
@@ -58,11 +59,37 @@ void SurfaceBody::declare_parameters(dealii::ParameterHandler &prm)
   for (const auto &[name, length] : units())
     names.push_back(name);
   declare_selection(prm, "Unit", "m", names, "The length of a 1 in the file.");
+  declare_list(prm,
+               "Rotation",
+               "0, 0, 0",
+               3,
+               3,
+               -360.,
+               360.,
+               "degrees",
+               "Angles about the fixed axes x, then y, then z that turn what "
+               "the file has, before all else.");
   declare_selection(prm,
                     "Tissue",
                     "soft tissue",
                     {tissue_names().begin() + 1, tissue_names().end()},
                     "What the body is made of.");
+  declare_selection(prm,
+                    "Organs",
+                    "none",
+                    {"none", "phantom"},
+                    "What is inside: nothing but that tissue, or the organs "
+                    "of the phantom (subsection Phantom) scaled to the "
+                    "surface's height; then the person, turned by Rotation, "
+                    "must stand upright along z and face +x.");
+  declare_double(prm,
+                 "Largest loss of organs",
+                 "0.1",
+                 0.,
+                 1.,
+                 "-",
+                 "Part of the organs' volume that may be outside of the "
+                 "surface.");
   declare_double(prm,
                  "Largest holes",
                  "0.05",
@@ -81,13 +108,21 @@ void SurfaceBody::parse_parameters(dealii::ParameterHandler &prm)
   for (const auto &[name, length] : units())
     if (name == prm.get("Unit"))
       unit_ = length;
+  const std::vector<double> angles = read_list(prm, "Rotation");
+  for (unsigned int d = 0; d < 3; ++d)
+    angles_[d] = angles[d] * dealii::numbers::PI / 180.;
   tissue_ = find_tissue(prm.get("Tissue"));
+  has_organs_ = prm.get("Organs") == "phantom";
+  largest_loss_ = read_double(prm, "Largest loss of organs");
   largest_hole_area_ = read_double(prm, "Largest holes");
 }
 
 BodyPointer SurfaceBody::create() const
 {
   TriangleMesh mesh = read_surface(file_, unit_);
+  const Placement turned(1., angles_, {});
+  for (dealii::Point<3> &vertex : mesh.vertices)
+    vertex = turned.apply(vertex);
   const RepairReport report = repair(mesh);
   const std::string where = "surface \"" + file_ + "\": ";
   if (mesh.triangles.empty())

@@ -22,6 +22,7 @@ import time
 
 import cost_cases
 import full_disk
+import scene_cases
 import study_cases
 
 
@@ -469,8 +470,8 @@ KINDS = {kind.__name__: kind for kind in
           foreign_checkpoint,
           disk)}
 KINDS.update({name: of_module(kind)
-              for name, kind in {**study_cases.KINDS,
-                                 **cost_cases.KINDS}.items()})
+              for name, kind in {**study_cases.KINDS, **cost_cases.KINDS,
+                                 **scene_cases.KINDS}.items()})
 
 
 def parse(arguments):

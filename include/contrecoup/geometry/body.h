@@ -102,6 +102,9 @@ public:
   unsigned char part_at(const dealii::Point<3> &point) const override;
   void fill(LabelGrid &grid) const override;
 
+  /// What it was made of.
+  std::vector<Piece> pieces() const;
+
 private:
   struct Block;
   void fill_block(LabelGrid &grid, const Block &block) const;

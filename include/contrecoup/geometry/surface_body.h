@@ -12,7 +12,8 @@
 
 namespace contrecoup
 {
-/// A body of one tissue, bounded by triangles from a file.
+/// A body of one tissue, bounded by triangles from a file; it may get the
+/// organs of the phantom, see borrow_organs().
 class SurfaceBody
 {
 public:
@@ -28,10 +29,25 @@ public:
   ///   volume, or its holes are too large
   BodyPointer create() const;
 
+  /// Whether the phantom's organs belong into it.
+  bool has_organs() const
+  {
+    return has_organs_;
+  }
+
+  /// Part of their volume that may be outside [-].
+  double largest_loss() const
+  {
+    return largest_loss_;
+  }
+
 private:
   std::string file_;
-  double unit_ = 1.; ///< [m]
+  double unit_ = 1.;            ///< [m]
+  dealii::Tensor<1, 3> angles_; ///< [rad]
   Tissue tissue_ = Tissue::soft_tissue;
+  bool has_organs_ = false;
+  double largest_loss_ = 0.;      ///< of organs [-]
   double largest_hole_area_ = 0.; ///< of all holes, over that of the surface
 };
 } // namespace contrecoup

@@ -1,0 +1,154 @@
+"""What tests of the application `scene` prove; kinds of run_case.py."""
+
+import csv
+import json
+import os
+import random
+import signal
+import time
+
+STAGES = ("anatomy", "blast", "biomechanics")
+# So that kills find something to go on from.
+CHECKPOINTS = ["--set", "Blast/Output/Checkpoint every steps=10",
+               "--set", "Biomechanics/Output/Checkpoint every steps=50"]
+
+
+def require(holds, reason):
+    if not holds:
+        raise AssertionError(reason)
+
+
+def read_json(*names):
+    with open(os.path.join(*names), encoding="utf-8") as file:
+        return json.load(file)
+
+
+def read_bytes(*names):
+    with open(os.path.join(*names), "rb") as file:
+        return file.read()
+
+
+def statuses(output):
+    """Names of stages and how they stand, from scene.json."""
+    stages = read_json(output, "scene.json")["stages"]
+    return {stage["name"]: stage["status"] for stage in stages}
+
+
+def injury_table(output):
+    path = os.path.join(output, "biomechanics", "injury.csv")
+    with open(path, newline="", encoding="utf-8") as file:
+        return {row["measure"]: float(row["value"])
+                for row in csv.DictReader(file)}
+
+
+def scene_run(case, check_bound, read_summary):
+    """Every stage runs and keeps the bounds of the biomechanics summary; run
+    again, stages whose inputs are the same are taken as they are."""
+    output = case.folder("run")
+    case.run(output)
+    for bound in case.options.bound:
+        check_bound(read_summary(os.path.join(output, "biomechanics")), bound)
+    require(statuses(output) == dict.fromkeys(STAGES, "finished"),
+            f"stages are {statuses(output)}")
+    require("<html" in read_bytes(output, "report.html").decode(),
+            "there is no report")
+    loads = os.stat(os.path.join(output, "blast", "loads.h5")).st_mtime_ns
+    case.run(output)
+    require(statuses(output) == dict.fromkeys(STAGES, "reused"),
+            f"stages of a second run are {statuses(output)}")
+    before = injury_table(output)
+    case.run(output, ["--set", "Tissues/Set=physiological"])
+    require(statuses(output)["blast"] == "reused",
+            "other tissues made the blast run again")
+    require(statuses(output)["biomechanics"] == "finished",
+            "other tissues did not make biomechanics run again")
+    require(injury_table(output) != before, "other tissues changed nothing")
+    require(os.stat(os.path.join(output, "blast", "loads.h5")).st_mtime_ns
+            == loads, "the loads of a blast that was reused are new")
+
+
+def scene_ranks(case, _check_bound, _read_summary):
+    """One, two and four ranks give the same injury table to 1e-6."""
+    tables = {}
+    for ranks in (1, 2, 4):
+        output = case.folder(f"ranks_{ranks}")
+        case.run(output, ranks=ranks)
+        tables[ranks] = injury_table(output)
+    for ranks in (2, 4):
+        require(tables[ranks].keys() == tables[1].keys(),
+                "injury tables have different rows")
+        for name, value in tables[1].items():
+            other = tables[ranks][name]
+            require(abs(other - value) <= 1e-6 * max(abs(value), 1e-12),
+                    f"{name} is {value} on 1 rank, {other} on {ranks}")
+
+
+def wait_for(process, path, text, since):
+    """Waits until a file newer than @p since has a text; False if the process
+    ended before."""
+    while process.poll() is None:
+        try:
+            if (os.stat(path).st_mtime >= since
+                    and text in read_bytes(path).decode()):
+                return True
+        except OSError:
+            pass
+        time.sleep(0.01)
+    return False
+
+
+def scene_sigkill(case, _check_bound, _read_summary):
+    """Killed ten times in each stage at random moments and resumed, a scene
+    ends with the same loads and injuries as without."""
+    straight = case.folder("straight")
+    case.run(straight, CHECKPOINTS)
+    seconds = {stage["name"]: stage["wall_seconds"]
+               for stage in read_json(straight, "scene.json")["stages"]}
+    output = case.folder("killed")
+    moments = random.Random(7)
+    any_start = False
+    for stage in STAGES:
+        for kill in range(10):
+            since = time.time() - 0.01
+            process = case.start(
+                output, CHECKPOINTS + (["--resume"] if any_start else []))
+            any_start = True
+            record = os.path.join(output, stage + ".stage.json")
+            if not wait_for(process, record, '"started"', since):
+                out, err = process.communicate()
+                require(process.returncode == 0, out[-2000:] + err[-2000:])
+                print(f"{stage} was finished before kill {kill + 1}")
+                break
+            time.sleep(moments.uniform(0., 0.5 * seconds[stage]))
+            process.send_signal(signal.SIGKILL)
+            process.communicate()
+    case.run(output, CHECKPOINTS + ["--resume"])
+    require(injury_table(output) == injury_table(straight),
+            "the injuries are others")
+    for name in ("blast/load_gauges.csv", "blast/history.csv",
+                 "biomechanics/history.csv", "biomechanics/probes.csv"):
+        if os.path.exists(os.path.join(straight, name)):
+            require(read_bytes(output, name) == read_bytes(straight, name),
+                    f"{name} is not the same")
+
+
+def scene_failure(case, _check_bound, _read_summary):
+    """A stage that fails ends the scene with its exit code and one line that
+    names it; what is finished is kept and reused."""
+    output = case.folder("run")
+    _, _, err = case.run(
+        output, ["--set", "Biomechanics/Energy audit/Largest residual=0",
+                 "--set", "Biomechanics/Energy audit/Largest hourglass part=0"],
+        codes=(2,))
+    require(len(err.strip().splitlines()) == 1
+            and "stage biomechanics: energy audit" in err,
+            f"stderr is {err}")
+    case.run(output, ["--resume"])
+    require(statuses(output)["blast"] == "reused",
+            "the finished blast was not kept")
+
+
+KINDS = {"scene_run": scene_run,
+         "scene_ranks": scene_ranks,
+         "scene_sigkill": scene_sigkill,
+         "scene_failure": scene_failure}
