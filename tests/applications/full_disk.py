@@ -67,3 +67,25 @@ def limit_files(size):
     resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
     os.environ["OMPI_MCA_btl"] = "self"
     os.environ["PMIX_MCA_gds"] = "hash"
+
+
+@contextlib.contextmanager
+def small_disk(output, size):
+    """Yields a folder in a disk of @p size bytes (elsewhere: one where no file
+    may be larger than a tenth of that), the function that sets the limits of
+    the process to be started, and one that makes room."""
+    if NAMESPACE not in os.environ:
+        limits = {"size": size // 10}
+        yield (output, lambda: limits["size"] and limit_files(limits["size"]),
+               lambda: limits.update(size=0))
+        return
+    disk = os.path.abspath(output) + "_disk"
+    os.makedirs(disk)
+    subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={size}", "tmpfs",
+                    disk], check=True)
+    try:
+        yield (os.path.join(disk, "run"), lambda: None,
+               lambda: subprocess.run(["mount", "-o", "remount,size=1G", disk],
+                                      check=True))
+    finally:
+        subprocess.run(["umount", disk], check=True)

@@ -13,6 +13,8 @@ contrecoup_add_application_test(sigkill scene_sigkill FILE ${_head} TIMEOUT 600
   SET "Scene/Report=false" "Anatomy/Output/Pictures=false")
 contrecoup_add_application_test(failing_stage scene_failure FILE ${_head}
   TIMEOUT 300 SET "Scene/Report=false" "Anatomy/Output/Pictures=false")
+contrecoup_add_application_test(full_disk scene_full_disk FILE ${_head}
+  TIMEOUT 300 SET "Scene/Report=false" "Anatomy/Output/Pictures=false")
 
 # scene_refuses(<name> <message> <arguments>)
 function(scene_refuses name message)

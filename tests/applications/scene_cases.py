@@ -7,6 +7,8 @@ import random
 import signal
 import time
 
+import full_disk
+
 STAGES = ("anatomy", "blast", "biomechanics")
 # So that kills find something to go on from.
 CHECKPOINTS = ["--set", "Blast/Output/Checkpoint every steps=10",
@@ -148,7 +150,26 @@ def scene_failure(case, _check_bound, _read_summary):
             "the finished blast was not kept")
 
 
+def scene_full_disk(case, _check_bound, _read_summary):
+    """A disk that fills: exit code 3 and one line; what is finished stays, and
+    the scene goes on once there is room."""
+    full_disk.enter_namespace()
+    output = case.folder("run")
+    with full_disk.small_disk(output, 8 << 20) as (folder, limits, grow):
+        _, _, err = case.run(folder, codes=(3,), preexec_fn=limits)
+        require(len(err.strip().splitlines()) == 1 and "stage blast" in err,
+                f"stderr is {err}")
+        require(read_json(folder, "anatomy.stage.json")["status"]
+                == "finished", "the finished anatomy is lost")
+        grow()
+        case.run(folder, ["--resume"])
+        require(statuses(folder) == {"anatomy": "reused", "blast": "finished",
+                                     "biomechanics": "finished"},
+                f"stages are {statuses(folder)}")
+
+
 KINDS = {"scene_run": scene_run,
+         "scene_full_disk": scene_full_disk,
          "scene_ranks": scene_ranks,
          "scene_sigkill": scene_sigkill,
          "scene_failure": scene_failure}
