@@ -38,6 +38,8 @@ def mirror_planes(folder, centroids):
         return []
     entries = read_parameters(path)
     size = np.ptp(centroids, axis=0).max()
+    # The facets next to the plane are about half of their width away.
+    near = max(0.02, 1. / np.sqrt(len(centroids))) * size
     planes = []
     for axis, name in enumerate("xyz"):
         for side, corner in (("low", "Lower corner"), ("high",
@@ -46,7 +48,7 @@ def mirror_planes(folder, centroids):
                 continue
             numbers = entries[f"Domain/{corner}"].split(",")
             place = float(numbers[axis])
-            if np.abs(centroids[:, axis] - place).min() < 0.02 * size:
+            if np.abs(centroids[:, axis] - place).min() < near:
                 planes.append((axis, place))
     return planes
 
@@ -160,7 +162,8 @@ class _Side:
         first /= np.linalg.norm(first, axis=1)[:, None]
         second = np.cross(normals, first)
         reach = 0.9
-        count = int(np.ceil(2. * reach * spacing.max() / self.pixel)) + 1
+        count = int(np.ceil(2. * reach * spacing.max(initial=0.)
+                            / self.pixel)) + 1
         steps = np.linspace(-reach, reach, max(count, 3))
         pixels, closeness, weights, numbers = [], [], [], []
         for s in steps:

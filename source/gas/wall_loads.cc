@@ -294,10 +294,14 @@ bool WallLoads<dim>::loses_peaks(const double time, const double step)
   {
     const double now = pressures_[i];
     const Record &record = records_[facets_[i].number];
-    if (now <= counted_part * totals_.highest || now <= record.blast.peak)
+    const double peak = std::max(now, record.blast.peak);
+    if (peak <= counted_part * totals_.highest ||
+        record.sample_peak >= part * peak)
       continue;
-    const double mean = (record.sum + now * step) / duration;
-    if (std::max(mean, record.sample_peak) < part * now)
+    // The peak is in the sample that is going on, or comes with this step.
+    const double before = duration > step ? record.sum / (duration - step) : 0.;
+    const double after = (record.sum + now * step) / duration;
+    if (after < part * peak && std::max(before, now) >= part * peak)
       loses = 1.;
   }
   const double highest =
