@@ -21,8 +21,10 @@ namespace
 template <typename Real>
 void HexBatches<Real>::reinit(const SolidMesh &mesh,
                               const std::vector<bool> &viscoelastic,
-                              const std::vector<bool> &damped)
+                              const std::vector<bool> &damped,
+                              const unsigned int n_points)
 {
+  n_points_ = n_points;
   ranges_.clear();
   cells_.clear();
   slots_.assign(mesh.cells.size(), spare);
@@ -48,7 +50,7 @@ void HexBatches<Real>::reinit(const SolidMesh &mesh,
                        damped[tissue],
                        n_damping});
     if (viscoelastic[tissue])
-      n_relaxed += 6 * (end - begin);
+      n_relaxed += 6 * n_points * (end - begin);
     if (damped[tissue])
       n_damping += 12 * (end - begin);
     first = last;

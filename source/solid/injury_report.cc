@@ -179,13 +179,11 @@ void InjuryReport<Real>::follow_head(const SolidBody<Real> &body)
   // Moments of the brain, each of its elements a mass in its middle.
   std::vector<double> sums(16, 0.);
   const SolidMesh &mesh = body.mesh();
-  for (std::size_t i = 0; i < mesh.cells.size(); ++i)
+  for (std::size_t i = 0; i < pieces_.size(); ++i)
   {
-    if (piece_of_cell_[i] == none)
-      continue;
-    const double mass = pieces_[piece_of_cell_[i]].volume;
+    const double mass = pieces_[i].volume;
     Tensor<1, 3> place, velocity;
-    for (const std::uint32_t node : mesh.cells[i])
+    for (const std::uint32_t node : mesh.cells[average_.cells()[i]])
       for (unsigned int d = 0; d < 3; ++d)
       {
         place[d] += (mesh.nodes[node][d] +

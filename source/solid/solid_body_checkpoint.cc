@@ -5,6 +5,7 @@
 #include <contrecoup/io/checked_file.h>
 #include <contrecoup/solid/solid_body.h>
 
+#include <cstddef>
 #include <filesystem>
 #include <sstream>
 #include <unordered_map>
@@ -20,6 +21,7 @@ struct SolidBody<Real>::Numbers
   std::uint64_t n_global_nodes;
   std::uint64_t n_global_cells;
   std::uint64_t n_tissues;
+  std::uint64_t n_relaxed; ///< of a viscoelastic element
   std::uint64_t n_damped;
   std::uint64_t number_size;
   double time;
@@ -60,12 +62,19 @@ namespace
     std::array<double, 3> reaction;
   };
 
-  /// Dilatation, viscous pressure and relaxed strain.
+  /// Dilatation, viscous pressure and relaxed strains, of up to 8 points.
   template <typename Real>
   struct CellRecord
   {
     std::uint32_t cell;
-    std::array<Real, 8> values;
+    std::array<Real, 50> values;
+
+    /// Bytes that are used with @p n_relaxed relaxed strains.
+    static std::streamsize size(const std::uint64_t n_relaxed)
+    {
+      return static_cast<std::streamsize>(offsetof(CellRecord, values) +
+                                          sizeof(Real) * (2 + n_relaxed));
+    }
   };
 
   /// Damping forces on hourglass modes.
@@ -102,10 +111,8 @@ namespace
     function(1, batches.viscous_pressure[batch][lane]);
     for (const auto &range : batches.ranges())
       if (range.viscoelastic && batch >= range.begin && batch < range.end)
-        for (unsigned int k = 0; k < 6; ++k)
-          function(2 + k,
-                   batches.relaxed[range.first_relaxed +
-                                   6 * (batch - range.begin) + k][lane]);
+        for (unsigned int k = 0; k < batches.n_relaxed(); ++k)
+          function(2 + k, batches.relaxed_of(range, batch)[k][lane]);
   }
 
   /// Calls @p function with the place of an element's damping forces and its
@@ -122,6 +129,28 @@ namespace
         function(
           &batches.damping[range.first_damping + 12 * (batch - range.begin)],
           lane);
+  }
+
+  /// Reads @p n records; @p cells are those of this rank by global number.
+  template <typename Real>
+  void
+  take_damping(std::istream &in,
+               const std::uint64_t n,
+               const std::unordered_map<std::uint32_t, std::uint32_t> &cells,
+               HexBatches<Real> &batches)
+  {
+    for (std::uint64_t i = 0; i < n; ++i)
+    {
+      DampingRecord<Real> record;
+      take(in, record);
+      const auto found = cells.find(record.cell);
+      if (found != cells.end())
+        for_damping(
+          batches, found->second, [&](auto *forces, const unsigned int lane) {
+            for (unsigned int k = 0; k < 12; ++k)
+              forces[k][lane] = record.values[k];
+          });
+    }
   }
 } // namespace
 
@@ -152,6 +181,7 @@ void SolidBody<Real>::save(const std::string &folder) const
                 mesh_.n_global_nodes,
                 mesh_.n_global_cells,
                 mesh_.tissues.size(),
+                operator_.batches().n_relaxed(),
                 damping.size(),
                 sizeof(Real),
                 time_,
@@ -174,7 +204,8 @@ void SolidBody<Real>::save(const std::string &folder) const
         operator_.batches(), i, [&](const unsigned int k, const Real value) {
           record.values[k] = value;
         });
-      put(out, record);
+      out.write(reinterpret_cast<const char *>(&record),
+                CellRecord<Real>::size(operator_.batches().n_relaxed()));
     }
     for (const DampingRecord<Real> &record : damping)
       put(out, record);
@@ -214,7 +245,8 @@ void SolidBody<Real>::restore(const std::string &folder)
     for (std::uint64_t i = 0; i < numbers.n_cells; ++i)
     {
       CellRecord<Real> record;
-      take(in, record);
+      in.read(reinterpret_cast<char *>(&record),
+              CellRecord<Real>::size(numbers.n_relaxed));
       const auto found = cell.find(record.cell);
       if (found != cell.end())
         for_each_state(
@@ -222,19 +254,7 @@ void SolidBody<Real>::restore(const std::string &folder)
           found->second,
           [&](const unsigned int k, Real &value) { value = record.values[k]; });
     }
-    for (std::uint64_t i = 0; i < numbers.n_damped; ++i)
-    {
-      DampingRecord<Real> record;
-      take(in, record);
-      const auto found = cell.find(record.cell);
-      if (found != cell.end())
-        for_damping(operator_.batches(),
-                    found->second,
-                    [&](auto *forces, const unsigned int lane) {
-                      for (unsigned int k = 0; k < 12; ++k)
-                        forces[k][lane] = record.values[k];
-                    });
-    }
+    take_damping(in, numbers.n_damped, cell, operator_.batches());
     if (!in)
       throw InputError("Checkpoint file " + file_of(folder, rank) +
                        " ends too early");
@@ -255,6 +275,7 @@ SolidBody<Real>::read_numbers(std::istream &in, const std::string &file)
   if (!in || numbers.n_global_nodes != mesh_.n_global_nodes ||
       numbers.n_global_cells != mesh_.n_global_cells ||
       numbers.n_tissues != mesh_.tissues.size() ||
+      numbers.n_relaxed != operator_.batches().n_relaxed() ||
       numbers.number_size != sizeof(Real))
     throw InputError("Checkpoint file " + file + " belongs to another scene");
   time_ = numbers.time;

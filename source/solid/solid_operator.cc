@@ -53,9 +53,9 @@ void SolidOperator<Real>::reinit(const SolidMesh &mesh,
   for (const SolidMaterial &material : materials)
   {
     viscoelastic.push_back(material.is_viscoelastic());
-    damped.push_back(hourglass(material).has_damper());
+    damped.push_back(!full() && hourglass(material).has_damper());
   }
-  batches_.reinit(mesh, viscoelastic, damped);
+  batches_.reinit(mesh, viscoelastic, damped, full() ? 8 : 1);
   losses_.assign(materials.size(), {});
 }
 
@@ -211,6 +211,8 @@ template <typename Real>
 void SolidOperator<Real>::add_forces(NodeFields<Real> &nodes,
                                      const StepTimes &times)
 {
+  if (full())
+    return add_full_forces(nodes, times);
   switch (options_.kinematics)
   {
     case SolidKinematics::small_strain:
@@ -228,9 +230,12 @@ void SolidOperator<Real>::add_linear_forces(NodeFields<Real> &nodes)
 {
   // Without a step there is no viscosity, and state is only what it needs.
   TissueEnergies unused;
-  for (const Range &range : batches_.ranges())
-    add_range<SolidKinematics::small_strain, false>(
-      range, nodes, StepTimes(), unused);
+  if (full())
+    add_full_linear_forces(nodes);
+  else
+    for (const Range &range : batches_.ranges())
+      add_range<SolidKinematics::small_strain, false>(
+        range, nodes, StepTimes(), unused);
   batches_.reset_state();
 }
 

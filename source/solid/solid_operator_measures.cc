@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/numerics/hex8_full.h>
 #include <contrecoup/solid/solid_operator.h>
 
 namespace contrecoup::solid
@@ -44,7 +45,7 @@ namespace
   /// The strain of the relaxing branch at the present, from where it is
   /// stored: after the half step to come.
   template <typename Number>
-  Symmetric3<Number> relaxed_now(const Symmetric3<Number> &stored,
+  Symmetric3<Number> relaxed_now(const Number *stored,
                                  const Symmetric3<Number> &measure,
                                  const Number &decay_after)
   {
@@ -74,6 +75,42 @@ namespace
       times.relax_after / (0.5 * times.before + times.relax_after);
     return Number(part) * law.dissipation_per_strain * law.twice_relaxing *
            contract(stretch, rate);
+  }
+
+  /// Energy stored by a displacement gradient, and what half_step_loss() says
+  /// [J/m^3]. @param stored the relaxed strain, if there is one
+  template <SolidKinematics kinematics, typename Number>
+  std::pair<Number, Number> energy_density(const SolidLaw<Number> &law,
+                                           const Matrix3<Number> &h,
+                                           const Number *stored,
+                                           const StepTimes &times)
+  {
+    const auto strain = solid_strain<kinematics>(h, cofactor(h));
+    Symmetric3<Number> relaxed{};
+    Number loss{};
+    if (stored != nullptr)
+    {
+      relaxed = relaxed_now(stored, strain.measure, law.decay_after);
+      loss = half_step_loss(law, strain, relaxed, times);
+    }
+    return {stored_energy<kinematics>(law, strain, relaxed), loss};
+  }
+
+  /// Stress of the shear branch [Pa]; arguments as above.
+  template <SolidKinematics kinematics, typename Number>
+  Symmetric3<Number> shear_stress(const SolidLaw<Number> &law,
+                                  const Matrix3<Number> &h,
+                                  const Number *stored)
+  {
+    const auto strain = solid_strain<kinematics>(h, cofactor(h));
+    Symmetric3<Number> shear, relaxed{};
+    if (stored != nullptr)
+      relaxed = relaxed_now(stored, strain.measure, law.decay_after);
+    for (unsigned int k = 0; k < 6; ++k)
+      shear[k] =
+        law.twice_shear * strain.measure[k] -
+        (stored == nullptr ? Number() : law.twice_relaxing * relaxed[k]);
+    return shear;
   }
 
   /// Cauchy's stress P F^T / J of a first Piola-Kirchhoff stress.
@@ -128,24 +165,36 @@ void SolidOperator<Real>::energies_of(const Range &range,
     u = to_modes(u);
     const HexGeometry<Lane> g = hex_geometry(x);
     const Matrix3<Lane> h = mean_gradient(g, u);
-    const auto strain = solid_strain<kinematics>(h, cofactor(h));
-    HexState<Lane> state{};
-    Symmetric3<Lane> relaxed{};
-    if (range.viscoelastic)
-    {
-      batches_.template load_state<true>(range, batch, state);
-      relaxed =
-        relaxed_now(state.relaxed, strain.measure, model.law.decay_after);
-    }
+    const Lane *stored =
+      range.viscoelastic ? batches_.relaxed_of(range, batch) : nullptr;
     const unsigned int n_filled = count_filled(batches_, batch);
-    if (range.viscoelastic)
-      sum.relaxation -= sum_of<Real>(
-        g.volume * half_step_loss(model.law, strain, relaxed, times), n_filled);
-    sum.stored += sum_of<Real>(
-      g.volume * stored_energy<kinematics>(model.law, strain, relaxed),
-      n_filled);
-    sum.hourglass += sum_of<Real>(
-      hourglass_energy<kinematics>(model.hourglass, x, g, u, h), n_filled);
+    const auto add = [&](const SolidLaw<Lane> &law,
+                         const Lane &volume,
+                         const Matrix3<Lane> &gradient,
+                         const Lane *memory) {
+      const auto [energy, loss] =
+        energy_density<kinematics>(law, gradient, memory, times);
+      sum.stored += sum_of<Real>(volume * energy, n_filled);
+      sum.relaxation -= sum_of<Real>(volume * loss, n_filled);
+    };
+    if (full())
+    {
+      add(volume_law(model.law), g.volume, h, nullptr);
+      for (unsigned int i = 0; i < 8; ++i)
+      {
+        const HexPoint<Lane> point = hex_point(x, u, i);
+        add(shear_law(model.law),
+            point.volume,
+            point.h,
+            stored == nullptr ? nullptr : stored + 6 * i);
+      }
+    }
+    else
+    {
+      add(model.law, g.volume, h, stored);
+      sum.hourglass += sum_of<Real>(
+        hourglass_energy<kinematics>(model.hourglass, x, g, u, h), n_filled);
+    }
 
     Lane square{};
     for (unsigned int i = 0; i < 8 * n_lanes<Real>; ++i)
@@ -225,18 +274,20 @@ void SolidOperator<Real>::visit_batch(
   const Matrix3<Lane> h = mean_gradient(g, to_modes(u));
   const Matrix3<Lane> cofactors = cofactor(h);
   const auto strain = solid_strain<kinematics>(h, cofactors);
-  Symmetric3<Lane> shear;
-  for (unsigned int k = 0; k < 6; ++k)
-    shear[k] = model.law.twice_shear * strain.measure[k];
-  if (range.viscoelastic)
-  {
-    HexState<Lane> state{};
-    batches_.template load_state<true>(range, batch, state);
-    const Symmetric3<Lane> relaxed =
-      relaxed_now(state.relaxed, strain.measure, model.law.decay_after);
-    for (unsigned int k = 0; k < 6; ++k)
-      shear[k] -= model.law.twice_relaxing * relaxed[k];
-  }
+  const Lane *stored =
+    range.viscoelastic ? batches_.relaxed_of(range, batch) : nullptr;
+  Symmetric3<Lane> shear{};
+  if (full())
+    for (unsigned int i = 0; i < 8; ++i)
+    {
+      const HexPoint<Lane> point = hex_point(to_modes(x), to_modes(u), i);
+      const Symmetric3<Lane> part = shear_stress<kinematics>(
+        model.law, point.h, stored == nullptr ? nullptr : stored + 6 * i);
+      for (unsigned int k = 0; k < 6; ++k)
+        shear[k] += point.volume * g.inverse_volume * part[k];
+    }
+  else
+    shear = shear_stress<kinematics>(model.law, h, stored);
   const Lane volumetric = model.law.bulk * strain.dilatation;
   const auto piola = piola_stress<kinematics>(h, cofactors, volumetric, shear);
   const Symmetric3<Lane> stress =

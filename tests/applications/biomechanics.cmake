@@ -67,6 +67,22 @@ biomechanics_verifies(relaxation relaxation "errors.stress < 1e-6")
 biomechanics_verifies(relaxation_long_term relaxation "errors.stress < 1e-6"
   "Materials/Reading of G1=long-term modulus"
   "Measures/Measure stress/Expected=38.886070")
+# Full integration.
+biomechanics_verifies(patch_full patch_test "${_exact}"
+  "Elements/Integration=full")
+biomechanics_verifies(shear_wave_full shear_wave
+  "errors.frequency < 3.5e-3;assumptions.energy_residual < 1e-10"
+  "Elements/Integration=full")
+biomechanics_verifies(spherical_cavity_full spherical_cavity
+  "errors.peak_displacement < 1e-2;assumptions.energy_residual < 1e-10"
+  "Elements/Integration=full" "Mesh/Refinements=3")
+biomechanics_verifies(cantilever_full cantilever "errors.frequency < 9e-3"
+  "Elements/Integration=full" "Time/End time=0.055" "Mesh/Elements=40, 2, 2")
+biomechanics_verifies(relaxation_full relaxation "errors.stress < 1e-6"
+  "Elements/Integration=full")
+biomechanics_verifies(fluid_sphere_full fluid_sphere
+  "errors.pressure_L1 < 6.5e-2" "Elements/Integration=full")
+
 biomechanics_verifies(phantom ../quickstart
   "assumptions.energy_residual < 1e-4" "Time/End time=1e-3")
 

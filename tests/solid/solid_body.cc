@@ -226,6 +226,32 @@ TEST(SolidBody, RanksAgree)
 }
 
 
+TEST(SolidBody, FullIntegrationClosesItsEnergyOnAllRanks)
+{
+  for (const auto kinematics : {SolidKinematics::small_strain,
+                                SolidKinematics::finite_rotation,
+                                SolidKinematics::neo_hookean})
+  {
+    solid::ElementOptions options;
+    options.integration = solid::Integration::full;
+    options.kinematics = kinematics;
+    solid::SolidBody<double> body;
+    set_up(body, box(true), options, MPI_COMM_WORLD);
+    const double step = 0.3 * body.certify_step().body_step;
+    push(body);
+    body.start(0.);
+    for (unsigned int i = 0; i < 200; ++i)
+      body.advance(step);
+    const auto balance = body.balance();
+    EXPECT_LT(std::abs(balance.residual()), 1e-4 * balance.initial);
+    EXPECT_EQ(balance.sum.hourglass, 0.);
+    const auto one = run<double>(box(true), options, MPI_COMM_SELF, 50);
+    const auto all = run<double>(box(true), options, MPI_COMM_WORLD, 50);
+    EXPECT_LT(largest_difference(one, all), 1e-11 * largest(one));
+  }
+}
+
+
 TEST(SolidBody, SinglePrecisionIsNearDouble)
 {
   const auto exact = run<double>(box(true), {}, MPI_COMM_WORLD, 100);
@@ -235,13 +261,12 @@ TEST(SolidBody, SinglePrecisionIsNearDouble)
 }
 
 
-TEST(SolidBody, GoesOnFromACheckpointBitByBit)
+/// Ten steps straight on, and from a checkpoint, which must agree.
+void check_resume(const solid::ElementOptions &options)
 {
   const std::string folder = "solid_checkpoint";
   std::filesystem::create_directories(folder);
   const HexMesh mesh = box(true);
-  solid::ElementOptions options;
-  options.hourglass_damping = 0.1;
   solid::SolidBody<double> straight, stopped;
   set_up(straight, mesh, options, MPI_COMM_WORLD);
   const double step = 0.5 * straight.certify_step().body_step;
@@ -265,6 +290,16 @@ TEST(SolidBody, GoesOnFromACheckpointBitByBit)
               1e-12 * straight.balance().initial);
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
     std::filesystem::remove_all(folder);
+}
+
+
+TEST(SolidBody, GoesOnFromACheckpointBitByBit)
+{
+  solid::ElementOptions options;
+  options.hourglass_damping = 0.1;
+  check_resume(options);
+  options.integration = solid::Integration::full;
+  check_resume(options);
 }
 
 

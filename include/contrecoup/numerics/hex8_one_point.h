@@ -104,6 +104,40 @@ struct HexHeat
 };
 
 /**
+ * Stress of the shear branch [Pa] at the present, after its relaxed strain was
+ * brought from the last step to it.
+ * @param heat what the last step turned into heat [J/m^3]; not touched
+ *   without viscoelasticity
+ */
+template <bool viscoelastic, typename Number>
+inline DEAL_II_ALWAYS_INLINE Symmetric3<Number>
+update_shear(const SolidLaw<Number> &law,
+             const SolidStrain<Number> &strain,
+             Symmetric3<Number> &relaxed,
+             Number &heat)
+{
+  Symmetric3<Number> shear;
+  for (unsigned int k = 0; k < 6; ++k)
+    shear[k] = law.twice_shear * strain.measure[k];
+  if constexpr (viscoelastic)
+  {
+    const Symmetric3<Number> now =
+      relax(relaxed, strain.measure, law.decay_before);
+    Symmetric3<Number> stretch, rate;
+    for (unsigned int k = 0; k < 6; ++k)
+    {
+      shear[k] -= law.twice_relaxing * now[k];
+      stretch[k] = strain.total[k] - now[k];
+      rate[k] = strain.measure[k] - now[k];
+    }
+    heat =
+      law.twice_relaxing * law.dissipation_per_strain * contract(stretch, rate);
+    relaxed = relax(now, strain.measure, law.decay_after);
+  }
+  return shear;
+}
+
+/**
  * Stress of an element at the present, after @p state was brought from the
  * last step to it.
  */
@@ -126,24 +160,8 @@ update_stress(const SolidLaw<Number> &law,
   state.dilatation = strain.dilatation;
   state.viscous_pressure = q;
 
-  Symmetric3<Number> shear;
-  for (unsigned int k = 0; k < 6; ++k)
-    shear[k] = law.twice_shear * strain.measure[k];
-  if constexpr (viscoelastic)
-  {
-    const Symmetric3<Number> now =
-      relax(state.relaxed, strain.measure, law.decay_before);
-    Symmetric3<Number> stretch, rate;
-    for (unsigned int k = 0; k < 6; ++k)
-    {
-      shear[k] -= law.twice_relaxing * now[k];
-      stretch[k] = strain.total[k] - now[k];
-      rate[k] = strain.measure[k] - now[k];
-    }
-    heat.relaxation =
-      law.twice_relaxing * law.dissipation_per_strain * contract(stretch, rate);
-    state.relaxed = relax(now, strain.measure, law.decay_after);
-  }
+  const Symmetric3<Number> shear =
+    update_shear<viscoelastic>(law, strain, state.relaxed, heat.relaxation);
   return piola_stress<kinematics>(
     h, cofactors, law.bulk * strain.dilatation - q, shear);
 }

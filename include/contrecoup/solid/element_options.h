@@ -10,9 +10,17 @@
 
 namespace contrecoup::solid
 {
+/// Where stresses of an element are found.
+enum class Integration
+{
+  one_point, ///< in one point, with hourglass control
+  full       ///< shear in 2 x 2 x 2 points, one dilatation
+};
+
 /// How elements are integrated: subsection "Elements".
 struct ElementOptions
 {
+  Integration integration = Integration::one_point;
   SolidKinematics kinematics = SolidKinematics::small_strain;
   HourglassKind hourglass = HourglassKind::stiffness;
   double hourglass_coefficient = 1.;

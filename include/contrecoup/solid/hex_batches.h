@@ -41,9 +41,11 @@ public:
 
   /// @param viscoelastic whether each tissue needs memory of strains
   /// @param damped whether each tissue has dampers of hourglass modes
+  /// @param n_points of integration, each with a memory of its own
   void reinit(const SolidMesh &mesh,
               const std::vector<bool> &viscoelastic,
-              const std::vector<bool> &damped);
+              const std::vector<bool> &damped,
+              const unsigned int n_points);
 
   /// Sets coordinates of the mesh and of the nodes for spare lanes.
   static void reinit_nodes(const SolidMesh &mesh, NodeFields<Real> &nodes);
@@ -81,8 +83,26 @@ public:
   /// Bytes that elements need, without nodes.
   double memory() const;
 
-  /// State by batch; of viscoelastic ones 6 relaxed strains in a row, of
-  /// damped ones 12 forces.
+  /// The relaxed strains of a viscoelastic batch.
+  Lane *relaxed_of(const Range &range, const unsigned int batch)
+  {
+    return &relaxed[range.first_relaxed +
+                    6 * n_points_ * (batch - range.begin)];
+  }
+  const Lane *relaxed_of(const Range &range, const unsigned int batch) const
+  {
+    return &relaxed[range.first_relaxed +
+                    6 * n_points_ * (batch - range.begin)];
+  }
+
+  /// How many of them an element has.
+  unsigned int n_relaxed() const
+  {
+    return 6 * n_points_;
+  }
+
+  /// State by batch; of viscoelastic ones 6 relaxed strains for each point in
+  /// a row, of damped ones 12 forces.
   dealii::AlignedVector<Lane> dilatation;
   dealii::AlignedVector<Lane> viscous_pressure;
   dealii::AlignedVector<Lane> relaxed;
@@ -97,8 +117,7 @@ public:
     state.viscous_pressure = viscous_pressure[batch];
     if constexpr (viscoelastic)
       for (unsigned int k = 0; k < 6; ++k)
-        state.relaxed[k] =
-          relaxed[range.first_relaxed + 6 * (batch - range.begin) + k];
+        state.relaxed[k] = relaxed_of(range, batch)[k];
     if (range.damped)
       for (unsigned int k = 0; k < 12; ++k)
         state.damping[k] =
@@ -114,8 +133,7 @@ public:
     viscous_pressure[batch] = state.viscous_pressure;
     if constexpr (viscoelastic)
       for (unsigned int k = 0; k < 6; ++k)
-        relaxed[range.first_relaxed + 6 * (batch - range.begin) + k] =
-          state.relaxed[k];
+        relaxed_of(range, batch)[k] = state.relaxed[k];
     if (range.damped)
       for (unsigned int k = 0; k < 12; ++k)
         damping[range.first_damping + 12 * (batch - range.begin) + k] =
@@ -126,6 +144,7 @@ public:
   void reset_state();
 
 private:
+  unsigned int n_points_ = 1;
   std::vector<Range> ranges_;
   dealii::AlignedVector<unsigned int> offsets_;
   std::vector<std::uint32_t> cells_;

@@ -127,6 +127,19 @@ private:
                  TissueEnergies &losses);
   template <SolidKinematics kinematics>
   void add_all(NodeFields<Real> &nodes, const StepTimes &times);
+
+  /// Whether shear is integrated in eight points.
+  bool full() const
+  {
+    return options_.integration == Integration::full;
+  }
+  template <SolidKinematics kinematics, bool viscoelastic>
+  void add_full_range(const Range &range,
+                      NodeFields<Real> &nodes,
+                      const StepTimes &times,
+                      TissueEnergies &losses);
+  void add_full_forces(NodeFields<Real> &nodes, const StepTimes &times);
+  void add_full_linear_forces(NodeFields<Real> &nodes);
   template <SolidKinematics kinematics>
   void energies_of(const Range &range,
                    const NodeFields<Real> &nodes,
