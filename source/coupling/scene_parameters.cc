@@ -72,6 +72,11 @@ namespace
                       {"auto", "none", "y"},
                       "Whether the gas is computed on one side of the plane "
                       "y = 0 alone; auto: where body and charge allow it.");
+    declare_bool(prm,
+                 "Forecast",
+                 "true",
+                 "Whether time, memory and disk of each stage are predicted "
+                 "before the first one begins, by trial runs of some seconds.");
     declare_bool(
       prm, "Report", "true", "Whether report.html is made at the end.");
   }
@@ -169,6 +174,7 @@ void SceneParameters::parse_parameters(ParameterHandler &prm)
       accuracy.element_size = element_size;
     end_time = read_double(prm, "End time");
     symmetry = prm.get("Symmetry");
+    has_forecast = prm.get_bool("Forecast");
     draws_report = prm.get_bool("Report");
   }
   {

@@ -178,6 +178,16 @@ void SceneRun::check()
 }
 
 
+void SceneRun::forecast()
+{
+  for (SceneStage &stage : stages_)
+    if (!stage.is_finished())
+      stage.check(collective_);
+  // The stages' checks have closed it.
+  collective_.run([&]() { Log::instance().open(path("log.txt"), true); });
+}
+
+
 void SceneRun::start()
 {
   collective_.run([&]() {
@@ -243,6 +253,8 @@ void SceneRun::execute()
 {
   start();
   print_plan();
+  if (scene_.has_forecast && !command_.resume)
+    forecast();
   const bool finished = run_stages();
   collective_.run([&]() {
     if (is_first_rank_)

@@ -6,15 +6,15 @@ contrecoup_add_application_test(stages scene_run FILE ${_head} TIMEOUT 300
     "assumptions.injury_intracranial_pressure_peak > 1e5"
     "assumptions.injury_strain_95 < 0.05")
 contrecoup_add_application_test(ranks scene_ranks FILE ${_head} TIMEOUT 300
-  SET "Scene/Report=false" "Anatomy/Output/Pictures=false"
+  SET "Scene/Forecast=false" "Scene/Report=false" "Anatomy/Output/Pictures=false"
     "Biomechanics/Elements/Precision=double" "Blast/Method/Precision=double"
     "Blast/Output/Fields=false" "Biomechanics/Output/Fields=false" LABELS ranks)
 contrecoup_add_application_test(sigkill scene_sigkill FILE ${_head} TIMEOUT 600
-  SET "Scene/Report=false" "Anatomy/Output/Pictures=false")
+  SET "Scene/Forecast=false" "Scene/Report=false" "Anatomy/Output/Pictures=false")
 contrecoup_add_application_test(failing_stage scene_failure FILE ${_head}
-  TIMEOUT 300 SET "Scene/Report=false" "Anatomy/Output/Pictures=false")
+  TIMEOUT 300 SET "Scene/Forecast=false" "Scene/Report=false" "Anatomy/Output/Pictures=false")
 contrecoup_add_application_test(full_disk scene_full_disk FILE ${_head}
-  TIMEOUT 300 SET "Scene/Report=false" "Anatomy/Output/Pictures=false")
+  TIMEOUT 300 SET "Scene/Forecast=false" "Scene/Report=false" "Anatomy/Output/Pictures=false")
 
 # scene_refuses(<name> <message> <arguments>)
 function(scene_refuses name message)

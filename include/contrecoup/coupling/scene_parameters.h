@@ -46,6 +46,7 @@ struct SceneParameters
   Accuracy accuracy;
   double end_time = 0.;                  ///< [s]
   std::string symmetry;                  ///< auto, none, y
+  bool has_forecast = true;              ///< of what stages cost
   bool draws_report = true;              ///< report.html
   std::string explosive;                 ///< of the library
   double mass = 0.;                      ///< [kg]

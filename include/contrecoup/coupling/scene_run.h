@@ -47,6 +47,8 @@ private:
   void print_audit();
   /// Of the scene and of its blast.
   std::vector<Assumption> whole_plan() const;
+  /// Prints what each stage would cost.
+  void forecast();
   void start();
   bool run_stages();
   void write_scene();
