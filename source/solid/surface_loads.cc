@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/base/parameters.h>
+#include <contrecoup/solid/analytic_blast.h>
 #include <contrecoup/solid/recorded_loads.h>
 #include <contrecoup/solid/surface_loads.h>
 
@@ -67,6 +68,14 @@ void SurfaceLoads::declare_parameters(ParameterHandler &prm)
     RecordedLoads::declare_parameters(prm);
   }
   const Section load(prm, "Load *");
+  std::vector<std::string> kinds = AnalyticBlast::kinds;
+  kinds.insert(kinds.begin(), "expression");
+  declare_selection(prm,
+                    "Kind",
+                    "expression",
+                    kinds,
+                    "What the pressure is: the expression, a wave of one shape "
+                    "from a charge, or measured blasts of TNT.");
   declare_string(prm,
                  "Where",
                  "1",
@@ -76,8 +85,8 @@ void SurfaceLoads::declare_parameters(ParameterHandler &prm)
                  "Pressure",
                  "0",
                  "[Pa] Overpressure as a muParser expression of x, y, z, t "
-                 "and pi; it pushes inwards. A Friedlander pulse is "
-                 "if(t < T, P * (1 - t/T) * exp(-b*t/T), ...) with numbers.");
+                 "and pi; it pushes inwards.");
+  AnalyticBlast::declare_parameters(prm);
 }
 
 
@@ -86,16 +95,24 @@ void SurfaceLoads::parse_parameters(ParameterHandler &prm)
   {
     const Section section(prm, "Loads");
     const Section recorded(prm, "Recorded");
-    history_ = RecordedLoads::parse_parameters(prm);
+    if (const auto history = RecordedLoads::parse_parameters(prm))
+      loads_.push_back({"recorded",
+                        Expression("Loads/Recorded", "1"),
+                        Expression("Loads/Recorded", "0"),
+                        history});
   }
   for (const std::string &name : item_names(prm, "Loads/Load"))
   {
     const Section section(prm, "Loads");
     const Section load(prm, "Load " + name);
     const std::string path = "Loads/Load " + name;
+    const std::string kind = prm.get("Kind");
     loads_.push_back({name,
                       Expression(path + "/Where", prm.get("Where")),
-                      Expression(path + "/Pressure", prm.get("Pressure"))});
+                      Expression(path + "/Pressure", prm.get("Pressure")),
+                      kind == "expression"
+                        ? nullptr
+                        : AnalyticBlast::parse_parameters(prm, kind, path)});
   }
 }
 
@@ -106,22 +123,22 @@ void SurfaceLoads::reinit(const SolidMesh &mesh, const MPI_Comm communicator)
   nodes_.clear();
   entry_of_node_.assign(mesh.nodes.size(), none);
   for (unsigned int load = 0; load < loads_.size(); ++load)
-    add_facets(mesh, load);
-  if (history_)
   {
-    add_facets(mesh, static_cast<unsigned int>(loads_.size()));
+    const std::size_t first = facets_.size();
+    add_facets(mesh, load);
+    if (!loads_[load].history)
+      continue;
     std::vector<Point<3>> middles;
     std::vector<Tensor<1, 3>> areas;
-    for (const HexMesh::Facet &facet : mesh.boundary)
+    for (std::size_t i = first; i < facets_.size(); ++i)
     {
-      const auto corners = corners_of(mesh, facet);
-      middles.push_back(middle_of(corners));
+      middles.push_back(facets_[i].middle);
       Tensor<1, 3> area;
-      for (const Tensor<1, 3> &one : nodal_areas(corners))
+      for (const Tensor<1, 3> &one : facets_[i].area)
         area += one;
       areas.push_back(area);
     }
-    history_->reinit(middles, areas, communicator);
+    loads_[load].history->reinit(middles, areas, communicator);
   }
   forces_.assign(nodes_.size(), Tensor<1, 3>());
 }
@@ -129,13 +146,14 @@ void SurfaceLoads::reinit(const SolidMesh &mesh, const MPI_Comm communicator)
 
 void SurfaceLoads::add_facets(const SolidMesh &mesh, const unsigned int load)
 {
+  std::size_t number = 0;
   for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
   {
     const auto corners = corners_of(mesh, mesh.boundary[i]);
     const Point<3> middle = middle_of(corners);
-    if (load < loads_.size() && loads_[load].where.value(middle) == 0.)
+    if (loads_[load].where.value(middle) == 0.)
       continue;
-    Facet facet{i, load, middle, {}, nodal_areas(corners), 0.};
+    Facet facet{number++, load, middle, {}, nodal_areas(corners), 0.};
     for (unsigned int v = 0; v < 4; ++v)
     {
       std::uint32_t &entry = entry_of_node_[mesh.boundary[i].nodes[v]];
@@ -157,19 +175,20 @@ void SurfaceLoads::set_time(const double time)
     force = Tensor<1, 3>();
   std::vector<double> everywhere;
   for (const Load &load : loads_)
-    everywhere.push_back(load.pressure.depends_on_place()
+  {
+    if (load.history)
+      load.history->set_time(time);
+    everywhere.push_back(load.history || load.pressure.depends_on_place()
                            ? 0.
                            : load.pressure.value(Point<3>(), time));
-  if (history_)
-    history_->set_time(time);
+  }
   for (Facet &facet : facets_)
   {
-    const bool recorded = facet.load == loads_.size();
-    const double pressure =
-      recorded ? history_->pressure(facet.number)
-      : loads_[facet.load].pressure.depends_on_place()
-        ? loads_[facet.load].pressure.value(facet.middle, time)
-        : everywhere[facet.load];
+    const Load &load = loads_[facet.load];
+    const double pressure = load.history ? load.history->pressure(facet.number)
+                            : load.pressure.depends_on_place()
+                              ? load.pressure.value(facet.middle, time)
+                              : everywhere[facet.load];
     facet.pressure = pressure;
     for (unsigned int v = 0; v < 4; ++v)
       forces_[facet.entry[v]] -= pressure * facet.area[v];
@@ -194,6 +213,17 @@ double SurfaceLoads::power(const NodeFields<Real> &nodes) const
     for (unsigned int d = 0; d < 3; ++d)
       sum += forces_[i][d] * double(nodes.velocity_of(nodes_[i])[d]);
   return sum;
+}
+
+
+std::vector<NamedValue> SurfaceLoads::audit() const
+{
+  std::vector<NamedValue> values;
+  for (const Load &load : loads_)
+    if (load.history)
+      for (const NamedValue &value : load.history->audit())
+        values.push_back(value);
+  return values;
 }
 
 

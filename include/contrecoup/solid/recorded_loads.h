@@ -3,9 +3,11 @@
 
 #pragma once
 
-#include <contrecoup/base/simulation.h>
 #include <contrecoup/io/load_reader.h>
-#include <contrecoup/solid/surface_loads.h>
+#include <contrecoup/solid/pressure_history.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/tensor.h>
 
 #include <array>
 #include <memory>

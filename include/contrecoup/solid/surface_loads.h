@@ -4,8 +4,8 @@
 #pragma once
 
 #include <contrecoup/base/expression.h>
-#include <contrecoup/base/simulation.h>
 #include <contrecoup/solid/node_fields.h>
+#include <contrecoup/solid/pressure_history.h>
 #include <contrecoup/solid/solid_mesh.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -17,29 +17,6 @@
 
 namespace contrecoup::solid
 {
-/// Pressures on facets over time, such as those that another run recorded.
-class PressureHistory
-{
-public:
-  virtual ~PressureHistory() = default;
-
-  /// Takes the facets of this rank, by their middles [m] and area vectors out
-  /// of the body [m^2]. Collective.
-  virtual void reinit(const std::vector<dealii::Point<3>> &middles,
-                      const std::vector<dealii::Tensor<1, 3>> &areas,
-                      MPI_Comm communicator) = 0;
-
-  /// Goes to a time [s]; times ascend.
-  virtual void set_time(double time) = 0;
-
-  /// Overpressure on a facet at that time [Pa].
-  virtual double pressure(std::size_t facet) const = 0;
-
-  /// What there is to say of how the loads were brought here. Collective.
-  virtual std::vector<NamedValue> audit() const = 0;
-};
-
-
 /**
  * Pressures on the surface: subsection "Loads". Each facet has the force
  * p n A, shared by its nodes as their shape functions say, with areas and
@@ -65,10 +42,7 @@ public:
   double power(const NodeFields<Real> &nodes) const;
 
   /// What there is to say of recorded loads. Collective.
-  std::vector<NamedValue> audit() const
-  {
-    return history_ ? history_->audit() : std::vector<NamedValue>();
-  }
+  std::vector<NamedValue> audit() const;
 
   /// Pressure on the loaded facet whose middle is nearest to a point [Pa], the
   /// mean of several that are equally near, 0 without any. Collective.
@@ -84,13 +58,14 @@ private:
     std::string name;
     Expression where;
     Expression pressure;
+    std::shared_ptr<PressureHistory> history; ///< in place of the expression
   };
 
   /// A facet under pressure and the area vectors of its nodes.
   struct Facet
   {
-    std::size_t number; ///< in the boundary of the mesh
-    unsigned int load;  ///< number of loads: the history
+    std::size_t number; ///< among the facets of its load
+    unsigned int load;
     dealii::Point<3> middle;
     std::array<unsigned int, 4> entry; ///< in forces_
     std::array<dealii::Tensor<1, 3>, 4> area;
@@ -100,7 +75,6 @@ private:
   void add_facets(const SolidMesh &mesh, unsigned int load);
 
   std::vector<Load> loads_;
-  std::shared_ptr<PressureHistory> history_;
   std::vector<Facet> facets_;
   std::vector<std::uint32_t> nodes_; ///< that have forces
   std::vector<std::uint32_t> entry_of_node_;
