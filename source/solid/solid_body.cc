@@ -105,6 +105,7 @@ void SolidBody<Real>::assemble()
   loads_.add_forces(nodes_);
   gather_hanging(nodes_.force.data(), 3, nodes_.width);
   exchange_.add(nodes_.force.data(), 3, nodes_.width);
+  surroundings_.add_forces(nodes_);
   supports_.forget();
 }
 
@@ -118,7 +119,7 @@ void SolidBody<Real>::start(const double time)
   move_hanging();
   assemble();
   const EnergyBalance now = balance();
-  initial_energy_ = now.sum.kinetic + now.sum.internal();
+  initial_energy_ = now.sum.kinetic + now.sum.internal() + now.contact;
 }
 
 
@@ -147,7 +148,8 @@ void SolidBody<Real>::advance(const double step)
     move_hanging();
   }
   const auto power = [&]() {
-    return loads_.power(nodes_) + supports_.power(nodes_);
+    return loads_.power(nodes_) + supports_.power(nodes_) +
+           surroundings_.power(nodes_, counted_);
   };
   external_work_ += 0.5 * step * power();
   time_ += step;
@@ -169,7 +171,8 @@ EnergyBalance SolidBody<Real>::balance() const
   std::vector<double> numbers{external_work_,
                               nodal_work_ +
                                 work_until_now(nodes_, counted_, times_.before),
-                              step_change_};
+                              step_change_,
+                              surroundings_.contact_energy(nodes_, counted_)};
   for (const TissueEnergies &one : balance.tissues)
     numbers.insert(numbers.end(),
                    {one.kinetic,
@@ -179,10 +182,11 @@ EnergyBalance SolidBody<Real>::balance() const
                     one.relaxation});
   dealii::Utilities::MPI::sum(numbers, communicator_, numbers);
   balance.external_work = numbers[0];
-  balance.nodal_internal_work = numbers[0] - numbers[1];
+  balance.contact = numbers[3];
+  balance.nodal_internal_work = numbers[0] - numbers[1] - balance.contact;
   balance.initial = initial_energy_;
   balance.step_change = numbers[2];
-  const double *next = &numbers[3];
+  const double *next = &numbers[4];
   for (TissueEnergies &one : balance.tissues)
   {
     one = {next[0], next[1], next[2], next[3], next[4]};
@@ -194,6 +198,14 @@ EnergyBalance SolidBody<Real>::balance() const
     balance.sum.relaxation += one.relaxation;
   }
   return balance;
+}
+
+
+template <typename Real>
+double SolidBody<Real>::ground_force() const
+{
+  return dealii::Utilities::MPI::sum(
+    surroundings_.contact_force(nodes_, counted_), communicator_);
 }
 
 

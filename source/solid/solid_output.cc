@@ -85,7 +85,8 @@ namespace
 
   /// The file that names the pieces of all ranks.
   void write_master(const std::string &name,
-                    const std::vector<std::string> &pieces)
+                    const std::vector<std::string> &pieces,
+                    const std::vector<std::string> &fields)
   {
     io::write_file(name, [&](std::ostream &out) {
       const auto array = [&](const std::string &type,
@@ -105,7 +106,7 @@ namespace
         array("Float32", field, 3);
       out << "</PPointData>\n<PCellData>\n";
       array("UInt8", "tissue", 1);
-      for (const std::string &field : cell_names)
+      for (const std::string &field : fields)
         array("Float32", field, 1);
       out << "</PCellData>\n";
       for (const std::string &piece : pieces)
@@ -118,6 +119,7 @@ namespace
 
 template <typename Real>
 std::string write_solid(const SolidBody<Real> &body,
+                        const PeakFields<Real> &peaks,
                         const std::string &folder,
                         const unsigned int index)
 {
@@ -139,6 +141,13 @@ std::string write_solid(const SolidBody<Real> &body,
   io::VtkFile file("UnstructuredGrid", "", sizes);
   add_points(file, body);
   add_fields(file, body);
+  std::vector<std::string> fields = cell_names;
+  if (peaks.active())
+    for (unsigned int k = 0; k < peaks.n_fields; ++k)
+    {
+      file.add("CellData", peaks.names[k], peaks.field(k));
+      fields.push_back(peaks.names[k]);
+    }
   file.write(folder + "/" + piece(rank));
   if (n_ranks == 1)
     return piece(0);
@@ -146,13 +155,17 @@ std::string write_solid(const SolidBody<Real> &body,
   for (unsigned int i = 0; i < n_ranks; ++i)
     pieces.push_back(piece(i));
   if (rank == 0)
-    write_master(folder + "/" + stem + ".pvtu", pieces);
+    write_master(folder + "/" + stem + ".pvtu", pieces, fields);
   return stem + ".pvtu";
 }
 
 
-template std::string
-write_solid(const SolidBody<double> &, const std::string &, unsigned int);
-template std::string
-write_solid(const SolidBody<float> &, const std::string &, unsigned int);
+template std::string write_solid(const SolidBody<double> &,
+                                 const PeakFields<double> &,
+                                 const std::string &,
+                                 unsigned int);
+template std::string write_solid(const SolidBody<float> &,
+                                 const PeakFields<float> &,
+                                 const std::string &,
+                                 unsigned int);
 } // namespace contrecoup::solid

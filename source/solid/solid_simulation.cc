@@ -67,10 +67,12 @@ void SolidSimulation<Real>::declare_parameters(ParameterHandler &prm)
   }
   Supports::declare_parameters(prm);
   SurfaceLoads::declare_parameters(prm);
+  Surroundings::declare_parameters(prm);
   InitialMotion::declare_parameters(prm);
   ReferenceMotion::declare_parameters(prm);
   SolidProbes::declare_parameters(prm);
   InjuryReport<Real>::declare_parameters(prm);
+  PeakFields<Real>::declare_parameters(prm);
   const Section section(prm, "Energy audit");
   declare_double(prm,
                  "Largest residual",
@@ -103,10 +105,12 @@ void SolidSimulation<Real>::parse_parameters(ParameterHandler &prm)
   }
   supports_.parse_parameters(prm);
   loads_.parse_parameters(prm);
+  surroundings_.parse_parameters(prm);
   initial_.parse_parameters(prm);
   reference_.parse_parameters(prm);
   probes_.parse_parameters(prm);
   injury_.parse_parameters(prm);
+  peaks_.parse_parameters(prm);
   {
     const Section section(prm, "Energy audit");
     largest_residual_ = read_double(prm, "Largest residual");
@@ -151,9 +155,16 @@ void SolidSimulation<Real>::build()
     communicator_);
   certificate_ = body_.certify_step();
   stable_step_ = safety_ * options_.step_factor() * certificate_.body_step;
+  // What bulk viscosity takes of the step is the body's own part as well.
+  const double factor = options_.step_factor();
+  surroundings_.set_step(stable_step_,
+                         1. - factor * factor * (1. - safety_ * safety_));
+  body_.set_surroundings(surroundings_);
   probes_.reinit(body_.mesh(), communicator_);
   if (injury_.active())
     injury_.reinit(body_);
+  if (peaks_.active())
+    peaks_.reinit(body_);
 }
 
 
@@ -199,6 +210,11 @@ StepReport SolidSimulation<Real>::advance(const double largest_step)
     const TimerScope timer("injury");
     injury_.follow(body_);
   }
+  if (peaks_.active())
+  {
+    const TimerScope timer("peaks");
+    peaks_.follow(body_);
+  }
   if (probes_.measures())
     probes_.read(body_);
   return report;
@@ -240,6 +256,11 @@ std::vector<NamedValue> SolidSimulation<Real>::history()
     {"momentum_x", "N s", momentum[0]},
     {"momentum_y", "N s", momentum[1]},
     {"momentum_z", "N s", momentum[2]}};
+  if (surroundings_.has_ground())
+  {
+    values.push_back({"contact_energy", "J", balance.contact});
+    values.push_back({"ground_force", "N", body_.ground_force()});
+  }
   const std::vector<Tissue> &tissues = body_.mesh().tissues;
   if (tissues.size() > 1)
     for (std::size_t i = 0; i < tissues.size(); ++i)
@@ -252,6 +273,9 @@ std::vector<NamedValue> SolidSimulation<Real>::history()
       values.push_back(
         {column("hourglass_energy", tissues[i]), "J", one.hourglass});
     }
+  if (injury_.active())
+    for (const NamedValue &value : injury_.history(body_))
+      values.push_back(value);
   return values;
 }
 
@@ -271,7 +295,7 @@ template <typename Real>
 std::string SolidSimulation<Real>::write_fields(const std::string &folder,
                                                 const unsigned int index)
 {
-  return write_solid(body_, folder, index);
+  return write_solid(body_, peaks_, folder, index);
 }
 
 
@@ -372,6 +396,8 @@ void SolidSimulation<Real>::save(const std::string &folder)
   body_.save(folder);
   if (injury_.active())
     injury_.save(body_, folder);
+  if (peaks_.active())
+    peaks_.save(body_, folder);
   if (dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
     io::write_file(folder + "/probes.bin", [&](std::ostream &out) {
       out.write(reinterpret_cast<const char *>(&energy_scale_),
@@ -388,6 +414,8 @@ void SolidSimulation<Real>::restore(const std::string &folder)
   body_.restore(folder);
   if (injury_.active())
     injury_.restore(body_, folder);
+  if (peaks_.active())
+    peaks_.restore(body_, folder);
   std::istringstream stream(io::read_file(folder + "/probes.bin"));
   stream.read(reinterpret_cast<char *>(&energy_scale_), sizeof(energy_scale_));
   probes_.load(stream);

@@ -83,11 +83,31 @@ biomechanics_verifies(relaxation_full relaxation "errors.stress < 1e-6"
 biomechanics_verifies(fluid_sphere_full fluid_sphere
   "errors.pressure_L1 < 6.5e-2" "Elements/Integration=full")
 
+biomechanics_verifies(bounce bounce
+  "assumptions.energy_residual < 1e-3;errors.velocity_after < 0.05")
+# Without ground: t^2 g / 2.
+biomechanics_verifies(free_fall bounce
+  "errors.velocity_after < 1e-9;assumptions.energy_residual < 1e-9"
+  "Ground/Active=false" "Initial state/Velocity z=0"
+  "Measures/Measure velocity_after/Quantity=displacement_z"
+  "Measures/Measure velocity_after/Expected=-4.905e-8")
 biomechanics_verifies(phantom ../quickstart
   "assumptions.energy_residual < 1e-4" "Time/End time=1e-3")
 
 contrecoup_add_application_test(resume resume FILE ${_folder}/plane_wave.prm
   SET "Output/Fields=false" COMPARE history.csv probes.csv)
+contrecoup_add_application_test(peaks_resume resume
+  FILE ${_folder}/plane_wave.prm SET "Output/Fields interval=2e-5"
+  "Peaks/Active=true" "Peaks/Every steps=3" STOP_AFTER 50
+  COMPARE history.csv probes.csv)
+contrecoup_add_application_test(stiff_ground refusal
+  FILE ${_folder}/bounce.prm ARGUMENTS "--set" "Ground/Stiffness=0.5"
+  MESSAGE "makes steps unstable")
+contrecoup_add_application_test(charge_far_away refusal
+  FILE biomechanics/quickstart.prm
+  ARGUMENTS "--set" "Loads/Load pulse/Kind=kingery bulmash"
+    "--set" "Loads/Load pulse/Kingery Bulmash/Centre=1000, 0, 0"
+  MESSAGE "which the tables do not cover")
 contrecoup_add_application_test(ranks ranks FILE ${_folder}/plane_wave.prm
   SET "Output/Fields=false" COMPARE history.csv
   TOLERANCE "-r 1e-9 -a 1e-16")
@@ -99,6 +119,14 @@ contrecoup_add_application_test(energy_gate bounds
   FILE ${_folder}/plane_wave.prm
   SET "Output/Fields=false" "Energy audit/Largest residual=0"
   BOUNDS "status == failed" EXIT 2 MESSAGE "energy audit")
+
+# The phantom before 1 kg of TNT, of the tables.
+contrecoup_add_application_test(tnt bounds FILE biomechanics/quickstart.prm
+  SET "Output/Fields=false" "Time/End time=1.5e-3"
+  "Loads/Load pulse/Kind=kingery bulmash"
+  BOUNDS "status == finished" "assumptions.energy_residual < 1e-4"
+  "assumptions.injury_chest_pressure_peak > 4e5"
+  "assumptions.injury_chest_pressure_peak < 9e5")
 
 # The phantom with its measures of injury.
 contrecoup_add_application_test(injury bounds FILE biomechanics/quickstart.prm

@@ -45,6 +45,10 @@ public:
   /// Call after each step. Collective.
   void follow(const SolidBody<Real> &body);
 
+  /// Of the brain as it is now, by volume: the principal strain that 95 % of it
+  /// does not exceed, and the pressures that 95 % and 5 % do not. Collective.
+  std::vector<NamedValue> history(const SolidBody<Real> &body) const;
+
   /// What was found so far. Collective.
   std::vector<InjuryMeasure> measures(const SolidBody<Real> &body) const;
 

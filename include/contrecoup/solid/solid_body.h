@@ -8,6 +8,7 @@
 #include <contrecoup/solid/solid_operator.h>
 #include <contrecoup/solid/supports.h>
 #include <contrecoup/solid/surface_loads.h>
+#include <contrecoup/solid/surroundings.h>
 
 namespace contrecoup::solid
 {
@@ -28,7 +29,8 @@ struct EnergyBalance
 {
   std::vector<TissueEnergies> tissues;
   TissueEnergies sum;
-  double external_work = 0.; ///< of loads and moved supports
+  double external_work = 0.; ///< of loads, moved supports and gravity
+  double contact = 0.;       ///< in the springs of the ground
   /// Work of the elements' forces as their nodes felt it: what the sums over
   /// elements should be.
   double nodal_internal_work = 0.;
@@ -40,7 +42,8 @@ struct EnergyBalance
   /// What is missing in the energy of elements and nodes.
   double residual() const
   {
-    return sum.kinetic + sum.internal() - external_work - initial - step_change;
+    return sum.kinetic + sum.internal() + contact - external_work - initial -
+           step_change;
   }
 };
 
@@ -68,6 +71,15 @@ public:
   /// The longest stable step without bulk viscosity. Only at rest: uses the
   /// displacements and velocities as memory and leaves them zero.
   StepCertificate certify_step();
+
+  /// Gravity and ground, whose step was set.
+  void set_surroundings(const Surroundings &surroundings)
+  {
+    surroundings_ = surroundings;
+  }
+
+  /// Force of the ground on the body [N].
+  double ground_force() const;
 
   /// Makes the forces of a state that was set from outside, at its time.
   void start(const double time);
@@ -150,6 +162,7 @@ private:
   NodeExchange exchange_;
   Supports supports_;
   SurfaceLoads loads_;
+  Surroundings surroundings_;
   std::vector<unsigned char> counted_; ///< nodes with inertia of this rank
   double mass_ = 0.;
   double time_ = 0.;

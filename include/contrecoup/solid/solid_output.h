@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/solid/solid_body.h>
+#include <contrecoup/solid/peak_fields.h>
 
 #include <string>
 
@@ -13,12 +13,13 @@ namespace contrecoup::solid
  * Writes the body for ParaView: `solid_0012.vtu`, or a piece for each rank and
  * `solid_0012.pvtu`. Points are those of the undeformed body; displacement and
  * velocity stand at nodes, tissue, pressure, von Mises stress and largest
- * principal strain in elements. Collective.
+ * principal strain in elements, and the peaks that are kept. Collective.
  * @return the file to open, without folder
  * @throws SystemError
  */
 template <typename Real>
 std::string write_solid(const SolidBody<Real> &body,
+                        const PeakFields<Real> &peaks,
                         const std::string &folder,
                         unsigned int index);
 } // namespace contrecoup::solid

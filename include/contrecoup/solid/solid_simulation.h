@@ -7,6 +7,7 @@
 #include <contrecoup/solid/displacement_field.h>
 #include <contrecoup/solid/injury_report.h>
 #include <contrecoup/solid/mesh_description.h>
+#include <contrecoup/solid/peak_fields.h>
 #include <contrecoup/solid/solid_body.h>
 #include <contrecoup/solid/solid_materials.h>
 #include <contrecoup/solid/solid_probes.h>
@@ -70,10 +71,12 @@ private:
   ElementOptions options_;
   Supports supports_;
   SurfaceLoads loads_;
+  Surroundings surroundings_;
   InitialMotion initial_;
   ReferenceMotion reference_;
   SolidProbes probes_;
   InjuryReport<Real> injury_;
+  PeakFields<Real> peaks_;
   double safety_ = 0.9;
   double largest_residual_ = 0.01;
   double largest_hourglass_ = 0.1;

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/solid/injury_formulas.h>
+#include <contrecoup/solid/injury_report.h>
+#include <contrecoup/solid/solid_probes.h>
+
+namespace contrecoup::solid
+{
+template <typename Real>
+std::vector<NamedValue>
+InjuryReport<Real>::history(const SolidBody<Real> &body) const
+{
+  std::vector<double> strains(pieces_.size()), pressures(pieces_.size());
+  body.elements().visit(
+    body.nodes(),
+    body.times(),
+    [&](const std::uint32_t cell, const ElementValues &element) {
+      const std::uint32_t i = piece_of_cell_[cell];
+      strains[i] = largest_principal(element.strain);
+      pressures[i] = pressure_of(element.stress);
+    },
+    brain_);
+  if (averaged_)
+    pressures = average_.average(pressures);
+  // Of all ranks, each with its volume.
+  const auto gather = [&](const std::vector<double> &values) {
+    std::vector<std::pair<double, double>> mine, all;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      mine.emplace_back(values[i], pieces_[i].volume);
+    for (const auto &rank :
+         dealii::Utilities::MPI::all_gather(body.communicator(), mine))
+      all.insert(all.end(), rank.begin(), rank.end());
+    return all;
+  };
+  const auto all_strains = gather(strains);
+  if (all_strains.empty())
+    return {};
+  const auto all_pressures = gather(pressures);
+  return {{"brain_strain_95", "-", volume_percentile(all_strains, 0.95)},
+          {"brain_pressure_95", "Pa", volume_percentile(all_pressures, 0.95)},
+          {"brain_pressure_5", "Pa", volume_percentile(all_pressures, 0.05)}};
+}
+
+
+template std::vector<NamedValue>
+InjuryReport<double>::history(const SolidBody<double> &) const;
+template std::vector<NamedValue>
+InjuryReport<float>::history(const SolidBody<float> &) const;
+} // namespace contrecoup::solid
