@@ -160,6 +160,10 @@ biomechanics_endures(lung_by_bone "assumptions.energy_residual < 1e-5")
 biomechanics_endures(ten_megapascal "assumptions.energy_residual < 1e-3")
 biomechanics_endures(slivers "assumptions.energy_residual < 1e-12")
 biomechanics_endures(microsecond_pulse "assumptions.energy_residual < 1e-12")
+biomechanics_endures(floating
+  "errors.displacement < 1e-2;assumptions.energy_residual < 1e-4")
+biomechanics_endures(long_pulse
+  "errors.pressure < 1e-4;assumptions.energy_residual < 1e-10")
 biomechanics_endures(million_steps "assumptions.energy_residual < 1e-6")
 contrecoup_add_application_test(inverted_element refusal
   FILE biomechanics/quickstart.prm
