@@ -5,6 +5,7 @@
 #include <contrecoup/base/text.h>
 #include <contrecoup/coupling/scene_files.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace contrecoup::coupling
@@ -257,7 +258,8 @@ biomechanics_entries(const SceneParameters &scene,
   entries.set("Loads/Recorded/Largest distance", 0.5);
   entries.set("Loads/Recorded/Mirror", layout.is_half ? "y" : "none");
   entries.set("Injury/Active", "true");
-  entries.set("Injury/Body mass", body_mass);
+  // The range of the entry; small bodies have no chest.
+  entries.set("Injury/Body mass", std::clamp(body_mass, 1., 500.));
   for (const Landmark &landmark : body.landmarks())
     if (landmark.name == "chest")
       entries.set("Injury/Chest", text_of(landmark.place));

@@ -97,6 +97,9 @@ SceneRun::SceneRun(const io::CommandLine &command,
       }
       body_ = description_.create();
       layout_.emplace(scene_, *body_->surface());
+      body_mass_ = description_.kind() == "phantom"
+                     ? description_.reference_mass()
+                     : estimate_mass(*body_, scene_.accuracy.element_size);
       if (scene_.wants_injury())
         places_ = find_tissue_places(
           *body_, layout_->charge, scene_.accuracy.element_size);
@@ -105,7 +108,7 @@ SceneRun::SceneRun(const io::CommandLine &command,
       make_blast(wrote);
       if (scene_.wants_injury())
         make_biomechanics(wrote);
-      plan_ = scene_plan(scene_, *layout_, description_.reference_mass());
+      plan_ = scene_plan(scene_, *layout_, body_mass_);
     },
     ExitCode::bad_input);
 }
@@ -153,8 +156,8 @@ void SceneRun::make_blast(const std::vector<Assignment> &wrote)
 void SceneRun::make_biomechanics(const std::vector<Assignment> &wrote)
 {
   const auto application = biomechanics_application();
-  const auto entries = biomechanics_entries(
-    scene_, *layout_, *body_, places_, description_.reference_mass());
+  const auto entries =
+    biomechanics_entries(scene_, *layout_, *body_, places_, body_mass_);
   stages_.emplace_back("biomechanics",
                        command_.output_folder,
                        text_of("Biomechanics", entries, wrote, application),

@@ -3,6 +3,7 @@
 
 #include <contrecoup/coupling/tissue_places.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -120,6 +121,19 @@ namespace
     }
   }
 } // namespace
+
+
+double estimate_mass(const Body &body, const double spacing)
+{
+  LabelGrid grid = make_grid(body.surface()->bounding_box(), spacing);
+  body.fill(grid);
+  const auto n_filled = std::count_if(
+    grid.labels.begin(), grid.labels.end(), [](const unsigned char label) {
+      return label != LabelGrid::nothing;
+    });
+  constexpr double density = 1000.; // of water [kg/m^3]
+  return density * grid.volume() * static_cast<double>(n_filled);
+}
 
 
 std::vector<TissuePlace>

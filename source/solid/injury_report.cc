@@ -331,7 +331,10 @@ template <typename Real>
 void InjuryReport<Real>::add_chest(const SolidBody<Real> &body,
                                    std::vector<InjuryMeasure> &list) const
 {
-  if (chest_pressures_.empty())
+  const auto &tissues = body.mesh().tissues;
+  const bool has_chest =
+    std::find(tissues.begin(), tissues.end(), Tissue::lung) != tissues.end();
+  if (!has_chest || chest_pressures_.empty())
     return;
   double peak = 0., duration = 0.;
   for (std::size_t i = 0; i < chest_pressures_.size(); ++i)

@@ -65,6 +65,7 @@ private:
   SceneParameters scene_;
   BodyDescription description_;
   BodyPointer body_;
+  double body_mass_ = 0.; ///< [kg]
   std::optional<SceneLayout> layout_;
   std::vector<TissuePlace> places_;
   std::vector<SceneStage> stages_;

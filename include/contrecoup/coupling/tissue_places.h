@@ -19,6 +19,10 @@ struct TissuePlace
   dealii::Point<3> place; ///< [m]
 };
 
+/// Mass of a body of the density of water, by samples of that @p spacing [m]
+/// [kg].
+double estimate_mass(const Body &body, double spacing);
+
 /**
  * Places that every report on a blast asks for, as far as the body has them:
  * "coup" and "contrecoup", the ends of the brain towards @p from and away
