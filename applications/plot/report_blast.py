@@ -198,7 +198,7 @@ def _open_sides(scene):
         return ("No side of the domain is open: what changes in a closed "
                 "domain is an error.")
     return ("The sides " + ", ".join(sorted(sides)) + " are open. What leaves "
-            "there counts as a change; products that stay inside change by "
-            "the error of the method alone. In closed domains mass and energy "
+            "there counts as a change, of products as well when they get that "
+            "far. In closed domains mass and energy "
             "are kept to 10⁻¹² in double and 10⁻⁷ in single precision, which "
             "the tests of the code show.")

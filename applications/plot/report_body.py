@@ -46,9 +46,9 @@ def waves(scene):
         page.figure(beside, "The same in a parasagittal plane, y = "
                     f"{BESIDE:g} m, through a lung and a leg."),
         page.figure(head, "The head in the sagittal plane, with a scale of its own. "
-                    "Values are those of single elements; where they "
-                    "alternate from one to the next, as they do late in the "
-                    "nearly incompressible brain, only their mean counts.")]
+                    "Where values alternate from one element to the next, as "
+                    "they may late in nearly incompressible tissue, only "
+                    "what neighbours share counts.")]
 
 
 def _pick(scene):
@@ -110,7 +110,8 @@ def histories(scene):
                             for axis in "xyz"))
         rows.append((
             place.name, page.Html("\u00a0".join(
-                f"{x:g}".replace("-", "−") for x in place.point)),
+                f"{round(x, 3) + 0.:g}".replace("-", "−")
+                for x in place.point)),
             page.number(1e-3 * float(pressure.max())),
             page.number(1e-3 * float(pressure.min())),
             page.number(1e-3 * float(
@@ -140,7 +141,7 @@ def _draw_first(probes, places):
     axis.axhline(-100., color=look.GREY, linewidth=0.8, linestyle=":")
     axis.set_xlabel("time [ms]")
     axis.set_ylabel("pressure [kPa]")
-    axis.legend(loc="upper right")
+    axis.legend(loc="upper left", bbox_to_anchor=(1., 1.))
     return figure
 
 
@@ -164,7 +165,7 @@ def _draw_histories(probes, groups):
                          linestyle=":")
         axis.set_title(title)
         axis.set_ylabel(f"pressure [{unit}]")
-        axis.legend(loc="upper right", ncols=2)
+        axis.legend(loc="upper left", bbox_to_anchor=(1., 1.))
     axes[-1, 0].set_xlim(max(0., begin - 0.3), time[-1])
     axes[-1, 0].set_xlabel("time [ms]")
     return figure

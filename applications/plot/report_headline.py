@@ -5,6 +5,8 @@
 import report_injury
 import report_page as page
 
+LONG_ENOUGH = 0.01  # s, until the largest strains that a front causes
+
 
 def answer(scene, judged):
     """What this blast does to this person, and how sure that is."""
@@ -118,6 +120,14 @@ def _certainty(scene, judged):
             "What pressures and strains mean for a brain in a blast is open: "
             "the limits were found for impacts, and blasts that were survived "
             "exceed that of pressure.")
+    end = scene.fact("end_time")
+    if end is not None and end < LONG_ENOUGH and any(
+            entry.name in ("injury_strain_95", "injury_hic15")
+            for entry in judged):
+        parts.append(
+            f"The run ends after {page.milliseconds(end)}, while strains of "
+            "the brain and motion of the head still grow: they are lower "
+            "limits.")
     failed = [stage.get("name") for stage in scene.list_of("stages")
               if stage.get("status") == "failed"]
     if failed:

@@ -275,10 +275,14 @@ def _draw_timeline(found):
             axis.plot(1e3 * event.mark, row, marker="o", markersize=4,
                       color=look.COLOURS[1])
     air = [event for event in found if event.lane == "air"]
+    last_place = -np.inf
     for letter, event in zip("abcdefgh", air):
+        is_close = event.begin - last_place < 0.04 * last
+        last_place = event.begin
         axis.axvline(1e3 * event.begin, color="black", linewidth=0.9,
                      linestyle=":")
-        axis.annotate(f"({letter})", (1e3 * event.begin, -0.65), (0, 3),
+        axis.annotate(f"({letter})", (1e3 * event.begin, -0.65),
+                      (6 if is_close else 0, 3),
                       textcoords="offset points", ha="center", fontsize=9,
                       annotation_clip=False)
     axis.set_yticks(range(len(rows)), [event.what for event in rows])

@@ -115,7 +115,13 @@ namespace
     if (files_.size() > deepest)
       throw InputError(where + ": files include each other without end");
     const std::filesystem::path here(files_.back());
-    read((here.parent_path() / rest).string());
+    const std::string file = (here.parent_path() / rest).string();
+    // Each including itself twice, no depth would be reached in time.
+    std::error_code error;
+    for (const std::string &open : files_)
+      if (std::filesystem::equivalent(open, file, error))
+        throw InputError(where + ": files include each other without end");
+    read(file);
   }
 } // namespace
 

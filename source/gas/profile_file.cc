@@ -5,10 +5,9 @@
 #include <contrecoup/base/text.h>
 #include <contrecoup/gas/profile_file.h>
 #include <contrecoup/io/checked_file.h>
+#include <contrecoup/io/hdf5_input.h>
 
 #include <deal.II/base/hdf5.h>
-
-#include <hdf5.h>
 
 #include <filesystem>
 #include <sstream>
@@ -60,15 +59,11 @@ namespace
   }
 
 
-  void write_hdf5(const std::string &file, const ProfileData &data)
+  /// All but texts. @return names of the maps
+  std::string write_numbers(const std::string &file, const ProfileData &data)
   {
     using namespace dealii::HDF5;
     File out(file, File::FileAccessMode::create);
-    out.set_attribute("format", format);
-    out.set_attribute("units", units);
-    out.set_attribute("version", data.version);
-    out.set_attribute("material", data.material);
-    out.set_attribute("geometry", geometry_name(data.geometry));
     out.set_attribute("time_s", data.time);
     out.set_attribute("afterburn_fraction", data.afterburn_fraction);
     out.set_attribute("afterburn_released", data.afterburn_released);
@@ -92,39 +87,59 @@ namespace
       maps.push_back(name);
       out.write_dataset("map_" + name, values);
     }
-    out.set_attribute("maps", join(maps, ","));
+    return join(maps, ",");
+  }
+
+  /// Attributes that are texts, of fixed length: those of deal.II are not.
+  void
+  write_texts(const std::string &file,
+              const std::vector<std::pair<std::string, std::string>> &texts)
+  {
+    const io::Hdf5Handle out(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT),
+                             H5Fclose);
+    for (const auto &[name, text] : texts)
+    {
+      const io::Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+      H5Tset_size(type, text.size() + 1);
+      const io::Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+      const io::Hdf5Handle attribute(
+        H5Acreate2(out, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
+        H5Aclose);
+      if (H5Awrite(attribute, type, text.c_str()) < 0)
+        throw SystemError("the attribute \"" + name + "\" is refused");
+    }
   }
 
 
   /// Whether @p file is HDF5 and claims to be a profile.
   bool is_profile(const std::string &file)
   {
-    H5Eset_auto(H5E_DEFAULT, nullptr, nullptr);
-    const hid_t id = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-    if (id < 0)
+    try
+    {
+      const io::Hdf5Input in(file);
+      bool good = in.has_attribute("format") && in.has_attribute("maps");
+      for (const char *name : {"edges_0", "density", "energy", "products"})
+        good = good && in.has_dataset(name);
+      return good;
+    }
+    catch (const InputError &)
+    {
       return false;
-    bool good = H5Aexists(id, "format") > 0 && H5Aexists(id, "maps") > 0;
-    for (const char *name : {"edges_0", "density", "energy", "products"})
-      good = good && H5Lexists(id, name, H5P_DEFAULT) > 0;
-    H5Fclose(id);
-    return good;
+    }
   }
 
   ProfileData read_hdf5(const std::string &file)
   {
-    using namespace dealii::HDF5;
     if (!is_profile(file))
       throw InputError(file + " is no profile: neither a table named .csv nor "
                               "HDF5 written by \"Output/Profile file\"");
-    const File in(file, File::FileAccessMode::open);
+    const io::Hdf5Input in(file);
     const auto number = [&](const std::string &name) {
-      return in.get_attribute<double>(name);
+      return in.number(name);
     };
-    const auto text = [&](const std::string &name) {
-      return in.get_attribute<std::string>(name);
-    };
+    const auto text = [&](const std::string &name) { return in.text(name); };
     const auto cells = [&](const std::string &name) {
-      return in.open_dataset(name).read<std::vector<double>>();
+      return in.numbers(name);
     };
     if (text("format") != format)
       throw InputError(file + ": the format is \"" + text("format") +
@@ -347,7 +362,14 @@ void write_profile(const std::string &file, const ProfileData &data)
   }
   try
   {
-    write_hdf5(file, data);
+    const std::string maps = write_numbers(file, data);
+    write_texts(file,
+                {{"format", format},
+                 {"units", units},
+                 {"version", data.version},
+                 {"material", data.material},
+                 {"geometry", geometry_name(data.geometry)},
+                 {"maps", maps}});
   }
   catch (const std::exception &error)
   {

@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/text.h>
+#include <contrecoup/geometry/ply_file.h>
 #include <contrecoup/geometry/triangle_mesh.h>
 
 #include <assimp/Importer.hpp>
@@ -83,13 +84,23 @@ TriangleMesh read_surface(const std::string &file, const double unit)
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error))
     throw InputError("surface \"" + file + "\": there is no such file");
+  TriangleMesh mesh;
+  std::string ending = std::filesystem::path(file).extension();
+  for (char &letter : ending)
+    letter = static_cast<char>(std::tolower(letter));
+  // Assimp 5.2 crashes on many damaged files of this format.
+  if (ending == ".ply")
+  {
+    mesh = read_ply(file, unit);
+    check(mesh, file);
+    return mesh;
+  }
   Assimp::Importer importer;
   const aiScene *scene = importer.ReadFile(
     file, aiProcess_Triangulate | aiProcess_PreTransformVertices);
   if (scene == nullptr)
     throw InputError("surface \"" + file + "\" cannot be read: " +
                      one_line(importer.GetErrorString()));
-  TriangleMesh mesh;
   for (unsigned int m = 0; m < scene->mNumMeshes; ++m)
     append(*scene->mMeshes[m], unit, mesh);
   check(mesh, file);

@@ -87,6 +87,9 @@ TEST(ParameterFile, SaysFileAndLineOfEachMistake)
             "\"refused.prm\" includes");
   EXPECT_NE(refusal("include refused.prm\n").find("include each other"),
             std::string::npos);
+  EXPECT_NE(refusal("include refused.prm\ninclude ./refused.prm\n")
+              .find("include each other"),
+            std::string::npos);
   EXPECT_THROW(read_assignments("missing.prm"), InputError);
   EXPECT_THROW(read_assignments("folder"), InputError);
 }
