@@ -33,6 +33,9 @@ template <typename Real>
 void SolidBody<Real>::set_masses()
 {
   std::vector<double> masses = operator_.nodal_masses();
+  mass_scaling_.reinit(
+    mesh_, operator_.materials(), smallest_step_, communicator_);
+  mass_scaling_.add_to(masses);
   for (const HexMesh::HangingNode &one : mesh_.hanging_nodes)
   {
     for (std::size_t i = 0; i < one.masters.size(); ++i)
@@ -168,6 +171,13 @@ EnergyBalance SolidBody<Real>::balance() const
 {
   EnergyBalance balance;
   balance.tissues = operator_.energies(nodes_, times_);
+  if (mass_scaling_.active())
+  {
+    const std::vector<Real> squares =
+      operator_.velocity_squares(nodes_, times_);
+    for (unsigned int k = 0; k < balance.tissues.size(); ++k)
+      balance.tissues[k].kinetic += mass_scaling_.kinetic_energy(k, squares);
+  }
   std::vector<double> numbers{external_work_,
                               nodal_work_ +
                                 work_until_now(nodes_, counted_, times_.before),

@@ -4,8 +4,6 @@
 #include <contrecoup/base/timers.h>
 #include <contrecoup/solid/solid_body.h>
 
-#include <deal.II/base/symmetric_tensor.h>
-
 #include <cmath>
 
 namespace contrecoup::solid
@@ -64,22 +62,6 @@ namespace
       square += v[i + 1] * v[i + 1];
     }
     return {high, std::abs(v.back()) / std::sqrt(square)};
-  }
-
-  /// A bound of omega^2 of an element alone: exact for a cube.
-  double element_square_frequency(const HexGeometry<double> &g,
-                                  const SolidMaterial &material)
-  {
-    dealii::SymmetricTensor<2, 3> gram;
-    for (const Vector3<double> &b : g.volume_gradient)
-      for (unsigned int i = 0; i < 3; ++i)
-        for (unsigned int j = i; j < 3; ++j)
-          gram[i][j] += 8. * b[i] * b[j] * g.inverse_volume;
-    const double shear = material.instantaneous_shear;
-    const double lame = std::max(0., material.bulk_modulus - 2. / 3. * shear);
-    const double stiffness =
-      lame * trace(gram) + 2. * shear * dealii::eigenvalues(gram)[0];
-    return 8. * stiffness / (material.density * g.volume);
   }
 } // namespace
 
@@ -216,8 +198,9 @@ void SolidBody<Real>::find_weakest_element(StepCertificate &certificate) const
     for (unsigned int c = 0; c < 8; ++c)
       for (unsigned int d = 0; d < 3; ++d)
         x[c][d] = mesh_.nodes[mesh_.cells[i][c]][d];
-    const double square = element_square_frequency(
-      hex_geometry(to_modes(x)), operator_.materials()[mesh_.tissue[i]]);
+    const HexGeometry<double> geometry = hex_geometry(to_modes(x));
+    const SolidMaterial &material = operator_.materials()[mesh_.tissue[i]];
+    const double square = element_square_frequency(geometry, material);
     if (square > largest)
     {
       largest = square;

@@ -64,6 +64,15 @@ void SolidSimulation<Real>::declare_parameters(ParameterHandler &prm)
                    1.,
                    "-",
                    "Part of the stable step that is taken.");
+    declare_double(prm,
+                   "Smallest step",
+                   "0",
+                   0.,
+                   1.,
+                   "s",
+                   "Mass scaling: elements that alone would need a smaller "
+                   "step get mass until they do not; 0: none is added. What "
+                   "was added is false inertia, and is reported by tissue.");
   }
   Supports::declare_parameters(prm);
   SurfaceLoads::declare_parameters(prm);
@@ -102,6 +111,7 @@ void SolidSimulation<Real>::parse_parameters(ParameterHandler &prm)
   {
     const Section section(prm, "Elements");
     safety_ = read_double(prm, "Step safety");
+    smallest_step_ = read_double(prm, "Smallest step");
   }
   supports_.parse_parameters(prm);
   loads_.parse_parameters(prm);
@@ -144,6 +154,7 @@ void SolidSimulation<Real>::build()
     const TimerScope timer("mesh");
     mesh = mesh_description_.create();
   }
+  body_.set_smallest_step(smallest_step_ / (safety_ * options_.step_factor()));
   body_.reinit(
     mesh,
     [this](const std::vector<Tissue> &tissues) {
@@ -195,6 +206,12 @@ void SolidSimulation<Real>::report_step() const
        << " at (" << certificate_.place << ") m would allow "
        << brief(options_.step_factor() * certificate_.element_step) << " s";
   log_line(line.str());
+  const std::vector<NamedValue> &scaled = body_.mass_scaling().report();
+  for (std::size_t i = 0; i < scaled.size(); i += 2)
+    if (scaled[i].value > 0.)
+      log_line("mass scaling: " + brief(scaled[i].value) + " elements, " +
+               brief(scaled[i + 1].value) + " kg more (" + scaled[i + 1].name +
+               ")");
 }
 
 
@@ -327,6 +344,8 @@ std::vector<NamedValue> SolidSimulation<Real>::assumptions()
     {"element_step", "s", certificate_.element_step},
     {"body_step", "s", certificate_.body_step}};
   for (const NamedValue &value : probes_.measured())
+    values.push_back(value);
+  for (const NamedValue &value : body_.mass_scaling().report())
     values.push_back(value);
   for (const NamedValue &value : body_.loads().audit())
     values.push_back(value);

@@ -83,6 +83,12 @@ biomechanics_verifies(relaxation_full relaxation "errors.stress < 1e-6"
 biomechanics_verifies(fluid_sphere_full fluid_sphere
   "errors.pressure_L1 < 6.5e-2" "Elements/Integration=full")
 
+# The finer half gets (2.6e-7 s / 1.335e-7 s)^2 - 1 times its mass of 0.44 g.
+biomechanics_verifies(mass_scaling hanging_nodes
+  "assumptions.energy_residual < 1e-12;assumptions.stable_step > 2.6e-7;\
+assumptions.scaled_elements_skeleton > 3199;\
+assumptions.added_mass_skeleton > 1.22e-3;\
+assumptions.added_mass_skeleton < 1.24e-3" "Elements/Smallest step=2.6e-7")
 biomechanics_verifies(bounce bounce
   "assumptions.energy_residual < 1e-3;errors.velocity_after < 0.05")
 # Without ground: t^2 g / 2.

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <contrecoup/solid/mass_scaling.h>
 #include <contrecoup/solid/node_exchange.h>
 #include <contrecoup/solid/node_motion.h>
 #include <contrecoup/solid/solid_operator.h>
@@ -55,6 +56,13 @@ template <typename Real>
 class SolidBody
 {
 public:
+  /// Elements that alone would have a smaller stable step [s] get mass until
+  /// they have it; 0: none do. Call before reinit().
+  void set_smallest_step(const double step)
+  {
+    smallest_step_ = step;
+  }
+
   /**
    * Builds the part of this rank, at rest.
    * @throws InputError for inverted elements
@@ -126,7 +134,12 @@ public:
     return communicator_;
   }
 
-  /// Mass of all ranks [kg].
+  const MassScaling &mass_scaling() const
+  {
+    return mass_scaling_;
+  }
+
+  /// Mass of all ranks, with what was added [kg].
   double mass() const
   {
     return mass_;
@@ -163,6 +176,8 @@ private:
   Supports supports_;
   SurfaceLoads loads_;
   Surroundings surroundings_;
+  double smallest_step_ = 0.; ///< that elements shall have alone [s]
+  MassScaling mass_scaling_;
   std::vector<unsigned char> counted_; ///< nodes with inertia of this rank
   double mass_ = 0.;
   double time_ = 0.;

@@ -111,6 +111,10 @@ public:
     return losses_;
   }
 
+  /// v(before) v(after a step) of each node [m^2/s^2].
+  std::vector<Real> velocity_squares(const NodeFields<Real> &nodes,
+                                     const StepTimes &times) const;
+
 private:
   using Lane = Lanes<Real>;
   using Range = typename HexBatches<Real>::Range;
@@ -146,9 +150,6 @@ private:
                    const StepTimes &times,
                    const std::vector<Real> &squares,
                    TissueEnergies &sum) const;
-  /// v(before) v(after a step) of each node [m^2/s^2].
-  std::vector<Real> velocity_squares(const NodeFields<Real> &nodes,
-                                     const StepTimes &times) const;
   template <SolidKinematics kinematics>
   void visit_batch(const Range &range,
                    const unsigned int batch,

@@ -78,6 +78,7 @@ private:
   InjuryReport<Real> injury_;
   PeakFields<Real> peaks_;
   double safety_ = 0.9;
+  double smallest_step_ = 0.; ///< for mass scaling [s]
   double largest_residual_ = 0.01;
   double largest_hourglass_ = 0.1;
   double end_time_ = 0.;
