@@ -153,7 +153,7 @@ contrecoup_add_application_test(nahum_37 bounds
   SET "Output/Fields=false" "Time/End time=5e-3" "Mesh/Element size=0.006"
   "Energy audit/Largest hourglass part=0.2"
   BOUNDS "status == finished" "errors.frontal < 0.5" "errors.parietal < 0.3"
-  "assumptions.frontal > 1.4e5" "assumptions.posterior_fossa < -6e4")
+  "assumptions.frontal > 1.4e5" "errors.posterior_fossa < 1.6" "errors.posterior_fossa > 0")
 
 # biomechanics_endures(<name> <bounds>)
 function(biomechanics_endures name bounds)
