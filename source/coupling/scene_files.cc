@@ -86,9 +86,9 @@ namespace
   void set_first_stage(const SceneLayout &layout, Entries &entries)
   {
     const double radial_cell = 0.001, cell = 0.005;
-    // In 2-D the blast goes on from the ground to the body, where that is a
-    // way at all.
-    const bool meets_ground_first = layout.distance > 1.2 * layout.charge[2];
+    // In 2-D the blast goes on from the ground to the body or a side, where
+    // that is a way at all.
+    const bool meets_ground_first = layout.free_way() > 1.2 * layout.charge[2];
     entries.set("First stage/Kind",
                 meets_ground_first ? "axisymmetric" : "spherical");
     entries.set("First stage/Cell size",

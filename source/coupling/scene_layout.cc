@@ -170,6 +170,20 @@ void SceneLayout::size_domain()
 }
 
 
+double SceneLayout::free_way() const
+{
+  double way = distance;
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    way = std::min(way, upper[d] - charge[d]);
+    const bool is_open = d == 0 || (d == 1 && !is_half);
+    if (is_open)
+      way = std::min(way, charge[d] - lower[d]);
+  }
+  return way;
+}
+
+
 double SceneLayout::cell_size(const SceneParameters &scene) const
 {
   return leaf / subcells / std::pow(2., scene.accuracy.levels);

@@ -46,6 +46,10 @@ struct SceneLayout
   dealii::Point<3> lower, upper; ///< corners of the domain [m]
   std::array<unsigned int, 3> n_leaves;
 
+  /// Distance from the charge to the body or an open side, whichever is
+  /// nearer [m].
+  double free_way() const;
+
   /// Edge of the cells at the skin [m].
   double cell_size(const SceneParameters &scene) const;
 
