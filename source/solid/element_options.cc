@@ -12,6 +12,27 @@ namespace
 {
   /// In the order of Integration.
   const std::vector<std::string> integration_names{"one-point", "full"};
+
+  /// Of bulk.
+  void declare_viscosity(ParameterHandler &prm)
+  {
+    declare_double(prm,
+                   "Linear bulk viscosity",
+                   "0.06",
+                   0.,
+                   2.,
+                   "-",
+                   "Part of the critical damping of compression in an element; "
+                   "takes that part off the stable step.");
+    declare_double(prm,
+                   "Quadratic bulk viscosity",
+                   "1.2",
+                   0.,
+                   10.,
+                   "-",
+                   "Spreads shocks over some elements; nothing for waves of "
+                   "small strain.");
+  }
 } // namespace
 
 
@@ -57,22 +78,13 @@ void ElementOptions::declare_parameters(ParameterHandler &prm)
                  "brain: takes the motion away whose pressures alternate from "
                  "element to element, and some of shear waves of few "
                  "elements.");
-  declare_double(prm,
-                 "Linear bulk viscosity",
-                 "0.06",
-                 0.,
-                 2.,
-                 "-",
-                 "Part of the critical damping of compression in an element; "
-                 "takes that part off the stable step.");
-  declare_double(prm,
-                 "Quadratic bulk viscosity",
-                 "1.2",
-                 0.,
-                 10.,
-                 "-",
-                 "Spreads shocks over some elements; nothing for waves of "
-                 "small strain.");
+  declare_bool(prm,
+               "Skip quiet",
+               "true",
+               "Whether elements are passed over until one of their nodes, or "
+               "of those numbered beside it, has moved; the results are the "
+               "same.");
+  declare_viscosity(prm);
 }
 
 
@@ -86,6 +98,7 @@ void ElementOptions::parse_parameters(ParameterHandler &prm)
   hourglass = find_hourglass(prm.get("Hourglass control"));
   hourglass_coefficient = read_double(prm, "Hourglass coefficient");
   hourglass_damping = read_double(prm, "Hourglass damping");
+  skip_quiet = prm.get_bool("Skip quiet");
   linear_viscosity = read_double(prm, "Linear bulk viscosity");
   quadratic_viscosity = read_double(prm, "Quadratic bulk viscosity");
 }

@@ -76,11 +76,35 @@ void HexBatches<Real>::reinit(const SolidMesh &mesh,
 
 
 template <typename Real>
+void HexBatches<Real>::wake(const unsigned int batch,
+                            const NodeFields<Real> &nodes)
+{
+  constexpr unsigned int numbers = NodeFields<Real>::width * nodes.block;
+  const unsigned int *offset = offsets(batch, 0);
+  unsigned int any = 0;
+  for (unsigned int i = 0; i < 8 * n; ++i)
+    any |= nodes.awake[offset[i] / numbers];
+  awake_[batch] = static_cast<unsigned char>(any);
+  n_awake_ += any;
+}
+
+
+template <typename Real>
+void HexBatches<Real>::wake_all()
+{
+  awake_.assign(n_batches(), 1);
+  n_awake_ = n_batches();
+}
+
+
+template <typename Real>
 void HexBatches<Real>::reset_state()
 {
   dilatation.fill(Lane(Real()));
   viscous_pressure.fill(Lane(Real()));
   relaxed.fill(Lane(Real()));
+  awake_.assign(n_batches(), 0);
+  n_awake_ = 0;
   damping.fill(Lane(Real()));
 }
 

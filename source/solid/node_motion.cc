@@ -16,15 +16,24 @@ namespace
   template <typename Real>
   using Part = dealii::VectorizedArray<Real, width<Real>>;
 
-  /// Nodes whose work is added up before it goes into a double.
-  constexpr std::size_t nodes_at_once = 512;
-
   template <typename Real>
   Part<Real> load(const Real *values)
   {
     Part<Real> result;
     result.load(values);
     return result;
+  }
+
+  /// Whether no force acts on the nodes from @p first to @p last.
+  template <typename Real>
+  bool free_of_forces(const NodeFields<Real> &nodes,
+                      const std::size_t first,
+                      const std::size_t last)
+  {
+    bool free = true;
+    for (const Real *f = nodes.force_of(first); f != nodes.force_of(last); ++f)
+      free = free && *f == Real();
+    return free;
   }
 } // namespace
 
@@ -36,6 +45,7 @@ double move_nodes(NodeFields<Real> &nodes,
                   const double next)
 {
   constexpr std::size_t n_parts = 4 / width<Real>;
+  constexpr std::size_t block = NodeFields<Real>::block;
   const Part<Real> zero = Real(0.);
   const Real half = Real(0.5 * (before + next));
   const Real work_before = Real(0.5 * before), work_next = Real(0.5 * next);
@@ -44,11 +54,15 @@ double move_nodes(NodeFields<Real> &nodes,
   step.fill(Part<Real>(Real(next)));
   step.back()[width<Real> - 1] = Real(0.);
   double work = 0.;
-  for (std::size_t first = 0; first < counted.size(); first += nodes_at_once)
+  for (std::size_t first = 0; first < counted.size(); first += block)
   {
+    const std::size_t last = std::min(first + block, counted.size());
+    unsigned char &awake = nodes.awake[first / block];
+    if (awake == 0 && free_of_forces(nodes, first, last))
+      continue;
+    awake = 1;
     std::array<Part<Real>, n_parts> sum;
     sum.fill(zero);
-    const std::size_t last = std::min(first + nodes_at_once, counted.size());
     for (std::size_t i = first; i < last; ++i)
       for (std::size_t k = 0; k < n_parts; ++k)
       {

@@ -21,6 +21,7 @@ void SolidBody<Real>::reinit(
   exchange_.reinit(mesh_, communicator);
   operator_.reinit(mesh_, find_materials(mesh_.tissues), options);
   operator_.reinit_nodes(nodes_);
+  skips_quiet_ = options.skip_quiet;
   set_masses();
   supports_ = supports;
   supports_.reinit(mesh_);
@@ -92,6 +93,8 @@ void SolidBody<Real>::move_hanging()
       }
       nodes_.displacement_of(one.node)[d] = displacement;
       nodes_.velocity_of(one.node)[d] = velocity;
+      if (displacement != Real())
+        nodes_.awake[one.node / nodes_.block] = 1;
     }
 }
 
@@ -102,6 +105,8 @@ void SolidBody<Real>::assemble()
   {
     const TimerScope timer("elements");
     operator_.add_forces(nodes_, times_);
+    computed_ += operator_.batches().n_awake();
+    offered_ += operator_.batches().n_batches();
   }
   const TimerScope timer("loads");
   loads_.set_time(time_);
@@ -120,6 +125,9 @@ void SolidBody<Real>::start(const double time)
   relaxed_time_ = time;
   times_ = StepTimes();
   move_hanging();
+  nodes_.find_awake();
+  if (!skips_quiet_)
+    operator_.batches().wake_all();
   assemble();
   const EnergyBalance now = balance();
   initial_energy_ = now.sum.kinetic + now.sum.internal() + now.contact;
@@ -208,6 +216,15 @@ EnergyBalance SolidBody<Real>::balance() const
     balance.sum.relaxation += one.relaxation;
   }
   return balance;
+}
+
+
+template <typename Real>
+double SolidBody<Real>::quiet_part() const
+{
+  std::vector<double> sums{computed_, offered_};
+  dealii::Utilities::MPI::sum(sums, communicator_, sums);
+  return sums[1] > 0. ? 1. - sums[0] / sums[1] : 0.;
 }
 
 

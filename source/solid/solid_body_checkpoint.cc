@@ -263,6 +263,9 @@ void SolidBody<Real>::restore(const std::string &folder)
                                   const unsigned int d,
                                   double &value) { value = reactions[i][d]; });
   loads_.set_time(time_);
+  // Elements may remember what nodes do not show.
+  nodes_.find_awake();
+  operator_.batches().wake_all();
 }
 
 

@@ -169,6 +169,8 @@ void SolidOperator<Real>::add_range(const Range &range,
     const unsigned int last = std::min(first + batches_at_once, range.end);
     for (unsigned int batch = first; batch < last; ++batch)
     {
+      if (!batches_.is_awake(batch, nodes))
+        continue;
       const unsigned int *offsets = batches_.offsets(batch, 0);
       HexVectors<Lane> x, u;
       load_corners(nodes.place.data(), offsets, x, u);
@@ -229,6 +231,7 @@ template <typename Real>
 void SolidOperator<Real>::add_linear_forces(NodeFields<Real> &nodes)
 {
   // Without a step there is no viscosity, and state is only what it needs.
+  batches_.wake_all();
   TissueEnergies unused;
   if (full())
     add_full_linear_forces(nodes);

@@ -29,6 +29,8 @@ void SolidOperator<Real>::add_full_range(const Range &range,
   const HexModel<Lane> model = this->model(materials_[range.tissue], times);
   for (unsigned int batch = range.begin; batch < range.end; ++batch)
   {
+    if (!batches_.is_awake(batch, nodes))
+      continue;
     const unsigned int *offsets = batches_.offsets(batch, 0);
     HexVectors<Lane> x, u;
     load_corners(nodes.place.data(), offsets, x, u);

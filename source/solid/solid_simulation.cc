@@ -340,6 +340,7 @@ std::vector<NamedValue> SolidSimulation<Real>::assumptions()
     {"hourglass_part",
      "-",
      balance.sum.hourglass / std::max(balance.sum.internal(), 1e-3 * scale)},
+    {"quiet_elements", "-", body_.quiet_part()},
     {"stable_step", "s", stable_step_},
     {"element_step", "s", certificate_.element_step},
     {"body_step", "s", certificate_.body_step}};

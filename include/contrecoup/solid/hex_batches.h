@@ -83,6 +83,24 @@ public:
   /// Bytes that elements need, without nodes.
   double memory() const;
 
+  /// Whether a batch must be computed: whether one of its nodes was ever
+  /// displaced. It is awake from then on.
+  bool is_awake(const unsigned int batch, const NodeFields<Real> &nodes)
+  {
+    if (awake_[batch] == 0)
+      wake(batch, nodes);
+    return awake_[batch] != 0;
+  }
+
+  /// How many batches are awake.
+  unsigned int n_awake() const
+  {
+    return n_awake_;
+  }
+
+  /// From now on all are.
+  void wake_all();
+
   /// The relaxed strains of a viscoelastic batch.
   Lane *relaxed_of(const Range &range, const unsigned int batch)
   {
@@ -144,7 +162,11 @@ public:
   void reset_state();
 
 private:
+  void wake(const unsigned int batch, const NodeFields<Real> &nodes);
+
   unsigned int n_points_ = 1;
+  unsigned int n_awake_ = 0;
+  std::vector<unsigned char> awake_; ///< by batch
   std::vector<Range> ranges_;
   dealii::AlignedVector<unsigned int> offsets_;
   std::vector<std::uint32_t> cells_;

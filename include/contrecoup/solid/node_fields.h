@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace contrecoup::solid
 {
@@ -25,6 +26,12 @@ struct NodeFields
   dealii::AlignedVector<Real> force;    ///< three components, 0 [N]
   dealii::AlignedVector<Real> velocity; ///< three [m/s], 1 / mass [1/kg]
 
+  /// Nodes in a block of `awake`.
+  static constexpr std::size_t block = 64;
+  /// Whether any node of a block was ever displaced, or began with a velocity:
+  /// elsewhere elements have no forces and no memory.
+  std::vector<unsigned char> awake;
+
   /// All zero, for @p n_nodes.
   void reinit(const std::size_t n_nodes)
   {
@@ -34,6 +41,16 @@ struct NodeFields
     place.fill(Real());
     force.fill(Real());
     velocity.fill(Real());
+    awake.assign(n_nodes / block + 1, 0);
+  }
+
+  /// Looks for all nodes that are displaced or have a velocity.
+  void find_awake()
+  {
+    for (std::size_t i = 0; i < size(); ++i)
+      for (unsigned int d = 0; d < 3; ++d)
+        if (displacement_of(i)[d] != Real() || velocity_of(i)[d] != Real())
+          awake[i / block] = 1;
   }
 
   std::size_t size() const

@@ -12,6 +12,8 @@ namespace contrecoup::solid
 /**
  * One step of central differences: velocities in the middle of the next step
  * from forces at the present, displacements at its end; forces are then zero.
+ * Blocks of nodes that move from then on are awake; those that have no forces
+ * and are not are passed over, which is the same.
  * @param before size of the last step [s]
  * @param next size of the next one [s]
  * @return work of the forces from the middle of the last step to the middle

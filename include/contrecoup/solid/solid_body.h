@@ -86,6 +86,10 @@ public:
     surroundings_ = surroundings;
   }
 
+  /// Part of the elements' updates so far that was not computed, as nothing
+  /// had moved there; since the start or the last restart.
+  double quiet_part() const;
+
   /// Force of the ground on the body [N].
   double ground_force() const;
 
@@ -179,6 +183,9 @@ private:
   double smallest_step_ = 0.; ///< that elements shall have alone [s]
   MassScaling mass_scaling_;
   std::vector<unsigned char> counted_; ///< nodes with inertia of this rank
+  bool skips_quiet_ = true;
+  double computed_ = 0.; ///< batches, of this rank
+  double offered_ = 0.;  ///< the same with quiet ones
   double mass_ = 0.;
   double time_ = 0.;
   double relaxed_time_ = 0.; ///< to which relaxed strains were brought [s]
