@@ -76,6 +76,20 @@ def cut_fields(fields, place):
     return panels
 
 
+def cut_values(pieces, place, name):
+    """Of one output polygons and a quantity of the cells that y = place cuts;
+    None for a quantity that it does not have."""
+    polygons, values = [], []
+    for piece in pieces:
+        mesh = vtk_file.read(piece)
+        if name not in mesh:
+            return None
+        shape, found = cut(mesh, place)
+        polygons.append(shape)
+        values.append(mesh[name][found])
+    return np.concatenate(polygons), np.concatenate(values)
+
+
 def draw_pressures(panels, head_only, path):
     """What cut_fields() gave, of the whole body or of its upper 0.3 m."""
     top = max(shape[:, :, 1].max() for _, shape, _ in panels)

@@ -7,6 +7,8 @@ import csv
 import os
 
 import numpy as np
+from matplotlib.collections import PolyCollection
+from matplotlib.colors import Normalize
 
 import look
 import plot_solid
@@ -18,6 +20,12 @@ from look import plt
 
 MOST_TIMES = 8
 BESIDE = 0.0801  # m, the parasagittal plane
+# Fields of what each element went through, titles, units, colours, and whether
+# they have two signs.
+PEAKS = (("highest_pressure", "highest pressure", "Pa", True),
+         ("lowest_pressure", "lowest pressure", "Pa", True),
+         ("largest_von_mises_stress", "largest von Mises stress", "Pa", False),
+         ("largest_principal_strain", "largest principal strain", "-", False))
 ENERGIES = (("external_work", "work of the loads"),
             ("kinetic_energy", "kinetic"), ("stored_energy", "stored"),
             ("relaxation_energy", "lost in relaxation"),
@@ -48,7 +56,49 @@ def waves(scene):
         page.figure(head, "The head in the sagittal plane, with a scale of its own. "
                     "Where values alternate from one element to the next, as "
                     "they may late in nearly incompressible tissue, only "
-                    "what neighbours share counts.")]
+                    "what neighbours share counts.")] + _peaks(scene)
+
+
+def _peaks(scene):
+    """What each element of the head went through, if that was kept."""
+    pieces = scene.field_list()[-1][1]
+    found = []
+    for name, title, unit, is_signed in PEAKS:
+        with report_data.reading(scene.biomechanics.path("fields")):
+            cut = plot_solid.cut_values(pieces, 1e-4, name)
+        if cut is not None:
+            found.append((title, unit, is_signed, *cut))
+    if not found:
+        return []
+    return [page.figure(
+        _draw_peaks(found),
+        "What each element of the head went through until the end, in the "
+        "sagittal plane.")]
+
+
+def _draw_peaks(found):
+    figure, axes = plt.subplots(1, len(found), squeeze=False,
+                                figsize=(3. * len(found), 3.))
+    for axis, (title, unit, is_signed, polygons, values) in zip(axes.flat,
+                                                                found):
+        low = polygons[:, :, 1].max() - 0.3
+        shown = values[polygons[:, :, 1].min(axis=1) > low]
+        largest = float(np.percentile(np.abs(shown), 99.5)) or 1.
+        factor, unit = look.scale_unit(unit, largest)
+        norm = look.about_zero(largest * factor) if is_signed \
+            else Normalize(0., largest * factor)
+        axis.add_collection(PolyCollection(
+            polygons, array=values * factor, norm=norm, edgecolors="face",
+            cmap=look.DIVERGING if is_signed else look.SEQUENTIAL,
+            linewidths=0.1))
+        axis.set_aspect("equal")
+        axis.autoscale_view()
+        axis.set_ylim(low, low + 0.31)
+        axis.set_axis_off()
+        axis.set_title(title, fontsize=9)
+        figure.colorbar(axis.collections[0], ax=axis, shrink=0.7,
+                        label=unit or None)
+    return figure
 
 
 def _pick(scene):

@@ -30,7 +30,8 @@ KNOWN = {
         "highest pressure in the brain",
         [(173e3, "minor injury"), (235e3, "serious injury")], WARD,
         "found for blunt impacts of milliseconds; the pressure of blasts that "
-        "are survived exceeds it: an exposure, no verdict"),
+        "are survived exceeds it: an exposure, no verdict; averaged over "
+        "neighbouring elements"),
     "injury_intracranial_pressure_lowest": (
         "lowest pressure in the brain", [(-100e3, "fluid may cavitate")],
         GOELLER, "the model does not cavitate, so that tension goes on where "
@@ -41,6 +42,12 @@ KNOWN = {
         "made for impacts; says nothing of how long"),
     "injury_cavitation_dose": (
         "mean time below −100 kPa", [], "no threshold is published", ""),
+    "injury_pressure_roughness": (
+        "what alternates from element to element in the brain's pressure, "
+        "over its averages",
+        [(1., "only averages over neighbours mean anything")],
+        "a check of this code on itself",
+        "no injury: how much of the pressure of single elements is none"),
     "injury_strain_95": (
         "95th percentile of the largest principal strain of the brain",
         [(0.14, "a quarter have mild injury"),

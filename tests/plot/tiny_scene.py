@@ -197,6 +197,8 @@ def write_mesh(path, scale):
                                        np.float32), 3),
               ("tissue", tissue.astype(np.uint8), 1),
               ("pressure", (scale * height).astype(np.float32), 1)]
+    arrays += [(name, (1e-6 * scale * height).astype(np.float32), 1)
+               for name in ("highest_pressure", "largest_principal_strain")]
     kinds = {"float32": "Float32", "uint32": "UInt32", "uint8": "UInt8"}
     head, data = "", b""
     for name, values, components in arrays:
