@@ -37,13 +37,19 @@ def build(scene):
     page.section("Pressure in the air", *report_blast.air(scene))
     page.section("Pressure on the skin", *report_blast.skin(scene))
     page.section("Histories on the skin", *report_blast.histories(scene))
-    page.section("Stress waves in the body", *report_body.waves(scene))
-    page.section("Histories in the tissue", *report_body.histories(scene))
+    # What was not asked for is not missing.
+    has_body = scene.biomechanics.exists or facts.get(
+        "question") in (None, "injury")
+    if has_body:
+        page.section("Stress waves in the body", *report_body.waves(scene))
+        page.section("Histories in the tissue",
+                     *report_body.histories(scene))
     page.section("Injury", *report_injury.table(scene, judged))
     if report_paper.is_that_scene(scene):
         page.section("As the published simulation had it, as found here",
                      *report_paper.section(scene))
-    page.section("Energy of the body", *report_body.energy(scene))
+    if has_body:
+        page.section("Energy of the body", *report_body.energy(scene))
     page.section("Conservation of the gas",
                  *report_blast.conservation(scene))
     page.section("What was taken for granted", *report_accuracy.plan(scene))

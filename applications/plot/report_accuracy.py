@@ -93,8 +93,6 @@ def plan(scene):
              "estimate", "measured", "limit", "holds", "decided otherwise by"),
             [_audit_row(name, entry) for name, entry in blast],
             numbers=(3, 4)))
-    for remark in scene.facts.get("remarks") or []:
-        parts.append(page.paragraph(str(remark), kind="note"))
     return parts or [page.missing("plan and audit in scene.json and the "
                                   "blast's summary.json")]
 

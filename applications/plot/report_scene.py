@@ -58,6 +58,9 @@ def facts(scene):
 def section(scene):
     """Facts and drawing."""
     parts = [facts(scene)]
+    remarks = [str(remark) for remark in scene.facts.get("remarks") or []]
+    if remarks:
+        parts.append(page.bullets(remarks))
     if scene.charge_place() is None:
         parts.append(page.missing("the place of the charge, so that nothing "
                                   "can be drawn"))
