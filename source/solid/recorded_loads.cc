@@ -222,9 +222,11 @@ void RecordedLoads::measure_impulses()
                        std::max(recorded_impulse_.norm_square(), 1e-300);
   const bool mends = std::abs(ratio - 1.) < largest_mended;
   factor_ = keep_impulse_ && mends ? 1. / ratio : 1.;
-  if (keep_impulse_ && !mends)
-    log_line("WARNING: the impulse of recorded loads on this surface is " +
-             brief(ratio) + " of the recorded one; it is left so");
+  log_line((keep_impulse_ && !mends ? "WARNING: " : "") +
+           std::string("recorded loads: their impulse on this surface is ") +
+           brief(ratio) +
+           " of the recorded one, and pressures get the factor " +
+           brief(factor_));
 }
 
 
