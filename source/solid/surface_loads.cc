@@ -153,7 +153,7 @@ void SurfaceLoads::add_facets(const SolidMesh &mesh, const unsigned int load)
     const Point<3> middle = middle_of(corners);
     if (loads_[load].where.value(middle) == 0.)
       continue;
-    Facet facet{number++, load, middle, {}, nodal_areas(corners), 0.};
+    Facet facet{i, number++, load, middle, {}, nodal_areas(corners), 0.};
     for (unsigned int v = 0; v < 4; ++v)
     {
       std::uint32_t &entry = entry_of_node_[mesh.boundary[i].nodes[v]];
@@ -242,7 +242,7 @@ double SurfaceLoads::pressure_near(const Point<3> &point,
     if (facet.middle.distance(point) <= nearest * (1. + 1e-6))
     {
       sums[0] += facet.pressure;
-      numbers.insert(facet.number);
+      numbers.insert(facet.boundary);
     }
   sums[1] = static_cast<double>(numbers.size());
   dealii::Utilities::MPI::sum(sums, communicator, sums);

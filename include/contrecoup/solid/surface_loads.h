@@ -64,7 +64,8 @@ private:
   /// A facet under pressure and the area vectors of its nodes.
   struct Facet
   {
-    std::size_t number; ///< among the facets of its load
+    std::size_t boundary; ///< among the outer facets of this rank
+    std::size_t number;   ///< among the facets of its load
     unsigned int load;
     dealii::Point<3> middle;
     std::array<unsigned int, 4> entry; ///< in forces_
