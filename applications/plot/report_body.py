@@ -314,12 +314,10 @@ def mesh(scene):
     return parts
 
 
-def largest_displacement(scene, time=None):
-    """Largest displacement of any node at the last output, or at the first
-    one from @p time on [m], and its time; None without fields."""
+def largest_displacement(scene):
+    """Largest displacement of any node at the last output [m], and its time;
+    None without fields."""
     fields = scene.field_list()
-    if time is not None:
-        fields = [field for field in fields if field[0] >= time][:1]
     if not fields:
         return None
     largest = 0.

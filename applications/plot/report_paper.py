@@ -291,18 +291,17 @@ def _body(scene, probes):
     coup = report_places.named(places, ", coup")
     if coup is not None:
         values = np.abs(probes[coup.column + "pressure"])
-        top = float(probes["time"][int(np.argmax(values))])
-        shift = report_body.largest_displacement(scene, top)
-        if shift is not None:
-            small = shift[0] < 5e-3
-            found.append(Statement(
-                "The high-amplitude stress wave propagated inside the human "
-                "body prior to any visible displacement of human body",
-                "pressure at the coup is largest at "
-                f"{page.milliseconds(top)}; at {page.milliseconds(shift[1])} "
-                "nothing has moved by more than "
-                f"{page.quantity(shift[0], 'm')}",
-                AGREES if small else DIFFERS))
+        top = int(np.argmax(values))
+        shift = max(np.sqrt(sum(
+            probes[f"{place.column}displacement_{axis}"][top] ** 2
+            for axis in "xyz")) for place in places)
+        found.append(Statement(
+            "The high-amplitude stress wave propagated inside the human "
+            "body prior to any visible displacement of human body",
+            "pressure at the coup is largest at "
+            f"{page.milliseconds(float(probes['time'][top]))}; no probe has "
+            f"moved by more than {page.quantity(float(shift), 'm')} then",
+            AGREES if shift < 5e-3 else DIFFERS))
     shift = report_body.largest_displacement(scene)
     if shift is not None:
         few = 5e-3 <= shift[0] < 0.1
@@ -379,7 +378,7 @@ def _brain(scene, probes):
                      for values in (coup, counter))
     size = max(np.abs(counter).max(), 1.)
     tops, dips = signals.extrema(time, counter, 0.15 * size)
-    found = [_delay(delay, near, far), _sign(time, counter, size),
+    found = [_delay(delay, near, far), _sign(time, counter, size, tops, dips),
              _higher(coup, counter)]
     return found + _peaks(tops, dips)
 
@@ -397,15 +396,20 @@ def _delay(delay, near, far):
         f"{page.milliseconds(way / 1480., 2)} for that way")
 
 
-def _sign(time, counter, size):
+def _sign(time, counter, size, tops, dips):
     first = int(np.argmax(np.abs(counter) > 0.1 * size))
     negative = counter[first] < 0.
+    # What comes before may be too weak to stand out.
+    weak = not negative and dips and (not tops or dips[0][0] < tops[0][0])
     return Statement(
         "the negative pressure occurred first in the contrecoup site",
         f"its first swing, {page.quantity(float(counter[first]), 'Pa', 2)} at "
         f"{page.milliseconds(float(time[first]))}, is "
-        + ("negative" if negative else "positive"),
-        AGREES if negative else DIFFERS,
+        + ("negative" if negative else "positive")
+        + (", but weak; the first that stands out, "
+           f"{page.quantity(dips[0][1], 'Pa', 2)} at "
+           f"{page.milliseconds(dips[0][0])}, is negative" if weak else ""),
+        AGREES if negative else PARTLY if weak else DIFFERS,
         "" if negative else "compression through the skull's base and the "
         "neck arrives before the skull is pushed away from the brain there")
 
