@@ -203,7 +203,9 @@ void SolidSimulation<Real>::report_step() const
        << brief(100. * certificate_.uncertainty, 2) << " % after "
        << certificate_.iterations << " iterations); alone, element "
        << certificate_.element << " of " << name_of(certificate_.tissue)
-       << " at (" << certificate_.place << ") m would allow "
+       << " at (" << certificate_.place << ") m "
+       << (body_.mass_scaling().active() ? "without added mass " : "")
+       << "would allow "
        << brief(options_.step_factor() * certificate_.element_step) << " s";
   log_line(line.str());
   const std::vector<NamedValue> &scaled = body_.mass_scaling().report();
