@@ -268,7 +268,7 @@ biomechanics_entries(const SceneParameters &scene,
     points.push_back(text_of(place.place));
   entries.set("Probes/Points", join(points, "; "));
   entries.set("Output/Probes every steps", 5U);
-  set_output(scene.end_time, 12, entries);
+  set_output(scene.end_time, 24, entries);
   return entries.take();
 }
 

@@ -108,8 +108,8 @@ namespace
     const Point<3> back =
       last_of(samples, Tissue::brain, *centre, -towards, spacing);
     places.push_back({"coup", front - inside * towards});
-    places.push_back({"contrecoup", back + inside * towards});
     places.push_back({"brain", *centre});
+    places.push_back({"contrecoup", back + inside * towards});
     for (unsigned int i = 1; i < 20; ++i)
     {
       const Point<3> place = front + i * spacing * towards;
