@@ -267,6 +267,7 @@ biomechanics_entries(const SceneParameters &scene,
   for (const TissuePlace &place : places)
     points.push_back(text_of(place.place));
   entries.set("Probes/Points", join(points, "; "));
+  entries.set("Peaks/Active", "true");
   entries.set("Output/Probes every steps", 5U);
   set_output(scene.end_time, 24, entries);
   return entries.take();

@@ -183,10 +183,11 @@ void SceneRun::check()
 
 void SceneRun::forecast()
 {
+  // The checks of stages close it, but there may be none.
+  Log::instance().close();
   for (SceneStage &stage : stages_)
     if (!stage.is_finished())
       stage.check(collective_);
-  // The stages' checks have closed it.
   collective_.run([&]() { Log::instance().open(path("log.txt"), true); });
 }
 
