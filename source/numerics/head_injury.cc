@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string>
 
 namespace contrecoup
 {
@@ -25,24 +26,53 @@ namespace
   }
 
 
+  void check_times(const std::vector<double> &times,
+                   const std::size_t n_values,
+                   const std::string &what)
+  {
+    if (times.size() != n_values || times.size() < 2)
+      throw InputError(
+        "head injury criterion: " + std::to_string(times.size()) +
+        " times and " + std::to_string(n_values) + " " + what +
+        "; as many of both are needed, and two at least");
+    for (std::size_t i = 1; i < times.size(); ++i)
+      if (!(times[i] > times[i - 1]))
+        throw InputError("head injury criterion: the times must increase");
+  }
+
+
   /// Integrals from the first time to each [m/s].
   std::vector<double> integrals(const std::vector<double> &times,
                                 const std::vector<double> &values)
   {
-    if (times.size() != values.size() || times.size() < 2)
-      throw InputError(
-        "head injury criterion: " + std::to_string(times.size()) +
-        " times and " + std::to_string(values.size()) +
-        " accelerations; as many of both are needed, and two "
-        "at least");
+    check_times(times, values.size(), "accelerations");
     std::vector<double> result(1, 0.);
     for (std::size_t i = 1; i < times.size(); ++i)
-    {
-      if (!(times[i] > times[i - 1]))
-        throw InputError("head injury criterion: the times must increase");
       result.push_back(result.back() + 0.5 * (values[i] + values[i - 1]) *
                                          (times[i] - times[i - 1]));
-    }
+    return result;
+  }
+
+
+  /// Of the speed gained until each time [m/s].
+  HeadInjuryCriterion criterion_of(const std::vector<double> &times,
+                                   const std::vector<double> &speed,
+                                   const double longest)
+  {
+    HeadInjuryCriterion result;
+    for (std::size_t i = 0; i < times.size(); ++i)
+      for (std::size_t j = i + 1; j < times.size(); ++j)
+      {
+        const double duration = times[j] - times[i];
+        // Round-off of times must not shorten the longest pair.
+        if (duration > longest * (1. + 1e-9))
+          break;
+        const double mean =
+          std::max(0., (speed[j] - speed[i]) / (duration * gravity));
+        const double value = duration * std::pow(mean, 2.5);
+        if (value > result.value)
+          result = {value, times[i], times[j]};
+      }
     return result;
   }
 } // namespace
@@ -53,22 +83,25 @@ head_injury_criterion(const std::vector<double> &times,
                       const std::vector<double> &accelerations,
                       const double longest)
 {
-  const std::vector<double> speed = integrals(times, accelerations);
-  HeadInjuryCriterion result;
-  for (std::size_t i = 0; i < times.size(); ++i)
-    for (std::size_t j = i + 1; j < times.size(); ++j)
-    {
-      const double duration = times[j] - times[i];
-      // Round-off of times must not shorten the longest pair.
-      if (duration > longest * (1. + 1e-9))
-        break;
-      const double mean =
-        std::max(0., (speed[j] - speed[i]) / (duration * gravity));
-      const double value = duration * std::pow(mean, 2.5);
-      if (value > result.value)
-        result = {value, times[i], times[j]};
-    }
-  return result;
+  return criterion_of(times, integrals(times, accelerations), longest);
+}
+
+
+HeadInjuryCriterion
+head_injury_criterion(const std::vector<double> &times,
+                      const std::vector<std::array<double, 3>> &velocities,
+                      const double longest)
+{
+  check_times(times, velocities.size(), "velocities");
+  std::vector<double> speed(1, 0.);
+  for (std::size_t i = 1; i < times.size(); ++i)
+  {
+    double square = 0.;
+    for (unsigned int d = 0; d < 3; ++d)
+      square += std::pow(velocities[i][d] - velocities[i - 1][d], 2);
+    speed.push_back(speed.back() + std::sqrt(square));
+  }
+  return criterion_of(times, speed, longest);
 }
 
 

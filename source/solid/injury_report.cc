@@ -5,7 +5,7 @@
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/base/text.h>
 #include <contrecoup/io/checked_file.h>
-#include <contrecoup/solid/injury_formulas.h>
+#include <contrecoup/numerics/head_injury.h>
 #include <contrecoup/solid/injury_report.h>
 #include <contrecoup/solid/solid_probes.h>
 
@@ -80,18 +80,7 @@ void InjuryReport<Real>::declare_parameters(ParameterHandler &prm)
                   1000000,
                   "Steps from one look at the body to the next; peaks between "
                   "are missed.");
-  declare_list(prm,
-               "Chest",
-               "0.12, 0, 1.3",
-               3,
-               3,
-               -1e6,
-               1e6,
-               "m",
-               "Place of the chest: pressure is that on the nearest loaded "
-               "facet.");
-  declare_double(
-    prm, "Body mass", "78.5", 1., 500., "kg", "For limits that scale with it.");
+  ChestInjury::declare_parameters(prm);
 }
 
 
@@ -102,8 +91,7 @@ void InjuryReport<Real>::parse_parameters(ParameterHandler &prm)
   active_ = prm.get_bool("Active");
   averaged_ = prm.get("Pressure") == pressure_names[0];
   interval_ = read_unsigned(prm, "Every steps");
-  chest_ = read_point<3>(prm, "Chest");
-  mass_ = read_double(prm, "Body mass");
+  chest_.parse_parameters(prm);
 }
 
 
@@ -137,8 +125,9 @@ void InjuryReport<Real>::follow(const SolidBody<Real> &body)
   follow_brain(body, body.time() - last_time_);
   last_time_ = body.time();
   follow_head(body);
-  chest_pressures_.push_back(
-    body.loads().pressure_near(chest_, body.communicator()));
+  chest_.follow(
+    body.time(),
+    body.loads().pressure_near(chest_.place(), body.communicator()));
 }
 
 
@@ -238,7 +227,10 @@ InjuryReport<Real>::measures(const SolidBody<Real> &body) const
   std::vector<InjuryMeasure> list;
   add_brain(body, list);
   add_head(list);
-  add_chest(body, list);
+  const auto &tissues = body.mesh().tissues;
+  if (std::find(tissues.begin(), tissues.end(), Tissue::lung) != tissues.end())
+    for (const InjuryMeasure &measure : chest_.measures())
+      list.push_back(measure);
   return list;
 }
 
@@ -248,13 +240,14 @@ void InjuryReport<Real>::add_brain(const SolidBody<Real> &body,
                                    std::vector<InjuryMeasure> &list) const
 {
   using dealii::Utilities::MPI::all_gather;
-  std::vector<std::pair<double, double>> strains;
+  std::vector<double> strains, volumes;
   double volume = 0., above_15 = 0., above_25 = 0., cavitating = 0., peak = 0.,
          lowest = 0.;
   for (const auto &rank : all_gather(body.communicator(), pieces_data()))
     for (const auto &piece : rank)
     {
-      strains.emplace_back(piece[1], piece[0]);
+      strains.push_back(piece[1]);
+      volumes.push_back(piece[0]);
       volume += piece[0];
       above_15 += piece[1] > 0.15 ? piece[0] : 0.;
       above_25 += piece[1] > 0.25 ? piece[0] : 0.;
@@ -287,9 +280,10 @@ void InjuryReport<Real>::add_brain(const SolidBody<Real> &body,
        "well below 1",
        "pressures of elements less their averages, over the "
        "averages: what alternates and is no pressure"});
-  list.push_back({{"injury_strain_95", "-", volume_percentile(strains, 0.95)},
-                  "0.19: half of mild injuries (Zhang et al. 2004, recalled)",
-                  model});
+  list.push_back(
+    {{"injury_strain_95", "-", weighted_percentile(strains, volumes, 0.95)},
+     "0.19: half of mild injuries (Zhang et al. 2004, recalled)",
+     model});
   list.push_back({{"injury_csdm_15", "-", above_15 / volume},
                   "0.55 (SIMon 2003, recalled)",
                   model});
@@ -318,64 +312,12 @@ void InjuryReport<Real>::add_head(std::vector<InjuryMeasure> &list) const
   if (times_.size() < 2)
     return;
   list.push_back(
-    {{"injury_hic15", "-", head_injury_criterion(times_, speeds_, 0.015)},
+    {{"injury_hic15", "-", head_injury_criterion(times_, speeds_, 0.015).value},
      "700 (road traffic), 250 (NATO AEP-55)",
      "of the mean motion of the brain; made for impacts, not blasts"});
   list.push_back({{"injury_bric", "-", brain_injury_criterion(largest_spin_)},
                   "1.0: half of injuries of degree 4 (Takhounts et al. 2013)",
                   "of the mean turning of the brain"});
-}
-
-
-template <typename Real>
-void InjuryReport<Real>::add_chest(const SolidBody<Real> &body,
-                                   std::vector<InjuryMeasure> &list) const
-{
-  const auto &tissues = body.mesh().tissues;
-  const bool has_chest =
-    std::find(tissues.begin(), tissues.end(), Tissue::lung) != tissues.end();
-  if (!has_chest || chest_pressures_.empty())
-    return;
-  double peak = 0., duration = 0.;
-  for (std::size_t i = 0; i < chest_pressures_.size(); ++i)
-  {
-    peak = std::max(peak, chest_pressures_[i]);
-    duration += chest_pressures_[i] > 0. ? last_time_ / n_samples() : 0.;
-  }
-  const double velocity = chest_wall_velocity(
-    [&](const double time) {
-      const auto i = static_cast<std::size_t>(time / last_time_ * n_samples());
-      return chest_pressures_[std::min(i, chest_pressures_.size() - 1)];
-    },
-    body.time());
-  list.push_back({{"injury_chest_pressure_peak", "Pa", peak},
-                  "none of its own",
-                  "as loaded, on the facet nearest to the place of the chest"});
-  list.push_back({{"injury_chest_wall_velocity", "m/s", velocity},
-                  "3.6: slight, 7.5: moderate, 12.8: lethal for half "
-                  "(Axelsson and Yelverton 1996)",
-                  "model of one mass; the mesh moves by the probes"});
-  list.push_back(
-    {{"injury_adjusted_severity", "-", adjusted_severity_index(velocity)},
-     "0.2 to 1: slight (recalled)",
-     "of that velocity"});
-  if (duration > 0.)
-    list.push_back(
-      {{"injury_lung_exposure",
-        "-",
-        peak / half_lethal_overpressure(duration, mass_)},
-       "0.2: lung injury begins, 1: half die (Bowen et al. 1968, recalled)",
-       "for long bodies near no wall; takes the pressure on the chest"});
-  list.push_back({{"injury_eardrum_rupture", "-", eardrum_rupture(peak)},
-                  "a probability",
-                  "takes the pressure on the chest for that at the ear"});
-}
-
-
-template <typename Real>
-double InjuryReport<Real>::n_samples() const
-{
-  return static_cast<double>(chest_pressures_.size());
 }
 
 
@@ -411,7 +353,8 @@ void InjuryReport<Real>::save(const SolidBody<Real> &body,
     put(out, pieces_);
     put(out, times_);
     put(out, speeds_);
-    put(out, chest_pressures_);
+    put(out, chest_.times());
+    put(out, chest_.pressures());
   });
 }
 
@@ -436,10 +379,13 @@ void InjuryReport<Real>::restore(const SolidBody<Real> &body,
     take(in, pieces);
     take(in, times_);
     take(in, speeds_);
-    take(in, chest_pressures_);
+    std::vector<double> chest_times, chest_pressures;
+    take(in, chest_times);
+    take(in, chest_pressures);
     if (!in || numbers.size() != 8)
       throw InputError("Checkpoint file " + file_of(folder, rank) +
                        " belongs to another scene");
+    chest_.restore(std::move(chest_times), std::move(chest_pressures));
     n_steps_ = static_cast<std::uint64_t>(numbers[0]);
     last_time_ = numbers[1];
     // Sums over ranks go on at the first one.

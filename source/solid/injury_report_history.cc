@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/solid/injury_formulas.h>
+#include <contrecoup/numerics/head_injury.h>
 #include <contrecoup/solid/injury_report.h>
 #include <contrecoup/solid/solid_probes.h>
 
@@ -23,23 +23,29 @@ InjuryReport<Real>::history(const SolidBody<Real> &body) const
     brain_);
   if (averaged_)
     pressures = average_.average(pressures);
-  // Of all ranks, each with its volume.
-  const auto gather = [&](const std::vector<double> &values) {
-    std::vector<std::pair<double, double>> mine, all;
-    for (std::size_t i = 0; i < values.size(); ++i)
-      mine.emplace_back(values[i], pieces_[i].volume);
+  std::vector<double> own_volumes;
+  for (const Piece &piece : pieces_)
+    own_volumes.push_back(piece.volume);
+  const auto gather = [&](const std::vector<double> &mine) {
+    std::vector<double> all;
     for (const auto &rank :
          dealii::Utilities::MPI::all_gather(body.communicator(), mine))
       all.insert(all.end(), rank.begin(), rank.end());
     return all;
   };
-  const auto all_strains = gather(strains);
-  if (all_strains.empty())
+  const std::vector<double> volumes = gather(own_volumes);
+  if (volumes.empty())
     return {};
-  const auto all_pressures = gather(pressures);
-  return {{"brain_strain_95", "-", volume_percentile(all_strains, 0.95)},
-          {"brain_pressure_95", "Pa", volume_percentile(all_pressures, 0.95)},
-          {"brain_pressure_5", "Pa", volume_percentile(all_pressures, 0.05)}};
+  const std::vector<double> all_strains = gather(strains),
+                            all_pressures = gather(pressures);
+  return {
+    {"brain_strain_95", "-", weighted_percentile(all_strains, volumes, 0.95)},
+    {"brain_pressure_95",
+     "Pa",
+     weighted_percentile(all_pressures, volumes, 0.95)},
+    {"brain_pressure_5",
+     "Pa",
+     weighted_percentile(all_pressures, volumes, 0.05)}};
 }
 
 

@@ -121,6 +121,25 @@ TEST(HeadInjury, OfARectangleIsExact)
   EXPECT_NEAR(shorter.end - shorter.begin, 4e-3, 1e-12);
 }
 
+// The same motion, given by velocities that turn half-way.
+TEST(HeadInjury, OfVelocitiesCountsEachChange)
+{
+  std::vector<double> times;
+  std::vector<std::array<double, 3>> velocities;
+  for (unsigned int i = 0; i <= 300; ++i)
+  {
+    times.push_back(1e-4 * i);
+    const double gained = 980.665e-4 * i;
+    velocities.push_back({{0., std::min(gained, 4.903325), 0.}});
+    velocities.back()[2] = std::max(0., std::min(gained, 9.80665) - 4.903325);
+  }
+  EXPECT_NEAR(
+    head_injury_criterion(times, velocities, 15e-3).value, 1000., 1e-6);
+  EXPECT_NEAR(head_injury_criterion(times, velocities, 5e-3).value, 500., 1e-6);
+  velocities.pop_back();
+  EXPECT_THROW(head_injury_criterion(times, velocities, 1.), InputError);
+}
+
 // Of half a sine of peak a and length T, 0.4146 a^2.5 T over 0.6626 T (the
 // maximum of s (2 sin(pi s / 2) / (pi s))^2.5).
 TEST(HeadInjury, OfHalfASineIsKnown)
@@ -141,7 +160,8 @@ TEST(HeadInjury, OfHalfASineIsKnown)
   const auto criterion = head_injury_criterion(times, accelerations, 15e-3);
   EXPECT_NEAR(
     criterion.value / (best * length * std::pow(peak, 2.5)), 1., 1e-5);
-  EXPECT_THROW(head_injury_criterion({0.}, {1.}, 1.), InputError);
+  const std::vector<double> one(1, 0.);
+  EXPECT_THROW(head_injury_criterion(one, one, 1.), InputError);
 }
 
 TEST(HeadInjury, BrainCriterionIsOneAtEachCriticalVelocity)

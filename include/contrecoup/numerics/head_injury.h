@@ -35,6 +35,15 @@ head_injury_criterion(const std::vector<double> &times,
                       const double longest);
 
 /**
+ * The same of velocities [m/s] at these times: the speed gained between two of
+ * them is the magnitude of the velocity's change.
+ */
+HeadInjuryCriterion
+head_injury_criterion(const std::vector<double> &times,
+                      const std::vector<std::array<double, 3>> &velocities,
+                      const double longest);
+
+/**
  * The brain injury criterion [-]: root of the sum of squares of the largest
  * angular velocities about the x (forward), y and z axes of the head [rad/s]
  * over 66.25, 56.45 and 42.87 rad/s (E. G. Takhounts et al., Stapp Car Crash J.

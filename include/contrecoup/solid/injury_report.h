@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/base/simulation.h>
+#include <contrecoup/solid/chest_injury.h>
 #include <contrecoup/solid/solid_body.h>
 #include <contrecoup/solid/tissue_average.h>
 
@@ -14,14 +15,6 @@
 
 namespace contrecoup::solid
 {
-/// A measure of injury with what it is compared to.
-struct InjuryMeasure
-{
-  NamedValue value;
-  std::string threshold; ///< with its source
-  std::string limits;    ///< of what it says
-};
-
 /**
  * Follows what injures: strains and pressures in the brain, motion of the head,
  * pressure on the chest. Subsection "Injury".
@@ -75,18 +68,14 @@ private:
   void add_brain(const SolidBody<Real> &body,
                  std::vector<InjuryMeasure> &list) const;
   void add_head(std::vector<InjuryMeasure> &list) const;
-  void add_chest(const SolidBody<Real> &body,
-                 std::vector<InjuryMeasure> &list) const;
 
   /// Volume, peak strain, highest and lowest pressure of each piece.
   std::vector<std::array<double, 4>> pieces_data() const;
-  double n_samples() const;
 
   bool active_ = false;
   bool averaged_ = true; ///< whether pressures are
   unsigned int interval_ = 10;
-  dealii::Point<3> chest_;
-  double mass_ = 70.;
+  ChestInjury chest_;
   unsigned int brain_ = 0; ///< index of the tissue; number of tissues: none
   TissueAverage average_;  ///< over the brain
   std::vector<std::uint32_t> piece_of_cell_;
@@ -100,7 +89,6 @@ private:
   double smooth_ = 0.;
   std::vector<double> times_;
   std::vector<std::array<double, 3>> speeds_; ///< of the head [m/s]
-  std::vector<double> chest_pressures_;       ///< [Pa]
   std::array<double, 3> largest_spin_{};      ///< [rad/s]
 };
 } // namespace contrecoup::solid

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/numerics/blast_injury.h>
+#include <contrecoup/numerics/chest_wall.h>
+#include <contrecoup/solid/chest_injury.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace contrecoup::solid
+{
+namespace
+{
+  /// Surrogates are of men at sea level [Pa].
+  constexpr double sea_level = 101325.;
+} // namespace
+
+
+void ChestInjury::declare_parameters(dealii::ParameterHandler &prm)
+{
+  declare_list(prm,
+               "Chest",
+               "0.12, 0, 1.3",
+               3,
+               3,
+               -1e6,
+               1e6,
+               "m",
+               "Place of the chest: pressure is that on the nearest loaded "
+               "facet.");
+  declare_double(
+    prm, "Body mass", "78.5", 1., 500., "kg", "For limits that scale with it.");
+}
+
+
+void ChestInjury::parse_parameters(dealii::ParameterHandler &prm)
+{
+  place_ = read_point<3>(prm, "Chest");
+  mass_ = read_double(prm, "Body mass");
+}
+
+
+void ChestInjury::follow(const double time, const double pressure)
+{
+  times_.push_back(time);
+  pressures_.push_back(pressure);
+}
+
+
+std::vector<InjuryMeasure> ChestInjury::measures() const
+{
+  if (times_.size() < 2)
+    return {};
+  const double peak = *std::max_element(pressures_.begin(), pressures_.end());
+  double duration = 0.;
+  for (std::size_t i = 1; i < times_.size(); ++i)
+    if (pressures_[i] > 0.)
+      duration += times_[i] - times_[i - 1];
+  const double velocity =
+    chest_wall_response(times_, pressures_, sea_level).velocity;
+  std::vector<InjuryMeasure> list{
+    {{"injury_chest_pressure_peak", "Pa", peak},
+     "none of its own",
+     "as loaded, on the facet nearest to the place of the chest"},
+    {{"injury_chest_wall_velocity", "m/s", velocity},
+     "3.6: slight, 7.5: moderate, 12.8: lethal for half (Axelsson and Yelverton "
+     "1996)",
+     "model of one mass; the mesh moves by the probes"},
+    {{"injury_adjusted_severity", "-", thorax_injury_index(velocity)},
+     "0.2 to 1: slight (recalled)",
+     "of that velocity"}};
+  if (duration > 0.)
+    list.push_back(
+      {{"injury_lung_exposure",
+        "-",
+        peak / lung_median_lethal_overpressure(duration, mass_, sea_level)},
+       "0.2: lung injury begins, 1: half die (Bowen et al. 1968, recalled)",
+       "for long bodies near no wall; takes the pressure on the chest"});
+  list.push_back(
+    {{"injury_eardrum_rupture", "-", eardrum_rupture_probability(peak)},
+     "a probability",
+     "takes the pressure on the chest for that at the ear"});
+  return list;
+}
+
+
+void ChestInjury::restore(std::vector<double> times,
+                          std::vector<double> pressures)
+{
+  times_ = std::move(times);
+  pressures_ = std::move(pressures);
+}
+} // namespace contrecoup::solid

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/solid/chest_injury.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <string>
+
+using namespace contrecoup::solid;
+
+namespace
+{
+/// Friedlander's wave of 200 kPa and 5 ms, followed from @p start on.
+void follow_blast(ChestInjury &chest, const double start)
+{
+  const double duration = 5e-3;
+  for (unsigned int i = 0; i <= 4000; ++i)
+  {
+    const double s = i / 1000.;
+    chest.follow(start + s * duration, 200e3 * (1. - s) * std::exp(-s));
+  }
+}
+
+std::map<std::string, double> values(const ChestInjury &chest)
+{
+  std::map<std::string, double> result;
+  for (const InjuryMeasure &measure : chest.measures())
+    result[measure.value.name] = measure.value.value;
+  return result;
+}
+} // namespace
+
+// Integrated independently: 6.020 m/s; the curve of Bowen has 941 kPa at 5 ms
+// for 70 kg; half of the eardrums rupture at 104 kPa.
+TEST(ChestInjury, OfFriedlandersWaveIsKnownWheneverItArrives)
+{
+  dealii::ParameterHandler prm;
+  ChestInjury::declare_parameters(prm);
+  prm.set("Body mass", "70");
+  for (const double start : {0., 0.002, 0.5})
+  {
+    ChestInjury chest;
+    chest.parse_parameters(prm);
+    follow_blast(chest, start);
+    const auto found = values(chest);
+    EXPECT_NEAR(found.at("injury_chest_wall_velocity"), 6.020, 2e-3) << start;
+    EXPECT_NEAR(found.at("injury_adjusted_severity"),
+                std::pow(0.124 + 0.117 * 6.020, 2.63),
+                1e-3);
+    EXPECT_DOUBLE_EQ(found.at("injury_chest_pressure_peak"), 200e3);
+    EXPECT_NEAR(found.at("injury_lung_exposure"), 200. / 941., 1e-3);
+    EXPECT_NEAR(found.at("injury_eardrum_rupture"), 0.84, 0.01);
+  }
+}
+
+
+TEST(ChestInjury, GoesOnFromWhatItFollowed)
+{
+  dealii::ParameterHandler prm;
+  ChestInjury::declare_parameters(prm);
+  ChestInjury whole, second;
+  whole.parse_parameters(prm);
+  second.parse_parameters(prm);
+  follow_blast(whole, 0.);
+  second.restore({whole.times().begin(), whole.times().begin() + 700},
+                 {whole.pressures().begin(), whole.pressures().begin() + 700});
+  for (std::size_t i = 700; i < whole.times().size(); ++i)
+    second.follow(whole.times()[i], whole.pressures()[i]);
+  EXPECT_EQ(values(second), values(whole));
+}
+
+
+TEST(ChestInjury, SaysNothingOfWhatWasNotFollowed)
+{
+  EXPECT_TRUE(ChestInjury().measures().empty());
+}
