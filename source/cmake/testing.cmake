@@ -102,6 +102,8 @@ endfunction()
 #                 @FOLDER@ in OUTPUT is a folder that has a file named a_file
 #   damaged_checkpoint, foreign_checkpoint (OTHER_FILE or ARGUMENTS): refused
 #                 with MESSAGE
+#   arrival       recorded loads begin with the wave and lose no impulse: BOUNDS
+#                 of what arrival() in load_cases.py finds
 #   disk          a full disk: exit code 3 with MESSAGE, checkpoint intact
 #   study_*, scene_*  the first lines in tests/applications/study_cases.py and
 #                 scene_cases.py tell

@@ -11,6 +11,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace contrecoup::gas
 {
@@ -41,6 +42,16 @@ void WallLoads<dim>::declare_parameters(ParameterHandler &prm)
                  "Part of a facet's peak that samples may miss; where the next "
                  "step would make it more, the sample ends before and after "
                  "that step. 1: samples end by the interval alone.");
+  declare_double(prm,
+                 "Smallest overpressure",
+                 "1e-4",
+                 0.,
+                 0.01,
+                 "-",
+                 "Part of the ambient pressure by which the pressure on some "
+                 "facet must differ from it before samples are kept, each by "
+                 "itself; the first one is the mean of all time before, so "
+                 "that impulses stay exact.");
   LoadGauges::declare_parameters(prm);
 }
 
@@ -54,6 +65,7 @@ void WallLoads<dim>::parse_parameters(ParameterHandler &prm,
   active_ = prm.get_bool("Record");
   interval_ = read_double(prm, "Interval");
   largest_loss_ = read_double(prm, "Largest loss of peaks");
+  smallest_ = read_double(prm, "Smallest overpressure");
   if (active_ && body.empty())
     throw InputError("Loads/Record = true needs a Rigid body/Kind other than "
                      "none");
@@ -244,8 +256,6 @@ void WallLoads<dim>::add(const GasField &field,
                          const std::array<double, 6> &wall_force)
 {
   const TimerScope timer("loads");
-  if (totals_.time == 0.)
-    totals_.sample_begin = time - step;
   totals_.time = time;
   const double smallest = BlastRecord<double>::threshold * ambient_;
   dealii::Tensor<1, 3> force;
@@ -260,7 +270,9 @@ void WallLoads<dim>::add(const GasField &field,
       }
     },
     material.model());
-  const bool is_peak = loses_peaks(time, step);
+  if (is_waiting() && has_arrived())
+    begin_samples(time - step, step);
+  const bool is_peak = !is_waiting() && loses_peaks(time, step);
   if (is_peak && time - step > totals_.sample_begin)
     end_sample(time - step);
   for (std::size_t i = 0; i < facets_.size(); ++i)
@@ -275,8 +287,20 @@ void WallLoads<dim>::add(const GasField &field,
   }
   add_gauges(time, step);
   add_forces(force, wall_force, step);
-  if (is_peak || time - totals_.sample_begin >= interval_ * (1. - 1e-9))
+  const double duration = time - totals_.sample_begin;
+  if (is_peak || (!is_waiting() && duration >= interval_ * (1. - 1e-9)))
     end_sample(time);
+}
+
+
+template <int dim>
+bool WallLoads<dim>::has_arrived() const
+{
+  double largest = 0.;
+  for (const double pressure : pressures_)
+    largest = std::max(largest, std::abs(pressure));
+  return dealii::Utilities::MPI::max(largest, communicator_) >
+         smallest_ * ambient_;
 }
 
 

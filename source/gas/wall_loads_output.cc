@@ -15,6 +15,21 @@
 namespace contrecoup::gas
 {
 template <int dim>
+void WallLoads<dim>::begin_samples(const double time, const double step)
+{
+  // The last sample before is as short as those that follow: readers who draw
+  // lines between the middles of samples then stay at rest until here.
+  const double length = std::max(interval_, step);
+  const double round_off = 1e-9 * length;
+  totals_.sample_begin = 0.;
+  if (time - length > round_off)
+    end_sample(time - length);
+  if (time > round_off)
+    end_sample(time);
+}
+
+
+template <int dim>
 void WallLoads<dim>::end_sample(const double time)
 {
   const std::size_t most_in_memory = 64 << 20;
@@ -43,6 +58,8 @@ void WallLoads<dim>::end_sample(const double time)
 template <int dim>
 void WallLoads<dim>::finish()
 {
+  if (active_ && is_waiting())
+    totals_.sample_begin = 0.;
   if (active_ && totals_.time > totals_.sample_begin)
     end_sample(totals_.time);
   flush();
@@ -211,16 +228,17 @@ void WallLoads<dim>::load(std::istream &stream)
 }
 
 
-#define CONTRECOUP_INSTANTIATE(dim)                                      \
-  template void WallLoads<dim>::end_sample(const double);                \
-  template void WallLoads<dim>::finish();                                \
-  template void WallLoads<dim>::flush();                                 \
-  template void WallLoads<dim>::create_file() const;                     \
-  template void WallLoads<dim>::write_measures();                        \
-  template std::vector<NamedValue> WallLoads<dim>::audit() const;        \
-  template void WallLoads<dim>::save(std::ostream &) const;              \
-  template void WallLoads<dim>::save_file(const std::string &) const;    \
-  template void WallLoads<dim>::restore_file(const std::string &) const; \
+#define CONTRECOUP_INSTANTIATE(dim)                                        \
+  template void WallLoads<dim>::begin_samples(const double, const double); \
+  template void WallLoads<dim>::end_sample(const double);                  \
+  template void WallLoads<dim>::finish();                                  \
+  template void WallLoads<dim>::flush();                                   \
+  template void WallLoads<dim>::create_file() const;                       \
+  template void WallLoads<dim>::write_measures();                          \
+  template std::vector<NamedValue> WallLoads<dim>::audit() const;          \
+  template void WallLoads<dim>::save(std::ostream &) const;                \
+  template void WallLoads<dim>::save_file(const std::string &) const;      \
+  template void WallLoads<dim>::restore_file(const std::string &) const;   \
   template void WallLoads<dim>::load(std::istream &)
 
 CONTRECOUP_INSTANTIATE(1);

@@ -100,6 +100,17 @@ contrecoup_add_application_test(body_gauges_resume resume FILE ${_cylinder}
   SET "Output/Fields=false" ${_gauges} "Loads/Interval=0.01"
   COMPARE load_gauges.csv STOP_AFTER 20)
 
+# Samples begin when the shock, smeared by coarse cells, meets the cylinder, at
+# 0.2 were it sharp: nothing is kept before but a first sample and one at rest,
+# and impulses are exact. A run that is stopped before goes on as if it had not
+# been.
+contrecoup_add_application_test(body_arrival arrival FILE ${_cylinder}
+  SET "Output/Fields=false" ${_gauges} "Loads/Interval=0.005"
+  BOUNDS "first_sample > 0.07" "first_sample < 0.2" "samples_at_rest < 3"
+    "first_overpressure < 1e-3" "impulse_difference < 1e-9")
+contrecoup_add_application_test(body_arrival_resume resume FILE ${_cylinder}
+  SET "Output/Fields=false" ${_gauges} COMPARE load_gauges.csv STOP_AFTER 5)
+
 # The man before a blast, with cells of 80 mm until the front has passed him.
 set(_human FILE blast/quickstart_human.prm SET "Rigid body/Levels=1"
   "Adaptation/Largest level=1" "Adaptation/Limit not at the body/Largest level=1"

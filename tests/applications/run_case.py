@@ -22,6 +22,7 @@ import time
 
 import cost_cases
 import full_disk
+import load_cases
 import scene_cases
 import study_cases
 
@@ -471,6 +472,7 @@ KINDS = {kind.__name__: kind for kind in
           disk)}
 KINDS.update({name: of_module(kind)
               for name, kind in {**study_cases.KINDS, **cost_cases.KINDS,
+                                 **load_cases.KINDS,
                                  **scene_cases.KINDS}.items()})
 
 

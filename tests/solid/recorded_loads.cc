@@ -97,6 +97,37 @@ TEST(RecordedLoads, ImpulseIsKept)
 }
 
 
+// A blast is recorded from its arrival: a first sample for all time before, one
+// at rest that is as long as the others, then the wave. Nothing is felt before
+// it, not even by lines between the middles of samples, and no impulse is lost.
+TEST(RecordedLoads, RecordedFromArrival)
+{
+  const std::string file = "recorded_late.h5";
+  {
+    io::LoadFile loads(file);
+    loads.create({{0., 0., 0.}, {-1., 0., 0.}, {1.}}, {{"application", "t"}});
+    loads.append({1.000, 1.001, 1.002, 1.003}, {0.F, 0.F, 400.F, 200.F});
+  }
+  const auto loads = read_loads(file);
+  loads->reinit({Point<3>()}, {Point<3>(-1., 0., 0.)}, MPI_COMM_SELF);
+  for (const double time : {0., 0.5, 0.9995, 1.0005})
+  {
+    loads->set_time(time);
+    EXPECT_EQ(loads->pressure(0), 0.) << time;
+  }
+  loads->set_time(1.001);
+  EXPECT_NEAR(loads->pressure(0), 200., 1e-6);
+  loads->set_time(1.0015);
+  EXPECT_NEAR(loads->pressure(0), 400., 1e-6);
+  for (const NamedValue &value : loads->audit())
+    if (value.name == "loads_recorded_impulse_x")
+    {
+      EXPECT_NEAR(value.value, 0.6, 1e-9);
+    }
+  std::filesystem::remove(file);
+}
+
+
 // Recorded at y, z > 0 of a body that is symmetric.
 TEST(RecordedLoads, MirroredAcrossTwoPlanes)
 {

@@ -25,7 +25,8 @@ namespace contrecoup::gas
  * facets are the pieces of the surface in the cells that it cuts; the pressure
  * on one is that of the Riemann problem between the gas in its cell and the
  * mirror image. Written to loads.h5, see io::LoadFile, and at named places to
- * load_gauges.csv, see LoadGauges.
+ * load_gauges.csv, see LoadGauges, from when the wave arrives at the first
+ * facet: the first sample is the mean of all time before.
  *
  * Audits itself: force and impulse of all facets against what the scheme took
  * from the gas. A staircase's facets take one pressure for all sides of a cell
@@ -127,7 +128,7 @@ private:
   /// The whole run so far.
   struct Totals
   {
-    double sample_begin = 0.;           ///< [s]
+    double sample_begin = -1.;          ///< [s]; below 0: nothing arrived yet
     double n_times = 0.;                ///< that the file has
     dealii::Tensor<1, 3> facet_impulse; ///< [N s]
     dealii::Tensor<1, 3> gas_impulse;   ///< [N s]
@@ -166,6 +167,15 @@ private:
   /// Whether a facet's peak would be lost in the sample that is going on if
   /// it took the step with the present pressures. Collective.
   bool loses_peaks(const double time, const double step);
+  /// Whether no facet has met the wave yet.
+  bool is_waiting() const
+  {
+    return totals_.sample_begin < 0.;
+  }
+  /// Whether some facet's pressure now tells it. Collective.
+  bool has_arrived() const;
+  /// Writes what was before the step that begins at @p time.
+  void begin_samples(const double time, const double step);
   void end_sample(const double time);
   void create_file() const;
   void write_measures();
@@ -173,6 +183,7 @@ private:
   bool active_ = false;
   double interval_ = 0.;     ///< of samples [s]; 0: every step
   double largest_loss_ = 1.; ///< of a peak in samples [-]
+  double smallest_ = 0.;     ///< overpressure over ambient that counts [-]
   double ambient_ = 0.;      ///< [Pa]
   std::string file_;
   MPI_Comm communicator_ = MPI_COMM_SELF;

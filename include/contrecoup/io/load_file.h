@@ -17,8 +17,8 @@ namespace io
    * in m^2 (2-D: m, per m of depth), "overpressure" [facet][time] in Pa as
    * float, chunked and compressed, "peak" in Pa, "impulse" of the positive
    * phase in Pa s, "arrival" and "duration" in s; and "time" in s. A sample of
-   * overpressure is the mean since the last time, so that its integral over
-   * time is exact.
+   * overpressure is the mean since the last time, the first one since time 0,
+   * so that its integral over time is exact.
    *
    * The file is open only within each call.
    */
