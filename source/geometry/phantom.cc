@@ -134,7 +134,7 @@ std::vector<OrganReference> Phantom::references() const
   constexpr double litre = 1e-3;
   const double body = std::pow(stature_ / reference_stature, 3) * litre;
   const double head = std::pow(head_scale_, 3) * litre;
-  const std::string icrp = "ICRP 89, recalled";
+  const std::string icrp = "ICRP 89";
   return {
     {"whole body",
      {},
@@ -142,9 +142,13 @@ std::vector<OrganReference> Phantom::references() const
      0.02,
      "mass over 990 kg/m^3, recalled"},
     {"brain", {"brain"}, 1.40 * head, 0.05, icrp + ": 1.45 kg"},
-    {"heart", {"heart"}, 0.755 * body, 0.05, icrp + ": 0.8 kg with blood"},
+    {"heart", {"heart"}, 0.79 * body, 0.05, icrp + ": 0.84 kg with blood"},
     {"liver", {"liver"}, 1.70 * body, 0.05, icrp + ": 1.8 kg"},
-    {"lungs", {"lungs"}, 3.3 * body, 0.05, icrp + ": half full (FRC)"},
+    {"lungs",
+     {"lungs"},
+     3.3 * body,
+     0.05,
+     icrp + ": 1.2 kg; half full, recalled"},
     {"skeleton",
      {"skull",
       "spine",
@@ -231,7 +235,7 @@ namespace phantom
         inner_chest));
     return {{{"heart", Tissue::heart},
              std::make_shared<Ellipsoid>(frame.at(0.028, 0.018, 1.255),
-                                         h * Point<3>(0.052, 0.051, 0.068))},
+                                         h * Point<3>(0.052, 0.052, 0.0696))},
             {{"liver", Tissue::liver},
              std::make_shared<Ellipsoid>(frame.at(0.018, -0.055, 1.122),
                                          h * Point<3>(0.077, 0.092, 0.060))},

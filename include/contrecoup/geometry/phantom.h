@@ -28,9 +28,9 @@ struct OrganReference
  * from the hips.
  *
  * The 50th-percentile male has the dimensions of the ANSUR-88 survey (Gordon
- * et al. 1989, means) and organs of ICRP publication 89 (2002); both sets were
- * recalled, the originals were not seen, and the shapes between the measured
- * places are ours. Skeleton and organs grow with the stature alone, all
+ * et al. 1989, means, recalled) and organs as heavy as in ICRP publication 89
+ * (2002);
+ * the shapes between the measured places are ours. Skeleton and organs grow with the stature alone, all
  * lengths alike; flesh is thickened or thinned until the volume is the mass
  * over 990 kg/m^3, the mean density of a man with his lungs half full
  * (recalled).
