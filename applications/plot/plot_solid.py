@@ -93,8 +93,9 @@ def cut_values(pieces, place, name):
 def draw_pressures(panels, head_only, path):
     """What cut_fields() gave, of the whole body or of its upper 0.3 m."""
     top = max(shape[:, :, 1].max() for _, shape, _ in panels)
-    low = top - 0.3 if head_only else -np.inf
-    shown = [values[shape[:, :, 1].min(axis=1) > low]
+    bottom = min(shape[:, :, 1].min() for _, shape, _ in panels)
+    low = max(bottom, top - 0.3) if head_only else bottom
+    shown = [values[shape[:, :, 1].min(axis=1) >= low]
              for _, shape, values in panels]
     largest = np.percentile(np.abs(np.concatenate(shown)), 99.8)
     factor, unit = look.scale_unit("Pa", largest)

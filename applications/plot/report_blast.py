@@ -71,7 +71,11 @@ def histories(scene):
     """Overpressure at named places, and the resultant force."""
     gauges = scene.blast.table("load_gauges.csv")
     parts = []
-    if gauges is None or len(gauges.values) < 3 or scene.loads() is None:
+    if scene.has_no_gauges():
+        parts.append(page.paragraph(
+            "No place on the skin was named (entry Blast/Loads/Gauges), so "
+            "none has a history of its own.", kind="note"))
+    elif gauges is None or len(gauges.values) < 3 or scene.loads() is None:
         parts.append(page.missing("load_gauges.csv of the blast"))
     else:
         parts.append(page.figure(

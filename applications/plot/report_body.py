@@ -19,7 +19,11 @@ import report_signals as signals
 from look import plt
 
 MOST_TIMES = 8
-BESIDE = 0.0801  # m, the parasagittal plane
+# The parasagittal plane: so far from y = 0 [m], but at most such a part of the
+# body's half width, which matters for a head alone.
+BESIDE = 0.0801
+MOST_BESIDE = 0.4
+HEAD_ALONE = 0.4  # m, least height of what is more than a head
 # Fields of what each element went through, titles, units, colours, and whether
 # they have two signs.
 PEAKS = (("highest_pressure", "highest pressure", "Pa", True),
@@ -40,23 +44,40 @@ def waves(scene):
     if not fields:
         return [page.missing("fields of biomechanics")]
     with report_data.reading(scene.biomechanics.path("fields")):
+        points = np.concatenate([mesh["points"] for mesh in
+                                 scene.field(fields[0][1])])
+        place = min(BESIDE, MOST_BESIDE * points[:, 1].max())
+        is_head = np.ptp(points[:, 2]) < HEAD_ALONE
         # Beside the plane of symmetry, where elements have no faces.
         panels = plot_solid.cut_fields(fields, 1e-4)
-        whole = page.drawn(plot_solid.draw_pressures, panels, False)
-        head = page.drawn(plot_solid.draw_pressures, panels, True)
+        whole = page.drawn(plot_solid.draw_pressures, panels, is_head)
+        head = None if is_head else page.drawn(plot_solid.draw_pressures,
+                                               panels, True)
         beside = page.drawn(plot_solid.draw_pressures, plot_solid.cut_fields(
-            fields, BESIDE), False)
-    return [
+            fields, place), is_head)
+        tissues = _tissues_at(fields[0][1], place)
+    parts = [
         page.figure(whole, "Pressure in the sagittal plane (cut beside y = "
                     "0), one scale for all times: red is compression, blue "
                     "tension, square-root colours. Skeleton, which is stiff, "
                     "stands out."),
         page.figure(beside, "The same in a parasagittal plane, y = "
-                    f"{BESIDE:g} m, through a lung and a leg."),
-        page.figure(head, "The head in the sagittal plane, with a scale of its own. "
-                    "Where values alternate from one element to the next, as "
-                    "they may late in nearly incompressible tissue, only "
-                    "what neighbours share counts.")] + _peaks(scene)
+                    f"{place:.3g} m, through {tissues}.")]
+    if head is not None:
+        parts.append(page.figure(
+            head, "The head in the sagittal plane, with a scale of its own."))
+    return parts + [page.paragraph(
+        "Where values alternate from one element to the next, as they may "
+        "late in nearly incompressible tissue, only what neighbours share "
+        "counts.", kind="note")] + _peaks(scene)
+
+
+def _tissues_at(pieces, place):
+    """What a parasagittal plane cuts, in words."""
+    numbers = plot_solid.cut_values(pieces, place, "tissue")[1]
+    names = [report_places.NAMES.get(int(number), "other tissue")
+             for number in np.unique(numbers)]
+    return " and ".join(filter(None, (", ".join(names[:-1]), names[-1])))
 
 
 def _peaks(scene):
@@ -81,8 +102,8 @@ def _draw_peaks(found):
                                 figsize=(3. * len(found), 3.))
     for axis, (title, unit, is_signed, polygons, values) in zip(axes.flat,
                                                                 found):
-        low = polygons[:, :, 1].max() - 0.3
-        shown = values[polygons[:, :, 1].min(axis=1) > low]
+        low = max(polygons[:, :, 1].max() - 0.3, polygons[:, :, 1].min())
+        shown = values[polygons[:, :, 1].min(axis=1) >= low]
         largest = float(np.percentile(np.abs(shown), 99.5)) or 1.
         factor, unit = look.scale_unit(unit, largest)
         norm = look.about_zero(largest * factor) if is_signed \
@@ -93,7 +114,7 @@ def _draw_peaks(found):
             linewidths=0.1))
         axis.set_aspect("equal")
         axis.autoscale_view()
-        axis.set_ylim(low, low + 0.31)
+        axis.set_ylim(low, polygons[:, :, 1].max() + 0.01)
         axis.set_axis_off()
         axis.set_title(title, fontsize=9)
         figure.colorbar(axis.collections[0], ax=axis, shrink=0.7,

@@ -146,22 +146,25 @@ class Scene:
         return np.array(place) if place and len(place) == 3 else None
 
     def charge_mass(self):
-        known = self.fact("charge_mass")
-        if known is None:
-            known = (self.blast.parameter("Charges/Charge 1/Mass")
-                     or [None])[0]
-        return known
+        """[kg], or None."""
+        return self._number("charge_mass", self.blast,
+                            "Charges/Charge 1/Mass")
 
     def cell_size(self):
         """Cells at the skin [m], or None."""
         return self.fact("cell_size_at_body")
 
     def element_size(self):
-        known = self.fact("element_size")
-        if known is None:
-            known = (self.biomechanics.parameter("Mesh/Element size")
-                     or [None])[0]
-        return known
+        """[m], or None."""
+        return self._number("element_size", self.biomechanics,
+                            "Mesh/Element size")
+
+    def _number(self, name, stage, entry):
+        """Of scene.json; of what a stage was given where that is missing, for
+        stages that were run one by one."""
+        known = self.fact(name)
+        return (stage.parameter(entry) or [None])[0] if known is None \
+            else known
 
     def explosive(self):
         return self.facts.get("explosive") or self.blast.parameters.get(
@@ -174,6 +177,11 @@ class Scene:
             with reading(path):
                 self._loads = loads.Loads(path)
         return self._loads
+
+    def has_no_gauges(self):
+        """Whether loads were recorded, but at no named place."""
+        known = self.loads()
+        return known is not None and not known.places()
 
     def views(self):
         """The body from four sides, or None."""
@@ -230,22 +238,7 @@ class Scene:
                     measures[row["measure"]] = Measure(
                         row["measure"], float(row["value"]), row["unit"],
                         row["threshold"], row["limits"])
-            return measures
-        for group in ("errors", "assumptions"):
-            for name, value in (self.biomechanics.summary.get(group)
-                                or {}).items():
-                value = as_number(value)
-                if name.startswith("injury_") and value is not None:
-                    measures[name] = Measure(name, value, _unit_of(name))
         return measures
-
-
-def _unit_of(name):
-    """Unit of a measure that only the summary has."""
-    for end, unit in (("_velocity", "m/s"), ("_dose", "s")):
-        if name.endswith(end):
-            return unit
-    return "Pa" if "pressure" in name else "-"
 
 
 def points_of(text):

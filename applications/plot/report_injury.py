@@ -116,8 +116,10 @@ def find(judged, name):
 def table(scene, judged):
     """The injury table, by parts of the body."""
     if not judged:
-        return [page.missing("injury.csv of biomechanics and load_gauges.csv "
-                             "of the blast")]
+        wanted = "injury.csv of biomechanics"
+        if not scene.has_no_gauges():
+            wanted += " and load_gauges.csv of the blast"
+        return [page.missing(wanted)]
     parts, left = [], list(judged)
     for title, beginnings in GROUPS:
         group = [entry for entry in left if entry.name.startswith(beginnings)]

@@ -115,6 +115,10 @@ class ReportTest(unittest.TestCase):
         self.expect(self.text, f"{report_page.number(front)} m/s in front",
                     f"{report_page.number(0.5 * (front + back))} m/s as the")
 
+    def test_parasagittal(self):
+        self.expect(self.text, "parasagittal plane, y = 0.04 m, through "
+                    "skeleton, brain and lung.")
+
     def test_chest_wall(self):
         """Friedlander waves with b = 1: velocities that an independent
         integration found."""
@@ -151,6 +155,23 @@ class ReportTest(unittest.TestCase):
         self.assertFalse("published simulation" in made.page)
         self.expect(text_of(made.page), "Missing: fields of biomechanics.",
                     "5.500 kg of C-4")
+
+    def test_head_alone(self):
+        """No lungs and legs in it, and no places named on it."""
+        folder = self.copy_without("blast/load_gauges.csv",
+                                   "biomechanics/injury.csv")
+        tiny_scene.write_loads(os.path.join(folder, "blast", "loads.h5"), {})
+        for number in range(3):
+            tiny_scene.write_mesh(os.path.join(
+                folder, f"biomechanics/fields/solid_{number:04d}.vtu"),
+                2e3 * number, 0.2, 4)
+        made = Made(folder)
+        self.assertEqual(made.code, 0, made.errors)
+        words = text_of(made.page)
+        self.expect(words, "parasagittal plane, y = 0.04 m, through brain.",
+                    "No place on the skin was named",
+                    "Missing: injury.csv of biomechanics.")
+        self.assertFalse("load_gauges.csv" in words)
 
     def test_missing_stages(self):
         for names, words in (

@@ -98,7 +98,7 @@ def write_blast(folder):
                                  f"plane_y_0_pressure_{number:04d}"), time)
 
 
-def write_loads(path):
+def write_loads(path, gauges=GAUGES):
     import h5py
     heights, angles = np.meshgrid(np.linspace(0.05, 1.7, 12),
                                   np.arange(12) * np.pi / 6., indexing="ij")
@@ -120,7 +120,7 @@ def write_loads(path):
         file.attrs["units"] = np.bytes_("m, m^2, s, Pa, Pa s")
         file.attrs["gauges"] = np.bytes_("; ".join(
             f"{name}: {x}, {y}, {z}" for name, (x, y, z, _)
-            in GAUGES.items()))
+            in gauges.items()))
 
 
 def write_plane(stem, time):
@@ -176,10 +176,11 @@ def write_fields(folder):
     write(os.path.join(folder, "fields.pvd"), "\n".join(listed))
 
 
-def write_mesh(path, scale):
-    """A column of cubes with brain and lung."""
+def write_mesh(path, scale, stature=1.7, tissue=None):
+    """A column of cubes with brain and lung, or of one tissue."""
     x, y, z = np.meshgrid(np.linspace(-0.1, 0.1, 5),
-                          np.linspace(-0.1, 0.1, 5), np.linspace(0., 1.7, 18),
+                          np.linspace(-0.1, 0.1, 5),
+                          np.linspace(0., stature, 18),
                           indexing="ij")
     points = np.stack([x.ravel(), y.ravel(), z.ravel()], axis=1)
     shape = (5, 5, 18)
@@ -190,7 +191,8 @@ def write_mesh(path, scale):
                                       (0, 1, 0), (0, 0, 1), (1, 0, 1),
                                       (1, 1, 1), (0, 1, 1))], axis=1)
     height = points[cells].mean(axis=1)[:, 2]
-    tissue = np.where(height > 1.5, 4, np.where(height > 1., 7, 3))
+    tissue = np.where(height > 1.5, 4, np.where(height > 1., 7, 3)) \
+        if tissue is None else np.full(height.shape, tissue)
     arrays = [("points", points.astype(np.float32), 3),
               ("connectivity", cells.astype(np.uint32), 1),
               ("displacement", np.full(points.shape, 1e-6 * scale,
