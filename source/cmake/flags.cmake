@@ -13,12 +13,24 @@ set(_common -Wall -Wextra -Wno-psabi -Wno-maybe-uninitialized
 if(CONTRECOUP_NATIVE)
   list(APPEND _common -march=native)
 endif()
+# The sanitized build is made from Release, against deal.II's release library:
+# Debug takes many times as long to compile and to run. Left out are the checks
+# before each access by reference (null, alignment, object size, virtual
+# tables): of them alone gcc took minutes for one kernel, and the address
+# sanitizer stops at such accesses too, or the processor does, which wants
+# lanes aligned. Loops are not unrolled, for the same reason.
 if(CONTRECOUP_SANITIZE)
-  list(APPEND _common -fsanitize=address,undefined -fno-sanitize-recover=all)
+  list(APPEND _common -fsanitize=address,undefined
+    -fno-sanitize=null,alignment,object-size,vptr -fno-sanitize-recover=all
+    -fno-omit-frame-pointer -D_GLIBCXX_ASSERTIONS
+    -fno-unroll-loops -fno-unroll-all-loops)
   add_link_options(-fsanitize=address,undefined)
+  set(_release -O1 -g1)
+else()
+  set(_release -O3 -g0)
 endif()
 set(CONTRECOUP_COMPILE_OPTIONS
   ${_common}
-  $<$<CONFIG:Release>:-O3 -g0 -fno-math-errno -fno-trapping-math
+  $<$<CONFIG:Release>:${_release} -fno-math-errno -fno-trapping-math
     -fno-stack-protector>
   $<$<CONFIG:Debug>:-O1 -g>)
