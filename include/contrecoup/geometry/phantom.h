@@ -29,11 +29,10 @@ struct OrganReference
  *
  * The 50th-percentile male has the dimensions of the ANSUR-88 survey (Gordon
  * et al. 1989, means, recalled) and organs as heavy as in ICRP publication 89
- * (2002);
- * the shapes between the measured places are ours. Skeleton and organs grow with the stature alone, all
- * lengths alike; flesh is thickened or thinned until the volume is the mass
- * over 990 kg/m^3, the mean density of a man with his lungs half full
- * (recalled).
+ * (2002); the shapes between the measured places are ours. Skeleton and organs
+ * grow with the stature alone, all lengths alike; flesh is thickened or thinned
+ * until the volume is the mass over 990 kg/m^3, the mean density of a man with
+ * his lungs half full (recalled).
  */
 class Phantom
 {
