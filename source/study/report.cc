@@ -90,6 +90,44 @@ namespace
     return out.str();
   }
 
+  /// The numbers that the study shows besides, those of the reference last.
+  std::string further_table(const StudyParameters &parameters,
+                            const StudyResult &result)
+  {
+    std::ostringstream out;
+    std::string rule = "|";
+    out << '|';
+    for (const Factor &factor : parameters.factors)
+    {
+      out << ' ' << cell(factor.name) << " |";
+      rule += "---|";
+    }
+    for (const std::string &column : parameters.columns)
+    {
+      out << ' ' << cell(split(column, '.').back()) << " |";
+      rule += "---:|";
+    }
+    out << '\n' << rule << '\n';
+    const auto add_row = [&](const std::vector<std::string> &labels,
+                             const std::vector<double> &values) {
+      out << '|';
+      for (const std::string &label : labels)
+        out << ' ' << cell(label) << " |";
+      for (const double value : values)
+        out << ' ' << told(value, 4) << " |";
+      out << '\n';
+    };
+    for (const ResultRow &row : result.rows)
+      if (!row.columns.empty())
+        add_row(row.variant.labels, row.columns);
+    std::vector<std::string> labels(parameters.factors.size());
+    if (!labels.empty())
+      labels.front() = "reference run";
+    if (!result.reference_columns.empty())
+      add_row(labels, result.reference_columns);
+    return out.str();
+  }
+
   /// Those that did not finish, with their reasons.
   std::string failures(const StudyResult &result)
   {
@@ -109,7 +147,10 @@ std::string to_csv(const StudyParameters &parameters, const StudyResult &result)
     out << quoted(factor.name) << ',';
   out << "outcome,reason,exit code,cells,unknowns,steps,retries,"
          "wall [s],core [s],updates,memory [byte],error,order,"
-         "pareto front,folder\n";
+         "pareto front,";
+  for (const std::string &column : parameters.columns)
+    out << quoted(column) << ',';
+  out << "folder\n";
   for (const ResultRow &row : result.rows)
   {
     for (const std::string &label : row.variant.labels)
@@ -127,8 +168,10 @@ std::string to_csv(const StudyParameters &parameters, const StudyResult &result)
                                row.error,
                                row.order})
       out << ',' << csv_number(value);
-    out << ',' << (row.on_front ? "yes" : "no") << ',' << quoted(row.folder)
-        << '\n';
+    out << ',' << (row.on_front ? "yes" : "no") << ',';
+    for (std::size_t i = 0; i < parameters.columns.size(); ++i)
+      out << (i < row.columns.size() ? csv_number(row.columns[i]) : "") << ',';
+    out << quoted(row.folder) << '\n';
   }
   return out.str();
 }
@@ -147,6 +190,8 @@ std::string to_markdown(const StudyParameters &parameters,
     out << "Best: no other variant has both a smaller error and a smaller "
            "cost.";
   out << "\n\n" << markdown_table(parameters, result);
+  if (!parameters.columns.empty())
+    out << '\n' << further_table(parameters, result);
   const std::string failed = failures(result);
   if (!failed.empty())
     out << "\nNot finished:\n\n" << failed;

@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
 #include <contrecoup/study/study_parameters.h>
 
 #include <filesystem>
@@ -34,6 +35,12 @@ namespace
                    "",
                    "Entries that all variants override: "
                    "\"Section/Entry=value; ...\".");
+    declare_string(prm,
+                   "Columns",
+                   "",
+                   "Numbers of summary.json that study.csv and study.md have "
+                   "as well, for the reference run too: dotted paths as in "
+                   "\"assumptions.loads_chest_peak; ...\".");
     declare_selection(prm,
                       "Mode",
                       "work precision",
@@ -116,6 +123,10 @@ void StudyParameters::parse_parameters(ParameterHandler &prm)
     application = prm.get("Application");
     parameter_file = prm.get("Parameter file");
     settings = parse_settings(prm.get("Settings"), "Study/Settings");
+    columns.clear();
+    for (const std::string &column : split(prm.get("Columns"), ';'))
+      if (!column.empty())
+        columns.push_back(column);
     mode = prm.get("Mode");
     design.kind = prm.get("Design");
     design.samples = read_unsigned(prm, "Samples");

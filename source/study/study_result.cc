@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/text.h>
 #include <contrecoup/study/convergence.h>
+#include <contrecoup/study/json_path.h>
 #include <contrecoup/study/pareto.h>
 #include <contrecoup/study/study_result.h>
 
@@ -153,6 +155,45 @@ namespace
       result.recommended = cheapest(costs, errors, wanted);
   }
 
+  /// The summary of a run; none if it cannot be read.
+  Json read_summary(const std::string &folder)
+  {
+    std::ifstream input(folder + "/summary.json");
+    const Json summary = Json::parse(input, nullptr, false);
+    return summary.is_object() ? summary : Json();
+  }
+
+  std::vector<double> read_columns(const std::vector<std::string> &columns,
+                                   const Json &summary)
+  {
+    std::vector<double> values;
+    for (const std::string &column : columns)
+      try
+      {
+        values.push_back(number_at(summary, column, "summary.json"));
+      }
+      catch (const InputError &)
+      {
+        values.push_back(ResultRow::unknown);
+      }
+    return values;
+  }
+
+  /// Says which columns stayed empty.
+  void remark_columns(const std::vector<std::string> &columns,
+                      StudyResult &result)
+  {
+    for (std::size_t i = 0; i < columns.size(); ++i)
+    {
+      bool is_known = false;
+      for (const ResultRow &row : result.rows)
+        is_known =
+          is_known || (i < row.columns.size() && std::isfinite(row.columns[i]));
+      if (!is_known)
+        result.remarks.push_back("No run has \"" + columns[i] + "\".");
+    }
+  }
+
   ResultRow make_row(const StudyParameters &parameters, const Task &task)
   {
     ResultRow row;
@@ -161,11 +202,11 @@ namespace
     row.folder = task.run_folder();
     if (!row.outcome.is_usable())
       return row;
-    std::ifstream input(row.folder + "/summary.json");
-    const Json summary = Json::parse(input, nullptr, false);
+    const Json summary = read_summary(row.folder);
     if (!summary.is_object())
       return row;
     read_costs(summary, parameters.cost, row);
+    row.columns = read_columns(parameters.columns, summary);
     if (!parameters.error.is_active())
       return row;
     row.error = parameters.error.value(row.folder, summary);
@@ -195,6 +236,11 @@ StudyResult evaluate(const StudyParameters &parameters,
     find_orders(i, result);
   }
   find_front(parameters.error.wanted(), result);
+  remark_columns(parameters.columns, result);
+  const std::string &reference = parameters.error.reference_folder();
+  if (!reference.empty())
+    result.reference_columns =
+      read_columns(parameters.columns, read_summary(reference));
   return result;
 }
 } // namespace contrecoup::study

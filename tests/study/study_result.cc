@@ -125,6 +125,29 @@ TEST_F(FinishedStudy, ExtrapolatesWithinEachSeries)
   EXPECT_EQ(result.remarks.size(), 2u);
 }
 
+TEST_F(FinishedStudy, ShowsFurtherNumbersOfRunsAndReference)
+{
+  read({"Study/Columns=value; errors.none",
+        "Error/Kind=reference run",
+        "Error/Name=value",
+        "Error/Reference folder=" + folder_.path() + "/second3/run"});
+  const StudyResult result = evaluate(parameters_, tasks_);
+  ASSERT_EQ(result.rows[4].columns.size(), 2u);
+  EXPECT_EQ(result.rows[4].columns[0], 7.0625);
+  EXPECT_TRUE(std::isnan(result.rows[4].columns[1]));
+  const std::string text = to_markdown(parameters_, result);
+  for (const std::string line : {"| scheme | level | value | none |",
+                                 "| second | 2 | 7.062 |  |",
+                                 "| reference run |  | 7.016 |  |",
+                                 "No run has \"errors.none\"."})
+    EXPECT_NE(text.find("\n" + line + "\n"), std::string::npos) << text;
+  const std::string table = to_csv(parameters_, result);
+  EXPECT_NE(table.find(",\"value\",\"errors.none\",folder\n"),
+            std::string::npos)
+    << table;
+  EXPECT_NE(table.find(",7.0625,,\""), std::string::npos) << table;
+}
+
 TEST_F(FinishedStudy, CountsAnErrorThatIsNoNumberAsUnstable)
 {
   read({});

@@ -37,8 +37,12 @@ public:
   /// The reference run's entries, if the study is to make one.
   const std::optional<Settings> &reference_settings() const;
 
-  /// Sets the output folder of the reference run.
+  /// The output folder of the reference run; empty without one.
   void set_reference_folder(const std::string &folder);
+  const std::string &reference_folder() const
+  {
+    return reference_folder_;
+  }
 
   /**
    * The error of a run; for self-convergence its quantity.

@@ -14,7 +14,8 @@ struct StudyParameters
   std::string title;
   std::string application;
   std::string parameter_file;
-  Settings settings; ///< of all variants
+  Settings settings;                ///< of all variants
+  std::vector<std::string> columns; ///< paths in summary.json to be shown
   std::vector<Factor> factors;
   DesignParameters design;
   std::string mode; ///< work precision, stability map

@@ -30,6 +30,8 @@ struct ResultRow
   double error = unknown;
   double order = unknown; ///< from the next coarser mesh of the series
   bool on_front = false;  ///< Pareto front of cost and error
+  /// What the study shows besides; NaN where the run does not have it.
+  std::vector<double> columns;
 };
 
 /// What a study found.
@@ -40,6 +42,8 @@ struct StudyResult
   /// The row to be recommended.
   std::optional<std::size_t> recommended;
   std::vector<std::string> remarks; ///< what the user should know
+  /// ResultRow::columns of the reference run; empty without one.
+  std::vector<double> reference_columns;
 };
 
 /**
