@@ -146,14 +146,13 @@ contrecoup_add_application_test(injury_resume resume
   SET "Output/Fields=false" "Time/End time=3e-4" "Injury/Every steps=3"
   STOP_AFTER 20 COMPARE history.csv probes.csv injury.csv)
 
-# Experiment 37 of Nahum with elements of 6 mm until after the peak: signs and
-# order of pressures as measured.
+# Experiment 37 of Nahum: signs and order of pressures as measured; the errors
+# are those of the model, which its header explains.
 contrecoup_add_application_test(nahum_37 bounds
   FILE biomechanics/showcase/nahum_37.prm
-  SET "Output/Fields=false" "Time/End time=5e-3" "Mesh/Element size=0.006"
-  "Energy audit/Largest hourglass part=0.2"
-  BOUNDS "status == finished" "errors.frontal < 0.5" "errors.parietal < 0.3"
-  "assumptions.frontal > 1.4e5" "errors.posterior_fossa < 1.6" "errors.posterior_fossa > 0")
+  SET "Output/Fields=false"
+  BOUNDS "status == finished" "errors.frontal < 0.32" "errors.parietal < 0.08"
+  "assumptions.frontal > 1.4e5" "errors.posterior_fossa < 0.9")
 
 # biomechanics_endures(<name> <bounds>)
 function(biomechanics_endures name bounds)

@@ -13,8 +13,10 @@ contrecoup_add_application_test(sigkill scene_sigkill FILE ${_head} TIMEOUT 600
   SET "Scene/Forecast=false" "Scene/Report=false" "Anatomy/Output/Pictures=false")
 contrecoup_add_application_test(failing_stage scene_failure FILE ${_head}
   TIMEOUT 300 SET "Scene/Forecast=false" "Scene/Report=false" "Anatomy/Output/Pictures=false")
+# Elements so coarse that it is the blast that fills the disk.
 contrecoup_add_application_test(full_disk scene_full_disk FILE ${_head}
-  TIMEOUT 300 SET "Scene/Forecast=false" "Scene/Report=false" "Anatomy/Output/Pictures=false")
+  TIMEOUT 300 SET "Scene/Forecast=false" "Scene/Report=false" "Anatomy/Output/Pictures=false"
+  "Scene/Element size=0.005" "Biomechanics/Elements/Integration=full")
 
 # scene_refuses(<name> <message> <arguments>)
 function(scene_refuses name message)
