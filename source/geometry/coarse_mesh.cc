@@ -3,12 +3,11 @@
 
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/geometry/coarse_mesh.h>
+#include <contrecoup/geometry/mesh_file.h>
 
 #include <deal.II/grid/grid_generator.h>
-#include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/grid_tools.h>
 
-#include <filesystem>
 #include <sstream>
 
 namespace contrecoup
@@ -244,7 +243,7 @@ void CoarseMesh<dim>::create(dealii::Triangulation<dim> &triangulation) const
   if (kind_ == "cone")
     create_cone(triangulation);
   else if (kind_ == "file")
-    read_file(triangulation);
+    read_mesh_file(file_, "Domain/Mesh file", triangulation);
   else
   {
     try
@@ -288,34 +287,6 @@ void CoarseMesh<dim>::create_cone(
       return result;
     },
     triangulation);
-}
-
-
-template <int dim>
-void CoarseMesh<dim>::read_file(dealii::Triangulation<dim> &triangulation) const
-{
-  std::ifstream stream(file_);
-  if (!stream)
-    throw InputError("Domain/Mesh file = " + file_ +
-                     ": the file cannot be opened");
-  const std::string ending = std::filesystem::path(file_).extension();
-  try
-  {
-    dealii::GridIn<dim> reader(triangulation);
-    reader.read(stream,
-                dealii::GridIn<dim>::parse_format(
-                  ending.empty() ? ending : ending.substr(1)));
-  }
-  catch (const std::exception &error)
-  {
-    // A distorted cell is reported as such below, with its place.
-    if (dynamic_cast<
-          const typename dealii::Triangulation<dim>::DistortedCellList *>(
-          &error) == nullptr)
-      throw InputError("Domain/Mesh file = " + file_ +
-                       ": deal.II cannot read it as a mesh of " +
-                       (dim == 3 ? "hexahedra" : "quadrilaterals"));
-  }
 }
 
 

@@ -49,16 +49,9 @@ void Placement::declare_parameters(dealii::ParameterHandler &prm)
                  "-",
                  "Factor by which the body is made larger, about the origin, "
                  "before it is turned and moved.");
-  declare_list(prm,
-               "Rotation",
-               "0, 0, 0",
-               3,
-               3,
-               -360.,
-               360.,
-               "degrees",
-               "Angles by which the body is turned about the fixed axes x, "
-               "then y, then z through the origin.");
+  declare_rotation(prm,
+                   "Angles by which the body is turned about the fixed axes "
+                   "x, then y, then z through the origin.");
   declare_list(prm,
                "Shift",
                "0, 0, 0",
@@ -72,12 +65,20 @@ void Placement::declare_parameters(dealii::ParameterHandler &prm)
 
 void Placement::parse_parameters(dealii::ParameterHandler &prm)
 {
-  constexpr double degree = dealii::numbers::PI / 180.;
-  const std::vector<double> angles = read_list(prm, "Rotation");
-  const std::vector<double> shift = read_list(prm, "Shift");
-  *this = Placement(read_double(prm, "Scale"),
-                    degree * Point<3>(angles[0], angles[1], angles[2]),
-                    Point<3>(shift[0], shift[1], shift[2]));
+  *this = Placement(
+    read_double(prm, "Scale"), read_rotation(prm), read_point<3>(prm, "Shift"));
+}
+
+void Placement::declare_rotation(dealii::ParameterHandler &prm,
+                                 const std::string &description)
+{
+  declare_list(
+    prm, "Rotation", "0, 0, 0", 3, 3, -360., 360., "degrees", description);
+}
+
+Tensor<1, 3> Placement::read_rotation(dealii::ParameterHandler &prm)
+{
+  return dealii::numbers::PI / 180. * read_point<3>(prm, "Rotation");
 }
 
 Point<3> Placement::apply(const Point<3> &point) const

@@ -59,16 +59,10 @@ void SurfaceBody::declare_parameters(dealii::ParameterHandler &prm)
   for (const auto &[name, length] : units())
     names.push_back(name);
   declare_selection(prm, "Unit", "m", names, "The length of a 1 in the file.");
-  declare_list(prm,
-               "Rotation",
-               "0, 0, 0",
-               3,
-               3,
-               -360.,
-               360.,
-               "degrees",
-               "Angles about the fixed axes x, then y, then z that turn what "
-               "the file has, before all else.");
+  Placement::declare_rotation(
+    prm,
+    "Angles about the fixed axes x, then y, then z that turn what the file "
+    "has, before all else.");
   declare_selection(prm,
                     "Tissue",
                     "soft tissue",
@@ -108,9 +102,7 @@ void SurfaceBody::parse_parameters(dealii::ParameterHandler &prm)
   for (const auto &[name, length] : units())
     if (name == prm.get("Unit"))
       unit_ = length;
-  const std::vector<double> angles = read_list(prm, "Rotation");
-  for (unsigned int d = 0; d < 3; ++d)
-    angles_[d] = angles[d] * dealii::numbers::PI / 180.;
+  angles_ = Placement::read_rotation(prm);
   tissue_ = find_tissue(prm.get("Tissue"));
   has_organs_ = prm.get("Organs") == "phantom";
   largest_loss_ = read_double(prm, "Largest loss of organs");

@@ -5,16 +5,15 @@
 #include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/base/text.h>
+#include <contrecoup/geometry/mesh_file.h>
 #include <contrecoup/geometry/triangulation_hexes.h>
 #include <contrecoup/solid/mesh_description.h>
 
 #include <deal.II/grid/grid_generator.h>
-#include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 
 #include <cmath>
-#include <fstream>
 
 namespace contrecoup::solid
 {
@@ -298,20 +297,7 @@ HexMesh MeshDescription::from_triangulation() const
     parts.clear();
     for (std::size_t i = 0; i < tissue_names().size(); ++i)
       parts.push_back({tissue_names()[i], static_cast<Tissue>(i)});
-    std::ifstream stream(file_);
-    if (!stream)
-      throw InputError("Mesh/File: cannot read \"" + file_ + "\"");
-    const std::string ending = file_.substr(file_.rfind('.') + 1);
-    try
-    {
-      dealii::GridIn<3> reader(mesh);
-      reader.read(stream, dealii::GridIn<3>::parse_format(ending));
-    }
-    catch (const std::exception &)
-    {
-      throw InputError("Mesh/File: deal.II cannot read \"" + file_ +
-                       "\" as a mesh of hexahedra");
-    }
+    read_mesh_file(file_, "Mesh/File", mesh);
     mesh.refine_global(refinements_);
   }
   else

@@ -62,19 +62,21 @@ void expect_names(const std::string &message,
 
 
 /// A Gmsh file (format 2.2) of the 2-D @p vertices and @p quads, removed
-/// again at the end.
+/// again at the end; it claims as many nodes as the number of them followed by
+/// the digits @p more_nodes.
 class MeshFile
 {
 public:
   MeshFile(const std::vector<Point<2>> &vertices,
-           const std::vector<std::array<unsigned int, 4>> &quads)
+           const std::vector<std::array<unsigned int, 4>> &quads,
+           const std::string &more_nodes = "")
     : path_((std::filesystem::temp_directory_path() /
              ("contrecoup_coarse_mesh_" + std::to_string(getpid()) + ".msh"))
               .string())
   {
     std::ofstream out(path_);
     out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n"
-        << vertices.size() << "\n";
+        << vertices.size() << more_nodes << "\n";
     for (unsigned int v = 0; v < vertices.size(); ++v)
       out << v + 1 << " " << vertices[v] << " 0\n";
     out << "$EndNodes\n$Elements\n" << quads.size() << "\n";
@@ -296,6 +298,10 @@ TEST(CoarseMesh, UnreadableFilesAreRefused)
   const MeshFile flat({{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}},
                       {{{0, 1, 2, 3}}});
   expect_names(refusal<3>(flat.lines()), {"Domain/Mesh file", "hexahedra"});
+  const MeshFile boastful(
+    {{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}}, {{{0, 1, 2, 3}}}, "00000");
+  expect_names(refusal<2>(boastful.lines()),
+               {"Domain/Mesh file", "claims 400000 nodes or cells"});
 }
 
 

@@ -103,7 +103,6 @@ public:
 private:
   void check_box() const;
   void create_cone(dealii::Triangulation<dim> &triangulation) const;
-  void read_file(dealii::Triangulation<dim> &triangulation) const;
   void check_cells(const dealii::Triangulation<dim> &triangulation) const;
   void match_periodic_faces(dealii::Triangulation<dim> &triangulation) const;
 

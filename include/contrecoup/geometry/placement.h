@@ -10,6 +10,8 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <string>
+
 namespace contrecoup
 {
 /// A uniform scaling, then a rotation, both about the origin, then a shift:
@@ -33,6 +35,14 @@ public:
 
   /// Reads them from the current subsection.
   void parse_parameters(dealii::ParameterHandler &prm);
+
+  /// Declares the entry Rotation alone.
+  /// @param description its sentence, about angles around the axes x, y and z
+  static void declare_rotation(dealii::ParameterHandler &prm,
+                               const std::string &description);
+
+  /// Reads that entry. @return angles about the fixed axes [rad]
+  static dealii::Tensor<1, 3> read_rotation(dealii::ParameterHandler &prm);
 
   dealii::Point<3> apply(const dealii::Point<3> &point) const;
 

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/geometry/mesh_file.h>
+
+#include <deal.II/grid/grid_in.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace contrecoup
+{
+namespace
+{
+  /// Whether a line of a VTK file says how many of something follow.
+  bool counts_for_vtk(const std::string &line)
+  {
+    for (const char *const word : {"POINTS ", "CELLS ", "CELL_TYPES "})
+      if (line.rfind(word, 0) == 0)
+        return true;
+    return false;
+  }
+
+
+  /// The largest number of nodes, cells or blocks that a text claims to have:
+  /// deal.II takes memory for as many before it reads the first.
+  std::uint64_t largest_claim(std::istream &text, const std::string &ending)
+  {
+    std::uint64_t largest = 0;
+    bool is_next = ending == "inp" || ending == "ucd";
+    for (std::string line; std::getline(text, line);)
+    {
+      if (line.rfind('#', 0) == 0)
+        continue;
+      std::istringstream words(line);
+      if (ending == "vtk" && counts_for_vtk(line))
+      {
+        std::string keyword;
+        words >> keyword;
+        is_next = true;
+      }
+      std::uint64_t claim = 0;
+      for (unsigned int i = 0; is_next && i < 2 && words >> claim; ++i)
+        largest = std::max(largest, claim);
+      is_next = ending == "msh" && line.rfind('$', 0) == 0;
+    }
+    return largest;
+  }
+} // namespace
+
+
+template <int dim>
+void read_mesh_file(const std::string &path,
+                    const std::string &entry,
+                    dealii::Triangulation<dim> &mesh)
+{
+  const std::string where = entry + " = " + path + ": ";
+  std::ifstream stream(path);
+  std::error_code error;
+  const std::uint64_t size = std::filesystem::file_size(path, error);
+  if (!stream || error)
+    throw InputError(where + "the file cannot be opened");
+  std::string ending = std::filesystem::path(path).extension();
+  ending.erase(0, 1);
+  const std::uint64_t claim = largest_claim(stream, ending);
+  if (claim > size)
+    throw InputError(where + "it has " + std::to_string(size) +
+                     " bytes and claims " + std::to_string(claim) +
+                     " nodes or cells");
+  stream.clear();
+  stream.seekg(0);
+  try
+  {
+    dealii::GridIn<dim> reader(mesh);
+    reader.read(stream, dealii::GridIn<dim>::parse_format(ending));
+  }
+  catch (const std::exception &problem)
+  {
+    // Whoever checks cells can say where a distorted one is.
+    if (dynamic_cast<
+          const typename dealii::Triangulation<dim>::DistortedCellList *>(
+          &problem) == nullptr)
+      throw InputError(where + "deal.II cannot read it as a mesh of " +
+                       (dim == 3 ? "hexahedra" : "quadrilaterals"));
+  }
+}
+
+
+template void read_mesh_file(const std::string &,
+                             const std::string &,
+                             dealii::Triangulation<1> &);
+template void read_mesh_file(const std::string &,
+                             const std::string &,
+                             dealii::Triangulation<2> &);
+template void read_mesh_file(const std::string &,
+                             const std::string &,
+                             dealii::Triangulation<3> &);
+} // namespace contrecoup
