@@ -8,6 +8,24 @@
 
 namespace contrecoup::solid
 {
+namespace
+{
+  /// Sum of a function of the node's number and its mass [kg] over the nodes
+  /// that this rank counts.
+  template <typename Real, typename Function>
+  double sum_over(const NodeFields<Real> &nodes,
+                  const std::vector<unsigned char> &counted,
+                  const Function &function)
+  {
+    double sum = 0.;
+    for (std::size_t i = 0; i < counted.size(); ++i)
+      if (counted[i] != 0)
+        sum += function(i, 1. / double(nodes.inverse_mass_of(i)));
+    return sum;
+  }
+} // namespace
+
+
 void Surroundings::declare_parameters(ParameterHandler &prm)
 {
   {
@@ -103,14 +121,16 @@ template <typename Real>
 double Surroundings::power(const NodeFields<Real> &nodes,
                            const std::vector<unsigned char> &counted) const
 {
-  double sum = 0.;
-  if (has_gravity_)
-    for (std::size_t i = 0; i < counted.size(); ++i)
-      if (counted[i] != 0)
-        for (unsigned int d = 0; d < 3; ++d)
-          sum += gravity_[d] * double(nodes.velocity_of(i)[d]) /
-                 double(nodes.inverse_mass_of(i));
-  return sum;
+  return has_gravity_ ? sum_over(nodes,
+                                 counted,
+                                 [&](const std::size_t i, const double mass) {
+                                   double product = 0.;
+                                   for (unsigned int d = 0; d < 3; ++d)
+                                     product += gravity_[d] *
+                                                double(nodes.velocity_of(i)[d]);
+                                   return product * mass;
+                                 })
+                      : 0.;
 }
 
 
@@ -119,16 +139,14 @@ double
 Surroundings::contact_energy(const NodeFields<Real> &nodes,
                              const std::vector<unsigned char> &counted) const
 {
-  double sum = 0.;
-  if (has_ground_)
-    for (std::size_t i = 0; i < counted.size(); ++i)
-      if (counted[i] != 0)
-      {
-        const double below = std::max(0., depth(nodes, i));
-        sum +=
-          0.5 * stiffness_ * below * below / double(nodes.inverse_mass_of(i));
-      }
-  return sum;
+  return has_ground_
+           ? sum_over(nodes,
+                      counted,
+                      [&](const std::size_t i, const double mass) {
+                        const double below = std::max(0., depth(nodes, i));
+                        return 0.5 * stiffness_ * below * below * mass;
+                      })
+           : 0.;
 }
 
 
@@ -137,13 +155,13 @@ double
 Surroundings::contact_force(const NodeFields<Real> &nodes,
                             const std::vector<unsigned char> &counted) const
 {
-  double sum = 0.;
-  if (has_ground_)
-    for (std::size_t i = 0; i < counted.size(); ++i)
-      if (counted[i] != 0)
-        sum += stiffness_ * std::max(0., depth(nodes, i)) /
-               double(nodes.inverse_mass_of(i));
-  return sum;
+  return has_ground_ ? sum_over(nodes,
+                                counted,
+                                [&](const std::size_t i, const double mass) {
+                                  return stiffness_ *
+                                         std::max(0., depth(nodes, i)) * mass;
+                                })
+                     : 0.;
 }
 
 

@@ -4,45 +4,13 @@
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/numerics/hex8_one_point.h>
 
+#include "hexahedra.h"
 #include <gtest/gtest.h>
-
-#include <random>
 
 using namespace contrecoup;
 
 namespace
 {
-using Corners = HexVectors<double>;
-
-/// A unit cube whose corners moved at random.
-Corners random_hexahedron(const unsigned int seed, const double amplitude = 0.2)
-{
-  Corners x{{{{0., 0., 0.}},
-             {{1., 0., 0.}},
-             {{1., 1., 0.}},
-             {{0., 1., 0.}},
-             {{0., 0., 1.}},
-             {{1., 0., 1.}},
-             {{1., 1., 1.}},
-             {{0., 1., 1.}}}};
-  std::mt19937 generator(seed);
-  std::uniform_real_distribution<double> shift(-amplitude, amplitude);
-  for (auto &corner : x)
-    for (double &component : corner)
-      component += shift(generator);
-  return x;
-}
-
-Corners random_field(const unsigned int seed, const double amplitude)
-{
-  Corners u = random_hexahedron(seed, amplitude);
-  const Corners cube = random_hexahedron(seed, 0.);
-  for (unsigned int c = 0; c < 8; ++c)
-    for (unsigned int d = 0; d < 3; ++d)
-      u[c][d] -= cube[c][d];
-  return u;
-}
-
 HexModel<double> model(const HourglassKind kind)
 {
   HexModel<double> m{};

@@ -3,49 +3,13 @@
 
 #include <contrecoup/numerics/hex8_full.h>
 
+#include "hexahedra.h"
 #include <gtest/gtest.h>
-
-#include <random>
 
 using namespace contrecoup;
 
 namespace
 {
-using Corners = HexVectors<double>;
-
-Corners cube()
-{
-  return {{{{0., 0., 0.}},
-           {{1., 0., 0.}},
-           {{1., 1., 0.}},
-           {{0., 1., 0.}},
-           {{0., 0., 1.}},
-           {{1., 0., 1.}},
-           {{1., 1., 1.}},
-           {{0., 1., 1.}}}};
-}
-
-Corners random_field(const unsigned int seed, const double amplitude)
-{
-  std::mt19937 generator(seed);
-  std::uniform_real_distribution<double> value(-amplitude, amplitude);
-  Corners u;
-  for (auto &corner : u)
-    for (double &component : corner)
-      component = value(generator);
-  return u;
-}
-
-/// A unit cube whose corners moved at random.
-Corners distorted(const unsigned int seed)
-{
-  Corners x = random_field(seed, 0.15);
-  for (unsigned int c = 0; c < 8; ++c)
-    for (unsigned int d = 0; d < 3; ++d)
-      x[c][d] += cube()[c][d];
-  return x;
-}
-
 HexModel<double> model()
 {
   HexModel<double> m{};
@@ -88,7 +52,8 @@ double energy(const Corners &x_corners, const Corners &u_corners)
 template <SolidKinematics kinematics>
 void check_derivative(const unsigned int seed)
 {
-  const Corners x = distorted(seed), u = random_field(seed + 100, 0.05);
+  const Corners x = random_hexahedron(seed, 0.15),
+                u = random_field(seed + 100, 0.05);
   const Corners force = forces<kinematics>(x, u);
   for (unsigned int c = 0; c < 8; ++c)
     for (unsigned int d = 0; d < 3; ++d)
@@ -107,7 +72,8 @@ void check_derivative(const unsigned int seed)
 
 TEST(Hex8Full, PointsHoldTheVolumeAndTheMeanGradient)
 {
-  const Corners x = to_modes(distorted(1)), u = to_modes(random_field(2, 0.1));
+  const Corners x = to_modes(random_hexahedron(1, 0.15)),
+                u = to_modes(random_field(2, 0.1));
   const auto g = hex_geometry(x);
   const auto mean = mean_gradient(g, u);
   double volume = 0.;
@@ -141,7 +107,7 @@ TEST(Hex8Full, ForcesDeriveFromTheEnergy)
 
 TEST(Hex8Full, LinearFieldsHaveTheForcesOfOnePoint)
 {
-  const Corners x = distorted(3);
+  const Corners x = random_hexahedron(3, 0.15);
   Corners u;
   for (unsigned int c = 0; c < 8; ++c)
     for (unsigned int d = 0; d < 3; ++d)
@@ -161,7 +127,7 @@ TEST(Hex8Full, LinearFieldsHaveTheForcesOfOnePoint)
 
 TEST(Hex8Full, RigidTurnsHaveNoForces)
 {
-  const Corners x = distorted(4);
+  const Corners x = random_hexahedron(4, 0.15);
   const double c = std::cos(1.), s = std::sin(1.);
   Corners u;
   for (unsigned int i = 0; i < 8; ++i)
@@ -178,7 +144,7 @@ TEST(Hex8Full, HourglassModesAreResisted)
 {
   // A cube in the mode eta zeta of u_x has mean squares 1/3 of its shears.
   Corners u{};
-  const Corners x = cube();
+  const Corners x = unit_cube();
   for (unsigned int c = 0; c < 8; ++c)
     u[c][0] = 0.01 * (2. * x[c][1] - 1.) * (2. * x[c][2] - 1.);
   // Amplitude a: gamma = 2 a zeta and 2 a eta, energy G / 2 * 2 * (2 a)^2 / 3.

@@ -3,12 +3,12 @@
 
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameter_tree.h>
-#include <contrecoup/geometry/triangulation_hexes.h>
 #include <contrecoup/solid/solid_body.h>
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 
+#include "bone_and_brain.h"
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -18,44 +18,15 @@ using dealii::Point;
 
 namespace
 {
-/// A box of 6 x 4 x 4 elements, part of which may be refined; the upper half
-/// is brain.
-HexMesh box(const bool refined)
-{
-  dealii::Triangulation<3> mesh;
-  dealii::GridGenerator::subdivided_hyper_rectangle(
-    mesh, {6, 4, 4}, Point<3>(), Point<3>(0.06, 0.04, 0.04));
-  for (const auto &cell : mesh.active_cell_iterators())
-    cell->set_material_id(cell->center()[2] > 0.02 ? 1 : 0);
-  if (refined)
-  {
-    for (const auto &cell : mesh.active_cell_iterators())
-      if (cell->center()[0] > 0.03 && cell->center()[1] > 0.01)
-        cell->set_refine_flag();
-    mesh.execute_coarsening_and_refinement();
-  }
-  return to_hex_mesh(mesh,
-                     {{"bone", Tissue::skeleton}, {"brain", Tissue::brain}});
-}
-
 /// A bar of 200 x 2 x 2 elements, the first of which may be refined; beyond
 /// 0.1 m it is brain.
 HexMesh long_bar(const bool refined)
 {
-  dealii::Triangulation<3> mesh;
-  dealii::GridGenerator::subdivided_hyper_rectangle(
-    mesh, {200, 2, 2}, Point<3>(), Point<3>(2., 0.02, 0.02));
-  for (const auto &cell : mesh.active_cell_iterators())
-    cell->set_material_id(cell->center()[0] > 0.1 ? 1 : 0);
-  if (refined)
-  {
-    for (const auto &cell : mesh.active_cell_iterators())
-      if (cell->center()[0] < 0.2)
-        cell->set_refine_flag();
-    mesh.execute_coarsening_and_refinement();
-  }
-  return to_hex_mesh(mesh,
-                     {{"bone", Tissue::skeleton}, {"brain", Tissue::brain}});
+  return bone_and_brain(
+    {200, 2, 2},
+    {2., 0.02, 0.02},
+    [](const auto &x) { return x[0] > 0.1; },
+    [&](const auto &x) { return refined && x[0] < 0.2; });
 }
 
 std::vector<SolidMaterial> find_materials(const std::vector<Tissue> &tissues)
@@ -161,12 +132,12 @@ TEST(SolidBody, StepOfALoneCubeIsThatOfTheory)
 TEST(SolidBody, AssembledStepIsLongerAndStable)
 {
   solid::SolidBody<double> body;
-  set_up(body, box(true), {}, MPI_COMM_WORLD);
+  set_up(body, half_brain(true), {}, MPI_COMM_WORLD);
   const auto certificate = body.certify_step();
   EXPECT_GT(certificate.body_step, 1.05 * certificate.element_step);
   solid::ElementOptions options;
   options.linear_viscosity = options.quadratic_viscosity = 0.;
-  set_up(body, box(true), options, MPI_COMM_WORLD);
+  set_up(body, half_brain(true), options, MPI_COMM_WORLD);
   push(body);
   body.start(0.);
   for (unsigned int i = 0; i < 2000; ++i)
@@ -190,7 +161,7 @@ TEST(SolidBody, EnergyClosesForAllKinematicsAndControls)
       options.kinematics = kinematics;
       options.hourglass = hourglass;
       solid::SolidBody<double> body;
-      set_up(body, box(true), options, MPI_COMM_WORLD);
+      set_up(body, half_brain(true), options, MPI_COMM_WORLD);
       const double step = 0.3 * body.certify_step().body_step;
       push(body);
       body.start(0.);
@@ -218,7 +189,7 @@ TEST(SolidBody, DampersTakeWhatIsBooked)
     options.hourglass = kind;
     options.hourglass_damping = 0.1;
     solid::SolidBody<double> body;
-    set_up(body, box(true), options, MPI_COMM_WORLD);
+    set_up(body, half_brain(true), options, MPI_COMM_WORLD);
     const double step = 0.7 * body.certify_step().body_step;
     push(body);
     body.start(0.);
@@ -239,8 +210,10 @@ TEST(SolidBody, RanksAgree)
     {
       solid::ElementOptions options;
       options.kinematics = kinematics;
-      const auto one = run<double>(box(refined), options, MPI_COMM_SELF, 50);
-      const auto all = run<double>(box(refined), options, MPI_COMM_WORLD, 50);
+      const auto one =
+        run<double>(half_brain(refined), options, MPI_COMM_SELF, 50);
+      const auto all =
+        run<double>(half_brain(refined), options, MPI_COMM_WORLD, 50);
       EXPECT_LT(largest_difference(one, all), 1e-11 * largest(one));
     }
 }
@@ -256,7 +229,7 @@ TEST(SolidBody, FullIntegrationClosesItsEnergyOnAllRanks)
     options.integration = solid::Integration::full;
     options.kinematics = kinematics;
     solid::SolidBody<double> body;
-    set_up(body, box(true), options, MPI_COMM_WORLD);
+    set_up(body, half_brain(true), options, MPI_COMM_WORLD);
     const double step = 0.3 * body.certify_step().body_step;
     push(body);
     body.start(0.);
@@ -265,8 +238,8 @@ TEST(SolidBody, FullIntegrationClosesItsEnergyOnAllRanks)
     const auto balance = body.balance();
     EXPECT_LT(std::abs(balance.residual()), 1e-4 * balance.initial);
     EXPECT_EQ(balance.sum.hourglass, 0.);
-    const auto one = run<double>(box(true), options, MPI_COMM_SELF, 50);
-    const auto all = run<double>(box(true), options, MPI_COMM_WORLD, 50);
+    const auto one = run<double>(half_brain(true), options, MPI_COMM_SELF, 50);
+    const auto all = run<double>(half_brain(true), options, MPI_COMM_WORLD, 50);
     EXPECT_LT(largest_difference(one, all), 1e-11 * largest(one));
   }
 }
@@ -310,8 +283,8 @@ TEST(SolidBody, QuietElementsArePassedOverBitByBit)
 
 TEST(SolidBody, SinglePrecisionIsNearDouble)
 {
-  const auto exact = run<double>(box(true), {}, MPI_COMM_WORLD, 100);
-  const auto single = run<float>(box(true), {}, MPI_COMM_WORLD, 100);
+  const auto exact = run<double>(half_brain(true), {}, MPI_COMM_WORLD, 100);
+  const auto single = run<float>(half_brain(true), {}, MPI_COMM_WORLD, 100);
   EXPECT_LT(largest_difference(exact, single), 2e-4 * largest(exact));
   EXPECT_GT(largest_difference(exact, single), 0.);
 }
@@ -322,7 +295,7 @@ void check_resume(const solid::ElementOptions &options)
 {
   const std::string folder = "solid_checkpoint";
   std::filesystem::create_directories(folder);
-  const HexMesh mesh = box(true);
+  const HexMesh mesh = half_brain(true);
   solid::SolidBody<double> straight, stopped;
   set_up(straight, mesh, options, MPI_COMM_WORLD);
   const double step = 0.5 * straight.certify_step().body_step;
@@ -361,7 +334,7 @@ TEST(SolidBody, GoesOnFromACheckpointBitByBit)
 
 TEST(SolidBody, InvertedElementIsNamed)
 {
-  HexMesh mesh = box(false);
+  HexMesh mesh = half_brain(false);
   std::swap(mesh.cells[5][0], mesh.cells[5][1]);
   solid::SolidBody<double> body;
   try
@@ -395,7 +368,7 @@ TEST(SurfaceLoads, PressureNearAPoint)
   solid::SurfaceLoads loads;
   loads.parse_parameters(prm);
   solid::SolidBody<double> body;
-  body.reinit(box(false),
+  body.reinit(half_brain(false),
               find_materials,
               solid::ElementOptions(),
               solid::Supports(),

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/geometry/triangulation_hexes.h>
 #include <contrecoup/solid/tissue_average.h>
 
-#include <deal.II/grid/grid_generator.h>
-
+#include "bone_and_brain.h"
 #include <gtest/gtest.h>
 
 using namespace contrecoup;
@@ -13,23 +11,11 @@ using dealii::Point;
 
 namespace
 {
-/// Cubes of 10 mm; the upper half is brain.
-HexMesh box()
-{
-  dealii::Triangulation<3> mesh;
-  dealii::GridGenerator::subdivided_hyper_rectangle(
-    mesh, {6, 4, 4}, Point<3>(), Point<3>(0.06, 0.04, 0.04));
-  for (const auto &cell : mesh.active_cell_iterators())
-    cell->set_material_id(cell->center()[2] > 0.02 ? 1 : 0);
-  return to_hex_mesh(mesh,
-                     {{"bone", Tissue::skeleton}, {"brain", Tissue::brain}});
-}
-
 /// Of this rank's part of the box.
 struct Part
 {
   explicit Part(const MPI_Comm communicator)
-    : mesh(solid::distribute(box(), communicator))
+    : mesh(solid::distribute(half_brain(false), communicator))
   {
     exchange.reinit(mesh, communicator);
     const auto brain =

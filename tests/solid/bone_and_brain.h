@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/geometry/triangulation_hexes.h>
+
+#include <deal.II/grid/grid_generator.h>
+
+#include <functional>
+#include <vector>
+
+namespace contrecoup
+{
+using Where = std::function<bool(const dealii::Point<3> &)>;
+
+/// A box with a corner in the origin, of bone and, where the middles of
+/// elements say so, brain; refined once where others do.
+inline HexMesh bone_and_brain(const std::vector<unsigned int> &elements,
+                              const dealii::Point<3> &upper,
+                              const Where &is_brain,
+                              const Where &is_refined)
+{
+  dealii::Triangulation<3> mesh;
+  dealii::GridGenerator::subdivided_hyper_rectangle(
+    mesh, elements, dealii::Point<3>(), upper);
+  for (const auto &cell : mesh.active_cell_iterators())
+  {
+    cell->set_material_id(is_brain(cell->center()) ? 1 : 0);
+    if (is_refined(cell->center()))
+      cell->set_refine_flag();
+  }
+  mesh.execute_coarsening_and_refinement();
+  return to_hex_mesh(mesh,
+                     {{"bone", Tissue::skeleton}, {"brain", Tissue::brain}});
+}
+
+/// A box of 6 x 4 x 4 elements of 10 mm, part of which may be refined; the
+/// upper half is brain.
+inline HexMesh half_brain(const bool refined)
+{
+  return bone_and_brain(
+    {6, 4, 4},
+    {0.06, 0.04, 0.04},
+    [](const auto &x) { return x[2] > 0.02; },
+    [&](const auto &x) { return refined && x[0] > 0.03 && x[1] > 0.01; });
+}
+} // namespace contrecoup
