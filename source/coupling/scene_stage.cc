@@ -4,8 +4,8 @@
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/log.h>
 #include <contrecoup/base/text.h>
-#include <contrecoup/base/version.h>
 #include <contrecoup/coupling/scene_stage.h>
+#include <contrecoup/coupling/source_digest.h>
 #include <contrecoup/io/checked_file.h>
 #include <contrecoup/io/temporary_folder.h>
 
@@ -92,7 +92,7 @@ SceneStage::SceneStage(const std::string &name,
   , can_resume_(can_resume)
   , runner_(runner)
 {
-  record_.key = short_key(version() + " " + git_revision() + "\n" + text +
+  record_.key = short_key(source_digest(name) + "\n" + text +
                           contents_of_files(text) + join(upstream, "\n"));
   read_record();
 }

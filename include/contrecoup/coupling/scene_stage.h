@@ -35,6 +35,7 @@ public:
   using Runner = std::function<Failure(const std::vector<std::string> &)>;
 
   /**
+   * @param name of the application, see source_digest()
    * @param text of the parameter file
    * @param upstream keys of the stages whose results this one takes
    * @param can_resume whether the application takes --resume
@@ -58,7 +59,7 @@ public:
   }
 
   /// What the results depend on, in short: the parameters, the contents of
-  /// files that these name, the program, and the stages before.
+  /// files that these name, the sources of the program, and the stages before.
   const std::string &key() const
   {
     return record_.key;
