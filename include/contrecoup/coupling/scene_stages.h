@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/collective.h>
+#include <contrecoup/coupling/planned_scene.h>
+#include <contrecoup/coupling/scene_stage.h>
+#include <contrecoup/io/command_line.h>
+
+namespace contrecoup::coupling
+{
+/**
+ * The stages of a scene in their order: anatomy, blast and, where injuries are
+ * asked for, biomechanics, each with its parameter file. Writes nothing.
+ * @param prm the scene's entries
+ * @param collective must live as long as the stages
+ * @throws InputError for entries that an application does not have
+ */
+std::vector<SceneStage> make_stages(const PlannedScene &scene,
+                                    const io::CommandLine &command,
+                                    const dealii::ParameterHandler &prm,
+                                    Collective &collective);
+} // namespace contrecoup::coupling

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/log.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/base/version.h>
+#include <contrecoup/coupling/planned_scene.h>
+#include <contrecoup/coupling/scene_plan.h>
+#include <contrecoup/io/plan_table.h>
+
+namespace contrecoup::coupling
+{
+PlannedScene::PlannedScene(dealii::ParameterHandler &prm)
+{
+  parameters_.parse_parameters(prm);
+  {
+    const Section section(prm, "Body");
+    description_.parse_parameters(prm);
+  }
+  body_ = description_.create();
+  layout_.emplace(parameters_, *body_->surface());
+  const double element_size = parameters_.accuracy.element_size;
+  body_mass_ = body_kind() == "phantom" ? description_.reference_mass()
+                                        : estimate_mass(*body_, element_size);
+  if (parameters_.wants_injury())
+    tissue_places_ = find_tissue_places(*body_, layout_->charge, element_size);
+  plan_ = scene_plan(parameters_, *layout_, body_mass_);
+}
+
+
+void PlannedScene::print() const
+{
+  log_line("scene " + version() + " (" + git_revision() +
+           "): " + brief(parameters_.mass) + " kg of " + parameters_.explosive +
+           ", " + brief(layout_->distance) + " m from the " + body_kind() +
+           ", " + brief(layout_->charge[2]) + " m above the ground; cells of " +
+           brief(1e3 * layout_->cell_size(parameters_)) + " mm at the skin" +
+           (parameters_.wants_injury()
+              ? ", elements of " +
+                  brief(1e3 * parameters_.accuracy.element_size) + " mm"
+              : ""));
+  log_line("  expected in free air: the front reaches the body at " +
+           brief(1e3 * layout_->arrival, 3) + " ms with " +
+           brief(1e-3 * layout_->overpressure, 3) + " kPa");
+  for (const std::string &remark : body_->remarks())
+    log_line("  " + remark);
+  for (const std::string &line : io::plan_lines(plan_))
+    log_line(line);
+}
+} // namespace contrecoup::coupling

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/log.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/base/version.h>
+#include <contrecoup/coupling/scene_plan.h>
+#include <contrecoup/coupling/scene_results.h>
+#include <contrecoup/io/checked_file.h>
+#include <contrecoup/io/plan_table.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace contrecoup::coupling
+{
+namespace
+{
+  using Json = nlohmann::ordered_json;
+
+  Json list(const dealii::Point<3> &point)
+  {
+    return {point[0], point[1], point[2]};
+  }
+
+
+  /// A number with its unit for people; "unknown" without one.
+  std::string told(const double value, const std::string &unit)
+  {
+    return std::isfinite(value)
+             ? brief(value, 3) + (unit == "-" ? "" : " " + unit)
+             : "unknown";
+  }
+
+
+  Json plan_rows(const std::vector<Assumption> &plan)
+  {
+    Json rows = Json::array();
+    for (const Assumption &item : plan)
+      rows.push_back({{"item", item.name},
+                      {"decision", item.decision},
+                      {"quantity", item.quantity},
+                      {"estimate", told(item.value, item.unit)},
+                      {"entry", item.entry}});
+    return rows;
+  }
+
+
+  Json audit_rows(const std::vector<Assumption> &plan,
+                  const std::vector<Assumption> &audit)
+  {
+    Json rows = Json::array();
+    for (const Assumption &item : audit)
+    {
+      const Assumption *planned = io::find_assumption(plan, item.name);
+      Json row = {
+        {"item", item.name},
+        {"decision", item.decision},
+        {"quantity", item.quantity},
+        {"estimate", planned ? told(planned->value, item.unit) : "unknown"},
+        {"found", told(item.value, item.unit)},
+        {"limit",
+         std::isnan(item.limit) ? ""
+                                : (item.is_least ? "at least " : "at most ") +
+                                    told(item.limit, item.unit)},
+        {"holds", nullptr},
+        {"entry", item.entry}};
+      if (std::isfinite(item.value) && !std::isnan(item.limit))
+        row["holds"] = !item.fails();
+      rows.push_back(row);
+    }
+    return rows;
+  }
+
+
+  Json stage_rows(const std::vector<SceneStage> &stages,
+                  const std::vector<std::string> &reused)
+  {
+    Json rows = Json::array();
+    for (const SceneStage &stage : stages)
+    {
+      const StageRecord &record = stage.record();
+      const bool is_reused =
+        std::find(reused.begin(), reused.end(), stage.name()) != reused.end();
+      rows.push_back({{"name", stage.name()},
+                      {"status", is_reused ? "reused" : record.status},
+                      {"folder", stage.name()},
+                      {"wall_seconds", record.wall_seconds},
+                      {"core_seconds", record.core_seconds},
+                      {"peak_memory", record.peak_memory},
+                      {"disk", record.disk},
+                      {"hash", record.key}});
+    }
+    return rows;
+  }
+
+
+  Json place_rows(const std::vector<TissuePlace> &places)
+  {
+    Json rows = Json::array();
+    for (const TissuePlace &place : places)
+      rows.push_back({{"name", place.name}, {"place", list(place.place)}});
+    return rows;
+  }
+
+
+  /// What the user typed, without ranks and folders.
+  std::string call_of(const io::CommandLine &command)
+  {
+    std::string call = "scene " + command.parameter_file;
+    for (const std::string &text : command.overrides)
+      call += " --set \"" + text + "\"";
+    return call;
+  }
+
+
+  /// Of a scene and of its blast.
+  std::vector<Assumption> whole_plan(const PlannedScene &scene,
+                                     const std::string &folder)
+  {
+    std::vector<Assumption> plan = scene.plan();
+    for (const Assumption &item : stage_plan(folder + "/blast"))
+      plan.push_back(item);
+    return plan;
+  }
+} // namespace
+
+
+void print_audit(const PlannedScene &scene, const std::string &folder)
+{
+  for (const std::string &line :
+       io::audit_lines(whole_plan(scene, folder),
+                       scene_audit(scene.parameters(), scene.layout(), folder)))
+    log_line(line);
+}
+
+
+void write_scene(const PlannedScene &scene,
+                 const std::vector<SceneStage> &stages,
+                 const std::vector<std::string> &reused,
+                 const io::CommandLine &command,
+                 const unsigned int n_ranks)
+{
+  const SceneLayout &layout = scene.layout();
+  const auto plan = whole_plan(scene, command.output_folder);
+  const Json json = {
+    {"application", "scene"},
+    {"version", version()},
+    {"git_revision", git_revision()},
+    {"title", scene.parameters().title},
+    {"question", scene.parameters().question},
+    {"accuracy", scene.parameters().accuracy.name},
+    {"explosive", scene.parameters().explosive},
+    {"charge_mass", scene.parameters().mass},
+    {"charge_place", list(layout.charge)},
+    {"distance", layout.distance},
+    {"height", layout.charge[2]},
+    {"body", scene.body_kind()},
+    {"body_box",
+     {list(layout.body.get_boundary_points().first),
+      list(layout.body.get_boundary_points().second)}},
+    {"domain", {list(layout.lower), list(layout.upper)}},
+    {"symmetry", layout.is_half ? "y" : "none"},
+    {"end_time", scene.parameters().end_time},
+    {"cell_size_at_body", layout.cell_size(scene.parameters())},
+    {"element_size", scene.parameters().accuracy.element_size},
+    {"tissue_places", place_rows(scene.tissue_places())},
+    {"command", call_of(command)},
+    {"ranks", n_ranks},
+    {"stages", stage_rows(stages, reused)},
+    {"plan", plan_rows(plan)},
+    {"audit",
+     audit_rows(
+       plan, scene_audit(scene.parameters(), layout, command.output_folder))},
+    {"remarks", scene.body().remarks()}};
+  io::write_file(command.output_folder + "/scene.json",
+                 [&](std::ostream &out) { out << json.dump(2) << "\n"; });
+}
+
+
+void draw_report(const std::string &folder)
+{
+  const std::string script = std::string(CONTRECOUP_PLOT_FOLDER) + "/report.py";
+  const std::string command =
+    "\"" + script + "\" \"" + folder + "\" > /dev/null 2>&1";
+  log_line(std::system(command.c_str()) == 0
+             ? "report in " + folder + "/report.html"
+             : "no report: \"" + script + "\" failed");
+}
+} // namespace contrecoup::coupling

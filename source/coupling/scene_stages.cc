@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/memory.h>
+#include <contrecoup/base/parameter_tree.h>
+#include <contrecoup/base/time_parameters.h>
+#include <contrecoup/coupling/anatomy_application.h>
+#include <contrecoup/coupling/biomechanics_application.h>
+#include <contrecoup/coupling/blast_application.h>
+#include <contrecoup/coupling/scene_files.h>
+#include <contrecoup/coupling/scene_stages.h>
+#include <contrecoup/io/application.h>
+
+#include <filesystem>
+
+namespace contrecoup::coupling
+{
+using dealii::ParameterHandler;
+
+namespace
+{
+  /// A solver as a stage.
+  SceneStage::Runner runner(const io::ApplicationDescription &application)
+  {
+    return [application](const std::vector<std::string> &arguments) {
+      forget_peak_memory();
+      return io::run_within(arguments, application);
+    };
+  }
+
+
+  /// A tool as a stage: the first rank's work.
+  SceneStage::Runner runner(const io::ToolDescription &tool,
+                            Collective &collective)
+  {
+    return [tool, &collective](const std::vector<std::string> &arguments) {
+      Failure failure;
+      try
+      {
+        collective.run([&]() {
+          const bool works = dealii::Utilities::MPI::this_mpi_process(
+                               collective.communicator()) == 0;
+          const Failure own =
+            works ? io::run_within(arguments, tool) : Failure();
+          if (own.code != ExitCode::done)
+            throw_failure(own);
+        });
+      }
+      catch (...)
+      {
+        failure = to_failure(std::current_exception(), ExitCode::system_failed);
+      }
+      return failure;
+    };
+  }
+
+
+  std::vector<Assignment> assignments_of(const io::CommandLine &command)
+  {
+    std::vector<Assignment> wrote = read_assignments(command.parameter_file);
+    for (const std::string &text : command.overrides)
+      wrote.push_back(parse_override(text));
+    return wrote;
+  }
+
+
+  void declare(const io::ApplicationDescription &application,
+               ParameterHandler &prm)
+  {
+    TimeParameters::declare_parameters(prm);
+    application.declare_parameters(prm);
+  }
+
+
+  /// Makes stages with what they have in common.
+  class Maker
+  {
+  public:
+    Maker(const PlannedScene &scene,
+          const io::CommandLine &command,
+          const ParameterHandler &prm,
+          Collective &collective)
+      : scene_(scene)
+      , folder_(command.output_folder)
+      , prm_(prm)
+      , wrote_(assignments_of(command))
+      , collective_(collective)
+    {}
+
+    SceneStage anatomy() const
+    {
+      const io::ToolDescription tool = anatomy_application();
+      return {"anatomy",
+              folder_,
+              stage_text("Anatomy",
+                         anatomy_entries(scene_.parameters()),
+                         prm_,
+                         wrote_,
+                         tool.declare_parameters),
+              {},
+              false,
+              runner(tool, collective_)};
+    }
+
+    SceneStage blast() const
+    {
+      return solver("blast",
+                    "Blast",
+                    blast_application(),
+                    blast_entries(scene_.parameters(), scene_.layout()),
+                    {});
+    }
+
+    /// @param blast the stage whose loads it takes
+    SceneStage biomechanics(const SceneStage &blast) const
+    {
+      SceneStage stage = solver("biomechanics",
+                                "Biomechanics",
+                                biomechanics_application(),
+                                biomechanics_entries(scene_.parameters(),
+                                                     scene_.layout(),
+                                                     scene_.body(),
+                                                     scene_.tissue_places(),
+                                                     scene_.body_mass()),
+                                {blast.key()});
+      const std::string loads =
+        std::filesystem::absolute(blast.folder() + "/loads.h5").string();
+      stage.set_arguments({"--set", "Loads/Recorded/File=" + loads});
+      return stage;
+    }
+
+  private:
+    SceneStage solver(const std::string &name,
+                      const std::string &section,
+                      const io::ApplicationDescription &application,
+                      const std::vector<Assignment> &entries,
+                      const std::vector<std::string> &upstream) const
+    {
+      const std::string text =
+        stage_text(section, entries, prm_, wrote_, [&](ParameterHandler &prm) {
+          declare(application, prm);
+        });
+      return {name, folder_, text, upstream, true, runner(application)};
+    }
+
+    const PlannedScene &scene_;
+    std::string folder_;
+    const ParameterHandler &prm_;
+    std::vector<Assignment> wrote_;
+    Collective &collective_;
+  };
+} // namespace
+
+
+std::vector<SceneStage> make_stages(const PlannedScene &scene,
+                                    const io::CommandLine &command,
+                                    const ParameterHandler &prm,
+                                    Collective &collective)
+{
+  const Maker maker(scene, command, prm, collective);
+  std::vector<SceneStage> stages{maker.anatomy(), maker.blast()};
+  if (scene.parameters().wants_injury())
+    stages.push_back(maker.biomechanics(stages.back()));
+  return stages;
+}
+} // namespace contrecoup::coupling
