@@ -13,6 +13,15 @@ set(CONTRECOUP_TEST_ENVIRONMENT
   OMP_NUM_THREADS=1
   CONTRECOUP_CHECK_SECONDS=0
   PYTHONDONTWRITEBYTECODE=1)
+# Open MPI leaks; and a library that asks for more memory than there is gets
+# none, as without sanitizers. Runs take several times as long.
+set(CONTRECOUP_TIMEOUT_FACTOR 1)
+if(CONTRECOUP_SANITIZE)
+  list(APPEND CONTRECOUP_TEST_ENVIRONMENT
+    ASAN_OPTIONS=detect_leaks=0:halt_on_error=1:allocator_may_return_null=1
+    UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1)
+  set(CONTRECOUP_TIMEOUT_FACTOR 10)
+endif()
 
 # The main function of all unit tests; compiled once.
 add_library(contrecoup_test_main STATIC
@@ -57,6 +66,7 @@ function(_contrecoup_register_test name)
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 300)
   endif()
+  math(EXPR ARG_TIMEOUT "${CONTRECOUP_TIMEOUT_FACTOR} * ${ARG_TIMEOUT}")
   if(NOT ARG_RANKS)
     set(ARG_RANKS 1)
   endif()
