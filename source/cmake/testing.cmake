@@ -114,6 +114,9 @@ endfunction()
 #                 with MESSAGE
 #   arrival       recorded loads begin with the wave and lose no impulse: BOUNDS
 #                 of what arrival() in load_cases.py finds
+#   gauge_order   VARY "Section/Entry=3|4|5" ERROR "<number> <s> <exact>|...":
+#                 the largest means over so many seconds of gauges on the body
+#                 converge; BOUNDS of what gauge_order() in load_cases.py finds
 #   disk          a full disk: exit code 3 with MESSAGE, checkpoint intact
 #   study_*, scene_*  the first lines in tests/applications/study_cases.py and
 #                 scene_cases.py tell

@@ -1,6 +1,8 @@
 """What tests of recorded loads prove; kinds of run_case.py."""
 
+import bisect
 import csv
+import math
 import os
 
 ENTRY = "Loads/Smallest overpressure"
@@ -45,4 +47,50 @@ def arrival(case, check_bound, read_summary):
             check_bound(found, bound)
 
 
-KINDS = {kind.__name__: kind for kind in (arrival,)}
+def largest_mean(times, samples, gauge, duration):
+    """Largest mean of a gauge over this time, as one that responds slowly
+    would show it; samples are means since the time before."""
+    begins = [0.] + times
+    sums = [0.]
+    for begin, end, sample in zip(begins, times, samples):
+        sums.append(sums[-1] + (end - begin) * sample[gauge])
+
+    def integral(time):
+        i = max(1, bisect.bisect_left(begins, time))
+        part = (time - begins[i - 1]) / (begins[i] - begins[i - 1])
+        return sums[i - 1] + part * (sums[i] - sums[i - 1])
+
+    return max((integral(time) - integral(time - duration)) / duration
+               for time in times if time >= duration)
+
+
+def gauge_order(case, check_bound, read_summary):
+    """The largest means of gauges over some time converge: for --vary as in
+    convergence, and --error "NUMBER SECONDS EXACT|..." of the gauges, bounds of
+    "order_NUMBER" and "error_NUMBER", a part of the exact one, of the last
+    runs, and of "peak_NUMBER" in the last, without a mean."""
+    entry, values = case.options.vary.split("=", 1)
+    runs = []
+    for value in values.split("|"):
+        output = case.folder(value)
+        case.run(output, extra=["--set", f"{entry}={value}"])
+        runs.append((value, *read_gauges(output)))
+    found = {}
+    for text in case.options.error.split("|"):
+        number, duration, exact = text.split()
+        gauge, last = int(number) - 1, None
+        for value, times, samples in runs:
+            peak = max(sample[gauge] for sample in samples)
+            mean = largest_mean(times, samples, gauge, float(duration))
+            error = abs(mean / float(exact) - 1.)
+            order = math.log2(last / error) if last else math.nan
+            last = error
+            print(f"gauge {number}, {entry} = {value}: peak {peak:.4f}, largest "
+                  f"mean {mean:.4f}, error {error:.5f}, order {order:.2f}")
+        found.update({"order_" + number: order, "error_" + number: error,
+                      "peak_" + number: peak})
+    for bound in case.options.bound:
+        check_bound(found, bound)
+
+
+KINDS = {kind.__name__: kind for kind in (arrival, gauge_order)}
