@@ -44,6 +44,12 @@ SolidMaterial::dynamic_shear(const double angular_frequency) const
 }
 
 
+double SolidMaterial::stiffening(const double dilatation) const
+{
+  return gas.exists() ? gas.stiffness(dilatation) : 1.;
+}
+
+
 double SolidMaterial::dilatational_speed() const
 {
   return std::sqrt((bulk_modulus + 4. / 3. * instantaneous_shear) / density);
@@ -85,6 +91,7 @@ SolidMaterial solid_material(const TissueProperties &tissue,
   material.density = tissue.density;
   material.bulk_modulus = tissue.bulk_modulus;
   material.instantaneous_shear = tissue.instantaneous_shear;
+  material.gas = tissue.gas;
   const double branch = tissue.instantaneous_shear - tissue.long_term_shear;
   if (branch > 0.)
   {

@@ -136,6 +136,22 @@ namespace
     return set;
   }
 
+  /// Air under 1 bar in three quarters of the volume: K = 142 kPa / 0.75.
+  TissueProperties physiological_lung()
+  {
+    TissueProperties lung =
+      viscoelastic(Tissue::lung,
+                   260.,
+                   0.19 * megapascal,
+                   5. * kilopascal,
+                   5. * kilopascal,
+                   0.,
+                   "density ICRP 89 half full, bulk modulus by Wood's law of "
+                   "bubbly media; recalled");
+    lung.gas = GasFilling(0.75, 1.4, 2.2 * gigapascal / lung.bulk_modulus);
+    return lung;
+  }
+
   std::vector<TissueProperties> physiological_set()
   {
     const std::string recalled = "; recalled";
@@ -170,16 +186,7 @@ namespace
                    0.,
                    0.,
                    "close to water" + recalled),
-      // Air under 1 bar in three quarters of the volume: K = 142 kPa / 0.75.
-      viscoelastic(Tissue::lung,
-                   260.,
-                   0.19 * megapascal,
-                   5. * kilopascal,
-                   5. * kilopascal,
-                   0.,
-                   "density ICRP 89 half full, bulk modulus by Wood's law of "
-                   "bubbly media" +
-                     recalled)};
+      physiological_lung()};
     for (const TissueProperties &one : physiological_organs())
       set.push_back(one);
     for (const TissueProperties &one : engineering_materials())

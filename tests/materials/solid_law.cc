@@ -131,6 +131,71 @@ TEST(SolidLaw, NeoHookeanStressDerivesFromItsEnergy)
 }
 
 
+// Stress and stiffness are derivatives of the energy, beyond the limit of
+// stiffness as well.
+TEST(SolidLaw, GasStressDerivesFromItsEnergy)
+{
+  for (const double exponent : {1., 1.4})
+  {
+    const GasFilling gas(0.75, exponent, 1e3);
+    for (const double dilatation : {-0.9, -0.74, -0.7, -0.3, 0.2, 3.})
+    {
+      const double d = 1e-6;
+      const double up = dilatation + d, down = dilatation - d;
+      EXPECT_NEAR((gas.energy(up) - gas.energy(down)) / (2. * d),
+                  gas.stress(dilatation),
+                  1e-5 * std::abs(gas.stress(dilatation)));
+      EXPECT_NEAR((gas.stress(up) - gas.stress(down)) / (2. * d),
+                  gas.stiffness(dilatation),
+                  1e-5 * gas.stiffness(dilatation));
+    }
+    EXPECT_NEAR(gas.stiffness(-0.9), 1e3, 1e-9);
+    // Small strains have K.
+    EXPECT_NEAR(gas.stress(1e-9), 1e-9, 1e-17);
+    EXPECT_NEAR(gas.energy(1e-7), 0.5e-14, 1e-20);
+    EXPECT_EQ(gas.stiffness(0.), 1.);
+    // Half of the gas's volume: p + p_0 = 2^gamma p_0, p_0 = K phi / gamma.
+    EXPECT_NEAR(gas.stress(-0.375),
+                -0.75 / exponent * (std::pow(2., exponent) - 1.),
+                1e-12);
+    // Never below vacuum.
+    EXPECT_LT(gas.stress(1e6), 0.75 / exponent);
+  }
+}
+
+
+TEST(SolidLaw, GasInTheLungIsAtAmbientPressure)
+{
+  const SolidMaterial lung =
+    solid_material(find_tissue_properties("physiological", Tissue::lung));
+  ASSERT_TRUE(lung.gas.exists());
+  EXPECT_NEAR(lung.bulk_modulus * lung.gas.stress(1e9), 101.3e3, 1e3);
+  // 2.2 GPa when the air is gone, without which 10 MPa leave a quarter.
+  EXPECT_NEAR(lung.bulk_modulus * lung.stiffening(-0.76), 2.2e9, 1e3);
+  EXPECT_LT(lung.bulk_modulus * lung.gas.stress(-0.7219), -10e6);
+  EXPECT_FALSE(
+    solid_material(find_tissue_properties("paper", Tissue::lung)).gas.exists());
+}
+
+
+TEST(SolidLaw, GasInLanesIsThatInNumbers)
+{
+  SolidLaw<Lanes<double>> law{};
+  law.bulk = 3e5;
+  law.gas = GasFilling(0.75, 1.4, 1e4);
+  Lanes<double> dilatation;
+  for (unsigned int i = 0; i < n_lanes<double>; ++i)
+    dilatation[i] = 0.1 * i - 0.7;
+  const auto stress = volumetric_stress(law, dilatation);
+  const auto energy = volumetric_energy(law, dilatation);
+  for (unsigned int i = 0; i < n_lanes<double>; ++i)
+  {
+    EXPECT_NEAR(stress[i], 3e5 * law.gas.stress(dilatation[i]), 1e-8);
+    EXPECT_NEAR(energy[i], 3e5 * law.gas.energy(dilatation[i]), 1e-8);
+  }
+}
+
+
 TEST(SolidLaw, InverseCubeRoot)
 {
   for (const double x : {0.05, 0.3, 1., 1.001, 3., 20.})

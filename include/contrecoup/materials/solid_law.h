@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <contrecoup/materials/gas_filled.h>
 #include <contrecoup/materials/small_matrix.h>
 #include <contrecoup/materials/solid_material.h>
 
@@ -26,7 +27,32 @@ struct SolidLaw
   Number decay_before{};           ///< exp(-dt / (2 tau)), of the last step
   Number decay_after{};            ///< the same, of the next step
   Number dissipation_per_strain{}; ///< half steps around now / tau
+  /// Makes the stress of volume other than K (J - 1); elements get the secant
+  /// as K instead, which keeps calls of library functions out of their loops.
+  GasFilling gas;
 };
+
+/// - p for a dilatation J - 1 [Pa].
+template <typename Number>
+inline DEAL_II_ALWAYS_INLINE Number
+volumetric_stress(const SolidLaw<Number> &law, const Number &dilatation)
+{
+  if (!law.gas.exists())
+    return law.bulk * dilatation;
+  return law.bulk *
+         apply([&](const double x) { return law.gas.stress(x); }, dilatation);
+}
+
+/// Its energy [J/m^3].
+template <typename Number>
+inline Number volumetric_energy(const SolidLaw<Number> &law,
+                                const Number &dilatation)
+{
+  if (!law.gas.exists())
+    return Number(0.5) * law.bulk * dilatation * dilatation;
+  return law.bulk *
+         apply([&](const double x) { return law.gas.energy(x); }, dilatation);
+}
 
 /// The strain that stresses are made of.
 template <typename Number>
@@ -158,7 +184,7 @@ relax(const Symmetric3<Number> &relaxed,
 
 /**
  * First Piola-Kirchhoff stress [Pa].
- * @param volumetric the stress K (J - 1), less bulk viscosity
+ * @param volumetric the stress of volume, less bulk viscosity
  * @param shear the stress 2 G_0 measure - 2 G_1 relaxed
  */
 template <SolidKinematics kinematics, typename Number>
@@ -202,8 +228,7 @@ inline Number stored_energy(const SolidLaw<Number> &law,
     shear = Number(0.25) *
             (root * root * (Number(3.) + Number(2.) * trace) - Number(3.));
   }
-  return Number(0.5) * law.bulk * strain.dilatation * strain.dilatation +
-         law.twice_shear * shear +
+  return volumetric_energy(law, strain.dilatation) + law.twice_shear * shear +
          law.twice_relaxing * (Number(0.5) * contract(relaxed, relaxed) -
                                contract(strain.total, relaxed));
 }

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <contrecoup/materials/gas_filled.h>
 #include <contrecoup/materials/tissue_library.h>
 
 #include <complex>
@@ -36,6 +37,7 @@ struct SolidMaterial
   double instantaneous_shear = 0.; ///< G_0 [Pa]
   double relaxing_shear = 0.;      ///< G_1 [Pa], of the branch; 0: elastic
   double relaxation_time = 1.;     ///< tau [s]
+  GasFilling gas;                  ///< with some, K is that of small strains
 
   /// Whether it remembers its strains.
   bool is_viscoelastic() const
@@ -48,6 +50,9 @@ struct SolidMaterial
 
   /// G*(omega) [Pa] at an angular frequency [rad/s].
   std::complex<double> dynamic_shear(double angular_frequency) const;
+
+  /// - dp/dJ over K: what stiffness of volume a dilatation leaves or makes.
+  double stiffening(double dilatation) const;
 
   /// sqrt((K + 4/3 G_0) / rho) [m/s].
   double dilatational_speed() const;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/base/tissues.h>
+#include <contrecoup/materials/gas_filled.h>
 
 #include <string>
 #include <vector>
@@ -23,6 +24,7 @@ struct TissueProperties
   double long_term_shear;     ///< G_inf [Pa]
   double relaxation_time;     ///< tau [s]; 0 for elastic tissues
   std::string source;
+  GasFilling gas = {}; ///< the lung of the physiological set has some
 
   /// Speed of dilatational waves, sqrt((K + 4/3 G_0) / rho) [m/s].
   double dilatational_speed() const;

@@ -110,6 +110,7 @@ template <typename Number>
 inline SolidLaw<Number> shear_law(SolidLaw<Number> law)
 {
   law.bulk = Number(0.);
+  law.gas = GasFilling();
   return law;
 }
 

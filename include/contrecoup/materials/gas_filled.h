@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/lane_math.h>
+
+#include <cmath>
+
+/**
+ * @file
+ * Pressure of tissue whose volume is in part gas, as of the lung: the gas is
+ * compressed as p v^gamma = const, the rest not at all (Wood 1941, for bubbles
+ * in a liquid that is much stiffer). With the part phi of gas in the
+ * undeformed volume and the change s = (J - 1) / phi of its volume,
+ *   p = K phi / gamma ((1 + s)^-gamma - 1)
+ * above ambient pressure K phi / gamma: K for small strains, and never below
+ * vacuum. As the gas is squeezed out, - dp/dJ grows until it is that of the
+ * tissue without gas, and stays so.
+ */
+
+namespace contrecoup
+{
+/// The gas in a solid, and its law over K.
+class GasFilling
+{
+public:
+  /// No gas.
+  GasFilling() = default;
+
+  /**
+   * @param part phi, of the undeformed volume, above 0
+   * @param exponent gamma: 1 isothermal, 1.4 adiabatic
+   * @param stiffest largest - dp/dJ over K, at least 1
+   */
+  GasFilling(const double part, const double exponent, const double stiffest)
+    : part_(part)
+    , exponent_(exponent)
+    , stiffest_(stiffest)
+    , least_(part * std::expm1(-std::log(stiffest) / (exponent + 1.)))
+    , least_stress_(gas_stress(least_))
+    , least_energy_(gas_energy(least_))
+  {}
+
+  bool exists() const
+  {
+    return part_ > 0.;
+  }
+
+  /// - p / K for a dilatation J - 1.
+  double stress(const double dilatation) const
+  {
+    return dilatation < least_
+             ? least_stress_ + stiffest_ * (dilatation - least_)
+             : gas_stress(dilatation);
+  }
+
+  /// - p / K over the dilatation.
+  double secant(const double dilatation) const
+  {
+    return dilatation == 0. ? 1. : stress(dilatation) / dilatation;
+  }
+
+  /// The integral of stress() from 0 to a dilatation.
+  double energy(const double dilatation) const
+  {
+    const double more = dilatation - least_;
+    return dilatation < least_
+             ? least_energy_ + more * (least_stress_ + 0.5 * stiffest_ * more)
+             : gas_energy(dilatation);
+  }
+
+  /// - dp/dJ / K.
+  double stiffness(const double dilatation) const
+  {
+    return dilatation < least_
+             ? stiffest_
+             : std::exp(-(exponent_ + 1.) * std::log1p(dilatation / part_));
+  }
+
+private:
+  double gas_stress(const double dilatation) const
+  {
+    return -part_ / exponent_ *
+           std::expm1(-exponent_ * std::log1p(dilatation / part_));
+  }
+
+  double gas_energy(const double dilatation) const
+  {
+    const double logarithm = std::log1p(dilatation / part_);
+    const double power = exponent_ - 1.;
+    const double rest = std::abs(power) < 1e-6
+                          ? logarithm
+                          : -std::expm1(-power * logarithm) / power;
+    return part_ / exponent_ * (dilatation - part_ * rest);
+  }
+
+  double part_ = 0.;
+  double exponent_ = 1.;
+  double stiffest_ = 1.;
+  double least_ = 0.; ///< dilatation from where the stiffness is constant
+  double least_stress_ = 0.;
+  double least_energy_ = 0.;
+};
+
+/// @p function (of double) of a number, or of each lane.
+template <typename Function>
+inline double apply(const Function &function, const double x)
+{
+  return function(x);
+}
+
+template <typename Function>
+inline float apply(const Function &function, const float x)
+{
+  return static_cast<float>(function(x));
+}
+
+template <typename Function, typename Scalar, std::size_t width>
+inline LaneGroup<Scalar, width> apply(const Function &function,
+                                      const LaneGroup<Scalar, width> &x)
+{
+  LaneGroup<Scalar, width> result;
+  for (std::size_t lane = 0; lane < width; ++lane)
+    result[lane] = static_cast<Scalar>(function(double(x[lane])));
+  return result;
+}
+} // namespace contrecoup
