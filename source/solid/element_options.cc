@@ -84,6 +84,13 @@ void ElementOptions::declare_parameters(ParameterHandler &prm)
                "Whether elements are passed over until one of their nodes, or "
                "of those numbered beside it, has moved; the results are the "
                "same.");
+  declare_integer(prm,
+                  "Largest number of retries",
+                  "10",
+                  0,
+                  50,
+                  "Times that a step after which an element has no volume, or "
+                  "numbers are not finite, is halved before the run gives up.");
   declare_viscosity(prm);
 }
 
@@ -99,6 +106,7 @@ void ElementOptions::parse_parameters(ParameterHandler &prm)
   hourglass_coefficient = read_double(prm, "Hourglass coefficient");
   hourglass_damping = read_double(prm, "Hourglass damping");
   skip_quiet = prm.get_bool("Skip quiet");
+  largest_retries = read_unsigned(prm, "Largest number of retries");
   linear_viscosity = read_double(prm, "Linear bulk viscosity");
   quadratic_viscosity = read_double(prm, "Quadratic bulk viscosity");
 }

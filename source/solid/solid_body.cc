@@ -131,6 +131,8 @@ void SolidBody<Real>::start(const double time)
   assemble();
   const EnergyBalance now = balance();
   initial_energy_ = now.sum.kinetic + now.sum.internal() + now.contact;
+  find_least_dilatations();
+  past_.reset();
 }
 
 
@@ -148,7 +150,7 @@ void SolidBody<Real>::book_step_change(const double before, const double next)
 
 
 template <typename Real>
-void SolidBody<Real>::advance(const double step)
+void SolidBody<Real>::take_step(const double step)
 {
   supports_.set_forces(nodes_, time_, times_.before, step);
   if (step != times_.before)

@@ -266,6 +266,9 @@ void SolidBody<Real>::restore(const std::string &folder)
   // Elements may remember what nodes do not show.
   nodes_.find_awake();
   operator_.batches().wake_all();
+  operator_.find_least_dilatations();
+  find_least_dilatations();
+  past_.reset();
 }
 
 

@@ -188,9 +188,10 @@ StepCertificate SolidBody<Real>::certify_step()
 
 
 template <typename Real>
-void SolidBody<Real>::find_weakest_element(StepCertificate &certificate) const
+void SolidBody<Real>::find_weakest_element(StepCertificate &certificate)
 {
   double largest = 0.;
+  std::vector<double> squares(mesh_.tissues.size(), 0.);
   std::uint32_t weakest = 0;
   for (std::uint32_t i = 0; i < mesh_.cells.size(); ++i)
   {
@@ -201,6 +202,7 @@ void SolidBody<Real>::find_weakest_element(StepCertificate &certificate) const
     const HexGeometry<double> geometry = hex_geometry(to_modes(x));
     const SolidMaterial &material = operator_.materials()[mesh_.tissue[i]];
     const double square = element_square_frequency(geometry, material);
+    squares[mesh_.tissue[i]] = std::max(squares[mesh_.tissue[i]], square);
     if (square > largest)
     {
       largest = square;
@@ -228,6 +230,10 @@ void SolidBody<Real>::find_weakest_element(StepCertificate &certificate) const
                 centre[2]}};
   }
   MPI_Bcast(numbers.data(), 5, MPI_DOUBLE, all.rank, communicator_);
+  dealii::Utilities::MPI::max(squares, communicator_, squares);
+  element_steps_.clear();
+  for (const double square : squares)
+    element_steps_.push_back(2. / std::sqrt(square));
   certificate.element_step = 2. / std::sqrt(all.value);
   certificate.element = static_cast<std::uint32_t>(numbers[0]);
   certificate.tissue = static_cast<Tissue>(static_cast<int>(numbers[1]));

@@ -4,12 +4,43 @@
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
 #include <contrecoup/solid/solid_materials.h>
 
 namespace contrecoup::solid
 {
 namespace
 {
+  void declare_gas(ParameterHandler &prm)
+  {
+    declare_double(prm,
+                   "Gas part",
+                   "0",
+                   0.,
+                   1.,
+                   "-",
+                   "Part of the undeformed volume that is gas, which stiffens "
+                   "as it is compressed, while the rest keeps its volume; the "
+                   "bulk modulus is then that of small strains. 0: pressure "
+                   "is proportional to the change of volume.");
+    declare_double(prm,
+                   "Gas exponent",
+                   "1.4",
+                   0.1,
+                   10.,
+                   "-",
+                   "Of the gas: 1.4 for air that keeps its heat, 1 for air "
+                   "that stays as warm as the tissue.");
+    declare_double(prm,
+                   "Modulus without gas",
+                   "2.2e9",
+                   1e-6,
+                   1e15,
+                   "Pa",
+                   "What gas that is squeezed out stiffens to, at least the "
+                   "bulk modulus.");
+  }
+
   void declare_custom(ParameterHandler &prm)
   {
     const Section section(prm, "Tissue *");
@@ -64,7 +95,29 @@ namespace
                    1e6,
                    "s",
                    "In which all but 1/e of that part goes.");
+    declare_gas(prm);
   }
+
+  /// @throws InputError when the gas is stiffer than what holds it
+  GasFilling read_gas(ParameterHandler &prm,
+                      const double bulk_modulus,
+                      const std::string &name)
+  {
+    const double part = read_double(prm, "Gas part");
+    if (part == 0.)
+      return {};
+    const double stiffest =
+      read_double(prm, "Modulus without gas") / bulk_modulus;
+    if (!(stiffest >= 1.))
+      throw InputError("Materials/Tissue " + name +
+                       "/Modulus without gas must be at least the bulk "
+                       "modulus, " +
+                       brief(bulk_modulus) + " Pa");
+    return {part, read_double(prm, "Gas exponent"), stiffest};
+  }
+
+  /// Words of "Bulk law".
+  const std::vector<std::string> bulk_laws{"of the tissue", "linear"};
 } // namespace
 
 
@@ -84,6 +137,15 @@ void SolidMaterials::declare_parameters(ParameterHandler &prm)
                     "What the paper's G1 = 33 kPa of the brain is: the part "
                     "that relaxes (16 kPa are left, as published for brain), "
                     "or what is left.");
+  declare_selection(prm,
+                    "Bulk law",
+                    bulk_laws[0],
+                    bulk_laws,
+                    "Pressure by volume: the air in the physiological lung "
+                    "stiffens as it is compressed (p v^1.4 = const), other "
+                    "tissues of the sets have constant moduli; linear gives "
+                    "all of them a constant modulus, with which the lung "
+                    "gives way under more than some hundred kilopascals.");
   declare_custom(prm);
 }
 
@@ -93,6 +155,7 @@ void SolidMaterials::parse_parameters(ParameterHandler &prm)
   {
     const Section section(prm, "Materials");
     set_ = prm.get("Set");
+    has_gas_ = prm.get("Bulk law") == bulk_laws[0];
     g1_is_long_term_ = prm.get("Reading of G1") == "long-term modulus";
   }
   for (const std::string &name : item_names(prm, "Materials/Tissue"))
@@ -110,6 +173,7 @@ void SolidMaterials::parse_parameters(ParameterHandler &prm)
                                      : read_double(prm, "Shear modulus");
     material.relaxing_shear = read_double(prm, "Relaxing shear modulus");
     material.relaxation_time = read_double(prm, "Relaxation time");
+    material.gas = read_gas(prm, material.bulk_modulus, name);
     material.check("Materials/Tissue " + name);
     custom_[find_tissue(name)] = material;
   }
@@ -121,8 +185,11 @@ SolidMaterial SolidMaterials::find(const Tissue tissue) const
   const auto custom = custom_.find(tissue);
   if (custom != custom_.end())
     return custom->second;
-  return solid_material(find_tissue_properties(set_, tissue),
-                        g1_is_long_term_ && set_ == "paper");
+  SolidMaterial material = solid_material(find_tissue_properties(set_, tissue),
+                                          g1_is_long_term_ && set_ == "paper");
+  if (!has_gas_)
+    material.gas = GasFilling();
+  return material;
 }
 
 

@@ -3,6 +3,8 @@
 
 #include <contrecoup/solid/solid_operator.h>
 
+#include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace contrecoup::solid
@@ -23,6 +25,15 @@ namespace
     for (unsigned int lane = 0; lane < n_lanes<Real>; ++lane)
       sum += static_cast<double>(values[lane]);
     return sum;
+  }
+
+  template <typename Real>
+  double least_of(const Lanes<Real> &values)
+  {
+    double least = 0.;
+    for (unsigned int lane = 0; lane < n_lanes<Real>; ++lane)
+      least = std::min(least, static_cast<double>(values[lane]));
+    return least;
   }
 
   /// Velocities of the corners of a batch.
@@ -57,6 +68,7 @@ void SolidOperator<Real>::reinit(const SolidMesh &mesh,
   }
   batches_.reinit(mesh, viscoelastic, damped, full() ? 8 : 1);
   losses_.assign(materials.size(), {});
+  least_dilatations_.assign(materials.size(), 0.);
 }
 
 
@@ -132,6 +144,7 @@ HexModel<Lanes<Real>> SolidOperator<Real>::model(const SolidMaterial &material,
   const double tau = material.relaxation_time;
   HexModel<Lane> model;
   model.law.bulk = Real(material.bulk_modulus);
+  model.law.gas = material.gas;
   model.law.twice_shear = Real(2. * material.instantaneous_shear);
   model.law.twice_relaxing = Real(2. * material.relaxing_shear);
   model.law.decay_before = Real(std::exp(-times.relax_before / tau));
@@ -155,13 +168,42 @@ HexModel<Lanes<Real>> SolidOperator<Real>::model(const SolidMaterial &material,
 
 
 template <typename Real>
+HexModel<Lanes<Real>>
+SolidOperator<Real>::linear_model(const SolidMaterial &material) const
+{
+  HexModel<Lane> model = this->model(material, StepTimes());
+  model.law.gas = GasFilling();
+  return model;
+}
+
+
+template <typename Real>
+Lanes<Real> SolidOperator<Real>::secant_bulk(const SolidLaw<Lane> &law,
+                                             const NodeFields<Real> &nodes,
+                                             const unsigned int batch) const
+{
+  HexVectors<Lane> x, u;
+  load_corners(nodes.place.data(), batches_.offsets(batch, 0), x, u);
+  const Matrix3<Lane> h = mean_gradient(hex_geometry(to_modes(x)), to_modes(u));
+  const Lane dilatation = options_.kinematics == SolidKinematics::small_strain
+                            ? h[0][0] + h[1][1] + h[2][2]
+                            : finite_dilatation(h, cofactor(h));
+  return law.bulk *
+         apply([&](const double value) { return law.gas.secant(value); },
+               dilatation);
+}
+
+
+template <typename Real>
 template <SolidKinematics kinematics, bool viscoelastic>
 void SolidOperator<Real>::add_range(const Range &range,
                                     NodeFields<Real> &nodes,
-                                    const StepTimes &times,
+                                    const HexModel<Lane> &model,
                                     TissueEnergies &losses)
 {
-  const HexModel<Lane> model = this->model(materials_[range.tissue], times);
+  Lane least{};
+  const bool has_gas = model.law.gas.exists();
+  HexModel<Lane> stiffened = model;
   for (unsigned int first = range.begin; first < range.end;
        first += batches_at_once)
   {
@@ -171,6 +213,8 @@ void SolidOperator<Real>::add_range(const Range &range,
     {
       if (!batches_.is_awake(batch, nodes))
         continue;
+      if (has_gas)
+        stiffened.law.bulk = secant_bulk(model.law, nodes, batch);
       const unsigned int *offsets = batches_.offsets(batch, 0);
       HexVectors<Lane> x, u;
       load_corners(nodes.place.data(), offsets, x, u);
@@ -182,8 +226,9 @@ void SolidOperator<Real>::add_range(const Range &range,
       };
       const HexVectors<Lane> forces =
         one_point_forces<kinematics, viscoelastic>(
-          model, x, u, velocities, state, heat);
+          has_gas ? stiffened : model, x, u, velocities, state, heat);
       batches_.template store_state<viscoelastic>(range, batch, state);
+      least = std::min(least, state.dilatation);
       subtract_forces(nodes.force.data(), offsets, forces);
       sum.bulk_viscosity += heat.bulk_viscosity;
       sum.relaxation += heat.relaxation;
@@ -193,6 +238,8 @@ void SolidOperator<Real>::add_range(const Range &range,
     losses.relaxation += sum_of<Real>(sum.relaxation);
     losses.hourglass += sum_of<Real>(sum.hourglass);
   }
+  least_dilatations_[range.tissue] =
+    std::min(least_dilatations_[range.tissue], least_of<Real>(least));
 }
 
 
@@ -202,10 +249,13 @@ void SolidOperator<Real>::add_all(NodeFields<Real> &nodes,
                                   const StepTimes &times)
 {
   for (const Range &range : batches_.ranges())
+  {
+    const HexModel<Lane> model = this->model(materials_[range.tissue], times);
     if (range.viscoelastic)
-      add_range<kinematics, true>(range, nodes, times, losses_[range.tissue]);
+      add_range<kinematics, true>(range, nodes, model, losses_[range.tissue]);
     else
-      add_range<kinematics, false>(range, nodes, times, losses_[range.tissue]);
+      add_range<kinematics, false>(range, nodes, model, losses_[range.tissue]);
+  }
 }
 
 
@@ -213,17 +263,31 @@ template <typename Real>
 void SolidOperator<Real>::add_forces(NodeFields<Real> &nodes,
                                      const StepTimes &times)
 {
+  least_dilatations_.assign(materials_.size(), 0.);
   if (full())
-    return add_full_forces(nodes, times);
-  switch (options_.kinematics)
-  {
-    case SolidKinematics::small_strain:
-      return add_all<SolidKinematics::small_strain>(nodes, times);
-    case SolidKinematics::finite_rotation:
-      return add_all<SolidKinematics::finite_rotation>(nodes, times);
-    default:
-      return add_all<SolidKinematics::neo_hookean>(nodes, times);
-  }
+    add_full_forces(nodes, times);
+  else if (options_.kinematics == SolidKinematics::small_strain)
+    add_all<SolidKinematics::small_strain>(nodes, times);
+  else if (options_.kinematics == SolidKinematics::finite_rotation)
+    add_all<SolidKinematics::finite_rotation>(nodes, times);
+  else
+    add_all<SolidKinematics::neo_hookean>(nodes, times);
+  // A dilatation that is not a number is in the heat of bulk viscosity as well.
+  for (std::size_t i = 0; i < losses_.size(); ++i)
+    if (!std::isfinite(losses_[i].internal()))
+      least_dilatations_[i] = -std::numeric_limits<double>::infinity();
+}
+
+
+template <typename Real>
+void SolidOperator<Real>::find_least_dilatations()
+{
+  least_dilatations_.assign(materials_.size(), 0.);
+  for (const Range &range : batches_.ranges())
+    for (unsigned int batch = range.begin; batch < range.end; ++batch)
+      least_dilatations_[range.tissue] =
+        std::min(least_dilatations_[range.tissue],
+                 least_of<Real>(batches_.dilatation[batch]));
 }
 
 
@@ -238,7 +302,7 @@ void SolidOperator<Real>::add_linear_forces(NodeFields<Real> &nodes)
   else
     for (const Range &range : batches_.ranges())
       add_range<SolidKinematics::small_strain, false>(
-        range, nodes, StepTimes(), unused);
+        range, nodes, linear_model(materials_[range.tissue]), unused);
   batches_.reset_state();
 }
 

@@ -132,6 +132,41 @@ namespace
     return s;
   }
 
+  /// How stiff an element is over what it was when undeformed: of volume, as
+  /// the squares of its gradients times the modulus, and of shear.
+  template <typename Number>
+  Number stiffening(const SolidMaterial &material,
+                    const bool finite,
+                    const HexGeometry<Number> &g,
+                    const Matrix3<Number> &h)
+  {
+    Number of_volume(1.), of_shear(1.);
+    Number dilatation = h[0][0] + h[1][1] + h[2][2];
+    if (finite)
+    {
+      const Matrix3<Number> cofactors = cofactor(h);
+      const Matrix3<Number> c = deformed_cofactor(h, cofactors);
+      Number deformed{};
+      for (const Vector3<Number> &b : g.volume_gradient)
+        for (unsigned int i = 0; i < 3; ++i)
+        {
+          const Number part = dot(c[i], b);
+          deformed += part * part;
+        }
+      of_volume = Number(8.) * deformed / g.gradient_square;
+      const Symmetric3<Number> e = green_strain<true>(h);
+      of_shear += Number(2. / 3.) * (e[0] + e[1] + e[2]);
+      dilatation = finite_dilatation(h, cofactors);
+    }
+    if (material.gas.exists())
+      of_volume *= apply([&](const double x) { return material.stiffening(x); },
+                         dilatation);
+    const double shear = 2. / 3. * material.instantaneous_shear;
+    const double lame = std::max(0., material.bulk_modulus - shear);
+    return (Number(lame) * of_volume + Number(shear) * of_shear) /
+           Number(lame + shear);
+  }
+
   /// Whether lanes of a batch hold elements; they are the first ones.
   template <typename Real>
   unsigned int count_filled(const HexBatches<Real> &batches,
@@ -259,6 +294,42 @@ SolidOperator<Real>::energies(const NodeFields<Real> &nodes,
 
 
 template <typename Real>
+double SolidOperator<Real>::deformed_step(const NodeFields<Real> &nodes,
+                                          const double body_step) const
+{
+  const bool finite = options_.kinematics != SolidKinematics::small_strain;
+  double least = 1.;
+  for (const Range &range : batches_.ranges())
+  {
+    const SolidMaterial &material = materials_[range.tissue];
+    if (!finite && !material.gas.exists())
+      continue;
+    const double shear = material.instantaneous_shear;
+    const double stiffest =
+      std::max(0., material.bulk_modulus - 2. / 3. * shear) + 2. * shear;
+    // The square of an element's own step over that of the body.
+    const Lane own =
+      Real(material.density / (2. * stiffest * body_step * body_step));
+    for (unsigned int batch = range.begin; batch < range.end; ++batch)
+    {
+      HexVectors<Lane> x, u;
+      load_corners(nodes.place.data(), batches_.offsets(batch, 0), x, u);
+      const HexGeometry<Lane> g = hex_geometry(to_modes(x));
+      const Lane stiffer =
+        stiffening(material, finite, g, mean_gradient(g, to_modes(u)));
+      const Lane alone = own * g.volume * g.volume / g.gradient_square;
+      const unsigned int n_filled = count_filled(batches_, batch);
+      for (unsigned int lane = 0; lane < n_filled; ++lane)
+        least = std::min(least,
+                         std::max<double>(1., alone[lane]) /
+                           std::max<double>(1., stiffer[lane]));
+    }
+  }
+  return least < 1. ? std::sqrt(least) * body_step : body_step;
+}
+
+
+template <typename Real>
 template <SolidKinematics kinematics>
 void SolidOperator<Real>::visit_batch(
   const Range &range,
@@ -288,7 +359,7 @@ void SolidOperator<Real>::visit_batch(
     }
   else
     shear = shear_stress<kinematics>(model.law, h, stored);
-  const Lane volumetric = model.law.bulk * strain.dilatation;
+  const Lane volumetric = volumetric_stress(model.law, strain.dilatation);
   const auto piola = piola_stress<kinematics>(h, cofactors, volumetric, shear);
   const Symmetric3<Lane> stress =
     kinematics == SolidKinematics::small_strain

@@ -26,6 +26,12 @@ namespace
   /// Hourglass energy over internal energy that is worth a word.
   constexpr double notable_hourglass = 0.05;
 
+  /// After so many steps it is asked what the deformed body allows.
+  constexpr double steps_between_checks = 50.;
+
+  /// What a step that was halved grows by from one to the next.
+  constexpr double regrowth = 1.02;
+
   /// A name with underscores for columns.
   std::string column(const std::string &quantity, const Tissue tissue)
   {
@@ -221,8 +227,15 @@ template <typename Real>
 StepReport SolidSimulation<Real>::advance(const double largest_step)
 {
   StepReport report;
-  report.step_size = std::min(stable_step_, largest_step);
-  body_.advance(report.step_size);
+  // Steps that were halved already leave so many retries.
+  const double left = options_.largest_retries + std::log2(reduction_);
+  const auto made =
+    body_.advance(std::min(allowed_step(), largest_step),
+                  static_cast<unsigned int>(std::max(0., std::ceil(left))));
+  report.step_size = made.step;
+  report.retries = made.retries;
+  reduction_ = std::min(
+    1., std::ldexp(reduction_, -static_cast<int>(made.retries)) * regrowth);
   report.updates = static_cast<double>(body_.mesh().n_global_cells);
   if (injury_.active())
   {
@@ -237,6 +250,29 @@ StepReport SolidSimulation<Real>::advance(const double largest_step)
   if (probes_.measures())
     probes_.read(body_);
   return report;
+}
+
+
+template <typename Real>
+double SolidSimulation<Real>::allowed_step()
+{
+  if (steps_until_check_ == 0.)
+  {
+    const TimerScope timer("step size");
+    // Half of what safety leaves is for deformations: only then is it less.
+    const double deformed = 0.5 * (1. + safety_) * options_.step_factor() *
+                            body_.deformed_step(certificate_.body_step);
+    if (deformed < stable_step_ && deformed_step_ >= stable_step_)
+      log_line("time " + brief(body_.time()) +
+               " s: deformed elements allow steps of " + brief(deformed) +
+               " s only");
+    deformed_step_ = deformed;
+    steps_until_check_ = steps_between_checks;
+  }
+  steps_until_check_ -= 1.;
+  return std::min({reduction_ * stable_step_,
+                   deformed_step_,
+                   safety_ * options_.step_factor() * body_.compressed_step()});
 }
 
 
@@ -345,7 +381,8 @@ std::vector<NamedValue> SolidSimulation<Real>::assumptions()
     {"quiet_elements", "-", body_.quiet_part()},
     {"stable_step", "s", stable_step_},
     {"element_step", "s", certificate_.element_step},
-    {"body_step", "s", certificate_.body_step}};
+    {"body_step", "s", certificate_.body_step},
+    {"least_volume", "-", body_.least_volume()}};
   for (const NamedValue &value : probes_.measured())
     values.push_back(value);
   for (const NamedValue &value : body_.mass_scaling().report())
@@ -422,8 +459,9 @@ void SolidSimulation<Real>::save(const std::string &folder)
     peaks_.save(body_, folder);
   if (dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
     io::write_file(folder + "/probes.bin", [&](std::ostream &out) {
-      out.write(reinterpret_cast<const char *>(&energy_scale_),
-                sizeof(energy_scale_));
+      for (const double value :
+           {energy_scale_, reduction_, deformed_step_, steps_until_check_})
+        out.write(reinterpret_cast<const char *>(&value), sizeof(value));
       probes_.save(out);
     });
 }
@@ -439,7 +477,9 @@ void SolidSimulation<Real>::restore(const std::string &folder)
   if (peaks_.active())
     peaks_.restore(body_, folder);
   std::istringstream stream(io::read_file(folder + "/probes.bin"));
-  stream.read(reinterpret_cast<char *>(&energy_scale_), sizeof(energy_scale_));
+  for (double *value :
+       {&energy_scale_, &reduction_, &deformed_step_, &steps_until_check_})
+    stream.read(reinterpret_cast<char *>(value), sizeof(*value));
   probes_.load(stream);
   if (!stream)
     throw InputError("Checkpoint file " + folder +

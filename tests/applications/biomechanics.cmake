@@ -163,6 +163,18 @@ endfunction()
 biomechanics_endures(incompressible "errors.frequency < 9e-3")
 biomechanics_endures(lung_by_bone "assumptions.energy_residual < 1e-5")
 biomechanics_endures(ten_megapascal "assumptions.energy_residual < 1e-3")
+biomechanics_endures(crushed_lung "errors.displacement < 2e-3;\
+errors.arrival < 2e-2;assumptions.energy_residual < 1e-2")
+# Without the gas an element of the lung has no volume.
+contrecoup_add_application_test(inverted_lung bounds
+  FILE biomechanics/extremes/crushed_lung.prm
+  SET "Output/Fields=false" "Materials/Bulk law=linear"
+  BOUNDS "status == failed" EXIT 2 MESSAGE "of lung at")
+contrecoup_add_application_test(gas_too_stiff refusal
+  FILE biomechanics/extremes/crushed_lung.prm
+  ARGUMENTS "--set" "Materials/Tissue lung/Gas part=0.5"
+    "--set" "Materials/Tissue lung/Modulus without gas=1e6"
+  MESSAGE "must be at least the bulk modulus")
 biomechanics_endures(slivers "assumptions.energy_residual < 1e-12")
 biomechanics_endures(microsecond_pulse "assumptions.energy_residual < 1e-12")
 biomechanics_endures(floating

@@ -28,6 +28,7 @@ struct ElementOptions
   bool skip_quiet = true; ///< elements where nothing has moved
   double linear_viscosity = 0.06;
   double quadratic_viscosity = 1.2;
+  unsigned int largest_retries = 10; ///< halvings of a step
 
   static void declare_parameters(dealii::ParameterHandler &prm);
   void parse_parameters(dealii::ParameterHandler &prm);

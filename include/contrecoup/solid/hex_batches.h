@@ -15,16 +15,31 @@
 
 namespace contrecoup::solid
 {
+/// What elements remember, by batch: of viscoelastic ones 6 relaxed strains for
+/// each point in a row, of damped ones 12 forces.
+template <typename Lane>
+struct HexMemory
+{
+  dealii::AlignedVector<Lane> dilatation;
+  dealii::AlignedVector<Lane> viscous_pressure;
+  dealii::AlignedVector<Lane> relaxed;
+  dealii::AlignedVector<Lane> damping;
+};
+
 /**
  * The elements of a rank, as many side by side as the processor has lanes, all
  * of one tissue. Lanes that are left over belong to a cube of nodes of their
  * own, behind those of the mesh, which never moves.
  */
 template <typename Real>
-class HexBatches
+class HexBatches : public HexMemory<Lanes<Real>>
 {
 public:
   using Lane = Lanes<Real>;
+  using HexMemory<Lane>::dilatation;
+  using HexMemory<Lane>::viscous_pressure;
+  using HexMemory<Lane>::relaxed;
+  using HexMemory<Lane>::damping;
   static constexpr unsigned int n = n_lanes<Real>;
 
   /// Batches of one tissue.
@@ -118,13 +133,6 @@ public:
   {
     return 6 * n_points_;
   }
-
-  /// State by batch; of viscoelastic ones 6 relaxed strains for each point in
-  /// a row, of damped ones 12 forces.
-  dealii::AlignedVector<Lane> dilatation;
-  dealii::AlignedVector<Lane> viscous_pressure;
-  dealii::AlignedVector<Lane> relaxed;
-  dealii::AlignedVector<Lane> damping;
 
   template <bool viscoelastic>
   DEAL_II_ALWAYS_INLINE void load_state(const Range &range,

@@ -11,6 +11,8 @@
 #include <contrecoup/solid/surface_loads.h>
 #include <contrecoup/solid/surroundings.h>
 
+#include <memory>
+
 namespace contrecoup::solid
 {
 /// What the elements and the assembled body allow as a step.
@@ -96,8 +98,39 @@ public:
   /// Makes the forces of a state that was set from outside, at its time.
   void start(const double time);
 
-  /// One step.
-  void advance(const double step);
+  /// A step that was made.
+  struct Advance
+  {
+    double step;          ///< its size [s]
+    unsigned int retries; ///< times that it was halved
+  };
+
+  /**
+   * One step of at most this size: the state is put back, and the step halved,
+   * when an element would have no volume, or the most compressed one of a
+   * tissue lose a fifth of it, or numbers would not be finite.
+   * @throws NumericsError, naming the element, when so many retries do not
+   *   help; the state is then that before the step
+   */
+  Advance advance(const double step, const unsigned int largest_retries = 10);
+
+  /// What elements with gas allow as a step now: the least of any of their
+  /// tissue, at the largest compression of it [s].
+  double compressed_step() const;
+
+  /// SolidOperator's deformed_step() of all ranks.
+  double deformed_step(const double body_step) const
+  {
+    return dealii::Utilities::MPI::min(
+      operator_.deformed_step(nodes_, body_step), communicator_);
+  }
+
+  /// The least volume of an element so far, over its undeformed one [-]; since
+  /// the start or the last restart.
+  double least_volume() const
+  {
+    return least_volume_;
+  }
 
   EnergyBalance balance() const;
 
@@ -161,6 +194,15 @@ public:
 
 private:
   struct Numbers; ///< of the whole body, in checkpoints
+  struct Past;    ///< a state to step back to
+
+  void take_step(const double step);
+  void keep();
+  void go_back();
+  void find_least_dilatations();
+  bool is_physical(const std::vector<double> &before) const;
+  [[noreturn]] void give_up(const Advance &failed);
+  void describe(const std::uint32_t cell, std::ostream &text) const;
 
   Numbers read_numbers(std::istream &in, const std::string &file);
   void set_masses();
@@ -170,7 +212,7 @@ private:
   void book_step_change(const double before, const double next);
   double largest_square_frequency(double &uncertainty, unsigned int &n);
   double lanczos_step(double &before, double &next);
-  void find_weakest_element(StepCertificate &certificate) const;
+  void find_weakest_element(StepCertificate &certificate);
 
   MPI_Comm communicator_ = MPI_COMM_SELF;
   SolidMesh mesh_;
@@ -194,5 +236,9 @@ private:
   double nodal_work_ = 0.;    ///< of all forces, of this rank
   double step_change_ = 0.;   ///< of the energy, of this rank
   double initial_energy_ = 0.;
+  std::shared_ptr<Past> past_;
+  std::vector<double> least_dilatations_; ///< by tissue, of all ranks
+  std::vector<double> element_steps_;     ///< by tissue, at rest [s]
+  double least_volume_ = 1.;
 };
 } // namespace contrecoup::solid

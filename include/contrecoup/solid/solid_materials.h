@@ -30,6 +30,7 @@ public:
 
 private:
   std::string set_;
+  bool has_gas_ = true; ///< in the tissues of the set that hold some
   bool g1_is_long_term_ = false;
   std::map<Tissue, SolidMaterial> custom_;
 };

@@ -64,6 +64,23 @@ public:
   /// Adds internal forces, and brings the elements' state to the present.
   void add_forces(NodeFields<Real> &nodes, const StepTimes &times);
 
+  /// The least dilatation of each tissue's elements in the last add_forces();
+  /// minus infinity when numbers were not finite.
+  const std::vector<double> &least_dilatations() const
+  {
+    return least_dilatations_;
+  }
+
+  /// Finds these in the elements' memory.
+  void find_least_dilatations();
+
+  /// The dilatation that an element remembers.
+  double dilatation(const std::uint32_t cell) const
+  {
+    const std::uint32_t slot = batches_.slot(cell);
+    return batches_.dilatation[slot / n_lanes<Real>][slot % n_lanes<Real>];
+  }
+
   /// Adds the forces of small displacements of a body at rest, with the
   /// instantaneous moduli; changes no state.
   void add_linear_forces(NodeFields<Real> &nodes);
@@ -72,6 +89,16 @@ public:
   /// v(after a step) around the present, which is conserved exactly.
   std::vector<TissueEnergies> energies(const NodeFields<Real> &nodes,
                                        const StepTimes &times) const;
+
+  /**
+   * What deformed elements allow as a step [s], where at rest the body allows
+   * @p body_step and each element alone its own: of no element less than it
+   * allows alone now, nor than the body's step by the square root of what it
+   * has stiffened. Of this rank; an estimate, since neighbours are not looked
+   * at.
+   */
+  double deformed_step(const NodeFields<Real> &nodes,
+                       const double body_step) const;
 
   /// Calls @p function for each element (number in the mesh of this rank), or
   /// for those of one tissue (index in the mesh).
@@ -124,13 +151,22 @@ private:
   HexModel<Lane> model(const SolidMaterial &material,
                        const StepTimes &times) const;
 
+  /// The model of small strains of a body at rest.
+  HexModel<Lane> linear_model(const SolidMaterial &material) const;
+
   template <SolidKinematics kinematics, bool viscoelastic>
   void add_range(const Range &range,
                  NodeFields<Real> &nodes,
-                 const StepTimes &times,
+                 const HexModel<Lane> &model,
                  TissueEnergies &losses);
   template <SolidKinematics kinematics>
   void add_all(NodeFields<Real> &nodes, const StepTimes &times);
+
+  /// What a batch has in place of K where gas makes its pressure: the pressure
+  /// over the dilatation [Pa].
+  Lane secant_bulk(const SolidLaw<Lane> &law,
+                   const NodeFields<Real> &nodes,
+                   const unsigned int batch) const;
 
   /// Whether shear is integrated in eight points.
   bool full() const
@@ -140,7 +176,7 @@ private:
   template <SolidKinematics kinematics, bool viscoelastic>
   void add_full_range(const Range &range,
                       NodeFields<Real> &nodes,
-                      const StepTimes &times,
+                      const HexModel<Lane> &model,
                       TissueEnergies &losses);
   void add_full_forces(NodeFields<Real> &nodes, const StepTimes &times);
   void add_full_linear_forces(NodeFields<Real> &nodes);
@@ -166,6 +202,7 @@ private:
   std::vector<SolidMaterial> materials_;
   ElementOptions options_;
   HexBatches<Real> batches_;
-  std::vector<TissueEnergies> losses_; ///< by tissue
+  std::vector<TissueEnergies> losses_;    ///< by tissue
+  std::vector<double> least_dilatations_; ///< by tissue
 };
 } // namespace contrecoup::solid

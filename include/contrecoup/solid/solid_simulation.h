@@ -64,6 +64,7 @@ private:
   void report_step() const;
   void report_injury(const std::string &folder);
   EnergyBalance audit_energy();
+  double allowed_step();
 
   MPI_Comm communicator_;
   MeshDescription mesh_description_;
@@ -86,6 +87,9 @@ private:
   SolidBody<Real> body_;
   StepCertificate certificate_;
   double stable_step_ = 0.;
-  double energy_scale_ = 0.; ///< largest energy so far [J]
+  double reduction_ = 1.; ///< of the step, after one was halved
+  double deformed_step_ = std::numeric_limits<double>::infinity();
+  double steps_until_check_ = 0.; ///< of what deformed elements allow
+  double energy_scale_ = 0.;      ///< largest energy so far [J]
 };
 } // namespace contrecoup::solid
