@@ -97,8 +97,9 @@ endfunction()
 #                 straight through, to the last bit on one rank
 #   sigterm       the same, stopped by SIGTERM; the run must last a second
 #   check         --check accepts the file and writes nothing
-#   forecast      --check predicts processor time, memory and output within the
-#                 factor TOLERANCE, and keeps that for the next time
+#   forecast      --check predicts processor time, memory, output and steps (and
+#                 COMPARE cells) within the factor TOLERANCE, and keeps that for
+#                 the next time
 #   presets       COMPARE <name>...: the presets beside FILE, the cheapest
 #                 first, have the errors and relative costs that they state
 #   pictures      COMPARE <png>...: plot_run.py or plot_anatomy.py draws these from the run
@@ -117,6 +118,8 @@ endfunction()
 #   gauge_order   VARY "Section/Entry=3|4|5" ERROR "<number> <s> <exact>|...":
 #                 the largest means over so many seconds of gauges on the body
 #                 converge; BOUNDS of what gauge_order() in load_cases.py finds
+#   domain        Domain/Size = by time makes room enough for recorded loads:
+#                 BOUNDS of what domain() in load_cases.py finds
 #   disk          a full disk: exit code 3 with MESSAGE, checkpoint intact
 #   study_*, scene_*  the first lines in tests/applications/study_cases.py and
 #                 scene_cases.py tell

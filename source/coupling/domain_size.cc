@@ -3,14 +3,18 @@
 
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/log.h>
+#include <contrecoup/base/parameter_file.h>
 #include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/base/text.h>
 #include <contrecoup/base/time_parameters.h>
 #include <contrecoup/coupling/coarse_scene.h>
 #include <contrecoup/coupling/domain_size.h>
 #include <contrecoup/coupling/staged_simulation.h>
+#include <contrecoup/geometry/body_description.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace contrecoup::coupling
 {
@@ -18,7 +22,11 @@ namespace
 {
   using gas::GasSimulation;
 
-  /// The plan of the scene in one stage, on a coarse mesh.
+  /// Lower and upper corner.
+  template <int dim>
+  using Box = std::pair<dealii::Point<dim>, dealii::Point<dim>>;
+
+  /// The plan of the scene without its body, in one stage on a coarse mesh.
   template <int dim>
   gas::ModellingPlan<dim> coarse_plan(const ParameterHandler &scene,
                                       const MPI_Comm communicator)
@@ -31,6 +39,10 @@ namespace
     StagedSimulation<3>::declare_parameters(prm);
     apply_assignments(assignments_of(scene), prm);
     coarsen_scene(prm, levels);
+    apply_assignments({parse_override("Method/Precision=double"),
+                       parse_override("Rigid body/Kind=none"),
+                       parse_override("Loads/Record=false")},
+                      prm);
     GasSimulation<dim> simulation(communicator);
     simulation.parse_parameters(prm);
     simulation.setup();
@@ -38,9 +50,72 @@ namespace
     return simulation.modelling_plan();
   }
 
-  /// Distance by which @p side must move outwards for all probes [m].
+  /// The rigid body's box as far as it is in the domain or beyond open sides of
+  /// it; nothing without a body, and for walls, which go farther beyond these
+  /// than the domain is long.
+  template <int dim>
+  std::optional<Box<dim>> box_of_body(ParameterHandler &scene,
+                                      const gas::ModellingPlan<dim> &plan)
+  {
+    {
+      const Section section(scene, "Rigid body");
+      if (scene.get("Kind") != "body")
+        return {};
+    }
+    BodyDescription description;
+    {
+      const Section section(scene, "Body");
+      description.parse_parameters(scene);
+    }
+    const auto box = description.create()->surface()->bounding_box();
+    Box<dim> result;
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      const auto is_open = [&](const unsigned int side) {
+        return std::count(
+                 plan.open_sides.begin(), plan.open_sides.end(), side) > 0;
+      };
+      const double low = plan.lower[d], high = plan.upper[d];
+      result.first[d] =
+        is_open(2 * d) ? box.lower_bound(d) : std::max(low, box.lower_bound(d));
+      result.second[d] = is_open(2 * d + 1)
+                           ? box.upper_bound(d)
+                           : std::min(high, box.upper_bound(d));
+      if (result.first[d] > result.second[d] ||
+          result.first[d] < low - (high - low) ||
+          result.second[d] > high + (high - low))
+        return {};
+    }
+    return result;
+  }
+
+  /// Where nothing may come back from an open side: the probes, and the place
+  /// of the body's box that a wave from @p side would meet first.
+  template <int dim>
+  std::vector<dealii::Point<dim>>
+  places_behind(const gas::ModellingPlan<dim> &plan,
+                const std::optional<Box<dim>> &body,
+                const unsigned int side)
+  {
+    std::vector<dealii::Point<dim>> places = plan.probes;
+    if (body)
+    {
+      dealii::Point<dim> nearest;
+      for (unsigned int d = 0; d < dim; ++d)
+        nearest[d] =
+          std::min(std::max(plan.centre[d], body->first[d]), body->second[d]);
+      nearest[side / 2] =
+        (side % 2 == 0 ? body->first : body->second)[side / 2];
+      places.push_back(nearest);
+    }
+    return places;
+  }
+
+  /// Distance by which @p side must move outwards for all probes and the body
+  /// [m].
   template <int dim>
   double growth(const gas::ModellingPlan<dim> &plan,
+                const std::optional<Box<dim>> &body,
                 const unsigned int side,
                 const double path)
   {
@@ -48,15 +123,16 @@ namespace
     const double sign = side % 2 == 0 ? -1. : 1.;
     const double place = side % 2 == 0 ? plan.lower[d] : plan.upper[d];
     double result = 0.;
-    for (const auto &probe : plan.probes)
+    for (const auto &target : places_behind(plan, body, side))
     {
-      auto across = probe - plan.centre;
+      auto across = target - plan.centre;
       across[d] = 0.;
       const double along =
         std::sqrt(std::max(0., path * path - across.norm_square()));
-      // The mirror image of the probe is at 2 side - probe.
-      const double needed = 0.5 * (sign * (probe[d] + plan.centre[d]) + along);
-      result = std::max(result, needed - sign * place);
+      // The mirror image of the place is at 2 side - place.
+      const double needed = 0.5 * (sign * (target[d] + plan.centre[d]) + along);
+      result =
+        std::max({result, needed - sign * place, sign * (target[d] - place)});
     }
     return result;
   }
@@ -78,9 +154,11 @@ void fit_domain(ParameterHandler &scene, const MPI_Comm communicator)
   const gas::ModellingPlan<dim> plan = coarse_plan<dim>(scene, communicator);
   Log::instance().set_active(
     dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0);
-  if (plan.probes.empty())
-    throw InputError("Domain/Size = by time needs Probes/Points, where "
-                     "nothing may come back before the end time");
+  const auto body = box_of_body(scene, plan);
+  if (plan.probes.empty() && !body)
+    throw InputError("Domain/Size = by time needs Probes/Points or a body of "
+                     "finite size, where nothing may come back before the end "
+                     "time");
   const double front = plan.expected_front(plan.end_time);
   if (std::isnan(front))
     throw InputError("Domain/Size = by time needs a charge, or another "
@@ -96,7 +174,7 @@ void fit_domain(ParameterHandler &scene, const MPI_Comm communicator)
       if (side / 2 == d)
       {
         const double added =
-          std::ceil(growth(plan, side, front) / leaf * (1. - 1e-12));
+          std::ceil(growth(plan, body, side, front) / leaf * (1. - 1e-12));
         (side % 2 == 0 ? lower : upper)[d] +=
           (side % 2 == 0 ? -added : added) * leaf;
         count += added;
@@ -110,7 +188,9 @@ void fit_domain(ParameterHandler &scene, const MPI_Comm communicator)
   scene.set("Upper corner", join(high, ", "));
   scene.set("Coarse leaves", join(leaves, ", "));
   log_line("domain sized by time: from " + join(low, ", ") + " to " +
-           join(high, ", ") + " m, coarse leaves " + join(leaves, ", "));
+           join(high, ", ") + " m, coarse leaves " + join(leaves, ", ") +
+           ", for a front that goes " + brief(front, 3) + " m until " +
+           brief(plan.end_time, 3) + " s");
 }
 
 

@@ -15,21 +15,24 @@ namespace contrecoup::gas
 {
 namespace
 {
-  /// Relative differences that count as a disturbance.
-  constexpr double smallest_disturbance = 1e-10;
+  /// Relative difference that counts as a disturbance.
+  double smallest_disturbance(const Precision precision)
+  {
+    return precision == Precision::single_precision ? 1e-6 : 1e-10;
+  }
 
   template <int dim>
   bool is_disturbed(const std::vector<double> &leaf,
                     const unsigned int q,
                     const unsigned int n_points,
-                    const std::vector<double> &ambient)
+                    const std::vector<double> &ambient,
+                    const double smallest)
   {
     using C = Component<dim>;
     const double density = ambient[C::density], energy = ambient[C::energy];
     const double momentum = std::sqrt(density * energy);
     const auto differs = [&](const unsigned int c, const double scale) {
-      return std::abs(leaf[c * n_points + q] - ambient[c]) >
-             smallest_disturbance * scale;
+      return std::abs(leaf[c * n_points + q] - ambient[c]) > smallest * scale;
     };
     bool result = differs(C::density, density) || differs(C::energy, energy);
     for (unsigned int d = 0; d < dim; ++d)
@@ -209,13 +212,14 @@ disturbed_box(const LeafMesh<dim> &mesh,
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::vector<double> outermost(2 * dim, -infinity); // -lower, upper
   const unsigned int n_points = field.layout().n_points;
+  const double smallest = smallest_disturbance(field.layout().precision);
   for (unsigned int leaf = 0; leaf < mesh.n_owned(); ++leaf)
   {
     const auto values = field.leaf(leaf);
     const LeafBox<dim> box = leaf_box(mesh, leaf);
     for (unsigned int q = 0; q < n_points; ++q)
     {
-      if (!is_disturbed<dim>(values, q, n_points, ambient))
+      if (!is_disturbed<dim>(values, q, n_points, ambient, smallest))
         continue;
       const auto index = points.indices(q);
       for (unsigned int d = 0; d < dim; ++d)

@@ -131,7 +131,7 @@ void CoarseMesh<dim>::declare_parameters(ParameterHandler &prm)
     Patterns::Selection("given|by time"),
     "Whether the box is as the corners give it, or grows beyond its open "
     "sides by whole coarse leaves until no wave from these can be back at a "
-    "point of Probes before the end time.");
+    "point of Probes, or at the rigid body, before the end time.");
   prm.declare_entry("Coarse leaves",
                     "1, 1, 1",
                     Patterns::List(Patterns::Integer(1), 1, 3),

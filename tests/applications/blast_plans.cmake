@@ -39,6 +39,19 @@ contrecoup_add_application_test(domain_by_time bounds
   "assumptions.quiet_leaves.measured > 0.1"
   "assumptions.equation_of_state.estimate > 0.5"
   "assumptions.equation_of_state.measured < 0.1")
+# With a body and a first stage in 1-D and 2-D, in single precision and without
+# probes: what a domain larger by three coarse leaves still changes in the loads,
+# with cells of 80 mm, and what the one that was given does.
+contrecoup_add_application_test(domain_by_time_body domain
+  FILE blast/quickstart_human.prm SET "Rigid body/Levels=1"
+  "Adaptation/Largest level=1"
+  "Adaptation/Limit not at the body/Largest level=1"
+  "Adaptation/Limit fireball/Largest level=1" "First stage/Cell size=0.04"
+  "First stage/Levels=1" "First stage/Spherical cell size=0.004"
+  "Domain/Lower corner=-0.64, 0, 0" "Domain/Upper corner=5.12, 1.92, 1.92"
+  "Domain/Coarse leaves=9, 3, 3" "Probes/Points=" "Reference/Kind=none"
+  "Pictures/Planes=" "Output/Fields=false" "Time/End time=0.0032"
+  BOUNDS "difference < 0.02" "short_difference > 0.1")
 contrecoup_add_application_test(audit_of_stages bounds
   FILE blast/presets/height_of_burst.prm
   SET "Adaptation/Largest level=2" "First stage/Cell size=0.004"

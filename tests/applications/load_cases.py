@@ -4,6 +4,7 @@ import bisect
 import csv
 import math
 import os
+import re
 
 ENTRY = "Loads/Smallest overpressure"
 
@@ -93,4 +94,60 @@ def gauge_order(case, check_bound, read_summary):
         check_bound(found, bound)
 
 
-KINDS = {kind.__name__: kind for kind in (arrival, gauge_order)}
+def read_domain(output):
+    """Corners of the domain that the run used, and its coarse leaves."""
+    with open(os.path.join(output, "parameters.prm")) as file:
+        text = file.read()
+    return [list(map(float, re.search(
+        rf"^ *set {entry} *= (.*)$", text, re.MULTILINE)[1].split(",")))
+            for entry in ("Lower corner", "Upper corner", "Coarse leaves")]
+
+
+def farther(output, number):
+    """Entries that move the open sides of a run's domain, all but those at y
+    and z = 0, out by a number of coarse leaves."""
+    lower, upper, leaves = read_domain(output)
+    for d in range(3):
+        edge = (upper[d] - lower[d]) / leaves[d]
+        sides = 2 if lower[d] < 0. else 1
+        lower[d] -= number * edge * (sides - 1)
+        upper[d] += number * edge
+        leaves[d] += number * sides
+    texts = [", ".join(f"{value:.15g}" for value in values)
+             for values in (lower, upper, leaves)]
+    return [word for entry, text in zip(
+        ("Lower corner", "Upper corner", "Coarse leaves"), texts)
+            for word in ("--set", f"Domain/{entry}={text}")]
+
+
+def largest_difference(output, other, read_summary):
+    """Of peaks and impulses at the gauges, over the largest of their kind."""
+    one, two = (read_summary(run)["assumptions"] for run in (output, other))
+    largest = 0.
+    for kind in ("_peak", "_impulse"):
+        names = [name for name in one
+                 if name.startswith("loads_") and name.endswith(kind)]
+        assert names, "the run has no gauges"
+        scale = max(abs(two[name]) for name in names)
+        largest = max([largest] + [abs(one[name] - two[name]) / scale
+                                   for name in names])
+    return largest
+
+
+def domain(case, check_bound, read_summary):
+    """Domain/Size = by time makes a domain large enough for the loads: bounds
+    of the "difference" of peaks and impulses from those in a larger domain, and
+    of the "short_difference" that the domain of the file itself has."""
+    sized, larger, short = (case.folder(name)
+                            for name in ("sized", "larger", "short"))
+    case.run(sized, extra=["--set", "Domain/Size=by time"])
+    case.run(larger, extra=farther(sized, 3))
+    case.run(short)
+    found = {"difference": largest_difference(sized, larger, read_summary),
+             "short_difference": largest_difference(short, larger,
+                                                    read_summary)}
+    for bound in case.options.bound:
+        check_bound(found, bound)
+
+
+KINDS = {kind.__name__: kind for kind in (arrival, gauge_order, domain)}
