@@ -257,8 +257,12 @@ double MeshDescription::estimate_step(const SolidMaterials &materials) const
   for (const Region &region : regions_)
     tissues.push_back(region.tissue);
   if (kind_ == "body")
-    for (const BodyPart &part : body_.create()->parts())
+  {
+    // The loop alone would not keep the body alive.
+    const BodyPointer body = body_.create();
+    for (const BodyPart &part : body->parts())
       tissues.push_back(part.tissue);
+  }
   for (const Tissue tissue : tissues)
     speed = std::max(speed, materials.find(tissue).dilatational_speed());
   return size / speed;
