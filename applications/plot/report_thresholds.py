@@ -73,6 +73,10 @@ KNOWN = {
     "injury_chest_wall_velocity": (
         "chest wall velocity, facet nearest to the chest", WALL_BANDS,
         AXELSSON, WALL_LIMITS),
+    "injury_chest_wall_velocity_mesh": (
+        "velocity of the skin before the chest, in the mesh", [], "this mesh",
+        "mean over 6 cm around the chest; thresholds are of the model of one "
+        "mass, not of tissue; ribs are coarse"),
     "injury_lung_exposure": (
         "pressure on the chest over that which half survive",
         [(0.2, "lungs begin to be hurt"), (1., "half die")], BOWEN,

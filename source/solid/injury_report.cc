@@ -113,6 +113,8 @@ void InjuryReport<Real>::reinit(const SolidBody<Real> &body)
     piece.volume = average_.volumes()[pieces_.size()];
     pieces_.push_back(piece);
   }
+  chest_wall_.reinit(
+    mesh, chest_.place(), chest_.radius(), body.communicator());
   last_time_ = body.time();
 }
 
@@ -125,9 +127,9 @@ void InjuryReport<Real>::follow(const SolidBody<Real> &body)
   follow_brain(body, body.time() - last_time_);
   last_time_ = body.time();
   follow_head(body);
-  chest_.follow(
-    body.time(),
-    body.loads().pressure_near(chest_.place(), body.communicator()));
+  chest_.follow(body.time(),
+                body.loads().pressure_near(chest_.place(), body.communicator()),
+                chest_wall_.inward_velocity(body.nodes()));
 }
 
 
@@ -355,6 +357,7 @@ void InjuryReport<Real>::save(const SolidBody<Real> &body,
     put(out, speeds_);
     put(out, chest_.times());
     put(out, chest_.pressures());
+    put(out, chest_.wall_velocities());
   });
 }
 
@@ -379,13 +382,14 @@ void InjuryReport<Real>::restore(const SolidBody<Real> &body,
     take(in, pieces);
     take(in, times_);
     take(in, speeds_);
-    std::vector<double> chest_times, chest_pressures;
-    take(in, chest_times);
-    take(in, chest_pressures);
+    std::array<std::vector<double>, 3> chest;
+    for (std::vector<double> &values : chest)
+      take(in, values);
     if (!in || numbers.size() != 8)
       throw InputError("Checkpoint file " + file_of(folder, rank) +
                        " belongs to another scene");
-    chest_.restore(std::move(chest_times), std::move(chest_pressures));
+    chest_.restore(
+      std::move(chest[0]), std::move(chest[1]), std::move(chest[2]));
     n_steps_ = static_cast<std::uint64_t>(numbers[0]);
     last_time_ = numbers[1];
     // Sums over ranks go on at the first one.

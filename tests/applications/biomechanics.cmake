@@ -140,7 +140,8 @@ contrecoup_add_application_test(injury bounds FILE biomechanics/quickstart.prm
   BOUNDS "status == finished" "assumptions.injury_strain_95 > 1e-6"
   "assumptions.injury_intracranial_pressure_peak > 1e4"
   "assumptions.injury_hic15 > 1e-6" "assumptions.injury_eardrum_rupture > 0.01"
-  "assumptions.injury_chest_wall_velocity > 0.1")
+  "assumptions.injury_chest_wall_velocity > 0.1"
+  "assumptions.injury_chest_wall_velocity_mesh > 0.1")
 contrecoup_add_application_test(injury_resume resume
   FILE biomechanics/quickstart.prm
   SET "Output/Fields=false" "Time/End time=3e-4" "Injury/Every steps=3"

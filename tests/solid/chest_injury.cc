@@ -20,7 +20,8 @@ void follow_blast(ChestInjury &chest, const double start)
   for (unsigned int i = 0; i <= 4000; ++i)
   {
     const double s = i / 1000.;
-    chest.follow(start + s * duration, 200e3 * (1. - s) * std::exp(-s));
+    chest.follow(
+      start + s * duration, 200e3 * (1. - s) * std::exp(-s), 3. * s - s * s);
   }
 }
 
@@ -53,6 +54,7 @@ TEST(ChestInjury, OfFriedlandersWaveIsKnownWheneverItArrives)
     EXPECT_DOUBLE_EQ(found.at("injury_chest_pressure_peak"), 200e3);
     EXPECT_NEAR(found.at("injury_lung_exposure"), 200. / 941., 1e-3);
     EXPECT_NEAR(found.at("injury_eardrum_rupture"), 0.84, 0.01);
+    EXPECT_NEAR(found.at("injury_chest_wall_velocity_mesh"), 2.25, 1e-12);
   }
 }
 
@@ -65,10 +67,15 @@ TEST(ChestInjury, GoesOnFromWhatItFollowed)
   whole.parse_parameters(prm);
   second.parse_parameters(prm);
   follow_blast(whole, 0.);
-  second.restore({whole.times().begin(), whole.times().begin() + 700},
-                 {whole.pressures().begin(), whole.pressures().begin() + 700});
+  const auto until_700 = [](const std::vector<double> &values) {
+    return std::vector<double>(values.begin(), values.begin() + 700);
+  };
+  second.restore(until_700(whole.times()),
+                 until_700(whole.pressures()),
+                 until_700(whole.wall_velocities()));
   for (std::size_t i = 700; i < whole.times().size(); ++i)
-    second.follow(whole.times()[i], whole.pressures()[i]);
+    second.follow(
+      whole.times()[i], whole.pressures()[i], whole.wall_velocities()[i]);
   EXPECT_EQ(values(second), values(whole));
 }
 

@@ -14,8 +14,8 @@ namespace contrecoup::solid
 {
 /**
  * Follows the pressure on the chest and says what it does to chest wall, lung
- * and eardrum, by models that know nothing of the mesh. Entries of the
- * subsection "Injury".
+ * and eardrum, by models that know nothing of the mesh; beside them, how fast
+ * the skin of the mesh moved there. Entries of the subsection "Injury".
  */
 class ChestInjury
 {
@@ -32,13 +32,22 @@ public:
     return place_;
   }
 
-  /// Call with the overpressure there [Pa] at increasing times [s].
-  void follow(const double time, const double pressure);
+  /// How far around it the motion of the chest wall is averaged [m].
+  double radius() const
+  {
+    return radius_;
+  }
+
+  /// Call at increasing times [s] with the overpressure there [Pa] and the
+  /// inward velocity of the skin around [m/s].
+  void
+  follow(const double time, const double pressure, const double wall_velocity);
 
   /// Empty before the second call of follow().
   std::vector<InjuryMeasure> measures() const;
 
-  /// What was followed: times [s] and as many overpressures [Pa].
+  /// What was followed: times [s], as many overpressures [Pa] and inward
+  /// velocities [m/s].
   const std::vector<double> &times() const
   {
     return times_;
@@ -48,13 +57,22 @@ public:
     return pressures_;
   }
 
-  /// Goes on from what times() and pressures() were.
-  void restore(std::vector<double> times, std::vector<double> pressures);
+  const std::vector<double> &wall_velocities() const
+  {
+    return wall_velocities_;
+  }
+
+  /// Goes on from what these were.
+  void restore(std::vector<double> times,
+               std::vector<double> pressures,
+               std::vector<double> wall_velocities);
 
 private:
   dealii::Point<3> place_;
+  double radius_ = 0.;
   double mass_ = 70.;
   std::vector<double> times_;
   std::vector<double> pressures_;
+  std::vector<double> wall_velocities_;
 };
 } // namespace contrecoup::solid

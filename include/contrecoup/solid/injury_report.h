@@ -6,6 +6,7 @@
 #include <contrecoup/base/simulation.h>
 #include <contrecoup/solid/chest_injury.h>
 #include <contrecoup/solid/solid_body.h>
+#include <contrecoup/solid/surface_patch.h>
 #include <contrecoup/solid/tissue_average.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -76,6 +77,7 @@ private:
   bool averaged_ = true; ///< whether pressures are
   unsigned int interval_ = 10;
   ChestInjury chest_;
+  SurfacePatch chest_wall_;
   unsigned int brain_ = 0; ///< index of the tissue; number of tissues: none
   TissueAverage average_;  ///< over the brain
   std::vector<std::uint32_t> piece_of_cell_;
