@@ -121,7 +121,8 @@ double StagedSimulation<dim>::margin() const
   const auto cell = scene_.smallest_cell();
   for (unsigned int d = 0; d < dim; ++d)
     margin = std::max(margin, 2. * cell[d]);
-  return margin + 4. * parameters_.cell_size;
+  // Cells so large are those of a trial of the costs, which must go on.
+  return std::min(margin + 4. * parameters_.cell_size, 0.5 * plan_.nearest);
 }
 
 

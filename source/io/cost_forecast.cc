@@ -53,32 +53,70 @@ namespace io
                         std::max(least, whole));
     }
 
-    CostEstimate extrapolate(const Trial &before, const Trial &last)
+    /// Cells of the scene, given those of the trials and those that the solver
+    /// knows of before each, all of the same stage. What adaptation adds to
+    /// these grows, see forecast_cost(); where it takes some away, all do.
+    double extrapolate_cells(const double before,
+                             const Trial &before_trial,
+                             const double last,
+                             const Trial &last_trial,
+                             const double known,
+                             const double dimension)
     {
-      const unsigned int n = last.levels;
+      const bool adds = last >= last_trial.known_cells;
+      const double begin = adds ? last_trial.known_cells : 0.;
+      const double begin_before = adds ? before_trial.known_cells : 0.;
+      return (adds ? known : 0.) +
+             io::extrapolate(std::max(0., before - begin_before),
+                             last - begin,
+                             last_trial.levels,
+                             dimension - 1.,
+                             dimension,
+                             before_trial.levels - last_trial.levels);
+    }
+
+    /// @param known cells that the solver says the scene begins with
+    CostEstimate
+    extrapolate(const Trial &before, const Trial &last, const double known)
+    {
+      const unsigned int n = last.levels, gap = before.levels - n;
       CostEstimate result;
       double dimension = 1.;
       for (const TrialStage &stage : last.stages)
       {
         const TrialStage &earlier = stage_like(before, stage);
         dimension = stage.dimension;
+        const bool is_last = &stage == &last.stages.back();
         const double steps =
-          io::extrapolate(earlier.steps, stage.steps, n, 0., 1.);
+          io::extrapolate(earlier.steps, stage.steps, n, 0., 1., gap);
+        const double cells_before =
+          earlier.cell_steps / std::max(1., earlier.steps);
+        const double cells_last = stage.cell_steps / stage.steps;
         const double cells =
-          io::extrapolate(earlier.cell_steps / std::max(1., earlier.steps),
-                          stage.cell_steps / stage.steps,
-                          n,
-                          dimension - 1.,
-                          dimension);
+          is_last
+            ? extrapolate_cells(
+                cells_before, before, cells_last, last, known, dimension)
+            : io::extrapolate(
+                cells_before, cells_last, n, dimension - 1., dimension, gap);
         result.steps += steps;
         result.seconds += steps * step_seconds(earlier, stage, cells);
       }
-      const auto grown =
-        [&](double Trial::*number, const double low, const double high) {
-          return io::extrapolate(before.*number, last.*number, n, low, high);
-        };
-      result.cells = grown(&Trial::largest_cells, dimension - 1., dimension);
-      result.cells = std::round(result.cells);
+      const auto grown = [&](double Trial::*number,
+                             const double low,
+                             const double high) {
+        return io::extrapolate(before.*number, last.*number, n, low, high, gap);
+      };
+      if (!last.stages.empty())
+      {
+        const TrialStage &stage = last.stages.back();
+        result.cells =
+          std::round(extrapolate_cells(stage_like(before, stage).largest_cells,
+                                       before,
+                                       stage.largest_cells,
+                                       last,
+                                       known,
+                                       dimension));
+      }
       result.unknowns = std::round(result.cells * last.unknowns_per_cell);
       result.seconds += grown(&Trial::setup_seconds, 0., dimension) +
                         grown(&Trial::output_seconds, 0., dimension);
@@ -127,17 +165,20 @@ namespace io
                      const double last,
                      const unsigned int levels,
                      const double low,
-                     const double high)
+                     const double high,
+                     const unsigned int gap)
   {
     if (!(before > 0.))
       return last * std::pow(2., 0.5 * (low + high) * levels);
-    const double rate = std::log2(std::max(1., last / before));
+    const double rate = std::log2(std::max(1., last / before)) / gap;
     if (rate <= low || rate >= high)
       return last * std::pow(2., std::min(rate, high) * levels);
-    const double slow = std::pow(2., low), fast = std::pow(2., high);
+    const double slow = std::pow(2., low * gap),
+                 fast = std::pow(2., high * gap);
     const double b = (last - slow * before) / (fast - slow);
     const double a = before - b;
-    return a * std::pow(slow, levels + 1.) + b * std::pow(fast, levels + 1.);
+    return a * std::pow(2., low * (levels + gap)) +
+           b * std::pow(2., high * (levels + gap));
   }
 
   CostEstimate forecast_cost(const ApplicationDescription &description,
@@ -171,15 +212,20 @@ namespace io
       const double most = std::pow(
         2., trial->stages.empty() ? 1. : trial->stages.back().dimension + 1.);
       const double growth =
-        before > 0. ? (trial->seconds - steady) / before : 0.5 * most;
+        before > 0. ? std::pow((trial->seconds - steady) / before,
+                               1. / (trials[trials.size() - 2].levels - levels))
+                    : 0.5 * most;
       expected =
         steady + (trial->seconds - steady) * std::clamp(growth, 2., most);
     }
     if (trials.empty())
       return rough;
-    const Trial none;
-    CostEstimate result = extrapolate(
-      trials.size() > 1 ? trials[trials.size() - 2] : none, trials.back());
+    Trial none;
+    none.levels = trials.back().levels + 1;
+    CostEstimate result =
+      extrapolate(trials.size() > 1 ? trials[trials.size() - 2] : none,
+                  trials.back(),
+                  rough.cells);
     // What the process holds besides the largest mesh of the trials.
     double largest = 0.;
     for (const Trial &trial : trials)

@@ -10,6 +10,7 @@
 #include <contrecoup/io/temporary_folder.h>
 #include <contrecoup/io/trial_run.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -71,7 +72,9 @@ namespace io
         const StepReport report = inner_.advance(largest_step);
         TrialStage &stage = trial_.stages.back();
         stage.steps += 1.;
-        stage.cell_steps += note_size();
+        const double cells = note_size();
+        stage.cell_steps += cells;
+        stage.largest_cells = std::max(stage.largest_cells, cells);
         stage.seconds += lap();
         return report;
       }
@@ -221,6 +224,7 @@ namespace io
     {
       const CostEstimate rough = simulation.estimate();
       trial.memory_per_cell = rough.memory / std::max(1., rough.cells);
+      trial.known_cells = rough.cells;
       MeasuredSimulation measured(
         simulation, trial, longest, collective.communicator());
       measured.setup();

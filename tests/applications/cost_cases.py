@@ -18,7 +18,8 @@ def bytes_in(folder):
 
 def forecast(case, check_bound, read_summary):
     """--check predicts processor time, memory and output of the run within
-    the factor of --tolerance, and remembers that the next time."""
+    the factor of --tolerance, and remembers that the next time; cells too if
+    --compare names them, as they are in the end."""
     cache = os.path.abspath(case.folder("cache"))
     os.environ["XDG_CACHE_HOME"] = cache
     os.environ.pop("CONTRECOUP_CHECK_SECONDS", None)
@@ -41,6 +42,8 @@ def forecast(case, check_bound, read_summary):
              "memory": performance["peak_memory_bytes"],
              "output": bytes_in(output),
              "steps": summary["steps"]}
+    if "cells" in case.options.compare:
+        found["cells"] = summary["cells"]
     factor = float(case.options.tolerance)
     for name, value in found.items():
         ratio = predicted[name] / value

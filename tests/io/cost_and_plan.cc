@@ -22,6 +22,9 @@ TEST(CostForecast, ExtrapolatesSurfacesAndVolumes)
   };
   EXPECT_NEAR(extrapolate(cells(2), cells(3), 2, 2., 3.) / cells(5), 1., 1e-12);
   EXPECT_NEAR(extrapolate(cells(2), cells(3), 0, 2., 3.) / cells(3), 1., 1e-12);
+  // From trials that are not neighbours, as some scenes cannot be so coarse.
+  EXPECT_NEAR(
+    extrapolate(cells(1), cells(4), 2, 2., 3., 3) / cells(6), 1., 1e-12);
 }
 
 TEST(CostForecast, ExtrapolatesBeyondBothLaws)
@@ -30,6 +33,7 @@ TEST(CostForecast, ExtrapolatesBeyondBothLaws)
   EXPECT_DOUBLE_EQ(extrapolate(1., 2., 2, 2., 3.), 8.);    // at its own rate
   EXPECT_DOUBLE_EQ(extrapolate(2., 1., 3, 0., 1.), 1.);    // never falls
   EXPECT_DOUBLE_EQ(extrapolate(0., 1., 2, 0., 1.), 2.);    // no trial before
+  EXPECT_DOUBLE_EQ(extrapolate(1., 64., 1, 2., 3., 3), 256.);
 }
 
 TEST(CostCache, GivesBackWhatItKeptForTheSameScene)

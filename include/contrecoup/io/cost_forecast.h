@@ -17,11 +17,12 @@ namespace io
    *
    * From the last two trials follow, for each number of dimensions d that the
    * mesh has during the run: the number of steps as a + b 2^level, for the
-   * step size falls with that of the cells; the cells as a 2^((d-1) level) +
-   * b 2^(d level), since fronts that the mesh follows are surfaces and the
-   * rest is volume; and the time of a step as a + b cells. Memory is what the
-   * process held besides the largest mesh of the trials plus that of the scene;
-   * fields grow as cells do and tables as steps.
+   * step size falls with that of the cells; the cells as those that @p rough
+   * says the scene begins with, at a body for instance, and what the run adds
+   * to them as a 2^((d-1) level) + b 2^(d level), since fronts that the mesh
+   * follows are surfaces and the rest is volume; and the time of a step as a +
+   * b cells. Memory is what the process held besides the largest mesh of the
+   * trials plus that of the scene; fields grow as cells do and tables as steps.
    *
    * @param rough what the solver says without trial runs; kept where these
    *   tell nothing
@@ -43,8 +44,8 @@ namespace io
 
   /**
    * The value at @p levels levels after the last of a quantity
-   * a 2^(low level) + b 2^(high level) with a, b >= 0 that was @p before one
-   * level earlier and is @p last now. Without a value before (0) it grows by
+   * a 2^(low level) + b 2^(high level) with a, b >= 0 that was @p before @p gap
+   * levels earlier and is @p last now. Without a value before (0) it grows by
    * the mean exponent; a quantity that grows more slowly than a 2^(low level)
    * goes on at its own rate, one that falls stays.
    */
@@ -52,6 +53,7 @@ namespace io
                      double last,
                      unsigned int levels,
                      double low,
-                     double high);
+                     double high,
+                     unsigned int gap = 1);
 } // namespace io
 } // namespace contrecoup

@@ -17,8 +17,9 @@ namespace io
   struct TrialStage
   {
     unsigned int dimension = 0;
-    double steps = 0.;      ///< [-]
-    double cell_steps = 0.; ///< sum of the cells over the steps [-]
+    double steps = 0.;         ///< [-]
+    double cell_steps = 0.;    ///< sum of the cells over the steps [-]
+    double largest_cells = 0.; ///< [-]
     double seconds = 0.; ///< processor time of the slowest rank, no setup [s]
   };
 
@@ -32,6 +33,7 @@ namespace io
     double field_bytes = 0.;    ///< of all fields [byte]
     double table_bytes = 0.;    ///< of history and probes [byte]
     double largest_cells = 0.;  ///< [-]
+    double known_cells = 0.;    ///< that the solver said it begins with [-]
     double unknowns_per_cell = 0.;
     double memory_per_cell = 0.; ///< [byte]
     double seconds = 0.;         ///< that it took itself [s]
