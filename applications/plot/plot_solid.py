@@ -63,7 +63,7 @@ def cut(mesh, place):
 
 def cut_fields(fields, place):
     """Of each output the time, and of the cells that y = place cuts polygons
-    and pressures."""
+    and pressures, averaged ones if there are."""
     panels = []
     for time, pieces in fields:
         polygons, values = [], []
@@ -71,7 +71,10 @@ def cut_fields(fields, place):
             mesh = vtk_file.read(piece)
             shape, found = cut(mesh, place)
             polygons.append(shape)
-            values.append(mesh["pressure"][found])
+            # Averages know nothing of what alternates from element to element.
+            name = "averaged_pressure" if "averaged_pressure" in mesh \
+                else "pressure"
+            values.append(mesh[name][found])
         panels.append((time, np.concatenate(polygons), np.concatenate(values)))
     return panels
 

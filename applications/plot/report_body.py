@@ -67,9 +67,9 @@ def waves(scene):
         parts.append(page.figure(
             head, "The head in the sagittal plane, with a scale of its own."))
     return parts + [page.paragraph(
-        "Where values alternate from one element to the next, as they may "
-        "late in nearly incompressible tissue, only what neighbours share "
-        "counts.", kind="note")] + _peaks(scene)
+        "Pressures are averaged over the corners and the elements around "
+        "them: what alternates from one element to the next, as it may in "
+        "nearly incompressible tissue, is no pressure.", kind="note")] + _peaks(scene)
 
 
 def _tissues_at(pieces, place):
