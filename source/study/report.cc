@@ -63,10 +63,9 @@ namespace
     return text;
   }
 
-  std::string markdown_table(const StudyParameters &parameters,
-                             const StudyResult &result)
+  /// Writes the titles of the factors; returns the line below them so far.
+  std::string begin_table(const StudyParameters &parameters, std::ostream &out)
   {
-    std::ostringstream out;
     std::string rule = "|";
     out << '|';
     for (const Factor &factor : parameters.factors)
@@ -74,6 +73,14 @@ namespace
       out << ' ' << cell(factor.name) << " |";
       rule += "---|";
     }
+    return rule;
+  }
+
+  std::string markdown_table(const StudyParameters &parameters,
+                             const StudyResult &result)
+  {
+    std::ostringstream out;
+    const std::string rule = begin_table(parameters, out);
     out << " outcome | unknowns | steps | " << cost_title(parameters.cost)
         << " | " << parameters.error.title() << " | order | best |\n"
         << rule << "---|---:|---:|---:|---:|---:|:---:|\n";
@@ -95,13 +102,7 @@ namespace
                             const StudyResult &result)
   {
     std::ostringstream out;
-    std::string rule = "|";
-    out << '|';
-    for (const Factor &factor : parameters.factors)
-    {
-      out << ' ' << cell(factor.name) << " |";
-      rule += "---|";
-    }
+    std::string rule = begin_table(parameters, out);
     for (const std::string &column : parameters.columns)
     {
       out << ' ' << cell(split(column, '.').back()) << " |";
