@@ -150,7 +150,7 @@ HexModel<Lanes<Real>> SolidOperator<Real>::model(const SolidMaterial &material,
   model.law.decay_before = Real(std::exp(-times.relax_before / tau));
   model.law.decay_after = Real(std::exp(-times.relax_after / tau));
   model.law.dissipation_per_strain =
-    Real((0.5 * times.before + times.relax_after) / tau);
+    Real((times.relax_before + times.relax_after) / tau);
   const double wave = material.density * material.dilatational_speed();
   model.viscosity.linear = Real(options_.linear_viscosity * wave);
   model.viscosity.quadratic =

@@ -72,7 +72,7 @@ namespace
       rate[k] = strain.measure[k] - relaxed[k];
     }
     const double part =
-      times.relax_after / (0.5 * times.before + times.relax_after);
+      times.relax_after / (times.relax_before + times.relax_after);
     return Number(part) * law.dissipation_per_strain * law.twice_relaxing *
            contract(stretch, rate);
   }

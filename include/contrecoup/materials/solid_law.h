@@ -21,12 +21,13 @@ namespace contrecoup
 template <typename Number>
 struct SolidLaw
 {
-  Number bulk;                     ///< K [Pa]
-  Number twice_shear;              ///< 2 G_0 [Pa]
-  Number twice_relaxing;           ///< 2 G_1 [Pa]
-  Number decay_before{};           ///< exp(-dt / (2 tau)), of the last step
-  Number decay_after{};            ///< the same, of the next step
-  Number dissipation_per_strain{}; ///< half steps around now / tau
+  Number bulk;           ///< K [Pa]
+  Number twice_shear;    ///< 2 G_0 [Pa]
+  Number twice_relaxing; ///< 2 G_1 [Pa]
+  Number decay_before{}; ///< exp(-dt / (2 tau)), of the last step
+  Number decay_after{};  ///< the same, of the next step
+  /// The time for which the branch relaxes with the present strain, over tau.
+  Number dissipation_per_strain{};
   /// Makes the stress of volume other than K (J - 1); elements get the secant
   /// as K instead, which keeps calls of library functions out of their loops.
   GasFilling gas;
