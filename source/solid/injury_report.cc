@@ -8,6 +8,7 @@
 #include <contrecoup/numerics/head_injury.h>
 #include <contrecoup/solid/injury_report.h>
 #include <contrecoup/solid/solid_probes.h>
+#include <contrecoup/solid/tissue_measures.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 
@@ -27,8 +28,6 @@ namespace
 
   /// Pressure below which fluid may cavitate [Pa].
   constexpr double cavitation = -100e3;
-
-  const std::vector<std::string> pressure_names{"averaged", "of elements"};
 
   template <typename Value>
   void put(std::ostream &out, const std::vector<Value> &values)
@@ -68,7 +67,7 @@ void InjuryReport<Real>::declare_parameters(ParameterHandler &prm)
   declare_selection(prm,
                     "Pressure",
                     "averaged",
-                    pressure_names,
+                    peak_pressure_names(),
                     "In the brain: that of each element, or its average over "
                     "the corners and the elements around these, which removes "
                     "pressures that alternate from element to element and a "
@@ -89,7 +88,7 @@ void InjuryReport<Real>::parse_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "Injury");
   active_ = prm.get_bool("Active");
-  averaged_ = prm.get("Pressure") == pressure_names[0];
+  averaged_ = prm.get("Pressure") == peak_pressure_names()[0];
   interval_ = read_unsigned(prm, "Every steps");
   chest_.parse_parameters(prm);
 }
@@ -145,7 +144,7 @@ void InjuryReport<Real>::follow_brain(const SolidBody<Real> &body,
       const std::uint32_t i = piece_of_cell_[cell];
       pressures[i] = pressure_of(element.stress);
       pieces_[i].peak_strain =
-        std::max(pieces_[i].peak_strain, largest_principal(element.strain));
+        raised_to_principal(pieces_[i].peak_strain, element.strain);
     },
     brain_);
   const std::vector<double> averages = average_.average(pressures);
@@ -241,27 +240,29 @@ template <typename Real>
 void InjuryReport<Real>::add_brain(const SolidBody<Real> &body,
                                    std::vector<InjuryMeasure> &list) const
 {
-  using dealii::Utilities::MPI::all_gather;
+  namespace mpi = dealii::Utilities::MPI;
+  const MPI_Comm communicator = body.communicator();
   std::vector<double> strains, volumes;
-  double volume = 0., above_15 = 0., above_25 = 0., cavitating = 0., peak = 0.,
-         lowest = 0.;
-  for (const auto &rank : all_gather(body.communicator(), pieces_data()))
-    for (const auto &piece : rank)
-    {
-      strains.push_back(piece[1]);
-      volumes.push_back(piece[0]);
-      volume += piece[0];
-      above_15 += piece[1] > 0.15 ? piece[0] : 0.;
-      above_25 += piece[1] > 0.25 ? piece[0] : 0.;
-      peak = std::max(peak, piece[2]);
-      lowest = std::min(lowest, piece[3]);
-      cavitating += piece[3] < cavitation ? piece[0] : 0.;
-    }
+  double peak = 0., lowest = 0.;
+  // Volumes, of all and with more than 15 and 25 % strain, and that cavitated.
+  std::vector<double> sums{0., 0., 0., 0., cavitation_dose_, rough_, smooth_};
+  for (const Piece &piece : pieces_)
+  {
+    strains.push_back(piece.peak_strain);
+    volumes.push_back(piece.volume);
+    sums[0] += piece.volume;
+    sums[1] += piece.peak_strain > 0.15 ? piece.volume : 0.;
+    sums[2] += piece.peak_strain > 0.25 ? piece.volume : 0.;
+    sums[3] += piece.lowest_pressure < cavitation ? piece.volume : 0.;
+    peak = std::max(peak, piece.peak_pressure);
+    lowest = std::min(lowest, piece.lowest_pressure);
+  }
+  mpi::sum(sums, communicator, sums);
+  const double volume = sums[0];
   if (!(volume > 0.))
     return;
-  std::vector<double> sums{cavitation_dose_, rough_, smooth_};
-  dealii::Utilities::MPI::sum(sums, body.communicator(), sums);
-  const double dose = sums[0];
+  peak = mpi::max(peak, communicator);
+  lowest = mpi::min(lowest, communicator);
   const std::string model =
     "thresholds were found with other models of the head";
   list.push_back({{"injury_intracranial_pressure_peak", "Pa", peak},
@@ -270,41 +271,29 @@ void InjuryReport<Real>::add_brain(const SolidBody<Real> &body,
   list.push_back({{"injury_intracranial_pressure_lowest", "Pa", lowest},
                   "-100 kPa: cavitation",
                   "elements do not cavitate: tension goes on"});
-  list.push_back({{"injury_cavitating_fraction", "-", cavitating / volume},
+  list.push_back({{"injury_cavitating_fraction", "-", sums[3] / volume},
                   "0.072 (DDM, recalled)",
                   "part of the brain that was ever below -100 kPa"});
-  list.push_back({{"injury_cavitation_dose", "s", dose / volume},
+  list.push_back({{"injury_cavitation_dose", "s", sums[4] / volume},
                   "none published",
                   "mean time below -100 kPa"});
-  if (sums[2] > 0.)
+  if (sums[6] > 0.)
     list.push_back(
-      {{"injury_pressure_roughness", "-", std::sqrt(sums[1] / sums[2])},
+      {{"injury_pressure_roughness", "-", std::sqrt(sums[5] / sums[6])},
        "well below 1",
        "pressures of elements less their averages, over the "
        "averages: what alternates and is no pressure"});
-  list.push_back(
-    {{"injury_strain_95", "-", weighted_percentile(strains, volumes, 0.95)},
-     "0.19: half of mild injuries (Zhang et al. 2004, recalled)",
-     model});
-  list.push_back({{"injury_csdm_15", "-", above_15 / volume},
+  list.push_back({{"injury_strain_95",
+                   "-",
+                   percentile(strains, volumes, 0.95, communicator)},
+                  "0.19: half of mild injuries (Zhang et al. 2004, recalled)",
+                  model});
+  list.push_back({{"injury_csdm_15", "-", sums[1] / volume},
                   "0.55 (SIMon 2003, recalled)",
                   model});
-  list.push_back({{"injury_csdm_25", "-", above_25 / volume},
+  list.push_back({{"injury_csdm_25", "-", sums[2] / volume},
                   "0.54 (SIMon 2008, recalled)",
                   model});
-}
-
-
-template <typename Real>
-std::vector<std::array<double, 4>> InjuryReport<Real>::pieces_data() const
-{
-  std::vector<std::array<double, 4>> data;
-  for (const Piece &piece : pieces_)
-    data.push_back({{piece.volume,
-                     piece.peak_strain,
-                     piece.peak_pressure,
-                     piece.lowest_pressure}});
-  return data;
 }
 
 

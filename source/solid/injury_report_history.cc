@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/numerics/head_injury.h>
 #include <contrecoup/solid/injury_report.h>
 #include <contrecoup/solid/solid_probes.h>
+#include <contrecoup/solid/tissue_measures.h>
 
 namespace contrecoup::solid
 {
@@ -23,29 +23,18 @@ InjuryReport<Real>::history(const SolidBody<Real> &body) const
     brain_);
   if (averaged_)
     pressures = average_.average(pressures);
-  std::vector<double> own_volumes;
+  std::vector<double> volumes;
   for (const Piece &piece : pieces_)
-    own_volumes.push_back(piece.volume);
-  const auto gather = [&](const std::vector<double> &mine) {
-    std::vector<double> all;
-    for (const auto &rank :
-         dealii::Utilities::MPI::all_gather(body.communicator(), mine))
-      all.insert(all.end(), rank.begin(), rank.end());
-    return all;
-  };
-  const std::vector<double> volumes = gather(own_volumes);
-  if (volumes.empty())
+    volumes.push_back(piece.volume);
+  const MPI_Comm communicator = body.communicator();
+  if (dealii::Utilities::MPI::sum(volumes.size(), communicator) == 0)
     return {};
-  const std::vector<double> all_strains = gather(strains),
-                            all_pressures = gather(pressures);
-  return {
-    {"brain_strain_95", "-", weighted_percentile(all_strains, volumes, 0.95)},
-    {"brain_pressure_95",
-     "Pa",
-     weighted_percentile(all_pressures, volumes, 0.95)},
-    {"brain_pressure_5",
-     "Pa",
-     weighted_percentile(all_pressures, volumes, 0.05)}};
+  const auto part = [&](const std::vector<double> &values, const double below) {
+    return percentile(values, volumes, below, communicator);
+  };
+  return {{"brain_strain_95", "-", part(strains, 0.95)},
+          {"brain_pressure_95", "Pa", part(pressures, 0.95)},
+          {"brain_pressure_5", "Pa", part(pressures, 0.05)}};
 }
 
 

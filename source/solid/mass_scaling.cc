@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/solid/mass_scaling.h>
+#include <contrecoup/solid/tissue_measures.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 
@@ -59,10 +60,11 @@ void MassScaling::reinit(const SolidMesh &mesh,
   dealii::Utilities::MPI::sum(sums, communicator, sums);
   for (unsigned int k = 0; k < mesh.tissues.size(); ++k)
   {
-    std::string name = name_of(mesh.tissues[k]);
-    std::replace(name.begin(), name.end(), ' ', '_');
-    report_.push_back({"scaled_elements_" + name, "-", sums[2 * k]});
-    report_.push_back({"added_mass_" + name, "kg", sums[2 * k + 1]});
+    const Tissue tissue = mesh.tissues[k];
+    report_.push_back(
+      {tissue_column("scaled_elements", tissue), "-", sums[2 * k]});
+    report_.push_back(
+      {tissue_column("added_mass", tissue), "kg", sums[2 * k + 1]});
   }
 }
 

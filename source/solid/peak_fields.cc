@@ -6,6 +6,7 @@
 #include <contrecoup/io/checked_file.h>
 #include <contrecoup/solid/peak_fields.h>
 #include <contrecoup/solid/solid_probes.h>
+#include <contrecoup/solid/tissue_measures.h>
 
 #include <filesystem>
 #include <sstream>
@@ -44,9 +45,17 @@ void PeakFields<Real>::declare_parameters(ParameterHandler &prm)
   declare_bool(prm,
                "Active",
                "false",
-               "Whether fields hold what each element went through: highest "
+               "Whether fields hold what each element went through, highest "
                "and lowest pressure, largest von Mises stress and principal "
-               "strain, each by element and not averaged.");
+               "strain, and the summary their extremes in each tissue with the "
+               "strain that 95 % of it never exceeded.");
+  declare_selection(prm,
+                    "Pressure",
+                    "averaged",
+                    peak_pressure_names(),
+                    "That of each element, or its average over the corners and "
+                    "the elements of the same tissue around these, as "
+                    "Injury/Pressure has it.");
   declare_integer(prm,
                   "Every steps",
                   "10",
@@ -62,6 +71,7 @@ void PeakFields<Real>::parse_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "Peaks");
   active_ = prm.get_bool("Active");
+  averaged_ = prm.get("Pressure") == peak_pressure_names()[0];
   interval_ = read_unsigned(prm, "Every steps");
 }
 
@@ -71,6 +81,9 @@ void PeakFields<Real>::reinit(const SolidBody<Real> &body)
 {
   for (std::vector<float> &field : fields_)
     field.assign(body.mesh().cells.size(), 0.F);
+  averages_.assign(body.mesh().tissues.size(), {});
+  for (unsigned int k = 0; k < averages_.size(); ++k)
+    averages_[k].reinit(body.mesh(), body.exchange(), k);
   n_steps_ = 0;
 }
 
@@ -80,19 +93,69 @@ void PeakFields<Real>::follow(const SolidBody<Real> &body)
 {
   if (++n_steps_ % interval_ != 0)
     return;
-  body.elements().visit(
-    body.nodes(),
-    body.times(),
-    [&](const std::uint32_t cell, const ElementValues &element) {
-      const auto pressure = static_cast<float>(pressure_of(element.stress));
-      const auto raise = [cell](std::vector<float> &field, const double value) {
-        field[cell] = std::max(field[cell], static_cast<float>(value));
-      };
-      raise(fields_[0], pressure);
-      fields_[1][cell] = std::min(fields_[1][cell], pressure);
-      raise(fields_[2], von_mises(element.stress));
-      raise(fields_[3], largest_principal(element.strain));
-    });
+  std::vector<float> pressures(body.mesh().cells.size(), 0.F);
+  for (unsigned int k = 0; k < averages_.size(); ++k)
+  {
+    body.elements().visit_moved(
+      body.nodes(),
+      body.times(),
+      [&](const std::uint32_t cell, const ElementValues &element) {
+        pressures[cell] = static_cast<float>(pressure_of(element.stress));
+        float &stress = fields_[2][cell], &strain = fields_[3][cell];
+        stress =
+          std::max(stress, static_cast<float>(von_mises(element.stress)));
+        strain =
+          static_cast<float>(raised_to_principal(strain, element.strain));
+      },
+      k);
+    const std::vector<std::uint32_t> &cells = averages_[k].cells();
+    std::vector<double> values(cells.size());
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      values[i] = pressures[cells[i]];
+    if (averaged_)
+      values = averages_[k].average(values);
+    for (std::size_t i = 0; i < cells.size(); ++i)
+    {
+      const auto pressure = static_cast<float>(values[i]);
+      float &highest = fields_[0][cells[i]], &lowest = fields_[1][cells[i]];
+      highest = std::max(highest, pressure);
+      lowest = std::min(lowest, pressure);
+    }
+  }
+}
+
+
+template <typename Real>
+std::vector<NamedValue>
+PeakFields<Real>::measures(const SolidBody<Real> &body) const
+{
+  static const std::array<std::string, n_fields> units{{"Pa", "Pa", "Pa", "-"}};
+  std::vector<NamedValue> list;
+  for (unsigned int k = 0; k < averages_.size(); ++k)
+  {
+    const Tissue tissue = body.mesh().tissues[k];
+    const std::vector<std::uint32_t> &cells = averages_[k].cells();
+    for (unsigned int n = 0; n < n_fields; ++n)
+    {
+      // All fields but the lowest pressure rise from zero.
+      const float sign = n == 1 ? -1.F : 1.F;
+      float extreme = 0.F;
+      for (const std::uint32_t cell : cells)
+        extreme = std::max(extreme, sign * fields_[n][cell]);
+      list.push_back(
+        {tissue_column(names[n], tissue),
+         units[n],
+         sign * dealii::Utilities::MPI::max(extreme, body.communicator())});
+    }
+    std::vector<double> strains;
+    for (const std::uint32_t cell : cells)
+      strains.push_back(fields_[3][cell]);
+    list.push_back(
+      {tissue_column("principal_strain_95", tissue),
+       "-",
+       percentile(strains, averages_[k].volumes(), 0.95, body.communicator())});
+  }
+  return list;
 }
 
 

@@ -331,14 +331,12 @@ double SolidOperator<Real>::deformed_step(const NodeFields<Real> &nodes,
 
 template <typename Real>
 template <SolidKinematics kinematics>
-void SolidOperator<Real>::visit_batch(
-  const Range &range,
-  const unsigned int batch,
-  const NodeFields<Real> &nodes,
-  const StepTimes &times,
-  std::array<ElementValues, n_lanes<Real>> &values) const
+void SolidOperator<Real>::visit_batch(const Range &range,
+                                      const unsigned int batch,
+                                      const NodeFields<Real> &nodes,
+                                      const HexModel<Lane> &model,
+                                      Values &values) const
 {
-  const HexModel<Lane> model = this->model(materials_[range.tissue], times);
   HexVectors<Lane> x, u;
   load_corners(nodes.place.data(), batches_.offsets(batch, 0), x, u);
   const HexGeometry<Lane> g = hex_geometry(to_modes(x));
@@ -384,24 +382,46 @@ void SolidOperator<Real>::visit_batch(
 
 
 template <typename Real>
-void SolidOperator<Real>::visit_any(
-  const Range &range,
-  const unsigned int batch,
-  const NodeFields<Real> &nodes,
-  const StepTimes &times,
-  std::array<ElementValues, n_lanes<Real>> &values) const
+void SolidOperator<Real>::visit_any(const Range &range,
+                                    const unsigned int batch,
+                                    const NodeFields<Real> &nodes,
+                                    const HexModel<Lane> &model,
+                                    Values &values) const
 {
   switch (options_.kinematics)
   {
     case SolidKinematics::small_strain:
       return visit_batch<SolidKinematics::small_strain>(
-        range, batch, nodes, times, values);
+        range, batch, nodes, model, values);
     case SolidKinematics::finite_rotation:
       return visit_batch<SolidKinematics::finite_rotation>(
-        range, batch, nodes, times, values);
+        range, batch, nodes, model, values);
     default:
       return visit_batch<SolidKinematics::neo_hookean>(
-        range, batch, nodes, times, values);
+        range, batch, nodes, model, values);
+  }
+}
+
+
+template <typename Real>
+void SolidOperator<Real>::visit_range(
+  const Range &range,
+  const NodeFields<Real> &nodes,
+  const StepTimes &times,
+  const bool moved,
+  const std::function<void(std::uint32_t, const ElementValues &)> &function)
+  const
+{
+  const HexModel<Lane> model = this->model(materials_[range.tissue], times);
+  Values values;
+  for (unsigned int batch = range.begin; batch < range.end; ++batch)
+  {
+    if (moved && !batches_.was_awake(batch))
+      continue;
+    visit_any(range, batch, nodes, model, values);
+    const unsigned int n_filled = count_filled(batches_, batch);
+    for (unsigned int lane = 0; lane < n_filled; ++lane)
+      function(batches_.cell(batch, lane), values[lane]);
   }
 }
 
@@ -413,19 +433,22 @@ void SolidOperator<Real>::visit(
   const std::function<void(std::uint32_t, const ElementValues &)> &function,
   const unsigned int tissue) const
 {
-  std::array<ElementValues, n_lanes<Real>> values;
   for (const Range &range : batches_.ranges())
-  {
-    if (tissue != all_tissues && range.tissue != tissue)
-      continue;
-    for (unsigned int batch = range.begin; batch < range.end; ++batch)
-    {
-      visit_any(range, batch, nodes, times, values);
-      const unsigned int n_filled = count_filled(batches_, batch);
-      for (unsigned int lane = 0; lane < n_filled; ++lane)
-        function(batches_.cell(batch, lane), values[lane]);
-    }
-  }
+    if (tissue == all_tissues || range.tissue == tissue)
+      visit_range(range, nodes, times, false, function);
+}
+
+
+template <typename Real>
+void SolidOperator<Real>::visit_moved(
+  const NodeFields<Real> &nodes,
+  const StepTimes &times,
+  const std::function<void(std::uint32_t, const ElementValues &)> &function,
+  const unsigned int tissue) const
+{
+  for (const Range &range : batches_.ranges())
+    if (range.tissue == tissue)
+      visit_range(range, nodes, times, true, function);
 }
 
 
@@ -439,7 +462,8 @@ ElementValues SolidOperator<Real>::values(const NodeFields<Real> &nodes,
   std::array<ElementValues, n_lanes<Real>> values;
   for (const Range &range : batches_.ranges())
     if (batch >= range.begin && batch < range.end)
-      visit_any(range, batch, nodes, times, values);
+      visit_any(
+        range, batch, nodes, model(materials_[range.tissue], times), values);
   return values[slot % n_lanes<Real>];
 }
 

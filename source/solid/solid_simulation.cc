@@ -9,6 +9,7 @@
 #include <contrecoup/io/checked_file.h>
 #include <contrecoup/solid/solid_output.h>
 #include <contrecoup/solid/solid_simulation.h>
+#include <contrecoup/solid/tissue_measures.h>
 
 #include <cmath>
 #include <sstream>
@@ -31,14 +32,6 @@ namespace
 
   /// What a step that was halved grows by from one to the next.
   constexpr double regrowth = 1.02;
-
-  /// A name with underscores for columns.
-  std::string column(const std::string &quantity, const Tissue tissue)
-  {
-    std::string name = quantity + "_" + name_of(tissue);
-    std::replace(name.begin(), name.end(), ' ', '_');
-    return name;
-  }
 } // namespace
 
 
@@ -322,11 +315,11 @@ std::vector<NamedValue> SolidSimulation<Real>::history()
     {
       const TissueEnergies &one = balance.tissues[i];
       values.push_back(
-        {column("kinetic_energy", tissues[i]), "J", one.kinetic});
+        {tissue_column("kinetic_energy", tissues[i]), "J", one.kinetic});
       values.push_back(
-        {column("internal_energy", tissues[i]), "J", one.internal()});
+        {tissue_column("internal_energy", tissues[i]), "J", one.internal()});
       values.push_back(
-        {column("hourglass_energy", tissues[i]), "J", one.hourglass});
+        {tissue_column("hourglass_energy", tissues[i]), "J", one.hourglass});
     }
   if (injury_.active())
     for (const NamedValue &value : injury_.history(body_))
@@ -392,6 +385,9 @@ std::vector<NamedValue> SolidSimulation<Real>::assumptions()
   if (injury_.active())
     for (const InjuryMeasure &measure : injury_.measures(body_))
       values.push_back(measure.value);
+  if (peaks_.active())
+    for (const NamedValue &value : peaks_.measures(body_))
+      values.push_back(value);
   return values;
 }
 

@@ -107,6 +107,12 @@ public:
     return awake_[batch] != 0;
   }
 
+  /// Whether it is, as when it was last asked for.
+  bool was_awake(const unsigned int batch) const
+  {
+    return awake_[batch] != 0;
+  }
+
   /// How many batches are awake.
   unsigned int n_awake() const
   {

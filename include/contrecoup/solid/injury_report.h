@@ -70,9 +70,6 @@ private:
                  std::vector<InjuryMeasure> &list) const;
   void add_head(std::vector<InjuryMeasure> &list) const;
 
-  /// Volume, peak strain, highest and lowest pressure of each piece.
-  std::vector<std::array<double, 4>> pieces_data() const;
-
   bool active_ = false;
   bool averaged_ = true; ///< whether pressures are
   unsigned int interval_ = 10;

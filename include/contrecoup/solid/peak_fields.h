@@ -3,7 +3,9 @@
 
 #pragma once
 
+#include <contrecoup/base/simulation.h>
 #include <contrecoup/solid/solid_body.h>
+#include <contrecoup/solid/tissue_average.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -15,8 +17,8 @@ namespace contrecoup::solid
 {
 /**
  * What each element went through so far: highest and lowest pressure, largest
- * von Mises stress and largest principal strain, for the fields. Subsection
- * "Peaks".
+ * von Mises stress and largest principal strain, for the fields, and by tissue
+ * for the summary. Subsection "Peaks".
  */
 template <typename Real>
 class PeakFields
@@ -36,10 +38,16 @@ public:
     return active_;
   }
 
+  /// @p body must outlive this. Collective.
   void reinit(const SolidBody<Real> &body);
 
-  /// Call after each step.
+  /// Call after each step. Collective.
   void follow(const SolidBody<Real> &body);
+
+  /// Of each tissue, as "highest_pressure_brain": the extremes of its elements
+  /// and, as "principal_strain_95_brain", the largest principal strain that 95
+  /// % of its volume never exceeded. Collective.
+  std::vector<NamedValue> measures(const SolidBody<Real> &body) const;
 
   /// A field by elements of this rank, by its number in names.
   const std::vector<float> &field(const unsigned int number) const
@@ -54,8 +62,10 @@ public:
 
 private:
   bool active_ = false;
+  bool averaged_ = true; ///< whether pressures are
   unsigned int interval_ = 10;
   std::uint64_t n_steps_ = 0;
+  std::vector<TissueAverage> averages_; ///< by tissue
   std::array<std::vector<float>, n_fields> fields_;
 };
 } // namespace contrecoup::solid

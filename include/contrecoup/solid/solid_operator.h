@@ -109,6 +109,14 @@ public:
     const unsigned int tissue = all_tissues) const;
   static constexpr unsigned int all_tissues = -1;
 
+  /// The same for those of one tissue near which something has moved; all
+  /// others have no strain and no stress.
+  void visit_moved(
+    const NodeFields<Real> &nodes,
+    const StepTimes &times,
+    const std::function<void(std::uint32_t, const ElementValues &)> &function,
+    const unsigned int tissue) const;
+
   /// One element.
   ElementValues values(const NodeFields<Real> &nodes,
                        const StepTimes &times,
@@ -186,17 +194,25 @@ private:
                    const StepTimes &times,
                    const std::vector<Real> &squares,
                    TissueEnergies &sum) const;
+  using Values = std::array<ElementValues, n_lanes<Real>>;
   template <SolidKinematics kinematics>
   void visit_batch(const Range &range,
                    const unsigned int batch,
                    const NodeFields<Real> &nodes,
-                   const StepTimes &times,
-                   std::array<ElementValues, n_lanes<Real>> &values) const;
+                   const HexModel<Lane> &model,
+                   Values &values) const;
   void visit_any(const Range &range,
                  const unsigned int batch,
                  const NodeFields<Real> &nodes,
-                 const StepTimes &times,
-                 std::array<ElementValues, n_lanes<Real>> &values) const;
+                 const HexModel<Lane> &model,
+                 Values &values) const;
+  void
+  visit_range(const Range &range,
+              const NodeFields<Real> &nodes,
+              const StepTimes &times,
+              const bool moved,
+              const std::function<void(std::uint32_t, const ElementValues &)>
+                &function) const;
 
   const SolidMesh *mesh_ = nullptr;
   std::vector<SolidMaterial> materials_;
