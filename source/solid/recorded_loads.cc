@@ -52,6 +52,16 @@ void RecordedLoads::declare_parameters(ParameterHandler &prm)
                  unbounded,
                  "s",
                  "Recorded time at which this run begins.");
+  declare_double(
+    prm,
+    "Averaging interval",
+    "0",
+    0.,
+    unbounded,
+    "s",
+    "Samples are merged to means over this time, which keeps "
+    "impulses and shows what seldom records would lose; 0, or less "
+    "than the samples last: as recorded.");
   declare_double(prm,
                  "Largest distance",
                  "0.05",
@@ -81,7 +91,8 @@ RecordedLoads::parse_parameters(ParameterHandler &prm)
   if (prm.get("File").empty())
     return nullptr;
   auto loads = std::make_shared<RecordedLoads>();
-  loads->reader_ = std::make_unique<io::LoadReader>(prm.get("File"));
+  loads->reader_ = std::make_unique<io::LoadReader>(
+    prm.get("File"), read_double(prm, "Averaging interval"));
   if (loads->reader_->n_facets() == 0 || loads->reader_->times().empty())
     throw InputError("Loads/Recorded/File = \"" + prm.get("File") +
                      "\" has no facets or no times");

@@ -26,12 +26,14 @@ void write_loads(const std::string &file)
   loads.append({3e-3, 4e-3}, {200.F, 20.F, 0.F, 0.F});
 }
 
-std::shared_ptr<solid::RecordedLoads> read_loads(const std::string &file)
+std::shared_ptr<solid::RecordedLoads> read_loads(const std::string &file,
+                                                 const double interval = 0.)
 {
   ParameterHandler prm;
   solid::RecordedLoads::declare_parameters(prm);
   prm.set("File", file);
   prm.set("Largest distance", 0.4);
+  prm.set("Averaging interval", interval);
   return solid::RecordedLoads::parse_parameters(prm);
 }
 } // namespace
@@ -165,4 +167,82 @@ TEST(RecordedLoads, WhatIsNoFileOfLoadsIsRefused)
   ParameterHandler prm;
   solid::RecordedLoads::declare_parameters(prm);
   EXPECT_EQ(solid::RecordedLoads::parse_parameters(prm), nullptr);
+}
+
+
+namespace
+{
+/// A wave on one facet from 10 ms on, in samples that last as long as told
+/// [ms], of the rate 100 Pa/ms for 12 ms, and then of none.
+void write_ramp(const std::string &file, const std::vector<double> &lengths)
+{
+  io::LoadFile loads(file);
+  loads.create({{0., 0., 0.}, {-1., 0., 0.}, {1.}}, {{"application", "t"}});
+  loads.append({9e-3, 10e-3}, {0.F, 0.F});
+  double time = 0.;
+  for (unsigned int i = 0; time < 20.; ++i)
+  {
+    const double length = lengths[i % lengths.size()];
+    loads.append({1e-3 * (10. + time + length)},
+                 {time < 12. ? float(100. * (time + 0.5 * length)) : 0.F});
+    time += length;
+  }
+}
+
+/// What it pushes with from 0 to 40 ms, summed over times 0.01 ms apart [Pa s].
+double felt_impulse(solid::RecordedLoads &loads)
+{
+  double sum = 0.;
+  for (unsigned int i = 0; i < 4000; ++i)
+  {
+    loads.set_time(1e-5 * (i + 0.5));
+    sum += 1e-5 * loads.pressure(0);
+  }
+  return sum;
+}
+} // namespace
+
+
+// Merged to samples of 4 ms the means of a ramp are those in their middles, so
+// that the lines between them are the ramp itself; its impulse is kept.
+TEST(RecordedLoads, MergedSamplesKeepRampsAndImpulses)
+{
+  const std::string file = "recorded_ramp.h5";
+  for (const std::vector<double> &lengths :
+       {std::vector<double>{0.5}, std::vector<double>{0.25, 0.5, 0.25, 1.}})
+  {
+    write_ramp(file, lengths);
+    const auto loads = read_loads(file, 4e-3);
+    loads->reinit({Point<3>()}, {Point<3>(-1., 0., 0.)}, MPI_COMM_SELF);
+    for (const double time : {15e-3, 16.3e-3, 18e-3, 19e-3})
+    {
+      loads->set_time(time);
+      EXPECT_NEAR(loads->pressure(0), 1e5 * (time - 10e-3), 1e-3) << time;
+    }
+    // The sample that ends at 9 ms has its middle at 7 ms.
+    loads->set_time(6.9e-3);
+    EXPECT_EQ(loads->pressure(0), 0.);
+    for (const NamedValue &value : loads->audit())
+      if (value.name == "loads_mapped_impulse_x")
+        EXPECT_NEAR(value.value, 7.2, 1e-6);
+    EXPECT_NEAR(felt_impulse(*loads), 7.2, 1e-3);
+  }
+  std::filesystem::remove(file);
+}
+
+
+TEST(RecordedLoads, IntervalsShorterThanSamplesChangeNothing)
+{
+  const std::string file = "recorded_short.h5";
+  write_ramp(file, {0.25, 0.5, 0.25, 1.});
+  const auto loads = read_loads(file), merged = read_loads(file, 0.2e-3);
+  for (solid::RecordedLoads *one : {loads.get(), merged.get()})
+    one->reinit({Point<3>()}, {Point<3>(-1., 0., 0.)}, MPI_COMM_SELF);
+  for (unsigned int i = 0; i < 400; ++i)
+  {
+    loads->set_time(1e-4 * i);
+    merged->set_time(1e-4 * i);
+    EXPECT_EQ(merged->pressure(0), loads->pressure(0)) << i;
+  }
+  std::filesystem::remove(file);
 }
