@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/text.h>
+#include <contrecoup/solid/node_backup.h>
 #include <contrecoup/solid/solid_body.h>
 
 #include <cmath>
@@ -27,7 +28,7 @@ namespace
 template <typename Real>
 struct SolidBody<Real>::Past
 {
-  NodeFields<Real> nodes;
+  NodeBackup<Real> nodes;
   HexMemory<Lanes<Real>> memory;
   std::vector<TissueEnergies> losses;
   Supports supports;
@@ -43,7 +44,7 @@ void SolidBody<Real>::keep()
 {
   if (!past_)
     past_ = std::make_shared<Past>();
-  past_->nodes = nodes_;
+  past_->nodes.keep(nodes_);
   past_->memory = operator_.batches();
   past_->losses = operator_.losses();
   past_->supports = supports_;
@@ -60,7 +61,7 @@ void SolidBody<Real>::keep()
 template <typename Real>
 void SolidBody<Real>::go_back()
 {
-  nodes_ = past_->nodes;
+  past_->nodes.put_back(nodes_);
   static_cast<HexMemory<Lanes<Real>> &>(operator_.batches()) = past_->memory;
   operator_.losses() = past_->losses;
   supports_ = past_->supports;

@@ -6,6 +6,7 @@
 // mpirun, on one rank and on two.
 
 #include <contrecoup/base/processor_time.h>
+#include <contrecoup/solid/node_backup.h>
 #include <contrecoup/solid/node_exchange.h>
 #include <contrecoup/solid/node_motion.h>
 #include <contrecoup/solid/solid_operator.h>
@@ -95,11 +96,19 @@ public:
     return best;
   }
 
-  /// Bytes that the time loop needs for an element with its nodes.
+  /// Bytes that the time loop needs for an element with its nodes, with the
+  /// state that a body keeps to step back to.
   double bytes() const
   {
+    solid::NodeBackup<Real> nodes;
+    nodes.keep(nodes_);
+    const solid::HexMemory<Lanes<Real>> elements = operator_.batches();
     return (operator_.batches().memory() + 16. * sizeof(Real) * nodes_.size() +
-            mesh_.owned.size()) /
+            mesh_.owned.size() + nodes.memory_consumption() +
+            elements.dilatation.memory_consumption() +
+            elements.viscous_pressure.memory_consumption() +
+            elements.relaxed.memory_consumption() +
+            elements.damping.memory_consumption()) /
            n_cells_;
   }
 
