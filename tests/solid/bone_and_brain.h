@@ -4,15 +4,28 @@
 #pragma once
 
 #include <contrecoup/geometry/triangulation_hexes.h>
+#include <contrecoup/materials/tissue_library.h>
 
 #include <deal.II/grid/grid_generator.h>
 
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace contrecoup
 {
 using Where = std::function<bool(const dealii::Point<3> &)>;
+
+/// Finds the materials of tissues in a set of the library.
+inline auto materials_of(const std::string &set)
+{
+  return [set](const std::vector<Tissue> &tissues) {
+    std::vector<SolidMaterial> materials;
+    for (const Tissue tissue : tissues)
+      materials.push_back(solid_material(find_tissue_properties(set, tissue)));
+    return materials;
+  };
+}
 
 /// A box with a corner in the origin, of bone and, where the middles of
 /// elements say so, brain; refined once where others do.

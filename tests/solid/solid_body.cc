@@ -29,15 +29,6 @@ HexMesh long_bar(const bool refined)
     [&](const auto &x) { return refined && x[0] < 0.2; });
 }
 
-std::vector<SolidMaterial> find_materials(const std::vector<Tissue> &tissues)
-{
-  std::vector<SolidMaterial> materials;
-  for (const Tissue tissue : tissues)
-    materials.push_back(
-      solid_material(find_tissue_properties("paper", tissue)));
-  return materials;
-}
-
 template <typename Real>
 void set_up(solid::SolidBody<Real> &body,
             const HexMesh &mesh,
@@ -45,7 +36,7 @@ void set_up(solid::SolidBody<Real> &body,
             const MPI_Comm communicator)
 {
   body.reinit(mesh,
-              find_materials,
+              materials_of("paper"),
               options,
               solid::Supports(),
               solid::SurfaceLoads(),
@@ -369,7 +360,7 @@ TEST(SurfaceLoads, PressureNearAPoint)
   loads.parse_parameters(prm);
   solid::SolidBody<double> body;
   body.reinit(half_brain(false),
-              find_materials,
+              materials_of("paper"),
               solid::ElementOptions(),
               solid::Supports(),
               loads,

@@ -7,6 +7,7 @@
 
 #include <deal.II/grid/grid_generator.h>
 
+#include "bone_and_brain.h"
 #include <gtest/gtest.h>
 
 using namespace contrecoup;
@@ -14,15 +15,6 @@ using dealii::Point;
 
 namespace
 {
-std::vector<SolidMaterial> find_materials(const std::vector<Tissue> &tissues)
-{
-  std::vector<SolidMaterial> materials;
-  for (const Tissue tissue : tissues)
-    materials.push_back(
-      solid_material(find_tissue_properties("physiological", tissue)));
-  return materials;
-}
-
 /// A bar of 12 x 2 x 2 elements of 10 mm, lung and then brain, whose ends move
 /// towards each other with @p speed.
 template <typename Real>
@@ -38,7 +30,7 @@ void set_up(solid::SolidBody<Real> &body, const double speed)
   options.hourglass_damping = 0.05;
   body.reinit(
     to_hex_mesh(mesh, {{"lung", Tissue::lung}, {"brain", Tissue::brain}}),
-    find_materials,
+    materials_of("physiological"),
     options,
     solid::Supports(),
     solid::SurfaceLoads(),
