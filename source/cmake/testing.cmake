@@ -111,6 +111,8 @@ endfunction()
 #   refusal       MESSAGE <text> [EXIT <code>] [OUTPUT <folder>] [CONTENT
 #                 <lines appended to the file>] [ARGUMENTS ...]: bad input;
 #                 @FOLDER@ in OUTPUT is a folder that has a file named a_file
+#   failure       EXIT <code> MESSAGE <text>: a run that fails keeps its last
+#                 checkpoint, fails again when resumed, and with ARGUMENTS ends
 #   damaged_checkpoint, foreign_checkpoint (OTHER_FILE or ARGUMENTS): refused
 #                 with MESSAGE
 #   arrival       recorded loads begin with the wave and lose no impulse: BOUNDS

@@ -74,7 +74,9 @@ io::ApplicationDescription biomechanics_application()
           "audit that can fail.",
           solid::SolidSimulation<double>::declare_parameters,
           create_any,
-          {"Energy audit/"},
+          {"Energy audit/",
+           "Elements/Step safety",
+           "Elements/Largest number of retries"},
           coarsen};
 }
 } // namespace contrecoup::coupling

@@ -383,6 +383,25 @@ def expect_refusal(case, output, **keywords):
         raise Failed(f"{len(lines)} lines on stderr instead of one")
     if case.options.message not in lines[0]:
         raise Failed(f"the message lacks '{case.options.message}'")
+    return lines[0]
+
+
+def failure(case):
+    """A run that fails leaves its last checkpoint as it was; resumed it fails
+    in the same words, and with what mends it goes on to its end."""
+    output = case.folder("run")
+    words = expect_refusal(case, output)
+    if not checkpoints(output):
+        raise Failed("the run that failed left no checkpoint")
+    last = max(checkpoints(output))
+    before = snapshot(last)
+    again = expect_refusal(case, output, extra=["--resume"])
+    if again != words:
+        raise Failed("the resumed run failed in other words")
+    if snapshot(last) != before:
+        raise Failed(f"{last} is no longer as it was")
+    case.run(output, extra=["--resume", *case.options.argument])
+    check_bound(read_summary(output), "status == finished")
 
 
 def refusal(case):
@@ -467,7 +486,8 @@ def of_module(kind):
 
 KINDS = {kind.__name__: kind for kind in
          (bounds, regression, ranks, same, convergence, resume, sigterm,
-          check, pictures, stem, wedge, reflection, refusal, damaged_checkpoint,
+          check, pictures, stem, wedge, reflection, refusal, failure,
+          damaged_checkpoint,
           foreign_checkpoint,
           disk)}
 KINDS.update({name: of_module(kind)
