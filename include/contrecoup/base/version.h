@@ -11,6 +11,7 @@ namespace contrecoup
 std::string version();
 
 /// The git commit it was built from, with "+" after it when files had been
-/// changed, or "unknown" outside a git repository.
+/// changed, or with "?" when git was not there to tell; "unknown" outside a git
+/// repository.
 std::string git_revision();
 } // namespace contrecoup
