@@ -10,7 +10,9 @@ became of each variant over the plane of two factors).
 
 import json
 import os
+import re
 import sys
+import textwrap
 
 import look
 
@@ -40,6 +42,14 @@ COSTS = {"core seconds": "cost [core seconds]", "wall seconds": "wall time [s]",
 def read_study(folder):
     with open(os.path.join(folder, "study.json"), encoding="utf-8") as file:
         return json.load(file)
+
+
+def error_label(study, width):
+    """What the error is, in lines of so many letters; the group of a measure in
+    summary.json says nothing to a reader."""
+    words = re.sub(r"\b(assumptions|errors|conservation|performance)\.", "",
+                   study["error"])
+    return "\n".join(textwrap.wrap(words, width))
 
 
 def save(figure, folder, name):
@@ -171,7 +181,7 @@ def draw_work_precision(study, folder):
     figure, axes = plt.subplots(1, 2, sharey=True, figsize=(11., 4.6))
     draw_panel(axes[0], study, key, "cost", COSTS[study["cost"]])
     draw_panel(axes[1], study, key, "unknowns", "unknowns at the end")
-    axes[0].set_ylabel(study["error"])
+    axes[0].set_ylabel(error_label(study, 40))
     axes[0].set_title("against cost: lower left is better")
     axes[1].set_title("against size")
     figure.suptitle(study["title"], x=0.01, ha="left")
@@ -238,7 +248,7 @@ def draw_stability_map(study, folder):
     axis.set_ylabel(upwards["name"])
     title = study["title"]
     if study["error"]:
-        title += f"\nin the cells: {study['error']}"
+        title += "\nin the cells: " + error_label(study, 70)
     axis.set_title(title)
     words = {kind: OUTCOMES[kind][2] for kind in shown}
     if "retried" in words:

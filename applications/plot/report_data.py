@@ -227,6 +227,18 @@ class Scene:
                 parts.append(vtk_file.read(piece))
         return parts
 
+    def gauge_injury(self):
+        """What loads on named places do to a person there: numbers by place
+        and name, without units."""
+        path = self.blast.path("gauge_injury.csv")
+        if not os.path.exists(path):
+            return {}
+        with reading(path), open(path, newline="", encoding="utf-8") as file:
+            return {row.pop("place"): {
+                name.split(" [")[0]: float(value)
+                for name, value in row.items()}
+                for row in csv.DictReader(file)}
+
     def measures(self):
         """Measures of injury by name."""
         path = self.biomechanics.path("injury.csv")

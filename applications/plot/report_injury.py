@@ -5,7 +5,6 @@ together."""
 
 import report_accuracy
 import report_page as page
-import report_signals as signals
 import report_thresholds
 from report_thresholds import KNOWN
 
@@ -71,38 +70,26 @@ def judge(scene):
 
 def _add_skin(scene, add):
     """Measures of the recorded loads alone: eardrums, chest wall, lung."""
-    gauges = scene.blast.table("load_gauges.csv")
-    if gauges is None:
-        return
-    time = gauges["time"]
-    for name in gauges.names:
+    places = scene.gauge_injury()
+    for name, found in places.items():
         if name.endswith("ear"):
-            peak = float(gauges[name].max())
             words, thresholds, source, limits = KNOWN["ear_rupture"]
-            add("ear_rupture_" + name, signals.eardrum_rupture(peak), "-",
+            add("ear_rupture_" + name, found["eardrum rupture"], "-",
                 (words.replace("an eardrum", f"the {name} drum"), thresholds,
-                 source, f"peak {page.quantity(peak, 'Pa')}; {limits}"),
+                 source,
+                 f"peak {page.quantity(found['peak'], 'Pa')}; {limits}"),
                 "ear_rupture")
-    if "chest" not in gauges:
+    if "chest" not in places:
         return
-    front = signals.chest_wall_velocity(time, gauges["chest"])
+    front = places["chest"]["chest wall velocity"]
     add("chest_wall_front", front, "m/s", KNOWN["chest_wall_front"])
-    if "back" in gauges:
-        back = signals.chest_wall_velocity(time, gauges["back"])
+    if "back" in places:
+        back = places["back"]["chest wall velocity"]
         add("chest_wall_mean", 0.5 * (front + back), "m/s",
             KNOWN["chest_wall_mean"])
-    _add_lung(scene, time, gauges["chest"], add)
-
-
-def _add_lung(scene, time, chest, add):
-    """What half survive of a wave as long as the one on the chest."""
-    phase = signals.positive_phase(time, chest)
-    if phase is None:
-        return
-    mass = (scene.biomechanics.parameter("Injury/Body mass") or [70.])[0]
-    limit = signals.half_lethal(phase[1] - phase[0], mass)
-    add("lung_exposure", float(chest.max()) / limit, "-",
-        KNOWN["injury_lung_exposure"])
+    if places["chest"]["positive phase"] > 0.:
+        add("lung_exposure", places["chest"]["lung exposure"], "-",
+            KNOWN["injury_lung_exposure"])
 
 
 def find(judged, name):
@@ -118,7 +105,7 @@ def table(scene, judged):
     if not judged:
         wanted = "injury.csv of biomechanics"
         if not scene.has_no_gauges():
-            wanted += " and load_gauges.csv of the blast"
+            wanted += " and gauge_injury.csv of the blast"
         return [page.missing(wanted)]
     parts, left = [], list(judged)
     for title, beginnings in GROUPS:

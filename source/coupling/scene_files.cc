@@ -206,6 +206,12 @@ namespace
     entries.set("Output/Fields interval", end_time / n_fields);
     entries.set("Output/Checkpoint every minutes", 5.);
   }
+
+  /// Within the range of the entries; small bodies have no chest.
+  double allowed_mass(const double body_mass)
+  {
+    return std::clamp(body_mass, 1., 500.);
+  }
 } // namespace
 
 
@@ -219,7 +225,8 @@ std::vector<Assignment> anatomy_entries(const SceneParameters &scene)
 
 
 std::vector<Assignment> blast_entries(const SceneParameters &scene,
-                                      const SceneLayout &layout)
+                                      const SceneLayout &layout,
+                                      const double body_mass)
 {
   Entries entries;
   set_domain(layout, entries);
@@ -231,6 +238,7 @@ std::vector<Assignment> blast_entries(const SceneParameters &scene,
   entries.set("Rigid body/Levels", scene.accuracy.levels);
   entries.set("Loads/Record", "true");
   entries.set("Loads/Interval", scene.end_time / 2400.);
+  entries.set("Loads/Body mass", allowed_mass(body_mass));
   set_adaptation(scene, layout, entries);
   if (layout.distance > layout.body.side_length(1))
     entries.set("Probes/Points", place_beside(layout));
@@ -258,8 +266,7 @@ biomechanics_entries(const SceneParameters &scene,
   entries.set("Loads/Recorded/Largest distance", 0.5);
   entries.set("Loads/Recorded/Mirror", layout.is_half ? "y" : "none");
   entries.set("Injury/Active", "true");
-  // The range of the entry; small bodies have no chest.
-  entries.set("Injury/Body mass", std::clamp(body_mass, 1., 500.));
+  entries.set("Injury/Body mass", allowed_mass(body_mass));
   for (const Landmark &landmark : body.landmarks())
     if (landmark.name == "chest")
       entries.set("Injury/Chest", text_of(landmark.place));

@@ -105,11 +105,12 @@ namespace
 
     SceneStage blast() const
     {
-      return solver("blast",
-                    "Blast",
-                    blast_application(),
-                    blast_entries(scene_.parameters(), scene_.layout()),
-                    {});
+      return solver(
+        "blast",
+        "Blast",
+        blast_application(),
+        blast_entries(scene_.parameters(), scene_.layout(), scene_.body_mass()),
+        {});
     }
 
     /// @param blast the stage whose loads it takes

@@ -5,8 +5,12 @@
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/base/text.h>
 #include <contrecoup/gas/load_gauges.h>
+#include <contrecoup/io/checked_file.h>
+#include <contrecoup/io/history_reader.h>
+#include <contrecoup/numerics/load_injury.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iomanip>
 #include <limits>
 #include <sstream>
@@ -18,6 +22,8 @@ using dealii::Point;
 namespace
 {
   constexpr unsigned int n_geometry = 6; ///< numbers of a facet
+
+  constexpr const char *histories = "/load_gauges.csv";
 
   /// A point of these coordinates, as an entry has it.
   std::string to_text(const Point<3> &point)
@@ -92,6 +98,14 @@ void LoadGauges::declare_parameters(dealii::ParameterHandler &prm)
                  "Radius of the patch of surface that a gauge takes the mean "
                  "over, above 0; where no facet is so near, the nearest one "
                  "counts.");
+  declare_double(prm,
+                 "Body mass",
+                 "78.5",
+                 1.,
+                 500.,
+                 "kg",
+                 "Of the person whose lungs gauge_injury.csv tells of: a light "
+                 "one survives less.");
 }
 
 
@@ -103,6 +117,7 @@ void LoadGauges::parse_parameters(dealii::ParameterHandler &prm,
 {
   places_.clear();
   radius_ = read_double(prm, "Gauge radius");
+  body_mass_ = read_double(prm, "Body mass");
   for (const Landmark &landmark : body.landmarks())
     if (is_inside(landmark.place, lower, upper))
       add_place(landmark.name, landmark.place, body);
@@ -209,7 +224,7 @@ void LoadGauges::add(const std::vector<double> &overpressures,
 
 void LoadGauges::open_file()
 {
-  file_ = std::make_unique<io::HistoryFile>(file_name_);
+  file_ = std::make_unique<io::HistoryFile>(folder_ + histories);
   if (file_size_ > 0)
     file_->resume(file_size_);
   else
@@ -227,7 +242,7 @@ void LoadGauges::end_sample(const double time,
     row.push_back({places_[i].name, "Pa", records_[i].sum / duration});
     records_[i].sum = 0.;
   }
-  if (!writes || places_.empty() || file_name_.empty())
+  if (!writes || places_.empty() || folder_.empty())
     return;
   if (!file_)
     open_file();
@@ -241,6 +256,35 @@ void LoadGauges::flush()
     return;
   file_->flush();
   file_size_ = file_->size();
+}
+
+
+void LoadGauges::write_injury() const
+{
+  const std::string file = folder_ + histories;
+  if (folder_.empty() || !std::filesystem::exists(file))
+    return;
+  const io::HistoryTable table = io::read_history(file);
+  const std::vector<double> &times = table.column("time", file);
+  if (times.size() < 2)
+    return;
+  std::string text = "place,peak [Pa],positive phase [s],chest wall velocity "
+                     "[m/s],lung exposure [-],eardrum rupture [-]\n";
+  for (const Place &place : places_)
+  {
+    const LoadInjury injury =
+      load_injury(times, table.column(place.name, file), body_mass_);
+    text += place.name;
+    for (const double value : {injury.peak,
+                               injury.positive_phase,
+                               injury.chest_wall_velocity,
+                               injury.lung_exposure,
+                               injury.eardrum_rupture})
+      text += "," + exact(value);
+    text += "\n";
+  }
+  io::write_file(folder_ + "/gauge_injury.csv",
+                 [&](std::ostream &out) { out << text; });
 }
 
 

@@ -63,6 +63,8 @@ void WallLoads<dim>::finish()
   if (active_ && totals_.time > totals_.sample_begin)
     end_sample(totals_.time);
   flush();
+  if (active_ && dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
+    gauges_.write_injury();
 }
 
 

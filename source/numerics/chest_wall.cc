@@ -28,8 +28,10 @@ namespace
 
   double lung_pressure(const double displacement, const double ambient)
   {
-    return ambient *
-           std::pow(lung_volume / (lung_volume - area * displacement), gamma);
+    // A trial step may go too far.
+    const double least = 1e-3 * lung_volume;
+    const double left = std::max(lung_volume - area * displacement, least);
+    return ambient * std::pow(lung_volume / left, gamma);
   }
 } // namespace
 

@@ -2,29 +2,16 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/text.h>
+#include <contrecoup/io/history_reader.h>
 #include <contrecoup/study/curve.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
 
 namespace contrecoup::study
 {
 namespace
 {
-  std::size_t column_of(const std::string &name,
-                        const std::vector<std::string> &names,
-                        const std::string &file)
-  {
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end())
-      throw InputError("\"" + file + "\" has no column \"" + name + "\"" +
-                       suggestion(name, names));
-    return static_cast<std::size_t>(found - names.begin());
-  }
-
   /// The curve at a time within it.
   double at(const Curve &curve, const double time)
   {
@@ -51,27 +38,8 @@ namespace
 
 Curve read_curve(const std::string &file, const std::string &name)
 {
-  std::ifstream input(file);
-  std::string line;
-  if (!std::getline(input, line))
-    throw InputError("there is no table \"" + file + "\" to read \"" + name +
-                     "\" from");
-  std::vector<std::string> names = split(line, ',');
-  for (std::string &entry : names)
-    entry = trim(entry.substr(0, entry.find('[')));
-  const std::size_t time = column_of("time", names, file);
-  const std::size_t value = column_of(name, names, file);
-  Curve curve;
-  while (std::getline(input, line))
-  {
-    const std::vector<std::string> row = split(line, ',');
-    if (row.size() != names.size())
-      throw InputError("\"" + file + "\": a row has " +
-                       std::to_string(row.size()) + " numbers for " +
-                       std::to_string(names.size()) + " columns");
-    curve.times.push_back(std::strtod(row[time].c_str(), nullptr));
-    curve.values.push_back(std::strtod(row[value].c_str(), nullptr));
-  }
+  const io::HistoryTable table = io::read_history(file);
+  const Curve curve{table.column("time", file), table.column(name, file)};
   if (curve.times.size() < 2)
     throw InputError("\"" + file + "\" has fewer than two rows");
   return curve;

@@ -4,10 +4,12 @@
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/io/checked_file.h>
 #include <contrecoup/io/history.h>
+#include <contrecoup/io/history_reader.h>
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 
 using namespace contrecoup;
 using namespace contrecoup::io;
@@ -46,6 +48,25 @@ TEST(History, ResumeCutsBack)
   EXPECT_THROW(file.resume(100), InputError);
   file.resume(0);
   EXPECT_FALSE(std::filesystem::exists("cut.csv"));
+}
+
+TEST(History, IsReadAsItWasWritten)
+{
+  {
+    HistoryFile file("read.csv");
+    file.start();
+    for (const double x : {0.1, 1. / 3., -1e-300})
+      file.add_row({{"time", "s", x}, {"left ear", "Pa", 7. * x}});
+  }
+  const HistoryTable table = read_history("read.csv");
+  EXPECT_EQ(table.names, std::vector<std::string>({"time", "left ear"}));
+  EXPECT_EQ(table.column("time", "read.csv"),
+            std::vector<double>({0.1, 1. / 3., -1e-300}));
+  EXPECT_EQ(table.column("left ear", "read.csv")[1], 7. * (1. / 3.));
+  EXPECT_THROW(table.column("right ear", "read.csv"), InputError);
+  EXPECT_THROW(read_history("no_such.csv"), InputError);
+  std::ofstream("broken.csv") << "time [s],a [Pa]\n1,2\n3";
+  EXPECT_THROW(read_history("broken.csv"), InputError);
 }
 
 TEST(CheckedFile, LeavesNothingOfAFileThatCannotBeWritten)

@@ -24,9 +24,11 @@ std::vector<Assignment> anatomy_entries(const SceneParameters &scene);
  * vertical through it, then in 3-D with the body, whose facets record their
  * loads. Cells grow away from the body, and with time once the front has
  * passed.
+ * @param body_mass [kg]
  */
 std::vector<Assignment> blast_entries(const SceneParameters &scene,
-                                      const SceneLayout &layout);
+                                      const SceneLayout &layout,
+                                      const double body_mass);
 
 /// The body under these loads, whose file is given later.
 std::vector<Assignment>

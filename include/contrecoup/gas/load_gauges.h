@@ -23,8 +23,9 @@ namespace contrecoup::gas
  * surface: the facets with centroids within "Loads/Gauge radius" that look the
  * same way, or the nearest facet where there is none.
  *
- * Histories go to load_gauges.csv as means over the samples of the loads;
- * what the blast did is found from every step.
+ * Histories go to load_gauges.csv as means over the samples of the loads, and
+ * what these would do to a chest or an ear to gauge_injury.csv; what the blast
+ * did is found from every step.
  */
 class LoadGauges
 {
@@ -44,7 +45,7 @@ public:
 
   void set_folder(const std::string &folder)
   {
-    file_name_ = folder + "/load_gauges.csv";
+    folder_ = folder;
   }
 
   /// Finds the patches.
@@ -78,6 +79,11 @@ public:
 
   /// Writes what is still in memory. @throws SystemError
   void flush();
+
+  /// Writes load_injury() of the whole histories as gauge_injury.csv, one row
+  /// for each place. Call after flush(), on the rank that writes.
+  /// @throws SystemError
+  void write_injury() const;
 
   /// What is known so far, for checkpoints; call flush() before save().
   void save(std::ostream &stream) const;
@@ -122,13 +128,14 @@ private:
                   std::vector<Part> &parts) const;
   void open_file();
 
-  double radius_ = 0.; ///< of patches [m]
+  double radius_ = 0.;    ///< of patches [m]
+  double body_mass_ = 0.; ///< [kg]
   std::vector<Place> places_;
   std::vector<std::size_t> patch_sizes_; ///< facets of each
   std::vector<Part> parts_;              ///< of this rank
   std::vector<Record> records_;          ///< the same on all ranks
 
-  std::string file_name_;
+  std::string folder_;
   std::unique_ptr<io::HistoryFile> file_; ///< once a row was written
   std::uint64_t file_size_ = 0;           ///< that the checkpoint knows [byte]
 };
