@@ -46,7 +46,7 @@ def build(scene):
                      *report_body.histories(scene))
     page.section("Injury", *report_injury.table(scene, judged))
     if report_paper.is_that_scene(scene):
-        page.section("As the published simulation had it, as found here",
+        page.section("Beside the published simulation",
                      *report_paper.section(scene))
     if has_body:
         page.section("Energy of the body", *report_body.energy(scene))

@@ -173,7 +173,8 @@ def _free_air(scene):
             known = scene.blast.found("assumptions",
                                       stem + "reference_" + quantity)
             if known:
-                rows.append((f"probe {number}", quantity.replace("_", " "),
+                rows.append((_probe_place(scene, number),
+                             quantity.replace("_", " "),
                              page.quantity(here, unit),
                              page.quantity(known, unit),
                              page.number(100. * (here / known - 1.), 2)
@@ -187,6 +188,26 @@ def _free_air(scene):
         "G. Bulmash, ARBRL-TR-02555, 1984). Ground and body add to the "
         "impulse and duration at the probe; its peak and arrival are those of "
         "the free wave.", numbers=(2, 3, 4))
+
+
+def _probe_place(scene, number):
+    """Where a probe in the air is."""
+    points = (scene.blast.parameters.get("Probes/Points") or "").split(";")
+    charge = scene.charge_place()
+    try:
+        point = [float(x) for x in points[number - 1].split(",")]
+    except (IndexError, ValueError):
+        point = []
+    if len(point) != 3 or charge is None:
+        return f"probe {number}"
+    away = math.dist(point, charge)
+    place = ", ".join(f"{round(x, 3) + 0.:g}" for x in point).replace("-", "−")
+    return f"({place}) m, {page.quantity(away, 'm')} from the charge"
+
+
+def _round_off(part):
+    """A part in per cent, where no more than round-off may be left."""
+    return "0" if abs(part) < 1e-9 else page.number(100. * part, 2)
 
 
 def _difference_rows(scene, differences):
@@ -227,17 +248,25 @@ def _checks(scene):
     recorded = found("assumptions", "loads_recorded_impulse_x")
     mapped = found("assumptions", "loads_mapped_impulse_x")
     if recorded and mapped:
-        if scene.biomechanics.parameters.get("Loads/Recorded/Mirror",
-                                             "none") in ("y", "z"):
-            recorded *= 2.
+        factor = found("assumptions", "loads_impulse_factor")
+        mended = "" if factor is None else (
+            ", after one factor on all pressures, "
+            f"{page.number(factor)}, that makes the impulses agree")
         items.append(
             f"Impulse along x: {page.quantity(recorded, 'N s')} recorded on "
             f"the whole body, {page.quantity(mapped, 'N s')} on the elements "
-            f"({page.number(100. * (mapped / recorded - 1.), 2)} %).")
+            f"({page.number(100. * (mapped / recorded - 1.), 2)} %){mended}.")
     loss = scene.blast.found("assumptions", "loads_sampled_peak_loss")
     if loss is not None:
-        items.append(f"Recording misses {page.number(100. * loss, 2)} % of a "
-                     "facet's peak at most.")
+        items.append(f"Recording misses {_round_off(loss)} % of a facet's "
+                     "peak at most.")
+    rough = scene.measures().get("injury_pressure_roughness")
+    if rough is not None:
+        items.append(
+            "Pressures of the brain's single elements less their averages are "
+            f"{page.number(rough.value, 2)} times the averages (root mean "
+            "square): that part alternates from element to element and is no "
+            "pressure. The measures of injury take averages.")
     return items
 
 

@@ -83,7 +83,7 @@ def histories(scene):
                        scene.views()),
             "Overpressure at named places of the skin, means over patches "
             "around them; dots: the first peak, triangles: the second, later "
-            "one. The places are numbered on the body."))
+            "one, in kPa at ms. The places are numbered on the body."))
         parts.append(_gauge_table(scene, gauges))
     force = resultant(scene)
     if force is not None:
@@ -102,19 +102,23 @@ def _gauge_table(scene, gauges):
         phase = signals.positive_phase(time, gauges[name])
         if phase is None:
             continue
+        lowest = float(gauges[name].min())
         rows.append((
             name, page.number(1e3 * phase[0]),
             page.number(1e-3 * float(gauges[name].max())),
             page.number(phase[2]),
-            page.number(1e3 * (phase[1] - phase[0])),
-            page.number(1e-3 * float(gauges[name].min())),
+            ("≥ " if signals.is_cut(time, gauges[name], phase) else "")
+            + page.number(1e3 * (phase[1] - phase[0])),
+            page.number(1e-3 * lowest) if lowest < -1. else "–",
             page.number(1e6 * signals.rise_time(time, gauges[name]), 2)))
     return page.table(
         ("place", "arrival [ms]", "peak [kPa]", "impulse [Pa s]",
          "positive phase [ms]", "lowest [kPa]", "rise time [µs]"), rows,
         "Arrival: a twentieth of the peak; impulse and positive phase: until "
-        "the overpressure is first back at zero; rise from a tenth to nine tenths of the first peak, which cells and "
-        "patches lengthen.", numbers=range(1, 7))
+        "the overpressure is first back at zero (≥: the run ended before); "
+        "lowest –: never below the ambient pressure; rise from a tenth to "
+        "nine tenths of the first peak, which cells and patches lengthen.",
+        numbers=range(1, 7))
 
 
 def resultant(scene):
@@ -174,7 +178,7 @@ def conservation(scene):
                      page.quantity(last, unit, 4),
                      page.number(100. * change) + " %"))
     parts = [page.table(
-        ("in the domain of the gas", "at first", "at last", "change"), rows,
+        ("in the domain of the gas", "at the start", "at the end", "change"), rows,
         numbers=(1, 2, 3))]
     parts.append(page.paragraph(_open_sides(scene)))
     rows = []

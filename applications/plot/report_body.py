@@ -94,7 +94,8 @@ def _peaks(scene):
     return [page.figure(
         _draw_peaks(found),
         "What each element of the head went through until the end, in the "
-        "sagittal plane.")]
+        "sagittal plane. These are values of single elements, not averages: a "
+        "pattern from one to the next is none of the pressure's.")]
 
 
 def _draw_peaks(found):
@@ -180,7 +181,7 @@ def histories(scene):
         shift = np.sqrt(sum(probes[f"{place.column}displacement_{axis}"] ** 2
                             for axis in "xyz"))
         rows.append((
-            place.name, page.Html("\u00a0".join(
+            place.title(), page.Html(",\u00a0".join(
                 f"{round(x, 3) + 0.:g}".replace("-", "−")
                 for x in place.point)),
             page.number(1e-3 * float(pressure.max())),
@@ -208,7 +209,7 @@ def _draw_first(probes, places):
     for place in places:
         axis.plot(1e3 * time[part],
                   1e-3 * probes[place.column + "pressure"][part],
-                  label=place.name, linewidth=1.2)
+                  label=place.title(), linewidth=1.2)
     axis.axhline(-100., color=look.GREY, linewidth=0.8, linestyle=":")
     axis.set_xlabel("time [ms]")
     axis.set_ylabel("pressure [kPa]")
@@ -230,7 +231,7 @@ def _draw_histories(probes, groups):
         factor, unit = look.scale_unit("Pa", largest)
         for place in places:
             axis.plot(time, factor * probes[place.column + "pressure"],
-                      linewidth=0.9, label=place.name)
+                      linewidth=0.9, label=place.title())
         if places[0].tissue == report_places.BRAIN:
             axis.axhline(-1e5 * factor, color=look.GREY, linewidth=0.8,
                          linestyle=":")
@@ -336,16 +337,21 @@ def mesh(scene):
 
 
 def largest_displacement(scene):
-    """Largest displacement of any node at the last output [m], and its time;
-    None without fields."""
+    """Largest displacement of any node at the last output [m], its time, and
+    the tissue of an element there; None without fields."""
     fields = scene.field_list()
     if not fields:
         return None
-    largest = 0.
+    largest, tissue = 0., 0
     for mesh_part in scene.field(fields[-1][1]):
         shift = mesh_part["displacement"].reshape(-1, 3)
-        largest = max(largest, float(np.sqrt((shift ** 2).sum(1)).max()))
-    return largest, fields[-1][0]
+        size = np.sqrt((shift ** 2).sum(1))
+        node = int(np.argmax(size))
+        if size[node] > largest:
+            largest = float(size[node])
+            cell = int(np.argmax(mesh_part["connectivity"] == node)) // 8
+            tissue = int(mesh_part["tissue"][cell])
+    return largest, fields[-1][0], tissue
 
 
 def tissue_pressures(scene):

@@ -23,8 +23,10 @@ def answer(scene, judged):
 
 def _opening(scene):
     mass, place = scene.charge_mass(), scene.charge_place()
-    body = "a body" if scene.facts.get("body") not in (None, "phantom") \
-        else "a standing man"
+    body = {None: "a standing man", "phantom": "a standing man",
+            "surface": "a person of a given surface",
+            "image": "a body of medical images"}.get(
+                scene.facts.get("body"), "a body")
     charge = "The charge" if mass is None else (
         f"{page.quantity(mass, 'kg')} of {scene.explosive().upper()}")
     where = ""
@@ -87,7 +89,7 @@ def _brain(judged):
     text += ", beyond " + " and ".join(exceeded) if exceeded \
         else ", within the known limits"
     if strain is not None:
-        text += (f"; its tissue is strained by up to "
+        text += (f"; 95 % of its tissue is strained by less than "
                  f"{page.number(100. * strain.value, 2)} %, "
                  + ("below the 14 % at which mild injury begins"
                     if strain.exceeded() == 0
@@ -108,7 +110,7 @@ def _certainty(scene, judged):
         sure = [entry for entry in known if entry.is_certain()]
         parts.append(
             f"How sure: for {len(sure)} of the {len(known)} measures whose "
-            "numerical error is known it leaves the verdict as it is"
+            "numerical error is estimated it leaves the verdict as it is"
             + (", not for " + "; ".join(
                 entry.title for entry in known if not entry.is_certain())
                if len(sure) < len(known) else "") + ".")

@@ -28,6 +28,11 @@ class Place:
         self.column = f"probe_{number}_"
         self.point, self.tissue = point, tissue
         self.name = NAMES.get(tissue, "body")
+        self.remark = ""  # on what is there instead
+
+    def title(self):
+        """The name, and what the mesh has there if it is something else."""
+        return self.name + self.remark
 
 
 def find_places(scene):
@@ -39,10 +44,10 @@ def find_places(scene):
         return []
     given = [str(place.get("name"))
              for place in scene.list_of("tissue_places")]
-    if len(given) == len(points):
-        return [_given_place(number, point, name) for number, (point, name)
-                in enumerate(zip(points, given), 1)]
     tissues = _tissues(scene, points)
+    if len(given) == len(points):
+        return [_given_place(*known) for known in
+                zip(range(1, len(points) + 1), points, given, tissues)]
     places = [Place(number, point, tissue) for number, (point, tissue)
               in enumerate(zip(points, tissues), 1)]
     _name_brain(scene, places)
@@ -56,10 +61,14 @@ def find_places(scene):
     return places
 
 
-def _given_place(number, point, name):
+def _given_place(number, point, name, found):
+    """@p found is the tissue of the element there: organs that are thinner
+    than an element may have none."""
     title, tissue = GIVEN.get(name, (name, 0))
     place = Place(number, point, tissue)
     place.name = title
+    if 0 not in (found, tissue) and found != tissue:
+        place.remark = f" (an element of {NAMES.get(found, 'other tissue')})"
     return place
 
 

@@ -58,20 +58,30 @@ def facts(scene):
 def section(scene):
     """Facts and drawing."""
     parts = [facts(scene)]
-    remarks = [str(remark) for remark in scene.facts.get("remarks") or []]
+    remarks = [_sentence(str(remark))
+               for remark in scene.facts.get("remarks") or []]
+    if scene.facts.get("body") == "image":
+        remarks.append("The body is what the images hold: where they end it "
+                       "is cut off, and the blast passes there, too.")
     if remarks:
         parts.append(page.bullets(remarks))
     if scene.charge_place() is None:
         parts.append(page.missing("the place of the charge, so that nothing "
                                   "can be drawn"))
         return parts
+    ways = "" if _target(scene) is None else (
+        "The line to the charge is the way of the direct wave, the bent one "
+        "that of its reflection by the ground to the same place. ")
     parts.append(page.figure(
-        _draw(scene),
-        "The scene from the side, to scale. The line to the charge is the way "
-        "of the direct wave, the bent one that of its reflection by the "
-        "ground to the same place; in grey the body as the gas met it.",
-        "svg", "92%"))
+        _draw(scene), f"The scene from the side, to scale. {ways}In grey: the "
+        "body as the gas met it.", "svg", "92%"))
     return parts
+
+
+def _sentence(text):
+    """A line of the log as a sentence on a page."""
+    text = text.replace("m^2", "m²").replace("m^3", "m³")
+    return text[:1].upper() + text[1:] + ("" if text.endswith(".") else ".")
 
 
 def _draw(scene):
@@ -157,6 +167,7 @@ class Event:
     def __init__(self, lane, what, begin, end=None, mark=None, detail=""):
         self.lane, self.what, self.begin, self.end = lane, what, begin, end
         self.mark, self.detail = mark, detail
+        self.is_cut = False  # whether it goes on after the run
 
 
 def events(scene):
@@ -195,6 +206,7 @@ def _skin_events(scene):
             "skin", name, phase[0], phase[1],
             None if second is None else float(time[second]),
             f"peak {peak}, impulse {page.quantity(phase[2], 'Pa s')}"))
+        found[-1].is_cut = signals.is_cut(time, gauges[name], phase)
     return sorted(found, key=lambda event: event.begin)
 
 
@@ -212,7 +224,7 @@ def _tissue_events(scene):
         near = (time >= begin) & (time <= begin + FIRST_WAVES)
         largest = int(np.argmax(np.where(near, np.abs(values), 0.)))
         found.append(Event(
-            "tissue", place.name, begin, None, float(time[largest]),
+            "tissue", place.title(), begin, None, float(time[largest]),
             f"{page.quantity(float(values[largest]), 'Pa')} then; from "
             f"{page.quantity(float(values.min()), 'Pa')} to "
             f"{page.quantity(float(values.max()), 'Pa')} in the whole run"))
@@ -236,20 +248,26 @@ def timeline(scene):
             text = f"{event.what}: the wave arrives"
             if event.mark is not None:
                 text += f", second front at {page.milliseconds(event.mark)}"
-            text += f", positive phase ends at {page.milliseconds(event.end)}"
+            text += ", positive phase " + (
+                "goes on at the end of the run" if event.is_cut else
+                f"ends at {page.milliseconds(event.end)}")
         elif event.lane == "tissue":
             text = (f"{event.what}: pressure sets in, largest of the first "
                     f"waves at {page.milliseconds(event.mark)}")
         else:
             text = event.what
         rows.append((page.milliseconds(event.begin), text, event.detail))
+    caption = "What happens when, from the detonation on. "
+    lanes = {event.lane for event in found}
+    if "skin" in lanes:
+        caption += ("Bars: positive phases on the skin; triangles: the second "
+                    "front there, which the ground or the body itself has "
+                    "reflected. ")
+    if "tissue" in lanes:
+        caption += ("Lines in the tissue go from the onset of pressure to its "
+                    "largest value, of either sign, within 2.5 ms. ")
     return [page.figure(
-        _draw_timeline(found),
-        "What happens when, from the detonation on. Bars: positive phases on "
-        "the skin; triangles: the second front there, which the ground or the "
-        "body itself has reflected; lines in the tissue go from the onset of "
-        "pressure to its largest value, of either sign, within 2.5 ms. Dotted "
-        "lines: (a) "
+        _draw_timeline(found), caption + "Dotted lines: (a) "
         + "; ".join(f"({'abcdefgh'[i + 1]}) {event.what}" if i >= 0 else
                     event.what for i, event in enumerate(
                         (event for event in found if event.lane == "air"),

@@ -33,6 +33,11 @@ def positive_phase(time, values):
     return begin, float(time[last]), impulse
 
 
+def is_cut(time, values, phase):
+    """Whether the end of the run cuts off a positive_phase()."""
+    return phase[1] >= time[-1] and values[-1] > 0.
+
+
 def rise_time(time, values):
     """From a tenth to nine tenths of the first peak that has half of the
     largest value at least [s]."""

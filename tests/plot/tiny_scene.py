@@ -28,6 +28,7 @@ QUANTITIES = (["displacement_" + axis + " [m]" for axis in "xyz"]
 INJURY = {"injury_intracranial_pressure_peak": (1.0425e6, "Pa"),
           "injury_intracranial_pressure_lowest": (-8.1e5, "Pa"),
           "injury_strain_95": (0.0542, "-"), "injury_hic15": (931., "-"),
+          "injury_pressure_roughness": (0.515, "-"),
           "injury_chest_wall_velocity": (9.9, "m/s"),
           "injury_lung_exposure": (0.35, "-")}
 
@@ -77,7 +78,8 @@ def write_scene(folder):
 
 def write_blast(folder):
     write(os.path.join(folder, "parameters.prm"),
-          "subsection Boundaries\n  set x low = open\nend\n")
+          "subsection Boundaries\n  set x low = open\nend\n"
+          "subsection Probes\n  set Points = 0.008, 2.337, 1.27\nend\n")
     write(os.path.join(folder, "log.txt"),
           "first stage ends at 0.0005 s with its front at 1.25 m\n")
     write(os.path.join(folder, "summary.json"), json.dumps({
@@ -151,11 +153,13 @@ def write_biomechanics(folder):
     write(os.path.join(folder, "parameters.prm"),
           "subsection Probes\n  set Points = " + "; ".join(
               ", ".join(str(x) for x in place) for place in PROBES.values())
-          + "\nend\n")
+          + "\nend\nsubsection Loads\n  subsection Recorded\n    "
+          "set Mirror = y\n  end\nend\n")
     write(os.path.join(folder, "summary.json"), json.dumps({
         "application": "biomechanics", "version": "0.1.0",
         "status": "finished", "cells": 64, "steps": 240,
         "assumptions": {"energy_residual": 3.5e-6, "hourglass_part": 0.034,
+                        "loads_impulse_factor": 0.984,
                         "loads_recorded_impulse_x": -118.4,
                         "loads_mapped_impulse_x": -118.3}}))
     work = 200. * (1. - np.exp(-np.maximum(TIMES - BEGIN, 0.) / 1e-3))
