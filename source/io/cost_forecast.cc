@@ -88,7 +88,9 @@ namespace io
         dimension = stage.dimension;
         const bool is_last = &stage == &last.stages.back();
         const double steps =
-          io::extrapolate(earlier.steps, stage.steps, n, 0., 1., gap);
+          earlier.largest_cells == stage.largest_cells
+            ? extrapolate_to_limit(earlier.steps, stage.steps, n, gap)
+            : io::extrapolate(earlier.steps, stage.steps, n, 0., 1., gap);
         const double cells_before =
           earlier.cell_steps / std::max(1., earlier.steps);
         const double cells_last = stage.cell_steps / stage.steps;
@@ -128,19 +130,19 @@ namespace io
 
     std::string description_of(const Trial &trial)
     {
-      double steps = 0.;
+      std::vector<std::string> stages;
       for (const TrialStage &stage : trial.stages)
-        steps += stage.steps;
+        stages.push_back(brief(stage.steps) + " steps in " +
+                         std::to_string(stage.dimension) + "-D with " +
+                         brief(stage.largest_cells) + " cells at most");
       return "  cells " + brief(std::pow(2., trial.levels)) +
-             " times as large: " + brief(steps) + " steps, " +
-             brief(trial.largest_cells) + " cells at most, " +
+             " times as large: " + join(stages, ", ") + "; " +
              duration(trial.seconds) + ", " +
              bytes(trial.field_bytes + trial.table_bytes);
     }
 
     /// Levels by which a first trial must be coarser to cost next to nothing,
-    /// and two more, for what the solver says without trials may be too little
-    /// and growth shows in two trials at least.
+    /// and two more, for what the solver says without trials may be too little.
     unsigned int first_levels(const CostEstimate &rough, const double budget)
     {
       unsigned int levels = 0;
@@ -181,6 +183,16 @@ namespace io
            b * std::pow(2., high * (levels + gap));
   }
 
+  double extrapolate_to_limit(const double before,
+                              const double last,
+                              const unsigned int levels,
+                              const unsigned int gap)
+  {
+    const double shrinkage = std::pow(2., -static_cast<double>(gap));
+    const double rest = 1. - std::pow(2., -static_cast<double>(levels));
+    return last + (last - before) * shrinkage / (1. - shrinkage) * rest;
+  }
+
   CostEstimate forecast_cost(const ApplicationDescription &description,
                              const dealii::ParameterHandler &prm,
                              const CostEstimate &rough,
@@ -195,8 +207,9 @@ namespace io
          levels >= 0;
          --levels)
     {
-      const double allowed = trials.size() == 1 ? 2. * budget : budget;
-      if (!trials.empty() && spent + expected > allowed)
+      // What grows shows in two trials at least.
+      if (trials.size() == 1 ? spent > budget
+                             : !trials.empty() && spent + expected > budget)
         break;
       const auto trial =
         try_run(description, prm, levels, 2. * budget, collective);

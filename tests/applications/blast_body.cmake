@@ -78,6 +78,13 @@ contrecoup_add_application_test(body_sphere_front gauge_order
   FILE blast/verification/body_sphere_front.prm
   VARY "Domain/Initial refinement=0|1" ERROR "1 0.04 4.186"
   BOUNDS "order_1 > 1" "error_1 < 0.023" LABELS verification)
+# Behind a sphere, within 0.15 of the point where the shock is focused.
+contrecoup_add_application_test(body_sphere_rear gauge_order
+  FILE blast/verification/body_sphere.prm
+  SET "Output/Fields=false" "Pictures/Planes=" "Loads/Record=true"
+    "Loads/Largest loss of peaks=1" "Loads/Gauge radius=0.15"
+  VARY "Domain/Initial refinement=1|2" ERROR "3 1e-4 2.331"
+  BOUNDS "order_3 > 1" "error_3 < 0.09" LABELS verification)
 contrecoup_add_application_test(body_cylinder_wall gauge_order
   FILE blast/verification/body_cylinder.prm
   SET "Output/Fields=false" "Loads/Record=true" "Loads/Largest loss of peaks=1"

@@ -36,6 +36,16 @@ TEST(CostForecast, ExtrapolatesBeyondBothLaws)
   EXPECT_DOUBLE_EQ(extrapolate(1., 64., 1, 2., 3., 3), 256.);
 }
 
+TEST(CostForecast, ApproachesALimit)
+{
+  const auto steps = [](const double level) {
+    return 300. - 200. * std::pow(2., -level);
+  };
+  EXPECT_NEAR(extrapolate_to_limit(steps(1), steps(2), 3), steps(5), 1e-10);
+  EXPECT_NEAR(extrapolate_to_limit(steps(1), steps(4), 2, 3), steps(6), 1e-10);
+  EXPECT_DOUBLE_EQ(extrapolate_to_limit(100., 200., 0), 200.);
+}
+
 TEST(CostCache, GivesBackWhatItKeptForTheSameScene)
 {
   const TemporaryFolder folder;

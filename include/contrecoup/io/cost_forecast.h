@@ -17,12 +17,14 @@ namespace io
    *
    * From the last two trials follow, for each number of dimensions d that the
    * mesh has during the run: the number of steps as a + b 2^level, for the
-   * step size falls with that of the cells; the cells as those that @p rough
-   * says the scene begins with, at a body for instance, and what the run adds
-   * to them as a 2^((d-1) level) + b 2^(d level), since fronts that the mesh
-   * follows are surfaces and the rest is volume; and the time of a step as a +
-   * b cells. Memory is what the process held besides the largest mesh of the
-   * trials plus that of the scene; fields grow as cells do and tables as steps.
+   * step size falls with that of the cells, or where a stage keeps its cells
+   * as a - b 2^-level, for it ends where coarser cells begin; the cells as
+   * those that @p rough says the scene begins with, at a body for instance, and
+   * what the run adds to them as a 2^((d-1) level) + b 2^(d level), since
+   * fronts that the mesh follows are surfaces and the rest is volume; and the
+   * time of a step as a + b cells. Memory is what the process held besides the
+   * largest mesh of the trials plus that of the scene; fields grow as cells do
+   * and tables as steps.
    *
    * @param rough what the solver says without trial runs; kept where these
    *   tell nothing
@@ -55,5 +57,14 @@ namespace io
                      double low,
                      double high,
                      unsigned int gap = 1);
+
+  /**
+   * The value at @p levels levels after the last of a quantity a + b 2^-level
+   * that was @p before @p gap levels earlier and is @p last now.
+   */
+  double extrapolate_to_limit(double before,
+                              double last,
+                              unsigned int levels,
+                              unsigned int gap = 1);
 } // namespace io
 } // namespace contrecoup
