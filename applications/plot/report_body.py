@@ -69,7 +69,8 @@ def waves(scene):
     return parts + [page.paragraph(
         "Pressures are averaged over the corners and the elements around "
         "them: what alternates from one element to the next, as it may in "
-        "nearly incompressible tissue, is no pressure.", kind="note")] + _peaks(scene)
+        "nearly incompressible tissue, is no pressure.", kind="note"),
+        *_peaks(scene)]
 
 
 def _tissues_at(pieces, place):
@@ -91,11 +92,13 @@ def _peaks(scene):
             found.append((title, unit, is_signed, *cut))
     if not found:
         return []
+    averaged = scene.biomechanics.parameters.get("Peaks/Pressure") == "averaged"
     return [page.figure(
         _draw_peaks(found),
         "What each element of the head went through until the end, in the "
-        "sagittal plane. These are values of single elements, not averages: a "
-        "pattern from one to the next is none of the pressure's.")]
+        "sagittal plane. Pressures are " + (
+            "averages, as above." if averaged else "those of single elements, "
+            "not averages: what alternates is none."))]
 
 
 def _draw_peaks(found):

@@ -60,8 +60,8 @@ def judge(scene):
 
     _add_skin(scene, add)
     for name, measure in scene.measures().items():
-        if name in NO_INJURY or name in REPLACED and any(entry.name.startswith("chest_")
-                                    for entry in judged):
+        has_skin = any(entry.name.startswith("chest_") for entry in judged)
+        if name in NO_INJURY or has_skin and name in REPLACED:
             continue
         known = KNOWN.get(name) or (
             report_thresholds.title(name), [],
@@ -126,9 +126,9 @@ def table(scene, judged):
         "Errors are parts of the value (a probability ends at 1 all the same) "
         "and those of the numerics alone, extrapolated from runs of the man "
         "before five pounds of C-4 with halved cells and elements (see the "
-        "section on accuracy); for other scenes they are guesses. Thresholds are "
-        "given as they are commonly cited; tissue properties and thresholds "
-        "are less certain than the numerics.", kind="note"))
+        "section on accuracy); for other scenes they are guesses. Thresholds "
+        "are given as they are commonly cited; tissue properties and "
+        "thresholds are less certain than the numerics.", kind="note"))
     return [part for part in parts if part]
 
 
