@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/solid/solid_operator.h>
+#include <contrecoup/solid/batch_loop.h>
 
 #include <cmath>
 #include <limits>
@@ -14,27 +14,6 @@ namespace
   /// The least modulus against hourglass modes, over the bulk modulus: what
   /// fluids have.
   constexpr double fluid_hourglass = 1e-6;
-
-  /// Batches whose losses are added up before they go into a double.
-  constexpr unsigned int batches_at_once = 32;
-
-  template <typename Real>
-  double sum_of(const Lanes<Real> &values)
-  {
-    double sum = 0.;
-    for (unsigned int lane = 0; lane < n_lanes<Real>; ++lane)
-      sum += static_cast<double>(values[lane]);
-    return sum;
-  }
-
-  template <typename Real>
-  double least_of(const Lanes<Real> &values)
-  {
-    double least = 0.;
-    for (unsigned int lane = 0; lane < n_lanes<Real>; ++lane)
-      least = std::min(least, static_cast<double>(values[lane]));
-    return least;
-  }
 
   /// Velocities of the corners of a batch.
   template <typename Real>
@@ -201,45 +180,24 @@ void SolidOperator<Real>::add_range(const Range &range,
                                     const HexModel<Lane> &model,
                                     TissueEnergies &losses)
 {
-  Lane least{};
-  const bool has_gas = model.law.gas.exists();
-  HexModel<Lane> stiffened = model;
-  for (unsigned int first = range.begin; first < range.end;
-       first += batches_at_once)
-  {
-    HexHeat<Lane> sum;
-    const unsigned int last = std::min(first + batches_at_once, range.end);
-    for (unsigned int batch = first; batch < last; ++batch)
-    {
-      if (!batches_.is_awake(batch, nodes))
-        continue;
-      if (has_gas)
-        stiffened.law.bulk = secant_bulk(model.law, nodes, batch);
-      const unsigned int *offsets = batches_.offsets(batch, 0);
-      HexVectors<Lane> x, u;
-      load_corners(nodes.place.data(), offsets, x, u);
-      HexState<Lane> state;
-      batches_.template load_state<viscoelastic>(range, batch, state);
-      HexHeat<Lane> heat;
-      const auto velocities = [&]() {
-        return corner_velocities(nodes.velocity.data(), offsets);
-      };
-      const HexVectors<Lane> forces =
-        one_point_forces<kinematics, viscoelastic>(
-          has_gas ? stiffened : model, x, u, velocities, state, heat);
-      batches_.template store_state<viscoelastic>(range, batch, state);
-      least = std::min(least, state.dilatation);
-      subtract_forces(nodes.force.data(), offsets, forces);
-      sum.bulk_viscosity += heat.bulk_viscosity;
-      sum.relaxation += heat.relaxation;
-      sum.hourglass += heat.hourglass;
-    }
-    losses.bulk_viscosity += sum_of<Real>(sum.bulk_viscosity);
-    losses.relaxation += sum_of<Real>(sum.relaxation);
-    losses.hourglass += sum_of<Real>(sum.hourglass);
-  }
-  least_dilatations_[range.tissue] =
-    std::min(least_dilatations_[range.tissue], least_of<Real>(least));
+  add_batches<viscoelastic>(range,
+                            nodes,
+                            model,
+                            losses,
+                            [&](const HexModel<Lane> &model_now,
+                                const unsigned int batch,
+                                const HexVectors<Lane> &x,
+                                const HexVectors<Lane> &u,
+                                HexState<Lane> &state,
+                                HexHeat<Lane> &heat) {
+                              const auto velocities = [&]() {
+                                return corner_velocities(
+                                  nodes.velocity.data(),
+                                  batches_.offsets(batch, 0));
+                              };
+                              return one_point_forces<kinematics, viscoelastic>(
+                                model_now, x, u, velocities, state, heat);
+                            });
 }
 
 

@@ -2,23 +2,10 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/numerics/hex8_full.h>
-#include <contrecoup/solid/solid_operator.h>
+#include <contrecoup/solid/batch_loop.h>
 
 namespace contrecoup::solid
 {
-namespace
-{
-  template <typename Lane>
-  double sum_of(const Lane &values)
-  {
-    double sum = 0.;
-    for (unsigned int lane = 0; lane < Lane::size(); ++lane)
-      sum += static_cast<double>(values[lane]);
-    return sum;
-  }
-} // namespace
-
-
 template <typename Real>
 template <SolidKinematics kinematics, bool viscoelastic>
 void SolidOperator<Real>::add_full_range(const Range &range,
@@ -26,37 +13,29 @@ void SolidOperator<Real>::add_full_range(const Range &range,
                                          const HexModel<Lane> &model,
                                          TissueEnergies &losses)
 {
-  double &least = least_dilatations_[range.tissue];
-  const bool has_gas = model.law.gas.exists();
-  HexModel<Lane> stiffened = model;
-  for (unsigned int batch = range.begin; batch < range.end; ++batch)
-  {
-    if (!batches_.is_awake(batch, nodes))
-      continue;
-    if (has_gas)
-      stiffened.law.bulk = secant_bulk(model.law, nodes, batch);
-    const unsigned int *offsets = batches_.offsets(batch, 0);
-    HexVectors<Lane> x, u;
-    load_corners(nodes.place.data(), offsets, x, u);
-    HexState<Lane> state;
-    batches_.template load_state<false>(range, batch, state);
-    std::array<Symmetric3<Lane>, 8> relaxed;
-    if constexpr (viscoelastic)
-      for (unsigned int k = 0; k < 48; ++k)
-        relaxed[k / 6][k % 6] = batches_.relaxed_of(range, batch)[k];
-    HexHeat<Lane> heat;
-    const HexVectors<Lane> forces = full_forces<kinematics, viscoelastic>(
-      has_gas ? stiffened : model, x, u, state, relaxed, heat);
-    batches_.template store_state<false>(range, batch, state);
-    if constexpr (viscoelastic)
-      for (unsigned int k = 0; k < 48; ++k)
-        batches_.relaxed_of(range, batch)[k] = relaxed[k / 6][k % 6];
-    for (unsigned int lane = 0; lane < n_lanes<Real>; ++lane)
-      least = std::min(least, double(state.dilatation[lane]));
-    subtract_forces(nodes.force.data(), offsets, forces);
-    losses.bulk_viscosity += sum_of(heat.bulk_viscosity);
-    losses.relaxation += sum_of(heat.relaxation);
-  }
+  // Each point has relaxed strains of its own.
+  add_batches<false>(
+    range,
+    nodes,
+    model,
+    losses,
+    [&](const HexModel<Lane> &model_now,
+        const unsigned int batch,
+        const HexVectors<Lane> &x,
+        const HexVectors<Lane> &u,
+        HexState<Lane> &state,
+        HexHeat<Lane> &heat) {
+      std::array<Symmetric3<Lane>, 8> relaxed;
+      if constexpr (viscoelastic)
+        for (unsigned int k = 0; k < 48; ++k)
+          relaxed[k / 6][k % 6] = batches_.relaxed_of(range, batch)[k];
+      const HexVectors<Lane> forces = full_forces<kinematics, viscoelastic>(
+        model_now, x, u, state, relaxed, heat);
+      if constexpr (viscoelastic)
+        for (unsigned int k = 0; k < 48; ++k)
+          batches_.relaxed_of(range, batch)[k] = relaxed[k / 6][k % 6];
+      return forces;
+    });
 }
 
 

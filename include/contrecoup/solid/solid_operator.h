@@ -162,6 +162,15 @@ private:
   /// The model of small strains of a body at rest.
   HexModel<Lane> linear_model(const SolidMaterial &material) const;
 
+  /// Adds the forces of batches that are awake, which @p find_forces gives
+  /// for a model, batch, corners, displacements, state and heat; with relaxed
+  /// strains in the state of viscoelastic ones.
+  template <bool viscoelastic, typename Forces>
+  void add_batches(const Range &range,
+                   NodeFields<Real> &nodes,
+                   const HexModel<Lane> &model,
+                   TissueEnergies &losses,
+                   const Forces &find_forces);
   template <SolidKinematics kinematics, bool viscoelastic>
   void add_range(const Range &range,
                  NodeFields<Real> &nodes,
