@@ -208,8 +208,7 @@ namespace io
          --levels)
     {
       // What grows shows in two trials at least.
-      if (trials.size() == 1 ? spent > budget
-                             : !trials.empty() && spent + expected > budget)
+      if (trials.size() > 1 && spent + expected > budget)
         break;
       const auto trial =
         try_run(description, prm, levels, 2. * budget, collective);
