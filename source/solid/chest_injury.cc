@@ -4,6 +4,7 @@
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/numerics/blast_injury.h>
 #include <contrecoup/numerics/chest_wall.h>
+#include <contrecoup/numerics/load_injury.h>
 #include <contrecoup/solid/chest_injury.h>
 
 #include <algorithm>
@@ -11,13 +12,6 @@
 
 namespace contrecoup::solid
 {
-namespace
-{
-  /// Surrogates are of men at sea level [Pa].
-  constexpr double sea_level = 101325.;
-} // namespace
-
-
 void ChestInjury::declare_parameters(dealii::ParameterHandler &prm)
 {
   declare_list(prm,
@@ -65,15 +59,10 @@ std::vector<InjuryMeasure> ChestInjury::measures() const
 {
   if (times_.size() < 2)
     return {};
-  const double peak = *std::max_element(pressures_.begin(), pressures_.end());
-  double duration = 0.;
-  for (std::size_t i = 1; i < times_.size(); ++i)
-    if (pressures_[i] > 0.)
-      duration += times_[i] - times_[i - 1];
-  const double velocity =
-    chest_wall_response(times_, pressures_, sea_level).velocity;
+  const LoadInjury injury = load_injury(times_, pressures_, mass_);
+  const double velocity = injury.chest_wall_velocity;
   std::vector<InjuryMeasure> list{
-    {{"injury_chest_pressure_peak", "Pa", peak},
+    {{"injury_chest_pressure_peak", "Pa", injury.peak},
      "none of its own",
      "as loaded, on the facet nearest to the place of the chest"},
     {{"injury_chest_wall_velocity", "m/s", velocity},
@@ -89,17 +78,15 @@ std::vector<InjuryMeasure> ChestInjury::measures() const
     {{"injury_adjusted_severity", "-", thorax_injury_index(velocity)},
      "0.2 to 1: slight (recalled)",
      "of that velocity"}};
-  if (duration > 0.)
+  if (injury.positive_phase > 0.)
     list.push_back(
-      {{"injury_lung_exposure",
-        "-",
-        peak / lung_median_lethal_overpressure(duration, mass_, sea_level)},
+      {{"injury_lung_exposure", "-", injury.lung_exposure},
        "0.2: lung injury begins, 1: half die (Bowen et al. 1968, recalled)",
-       "for long bodies near no wall; takes the pressure on the chest"});
-  list.push_back(
-    {{"injury_eardrum_rupture", "-", eardrum_rupture_probability(peak)},
-     "a probability",
-     "takes the pressure on the chest for that at the ear"});
+       "for long bodies near no wall; takes the first positive phase of the "
+       "pressure on the chest"});
+  list.push_back({{"injury_eardrum_rupture", "-", injury.eardrum_rupture},
+                  "a probability",
+                  "takes the pressure on the chest for that at the ear"});
   return list;
 }
 
