@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
 
 namespace contrecoup::coupling
@@ -59,6 +60,24 @@ namespace
       return Point<3>(sum / n);
     }
 
+    /// The centre of a cube of a tissue that is nearest to @p place, so that
+    /// an element of that tissue is there; @p place itself without any.
+    Point<3> nearest(const Tissue tissue, const Point<3> &place) const
+    {
+      Point<3> result = place;
+      double least = std::numeric_limits<double>::max();
+      for_each(tissue, [&](const Point<3> &center) {
+        const double distance = center.distance_square(place);
+        // Round-off must not choose among places that are as near.
+        if (distance < least * (1. - 1e-9))
+        {
+          least = distance;
+          result = center;
+        }
+      });
+      return result;
+    }
+
     bool is(const Tissue tissue, const Point<3> &place) const
     {
       const unsigned char part = body_.part_at(place);
@@ -107,15 +126,18 @@ namespace
       last_of(samples, Tissue::brain, *centre, towards, spacing);
     const Point<3> back =
       last_of(samples, Tissue::brain, *centre, -towards, spacing);
-    places.push_back({"coup", front - inside * towards});
-    places.push_back({"brain", *centre});
-    places.push_back({"contrecoup", back + inside * towards});
+    const auto add = [&](const std::string &name, const Point<3> &place) {
+      places.push_back({name, samples.nearest(Tissue::brain, place)});
+    };
+    add("coup", front - inside * towards);
+    add("brain", *centre);
+    add("contrecoup", back + inside * towards);
     for (unsigned int i = 1; i < 20; ++i)
     {
       const Point<3> place = front + i * spacing * towards;
       if (samples.is(Tissue::skeleton, place))
       {
-        places.push_back({"skull", place});
+        places.push_back({"skull", samples.nearest(Tissue::skeleton, place)});
         break;
       }
     }
@@ -151,10 +173,12 @@ find_tissue_places(const Body &body, const Point<3> &from, const double spacing)
           return side * (place[1] - (*lungs)[1]) > 0.;
         });
       if (lung)
-        places.push_back({side > 0. ? "lung left" : "lung right", *lung});
+        places.push_back({side > 0. ? "lung left" : "lung right",
+                          samples.nearest(Tissue::lung, *lung)});
     }
   if (const auto cord = samples.centroid(Tissue::spinal_cord, all))
-    places.push_back({"spinal cord", *cord});
+    places.push_back(
+      {"spinal cord", samples.nearest(Tissue::spinal_cord, *cord)});
   return places;
 }
 } // namespace contrecoup::coupling

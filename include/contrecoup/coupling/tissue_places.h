@@ -29,7 +29,8 @@ double estimate_mass(const Body &body, double spacing);
  * from it on the horizontal line through its centroid; "brain", its centroid;
  * "skull", the bone before the coup; "lung left" and "lung right", the
  * centroids of the lungs on both sides of their common one along y; "spinal
- * cord", its centroid.
+ * cord", its centroid. Each is moved to the nearest centre of an element of its
+ * tissue.
  * @param from the charge [m]
  * @param spacing of the grid of samples, an element's edge [m]; ends are two
  * of them inside

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/coupling/tissue_places.h>
+#include <contrecoup/geometry/phantom.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+using namespace contrecoup;
+using namespace contrecoup::coupling;
+
+namespace
+{
+BodyPointer standing_man()
+{
+  dealii::ParameterHandler prm;
+  Phantom::declare_parameters(prm);
+  Phantom description;
+  description.parse_parameters(prm);
+  return description.create();
+}
+
+
+Tissue tissue_in_grid(const Body &body,
+                      const LabelGrid &grid,
+                      const dealii::Point<3> &place)
+{
+  std::array<unsigned int, 3> cube;
+  for (unsigned int d = 0; d < 3; ++d)
+    cube[d] = static_cast<unsigned int>(
+      std::floor((place[d] - grid.origin[d]) / grid.spacing));
+  return body.parts()[grid.at(cube[0], cube[1], cube[2])].tissue;
+}
+} // namespace
+
+// Elements take the label of their centre; thin tissues are missed by shapes.
+TEST(TissuePlaces, LieInElementsOfTheirTissueWhateverTheirSize)
+{
+  const std::map<std::string, Tissue> wanted = {
+    {"coup", Tissue::brain},
+    {"brain", Tissue::brain},
+    {"contrecoup", Tissue::brain},
+    {"skull", Tissue::skeleton},
+    {"lung left", Tissue::lung},
+    {"lung right", Tissue::lung},
+    {"spinal cord", Tissue::spinal_cord}};
+  const BodyPointer body = standing_man();
+  for (const double spacing : {0.02, 0.01, 0.005})
+  {
+    LabelGrid grid = make_grid(body->surface()->bounding_box(), spacing);
+    body->fill(grid);
+    const auto places =
+      find_tissue_places(*body, dealii::Point<3>(2.5, 0., 1.27), spacing);
+    EXPECT_GE(places.size(), spacing < 0.01 ? 7U : 6U) << spacing;
+    for (const TissuePlace &place : places)
+      EXPECT_EQ(tissue_in_grid(*body, grid, place.place), wanted.at(place.name))
+        << place.name << " at " << place.place << ", " << spacing;
+  }
+}
