@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/geometry/triangulation_hexes.h>
+#include <contrecoup/materials/solid_material.h>
 #include <contrecoup/materials/tissue_library.h>
 
 #include <deal.II/grid/grid_generator.h>
