@@ -24,6 +24,7 @@ SignalGuard::SignalGuard()
   stop_flag = 0;
   old_terminate_ = std::signal(SIGTERM, request_stop);
   old_interrupt_ = std::signal(SIGINT, request_stop);
+  old_user_ = std::signal(SIGUSR1, request_stop);
   old_file_size_ = std::signal(SIGXFSZ, SIG_IGN);
 }
 
@@ -31,6 +32,7 @@ SignalGuard::~SignalGuard()
 {
   std::signal(SIGTERM, old_terminate_);
   std::signal(SIGINT, old_interrupt_);
+  std::signal(SIGUSR1, old_user_);
   std::signal(SIGXFSZ, old_file_size_);
 }
 

@@ -95,7 +95,8 @@ endfunction()
 #   convergence   VARY "Section/Entry=3|4|5" ERROR errors.x ORDER <number>
 #   resume        COMPARE [STOP_AFTER <steps>]: stop and --resume equals
 #                 straight through, to the last bit on one rank
-#   sigterm       the same, stopped by SIGTERM; the run must last a second
+#   sigterm       the same, stopped by SIGTERM, on several ranks by SIGUSR1; the
+#                 run must last a second
 #   check         --check accepts the file and writes nothing
 #   forecast      --check predicts processor time, memory, output and steps (and
 #                 COMPARE cells) within the factor TOLERANCE, and keeps that for

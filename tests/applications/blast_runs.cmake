@@ -62,6 +62,9 @@ contrecoup_add_application_test(resume_single resume ${_hot_ball}
   fields/plane_y_0_impulse.npy STOP_AFTER 7 TIMEOUT 120)
 contrecoup_add_application_test(sigterm_hot_ball sigterm ${_hot_ball}
   SET ${_short} "Time/Largest number of steps=60" ${_tables} TIMEOUT 120)
+contrecoup_add_application_test(sigusr1_on_2 sigterm ${_hot_ball} MPI 2
+  SET ${_short} "Time/Largest number of steps=60" COMPARE history.csv
+  TOLERANCE "-r 1e-10 -a 1e-9:5-7" TIMEOUT 120)
 contrecoup_add_application_test(full_disk disk ${_hot_ball}
   SET ${_short} "Time/Largest number of steps=30"
   "Output/Checkpoint every steps=5" ${_tables} EXIT 3 MESSAGE "error: "

@@ -250,18 +250,20 @@ def stop(case, output):
 
 
 def interrupt(case, output):
-    """Starts a run and sends SIGTERM soon after its first output."""
+    """Starts a run and sends SIGTERM soon after its first output; to mpirun
+    SIGUSR1, which leaves its ranks the time that they need."""
     process = case.start(output)
     while process.poll() is None and not (
             glob.glob(os.path.join(output, "fields", "*"))
             or os.path.exists(os.path.join(output, "history.csv"))):
         time.sleep(0.01)
     time.sleep(0.1)
-    process.send_signal(signal.SIGTERM)
+    process.send_signal(
+        signal.SIGUSR1 if case.options.ranks > 1 else signal.SIGTERM)
     out, err = process.communicate()
     if process.returncode != 0:
         print(out[-4000:] + err[-4000:])
-        raise Failed(f"exit code {process.returncode} after SIGTERM")
+        raise Failed(f"exit code {process.returncode} after the signal")
     check_stopped(output)
 
 
@@ -272,7 +274,7 @@ def resume(case):
 
 
 def sigterm(case):
-    """The same with a run that SIGTERM stops."""
+    """The same with a run that a signal stops."""
     stop_and_go(case, interrupt)
 
 

@@ -6,9 +6,11 @@
 namespace contrecoup
 {
 /**
- * Catches SIGTERM and SIGINT for as long as it lives, so that a run can
- * write a checkpoint and leave; a second SIGINT ends the process at once.
- * Ignores SIGXFSZ, so that a file size limit shows as a failed write.
+ * Catches SIGTERM, SIGINT and SIGUSR1 for as long as it lives, so that a run
+ * can write a checkpoint and leave; a second SIGINT ends the process at once.
+ * SIGUSR1 is what Open MPI's mpirun hands on to all ranks, while after the
+ * others it kills them a second later. Ignores SIGXFSZ, so that a file size
+ * limit shows as a failed write.
  */
 class SignalGuard
 {
@@ -24,6 +26,7 @@ public:
 private:
   void (*old_terminate_)(int);
   void (*old_interrupt_)(int);
+  void (*old_user_)(int);
   void (*old_file_size_)(int);
 };
 } // namespace contrecoup
