@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/gas/cut_cell.h>
 #include <contrecoup/gas/cut_leaves.h>
 #include <contrecoup/gas/gas_measures.h>
 
@@ -11,61 +10,6 @@ namespace contrecoup::gas
 {
 namespace
 {
-  /// A grid of values at the corners or centres of subcells, and where they
-  /// are.
-  template <int dim>
-  struct Grid
-  {
-    Grid(const LeafBox<dim> &box,
-         const unsigned int n_cells,
-         const double shift,
-         const unsigned int n,
-         const RigidBody &body)
-      : n(n)
-    {
-      const double smallest = box.extents.norm() / n_cells * 1e-12;
-      values.resize(dealii::Utilities::pow(n, dim));
-      for (unsigned int i = 0; i < values.size(); ++i)
-      {
-        dealii::Point<dim> place = box.origin;
-        unsigned int rest = i;
-        for (unsigned int d = 0; d < dim; ++d)
-        {
-          place[d] += box.extents[d] * ((rest % n + shift) / n_cells);
-          rest /= n;
-        }
-        const double value = body.value(place);
-        values[i] = std::abs(value) < smallest ? 0. : value;
-      }
-    }
-
-    /// Index of the value at these places along the directions.
-    unsigned int index(const std::array<unsigned int, dim> &place) const
-    {
-      unsigned int result = 0;
-      for (unsigned int d = dim; d-- > 0;)
-        result = result * n + place[d];
-      return result;
-    }
-
-    unsigned int n;
-    std::vector<double> values;
-  };
-
-
-  template <int dim>
-  std::array<unsigned int, dim> places_of(unsigned int q, const unsigned int n)
-  {
-    std::array<unsigned int, dim> result;
-    for (unsigned int d = 0; d < dim; ++d)
-    {
-      result[d] = q % n;
-      q /= n;
-    }
-    return result;
-  }
-
-
   /// What tells leaves apart: corner and edge lengths.
   template <int dim>
   std::array<double, 2 * dim> place_of(const LeafBox<dim> &box)
@@ -78,34 +22,7 @@ namespace
     }
     return result;
   }
-
-
-  template <typename Function>
-  void for_each_face(const LeafLayout &layout,
-                     const unsigned int direction,
-                     const Function &function)
-  {
-    for (unsigned int layer = 0; layer <= layout.n; ++layer)
-      for (unsigned int line = 0; line < layout.n_face_points; ++line)
-        // The cell above the face, or the one below the last layer.
-        function(layer,
-                 layer * layout.n_face_points + line,
-                 layout.face_point(
-                   2 * direction, line, std::min(layer, layout.n - 1)));
-  }
 } // namespace
-
-
-template <int dim>
-bool CutLeaves<dim>::Shape::is_open() const
-{
-  const auto all_one = [](const std::vector<double> &values) {
-    return std::all_of(
-      values.begin(), values.end(), [](const double x) { return x == 1.; });
-  };
-  return all_one(fraction) &&
-         std::all_of(opening.begin(), opening.end(), all_one);
-}
 
 
 template <int dim>
@@ -132,6 +49,8 @@ void CutLeaves<dim>::measure_all()
 {
   const unsigned int n_stored = mesh_->n_stored_batches() * mesh_->width();
   fractions_.reinit(n_stored, layout_.n_points);
+  const bool is_plane = radial_exponent(mesh_->coarse_mesh().geometry()) == 0;
+  radii_.assign(is_plane ? 0 : n_stored, {});
   shape_of_.assign(n_stored, open);
   matched_of_.assign(n_stored, open);
   matched_shapes_.clear();
@@ -154,6 +73,8 @@ void CutLeaves<dim>::measure_all()
 template <int dim>
 void CutLeaves<dim>::measure(const LeafBox<dim> &box, const unsigned int leaf)
 {
+  if (!radii_.empty())
+    radii_[leaf] = {box.origin[0], box.extents[0] / layout_.n};
   const double radius =
     box.extents.norm() * (0.5 + 1. / layout_.n) * (1. + 1e-9);
   const double value =
@@ -180,8 +101,8 @@ int CutLeaves<dim>::find_shape(const LeafBox<dim> &box)
   if (known == former_memory_.index.end())
   {
     Shape shape = treatment() == RigidBody::Treatment::embedded
-                    ? cut_shape(box)
-                    : staircase_shape(box);
+                    ? cut_shape(box, layout_, *body_, !radii_.empty())
+                    : staircase_shape(box, layout_, *body_);
     const auto &parts = shape.fraction;
     if (shape.is_open())
       return index = open;
@@ -199,73 +120,6 @@ int CutLeaves<dim>::find_shape(const LeafBox<dim> &box)
   memory_.directions.push_back(std::move(former_memory_.directions[former]));
   memory_.sides.push_back(former_memory_.sides[former]);
   return index;
-}
-
-
-template <int dim>
-typename CutLeaves<dim>::Shape
-CutLeaves<dim>::cut_shape(const LeafBox<dim> &box) const
-{
-  constexpr unsigned int n_corners = 1U << dim;
-  const Grid<dim> grid(box, layout_.n, 0., layout_.n + 1, *body_);
-  std::array<unsigned int, n_corners> corner;
-  for (unsigned int v = 0; v < n_corners; ++v)
-    corner[v] = grid.index(places_of<dim>(v, 2));
-  Shape shape;
-  for (unsigned int q = 0; q < layout_.n_points; ++q)
-  {
-    const unsigned int first = grid.index(places_of<dim>(q, layout_.n));
-    std::array<double, n_corners> values;
-    for (unsigned int v = 0; v < n_corners; ++v)
-      values[v] = grid.values[first + corner[v]];
-    // No smaller number, so that changes can be divided by it.
-    const double part = positive_part<n_corners>(values);
-    shape.fraction.push_back(part > 0. ? std::max(part, 1e-14) : 0.);
-  }
-  for (unsigned int d = 0; d < dim; ++d)
-    for_each_face(
-      layout_,
-      d,
-      [&](const unsigned int layer, unsigned int, const unsigned int q) {
-        auto place = places_of<dim>(q, layout_.n);
-        place[d] = layer;
-        const unsigned int first = grid.index(place);
-        std::array<double, n_corners / 2> values;
-        for (unsigned int v = 0; v < n_corners / 2; ++v)
-          values[v] =
-            grid.values[first + corner[face_corner<dim>(2 * d, v % 2, v / 2)]];
-        shape.opening[d].push_back(positive_part<n_corners / 2>(values));
-      });
-  return shape;
-}
-
-
-template <int dim>
-typename CutLeaves<dim>::Shape
-CutLeaves<dim>::staircase_shape(const LeafBox<dim> &box) const
-{
-  // Centres from one before the first to one behind the last.
-  const Grid<dim> grid(box, layout_.n, -0.5, layout_.n + 2, *body_);
-  const auto is_open = [&](std::array<unsigned int, dim> place) {
-    for (unsigned int &i : place)
-      ++i;
-    return grid.values[grid.index(place)] > 0. ? 1. : 0.;
-  };
-  Shape shape;
-  for (unsigned int q = 0; q < layout_.n_points; ++q)
-    shape.fraction.push_back(is_open(places_of<dim>(q, layout_.n)));
-  for (unsigned int d = 0; d < dim; ++d)
-    for_each_face(
-      layout_,
-      d,
-      [&](const unsigned int layer, unsigned int, const unsigned int q) {
-        auto place = places_of<dim>(q, layout_.n);
-        place[d] = layer;
-        auto below = place;
-        --below[d];
-        shape.opening[d].push_back(is_open(place) * is_open(below));
-      });
-  return shape;
 }
 
 
@@ -316,6 +170,26 @@ unsigned int CutLeaves<dim>::line_of(const unsigned int point,
 {
   const unsigned int s = layout_.stride(d);
   return point % s + point / (s * layout_.n) * s;
+}
+
+
+template <int dim>
+double CutLeaves<dim>::radius(const Cell &cell) const
+{
+  if (radii_.empty())
+    return 1.;
+  const auto &[inner, edge] = radii_[cell.leaf];
+  return inner + (cell.point % layout_.n + 0.5) * edge;
+}
+
+
+template <int dim>
+double CutLeaves<dim>::cell_volume(const Cell &cell) const
+{
+  double result = radii_.empty() ? 1. : 2. * dealii::numbers::PI * radius(cell);
+  for (const auto &edges : mesh_->extents(cell.leaf / mesh_->width()))
+    result *= edges[cell.leaf % mesh_->width()] / layout_.n;
+  return result;
 }
 
 

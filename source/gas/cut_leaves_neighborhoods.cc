@@ -106,11 +106,11 @@ CutLeaves<dim>::chain(const Cell &cell,
     const Cell other = next(result.back(), face);
     if (other.leaf != no_leaf)
       result.push_back(other);
-    else if (i == length && cross(face, result))
-      return result;
-    else
+    else if (i != length || !cross(face, result))
       return {};
   }
+  for (Cell &other : result)
+    other.size *= radius(other) / radius(cell);
   return result;
 }
 

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/gas/cut_leaves.h>
+#include <contrecoup/gas/hanging_group.h>
 
 #include <algorithm>
 
@@ -108,11 +109,21 @@ void CutLeaves<dim>::match_coarse_side(const HangingFace<dim> &face)
 {
   if (fractions_.is_closed(face.coarse_leaf))
     return;
+  // Running means, so that equal parts keep every bit.
   std::vector<double> openings(layout_.n_face_points, 0.);
+  std::vector<double> areas(layout_.n_face_points, 0.);
+  const double inner = relative_inner_radius(*mesh_, face);
   for (unsigned int part = 0; part < face.n_fine; ++part)
     for (unsigned int q = 0; q < layout_.n_face_points; ++q)
-      openings[coarse_face_point(part, q)] +=
-        hanging_opening(face, part, q) / face.n_fine;
+    {
+      const unsigned int coarse = coarse_face_point(part, q);
+      const unsigned int place = part % 2 * layout_.n + q % layout_.n;
+      const double area = relative_radius(
+        inner, layout_.n, coarse % layout_.n, place % 2 ? 0.25 : -0.25);
+      areas[coarse] += area;
+      openings[coarse] += (hanging_opening(face, part, q) - openings[coarse]) *
+                          (area / areas[coarse]);
+    }
   if (shape(face.coarse_leaf) == nullptr &&
       std::all_of(openings.begin(), openings.end(), [](const double x) {
         return x == 1.;

@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/lane_math.h>
 #include <contrecoup/gas/embedded_kernel.h>
+#include <contrecoup/gas/gas_measures.h>
 #include <contrecoup/materials/ideal_gas.h>
 #include <contrecoup/materials/mie_grueneisen.h>
 
@@ -85,13 +86,7 @@ void EmbeddedKernel<dim, Gas, Real>::pack_walls(const unsigned int batch,
     const unsigned int leaf = batch * Base::width + lane;
     if (cut_leaves_.shape(leaf) == nullptr)
       continue;
-    dealii::Tensor<1, dim> size;
-    double volume = 1.;
-    for (unsigned int d = 0; d < dim; ++d)
-    {
-      size[d] = mesh_.extents(leaf / W)[d][leaf % W] / layout_.n;
-      volume *= size[d];
-    }
+    const auto size = leaf_box(mesh_, leaf).extents / double(layout_.n);
     for (unsigned int q = 0; q < layout_.n_points; ++q)
     {
       dealii::Tensor<1, dim> wall = cut_leaves_.wall({leaf, q});
@@ -119,7 +114,7 @@ void EmbeddedKernel<dim, Gas, Real>::pack_walls(const unsigned int batch,
       for (unsigned int d = 0; d < dim; ++d)
         walls.normal[d][n_filled] = wall[d] / area;
       walls.area[n_filled] = area;
-      walls.volume[n_filled] = volume;
+      walls.volume[n_filled] = cut_leaves_.cell_volume({leaf, q});
       ++n_filled;
     }
   }
@@ -136,6 +131,7 @@ void EmbeddedKernel<dim, Gas, Real>::update(
   bind_openings(batch);
   Base::load(stage.in);
   Base::residual_.fill(Number(0.));
+  Base::bind_radii();
   for (unsigned int direction = 0; direction < dim; ++direction)
     sweep_openings(direction, hanging);
   add_walls();
@@ -188,8 +184,18 @@ void EmbeddedKernel<dim, Gas, Real>::add_open_fluxes(
 {
   const unsigned int stride = layout_.stride(direction);
   const unsigned int first = layout_.face_point(2 * direction, line, 0);
-  const Number inverse = inverse_size(direction);
   for (unsigned int i = 0; i < layout_.n; ++i)
+  {
+    Number low = opening(direction, i, line);
+    Number high = opening(direction, i + 1, line);
+    Number inverse = inverse_size(direction);
+    if constexpr (dim == 2)
+      if (direction == 0 && !Base::radial_.is_plane())
+      {
+        low *= Base::radial_.area(i);
+        high *= Base::radial_.area(i + 1);
+        inverse = Base::radial_.inverse_volume(i);
+      }
     for (unsigned int c = 0; c < nc; ++c)
     {
       // The pressure of the cell itself exerts no net force on it: left out,
@@ -199,10 +205,11 @@ void EmbeddedKernel<dim, Gas, Real>::add_open_fluxes(
                             : Number(0.);
       Base::residual_[rotated_component<dim>(c, direction) * layout_.n_points +
                       first + i * stride] +=
-        ((Base::flux_[i][c] - base) * opening(direction, i, line) -
-         (Base::flux_[i + 1][c] - base) * opening(direction, i + 1, line)) *
+        ((Base::flux_[i][c] - base) * low -
+         (Base::flux_[i + 1][c] - base) * high) *
         inverse;
     }
+  }
 }
 
 
@@ -265,6 +272,21 @@ void EmbeddedKernel<dim, Gas, Real>::add_embedded_walls(const WallPack &walls)
 
 
 template <int dim, typename Gas, typename Real>
+typename EmbeddedKernel<dim, Gas, Real>::Number
+EmbeddedKernel<dim, Gas, Real>::cell_volume(const unsigned int point) const
+{
+  Number result(1.);
+  for (unsigned int d = 0; d < dim; ++d)
+    result /= inverse_size(d);
+  if constexpr (dim == 2)
+    if (!Base::radial_.is_plane())
+      result *= inverse_size(0) * (2. * dealii::numbers::PI) /
+                Base::radial_.inverse_volume(point % layout_.n);
+  return result;
+}
+
+
+template <int dim, typename Gas, typename Real>
 void EmbeddedKernel<dim, Gas, Real>::add_staircase_wall(
   const unsigned int point)
 {
@@ -276,9 +298,7 @@ void EmbeddedKernel<dim, Gas, Real>::add_staircase_wall(
     progress = Base::progress(point, Base::time_);
   const Number own = exerted_pressure(inside, progress);
   const Number is_gas = positive(openings_->fraction[point]);
-  Number volume(1.);
-  for (unsigned int d = 0; d < dim; ++d)
-    volume *= mesh_.template extents<Real>(batch_)[d] / Number(layout_.n);
+  const Number volume = cell_volume(point);
   for (unsigned int d = 0; d < dim; ++d)
   {
     const Number low = is_gas - opening_of(point, d, 0) * is_gas;

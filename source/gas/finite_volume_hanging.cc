@@ -61,7 +61,7 @@ void FiniteVolumeHanging<dim, Gas, Real>::compute(
   if (openings_ == nullptr)
     average_fluxes(group);
   else
-    average_open_fluxes();
+    average_open_fluxes(group);
   store(group, hanging);
 }
 
@@ -382,13 +382,22 @@ void FiniteVolumeHanging<dim, Gas, Real>::part_fluxes(
 
 
 template <int dim, typename Gas, typename Real>
+typename FiniteVolumeHanging<dim, Gas, Real>::Number
+FiniteVolumeHanging<dim, Gas, Real>::inner_radii(
+  const HangingGroup<dim> &group) const
+{
+  Number result;
+  for (unsigned int lane = 0; lane < n_lanes<Real>; ++lane)
+    result[lane] = group.inner_radius[lane];
+  return result;
+}
+
+
+template <int dim, typename Gas, typename Real>
 void FiniteVolumeHanging<dim, Gas, Real>::average_fluxes(
   const HangingGroup<dim> &group)
 {
-  const unsigned int n = layout_.n;
-  Number inner;
-  for (unsigned int lane = 0; lane < n_lanes<Real>; ++lane)
-    inner[lane] = group.inner_radius[lane];
+  const Number inner = inner_radii(group);
   std::array<double, dim == 1 ? 1 : dim - 1> distance{};
   for (unsigned int part = 0; part < n_fine; ++part)
     for (unsigned int q = 0; q < layout_.n_face_points; ++q)
@@ -407,7 +416,7 @@ void FiniteVolumeHanging<dim, Gas, Real>::average_fluxes(
       // Areas grow with the radius. Measured from the first flux, equal
       // fluxes have just that mean, to the last bit.
       const Number area =
-        (Number(distance[0]) / (inner * double(n) + (at % n + 0.5)) + 1.) *
+        relative_radius(inner, layout_.n, at % layout_.n, distance[0]) *
         (1. / n_fine);
       for (unsigned int c = 0; c < nc; ++c)
         coarse_flux_[at][c] += (flux[c] - first_flux_[at][c]) * area;
@@ -416,15 +425,19 @@ void FiniteVolumeHanging<dim, Gas, Real>::average_fluxes(
 
 
 template <int dim, typename Gas, typename Real>
-void FiniteVolumeHanging<dim, Gas, Real>::average_open_fluxes()
+void FiniteVolumeHanging<dim, Gas, Real>::average_open_fluxes(
+  const HangingGroup<dim> &group)
 {
+  const Number inner = inner_radii(group);
   open_sum_.fill(Number(0.));
-  std::array<double, dim == 1 ? 1 : dim - 1> distance;
+  std::array<double, dim == 1 ? 1 : dim - 1> distance{};
   for (unsigned int part = 0; part < n_fine; ++part)
     for (unsigned int q = 0; q < layout_.n_face_points; ++q)
     {
       const unsigned int at = coarse_point(part, q, distance);
-      const Number &open = openings_->opening[part][q];
+      const Number open =
+        openings_->opening[part][q] *
+        relative_radius(inner, layout_.n, at % layout_.n, distance[0]);
       const Values &flux = fine_flux_[part][q];
       // The first one that is open is taken as it is: equal fluxes have just
       // that mean, to the last bit.

@@ -51,9 +51,7 @@ void FiniteVolumeKernel<dim, Gas, Real>::update(
   Base::bind(batch, stage);
   load(stage.in);
   residual_.fill(Number(0.));
-  if constexpr (dim < 3)
-    if (!radial_.is_plane())
-      radial_.reinit(mesh_.origins(batch)[0], mesh_.extents(batch)[0]);
+  bind_radii();
   for (unsigned int direction = 0; direction < dim; ++direction)
     sweep(direction, hanging);
   finish(stage);

@@ -35,10 +35,9 @@ void GasSimulation<dim>::parse_body(ParameterHandler &prm)
   if (body_.empty())
     return;
   body_.check(dim);
-  if (dim == 1 || !coarse_mesh_.is_axis_aligned() ||
-      coarse_mesh_.geometry() != Geometry::plane)
-    throw InputError("Rigid body/Kind: bodies need Domain/Mesh = box, "
-                     "Domain/Dimension = 2 or 3 and Domain/Geometry = plane");
+  if (dim == 1 || !coarse_mesh_.is_axis_aligned())
+    throw InputError("Rigid body/Kind: bodies need Domain/Mesh = box and "
+                     "Domain/Dimension = 2 or 3");
   if (scheme_.kind != Scheme::Kind::finite_volume)
     throw InputError(
       "Rigid body/Kind: bodies need Method/Scheme = finite volume");
@@ -130,18 +129,27 @@ void GasSimulation<dim>::cut_leaves()
 template <int dim>
 double GasSimulation<dim>::body_volume()
 {
-  double volume = 0.;
   if constexpr (dim > 1)
     if (!body_.empty())
     {
       create_octree();
       refine_octree();
       cut_leaves_.reinit(mesh_, layout_, body_);
+    }
+  return closed_volume();
+}
+
+
+template <int dim>
+double GasSimulation<dim>::closed_volume() const
+{
+  double volume = 0.;
+  if constexpr (dim > 1)
+    if (!body_.empty())
       for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
         for (unsigned int q = 0; q < layout_.n_points; ++q)
           volume += (1. - cut_leaves_.fractions()(leaf, q)) *
                     point_volume(leaf_box(mesh_, leaf), points_, q);
-    }
   return dealii::Utilities::MPI::sum(volume, mesh_.communicator());
 }
 
@@ -190,6 +198,7 @@ void GasSimulation<dim>::fill_closed_cells()
   template void GasSimulation<dim>::parse_body(ParameterHandler &); \
   template void GasSimulation<dim>::cut_leaves();                   \
   template double GasSimulation<dim>::body_volume();                \
+  template double GasSimulation<dim>::closed_volume() const;        \
   template double GasSimulation<dim>::n_leaves_with_body() const;   \
   template void GasSimulation<dim>::fill_closed_cells()
 

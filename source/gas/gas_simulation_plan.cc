@@ -35,7 +35,7 @@ double GasSimulation<dim>::excess_energy() const
   if (!coarse_mesh_.is_axis_aligned())
     return 0.;
   const auto rest = conserved_state(ambient(), material_, dim + 3);
-  double energy = -volume_of(coarse_mesh_) * rest[dim + 1];
+  double energy = (closed_volume() - volume_of(coarse_mesh_)) * rest[dim + 1];
   for (const NamedValue &total : gas_totals(mesh_, points_, field_, material_))
     if (total.name == "energy")
       energy += total.value;

@@ -54,9 +54,11 @@ void GasSimulation<dim>::parse_profile_file(ParameterHandler &prm)
   if (material_.has_products())
     material_words_ += ", " + prm.get("Explosive");
   if (!profile_file_.empty() &&
-      (dim == 3 || coarse_mesh_.geometry() == Geometry::plane))
+      (dim == 3 || coarse_mesh_.geometry() == Geometry::plane ||
+       !body_.empty()))
     throw InputError("Output/Profile file: only domains with spherical, "
-                     "cylindrical or axisymmetric geometry have a profile");
+                     "cylindrical or axisymmetric geometry and no rigid body "
+                     "have a profile");
 }
 
 

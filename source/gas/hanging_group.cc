@@ -18,19 +18,6 @@ namespace
       face.coarse_face, face.match.face, face.match.orientation);
   }
 
-  /// See HangingGroup::inner_radius. Ghosts need no right value: only the
-  /// owner of the coarse leaf takes the flux that it weights.
-  template <int dim>
-  double inner_radius(const LeafMesh<dim> &mesh, const HangingFace<dim> &face)
-  {
-    const unsigned int leaf = face.coarse_leaf;
-    if (radial_exponent(mesh.coarse_mesh().geometry()) == 0 ||
-        face.coarse_face / 2 == 0 || leaf >= mesh.n_owned())
-      return std::numeric_limits<double>::infinity();
-    return mesh.origins(leaf / W)[0][leaf % W] /
-           mesh.extents(leaf / W)[0][leaf % W];
-  }
-
   template <int dim>
   void fill_lane(HangingGroup<dim> &group,
                  const unsigned int lane,
@@ -40,7 +27,7 @@ namespace
   {
     const HangingFace<dim> &face = mesh.hanging_faces()[index];
     group.face[lane] = index;
-    group.inner_radius[lane] = inner_radius(mesh, face);
+    group.inner_radius[lane] = relative_inner_radius(mesh, face);
     group.is_radial =
       group.is_radial || std::isfinite(group.inner_radius[lane]);
     group.coarse_leaf[lane] = face.coarse_leaf;
@@ -58,6 +45,19 @@ namespace
     }
   }
 } // namespace
+
+
+template <int dim>
+double relative_inner_radius(const LeafMesh<dim> &mesh,
+                             const HangingFace<dim> &face)
+{
+  const unsigned int leaf = face.coarse_leaf;
+  if (radial_exponent(mesh.coarse_mesh().geometry()) == 0 ||
+      face.coarse_face / 2 == 0 || leaf >= mesh.n_owned())
+    return std::numeric_limits<double>::infinity();
+  return mesh.origins(leaf / W)[0][leaf % W] /
+         mesh.extents(leaf / W)[0][leaf % W];
+}
 
 
 template <int dim>
@@ -94,10 +94,14 @@ std::vector<HangingGroup<dim>> group_hanging_faces(const LeafMesh<dim> &mesh,
 }
 
 
-template std::vector<HangingGroup<1>> group_hanging_faces(const LeafMesh<1> &,
-                                                          const LeafLayout &);
-template std::vector<HangingGroup<2>> group_hanging_faces(const LeafMesh<2> &,
-                                                          const LeafLayout &);
-template std::vector<HangingGroup<3>> group_hanging_faces(const LeafMesh<3> &,
-                                                          const LeafLayout &);
+#define CONTRECOUP_INSTANTIATE(dim)                                \
+  template double relative_inner_radius(const LeafMesh<dim> &,     \
+                                        const HangingFace<dim> &); \
+  template std::vector<HangingGroup<dim>> group_hanging_faces(     \
+    const LeafMesh<dim> &, const LeafLayout &)
+
+CONTRECOUP_INSTANTIATE(1);
+CONTRECOUP_INSTANTIATE(2);
+CONTRECOUP_INSTANTIATE(3);
+#undef CONTRECOUP_INSTANTIATE
 } // namespace contrecoup::gas

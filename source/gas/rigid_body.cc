@@ -80,7 +80,8 @@ void RigidBody::declare_parameters(ParameterHandler &prm)
                     {"none", "body", "half space"},
                     "What stands rigidly in the gas: nothing, what section "
                     "Body describes, or everything with x > 0, turned and "
-                    "moved; in 2-D what counts is the cut at z = 0.");
+                    "moved; in 2-D what counts is the cut at z = 0, in "
+                    "axisymmetric geometry turned about the axis.");
   declare_half_space(prm);
   declare_selection(prm,
                     "Treatment",

@@ -125,9 +125,6 @@ void WallLoads<dim>::add_facets(const unsigned int leaf,
   const double nothing = 1e-10;
   const LeafBox<dim> box = leaf_box(mesh, leaf);
   const dealii::Tensor<1, dim> size = box.extents / layout.n;
-  double volume = 1.;
-  for (unsigned int d = 0; d < dim; ++d)
-    volume *= size[d];
   for (unsigned int q = 0; q < layout.n_points; ++q)
   {
     dealii::Tensor<1, dim> area;
@@ -136,6 +133,7 @@ void WallLoads<dim>::add_facets(const unsigned int leaf,
     if (area.norm() < nothing || cut_leaves.fractions()(leaf, q) == 0.)
       continue;
     dealii::Point<dim> place = box.origin;
+    const double volume = cut_leaves.cell_volume({leaf, q});
     unsigned int rest = q;
     for (unsigned int d = 0; d < dim; ++d)
     {

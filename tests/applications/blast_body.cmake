@@ -85,6 +85,10 @@ contrecoup_add_application_test(body_sphere_rear gauge_order
     "Loads/Largest loss of peaks=1" "Loads/Gauge radius=0.15"
   VARY "Domain/Initial refinement=1|2" ERROR "3 1e-4 2.331"
   BOUNDS "order_3 > 1" "error_3 < 0.09" LABELS verification)
+contrecoup_add_application_test(body_sphere_axisymmetric gauge_order
+  FILE blast/verification/body_sphere_axisymmetric.prm
+  VARY "Domain/Initial refinement=3|4" ERROR "2 1e-4 1.622"
+  BOUNDS "order_2 > 1" "error_2 < 0.013" LABELS verification)
 contrecoup_add_application_test(body_cylinder_wall gauge_order
   FILE blast/verification/body_cylinder.prm
   SET "Output/Fields=false" "Loads/Record=true" "Loads/Largest loss of peaks=1"

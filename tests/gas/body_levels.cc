@@ -172,27 +172,12 @@ TEST(BodyLevels, FlowAlongPlaneInSpaceStays)
 
 TEST(BodyLevels, RanksAgree)
 {
+  const auto is_driven = [](const Point<3> &p) {
+    return p[0] + 0.3 * p[2] < 0.35;
+  };
   for (const std::string treatment : {"embedded", "staircase"})
-  {
-    const Lines lines = ball_of_two_sizes<3>(treatment) + finite_volume(4);
-    GasRun<3> shared(lines);
-    GasRun<3> alone(lines, MPI_COMM_SELF);
-    const auto wave = [](const Point<3> &p) {
-      GasState<3> state = still_air<3>();
-      if (p[0] + 0.3 * p[2] < 0.35)
-        state.pressure = 10.;
-      return state;
-    };
-    for (auto *run : {&shared, &alone})
-    {
-      run->set_state(wave);
-      run->steps(30);
-    }
-    const auto all = alone.leaves();
-    for (const auto &[name, values] : shared.leaves())
-      for (unsigned int i = 0; i < values.size(); ++i)
-        ASSERT_NEAR(values[i], all.at(name)[i], 1e-12) << name << ' ' << i;
-  }
+    check_ranks<3>(ball_of_two_sizes<3>(treatment) + finite_volume(4),
+                   is_driven);
 }
 
 

@@ -118,27 +118,11 @@ TEST(EmbeddedBody, FlowAlongPlaneInSpaceStays)
 
 TEST(EmbeddedBody, RanksAgree)
 {
+  const auto is_driven = [](const Point<3> &p) {
+    return p[0] + 0.3 * p[2] < 0.35;
+  };
   for (const std::string treatment : {"embedded", "staircase"})
-  {
-    GasRun<3> shared(ball_in_box<3>(treatment) + finite_volume(4));
-    GasRun<3> alone(ball_in_box<3>(treatment) + finite_volume(4),
-                    MPI_COMM_SELF);
-    const auto wave = [](const Point<3> &p) {
-      GasState<3> state = still_air<3>();
-      if (p[0] + 0.3 * p[2] < 0.35)
-        state.pressure = 10.;
-      return state;
-    };
-    for (auto *run : {&shared, &alone})
-    {
-      run->set_state(wave);
-      run->steps(30);
-    }
-    const auto all = alone.leaves();
-    for (const auto &[name, values] : shared.leaves())
-      for (unsigned int i = 0; i < values.size(); ++i)
-        ASSERT_NEAR(values[i], all.at(name)[i], 1e-12) << name << ' ' << i;
-  }
+    check_ranks<3>(ball_in_box<3>(treatment) + finite_volume(4), is_driven);
 }
 
 
@@ -207,7 +191,9 @@ TEST(EmbeddedBody, AdaptationKeepsMassAndTheSurface)
     n_changes += run.adapt() ? 1 : 0;
     for (unsigned int leaf = 0; leaf < run.mesh.n_owned(); ++leaf)
       if (run.cut_leaves.shape(leaf) != nullptr)
+      {
         ASSERT_EQ(run.mesh.cell(leaf)->level(), 3);
+      }
   }
   EXPECT_GT(n_changes, 5u);
   auto after = run.totals();

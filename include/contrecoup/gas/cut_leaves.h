@@ -5,7 +5,7 @@
 
 #include <contrecoup/gas/leaf_layout.h>
 #include <contrecoup/gas/leaf_mesh.h>
-#include <contrecoup/gas/leaf_sampling.h>
+#include <contrecoup/gas/leaf_shape.h>
 #include <contrecoup/gas/open_fractions.h>
 #include <contrecoup/gas/rigid_body.h>
 
@@ -36,22 +36,15 @@ namespace contrecoup::gas
  * 2021); among leaves of another size it ends with the first layer. Pockets,
  * in which none makes a quarter of a cell, or only with too large a surface,
  * are closed. Nothing here depends on how ranks share the leaves.
+ *
+ * In axisymmetric geometry, where the cut at z = 0 is turned about the axis,
+ * cells count with the radius in their middle.
  */
 template <int dim>
 class CutLeaves
 {
 public:
-  /// The shape of one leaf; open parts from 0 to 1 [-].
-  struct Shape
-  {
-    /// Whether all of it is open.
-    bool is_open() const;
-
-    std::vector<double> fraction; ///< of each point's volume
-    /// Of the subcell faces across each direction, [layer][line]; lines are
-    /// numbered as in LeafKernel.
-    std::array<std::vector<double>, dim> opening;
-  };
+  using Shape = LeafShape<dim>;
 
   /// A cell by leaf and point.
   struct Cell
@@ -147,6 +140,9 @@ public:
   unsigned int coarse_face_point(const unsigned int part,
                                  const unsigned int q) const;
 
+  /// Volume of a whole owned cell [m^dim], axisymmetric all around [m^3].
+  double cell_volume(const Cell &cell) const;
+
   /// Open part of a face of an owned cell, or within a leaf.
   double opening(const Cell &cell, const unsigned int face) const;
 
@@ -171,8 +167,9 @@ private:
   /// Index of the shape of a leaf near the surface, or what it is instead; one
   /// that was known before is taken over, since bodies may be costly to ask.
   int find_shape(const LeafBox<dim> &box);
-  Shape cut_shape(const LeafBox<dim> &box) const;
-  Shape staircase_shape(const LeafBox<dim> &box) const;
+  /// Radius in the middle of a stored cell in axisymmetric geometry [m]; else
+  /// 1.
+  double radius(const Cell &cell) const;
   void measure_all();
   void find_neighbors();
   void connect(const unsigned int leaf);
@@ -227,7 +224,10 @@ private:
     std::unordered_map<Place, int, boost::hash<Place>> index;
   };
   Memory memory_;
-  Memory former_memory_;        ///< while leaves are measured
+  Memory former_memory_; ///< while leaves are measured
+  /// Per stored leaf of an axisymmetric mesh: inner radius and radial edge of
+  /// a subcell [m]; else empty.
+  std::vector<std::array<double, 2>> radii_;
   std::vector<int> shape_of_;   ///< per stored leaf: index in memory_, or open
   std::vector<int> matched_of_; ///< per stored leaf: index, or open
   std::vector<Shape> matched_shapes_; ///< see own_shape()

@@ -62,7 +62,7 @@ private:
     /// Vector out of the gas, of which the unit length is kept apart.
     std::array<Number, dim> normal;
     Number area;   ///< over the cell's volume [1/m]; 0: no piece
-    Number volume; ///< of the cell [m^dim]
+    Number volume; ///< see cell_volume()
   };
 
   /// The shapes of the leaves of a batch.
@@ -102,6 +102,8 @@ private:
   void add_walls();
   void add_embedded_walls(const WallPack &walls);
   void add_staircase_wall(const unsigned int point);
+  /// Of a whole cell [m^dim], in axisymmetric geometry all around [m^3].
+  Number cell_volume(const unsigned int point) const;
   /// Pressure on a wall that the gas moves towards at @p speed.
   /// @param inside primitive values, of which the velocity does not count
   /// @param progress Burn::progress(), where explosive burns

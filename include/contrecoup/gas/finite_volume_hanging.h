@@ -59,8 +59,9 @@ private:
                    Values &inside,
                    Values &outside);
   void part_fluxes(const HangingGroup<dim> &group, const unsigned int part);
+  Number inner_radii(const HangingGroup<dim> &group) const;
   void average_fluxes(const HangingGroup<dim> &group);
-  void average_open_fluxes();
+  void average_open_fluxes(const HangingGroup<dim> &group);
   void store(const HangingGroup<dim> &group,
              HangingData<dim, Real> &hanging) const;
 

@@ -51,6 +51,13 @@ protected:
   static constexpr int ghosts = 2;
 
   void load(const Real *state);
+  /// Radii of the bound batch, in curvilinear geometry.
+  void bind_radii()
+  {
+    if constexpr (dim < 3)
+      if (!radial_.is_plane())
+        radial_.reinit(mesh_.origins(batch_)[0], mesh_.extents(batch_)[0]);
+  }
   void sweep(const unsigned int direction,
              const HangingData<dim, Real> &hanging);
   void fill_line(const unsigned int direction, const unsigned int line);

@@ -153,6 +153,8 @@ private:
   /// @throws InputError when the body leaves no gas, lies outside of the
   /// domain, or in a charge.
   void fill_closed_cells();
+  /// Volume of the domain without gas [m^dim]. Collective.
+  double closed_volume() const;
   /// Returns lines for the log about what it made.
   /// @param rough whether profiles are mapped well enough for sensors alone
   std::vector<std::string> set_initial_state(const bool rough = false);

@@ -28,11 +28,32 @@ struct HangingGroup
   /// Positions in the state array, one for each lane.
   std::array<unsigned int, largest_width> coarse_offset;
   std::array<std::array<unsigned int, largest_width>, n_fine> fine_offset;
-  /// Inner radius of the coarse leaf in units of its radial edge, where the
-  /// face runs along the radius of an axisymmetric mesh; infinite elsewhere.
+  /// See relative_inner_radius(); one for each lane.
   std::array<double, largest_width> inner_radius;
   bool is_radial = false; ///< whether any of these is finite
 };
+
+/// Inner radius of a face's coarse leaf in units of its radial edge, where the
+/// face runs along the radius of an axisymmetric mesh; infinite elsewhere, and
+/// for ghosts: only the owner of the coarse leaf takes what it weights.
+template <int dim>
+double relative_inner_radius(const LeafMesh<dim> &mesh,
+                             const HangingFace<dim> &face);
+
+/// Radius in the middle of a fine subcell's face, in parts of that of the
+/// coarse one.
+/// @param inner relative_inner_radius()
+/// @param n subcells of a leaf along the radius
+/// @param index which of them the coarse one is
+/// @param distance from its middle to the fine one's in its edge lengths
+template <typename Number>
+inline Number relative_radius(const Number &inner,
+                              const unsigned int n,
+                              const unsigned int index,
+                              const double distance)
+{
+  return Number(distance) / (inner * double(n) + (index + 0.5)) + 1.;
+}
 
 /// Sorts the hanging faces of @p mesh into groups. A fine leaf that this
 /// rank does not need is stood in for by another one of the same face.

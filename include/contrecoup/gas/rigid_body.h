@@ -19,7 +19,8 @@
 namespace contrecoup::gas
 {
 /// A rigid body that stands in the gas, as subsection "Rigid body" describes
-/// it. In 2-D it is cut at z = 0.
+/// it. In 2-D it is cut at z = 0, and in axisymmetric geometry that cut is
+/// turned about the axis, x = 0.
 class RigidBody
 {
 public:
