@@ -92,15 +92,7 @@ TEST(BodyOfRevolution, MassAndEnergyStay)
 TEST(BodyOfRevolution, GasAtRestKeepsEveryBit)
 {
   for (const std::string treatment : {"embedded", "staircase"})
-  {
-    GasRun<2> run(ball_on_axis(treatment) +
-                  Lines{"Method/Skip quiet leaves=false"});
-    const auto rest = still_air<2>();
-    run.set_state([&](const Point<2> &) { return rest; });
-    const auto before = run.leaves();
-    run.steps(20);
-    EXPECT_EQ(run.leaves(), before);
-  }
+    check_rest<2>(ball_on_axis(treatment));
 }
 
 

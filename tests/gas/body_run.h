@@ -132,6 +132,68 @@ void check_ranks(
 }
 
 
+/// Gas at rest around the body keeps every bit.
+template <int dim>
+void check_rest(const Lines &lines)
+{
+  GasRun<dim> run(lines + Lines{"Method/Skip quiet leaves=false"});
+  const auto rest = still_air<dim>();
+  run.set_state([&](const dealii::Point<dim> &) { return rest; });
+  const auto before = run.leaves();
+  run.steps(20);
+  EXPECT_EQ(run.leaves(), before);
+}
+
+
+/// Gas that flows along planes at several angles to the mesh stays as it is.
+/// @param change its largest relative change, of lines and velocity
+template <typename Function>
+void check_oblique_planes(const Function &change)
+{
+  for (const double angle : {0., 17., 30., 45., 71.})
+  {
+    dealii::Tensor<1, 2> along;
+    along[0] = -1.3 * std::sin(angle * degree);
+    along[1] = 1.3 * std::cos(angle * degree);
+    const Lines plane = {
+      "Rigid body/Kind=half space",
+      "Rigid body/Half space/Rotation=0, 0, " + std::to_string(angle),
+      "Rigid body/Half space/Shift=0.513, 0.507, 0",
+      "Initial state/Background/Density=1.4",
+      "Initial state/Background/Pressure=1",
+      "Initial state/Background/Velocity=" + exactly(along[0]) + ", " +
+        exactly(along[1])};
+    EXPECT_LT(change(plane, along), 1e-11) << angle;
+  }
+}
+
+
+/// The same of planes in space with the normal (1, 1, 1), so that cells are cut
+/// at their corners.
+template <typename Function>
+void check_planes_in_space(const Function &change)
+{
+  const double tilt = std::atan(std::sqrt(0.5)) / degree;
+  dealii::Tensor<1, 3> along;
+  along[0] = 0.9;
+  along[1] = -1.1;
+  along[2] = 0.2;
+  for (const std::string shift : {"0.5, 0.5, 0.5", "0.513, 0.507, 0.53"})
+    EXPECT_LT(
+      change(
+        finite_volume(4) +
+          Lines{"Rigid body/Kind=half space",
+                "Rigid body/Half space/Rotation=0, " + exactly(-tilt) + ", 45",
+                "Rigid body/Half space/Shift=" + shift,
+                "Initial state/Background/Density=1.4",
+                "Initial state/Background/Pressure=1",
+                "Initial state/Background/Velocity=0.9, -1.1, 0.2"},
+        along),
+      1e-10)
+      << shift;
+}
+
+
 /// Largest relative difference of the gas at any point from @p state.
 template <int dim>
 double largest_change(const GasRun<dim> &run, const GasState<dim> &state)

@@ -61,58 +61,19 @@ TEST(EmbeddedBody, MassAndEnergyStay)
 TEST(EmbeddedBody, GasAtRestKeepsEveryBit)
 {
   for (const std::string treatment : {"embedded", "staircase"})
-  {
-    GasRun<3> run(ball_in_box<3>(treatment) + finite_volume(4) +
-                  Lines{"Method/Skip quiet leaves=false"});
-    const auto rest = still_air<3>();
-    run.set_state([&](const Point<3> &) { return rest; });
-    const auto before = run.leaves();
-    run.steps(20);
-    EXPECT_EQ(run.leaves(), before);
-  }
+    check_rest<3>(ball_in_box<3>(treatment) + finite_volume(4));
 }
 
 
 TEST(EmbeddedBody, FlowAlongObliquePlanesStays)
 {
-  for (const double angle : {0., 17., 30., 45., 71.})
-  {
-    Tensor<1, 2> along;
-    along[0] = -1.3 * std::sin(angle * degree);
-    along[1] = 1.3 * std::cos(angle * degree);
-    const Lines plane = {
-      "Rigid body/Kind=half space",
-      "Rigid body/Half space/Rotation=0, 0, " + std::to_string(angle),
-      "Rigid body/Half space/Shift=0.513, 0.507, 0",
-      "Initial state/Background/Density=1.4",
-      "Initial state/Background/Pressure=1",
-      "Initial state/Background/Velocity=" + exactly(along[0]) + ", " +
-        exactly(along[1])};
-    EXPECT_LT(change_along_plane<2>(plane, along), 1e-11) << angle;
-  }
+  check_oblique_planes(change_along_plane<2>);
 }
 
 
 TEST(EmbeddedBody, FlowAlongPlaneInSpaceStays)
 {
-  // The plane's normal is (1, 1, 1), so that cells are cut at their corners.
-  const double tilt = std::atan(std::sqrt(0.5)) / degree;
-  Tensor<1, 3> along;
-  along[0] = 0.9;
-  along[1] = -1.1;
-  along[2] = 0.2;
-  for (const std::string shift : {"0.5, 0.5, 0.5", "0.513, 0.507, 0.53"})
-    EXPECT_LT(
-      change_along_plane<3>(
-        finite_volume(4) +
-          Lines{"Rigid body/Kind=half space",
-                "Rigid body/Half space/Rotation=0, " + exactly(-tilt) + ", 45",
-                "Rigid body/Half space/Shift=" + shift,
-                "Initial state/Background/Density=1.4",
-                "Initial state/Background/Pressure=1",
-                "Initial state/Background/Velocity=0.9, -1.1, 0.2"},
-        along),
-      1e-10);
+  check_planes_in_space(change_along_plane<3>);
 }
 
 
