@@ -33,7 +33,7 @@ blast_survives(vacuum "errors.density_L1 < 7.5e-3")
 # Rigid bodies.
 blast_survives(body_on_ground "${_closed};retries == 0")
 foreach(_file cut_by_boundary thin_plate thin_shell needle gap
-        one_voxel flawed_surface charge_5_cm)
+        one_voxel flawed_surface charge_5_cm on_axis)
   blast_survives(body_${_file} "${_closed}")
 endforeach()
 blast_survives(body_charge_50_m
