@@ -18,7 +18,8 @@ set(CONTRECOUP_TEST_ENVIRONMENT
 set(CONTRECOUP_TIMEOUT_FACTOR 1)
 if(CONTRECOUP_SANITIZE)
   list(APPEND CONTRECOUP_TEST_ENVIRONMENT
-    ASAN_OPTIONS=detect_leaks=0:halt_on_error=1:allocator_may_return_null=1
+    "ASAN_OPTIONS=detect_leaks=0:halt_on_error=1:allocator_may_return_null=1:\
+suppressions=${PROJECT_SOURCE_DIR}/tests/sanitizer_suppressions.txt"
     UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1)
   set(CONTRECOUP_TIMEOUT_FACTOR 10)
 endif()

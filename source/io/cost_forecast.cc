@@ -20,6 +20,9 @@ namespace io
   {
     /// Trials are doubled at most so often.
     constexpr unsigned int most_levels = 10;
+    /// Trials of long runs may take this part of their processor time, and so
+    /// many budgets.
+    constexpr double long_run_part = 0.01, most_budgets = 5.;
 
     const TrialStage &stage_like(const Trial &trial, const TrialStage &stage)
     {
@@ -66,13 +69,17 @@ namespace io
       const bool adds = last >= last_trial.known_cells;
       const double begin = adds ? last_trial.known_cells : 0.;
       const double begin_before = adds ? before_trial.known_cells : 0.;
+      const unsigned int gap = before_trial.levels - last_trial.levels;
+      const double added_before = std::max(0., before - begin_before);
+      const bool is_first =
+        last - begin > added_before * std::pow(2., dimension * gap);
       return (adds ? known : 0.) +
-             io::extrapolate(std::max(0., before - begin_before),
+             io::extrapolate(added_before,
                              last - begin,
                              last_trial.levels,
                              dimension - 1.,
-                             dimension,
-                             before_trial.levels - last_trial.levels);
+                             is_first ? dimension - 1. : dimension,
+                             gap);
     }
 
     /// @param known cells that the solver says the scene begins with
@@ -126,6 +133,17 @@ namespace io
                       grown(&Trial::table_bytes, 0., 1.);
       result.memory = result.cells * last.memory_per_cell;
       return result;
+    }
+
+    /// From the last two trials, or the only one.
+    CostEstimate extrapolate(const std::vector<Trial> &trials,
+                             const double known)
+    {
+      Trial none;
+      none.levels = trials.back().levels + 1;
+      return extrapolate(trials.size() > 1 ? trials[trials.size() - 2] : none,
+                         trials.back(),
+                         known);
     }
 
     std::string description_of(const Trial &trial)
@@ -201,6 +219,7 @@ namespace io
   {
     std::vector<Trial> trials;
     double spent = 0., expected = 0.;
+    CostEstimate result = rough;
     for (int levels = description.coarsen
                         ? static_cast<int>(first_levels(rough, budget))
                         : 0;
@@ -208,10 +227,12 @@ namespace io
          --levels)
     {
       // What grows shows in two trials at least.
-      if (trials.size() > 1 && spent + expected > budget)
+      const double allowed = std::clamp(
+        long_run_part * result.seconds, budget, most_budgets * budget);
+      if (trials.size() > 1 && spent + expected > allowed)
         break;
       const auto trial =
-        try_run(description, prm, levels, 2. * budget, collective);
+        try_run(description, prm, levels, 2. * allowed, collective);
       if (!trial)
         continue;
       log_line(description_of(*trial));
@@ -220,6 +241,7 @@ namespace io
       const double before =
         trials.empty() ? 0. : trials.back().seconds - steady;
       trials.push_back(*trial);
+      result = extrapolate(trials, rough.cells);
       spent += trial->seconds;
       const double most = std::pow(
         2., trial->stages.empty() ? 1. : trial->stages.back().dimension + 1.);
@@ -232,12 +254,6 @@ namespace io
     }
     if (trials.empty())
       return rough;
-    Trial none;
-    none.levels = trials.back().levels + 1;
-    CostEstimate result =
-      extrapolate(trials.size() > 1 ? trials[trials.size() - 2] : none,
-                  trials.back(),
-                  rough.cells);
     // What the process holds besides the largest mesh of the trials.
     double largest = 0.;
     for (const Trial &trial : trials)

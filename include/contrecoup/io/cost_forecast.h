@@ -12,8 +12,9 @@ namespace io
   /**
    * Predicts what a scene costs on this machine from trial runs of the same
    * scene on coarser meshes: each has cells half as large as the one before,
-   * the last is the finest that @p budget seconds of processor time allow. A
-   * scene that costs less than that is run as it is, which tells exactly.
+   * the last is the finest that @p budget seconds of processor time allow, and
+   * up to five times as many where that is a hundredth of what the scene takes.
+   * A scene that costs less than that is run as it is, which tells exactly.
    *
    * From the last two trials follow, for each number of dimensions d that the
    * mesh has during the run: the number of steps as a + b 2^level, for the
@@ -21,10 +22,10 @@ namespace io
    * as a - b 2^-level, for it ends where coarser cells begin; the cells as
    * those that @p rough says the scene begins with, at a body for instance, and
    * what the run adds to them as a 2^((d-1) level) + b 2^(d level), since
-   * fronts that the mesh follows are surfaces and the rest is volume; and the
-   * time of a step as a + b cells. Memory is what the process held besides the
-   * largest mesh of the trials plus that of the scene; fields grow as cells do
-   * and tables as steps.
+   * fronts that the mesh follows are surfaces and the rest is volume, with b =
+   * 0 where it only begins to add some; and the time of a step as a + b cells.
+   * Memory is what the process held besides the largest mesh of the trials plus
+   * that of the scene; fields grow as cells do and tables as steps.
    *
    * @param rough what the solver says without trial runs; kept where these
    *   tell nothing
