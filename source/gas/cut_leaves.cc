@@ -187,8 +187,9 @@ template <int dim>
 double CutLeaves<dim>::cell_volume(const Cell &cell) const
 {
   double result = radii_.empty() ? 1. : 2. * dealii::numbers::PI * radius(cell);
-  for (const auto &edges : mesh_->extents(cell.leaf / mesh_->width()))
-    result *= edges[cell.leaf % mesh_->width()] / layout_.n;
+  const auto extents = leaf_box(*mesh_, cell.leaf).extents;
+  for (unsigned int d = 0; d < dim; ++d)
+    result *= extents[d] / layout_.n;
   return result;
 }
 

@@ -131,6 +131,28 @@ TEST(EmbeddedBody, VolumeAndSurfaceOfABall)
 }
 
 
+TEST(EmbeddedBody, CellsHaveTheirVolume)
+{
+  for (const std::string precision : {"double", "single"})
+  {
+    // Leaves of two sizes, in batches of as many as the precision has lanes.
+    GasRun<3> run(ball_in_box<3>("embedded") + finite_volume(4) +
+                  Lines{"Method/Precision=" + precision});
+    run.refine([](const Point<3> &p) { return p[0] > 0.5; });
+    run.set_state([](const Point<3> &) { return still_air<3>(); });
+    double volume = 0.;
+    for (unsigned int leaf = 0; leaf < run.mesh.n_owned(); ++leaf)
+    {
+      const double edge = run.mesh.cell(leaf)->extent_in_direction(0) / 4.;
+      const double found = run.cut_leaves.cell_volume({leaf, 0});
+      ASSERT_NEAR(found, edge * edge * edge, 1e-12 * found) << precision;
+      volume += run.layout.n_points * found;
+    }
+    EXPECT_NEAR(dealii::Utilities::MPI::sum(volume, MPI_COMM_WORLD), 1., 1e-12);
+  }
+}
+
+
 TEST(EmbeddedBody, AdaptationKeepsMassAndTheSurface)
 {
   GasRun<2> run(ball_in_box<2>("embedded") +
