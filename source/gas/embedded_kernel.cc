@@ -44,6 +44,8 @@ void EmbeddedKernel<dim, Gas, Real>::reinit()
     openings_of_batch_[batch] = static_cast<int>(all_openings_.size());
     Openings openings;
     openings.fraction.resize(layout_.n_points);
+    if (cut_leaves_.treatment() == RigidBody::Treatment::staircase)
+      openings.volume.resize(layout_.n_points);
     for (auto &faces : openings.face)
       faces.resize((layout_.n + 1) * layout_.n_face_points);
     for (auto &faces : openings.beyond)
@@ -66,6 +68,8 @@ void EmbeddedKernel<dim, Gas, Real>::take(const unsigned int leaf,
   const Real all = cut_leaves_.fractions().is_open(leaf) ? 1. : 0.;
   for (unsigned int q = 0; q < layout_.n_points; ++q)
     to.fraction[q][lane] = shape == nullptr ? all : Real(shape->fraction[q]);
+  for (unsigned int q = 0; q < to.volume.size(); ++q)
+    to.volume[q][lane] = cut_leaves_.cell_volume({leaf, q});
   for (unsigned int d = 0; d < dim; ++d)
     for (unsigned int f = 0; f < to.face[d].size(); ++f)
       to.face[d][f][lane] = shape == nullptr ? all : Real(shape->opening[d][f]);
@@ -272,21 +276,6 @@ void EmbeddedKernel<dim, Gas, Real>::add_embedded_walls(const WallPack &walls)
 
 
 template <int dim, typename Gas, typename Real>
-typename EmbeddedKernel<dim, Gas, Real>::Number
-EmbeddedKernel<dim, Gas, Real>::cell_volume(const unsigned int point) const
-{
-  Number result(1.);
-  for (unsigned int d = 0; d < dim; ++d)
-    result /= inverse_size(d);
-  if constexpr (dim == 2)
-    if (!Base::radial_.is_plane())
-      result *= inverse_size(0) * (2. * dealii::numbers::PI) /
-                Base::radial_.inverse_volume(point % layout_.n);
-  return result;
-}
-
-
-template <int dim, typename Gas, typename Real>
 void EmbeddedKernel<dim, Gas, Real>::add_staircase_wall(
   const unsigned int point)
 {
@@ -298,7 +287,7 @@ void EmbeddedKernel<dim, Gas, Real>::add_staircase_wall(
     progress = Base::progress(point, Base::time_);
   const Number own = exerted_pressure(inside, progress);
   const Number is_gas = positive(openings_->fraction[point]);
-  const Number volume = cell_volume(point);
+  const Number &volume = openings_->volume[point];
   for (unsigned int d = 0; d < dim; ++d)
   {
     const Number low = is_gas - opening_of(point, d, 0) * is_gas;

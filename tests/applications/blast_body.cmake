@@ -171,6 +171,8 @@ blast_refuses(gauges_outside "is outside of the domain" FILE ${_cylinder}
   SET "Loads/Record=true" "Loads/Gauges=below: 0.1, -0.5")
 blast_refuses(body_in_one_dimension "Rigid body/Kind: bodies need"
   FILE ${_sod} SET "Rigid body/Kind=half space")
+blast_refuses(body_with_profile "no rigid body have a profile"
+  FILE blast/extremes/body_on_axis.prm SET "Output/Profile file=profile.h5")
 blast_refuses(body_galerkin "Method/Scheme = finite volume" FILE ${_cylinder}
   SET "Method/Scheme=discontinuous galerkin")
 blast_refuses(body_subcells "Method/Subcells of 4 or more" FILE ${_cylinder}

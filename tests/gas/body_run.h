@@ -82,15 +82,15 @@ inline std::string exactly(const double x)
 }
 
 
-/// Mass and energy of the gas in a closed box stay while a strong wave meets
-/// the body.
+/// Mass and energy of the gas in a closed box stay while a strong wave from
+/// where a coordinate is less than a quarter meets the body.
 template <int dim>
-void check_conservation(const Lines &lines)
+void check_conservation(const Lines &lines, const unsigned int direction = 0)
 {
   GasRun<dim> run(lines);
-  run.set_state([](const dealii::Point<dim> &p) {
+  run.set_state([&](const dealii::Point<dim> &p) {
     GasState<dim> state = still_air<dim>();
-    if (p[0] < 0.25)
+    if (p[direction] < 0.25)
     {
       state.pressure = 20.;
       state.density = 5.;
@@ -100,7 +100,7 @@ void check_conservation(const Lines &lines)
   const auto before = run.totals();
   run.steps(60);
   auto after = run.totals();
-  EXPECT_GT(after["kinetic_energy"], 0.04 * before.at("energy"));
+  EXPECT_GT(after["kinetic_energy"], 0.05 * before.at("energy"));
   for (const std::string name : {"mass", "energy"})
     EXPECT_NEAR(after[name], before.at(name), 1e-12 * before.at(name)) << name;
 }

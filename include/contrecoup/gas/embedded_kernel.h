@@ -62,7 +62,7 @@ private:
     /// Vector out of the gas, of which the unit length is kept apart.
     std::array<Number, dim> normal;
     Number area;   ///< over the cell's volume [1/m]; 0: no piece
-    Number volume; ///< see cell_volume()
+    Number volume; ///< see CutLeaves::cell_volume()
   };
 
   /// The shapes of the leaves of a batch.
@@ -70,6 +70,8 @@ private:
   {
     std::vector<WallPack> walls;            ///< of embedded bodies
     dealii::AlignedVector<Number> fraction; ///< per point
+    /// Per point, of staircases: see CutLeaves::cell_volume().
+    dealii::AlignedVector<Number> volume;
     /// Per direction: [layer][line].
     std::array<dealii::AlignedVector<Number>, dim> face;
     /// Per leaf face: of the faces between the two layers beyond, by line.
@@ -102,8 +104,6 @@ private:
   void add_walls();
   void add_embedded_walls(const WallPack &walls);
   void add_staircase_wall(const unsigned int point);
-  /// Of a whole cell [m^dim], in axisymmetric geometry all around [m^3].
-  Number cell_volume(const unsigned int point) const;
   /// Pressure on a wall that the gas moves towards at @p speed.
   /// @param inside primitive values, of which the velocity does not count
   /// @param progress Burn::progress(), where explosive burns
