@@ -98,7 +98,7 @@ void check_conservation(const Lines &lines, const unsigned int direction = 0)
     return state;
   });
   const auto before = run.totals();
-  run.steps(60);
+  run.steps(120);
   auto after = run.totals();
   EXPECT_GT(after["kinetic_energy"], 0.05 * before.at("energy"));
   for (const std::string name : {"mass", "energy"})
