@@ -16,11 +16,9 @@ def bytes_in(folder):
                for root, _, names in os.walk(folder) for name in names)
 
 
-def forecast(case, check_bound, read_summary):
-    """--check predicts processor time, memory and output of the run within
-    the factor of --tolerance, and remembers that the next time; cells too if
-    --compare names them, as they are in the end."""
-    cache = os.path.abspath(case.folder("cache"))
+def predicted_and_found(case, read_summary, attempt):
+    """What --check predicts, in all of its answers, and what a run needs."""
+    cache = os.path.abspath(case.folder(f"cache_{attempt}"))
     os.environ["XDG_CACHE_HOME"] = cache
     os.environ.pop("CONTRECOUP_CHECK_SECONDS", None)
     _, first, _ = case.run(None, extra=["--check"])
@@ -34,7 +32,7 @@ def forecast(case, check_bound, read_summary):
     with open(files[0]) as file:
         predicted = json.load(file)
 
-    output = case.folder("run")
+    output = case.folder(f"run_{attempt}")
     case.run(output)
     summary = read_summary(output)
     performance = summary["performance"]
@@ -47,14 +45,28 @@ def forecast(case, check_bound, read_summary):
     # Trials of 4 s are mostly start-up there, which costs no time per cell.
     if "ASAN_OPTIONS" in os.environ:
         del found["seconds"]
+    return predicted, found
+
+
+def forecast(case, check_bound, read_summary):
+    """--check predicts processor time, memory and output of the run within
+    the factor of --tolerance, and remembers that the next time; cells too if
+    --compare names them, as they are in the end. A machine that others use may
+    slow down between prediction and run: time has three attempts."""
     factor = float(case.options.tolerance)
-    for name, value in found.items():
-        ratio = predicted[name] / value
-        print(f"{name}: predicted {predicted[name]:.4g}, found {value:.4g}, "
-              f"ratio {ratio:.3f}")
-    for name, value in found.items():
-        require(1. / factor < predicted[name] / value < factor,
-                f"the prediction of {name} is off by more than {factor}")
+    for attempt in range(3):
+        predicted, found = predicted_and_found(case, read_summary, attempt)
+        wrong = []
+        for name, value in found.items():
+            ratio = predicted[name] / value
+            print(f"{name}: predicted {predicted[name]:.4g}, "
+                  f"found {value:.4g}, ratio {ratio:.3f}")
+            if not 1. / factor < ratio < factor:
+                wrong.append(name)
+        if wrong != ["seconds"]:
+            break
+    require(not wrong, f"the prediction of {', '.join(wrong)} is off by more "
+            f"than {factor}")
 
 
 PROMISE = re.compile(r"peaks ([\d.]+) %, impulses ([\d.]+) %[^;]*; "
