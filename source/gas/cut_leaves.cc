@@ -74,7 +74,7 @@ template <int dim>
 void CutLeaves<dim>::measure(const LeafBox<dim> &box, const unsigned int leaf)
 {
   if (!radii_.empty())
-    radii_[leaf] = {box.origin[0], box.extents[0] / layout_.n};
+    radii_[leaf] = {{box.origin[0], box.extents[0] / layout_.n}};
   const double radius =
     box.extents.norm() * (0.5 + 1. / layout_.n) * (1. + 1e-9);
   const double value =

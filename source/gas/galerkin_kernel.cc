@@ -118,7 +118,7 @@ void GalerkinKernel<dim, n, Gas, Real>::end_fluxes(
     for (unsigned int c = 0; c < nc; ++c)
       beyond_[side][c] = p[rotated_component<dim>(c, direction)];
   }
-  inside_ = {line_[0], line_[n - 1]};
+  inside_ = {{line_[0], line_[n - 1]}};
   outside_ = beyond_;
   if (any_blending_ || radial_.any_near_axis())
   {

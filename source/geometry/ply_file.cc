@@ -321,7 +321,7 @@ namespace
           corners.push_back(static_cast<std::uint32_t>(value));
         }
         for (std::size_t c = 2; c < corners.size(); ++c)
-          mesh.triangles.push_back({corners[0], corners[c - 1], corners[c]});
+          mesh.triangles.push_back({{corners[0], corners[c - 1], corners[c]}});
       }
   }
 

@@ -122,7 +122,9 @@ TEST(EmbeddedBody, VolumeAndSurfaceOfABall)
                 is_embedded ? 1e-3 : 0.05);
     const double ball = 4. * pi * radius * radius;
     if (is_embedded)
+    {
       EXPECT_NEAR(sums[1] / ball, 1. - 2. * shift, 2e-3);
+    }
     // Along each axis a ball shows its disk on both sides.
     EXPECT_NEAR(sums[2] / ball, 1.5, is_embedded ? 0.02 : 0.05);
     for (unsigned int d = 0; d < 3; ++d)

@@ -65,7 +65,7 @@ std::array<double, 2> near_and_far(const StateFunction<2> &state,
   run.set_state(state);
   run.stepper->update_ghosts(run.field);
   const auto sensors = run.adaptation->sensors(run.field);
-  std::array<double, 2> largest = {0., 0.};
+  std::array<double, 2> largest = {{0., 0.}};
   for (unsigned int leaf = 0; leaf < run.mesh.n_owned(); ++leaf)
   {
     const bool far = std::abs(run.mesh.cell(leaf)->center()[0] - 0.52) > 0.13;
@@ -132,7 +132,7 @@ double follow_a_front(const Lines &lines)
   {
     run.steps(parameters.interval);
     // Where the gas moves farthest to the right the leaves are fine.
-    std::array<double, 2> farthest = {0., 0.};
+    std::array<double, 2> farthest = {{0., 0.}};
     for (unsigned int leaf = 0; leaf < run.mesh.n_owned(); ++leaf)
     {
       const auto values = run.field.leaf(leaf);

@@ -72,7 +72,9 @@ TEST(ModellingPlan, FailsWhenTheEndIsTooLate)
     plan.end_time = factor * back;
     for (const Assumption &item : plan.plan())
       if (item.name == "reflection")
+      {
         EXPECT_EQ(item.fails(), factor > 1.);
+      }
   }
 }
 

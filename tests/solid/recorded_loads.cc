@@ -65,12 +65,18 @@ TEST(RecordedLoads, NearestFacetThatFacesTheSameWay)
   for (const NamedValue &value : loads->audit())
   {
     if (value.name == "loads_unmatched_facets")
+    {
       EXPECT_EQ(value.value, 1.);
+    }
     // Means over 1 ms: 600 and 60 Pa ms, on 1 m^2 towards +x and 2 towards -x.
     if (value.name == "loads_recorded_impulse_x")
+    {
       EXPECT_NEAR(value.value, 0.6 - 0.12, 1e-12);
+    }
     if (value.name == "loads_mapped_impulse_y")
+    {
       EXPECT_NEAR(value.value, -0.3, 1e-12);
+    }
   }
   std::filesystem::remove(file);
 }
@@ -93,7 +99,9 @@ TEST(RecordedLoads, ImpulseIsKept)
     EXPECT_NEAR(loads->pressure(0), factor * 100., 1e-10);
     for (const NamedValue &value : loads->audit())
       if (value.name == "loads_impulse_factor")
+      {
         EXPECT_NEAR(value.value, factor, 1e-12);
+      }
   }
   std::filesystem::remove(file);
 }
@@ -156,7 +164,9 @@ TEST(RecordedLoads, MirroredAcrossTwoPlanes)
     EXPECT_NEAR(loads->pressure(i), 100., 1e-10);
   for (const NamedValue &value : loads->audit())
     if (value.name == "loads_recorded_impulse_x")
+    {
       EXPECT_NEAR(value.value, 0.8, 1e-12);
+    }
   std::filesystem::remove(file);
 }
 
@@ -224,7 +234,9 @@ TEST(RecordedLoads, MergedSamplesKeepRampsAndImpulses)
     EXPECT_EQ(loads->pressure(0), 0.);
     for (const NamedValue &value : loads->audit())
       if (value.name == "loads_mapped_impulse_x")
+      {
         EXPECT_NEAR(value.value, 7.2, 1e-6);
+      }
     EXPECT_NEAR(felt_impulse(*loads), 7.2, 1e-3);
   }
   std::filesystem::remove(file);

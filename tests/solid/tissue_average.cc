@@ -77,6 +77,8 @@ TEST(TissueAverage, WavesLoseCosineSquared)
   const std::vector<double> averages = part.average.average(values);
   for (std::size_t i = 0; i < values.size(); ++i)
     if (std::abs(part.middles[i][0] - 0.03) < 0.02)
+    {
       EXPECT_NEAR(
         averages[i], values[i] * std::pow(std::cos(0.5 * k * 0.01), 2), 1e-14);
+    }
 }
