@@ -36,6 +36,16 @@ std::shared_ptr<solid::RecordedLoads> read_loads(const std::string &file,
   prm.set("Averaging interval", interval);
   return solid::RecordedLoads::parse_parameters(prm);
 }
+
+
+double audited(const solid::RecordedLoads &loads, const std::string &name)
+{
+  for (const NamedValue &value : loads.audit())
+    if (value.name == name)
+      return value.value;
+  ADD_FAILURE() << "no value " << name;
+  return 0.;
+}
 } // namespace
 
 
@@ -62,22 +72,10 @@ TEST(RecordedLoads, NearestFacetThatFacesTheSameWay)
   loads->set_time(10.);
   EXPECT_EQ(loads->pressure(0), 0.);
 
-  for (const NamedValue &value : loads->audit())
-  {
-    if (value.name == "loads_unmatched_facets")
-    {
-      EXPECT_EQ(value.value, 1.);
-    }
-    // Means over 1 ms: 600 and 60 Pa ms, on 1 m^2 towards +x and 2 towards -x.
-    if (value.name == "loads_recorded_impulse_x")
-    {
-      EXPECT_NEAR(value.value, 0.6 - 0.12, 1e-12);
-    }
-    if (value.name == "loads_mapped_impulse_y")
-    {
-      EXPECT_NEAR(value.value, -0.3, 1e-12);
-    }
-  }
+  EXPECT_EQ(audited(*loads, "loads_unmatched_facets"), 1.);
+  // Means over 1 ms: 600 and 60 Pa ms, on 1 m^2 towards +x and 2 towards -x.
+  EXPECT_NEAR(audited(*loads, "loads_recorded_impulse_x"), 0.6 - 0.12, 1e-12);
+  EXPECT_NEAR(audited(*loads, "loads_mapped_impulse_y"), -0.3, 1e-12);
   std::filesystem::remove(file);
 }
 
@@ -97,11 +95,7 @@ TEST(RecordedLoads, ImpulseIsKept)
     const double factor = area > 0.9 ? 0.48 / (0.95 * 0.6 - 0.12) : 1.;
     loads->set_time(0.5e-3);
     EXPECT_NEAR(loads->pressure(0), factor * 100., 1e-10);
-    for (const NamedValue &value : loads->audit())
-      if (value.name == "loads_impulse_factor")
-      {
-        EXPECT_NEAR(value.value, factor, 1e-12);
-      }
+    EXPECT_NEAR(audited(*loads, "loads_impulse_factor"), factor, 1e-12);
   }
   std::filesystem::remove(file);
 }
@@ -129,11 +123,7 @@ TEST(RecordedLoads, RecordedFromArrival)
   EXPECT_NEAR(loads->pressure(0), 200., 1e-6);
   loads->set_time(1.0015);
   EXPECT_NEAR(loads->pressure(0), 400., 1e-6);
-  for (const NamedValue &value : loads->audit())
-    if (value.name == "loads_recorded_impulse_x")
-    {
-      EXPECT_NEAR(value.value, 0.6, 1e-9);
-    }
+  EXPECT_NEAR(audited(*loads, "loads_recorded_impulse_x"), 0.6, 1e-9);
   std::filesystem::remove(file);
 }
 
@@ -162,11 +152,7 @@ TEST(RecordedLoads, MirroredAcrossTwoPlanes)
   loads->set_time(0.5e-3);
   for (unsigned int i = 0; i < 4; ++i)
     EXPECT_NEAR(loads->pressure(i), 100., 1e-10);
-  for (const NamedValue &value : loads->audit())
-    if (value.name == "loads_recorded_impulse_x")
-    {
-      EXPECT_NEAR(value.value, 0.8, 1e-12);
-    }
+  EXPECT_NEAR(audited(*loads, "loads_recorded_impulse_x"), 0.8, 1e-12);
   std::filesystem::remove(file);
 }
 
@@ -232,11 +218,7 @@ TEST(RecordedLoads, MergedSamplesKeepRampsAndImpulses)
     // The sample that ends at 9 ms has its middle at 7 ms.
     loads->set_time(6.9e-3);
     EXPECT_EQ(loads->pressure(0), 0.);
-    for (const NamedValue &value : loads->audit())
-      if (value.name == "loads_mapped_impulse_x")
-      {
-        EXPECT_NEAR(value.value, 7.2, 1e-6);
-      }
+    EXPECT_NEAR(audited(*loads, "loads_mapped_impulse_x"), 7.2, 1e-6);
     EXPECT_NEAR(felt_impulse(*loads), 7.2, 1e-3);
   }
   std::filesystem::remove(file);
