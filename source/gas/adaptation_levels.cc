@@ -4,6 +4,7 @@
 #include <contrecoup/gas/adaptation.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace contrecoup::gas
 {
@@ -23,7 +24,6 @@ bool Adaptation<dim>::is_in_fine_box(const dealii::Point<dim> &place) const
 template <int dim>
 SizeLimits::Levels Adaptation<dim>::levels(const unsigned int leaf) const
 {
-  const auto centre = mesh_.cell(leaf)->center();
   SizeLimits::Levels general = {parameters_.least_level,
                                 parameters_.most_level};
   if (body_ != nullptr)
@@ -36,10 +36,36 @@ SizeLimits::Levels Adaptation<dim>::levels(const unsigned int leaf) const
     if (layers <= 2.)
       general.most = std::min(general.most, level + 2);
   }
+  return narrowed(leaf, general, time_);
+}
+
+
+template <int dim>
+SizeLimits::Levels Adaptation<dim>::narrowed(const unsigned int leaf,
+                                             SizeLimits::Levels general,
+                                             const double time) const
+{
+  const auto centre = mesh_.cell(leaf)->center();
   if (is_in_fine_box(centre))
     general.least = std::max(general.least, parameters_.fine_level);
   return parameters_.limits.levels(
-    centre, time_, general, 0.5 * mesh_.cell(leaf)->diameter());
+    centre, time, general, 0.5 * mesh_.cell(leaf)->diameter());
+}
+
+
+template <int dim>
+std::vector<double> Adaptation<dim>::front_shares(const double time) const
+{
+  std::vector<double> result(mesh_.n_owned());
+  for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
+  {
+    const unsigned int level = mesh_.cell(leaf)->level();
+    const unsigned int most =
+      narrowed(leaf, {parameters_.least_level, parameters_.most_level}, time)
+        .most;
+    result[leaf] = std::pow(0.5, std::max(level, most) - most);
+  }
+  return result;
 }
 
 

@@ -6,7 +6,6 @@
 #include <contrecoup/gas/adaptation.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace contrecoup::gas
 {
@@ -189,9 +188,9 @@ void AdaptationParameters::check(const unsigned int dim,
 }
 
 
-void AdaptationParameters::fit_interval(const double reach,
-                                        const unsigned int dim,
-                                        const unsigned int n_points)
+void AdaptationParameters::find_buffer_steps(const double reach,
+                                             const unsigned int dim,
+                                             const unsigned int n_points)
 {
   // Shock speed over |u| + dim c behind it, largest for adiabatic exponents
   // of 1.2 and more and shocks of any strength.
@@ -199,8 +198,6 @@ void AdaptationParameters::fit_interval(const double reach,
   // The front may stand on the rim of a marked leaf, and is seen by the
   // sensor one point ahead.
   const double room = buffer - 1. / n_points;
-  const double steps = std::max(1., std::floor(room / (reach * shock_share)));
-  const auto longest = static_cast<unsigned int>(std::min(steps, 1e6));
-  interval = interval == 0 ? longest : std::min(interval, longest);
+  buffer_steps = std::max(1., room / (reach * shock_share));
 }
 } // namespace contrecoup::gas

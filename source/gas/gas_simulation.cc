@@ -71,8 +71,9 @@ void GasSimulation<dim>::parse_parameters(ParameterHandler &prm)
                                           scheme_.kind ==
                                             Scheme::Kind::finite_volume,
                                           coarse_mesh_.is_axis_aligned());
-  adaptation_parameters_.fit_interval(
+  adaptation_parameters_.find_buffer_steps(
     scheme_.cfl * scheme_.stability_limit(), dim, scheme_.n_points);
+  adaptation_pace_ = AdaptationPace(adaptation_parameters_);
   probes_.parse_parameters(prm, coarse_mesh_);
   parse_body(prm);
   probes_.set_ambient(initial_state_);
@@ -129,20 +130,11 @@ void GasSimulation<dim>::create_octree()
 
 
 template <int dim>
-void GasSimulation<dim>::refine_octree()
-{
-  mesh_.triangulation().refine_global(coarse_mesh_.initial_refinement());
-  mesh_.rebuild();
-  adaptation_->refine_fine_box();
-  adaptation_->refine_at_body();
-}
-
-
-template <int dim>
 void GasSimulation<dim>::setup()
 {
   create_octree();
   time_ = initial_state_.time();
+  adaptation_pace_.begin(time_);
   if (initial_state_.profile() != nullptr)
     go_on_burning();
   refine_octree();
@@ -157,42 +149,6 @@ void GasSimulation<dim>::setup()
   if (initial_state_.profile() != nullptr)
     go_on_mapping();
   probes_.read(field_, material_, time_);
-}
-
-
-template <int dim>
-void GasSimulation<dim>::fit_mesh_to_initial_state()
-{
-  while (adaptation_->refine_where(
-    [this](const unsigned int leaf) { return wants_initial_refinement(leaf); }))
-    ;
-  // The sensor then sees what distances alone cannot tell.
-  for (unsigned int level = 0; level < adaptation_parameters_.most_level;
-       ++level)
-  {
-    set_initial_state(true);
-    stepper_->update_ghosts(field_);
-    if (!adaptation_->adapt(field_))
-      break;
-    mesh_changed();
-  }
-}
-
-
-template <int dim>
-bool GasSimulation<dim>::wants_initial_refinement(const unsigned int leaf) const
-{
-  const LeafBox<dim> box = leaf_box(mesh_, leaf);
-  if (const auto *profile = initial_state_.profile())
-    return is_steep_in(*profile, box, layout_.n);
-  const dealii::Point<dim> centre =
-    box.origin + dealii::Tensor<1, dim>(box.extents * 0.5);
-  const double reach = 0.5 * box.extents.norm() * (1. + 1e-10);
-  if (charges_.signed_distance(centre) < reach)
-    return true;
-  const double distance = initial_state_.distance_to_feature(centre);
-  // Smooth fields have no features to go by; the sensor finds their shape.
-  return distance > 0. && distance < reach;
 }
 
 
@@ -247,6 +203,7 @@ void GasSimulation<dim>::mesh_changed()
   update_burn();
   cut_leaves();
   stepper_->reinit(field_);
+  find_front_shares();
   probes_.reinit(mesh_, points_);
   gauges_.reinit(mesh_, points_);
   open_sides_.reinit(mesh_, boundary_);
@@ -264,7 +221,8 @@ void GasSimulation<dim>::update_burn()
 template <int dim>
 StepReport GasSimulation<dim>::advance(const double largest_step)
 {
-  const double stable = stepper_->stable_step();
+  const auto rates = stepper_->largest_rates();
+  const double stable = stepper_->stable_step(rates);
   const auto result =
     stepper_->advance(field_, time_, std::min(stable, largest_step));
   if (result.failed)
@@ -272,6 +230,7 @@ StepReport GasSimulation<dim>::advance(const double largest_step)
   time_ += result.step;
   n_careful_steps_ += result.careful ? 1. : 0.;
   ++n_steps_;
+  adaptation_pace_.add_step(rates.fronts / rates.all);
   update_burn();
   if (afterburn_.release(time_, result.step, mesh_, points_, material_, field_))
     stepper_->analyse(field_);
@@ -339,20 +298,6 @@ std::string GasSimulation<dim>::describe_leaf(const unsigned int leaf)
     message << (c == 0 ? " " : ", ") << values[c * layout_.n_points];
   message << " (density, momentum, energy per volume)";
   return message.str();
-}
-
-
-template <int dim>
-bool GasSimulation<dim>::adapt()
-{
-  if (!adaptation_parameters_.active ||
-      n_steps_ % adaptation_parameters_.interval != 0)
-    return false;
-  stepper_->update_ghosts(field_);
-  if (!adaptation_->adapt(field_, maps_, time_, &stepper_->quiet_leaves()))
-    return false;
-  mesh_changed();
-  return true;
 }
 
 
@@ -458,6 +403,7 @@ void GasSimulation<dim>::save(const std::string &folder)
     out.write(reinterpret_cast<const char *>(&n_steps_), sizeof(n_steps_));
     out.write(reinterpret_cast<const char *>(&has_burned_),
               sizeof(has_burned_));
+    adaptation_pace_.save(out);
     afterburn_.save(out);
     probes_.save(out);
     gauges_.save(out);
@@ -478,6 +424,7 @@ void GasSimulation<dim>::restore(const std::string &folder)
   stream.read(reinterpret_cast<char *>(&time_), sizeof(time_));
   stream.read(reinterpret_cast<char *>(&n_steps_), sizeof(n_steps_));
   stream.read(reinterpret_cast<char *>(&has_burned_), sizeof(has_burned_));
+  adaptation_pace_.load(stream);
   afterburn_.load(stream);
   probes_.load(stream);
   gauges_.load(stream);

@@ -27,6 +27,7 @@ void TimeStepper<dim>::reinit(GasField &field)
   visit_precision(precision_, [&](const auto real) {
     signal_rates<std::decay_t<decltype(real)>>().resize(mesh_.first_ghost());
   });
+  front_shares_.clear();
   compute_sensors(field);
   quiet_leaves_.reinit(field, operator_.driven_leaves());
   for (const unsigned int batch : operator_.still_batches())
@@ -60,13 +61,18 @@ void TimeStepper<dim>::compute_sensors(GasField &field)
 
 
 template <int dim>
-double TimeStepper<dim>::stable_step() const
+typename TimeStepper<dim>::Rates TimeStepper<dim>::largest_rates() const
 {
-  double largest = 0.;
+  std::vector<double> largest = {0., 0.};
   for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
-    largest = std::max(largest, signal_rate(leaf));
-  largest = dealii::Utilities::MPI::max(largest, mesh_.communicator());
-  return scheme_.cfl * scheme_.stability_limit() / largest;
+  {
+    const double rate = signal_rate(leaf);
+    const double share = front_shares_.empty() ? 1. : front_shares_[leaf];
+    largest[0] = std::max(largest[0], rate);
+    largest[1] = std::max(largest[1], share * rate);
+  }
+  dealii::Utilities::MPI::max(largest, mesh_.communicator(), largest);
+  return {largest[0], largest[1]};
 }
 
 

@@ -266,6 +266,36 @@ TEST(BodyLevels, AdaptationKeepsMassAndTheSurface)
 }
 
 
+TEST(BodyLevels, FrontsInLeavesThatAreSmallForTheBodyAloneHaveLessBuffer)
+{
+  // Leaves at the body are of level 4 and, where x is large, 5; fronts may have
+  // level 4, and 3 from 1 s on.
+  const GasRun<2> run(ball_of_two_sizes<2>("embedded") +
+                      Lines{"Rigid body/Levels=1",
+                            "Rigid body/Finer region half/Levels=2",
+                            "Adaptation/Active=true",
+                            "Adaptation/Largest level=4",
+                            "Adaptation/Limit later/From time=1",
+                            "Adaptation/Limit later/Largest level=3"});
+  std::array<unsigned int, 2> n_finer = {{0, 0}};
+  for (const unsigned int later : {0U, 1U})
+  {
+    const auto shares = run.adaptation->front_shares(later);
+    ASSERT_EQ(shares.size(), run.mesh.n_owned());
+    for (unsigned int leaf = 0; leaf < run.mesh.n_owned(); ++leaf)
+    {
+      const int finer = run.mesh.cell(leaf)->level() - (4 - int(later));
+      EXPECT_EQ(shares[leaf], finer > 0 ? std::pow(0.5, finer) : 1.);
+      n_finer[later] += finer > 0 ? 1 : 0;
+    }
+  }
+  for (unsigned int &n : n_finer)
+    n = dealii::Utilities::MPI::sum(n, MPI_COMM_WORLD);
+  EXPECT_GT(n_finer[0], 10u);
+  EXPECT_GT(n_finer[1], n_finer[0]);
+}
+
+
 TEST(BodyLevels, SinglePrecisionAgreesWithDouble)
 {
   for (const std::string treatment : {"embedded", "staircase"})

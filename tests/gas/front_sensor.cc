@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/gas/adaptation_pace.h>
+
 #include "gas_run.h"
 #include <gtest/gtest.h>
 
@@ -107,15 +109,33 @@ TEST(FrontSensor, SeesNoContactsAndNoVortices)
 
 namespace
 {
-/// With the longest interval that the buffer allows. Returns the number of
-/// leaves at the end.
-double follow_a_front(const Lines &lines)
+/// Steps until adaptation is due, when fronts run that share in each.
+unsigned int steps_until_due(const AdaptationParameters &parameters,
+                             const double front_share = 1.)
+{
+  AdaptationPace pace(parameters);
+  unsigned int result = 0;
+  for (; !pace.is_due(); ++result)
+    pace.add_step(front_share);
+  return result;
+}
+
+
+struct Followed
+{
+  unsigned int leaves = 0; ///< at the end
+  unsigned int steps = 0;
+};
+
+/// Six times as many steps as the buffer allows between two adaptations.
+Followed follow_a_front(const Lines &lines)
 {
   GasRun<2> run(adaptive + finite_volume(8) + Lines{"Adaptation/Interval=0"} +
                 lines);
   AdaptationParameters parameters = run.adaptation_parameters;
-  parameters.fit_interval(run.scheme.cfl * run.scheme.stability_limit(), 2, 8);
-  EXPECT_EQ(parameters.interval, 26u);
+  parameters.find_buffer_steps(
+    run.scheme.cfl * run.scheme.stability_limit(), 2, 8);
+  EXPECT_EQ(steps_until_due(parameters), 26u);
   const StateFunction<2> start = [](const Point<2> &p) {
     GasState<2> state = ambient();
     if (p[0] < 0.2)
@@ -128,15 +148,22 @@ double follow_a_front(const Lines &lines)
     run.adapt();
   }
   run.set_state(start);
+  run.adapt();
+  Followed result;
   for (unsigned int round = 0; round < 6; ++round)
   {
-    run.steps(parameters.interval);
+    AdaptationPace pace(parameters);
+    for (; !pace.is_due(); ++result.steps)
+    {
+      pace.add_step(run.front_share());
+      run.steps(1);
+    }
     // Where the gas moves farthest to the right the leaves are fine.
     std::array<double, 2> farthest = {{0., 0.}};
     for (unsigned int leaf = 0; leaf < run.mesh.n_owned(); ++leaf)
     {
       const auto values = run.field.leaf(leaf);
-      double &place = farthest[run.mesh.cell(leaf)->level() == 4];
+      double &place = farthest[run.mesh.cell(leaf)->level() >= 4];
       for (unsigned int q = 0; q < run.layout.n_points; ++q)
         if (values[run.layout.n_points + q] > 10.)
           place = std::max(place, run.mesh.cell(leaf)->center()[0]);
@@ -147,16 +174,33 @@ double follow_a_front(const Lines &lines)
     EXPECT_GT(farthest[1], 0.2 + 900. * run.time - 1. / 16.);
     run.adapt();
   }
-  return run.mesh.n_global();
+  result.leaves = run.mesh.n_global();
+  return result;
 }
 } // namespace
 
 
 TEST(FrontSensor, AFrontStaysInFineLeavesBetweenAdaptations)
 {
-  const double all_around = follow_a_front({});
-  const double ahead = follow_a_front({"Adaptation/Buffer side=ahead"});
-  EXPECT_LE(ahead, all_around);
+  const Followed all_around = follow_a_front({});
+  const Followed ahead = follow_a_front({"Adaptation/Buffer side=ahead"});
+  EXPECT_LE(ahead.leaves, all_around.leaves);
+  EXPECT_EQ(ahead.steps, 6u * 26u);
+}
+
+
+TEST(FrontSensor, StepsOfSmallLeavesAtABodyAskForFewAdaptations)
+{
+  // Its leaves are a sixteenth of those that fronts may have, and sound is some
+  // five times as fast behind the front as in the air around the body.
+  const Followed front = follow_a_front({"Adaptation/Buffer side=ahead",
+                                         "Rigid body/Kind=body",
+                                         "Rigid body/Levels=5",
+                                         "Body/Kind=shape",
+                                         "Body/Shape/Shape=sphere",
+                                         "Body/Shape/Size=0.02",
+                                         "Body/Shift=0.5, 0.5, 0"});
+  EXPECT_GT(front.steps, 2u * 6u * 26u);
 }
 
 
@@ -199,8 +243,8 @@ TEST(FrontSensor, IntervalsFitTheBuffer)
                           const unsigned int n_points) {
     parameters.interval = interval;
     parameters.buffer = buffer;
-    parameters.fit_interval(0.4 / n_points, dim, n_points);
-    return parameters.interval;
+    parameters.find_buffer_steps(0.4 / n_points, dim, n_points);
+    return steps_until_due(parameters);
   };
   EXPECT_EQ(fitted(0, 1, 1, 8), 17u);
   EXPECT_EQ(fitted(0, 1, 2, 8), 26u);
@@ -210,6 +254,30 @@ TEST(FrontSensor, IntervalsFitTheBuffer)
   EXPECT_EQ(fitted(50, 1, 3, 8), 32u);
   EXPECT_EQ(fitted(5, 1, 2, 1), 1u);
   EXPECT_EQ(fitted(5, 0, 3, 8), 1u);
+}
+
+
+TEST(FrontSensor, IntervalsAreLongerWhereTheBodyAloneHasSmallLeaves)
+{
+  AdaptationParameters parameters;
+  parameters.find_buffer_steps(0.4 / 4, 3, 4);
+  parameters.interval = 0;
+  EXPECT_EQ(steps_until_due(parameters), 13u);
+  EXPECT_EQ(steps_until_due(parameters, 0.5), 27u);
+  EXPECT_EQ(steps_until_due(parameters, 0.125), 111u);
+  parameters.interval = 20;
+  EXPECT_EQ(steps_until_due(parameters, 0.5), 20u);
+  // Never beyond what the fastest step so far asks for.
+  parameters.interval = 0;
+  AdaptationPace pace(parameters);
+  for (unsigned int i = 0; i < 20; ++i)
+    pace.add_step(0.5);
+  EXPECT_FALSE(pace.is_due());
+  for (unsigned int i = 0; i < 3; ++i)
+    pace.add_step(1.);
+  EXPECT_TRUE(pace.is_due());
+  pace.begin(0.);
+  EXPECT_FALSE(pace.is_due());
 }
 
 

@@ -170,15 +170,24 @@ public:
   bool adapt()
   {
     stepper->update_ghosts(field);
-    if (!adaptation->adapt(field, time, &stepper->quiet_leaves()))
-      return false;
-    if (!charges.empty())
+    const bool changed =
+      adaptation->adapt(field, time, &stepper->quiet_leaves());
+    if (changed && !charges.empty())
     {
       detonation.reinit(mesh, points, charges);
       field.set_burn(&detonation.burn(), time);
     }
-    reinit();
-    return true;
+    if (changed)
+      reinit();
+    stepper->set_front_shares(adaptation->front_shares(time));
+    return changed;
+  }
+
+  /// See AdaptationPace.
+  double front_share() const
+  {
+    const auto rates = stepper->largest_rates();
+    return rates.fronts / rates.all;
   }
 
   std::map<std::string, double> totals() const

@@ -32,13 +32,13 @@ struct AdaptationParameters
                         const bool is_axis_aligned);
 
   /**
-   * Shortens the interval such that no shock that runs into gas at rest
-   * crosses the buffer in between.
+   * Finds in how many steps no shock that runs into gas at rest crosses the
+   * buffer.
    * @param reach step size times signal rate sum_d (|u_d| + c) / h_d [-]
    */
-  void fit_interval(const double reach,
-                    const unsigned int dim,
-                    const unsigned int n_points);
+  void find_buffer_steps(const double reach,
+                         const unsigned int dim,
+                         const unsigned int n_points);
 
   enum class Sensor
   {
@@ -49,7 +49,8 @@ struct AdaptationParameters
 
   bool active = false;
   Sensor sensor = Sensor::bend;
-  unsigned int interval = 5;    ///< steps between adaptations; 0: longest
+  unsigned int interval = 5;    ///< most steps in between; 0: no such limit
+  double buffer_steps = 1.;     ///< for fronts in leaves that set the step
   unsigned int least_level = 0; ///< refinements of the coarse mesh
   unsigned int most_level = 0;
   double refine = 0.3;     ///< sensor above which leaves are halved
@@ -120,6 +121,11 @@ public:
   /// Halves the leaves in the fine box until they have its level.
   void refine_fine_box();
 
+  /// For each owned leaf, its edge length over that of the smallest leaf that
+  /// fronts may have there at time @p time [s], or one if it is not smaller: a
+  /// front in it has so much less of the buffer behind it [-].
+  std::vector<double> front_shares(const double time) const;
+
   /// Sensor of each owned leaf, from 0 (smooth) to 1 (a jump). The field's
   /// ghosts must be up to date.
   std::vector<double> sensors(const GasField &field) const;
@@ -138,6 +144,11 @@ private:
   std::vector<bool> wanted_batches() const;
   /// Levels that a leaf may have.
   SizeLimits::Levels levels(const unsigned int leaf) const;
+  /// The part @p general of these that fine box and limits leave at time
+  /// @p time [s].
+  SizeLimits::Levels narrowed(const unsigned int leaf,
+                              SizeLimits::Levels general,
+                              const double time) const;
   /// See RigidBody::layers_to().
   double layers_from_body(const unsigned int leaf) const;
   /// Level that the leaf shall have if it is at the body.

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <contrecoup/base/simulation.h>
-#include <contrecoup/gas/adaptation.h>
+#include <contrecoup/gas/adaptation_pace.h>
 #include <contrecoup/gas/afterburn.h>
 #include <contrecoup/gas/blast_maps.h>
 #include <contrecoup/gas/boundary.h>
@@ -161,6 +161,8 @@ private:
   void fit_mesh_to_initial_state();
   bool wants_initial_refinement(const unsigned int leaf) const;
   void mesh_changed();
+  /// Tells the stepper where fronts have coarser leaves than the body.
+  void find_front_shares();
   void update_burn();
   void parse_profile_file(dealii::ParameterHandler &prm);
   std::vector<std::string> mapping_report(const ProfileMapping &mapping) const;
@@ -206,6 +208,7 @@ private:
   std::unique_ptr<GasOperator<dim>> operator_;
   std::unique_ptr<TimeStepper<dim>> stepper_;
   std::unique_ptr<Adaptation<dim>> adaptation_;
+  AdaptationPace adaptation_pace_;
   Detonation<dim> detonation_;
   /// Whether all explosive has burned. Once it has, changes of the cells'
   /// sizes must not take that back.

@@ -11,6 +11,7 @@
 #include <deal.II/base/aligned_vector.h>
 
 #include <optional>
+#include <vector>
 
 namespace contrecoup::gas
 {
@@ -45,8 +46,31 @@ public:
     });
   }
 
+  /// Largest signal rates of the current state [1/s].
+  struct Rates
+  {
+    double all = 0.;    ///< of all leaves
+    double fronts = 0.; ///< each times its share, see set_front_shares()
+  };
+
+  /// Collective.
+  Rates largest_rates() const;
+
   /// Largest stable step from the current state [s]. Collective.
-  double stable_step() const;
+  double stable_step() const
+  {
+    return stable_step(largest_rates());
+  }
+  double stable_step(const Rates &rates) const
+  {
+    return scheme_.cfl * scheme_.stability_limit() / rates.all;
+  }
+
+  /// Takes what Adaptation::front_shares() says of the leaves, until reinit().
+  void set_front_shares(std::vector<double> shares)
+  {
+    front_shares_ = std::move(shares);
+  }
 
   struct Result
   {
@@ -113,6 +137,7 @@ private:
   Precision precision_ = Precision::double_precision; ///< of the field
   std::tuple<dealii::AlignedVector<double>, dealii::AlignedVector<float>>
     signal_rates_;
+  std::vector<double> front_shares_; ///< empty: all one
   QuietLeaves<dim> quiet_leaves_;
   unsigned int unphysical_leaf_ = no_leaf;
   std::array<double, 6> wall_force_; ///< see Result
