@@ -39,6 +39,18 @@ contrecoup_add_application_test(body_levels_resume resume FILE ${_cylinder}
     "Loads/Record=true"
   COMPARE history.csv probes.csv STOP_AFTER 20)
 
+# Leaves at the body are smaller than those of fronts, so that the mesh adapts after
+# more steps than these would need alone; a stop comes in between.
+set(_adaptive "Domain/Initial refinement=1" "Rigid body/Levels=2"
+  "Adaptation/Active=true" "Adaptation/Interval=0" "Adaptation/Sensor=blast"
+  "Adaptation/Buffer side=ahead" "Adaptation/Largest level=2"
+  "Time/End time=0.5")
+contrecoup_add_application_test(body_adaptive_resume resume FILE ${_cylinder}
+  SET ${_adaptive} COMPARE history.csv probes.csv STOP_AFTER 100)
+contrecoup_add_application_test(body_adaptive_ranks ranks FILE ${_cylinder}
+  SET ${_adaptive} "Output/Fields=false" "Output/History interval=0.1"
+  COMPARE history.csv probes.csv TOLERANCE "-r 1e-10 -a 1e-10")
+
 # Against two-shock theory, on a quarter of the cells a side.
 contrecoup_add_application_test(body_wedge bounds
   FILE blast/verification/body_wedge.prm
