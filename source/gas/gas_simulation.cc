@@ -134,7 +134,7 @@ void GasSimulation<dim>::setup()
 {
   create_octree();
   time_ = initial_state_.time();
-  adaptation_pace_.begin(time_);
+  adaptation_pace_.restart(time_);
   if (initial_state_.profile() != nullptr)
     go_on_burning();
   refine_octree();
@@ -203,7 +203,7 @@ void GasSimulation<dim>::mesh_changed()
   update_burn();
   cut_leaves();
   stepper_->reinit(field_);
-  find_front_shares();
+  update_front_shares();
   probes_.reinit(mesh_, points_);
   gauges_.reinit(mesh_, points_);
   open_sides_.reinit(mesh_, boundary_);

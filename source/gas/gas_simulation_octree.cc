@@ -57,31 +57,31 @@ bool GasSimulation<dim>::adapt()
 {
   if (!adaptation_parameters_.active || !adaptation_pace_.is_due())
     return false;
-  adaptation_pace_.begin(time_);
+  adaptation_pace_.restart(time_);
   stepper_->update_ghosts(field_);
   const bool changed =
     adaptation_->adapt(field_, maps_, time_, &stepper_->quiet_leaves());
   if (changed)
     mesh_changed();
   else
-    find_front_shares();
+    update_front_shares();
   return changed;
 }
 
 
 template <int dim>
-void GasSimulation<dim>::find_front_shares()
+void GasSimulation<dim>::update_front_shares()
 {
   if (adaptation_parameters_.active)
     stepper_->set_front_shares(
-      adaptation_->front_shares(adaptation_pace_.begin()));
+      adaptation_->front_shares(adaptation_pace_.start()));
 }
 
 
 #define CONTRECOUP_INSTANTIATE(dim)                              \
   template void GasSimulation<dim>::refine_octree();             \
   template void GasSimulation<dim>::fit_mesh_to_initial_state(); \
-  template void GasSimulation<dim>::find_front_shares();         \
+  template void GasSimulation<dim>::update_front_shares();       \
   template bool GasSimulation<dim>::adapt()
 
 CONTRECOUP_INSTANTIATE(1);

@@ -276,7 +276,7 @@ TEST(FrontSensor, IntervalsAreLongerWhereTheBodyAloneHasSmallLeaves)
   for (unsigned int i = 0; i < 3; ++i)
     pace.add_step(1.);
   EXPECT_TRUE(pace.is_due());
-  pace.begin(0.);
+  pace.restart(0.);
   EXPECT_FALSE(pace.is_due());
 }
 

@@ -144,8 +144,8 @@ private:
   std::vector<bool> wanted_batches() const;
   /// Levels that a leaf may have.
   SizeLimits::Levels levels(const unsigned int leaf) const;
-  /// The part @p general of these that fine box and limits leave at time
-  /// @p time [s].
+  /// What fine box and limits leave of the levels @p general at time @p time
+  /// [s].
   SizeLimits::Levels narrowed(const unsigned int leaf,
                               SizeLimits::Levels general,
                               const double time) const;

@@ -44,22 +44,23 @@ public:
   }
 
   /// Begins to count anew at time @p time [s].
-  void begin(const double time)
+  void restart(const double time)
   {
     n_steps_ = 0;
     travel_ = 0.;
     last_share_ = 0.;
-    begin_ = time;
+    start_ = time;
   }
 
   /// Time when it began to count [s].
-  double begin() const
+  double start() const
   {
-    return begin_;
+    return start_;
   }
 
   /// Writes what it has counted.
   void save(std::ostream &stream) const;
+  /// Reads what save() wrote.
   void load(std::istream &stream);
 
 private:
@@ -68,6 +69,6 @@ private:
   std::uint64_t n_steps_ = 0;
   double travel_ = 0.; ///< sum of the shares
   double last_share_ = 0.;
-  double begin_ = 0.; ///< [s]
+  double start_ = 0.; ///< see start()
 };
 } // namespace contrecoup::gas

@@ -161,8 +161,8 @@ private:
   void fit_mesh_to_initial_state();
   bool wants_initial_refinement(const unsigned int leaf) const;
   void mesh_changed();
-  /// Tells the stepper where fronts have coarser leaves than the body.
-  void find_front_shares();
+  /// Tells the stepper where leaves are smaller than fronts may have.
+  void update_front_shares();
   void update_burn();
   void parse_profile_file(dealii::ParameterHandler &prm);
   std::vector<std::string> mapping_report(const ProfileMapping &mapping) const;

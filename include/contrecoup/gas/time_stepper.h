@@ -11,6 +11,7 @@
 #include <deal.II/base/aligned_vector.h>
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace contrecoup::gas
