@@ -67,6 +67,13 @@ namespace
   }
 
 
+  double diagonal(const dealii::BoundingBox<3> &box)
+  {
+    const auto corners = box.get_boundary_points();
+    return corners.first.distance(corners.second);
+  }
+
+
   void set_domain(const SceneLayout &layout, Entries &entries)
   {
     entries.set("Domain/Dimension", 3U);
@@ -155,6 +162,7 @@ namespace
       return front > n ? front - n : 0U;
     };
     const double spacing = 0.6;
+    const double later = 2.8 * layout.arrival, at_last = 4.4 * layout.arrival;
     // A fireball's radius goes with the cube root of the charge: 0.9 m for
     // 2.268 kg of C-4.
     const double fireball = 0.685 * std::cbrt(scene.mass);
@@ -179,10 +187,20 @@ namespace
               {middle},
               0.5 * layout.distance + spacing,
               entries);
-    entries.set("Adaptation/Limit later/From time", 2.8 * layout.arrival);
+    entries.set("Adaptation/Limit later/From time", later);
     entries.set("Adaptation/Limit later/Largest level", below(1));
-    entries.set("Adaptation/Limit at last/From time", 4.4 * layout.arrival);
+    entries.set("Adaptation/Limit at last/From time", at_last);
     entries.set("Adaptation/Limit at last/Largest level", below(2));
+    // Fronts that have left the body behind, the ground's among them, do not
+    // come back.
+    set_limit("gone",
+              0U,
+              "outside of ball",
+              {layout.body.center()},
+              0.5 * diagonal(layout.body) + SceneLayout::leaf,
+              entries);
+    entries.set("Adaptation/Limit gone/From time",
+                std::max(later, layout.last_arrival));
   }
 
 

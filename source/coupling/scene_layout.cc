@@ -37,6 +37,19 @@ namespace
   }
 
 
+  /// From @p place to the corner of the box that is farthest from it.
+  double farthest_distance(const dealii::BoundingBox<3> &box,
+                           const Point<3> &place)
+  {
+    double squares = 0.;
+    for (unsigned int d = 0; d < 3; ++d)
+      squares += std::pow(std::max(std::abs(box.lower_bound(d) - place[d]),
+                                   std::abs(box.upper_bound(d) - place[d])),
+                          2);
+    return std::sqrt(squares);
+  }
+
+
   double energy_of(const SceneParameters &scene)
   {
     const JwlParameters &jwl = find_explosive(scene.explosive).jwl;
@@ -62,6 +75,8 @@ SceneLayout::SceneLayout(const SceneParameters &scene, const Shape &surface)
   find_symmetry(scene, surface);
   const ExpectedBlast blast(energy_of(scene), air_pressure, air_density);
   arrival = blast.arrival(distance);
+  const Point<3> image(charge[0], charge[1], -charge[2]);
+  last_arrival = blast.arrival(farthest_distance(body, image));
   overpressure = blast.overpressure(distance);
   reach = blast.radius(scene.end_time);
   if (arrival >= scene.end_time)

@@ -39,10 +39,11 @@ struct SceneLayout
   /// What half of the gas allows of it: a hundredth of the body's width, less
   /// than persons differ from side to side [m].
   double symmetry_limit;
-  bool is_half;                  ///< whether y > 0 alone is computed
-  double arrival;                ///< of the front at the body, expected [s]
-  double overpressure;           ///< behind that front [Pa]
-  double reach;                  ///< of the front at the end time [m]
+  bool is_half;        ///< whether y > 0 alone is computed
+  double arrival;      ///< of the front at the body, expected [s]
+  double last_arrival; ///< of the ground's reflection at all of the body [s]
+  double overpressure; ///< behind that front [Pa]
+  double reach;        ///< of the front at the end time [m]
   dealii::Point<3> lower, upper; ///< corners of the domain [m]
   std::array<unsigned int, 3> n_leaves;
 

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/coupling/scene_files.h>
+#include <contrecoup/geometry/primitive_shapes.h>
+#include <contrecoup/materials/explosives.h>
+#include <contrecoup/numerics/expected_blast.h>
+
+#include <gtest/gtest.h>
+
+using namespace contrecoup;
+using namespace contrecoup::coupling;
+using dealii::Point;
+
+namespace
+{
+/// 2.268 kg of C-4 before a body that stands on the ground.
+SceneParameters scene_with(const double distance, const double height)
+{
+  SceneParameters scene;
+  scene.accuracy = SceneParameters::accuracies.back();
+  scene.end_time = 0.05;
+  scene.symmetry = "auto";
+  scene.explosive = "c-4";
+  scene.mass = 2.268;
+  scene.place = Point<3>(0.15 + distance, 0., height);
+  return scene;
+}
+
+
+/// As tall, wide and deep as a man.
+RoundedBox standing_box()
+{
+  return {Point<3>(0., 0., 0.88), Point<3>(0.15, 0.25, 0.88), 0.05};
+}
+
+
+double number(const std::vector<Assignment> &entries,
+              const std::string &limit,
+              const std::string &entry)
+{
+  for (const Assignment &assignment : entries)
+    if (assignment.sections.size() == 2 && assignment.sections[1] == limit &&
+        assignment.entry == entry)
+      return std::stod(assignment.value);
+  ADD_FAILURE() << limit << " has no " << entry;
+  return 0.;
+}
+} // namespace
+
+// A charge near the body or high above the ground has its first front pass
+// long before the ground's.
+TEST(SceneFiles, FrontsGetCoarseOnlyAfterTheGroundsReflectionHasPassed)
+{
+  const RoundedBox body = standing_box();
+  const Point<3> top(-0.15, 0.25, 1.76);
+  unsigned int n_later_than_first = 0;
+  for (const auto &[distance, height] :
+       {std::pair{0.5, 1.27}, {1.5, 3.}, {2.337, 1.27}, {10., 1.}})
+  {
+    const SceneParameters scene = scene_with(distance, height);
+    const SceneLayout layout(scene, body);
+    const auto entries = blast_entries(scene, layout, 78.5);
+    const double time = number(entries, "Limit gone", "From time");
+    const JwlParameters &jwl = find_explosive("c-4").jwl;
+    const ExpectedBlast blast(
+      scene.mass * jwl.energy_density / jwl.reference_density, 101325., 1.225);
+    const Point<3> image(layout.charge[0], 0., -height);
+    EXPECT_GE(time, blast.arrival(image.distance(top)) * (1. - 1e-12));
+    EXPECT_GE(time, number(entries, "Limit later", "From time"));
+    n_later_than_first +=
+      time > number(entries, "Limit later", "From time") ? 1 : 0;
+    const double radius = number(entries, "Limit gone", "Radius");
+    EXPECT_GE(radius, body.bounding_box().center().distance(top) + 0.6);
+    EXPECT_EQ(number(entries, "Limit gone", "Largest level"), 0.);
+  }
+  EXPECT_GE(n_later_than_first, 1U);
+  EXPECT_LE(n_later_than_first, 3U);
+}
