@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/log.h>
-#include <contrecoup/base/memory.h>
 #include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/base/text.h>
 #include <contrecoup/io/cost_cache.h>
@@ -130,20 +129,43 @@ namespace io
       result.seconds += grown(&Trial::setup_seconds, 0., dimension) +
                         grown(&Trial::output_seconds, 0., dimension);
       result.output = grown(&Trial::field_bytes, 0., dimension) +
-                      grown(&Trial::table_bytes, 0., 1.);
-      result.memory = result.cells * last.memory_per_cell;
+                      grown(&Trial::table_bytes, 0., 1.) +
+                      grown(&Trial::load_bytes, dimension - 1., dimension);
       return result;
     }
 
-    /// From the last two trials, or the only one.
+    /// Of the last stage, whose mesh is the largest in memory.
+    double largest_cells(const Trial &trial)
+    {
+      return trial.stages.empty() ? 0. : trial.stages.back().largest_cells;
+    }
+
+    /// What a mesh of @p cells takes, see forecast_cost() [byte].
+    double extrapolate_memory(const std::vector<Trial> &trials,
+                              const double cells)
+    {
+      const Trial &first = trials.front(), &last = trials.back();
+      const double more = largest_cells(last) - largest_cells(first);
+      const double found =
+        more > 0. ? (last.peak_memory - first.peak_memory) / more : 0.;
+      // Twice as much holds what adaptation does; more is noise.
+      const double per_cell =
+        std::clamp(found, last.memory_per_cell, 2. * last.memory_per_cell);
+      return last.peak_memory + per_cell * (cells - largest_cells(last));
+    }
+
+    /// From the last two trials, or the only one; memory from the first, too.
     CostEstimate extrapolate(const std::vector<Trial> &trials,
                              const double known)
     {
       Trial none;
       none.levels = trials.back().levels + 1;
-      return extrapolate(trials.size() > 1 ? trials[trials.size() - 2] : none,
-                         trials.back(),
-                         known);
+      CostEstimate result =
+        extrapolate(trials.size() > 1 ? trials[trials.size() - 2] : none,
+                    trials.back(),
+                    known);
+      result.memory = extrapolate_memory(trials, result.cells);
+      return result;
     }
 
     std::string description_of(const Trial &trial)
@@ -156,7 +178,7 @@ namespace io
       return "  cells " + brief(std::pow(2., trial.levels)) +
              " times as large: " + join(stages, ", ") + "; " +
              duration(trial.seconds) + ", " +
-             bytes(trial.field_bytes + trial.table_bytes);
+             bytes(trial.field_bytes + trial.table_bytes + trial.load_bytes);
     }
 
     /// Levels by which a first trial must be coarser to cost next to nothing,
@@ -252,14 +274,7 @@ namespace io
       expected =
         steady + (trial->seconds - steady) * std::clamp(growth, 2., most);
     }
-    if (trials.empty())
-      return rough;
-    // What the process holds besides the largest mesh of the trials.
-    double largest = 0.;
-    for (const Trial &trial : trials)
-      largest = std::max(largest, trial.largest_cells * trial.memory_per_cell);
-    result.memory += peak_memory(collective.communicator()) - largest;
-    return result;
+    return trials.empty() ? rough : result;
   }
 
   CostEstimate known_cost(const ApplicationDescription &description,

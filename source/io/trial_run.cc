@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/log.h>
+#include <contrecoup/base/memory.h>
 #include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/base/processor_time.h>
 #include <contrecoup/base/run_loop.h>
@@ -129,7 +130,6 @@ namespace io
       {
         const auto size = inner_.size();
         const auto cells = static_cast<double>(size.first);
-        trial_.largest_cells = std::max(trial_.largest_cells, cells);
         trial_.unknowns_per_cell =
           std::max(trial_.unknowns_per_cell,
                    static_cast<double>(size.second) / std::max(1., cells));
@@ -185,6 +185,7 @@ namespace io
         stage.seconds = dealii::Utilities::MPI::max(stage.seconds, all);
       for (double *seconds : {&trial.setup_seconds, &trial.output_seconds})
         *seconds = dealii::Utilities::MPI::max(*seconds, all);
+      trial.peak_memory = peak_memory(all);
       trial.field_seconds = trial.output_seconds;
       trial.seconds = trial.setup_seconds + trial.output_seconds;
       for (const TrialStage &stage : trial.stages)
@@ -192,6 +193,7 @@ namespace io
       for (double *number : {&trial.output_seconds, &trial.field_bytes})
         *number *= outputs / part;
       trial.table_bytes /= part;
+      trial.load_bytes /= part;
       if (!trial.stages.empty())
         for (double *number : {&trial.stages.back().steps,
                                &trial.stages.back().cell_steps,
@@ -213,6 +215,21 @@ namespace io
       return (wanted + 1.) / (few + 1.);
     }
 
+    /// Makes the simulation write what it has kept in memory so far, as it does
+    /// with each checkpoint; finish() would also judge a run so coarse.
+    void save_results(const std::string &folder,
+                      Simulation &simulation,
+                      Collective &collective)
+    {
+      const std::string checkpoint = folder + "/checkpoint";
+      collective.run([&]() {
+        if (dealii::Utilities::MPI::this_mpi_process(
+              collective.communicator()) == 0)
+          std::filesystem::create_directory(checkpoint);
+      });
+      simulation.save(checkpoint);
+    }
+
     /// Runs @p simulation in @p folder; returns the part of the time done.
     double run_in(const std::string &folder,
                   const std::string &application,
@@ -227,6 +244,7 @@ namespace io
       trial.known_cells = rough.cells;
       MeasuredSimulation measured(
         simulation, trial, longest, collective.communicator());
+      simulation.set_output_folder(folder);
       measured.setup();
       OutputFolder output(folder, application, {}, collective);
       output.start();
@@ -243,9 +261,12 @@ namespace io
           throw;
       }
       output.flush();
+      save_results(folder, simulation, collective);
       trial.field_bytes = bytes_in(folder + "/fields");
-      trial.table_bytes =
-        bytes_in(folder + "/history.csv") + bytes_in(folder + "/probes.csv");
+      trial.load_bytes = bytes_in(folder + "/loads.h5");
+      trial.table_bytes = bytes_in(folder + "/history.csv") +
+                          bytes_in(folder + "/probes.csv") +
+                          bytes_in(folder + "/load_gauges.csv");
       return measured.is_too_long()
                ? (measured.time() - begin) / (time.end_time - begin)
                : 1.;
@@ -263,6 +284,7 @@ namespace io
     Trial trial;
     trial.levels = levels;
     double part = 0., outputs = 1.;
+    forget_peak_memory();
     try
     {
       collective.run([&]() {

@@ -1,7 +1,8 @@
 # What --check foretells, and what a run takes for granted.
 
 # Time, memory and output within a factor of 1.5: a blast that begins in 1-D
-# and goes on in an adaptive 3-D mesh, an adaptive one in 2-D, a uniform one.
+# and goes on in an adaptive 3-D mesh, an adaptive one in 2-D, a uniform one;
+# within 2 one with a body that records its loads.
 contrecoup_add_application_test(forecast_stages forecast
   FILE blast/quickstart.prm TOLERANCE 1.5 SET "Time/End time=0.0012"
   "First stage/Cell size=0.002" "Output/Fields interval=0")
@@ -11,6 +12,10 @@ contrecoup_add_application_test(forecast_adaptive forecast
   "Output/Fields interval=0.0003")
 contrecoup_add_application_test(forecast_uniform forecast
   FILE blast/verification/noh_3d.prm TOLERANCE 1.5 SET "Time/End time=0.3")
+contrecoup_add_application_test(forecast_body forecast
+  FILE blast/quickstart_human.prm TOLERANCE 2 SET "Time/End time=0.003"
+  "Rigid body/Levels=2" "First stage/Cell size=0.02" "Pictures/Planes="
+  "First stage/Spherical cell size=0.002" "Output/Fields=false")
 
 # What presets promise.
 contrecoup_add_application_test(presets presets

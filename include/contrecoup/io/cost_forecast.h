@@ -24,8 +24,11 @@ namespace io
    * what the run adds to them as a 2^((d-1) level) + b 2^(d level), since
    * fronts that the mesh follows are surfaces and the rest is volume, with b =
    * 0 where it only begins to add some; and the time of a step as a + b cells.
-   * Memory is what the process held besides the largest mesh of the trials plus
-   * that of the scene; fields grow as cells do and tables as steps.
+   * Memory is what the last trial took and, for each further cell, what it took
+   * more than the first, between once and twice what the solver says:
+   * adaptation holds two meshes at once, and a body comes with the mesh. Fields
+   * grow as cells do, tables as steps, and recorded loads with the facets of a
+   * surface and the times at which they are taken.
    *
    * @param rough what the solver says without trial runs; kept where these
    *   tell nothing

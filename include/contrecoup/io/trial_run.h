@@ -32,10 +32,11 @@ namespace io
     double output_seconds = 0.; ///< for fields [s]
     double field_bytes = 0.;    ///< of all fields [byte]
     double table_bytes = 0.;    ///< of history and probes [byte]
-    double largest_cells = 0.;  ///< [-]
+    double load_bytes = 0.;     ///< of recorded loads [byte]
     double known_cells = 0.;    ///< that the solver said it begins with [-]
     double unknowns_per_cell = 0.;
-    double memory_per_cell = 0.; ///< [byte]
+    double memory_per_cell = 0.; ///< that the solver says [byte]
+    double peak_memory = 0.;     ///< that all ranks held at once [byte]
     double seconds = 0.;         ///< that it took itself [s]
     double field_seconds = 0.;   ///< of these for fields [s]
   };
