@@ -11,6 +11,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace contrecoup::gas
 {
@@ -32,7 +33,7 @@ void WallLoads<dim>::begin_samples(const double time, const double step)
 template <int dim>
 void WallLoads<dim>::end_sample(const double time)
 {
-  const std::size_t most_in_memory = 64 << 20;
+  const std::size_t enough_to_write = 32 << 20;
   const double duration = time - totals_.sample_begin;
   const std::size_t row = samples_.size();
   samples_.resize(row + records_.size(), 0.F);
@@ -50,7 +51,10 @@ void WallLoads<dim>::end_sample(const double time)
                        0);
   times_.push_back(time);
   totals_.sample_begin = time;
-  if (samples_.size() * sizeof(float) > most_in_memory)
+  const bool fills_chunks =
+    std::lround(totals_.n_times + times_.size()) % io::LoadFile::chunk_times ==
+    0;
+  if (fills_chunks && samples_.size() * sizeof(float) > enough_to_write)
     flush();
 }
 

@@ -204,12 +204,13 @@ namespace io
     write_table(file, "area", facets.areas, 1, path_);
     const hsize_t n = facets.areas.size();
     create_growing(file, "time", H5T_NATIVE_DOUBLE, {1024}, {0}, path_);
-    create_growing(file,
-                   "overpressure",
-                   H5T_NATIVE_FLOAT,
-                   {std::min<hsize_t>(std::max<hsize_t>(n, 1), 1024), 64},
-                   {n, 0},
-                   path_);
+    create_growing(
+      file,
+      "overpressure",
+      H5T_NATIVE_FLOAT,
+      {std::min<hsize_t>(std::max<hsize_t>(n, 1), 1024), chunk_times},
+      {n, 0},
+      path_);
   }
 
 

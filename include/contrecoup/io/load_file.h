@@ -31,6 +31,9 @@ namespace io
       std::vector<double> normals;   ///< three numbers each [-]
       std::vector<double> areas;     ///< [m^2]
     };
+    /// Times that are compressed together: a part of them that is appended to
+    /// later is written again, in another place of the file.
+    static constexpr unsigned int chunk_times = 64;
     /// Names and values of attributes of the file.
     using Words = std::vector<std::pair<std::string, std::string>>;
     using Numbers = std::vector<std::pair<std::string, double>>;
