@@ -67,6 +67,7 @@ namespace
   }
 
 
+  /// Between opposite corners [m].
   double diagonal(const dealii::BoundingBox<3> &box)
   {
     const auto corners = box.get_boundary_points();

@@ -50,7 +50,7 @@ double number(const std::vector<Assignment> &entries,
 
 // A charge near the body or high above the ground has its first front pass
 // long before the ground's.
-TEST(SceneFiles, FrontsGetCoarseOnlyAfterTheGroundsReflectionHasPassed)
+TEST(SceneFiles, CoarsestLeavesBehindTheBodyWaitForTheGroundsReflection)
 {
   const RoundedBox body = standing_box();
   const Point<3> top(-0.15, 0.25, 1.76);
