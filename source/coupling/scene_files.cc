@@ -163,7 +163,9 @@ namespace
       return front > n ? front - n : 0U;
     };
     const double spacing = 0.6;
-    const double later = 2.8 * layout.arrival, at_last = 4.4 * layout.arrival;
+    // Not before the ground's reflection, too, has passed all of the body.
+    const double later = std::max(2.8 * layout.arrival, layout.last_arrival);
+    const double at_last = 1.5 * later;
     // A fireball's radius goes with the cube root of the charge: 0.9 m for
     // 2.268 kg of C-4.
     const double fireball = 0.685 * std::cbrt(scene.mass);
@@ -200,8 +202,7 @@ namespace
               {layout.body.center()},
               0.5 * diagonal(layout.body) + SceneLayout::leaf,
               entries);
-    entries.set("Adaptation/Limit gone/From time",
-                std::max(later, layout.last_arrival));
+    entries.set("Adaptation/Limit gone/From time", later);
   }
 
 
