@@ -104,7 +104,7 @@ endfunction()
 #                 the next time
 #   presets       COMPARE <name>...: the presets beside FILE, the cheapest
 #                 first, have the errors and relative costs that they state
-#   pictures      COMPARE <png>...: plot_run.py or plot_anatomy.py draws these from the run
+#   pictures      COMPARE <png>...: the run draws these at its end
 #   stem          BOUNDS "deviation < 1e-3": [m] of a Mach stem from smooth
 #   wedge         BOUNDS "reflected < 20" "triple_point < 9" ANGLE <degrees>:
 #                 angles of shocks at a wedge

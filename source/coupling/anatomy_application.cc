@@ -13,11 +13,11 @@
 #include <contrecoup/coupling/body_report.h>
 #include <contrecoup/io/checked_file.h>
 #include <contrecoup/io/hex_mesh_files.h>
+#include <contrecoup/io/pictures.h>
 
 #include <nlohmann/json.hpp>
 
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
 
 namespace contrecoup
@@ -197,20 +197,10 @@ namespace coupling
                              4. * parameters_.distance_spacing,
                              path("distance.vti"));
         if (parameters_.draw)
-          draw();
+          io::draw("plot_anatomy.py", folder_, "pictures", "pictures");
         write_summary(report);
         log_line("results in " + folder_ + " after " + duration(seconds()));
         Log::instance().check();
-      }
-
-      void draw() const
-      {
-        const std::string script =
-          std::string(CONTRECOUP_PLOT_FOLDER) + "/plot_anatomy.py";
-        const std::string command =
-          "\"" + script + "\" \"" + folder_ + "\" > /dev/null 2>&1";
-        if (std::system(command.c_str()) != 0)
-          log_line("no pictures: \"" + script + "\" failed");
       }
 
       void write_summary(const BodyReport &report) const

@@ -68,6 +68,7 @@ io::ApplicationDescription blast_application()
           StagedSimulation<3>::declare_parameters,
           create_any,
           {},
-          coarsen_scene};
+          coarsen_scene,
+          "plot_run.py"};
 }
 } // namespace contrecoup::coupling

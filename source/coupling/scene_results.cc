@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace contrecoup::coupling
 {
@@ -178,16 +177,5 @@ void write_scene(const PlannedScene &scene,
     {"remarks", scene.body().remarks()}};
   io::write_file(command.output_folder + "/scene.json",
                  [&](std::ostream &out) { out << json.dump(2) << "\n"; });
-}
-
-
-void draw_report(const std::string &folder)
-{
-  const std::string script = std::string(CONTRECOUP_PLOT_FOLDER) + "/report.py";
-  const std::string command =
-    "\"" + script + "\" \"" + folder + "\" > /dev/null 2>&1";
-  log_line(std::system(command.c_str()) == 0
-             ? "report in " + folder + "/report.html"
-             : "no report: \"" + script + "\" failed");
 }
 } // namespace contrecoup::coupling

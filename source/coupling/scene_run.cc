@@ -10,6 +10,7 @@
 #include <contrecoup/coupling/scene_run.h>
 #include <contrecoup/coupling/scene_stages.h>
 #include <contrecoup/io/checked_file.h>
+#include <contrecoup/io/pictures.h>
 
 #include <filesystem>
 
@@ -144,7 +145,7 @@ void SceneRun::conclude()
 {
   print_audit(*scene_, command_.output_folder);
   if (scene_->parameters().draws_report)
-    draw_report(command_.output_folder);
+    io::draw("report.py", command_.output_folder, "report", "report.html");
   log_line("results in " + command_.output_folder);
   Log::instance().check();
 }

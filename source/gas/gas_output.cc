@@ -151,6 +151,11 @@ void GasOutput<dim>::declare_parameters(ParameterHandler &prm)
                  "impulse, arrival and duration of the blast at every point; "
                  "they cost some per cent of the run time.");
     declare_bool(prm,
+                 "Pictures",
+                 "false",
+                 "Whether a finished run draws the history, probes, planes, "
+                 "maps and loads that it kept, into the folder pictures.");
+    declare_bool(prm,
                  "Volume fields",
                  "true",
                  "Whether field outputs hold the gas in the whole domain, for "

@@ -10,6 +10,7 @@
 #include <contrecoup/base/timers.h>
 #include <contrecoup/base/version.h>
 #include <contrecoup/io/cost_forecast.h>
+#include <contrecoup/io/pictures.h>
 #include <contrecoup/io/plan_table.h>
 #include <contrecoup/io/run.h>
 #include <contrecoup/io/summary.h>
@@ -161,6 +162,8 @@ namespace io
       if (status == RunStatus::finished)
         collective_.run([&]() { simulation_.finish(folder_.path()); });
       summarise(status == RunStatus::finished ? "finished" : "stopped", "");
+      if (status == RunStatus::finished)
+        draw_pictures();
     }
     catch (const std::exception &)
     {
@@ -218,6 +221,17 @@ namespace io
       log_line(line);
     log_line("results in " + folder_.path());
     collective_.run([]() { Log::instance().check(); });
+  }
+
+  void Run::draw_pictures() const
+  {
+    if (description_.pictures.empty() || !prm_.get_bool({"Output"}, "Pictures"))
+      return;
+    const MPI_Comm all = collective_.communicator();
+    collective_.run([&]() {
+      if (dealii::Utilities::MPI::this_mpi_process(all) == 0)
+        draw(description_.pictures, folder_.path(), "pictures", "pictures");
+    });
   }
 } // namespace io
 } // namespace contrecoup

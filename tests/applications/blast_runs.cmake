@@ -83,8 +83,9 @@ foreach(_ranks 1 2)
 endforeach()
 
 contrecoup_add_application_test(pictures_1d pictures
-  FILE blast/verification/sod.prm COMPARE history.png profiles.png)
+  FILE blast/verification/sod.prm SET "Output/Pictures=true"
+  COMPARE history.png profiles.png)
 contrecoup_add_application_test(pictures_3d pictures ${_hot_ball} MPI 2
-  SET ${_short} ${_gauges} COMPARE history.png probes.png
+  SET ${_short} ${_gauges} "Output/Pictures=true" COMPARE history.png probes.png
   plane_y_0_pressure.png plane_y_0_density.png plane_y_0_pressure_lowest.png
   plane_y_0_maps.png gauges_line_1.png gauges_plane_1_maps.png)

@@ -25,7 +25,4 @@ void write_scene(const PlannedScene &scene,
                  const std::vector<std::string> &reused,
                  const io::CommandLine &command,
                  unsigned int n_ranks);
-
-/// Has report.html made from a scene's folder; logs whether that worked.
-void draw_report(const std::string &folder);
 } // namespace contrecoup::coupling

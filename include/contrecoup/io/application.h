@@ -41,6 +41,10 @@ namespace io
     /// large, for trial runs; returns false when they cannot be. Empty: never.
     std::function<bool(dealii::ParameterHandler &, unsigned int levels)>
       coarsen = {};
+
+    /// Script that draws a finished run where the entry "Output/Pictures",
+    /// which is then among the solver's, says so, see draw(). Empty: none.
+    std::string pictures = {};
   };
 
   /**

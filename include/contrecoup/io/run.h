@@ -39,6 +39,7 @@ namespace io
     CostEstimate estimate();
     void prepare();
     void summarise(const std::string &status, const std::string &message);
+    void draw_pictures() const;
 
     const CommandLine &command_;
     const ApplicationDescription &description_;

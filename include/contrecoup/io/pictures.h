@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <string>
+
+namespace contrecoup
+{
+namespace io
+{
+  /**
+   * Has a script of applications/plot draw what a run left in its output
+   * folder, and logs where that is, or that it failed: results stand without
+   * their pictures. For one rank.
+   * @param script e.g. "plot_run.py", which is given @p folder
+   * @param what it makes, e.g. "pictures"
+   * @param where in the folder they are then
+   */
+  void draw(const std::string &script,
+            const std::string &folder,
+            const std::string &what,
+            const std::string &where);
+} // namespace io
+} // namespace contrecoup

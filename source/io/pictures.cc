@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/log.h>
+#include <contrecoup/io/pictures.h>
+
+#include <boost/algorithm/string/replace.hpp>
+
+#include <cstdlib>
+
+namespace contrecoup
+{
+namespace io
+{
+  namespace
+  {
+    /// One word for the shell.
+    std::string quoted(const std::string &text)
+    {
+      return "'" + boost::replace_all_copy<std::string>(text, "'", "'\\''") +
+             "'";
+    }
+  } // namespace
+
+  void draw(const std::string &script,
+            const std::string &folder,
+            const std::string &what,
+            const std::string &where)
+  {
+    const std::string path = std::string(CONTRECOUP_PLOT_FOLDER) + "/" + script;
+    const std::string command =
+      quoted(path) + " " + quoted(folder) + " > /dev/null 2>&1";
+    log_line(std::system(command.c_str()) == 0
+               ? what + " in " + folder + "/" + where
+               : "no " + what + ": \"" + path + "\" failed");
+  }
+} // namespace io
+} // namespace contrecoup
