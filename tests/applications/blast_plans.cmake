@@ -15,7 +15,8 @@ contrecoup_add_application_test(forecast_uniform forecast
 contrecoup_add_application_test(forecast_body forecast
   FILE blast/quickstart_human.prm TOLERANCE 2 SET "Time/End time=0.003"
   "Rigid body/Levels=2" "First stage/Cell size=0.02" "Pictures/Planes="
-  "First stage/Spherical cell size=0.002" "Output/Fields=false")
+  "First stage/Spherical cell size=0.002" "Output/Fields=false"
+  "Output/Pictures=false")
 
 # What presets promise.
 contrecoup_add_application_test(presets presets
