@@ -56,10 +56,16 @@ install_packages() {
     "${missing[@]}" || fail "could not install packages (see $log): $advice"
 }
 
+# cores: how many processor cores this process may use. nproc alone would count
+# the threads of OMP_NUM_THREADS, which many set to 1 for MPI, as here below.
+cores() {
+  env -u OMP_NUM_THREADS -u OMP_THREAD_LIMIT nproc
+}
+
 # build_jobs: compilers at once; each core one, each with 6 GB of memory.
 build_jobs() {
   local cores memory
-  cores=$(nproc)
+  cores=$(cores)
   memory=$(awk '/^MemTotal/ {print int($2 / 6e6)}' /proc/meminfo)
   [ "$memory" -lt "$cores" ] && cores=$memory
   [ "$cores" -lt 1 ] && cores=1
