@@ -69,7 +69,7 @@ def draw(folder, pictures):
                      os.path.join(pictures, "body_gauges.png"))
 
 
-def _pick_times(loads):
+def pick_times(loads):
     """Times from when the front meets the body until it has passed it, denser
     at the beginning."""
     arrivals = loads.measure("arrival")
@@ -82,15 +82,19 @@ def _pick_times(loads):
     return np.unique(np.minimum(times, loads.times[-1]))
 
 
-def draw_times(loads, views, path):
-    times = _pick_times(loads)
+def draw_times(loads, views, path, one_scale=False):
+    """Overpressure at up to six times, each with its own colour scale or all
+    with one."""
+    times = pick_times(loads)
     columns = min(3, len(times))
     rows = -(-len(times) // columns)
     figure, axes = _panels(views, rows, columns)
-    for axis, time in zip(axes, times):
-        values = loads.overpressure(time)
-        # Corners, as between foot and ground, are off the scale that matters.
-        low, high = np.percentile(values, [0.2, 99.5])
+    shown = [loads.overpressure(time) for time in times]
+    # Corners, as between foot and ground, are off the scale that matters.
+    spans = np.array([np.percentile(values, [0.2, 99.5]) for values in shown])
+    if one_scale:
+        spans[:] = spans[:, 0].min(), spans[:, 1].max()
+    for axis, time, values, (low, high) in zip(axes, times, shown, spans):
         factor, unit = look.scale_unit("Pa", max(-low, high))
         low, high = low * factor, high * factor
         norm = look.about_zero(max(-low, high, 1e-9))

@@ -99,10 +99,21 @@ def _shown(plane, background):
     return plane.values
 
 
-def draw_planes(planes, path):
-    """The quantity at up to six times, each with its own colour scale."""
+def largest_overpressure(planes):
+    """[Pa], of those that are drawn."""
+    background = _background(planes)
+    return max(float(np.nanmax(_shown(plane, background)))
+               for plane in _pick(planes))
+
+
+def draw_planes(planes, path, one_scale=False):
+    """The quantity at up to six times, each with its own colour scale or all
+    with one."""
     background = _background(planes)
     picked = _pick(planes)
+    shown = [_shown(plane, background) for plane in picked]
+    together = np.concatenate([values[np.isfinite(values)]
+                               for values in shown])
     columns = 1 if len(picked) < 3 else 3
     rows = -(-len(picked) // columns)
     width = planes[0].upper[0] - planes[0].lower[0]
@@ -114,8 +125,14 @@ def draw_planes(planes, path):
         figsize=(side * columns, (panel + 0.6) * rows))
     for axis in axes.flat[len(picked):]:
         axis.set_axis_off()
-    for axis, plane in zip(axes.flat, picked):
-        _draw_panel(figure, axis, plane, _shown(plane, background))
+    for number, (plane, values) in enumerate(zip(picked, shown), 1):
+        axis = axes.flat[number - 1]
+        image = _draw_panel(axis, plane, values, together if one_scale
+                            else values[np.isfinite(values)])
+        # The scale of all stands at the end of each row.
+        if not one_scale or number in (len(picked), -(-number // columns)
+                                       * columns):
+            _draw_bar(figure, axis, plane, image)
         axis.set_title(_time(plane, picked))
     for axis in axes[:, 0]:
         axis.set_ylabel(look.label(planes[0].axes[1], "m"))
@@ -124,11 +141,11 @@ def draw_planes(planes, path):
     look.save(figure, path)
 
 
-def _draw_panel(figure, axis, plane, values):
-    finite = values[np.isfinite(values)]
-    largest = np.max(np.abs(finite))
+def _draw_panel(axis, plane, values, scaled_by):
+    """Colours reach from the least to the largest of @p scaled_by."""
+    largest = np.max(np.abs(scaled_by))
     factor, unit = look.scale_unit(plane.unit, largest)
-    low, high = np.min(finite) * factor, np.max(finite) * factor
+    low, high = np.min(scaled_by) * factor, np.max(scaled_by) * factor
     if low == high:
         high = low + 1.
     if plane.quantity == "pressure":
@@ -138,12 +155,17 @@ def _draw_panel(figure, axis, plane, values):
     image = axis.imshow(values * factor, extent=plane.extent(), norm=norm,
                         cmap=colours, interpolation="bilinear")
     axis.set_facecolor(look.BODY)
+    axis.grid(False)
+    return image, unit, (low, high)
+
+
+def _draw_bar(figure, axis, plane, drawn):
+    image, unit, limits = drawn
     bar = figure.colorbar(image, cax=axis.inset_axes([1.02, 0., 0.03, 1.]))
     bar.set_label(look.label(_name(plane), unit), fontsize=9)
     bar.ax.yaxis.set_major_locator(MaxNLocator(5))
-    bar.ax.set_ylim(low, high)
+    bar.ax.set_ylim(*limits)
     bar.outline.set_visible(False)
-    axis.grid(False)
 
 
 def draw_lines(planes, path):

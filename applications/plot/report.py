@@ -73,6 +73,9 @@ def _subtitle(facts):
 
 
 def main(arguments):
+    if arguments in (["--help"], ["-h"]):
+        print(__doc__.strip())
+        return 0
     if len(arguments) != 1:
         print("usage: report.py SCENE_FOLDER", file=sys.stderr)
         return 1

@@ -361,8 +361,7 @@ def reproduce(scene):
             with report_data.reading(path), open(
                     path, encoding="utf-8") as file:
                 text = file.read()
-            parts.append(page.tag(
-                "details", page.tag("summary", os.path.join(
-                    name, "parameters.prm") + ": every entry as used"),
-                page.tag("pre", text)))
+            parts.append(page.folded_file(
+                os.path.join(name, "parameters.prm")
+                + ": every entry as used", text))
     return parts or [page.missing("scene.json and the parameter files")]

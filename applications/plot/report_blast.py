@@ -21,13 +21,18 @@ def air(scene):
         return [page.missing("plane cuts of pressure in blast/fields")]
     parts = []
     for name, cuts in sorted(found.items()):
-        picture = page.drawn(planes.draw_planes, _pick(scene, cuts))
+        picked = _pick(scene, cuts)
+        picture = page.drawn(planes.draw_planes, picked,
+                             one_scale=True)
         axis, place = (name.split("_") + ["", ""])[1:3]
         parts.append(page.figure(
             picture,
+            f"Maps of overpressure in the plane {axis} = {place} m, after "
+            f"{page.moments([cut.time for cut in picked])}; the largest is "
+            + page.quantity(planes.largest_overpressure(picked), "Pa") + ".",
             f"Overpressure in the air in the plane {axis} = {place} m at "
-            "several times, each with its own scale: red above, blue below "
-            "the ambient pressure, square-root colours so that weak waves "
+            "several times, one scale for all: red above, blue below the "
+            "ambient pressure, square-root colours so that weak waves "
             "show. The body, where there is no gas, is grey."))
     return parts
 
@@ -57,12 +62,21 @@ def skin(scene):
     if known is None or views is None:
         return [page.missing("loads.h5 of a body in the blast's folder")]
     with report_data.reading(scene.blast.path("loads.h5")):
-        times = page.drawn(loads.draw_times, known, views)
+        moments = loads.pick_times(known)
+        times = page.drawn(loads.draw_times, known, views, one_scale=True)
         measures = page.drawn(loads.draw_measures, known, views)
+        largest = page.quantity(float(known.measure("peak").max()), "Pa")
     return [
-        page.figure(times, "Overpressure on the skin while the wave passes, "
-                    "from four sides; each time has its own scale."),
-        page.figure(measures, "What each part of the skin got during the "
+        page.figure(times, "The body from in front, left, behind and right, "
+                    "coloured by the overpressure on its skin after "
+                    f"{page.moments(moments)}.",
+                    "Overpressure on the skin while the wave passes, "
+                    "from four sides, one scale for all times, square-root "
+                    "colours."),
+        page.figure(measures, "The body from four sides, coloured by peak "
+                    f"overpressure, {largest} at most, by positive impulse "
+                    "and by arrival.",
+                    "What each part of the skin got during the "
                     "whole run: largest overpressure, impulse of the positive "
                     "phase, and when the wave arrived.")]
 
@@ -81,6 +95,9 @@ def histories(scene):
         parts.append(page.figure(
             page.drawn(loads.draw_gauges, gauges, scene.loads(),
                        scene.views()),
+            "Curves of overpressure over time, one chart for each of "
+            + ", ".join(gauges.others("time")) + "; their peaks are in the "
+            "table below.",
             "Overpressure at named places of the skin, means over patches "
             "around them; dots: the first peak, triangles: the second, later "
             "one, in kPa at ms. The places are numbered on the body."))
@@ -89,6 +106,9 @@ def histories(scene):
     if force is not None:
         parts.append(page.figure(
             _draw_force(*force),
+            "Two charts over time: the force on the body, "
+            + page.quantity(float(np.abs(force[1]).max()), "N")
+            + " at most along an axis, and the momentum.",
             "Resultant force of the overpressure on the whole body, along the "
             "three axes, and the momentum that it has given so far; that of "
             "the air's flow past the body is in it.", "svg"))

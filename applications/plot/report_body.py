@@ -56,16 +56,22 @@ def waves(scene):
         beside = page.drawn(plot_solid.draw_pressures, plot_solid.cut_fields(
             fields, place), is_head)
         tissues = _tissues_at(fields[0][1], place)
+    times = page.moments([time for time, _ in fields])
     parts = [
-        page.figure(whole, "Pressure in the sagittal plane (cut beside y = "
+        page.figure(whole, "The body cut along its middle, coloured by the "
+                    f"pressure in its tissues after {times}.",
+                    "Pressure in the sagittal plane (cut beside y = "
                     "0), one scale for all times: red is compression, blue "
                     "tension, square-root colours. Skeleton, which is stiff, "
                     "stands out."),
-        page.figure(beside, "The same in a parasagittal plane, y = "
+        page.figure(beside, f"The body cut {place:.3g} m beside its middle, "
+                    f"coloured by the pressure after {times}.",
+                    "The same in a parasagittal plane, y = "
                     f"{place:.3g} m, through {tissues}.")]
     if head is not None:
         parts.append(page.figure(
-            head, "The head in the sagittal plane, with a scale of its own."))
+            head, "The head cut along its middle, coloured by the pressure "
+            f"after {times}.", "The head in the sagittal plane, with a scale of its own."))
     return parts + [page.paragraph(
         "Pressures are averaged over the corners and the elements around "
         "them: what alternates from one element to the next, as it may in "
@@ -95,6 +101,8 @@ def _peaks(scene):
     averaged = scene.biomechanics.parameters.get("Peaks/Pressure") == "averaged"
     return [page.figure(
         _draw_peaks(found),
+        "The head cut along its middle, coloured by "
+        + ", ".join(title for title, *_ in found) + ".",
         "What each element of the head went through until the end, in the "
         "sagittal plane. Pressures are " + (
             "averages, as above." if averaged else "those of single elements, "
@@ -169,11 +177,17 @@ def histories(scene):
     if brain:
         parts.append(page.figure(
             _draw_first(probes, brain),
+            "Curves of pressure over time in "
+            + ", ".join(place.title() for place in brain) + ".",
             "The brain's pressure in the first 2.5 ms after the wave reaches "
             "it. Dotted: −100 kPa, where fluid may cavitate, which the model "
             "does not.", "svg"))
     parts += [page.figure(
         _draw_histories(probes, groups),
+        "Curves of pressure over the whole time at "
+        f"{len(places)} places, charts for: "
+        + ", ".join(title.lower() for title, _ in groups)
+        + "; the extremes are in the table below.",
         "Pressure in single elements over time; compression is positive. The "
         "coup is the side of the brain towards the charge, the contrecoup the "
         "opposite one.", "svg")]
@@ -261,6 +275,8 @@ def energy(scene):
                          "of the work of the loads"), rows, numbers=(1, 2)),
              page.figure(
                  _draw_energy(history, known),
+                 "Two charts of energy over time: of the whole body by kind, "
+                 "and of its internal energy by tissue.",
                  "Energy of the whole body over time, and who has the "
                  "internal one. The work of the loads must be the sum of all "
                  "others; what is missing is drawn as well.", "svg")]
@@ -329,7 +345,9 @@ def mesh(scene):
         if os.path.exists(picture):
             with open(picture, "rb") as file:
                 parts.append(page.figure(
-                    file.read(), "The body in cuts, by tissue, as anatomy "
+                    file.read(), "Cuts through the body, coloured by tissue: "
+                    + ", ".join(row[0] for row in rows) + ".",
+                    "The body in cuts, by tissue, as anatomy "
                     "made it."))
             break
     parts.append(page.table(

@@ -44,18 +44,53 @@ figure img { max-width: 100%; height: auto; display: block; }
 figcaption { color: var(--soft); font-size: 13.5px; max-width: 95ch;
              padding-top: 5px; }
 code, pre { font-family: "DejaVu Sans Mono", Consolas, monospace;
-            font-size: 13px; }
-pre { background: var(--pale); padding: 10px 14px; white-space: pre-wrap;
-      overflow-wrap: anywhere; }
+            font-size: 13px; overflow-wrap: anywhere; }
+pre { background: var(--pale); padding: 10px 14px; white-space: pre-wrap; }
 .bad { color: var(--bad); font-weight: 600; }
 .mid { color: var(--mid); font-weight: 600; }
 .good { color: var(--good); font-weight: 600; }
 details summary { cursor: pointer; color: var(--accent); }
+.paper { display: none; }
+/* On a narrow window a row stands as a card, each cell after its heading. */
+@media screen and (max-width: 760px) {
+  body { padding: 16px 14px 40px; overflow-wrap: break-word; }
+  h1 { font-size: 25px; }
+  .answer { padding: 8px 14px; font-size: 16px; }
+  td, td.number { white-space: normal; overflow-wrap: anywhere; }
+  .wide { display: flex; flex-direction: column; }
+  .wide caption { order: 1; }
+  .wide col, .wide thead { display: none; }
+  .wide tbody, .wide tr, .wide td { display: block; width: auto; }
+  .wide tr { border-bottom: 2px solid var(--line); padding: 6px 0; }
+  .wide td { border: 0; padding: 2px 0 2px 14px; text-align: left; }
+  .wide td:first-child { padding-left: 0; font-weight: 600; }
+  .wide td:not(:first-child)::before {
+    content: attr(data-label); display: block; color: var(--soft);
+    font-size: 12.5px; }
+  .wide td.number:not(:first-child)::before {
+    content: attr(data-label) ": "; display: inline; }
+}
+@page { margin: 12mm; }
 @media print {
-  body { max-width: none; padding: 0; font-size: 11pt; }
-  h2 { margin-top: 24px; break-after: avoid; }
+  body { max-width: none; padding: 0; font-size: 9.5pt; line-height: 1.4; }
+  h1 { font-size: 19pt; }
+  h2 { font-size: 13.5pt; margin: 18px 0 6px; }
+  h3 { font-size: 11pt; margin: 12px 0 4px; }
+  h2, h3 { break-after: avoid; }
+  p, li { max-width: none; orphans: 3; widows: 3; margin-block: 5px; }
+  .answer { font-size: 10.5pt; padding: 6px 14px; }
+  table { font-size: 8pt; }
+  th, td { padding: 3px 5px; }
+  td small { font-size: 7pt; }
+  caption, figcaption { font-size: 8pt; max-width: none; }
+  figure { margin: 8px 0 10px; }
+  figure img { width: auto !important; max-height: 92mm; }
   figure, tr { break-inside: avoid; }
-  nav { display: none; }
+  nav, .screen { display: none; }
+  .paper { display: inline; }
+  /* Paper cannot be unfolded. */
+  details.table::details-content { content-visibility: visible; }
+  details summary { list-style: none; color: var(--ink); }
 }
 """
 
@@ -147,26 +182,49 @@ def milliseconds(seconds, digits=3):
 
 def table(header, rows, caption=None, numbers=(), widths=()):
     """A table; @p numbers are the columns that are aligned to the right,
-    @p widths those of all columns in per cent."""
+    @p widths those of all columns in per cent. Each cell knows its heading,
+    which stands before it where the window is too narrow for columns."""
     def cells(kind, row):
         return tag("tr", *(
-            tag(kind, cell, kind="number" if column in numbers else None)
+            tag(kind, cell, kind="number" if column in numbers else None,
+                **({"data-label": header[column]} if kind == "td" else {}))
             for column, cell in enumerate(row)))
     parts = [tag("caption", caption)] if caption else []
     parts += [Html(f'<col style="width:{width}%">') for width in widths]
     parts += [tag("thead", cells("th", header)),
               tag("tbody", *(cells("td", row) for row in rows))]
-    return tag("table", *parts)
+    return tag("table", *parts, kind="wide" if len(header) > 2 else None)
 
 
-def figure(picture, caption, kind="png", width=None):
+def folded_table(title, content):
+    """A table under its title, folded on the screen, open on paper."""
+    return tag("details", tag("summary", title), content, kind="table")
+
+
+def folded_file(title, text):
+    """The text of a file under its name, folded; paper names it alone."""
+    return tag("details", tag("summary", title,
+                              tag("span", " (in the folder of this report; "
+                                  "not printed)", kind="paper")),
+               tag("pre", text))
+
+
+def moments(times, digits=3):
+    """Times [s] in words: "1.8, 2.1 and 2.5 ms"."""
+    words = [number(1e3 * time, digits) for time in times]
+    return " and ".join(filter(None, (", ".join(words[:-1]), words[-1]))) \
+        + "\u00a0ms"
+
+
+def figure(picture, description, caption, kind="png", width=None):
     """A matplotlib figure, or the bytes of a PNG picture, with its caption.
-    Lines are best as "svg", pictures with many colours as "png"."""
+    @p description says what is to be seen to those who cannot see it. Lines
+    are best as "svg", pictures with many colours as "png"."""
     content = picture if isinstance(picture, bytes) else render(picture, kind)
     form = "image/svg+xml" if kind == "svg" else "image/png"
     data = base64.b64encode(content).decode("ascii")
     image = Html(f'<img src="data:{form};base64,{data}" '
-                 f'alt="{html.escape(caption, quote=True)}"'
+                 f'alt="{html.escape(description, quote=True)}"'
                  + (f' style="width:{width}"' if width else "") + ">")
     return tag("figure", image, tag("figcaption", caption))
 
@@ -181,10 +239,10 @@ def render(picture, kind):
     return stream.getvalue()
 
 
-def drawn(draw, *arguments):
+def drawn(draw, *arguments, **options):
     """The PNG of a function that saves its picture to its last argument."""
     stream = io.BytesIO()
-    draw(*arguments, stream)
+    draw(*arguments, stream, **options)
     return stream.getvalue()
 
 

@@ -73,7 +73,10 @@ def section(scene):
         "The line to the charge is the way of the direct wave, the bent one "
         "that of its reflection by the ground to the same place. ")
     parts.append(page.figure(
-        _draw(scene), f"The scene from the side, to scale. {ways}In grey: the "
+        _draw(scene), f"Drawing of the {scene.explosive().upper()} charge, "
+        f"{page.quantity(float(scene.charge_place()[2]), 'm')} above the "
+        "ground, and of the body before it, seen from the side.",
+        f"The scene from the side, to scale. {ways}In grey: the "
         "body as the gas met it.", "svg", "92%"))
     return parts
 
@@ -267,14 +270,17 @@ def timeline(scene):
         caption += ("Lines in the tissue go from the onset of pressure to its "
                     "largest value, of either sign, within 2.5 ms. ")
     return [page.figure(
-        _draw_timeline(found), caption + "Dotted lines: (a) "
+        _draw_timeline(found), "Chart of what happens when, from "
+        f"{page.milliseconds(min(event.begin for event in found))} to "
+        + page.milliseconds(max(event.end or event.mark or event.begin
+                                for event in found))
+        + "; all of it is in the table below.", caption + "Dotted lines: (a) "
         + "; ".join(f"({'abcdefgh'[i + 1]}) {event.what}" if i >= 0 else
                     event.what for i, event in enumerate(
                         (event for event in found if event.lane == "air"),
                         -1)) + ".", "svg"),
-        page.tag("details", page.tag("summary", "All events as a table"),
-                 page.table(("time", "what", "how much"), rows,
-                            numbers=(0,)))]
+        page.folded_table("All events as a table", page.table(
+            ("time", "what", "how much"), rows, numbers=(0,)))]
 
 
 def _draw_timeline(found):

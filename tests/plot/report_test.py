@@ -15,6 +15,7 @@ import shutil
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 import numpy as np
 
@@ -23,7 +24,11 @@ import tiny_scene
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(
     os.path.dirname(os.path.abspath(__file__)))), "applications", "plot"))
 
-import report  # noqa: E402 (after the path of the module)
+import loads  # noqa: E402 (after the path of the module)
+import look  # noqa: E402
+import planes  # noqa: E402
+import report  # noqa: E402
+import report_data  # noqa: E402
 import report_page  # noqa: E402
 import report_signals  # noqa: E402
 
@@ -101,6 +106,68 @@ class ReportTest(unittest.TestCase):
             self.assertRegex(link[:40], r"^(data:image/|#section-)")
         self.expect(self.page, "A tiny &lt;scene&gt;")
         self.assertLess(len(self.page), 8e6)
+
+    def test_alternative_texts(self):
+        """Each says what is to be seen, and is no caption."""
+        pictures = re.findall(
+            r'<figure><img [^>]*?alt="([^"]*)"[^>]*><figcaption>(.*?)'
+            "</figcaption></figure>", self.page)
+        self.assertEqual(len(pictures), self.page.count("<img"))
+        for description, caption in pictures:
+            self.assertGreater(len(description), 30)
+            self.assertFalse(description in html.unescape(caption)
+                             or caption in description, description)
+        told = html.unescape(" ".join(words for words, _ in pictures))
+        self.expect(told.replace("\u00a0", " "),
+                    "after 1.50 and 2.50 ms; the largest is 99.9 kPa",
+                    "the C-4 charge, 1.27 m above the ground",
+                    "one chart for each of forehead, chest, back, left ear",
+                    "coloured by highest pressure, largest principal strain")
+        self.assertEqual(len(set(pictures)), len(pictures))
+
+    def test_narrow_windows_and_paper(self):
+        """Every cell of a table of several columns knows its heading, and
+        what is folded is printed or said to be left out."""
+        tables = re.findall(r'<table class="wide">.*?</table>', self.page)
+        self.assertGreater(len(tables), 8)
+        for table in tables:
+            header = re.findall("<th(?: [^>]*)?>(.*?)</th>", table)
+            for row in re.findall("<tr>(?:<td.*?</td>)+</tr>", table):
+                labels = re.findall('<td[^>]* data-label="([^"]*)"', row)
+                self.assertEqual(labels, header)
+        folds = re.findall("<details.*?</summary>", self.page)
+        self.assertEqual(len(folds), 3)
+        for fold in folds:
+            self.assertTrue(fold.startswith('<details class="table">')
+                            or "not printed" in fold, fold)
+
+    def test_one_scale(self):
+        """Pictures of several times have one colour scale."""
+        scene = report_data.Scene(self.whole)
+        figures = []
+        with unittest.mock.patch.object(
+                look, "save", lambda figure, _: figures.append(figure)):
+            cuts = scene.pressure_planes()["plane_y_0_pressure"]
+            planes.draw_planes(cuts, None, one_scale=True)
+            planes.draw_planes(cuts, None)
+            loads.draw_times(scene.loads(), scene.views(), None,
+                             one_scale=True)
+            loads.draw_times(scene.loads(), scene.views(), None)
+        limits = []
+        for figure in figures[:2]:
+            shown = [image.norm for axis in figure.axes
+                     for image in axis.images if len(axis.images) == 1]
+            limits.append({(norm.vmin, norm.vmax) for norm in shown})
+        for figure in figures[2:]:
+            bars = [axis.get_ylim() for axis in figure.axes
+                    for bar in axis.child_axes for axis in [bar]]
+            limits.append(set(bars))
+            self.assertEqual(len(bars), loads.MOST_TIMES)
+        self.assertEqual([len(found) for found in limits[::2]], [1, 1])
+        self.assertEqual([len(found) for found in limits[1::2]],
+                         [2, loads.MOST_TIMES])
+        for figure in figures:
+            look.plt.close(figure)
 
     def test_numbers(self):
         self.expect(
