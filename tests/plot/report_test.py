@@ -185,6 +185,13 @@ class ReportTest(unittest.TestCase):
                     "0.26 of what half", "a probability of 79 %", "0.788",
                     "peak 175 kPa", "0.264")
 
+    def test_brain_of_the_answer(self):
+        """Both pressures and the strain, each with its own unit."""
+        self.expect(self.text, "Pressures in the brain reach from −810 kPa to "
+                    "1.0 MPa, beyond the limit for serious injury by impacts "
+                    "and that of cavitation; 95 % of its tissue is strained "
+                    "by less than 5.4 %, below the 14 % at which")
+
     def test_checks(self):
         """What alternates from element to element is a check, no injury."""
         self.expect(self.text, "are 0.52 times the averages",

@@ -1,0 +1,403 @@
+#!/usr/bin/env python3
+"""Puts small faults into the code, one at a time, and shows which tests catch
+them:
+
+  tests/mutations/run.py                 all faults of mutations.toml
+  tests/mutations/run.py --only NAME     one of them; repeat for several
+  tests/mutations/run.py --check         whether the list fits the tree
+
+The faults go into a private copy of the tree with a build folder of its own;
+the tree itself is only read. First the tests that the faults name must pass
+without any fault. Then, for each fault, the programs of its tests are built
+and these tests run. A fault that no test catches "survived": a test is
+missing. The results go to results.md beside this file; rows of faults that
+were not run stay as they are. Exit code 0: all are caught, 1: some survived or
+could not be tried.
+"""
+
+import argparse
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import time
+import tomllib
+import xml.etree.ElementTree
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(os.path.dirname(HERE))
+LIST = os.path.join(HERE, "mutations.toml")
+RESULTS = os.path.join(HERE, "results.md")
+
+REQUIRED = {"name", "fault", "file", "old", "new", "tests"}
+OPTIONAL = {"targets"}
+
+INTRODUCTION = """\
+# Faults that the tests catch
+
+Each row is a fault that was put into the code alone. "Caught by" are the tests
+that failed, of those that `mutations.toml` names for it; `survived` means that
+none did. The seconds are those of building and testing, and depend on what was
+built before. Renew all rows, or one, by
+
+```bash
+tests/mutations/run.py
+tests/mutations/run.py --only NAME
+```
+
+"""
+
+
+class Problem(Exception):
+    """One line that says what is wrong."""
+
+
+class Mutation:
+    """A fault: in one file, one text in place of another."""
+
+    def __init__(self, entry):
+        name = entry.get("name", "?")
+        if not REQUIRED <= entry.keys() <= REQUIRED | OPTIONAL:
+            raise Problem(f"{name}: must have {', '.join(sorted(REQUIRED))} "
+                          f"and may have {', '.join(sorted(OPTIONAL))}")
+        self.name, self.fault = name, entry["fault"]
+        self.file, self.tests = entry["file"], entry["tests"]
+        # Texts of several lines begin with a line of their own.
+        self.old = entry["old"].strip("\n")
+        self.new = entry["new"].strip("\n")
+        self.targets = entry.get("targets", [])
+
+    def problems(self, root):
+        """What keeps it from being put into this tree."""
+        try:
+            with open(os.path.join(root, self.file), encoding="utf-8") as file:
+                count = file.read().count(self.old)
+        except OSError as error:
+            return [f"{self.name}: {self.file}: {error.strerror}"]
+        found = []
+        if count != 1:
+            found.append(f"{self.name}: {self.file} has its old text {count} "
+                         "times instead of once")
+        if self.old == self.new:
+            found.append(f"{self.name}: its new text is its old one")
+        return found
+
+
+def read_list():
+    with open(LIST, "rb") as file:
+        mutations = [Mutation(entry)
+                     for entry in tomllib.load(file)["mutation"]]
+    names = [mutation.name for mutation in mutations]
+    for name in names:
+        if names.count(name) > 1:
+            raise Problem(f"{name}: two faults have this name")
+    return mutations
+
+
+def registered_tests(build):
+    """The command of each test of a build folder, by name. ctest itself tells
+    no commands of programs that are not built."""
+    tests = {}
+    for folder, _, names in os.walk(build):
+        if "CTestTestfile.cmake" not in names:
+            continue
+        with open(os.path.join(folder, "CTestTestfile.cmake"),
+                  encoding="utf-8") as file:
+            for name, words in re.findall(
+                    r"^add_test\(\[=*\[(.+?)\]=*\] (.*)\)$", file.read(),
+                    re.MULTILINE):
+                tests[name] = [first or second for first, second in re.findall(
+                    r'"((?:[^"\\]|\\.)*)"|(\S+)', words)]
+    if not tests:
+        raise Problem(f"{build}: no build folder with tests")
+    return tests
+
+
+def matching(tests, expression):
+    return sorted(name for name in tests if re.search(expression, name))
+
+
+def check(mutations, build):
+    """Whether the list fits the tree and, with a build folder, its tests."""
+    problems = [text for mutation in mutations
+                for text in mutation.problems(ROOT)]
+    tests = registered_tests(build) if build else None
+    for mutation in mutations:
+        if tests and not matching(tests, mutation.tests):
+            problems.append(f"{mutation.name}: no test is named "
+                            f"{mutation.tests}")
+    return problems
+
+
+class Copy:
+    """A private copy of the tree, with a build folder in it."""
+
+    def __init__(self, folder, jobs):
+        self.folder, self.jobs = os.path.abspath(folder), jobs
+        self.build = os.path.join(self.folder, "build")
+        if os.path.realpath(self.folder) == os.path.realpath(ROOT):
+            raise Problem("--folder must not be the tree itself")
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def read(self, name):
+        with open(self.path(name), "rb") as file:
+            return file.read()
+
+    def synchronise(self):
+        """Makes the copy equal to the tree; what is equal keeps its times, so
+        that little is built again."""
+        listed = subprocess.run(
+            ["git", "-C", ROOT, "ls-files", "-z", "--cached", "--others",
+             "--exclude-standard"], check=True, capture_output=True)
+        names = {os.fsdecode(name) for name in listed.stdout.split(b"\0")
+                 if name and os.path.isfile(os.path.join(ROOT,
+                                                         os.fsdecode(name)))}
+        for here, folders, files in os.walk(self.folder):
+            if here == self.folder and "build" in folders:
+                folders.remove("build")
+            for file in files:
+                path = os.path.join(here, file)
+                if os.path.relpath(path, self.folder) not in names:
+                    os.remove(path)
+        for name in names:
+            with open(os.path.join(ROOT, name), "rb") as file:
+                content = file.read()
+            if os.path.exists(self.path(name)) and self.read(name) == content:
+                continue
+            os.makedirs(os.path.dirname(self.path(name)), exist_ok=True)
+            with open(self.path(name), "wb") as file:
+                file.write(content)
+            os.chmod(self.path(name),
+                     os.stat(os.path.join(ROOT, name)).st_mode)
+
+    def configure(self):
+        command(["cmake", "--preset", "release"], self.folder)
+
+    def build_for(self, tests, targets):
+        """Builds what the commands of these tests name; None does it all."""
+        wanted = set(targets)
+        for words in tests or []:
+            for word in words:
+                path = word.rpartition("=")[2]
+                if path.startswith(self.build + "/"):
+                    wanted.add(os.path.relpath(path, self.build))
+        if tests is not None and not wanted:
+            return
+        command(["cmake", "--build", self.build, "-j", str(self.jobs)]
+                + (["--target", *sorted(wanted)] if tests is not None else []),
+                self.folder)
+
+    def run_tests(self, names):
+        """How each of these tests ended; of all tests for None."""
+        report = os.path.join(self.build, "mutation.xml")
+        if os.path.exists(report):
+            os.remove(report)
+        words = ["ctest", "--test-dir", self.build, "-j", str(self.jobs),
+                 "--output-junit", report]
+        if names is not None:
+            words += ["-R", "^(" + "|".join(map(re.escape, names)) + ")$"]
+        subprocess.run(words, check=False, capture_output=True,
+                       stdin=subprocess.DEVNULL)
+        if not os.path.exists(report):
+            raise Problem("ctest left no report")
+        return {case.get("name"): case.get("status")
+                for case in xml.etree.ElementTree.parse(report).iter(
+                    "testcase")}
+
+    def forget_since(self, begin):
+        """Removes what was built since then."""
+        for here, _, files in os.walk(self.build):
+            for name in files:
+                path = os.path.join(here, name)
+                is_built = name.endswith((".o", ".a", ".gch")) or (
+                    "." not in name and os.access(path, os.X_OK))
+                if is_built and os.stat(path).st_mtime >= begin:
+                    os.remove(path)
+
+
+def command(words, folder):
+    """Runs a command of the build."""
+    run = subprocess.run(words, cwd=folder, check=False, text=True,
+                         stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                         stderr=subprocess.STDOUT)
+    if run.returncode != 0:
+        raise Problem(" ".join(words[:3]) + " failed:\n" + run.stdout[-3000:])
+
+
+class Trial:
+    """Tries faults in a copy."""
+
+    def __init__(self, copy, all_tests):
+        self.copy, self.all_tests = copy, all_tests
+        self.tests = registered_tests(copy.build)
+
+    def names(self, mutation):
+        return None if self.all_tests else matching(self.tests, mutation.tests)
+
+    def run(self, names, targets):
+        """Tests that did not pass."""
+        self.copy.build_for(
+            None if names is None else [self.tests[name] for name in names],
+            targets)
+        found = self.copy.run_tests(names)
+        missing = set(names or []) - found.keys()
+        return sorted([name for name, status in found.items()
+                       if status not in ("run", "disabled")] + list(missing))
+
+    def check_without_faults(self, mutations):
+        """The tests must pass as long as nothing is wrong."""
+        if self.all_tests:
+            names, targets = None, []
+        else:
+            names = sorted({name for mutation in mutations
+                            for name in self.names(mutation)})
+            targets = sorted({target for mutation in mutations
+                              for target in mutation.targets})
+        count = len(self.tests if names is None else names)
+        print(f"without a fault: {count} tests", flush=True)
+        failed = self.run(names, targets)
+        if failed:
+            raise Problem("these tests fail or are skipped without any fault: "
+                          + ", ".join(failed))
+
+    def try_out(self, mutation):
+        """Tests that caught a fault, none if it survived."""
+        path = self.copy.path(mutation.file)
+        with open(path, encoding="utf-8") as file:
+            before = file.read()
+        times = os.stat(path)
+        begin = time.time()
+        try:
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(before.replace(mutation.old, mutation.new))
+            return self.run(self.names(mutation), mutation.targets)
+        finally:
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(before)
+            os.utime(path, ns=(times.st_atime_ns, times.st_mtime_ns))
+            self.copy.forget_since(begin - 1.)
+
+
+def read_results():
+    """Rows of the present table by name of the fault."""
+    rows = {}
+    if os.path.exists(RESULTS):
+        with open(RESULTS, encoding="utf-8") as file:
+            for line in file:
+                match = re.match(r"\| `(\w+)` \|", line)
+                if match:
+                    rows[match[1]] = line
+    return rows
+
+
+def write_results(mutations, rows):
+    """The table in the order of the list, of faults that are still in it."""
+    with open(RESULTS, "w", encoding="utf-8") as file:
+        file.write(INTRODUCTION)
+        file.write("| name | fault | file | caught by | s |\n"
+                   "|---|---|---|---|---|\n")
+        file.writelines(rows[mutation.name] for mutation in mutations
+                        if mutation.name in rows)
+
+
+def row_of(mutation, outcome, seconds):
+    return (f"| `{mutation.name}` | {mutation.fault} | `{mutation.file}` | "
+            f"{outcome} | {seconds:.0f} |\n")
+
+
+def told(failed):
+    """Names of the first tests that caught a fault, and how many more."""
+    shown = ", ".join(f"`{name}`" for name in failed[:4])
+    more = f" and {len(failed) - 4} more" if len(failed) > 4 else ""
+    return shown + more if failed else "**survived**"
+
+
+def try_all(mutations, chosen, copy, all_tests):
+    """Number of faults that were not caught."""
+    copy.synchronise()
+    copy.configure()
+    problems = check(chosen, copy.build)
+    if problems:
+        raise Problem("; ".join(problems))
+    trial = Trial(copy, all_tests)
+    trial.check_without_faults(chosen)
+    not_caught = 0
+    for mutation in chosen:
+        begin = time.monotonic()
+        try:
+            failed = trial.try_out(mutation)
+            outcome = told(failed)
+        except Problem as problem:
+            print(f"{mutation.name}: {problem}", file=sys.stderr)
+            failed, outcome = [], "**not tried: it does not build**"
+        seconds = time.monotonic() - begin
+        not_caught += 0 if failed else 1
+        print(f"{mutation.name}: {outcome} ({seconds:.0f} s)", flush=True)
+        rows = read_results()
+        rows[mutation.name] = row_of(mutation, outcome, seconds)
+        write_results(mutations, rows)
+    return not_caught
+
+
+def choose(mutations, names):
+    known = {mutation.name: mutation for mutation in mutations}
+    for name in names:
+        if name not in known:
+            raise Problem(f"{name}: no fault has this name; --list shows all")
+    return [known[name] for name in names] if names else mutations
+
+
+def parse(arguments):
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("--only", action="append", default=[], metavar="NAME",
+                        help="try this fault alone; may be repeated")
+    parser.add_argument("--list", action="store_true",
+                        help="show the faults and end")
+    parser.add_argument("--check", action="store_true",
+                        help="check that each fault fits the tree and end")
+    parser.add_argument("--build", metavar="FOLDER",
+                        help="with --check: a build folder, whose tests the "
+                             "faults must name")
+    parser.add_argument("--all-tests", action="store_true",
+                        help="run the whole suite for each fault, for hours")
+    parser.add_argument("--folder", metavar="FOLDER",
+                        help="keep copy and build here for the next time; "
+                             "what else is in the folder is removed")
+    parser.add_argument("-j", "--jobs", type=int, default=os.cpu_count(),
+                        help="processors to use")
+    return parser.parse_args(arguments)
+
+
+def main(arguments):
+    options = parse(arguments)
+    try:
+        mutations = read_list()
+        chosen = choose(mutations, options.only)
+        if options.list:
+            for mutation in chosen:
+                print(f"{mutation.name}: {mutation.fault}\n  {mutation.file}, "
+                      f"{mutation.tests}")
+            return 0
+        problems = check(mutations, options.build)
+        for problem in problems:
+            print(problem)
+        if options.check or problems:
+            print(f"{len(mutations)} faults, {len(problems)} problem(s)")
+            return 1 if problems else 0
+        with tempfile.TemporaryDirectory() as temporary:
+            copy = Copy(options.folder or os.path.join(temporary, "copy"),
+                        options.jobs)
+            os.makedirs(copy.folder, exist_ok=True)
+            return 1 if try_all(mutations, chosen, copy,
+                                options.all_tests) else 0
+    except Problem as problem:
+        print(f"error: {problem}", file=sys.stderr)
+        return 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
