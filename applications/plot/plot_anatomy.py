@@ -16,6 +16,7 @@ from matplotlib.collections import PolyCollection
 from matplotlib.patches import Patch
 
 import look
+import usage
 import vtk_file
 from look import plt
 
@@ -200,4 +201,4 @@ def main(arguments):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(usage.run(main, __doc__))

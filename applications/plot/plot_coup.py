@@ -17,6 +17,7 @@ import numpy as np
 
 import look
 from plot_pressures import draw, pressures_of
+import usage
 
 CAVITATION = -100e3
 SMOOTHED = 1e-4  # s, for what counts as a peak
@@ -103,4 +104,4 @@ def main(arguments):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(usage.run(main, __doc__))

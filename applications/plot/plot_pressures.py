@@ -17,6 +17,7 @@ from matplotlib.collections import PolyCollection
 
 import look
 import tables
+import usage
 import vtk_file
 from look import plt
 from plot_solid import cut, open_fields
@@ -94,4 +95,4 @@ def main(arguments):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(usage.run(main, __doc__))

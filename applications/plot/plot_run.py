@@ -19,6 +19,7 @@ import maps
 import planes
 import profiles
 import tables
+import usage
 
 
 def main(arguments):
@@ -56,4 +57,4 @@ def main(arguments):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(usage.run(main, __doc__))

@@ -17,6 +17,7 @@ import numpy as np
 from matplotlib.collections import PolyCollection
 
 import look
+import usage
 import vtk_file
 from look import plt
 from plot_anatomy import EDGES
@@ -161,4 +162,4 @@ def main(arguments):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(usage.run(main, __doc__))

@@ -15,6 +15,7 @@ import sys
 import textwrap
 
 import look
+import usage
 
 import matplotlib.pyplot as plt  # noqa: E402 (after look chose the backend)
 from matplotlib.colors import ListedColormap  # noqa: E402
@@ -279,4 +280,4 @@ def main(arguments):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(usage.run(main, __doc__))

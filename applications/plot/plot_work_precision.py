@@ -15,6 +15,7 @@ import sys
 import matplotlib.pyplot as plt
 
 import look
+import usage
 
 MARKERS = "osD^vP"
 
@@ -52,4 +53,4 @@ def main(arguments):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(usage.run(main, __doc__))

@@ -23,6 +23,7 @@ import report_injury
 import report_page
 import report_paper
 import report_scene
+import usage
 
 
 def build(scene):
@@ -98,4 +99,4 @@ def main(arguments):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(usage.run(main, __doc__))

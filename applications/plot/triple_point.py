@@ -28,6 +28,7 @@ import numpy as np
 import look
 import planes
 import tables
+import usage
 
 EXPONENT = 1.4   # of air
 DISTURBED = 1.1  # times the pressure at rest
@@ -230,4 +231,4 @@ def main(arguments):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(usage.run(main, __doc__))
