@@ -13,10 +13,12 @@ function(contrecoup_add_layer name)
 endfunction()
 
 # contrecoup_setup_target(<target>): includes, deal.II, flags, common header.
+# Without MPI's old C++ interface, which every source would compile anew.
 function(contrecoup_setup_target target)
   target_include_directories(${target} PRIVATE
     ${PROJECT_SOURCE_DIR}/include ${PROJECT_BINARY_DIR}/include)
   deal_ii_setup_target(${target})
+  target_compile_definitions(${target} PRIVATE OMPI_SKIP_MPICXX)
   target_compile_options(${target} PRIVATE ${CONTRECOUP_COMPILE_OPTIONS})
   if(target STREQUAL "contrecoup_base")
     target_precompile_headers(${target} PRIVATE

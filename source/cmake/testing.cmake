@@ -24,10 +24,18 @@ suppressions=${PROJECT_SOURCE_DIR}/tests/sanitizer_suppressions.txt"
   set(CONTRECOUP_TIMEOUT_FACTOR 10)
 endif()
 
+# contrecoup_setup_test_target(<target>): contrecoup_setup_target, but tests take
+# a third less to compile: what they measure is in the layers, optimised there.
+function(contrecoup_setup_test_target target)
+  contrecoup_setup_target(${target})
+  target_compile_options(${target} PRIVATE
+    $<$<CONFIG:Release>:-O1 -fno-unroll-loops -fno-unroll-all-loops>)
+endfunction()
+
 # The main function of all unit tests; compiled once.
 add_library(contrecoup_test_main STATIC
   ${PROJECT_SOURCE_DIR}/tests/main.cc)
-contrecoup_setup_target(contrecoup_test_main)
+contrecoup_setup_test_target(contrecoup_test_main)
 target_link_libraries(contrecoup_test_main contrecoup_base GTest::gtest)
 
 # contrecoup_add_unit_test(<name> SOURCES <a.cc>... DEPENDS <layer>...
@@ -45,7 +53,7 @@ function(contrecoup_add_unit_test name)
   get_filename_component(_folder ${CMAKE_CURRENT_SOURCE_DIR} NAME)
   set(_target ${_folder}_${name})
   add_executable(${_target} ${ARG_SOURCES})
-  contrecoup_setup_target(${_target})
+  contrecoup_setup_test_target(${_target})
   target_link_libraries(${_target} contrecoup_test_main)
   foreach(_layer ${ARG_DEPENDS})
     target_link_libraries(${_target} contrecoup_${_layer})
