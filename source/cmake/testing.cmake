@@ -130,6 +130,8 @@ endfunction()
 #   gauge_order   VARY "Section/Entry=3|4|5" ERROR "<number> <s> <exact>|...":
 #                 the largest means over so many seconds of gauges on the body
 #                 converge; BOUNDS of what gauge_order() in load_cases.py finds
+#   facet_loads   the samples in loads.h5 have the impulse of the run: BOUNDS of
+#                 the summary and of what facet_loads() in load_cases.py finds
 #   domain        Domain/Size = by time makes room enough for recorded loads:
 #                 BOUNDS of what domain() in load_cases.py finds
 #   disk          a full disk: exit code 3 with MESSAGE, checkpoint intact

@@ -150,4 +150,25 @@ def domain(case, check_bound, read_summary):
         check_bound(found, bound)
 
 
-KINDS = {kind.__name__: kind for kind in (arrival, gauge_order, domain)}
+def facet_loads(case, check_bound, read_summary):
+    """The samples in loads.h5 push the body as hard as the summary says: bounds
+    of the relative "file_difference" of their impulse, taken with the areas and
+    normals of the file, and of what the summary has."""
+    import h5py
+    output = case.folder("run")
+    case.run(output)
+    summary = read_summary(output)
+    with h5py.File(os.path.join(output, "loads.h5")) as file:
+        times, samples = list(file["time"]), file["overpressure"][:]
+        areas, normals = file["area"][:], file["normal"][:]
+    steps = [end - begin for begin, end in zip([0.] + times, times)]
+    found = -(samples @ steps * areas) @ normals
+    told = [summary["assumptions"].get("loads_impulse_" + axis, 0.)
+            for axis in "xyz"]
+    summary["file_difference"] = math.dist(found, told) / math.hypot(*told)
+    for bound in case.options.bound:
+        check_bound(summary, bound)
+
+
+KINDS = {kind.__name__: kind
+         for kind in (arrival, gauge_order, domain, facet_loads)}

@@ -4,6 +4,7 @@ import csv
 import json
 import os
 import random
+import re
 import signal
 import time
 
@@ -43,6 +44,15 @@ def injury_table(output):
                 for row in csv.DictReader(file)}
 
 
+def body_masses(output):
+    """Of the mesh, and as blast and biomechanics were told [kg]."""
+    masses = [read_json(output, "anatomy", "summary.json")["mass"]]
+    for stage in STAGES[1:]:
+        text = read_bytes(output, stage, "parameters.prm").decode()
+        masses.append(float(re.search(r"set Body mass *= (\S+)", text)[1]))
+    return masses
+
+
 def scene_run(case, check_bound, read_summary):
     """Every stage runs and keeps the bounds of the biomechanics summary; run
     again, stages whose inputs are the same are taken as they are."""
@@ -54,6 +64,8 @@ def scene_run(case, check_bound, read_summary):
             f"stages are {statuses(output)}")
     require("<html" in read_bytes(output, "report.html").decode(),
             "there is no report")
+    masses = body_masses(output)
+    require(max(masses) < 1.05 * min(masses), f"body masses are {masses} kg")
     loads = os.stat(os.path.join(output, "blast", "loads.h5")).st_mtime_ns
     case.run(output)
     require(statuses(output) == dict.fromkeys(STAGES, "reused"),

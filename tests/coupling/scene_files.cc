@@ -2,11 +2,14 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/coupling/scene_files.h>
+#include <contrecoup/geometry/body.h>
 #include <contrecoup/geometry/primitive_shapes.h>
 #include <contrecoup/materials/explosives.h>
 #include <contrecoup/numerics/expected_blast.h>
 
 #include <gtest/gtest.h>
+
+#include <map>
 
 using namespace contrecoup;
 using namespace contrecoup::coupling;
@@ -46,6 +49,30 @@ double number(const std::vector<Assignment> &entries,
   ADD_FAILURE() << limit << " has no " << entry;
   return 0.;
 }
+
+
+/// Values by "Section/Entry"; of several for one, the last, which counts.
+std::map<std::string, std::string>
+values_of(const std::vector<Assignment> &entries)
+{
+  std::map<std::string, std::string> values;
+  for (const Assignment &assignment : entries)
+  {
+    std::string path;
+    for (const std::string &section : assignment.sections)
+      path += section + "/";
+    values[path + assignment.entry] = assignment.value;
+  }
+  return values;
+}
+
+
+/// The body of that box, without landmarks.
+ShapeBody standing_body()
+{
+  const auto surface = std::make_shared<RoundedBox>(standing_box());
+  return {surface, {{{"all", Tissue::soft_tissue}, surface}}};
+}
 } // namespace
 
 // A charge near the body or high above the ground has its first front pass
@@ -79,4 +106,68 @@ TEST(SceneFiles, LeavesGetCoarserAfterTheGroundsReflectionHasPassed)
   }
   EXPECT_GE(n_waits, 1U);
   EXPECT_LE(n_waits, 3U);
+}
+
+
+TEST(SceneFiles, HandOnMassesPlacesAndTimesOfTheScene)
+{
+  SceneParameters scene = scene_with(2.337, 1.27);
+  scene.tissues = "physiological";
+  const SceneLayout layout(scene, standing_box());
+  const auto blast = values_of(blast_entries(scene, layout, 78.5));
+  EXPECT_EQ(blast.at("Material/Explosive"), "c-4");
+  EXPECT_EQ(std::stod(blast.at("Charges/Charge 1/Mass")), 2.268);
+  const std::string &center = blast.at("Charges/Charge 1/Center");
+  EXPECT_NEAR(std::stod(center), 2.487, 1e-12);
+  EXPECT_EQ(center.substr(center.find(',')), ", 0, 1.27");
+  EXPECT_EQ(std::stod(blast.at("Loads/Body mass")), 78.5);
+  EXPECT_EQ(std::stod(blast.at("Time/End time")), 0.05);
+  EXPECT_EQ(blast.at("Boundaries/z low"), "wall");
+  const std::string tables = "Reference/Kingery Bulmash/";
+  EXPECT_EQ(std::stod(blast.at(tables + "Mass")), 2.268);
+  for (const char *what : {"pressure", "impulse"})
+    EXPECT_EQ(std::stod(blast.at(tables + "TNT equivalence of " + what)), 1.34);
+  const auto body =
+    values_of(biomechanics_entries(scene, layout, standing_body(), {}, 78.5));
+  EXPECT_EQ(body.at("Materials/Set"), "physiological");
+  EXPECT_EQ(std::stod(body.at("Mesh/Element size")),
+            scene.accuracy.element_size);
+  EXPECT_EQ(std::stod(body.at("Injury/Body mass")), 78.5);
+  EXPECT_EQ(std::stod(body.at("Time/End time")), 0.05);
+}
+
+
+TEST(SceneFiles, CompareTntWithItselfAndOtherExplosivesWithNothing)
+{
+  SceneParameters scene = scene_with(2.337, 1.27);
+  scene.explosive = "tnt";
+  const SceneLayout layout(scene, standing_box());
+  EXPECT_EQ(std::stod(values_of(blast_entries(scene, layout, 78.5))
+                        .at("Reference/Kingery Bulmash/TNT equivalence of "
+                            "pressure")),
+            1.);
+  scene.explosive = "anfo";
+  EXPECT_EQ(
+    values_of(blast_entries(scene, SceneLayout(scene, standing_box()), 78.5))
+      .count("Reference/Kind"),
+    0U);
+}
+
+
+// What is symmetric is computed on one side, and the loads are mirrored.
+TEST(SceneFiles, LoadBothSidesOfASymmetricBody)
+{
+  for (const double aside : {0., 0.3})
+  {
+    SceneParameters scene = scene_with(2.337, 1.27);
+    (*scene.place)[1] = aside;
+    const SceneLayout layout(scene, standing_box());
+    const auto blast = values_of(blast_entries(scene, layout, 78.5));
+    const auto body =
+      values_of(biomechanics_entries(scene, layout, standing_body(), {}, 78.5));
+    const bool is_half = aside == 0.;
+    EXPECT_EQ(layout.lower[1] == 0., is_half);
+    EXPECT_EQ(blast.at("Boundaries/y low"), is_half ? "symmetry" : "open");
+    EXPECT_EQ(body.at("Loads/Recorded/Mirror"), is_half ? "y" : "none");
+  }
 }

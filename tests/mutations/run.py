@@ -148,7 +148,9 @@ class Copy:
 
     def synchronise(self):
         """Makes the copy equal to the tree; what is equal keeps its times, so
-        that little is built again."""
+        that little is built again. Returns whether it must be configured."""
+        configures = not os.path.exists(os.path.join(self.build,
+                                                     "build.ninja"))
         listed = subprocess.run(
             ["git", "-C", ROOT, "ls-files", "-z", "--cached", "--others",
              "--exclude-standard"], check=True, capture_output=True)
@@ -162,16 +164,20 @@ class Copy:
                 path = os.path.join(here, file)
                 if os.path.relpath(path, self.folder) not in names:
                     os.remove(path)
+                    configures |= not file.endswith(".pyc")
         for name in names:
             with open(os.path.join(ROOT, name), "rb") as file:
                 content = file.read()
-            if os.path.exists(self.path(name)) and self.read(name) == content:
+            is_new = not os.path.exists(self.path(name))
+            if not is_new and self.read(name) == content:
                 continue
+            configures |= is_new or name.endswith(("CMakeLists.txt", ".cmake"))
             os.makedirs(os.path.dirname(self.path(name)), exist_ok=True)
             with open(self.path(name), "wb") as file:
                 file.write(content)
             os.chmod(self.path(name),
                      os.stat(os.path.join(ROOT, name)).st_mode)
+        return configures
 
     def configure(self):
         command(["cmake", "--preset", "release"], self.folder)
@@ -317,8 +323,8 @@ def told(failed):
 
 def try_all(mutations, chosen, copy, all_tests):
     """Number of faults that were not caught."""
-    copy.synchronise()
-    copy.configure()
+    if copy.synchronise():
+        copy.configure()
     problems = check(chosen, copy.build)
     if problems:
         raise Problem("; ".join(problems))
