@@ -112,9 +112,9 @@ namespace
                   const SceneLayout &layout,
                   Entries &entries)
   {
-    // The mass of C-4 that acts as one of TNT (Kingery and Bulmash's tables
-    // are of TNT).
-    const double equivalence = scene.explosive == "c-4" ? 1.34 : 1.;
+    // Kingery and Bulmash's tables are of TNT; how much of it acts as a mass of
+    // C-4, by peak and by impulse, on average (TM 5-855-1, 1986).
+    const bool is_c4 = scene.explosive == "c-4";
     entries.set("Material/Equation of state", "jwl in air");
     entries.set("Material/Explosive", scene.explosive);
     entries.set("Charges/Charge 1/Mass", scene.mass);
@@ -125,14 +125,14 @@ namespace
       entries.set("Charges/Afterburn/Energy", scene.afterburn);
     }
     set_first_stage(layout, entries);
-    if (scene.explosive != "c-4" && scene.explosive != "tnt")
+    if (!is_c4 && scene.explosive != "tnt")
       return;
     const std::string reference = "Reference/Kingery Bulmash/";
     entries.set("Reference/Kind", "kingery bulmash");
     entries.set(reference + "Mass", scene.mass);
     entries.set(reference + "Center", text_of(layout.charge));
-    entries.set(reference + "TNT equivalence of pressure", equivalence);
-    entries.set(reference + "TNT equivalence of impulse", equivalence);
+    entries.set(reference + "TNT equivalence of pressure", is_c4 ? 1.37 : 1.);
+    entries.set(reference + "TNT equivalence of impulse", is_c4 ? 1.19 : 1.);
   }
 
 
