@@ -1,11 +1,14 @@
+#!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""What a report must be in a browser, on screens and on paper."""
+"""What a report must be in a browser, on screens and on paper:
+page_checks.py REPORT.html prints what is wrong with it."""
 
 import os
 import re
 import shutil
 import subprocess
+import sys
 
 import browser
 
@@ -130,9 +133,30 @@ def paper_faults(paper, folded=()):
     return faults
 
 
-def missing_programs():
-    """The programs that these checks need and that are not there, in words."""
+def leave_without_programs():
+    """Ends the test where a program is missing: as skipped, where CI is true
+    as failed."""
     missing = [] if browser.find_browser() else ["chromium"]
     missing += [name for name in ("pdftoppm", "pdftotext")
                 if shutil.which(name) is None]
-    return ", ".join(missing)
+    if not missing:
+        return
+    words = ", ".join(missing) + " missing: the report was not opened in a " \
+        "browser (packages chromium and poppler-utils)"
+    if os.environ.get("CI", "").lower() in ("1", "true", "yes"):
+        sys.exit("FAILED: " + words)
+    print("SKIPPED: " + words, file=sys.stderr)
+    sys.exit(77)
+
+
+def main(arguments):
+    leave_without_programs()
+    page, = arguments
+    with browser.Browser(browser.find_browser()) as window:
+        faults = find_faults(window, page, os.path.dirname(page))
+    print("\n".join(faults) or "no faults")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -83,11 +83,5 @@ class PageTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    missing = page_checks.missing_programs()
-    if missing and os.environ.get("CI", "").lower() in ("1", "true"):
-        sys.exit(f"{missing} is missing, which a test of the report needs")
-    if missing:
-        print(f"SKIPPED: {missing} is missing: the report was not opened in a "
-              "browser", file=sys.stderr)
-        sys.exit(77)
+    page_checks.leave_without_programs()
     unittest.main()

@@ -85,8 +85,10 @@ def write_blast(folder):
     write(os.path.join(folder, "summary.json"), json.dumps({
         "application": "blast", "version": "0.1.0", "status": "finished",
         "cells": 100, "steps": 240, "conservation": {
-            "mass_first": 186.05, "mass_last": 145.11,
-            "mass_relative_change": -0.22005},
+            "mass_first": 186.07, "mass_last": 145.11,
+            "mass_relative_change": -0.22005,
+            "energy_first": 7.57e6, "energy_last": 6.02e6,
+            "energy_relative_change": -0.20475},
         "assumptions": {
             "probe_1_peak_overpressure": 267701.8,
             "probe_1_reference_peak_overpressure": 314415.,

@@ -1,0 +1,467 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""Compares the figures of a report.html with the files of its scene, to the
+digits that are shown. The figures are worked out here anew, from the files
+alone."""
+
+import csv
+import json
+import math
+import os
+import re
+
+import report_reader
+from report_reader import require_same
+
+STAGES = ("anatomy", "blast", "biomechanics")
+KNOWN_DIFFERENCES = os.path.join(
+    os.path.dirname(os.path.dirname(os.path.dirname(
+        os.path.abspath(__file__)))),
+    "applications", "plot", "known_differences.csv")
+
+# Rows of the injury table, by names of injury.csv.
+TITLES = {
+    "injury_intracranial_pressure_peak": "highest pressure in the brain",
+    "injury_intracranial_pressure_lowest": "lowest pressure in the brain",
+    "injury_cavitating_fraction": "part of the brain ever below −100 kPa",
+    "injury_cavitation_dose": "mean time below −100 kPa",
+    "injury_strain_95":
+        "95th percentile of the largest principal strain of the brain",
+    "injury_csdm_15": "part of the brain strained by more than 0.15",
+    "injury_csdm_25": "part of the brain strained by more than 0.25",
+    "injury_hic15": "head injury criterion, 15 ms",
+    "injury_bric": "brain injury criterion",
+    "injury_chest_wall_velocity_mesh":
+        "velocity of the skin before the chest, in the mesh"}
+# What the table takes from gauge_injury.csv where there is a chest, and what
+# stands among the checks.
+FROM_GAUGES = ("injury_chest_pressure_peak", "injury_chest_wall_velocity",
+               "injury_adjusted_severity", "injury_lung_exposure",
+               "injury_eardrum_rupture")
+CHECKED = ("injury_pressure_roughness",)
+
+
+def require(holds, reason):
+    if not holds:
+        raise AssertionError(reason)
+
+
+def read_json(*names):
+    with open(os.path.join(*names), encoding="utf-8") as file:
+        return json.load(file)
+
+
+def read_rows(*names):
+    with open(os.path.join(*names), newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(line for line in file
+                                   if not line.startswith("#")))
+
+
+class Files:
+    """What the stages of a scene left."""
+
+    def __init__(self, output):
+        self.output = output
+        self.scene = read_json(output, "scene.json")
+        self.summary = {stage: read_json(output, stage, "summary.json")
+                        for stage in STAGES}
+        self.injury = {row["measure"]: float(row["value"]) for row in
+                       read_rows(output, "biomechanics", "injury.csv")}
+        self.units = {row["measure"]: row["unit"] for row in
+                      read_rows(output, "biomechanics", "injury.csv")}
+        self.places, self.gauges = {}, {}
+        if os.path.exists(os.path.join(output, "blast", "gauge_injury.csv")):
+            for row in read_rows(output, "blast", "gauge_injury.csv"):
+                place = row.pop("place")
+                self.places[place] = {
+                    key.split(" [")[0]: float(value)
+                    for key, value in row.items()}
+        if os.path.exists(os.path.join(output, "blast", "load_gauges.csv")):
+            rows = read_rows(output, "blast", "load_gauges.csv")
+            self.gauges = {name.split(" [")[0]: [float(row[name])
+                                                 for row in rows]
+                           for name in rows[0]}
+
+    def peak(self, place):
+        return max(self.gauges[place])
+
+
+def check_report(output):
+    """Every figure that the files have; the number of those compared."""
+    files = Files(output)
+    page = report_reader.read(os.path.join(output, "report.html"))
+    checks = (check_facts, check_injury, check_headline, check_gauges,
+              check_conservation, check_audit, check_free_air,
+              check_differences, check_energy, check_mesh, check_cost)
+    count = sum(check(page, files) for check in checks)
+    print(f"{count} figures of the report are those of the files")
+    return count
+
+
+def check_facts(page, files):
+    table = {row[0]: row[1] for row in page.table("The scene").rows}
+    known = {"charge": "charge_mass", "distance to the body": "distance",
+             "height above ground": "height", "followed until": "end_time",
+             "gas cells at the skin": "cell_size_at_body",
+             "elements of the body": "element_size"}
+    for name, key in known.items():
+        require_same(table[name], files.scene[key], name)
+    return len(known)
+
+
+def expected_injuries(files):
+    """By title: the value, and how known_differences.csv calls it."""
+    rows = {}
+    for name, found in files.places.items():
+        if name.endswith("ear"):
+            rows[f"probability that the {name}drum ruptures"] = (
+                found["eardrum rupture"], "ear_rupture")
+    chest = files.places.get("chest")
+    if chest:
+        rows["chest wall velocity, in front"] = (
+            chest["chest wall velocity"], "chest_wall_front")
+        rows["chest wall velocity, mean of front and back"] = (
+            0.5 * (chest["chest wall velocity"]
+                   + files.places["back"]["chest wall velocity"]),
+            "chest_wall_mean")
+        rows["pressure on the chest over that which half survive"] = (
+            chest["lung exposure"], "lung_exposure")
+    for name, value in files.injury.items():
+        if name not in CHECKED and not (chest and name in FROM_GAUGES):
+            rows[TITLES[name]] = value, name
+    return rows
+
+
+def check_injury(page, files):
+    """Each measure has a row, each row its value and error."""
+    expected = expected_injuries(files)
+    rows = [row for table in page.tables if table.section == "Injury"
+            for row in table.records()]
+    require(sorted(row["measure"] for row in rows) == sorted(expected),
+            f"the injury table has {[row['measure'] for row in rows]}, the "
+            f"files {list(expected)}")
+    for row in rows:
+        title = row["measure"]
+        value, name = expected[title]
+        lines = row["value and its estimated error"].split("\n")
+        if lines[0].startswith(">"):
+            require(0.9995 <= value < 1., f"{title} is {value}")
+        else:
+            require_same(lines[0], value, title)
+        error = _error(name, files.scene)
+        if error is None:
+            require("not measured" in lines[1], f"{title}: {lines[1]}")
+        elif lines[1] == "± more than 100 %":
+            require(error > 1., f"{title}: error {error}")
+        else:
+            require_same(lines[1], error, "error of " + title)
+        told = re.match(r"peak (.*?);", row["what the measure does not say"])
+        if told:
+            ear = title.split("the ")[1].replace("drum ruptures", "")
+            require_same(told[1], files.places[ear]["peak"], ear)
+    _check_disagreement(page, files)
+    return 2 * len(rows)
+
+
+def _check_disagreement(page, files):
+    """A note stands where facet and patch differ by 15 % at least."""
+    chest = files.places.get("chest")
+    if not chest or "injury_chest_wall_velocity" not in files.injury:
+        return
+    facet = files.injury["injury_chest_wall_velocity"]
+    patch = chest["chest wall velocity"]
+    told = [re.search(r"chest gives (\S+) m/s, the mean over the patch around "
+                      r"it (\S+) m/s", text)
+            for section, text in page.paragraphs if section == "Injury"]
+    told = list(filter(None, told))
+    require(bool(told) == (abs(facet / patch - 1.) >= 0.15),
+            f"facet {facet}, patch {patch}: {len(told)} notes on that")
+    for match in told:
+        require_same(match[1], facet, "chest wall velocity of the facet")
+        require_same(match[2], patch, "chest wall velocity of the patch")
+
+
+def _halvings(name, scene):
+    """Of a measure the halvings nearest to the sizes of this scene: numbers of
+    known_differences.csv and the error of first order."""
+    found = []
+    for varied, key in (("cells at the skin", "cell_size_at_body"),
+                        ("Mesh/Element size", "element_size")):
+        rows = [{column: float(row[column]) for column in
+                 ("coarse", "fine", "at coarse", "at fine")}
+                for row in read_rows(KNOWN_DIFFERENCES)
+                if row["measure"] == name and row["varied"] == varied]
+        if rows:
+            size = scene[key]
+            near = min(rows, key=lambda row: abs(math.log(
+                row["coarse"] / size)))
+            change = abs(near["at coarse"] / near["at fine"] - 1.)
+            near["error"] = change * size / (near["coarse"] - near["fine"])
+            found.append(near)
+    return found
+
+
+def _error(name, scene):
+    errors = [row["error"] for row in _halvings(name, scene)]
+    return math.hypot(*errors) if errors else None
+
+
+def check_differences(page, files):
+    """What halving changed, and the errors that follow."""
+    names = dict.fromkeys(row["measure"] for row in
+                          read_rows(KNOWN_DIFFERENCES))
+    known = [row for name in names for row in _halvings(name, files.scene)]
+    rows = page.table("Accuracy", "What halving the cells changed").records()
+    for row, halving in zip(rows, known, strict=True):
+        require_same(row["from"], halving["coarse"], row["measure"])
+        require_same(row["to"], halving["fine"], row["measure"])
+        require_same(row["change"],
+                     halving["at fine"] / halving["at coarse"] - 1.,
+                     row["measure"])
+        if row["hence error here"] == "± more than 100 %":
+            require(halving["error"] > 1., f"{row}")
+        else:
+            require_same(row["hence error here"], halving["error"],
+                         row["measure"])
+    return 4 * len(rows)
+
+
+def check_headline(page, files):
+    """Every number of the answer is known, and none is left over."""
+    text = page.answer.replace(files.scene["explosive"].upper(), "")
+    number = report_reader.NUMBER
+    wanted = [
+        (rf"({number} \w*) of  ?goes off", files.scene["charge_mass"]),
+        (rf", ({number} m) away", files.scene["distance"]),
+        (rf"and ({number} m) above the ground", files.scene["height"])]
+    if files.places.get("chest"):
+        rows = expected_injuries(files)
+        wanted += [
+            (rf"pushed in at ({number} m/s) in front",
+             rows["chest wall velocity, in front"][0]),
+            (rf", ({number} m/s) as the mean",
+             rows["chest wall velocity, mean of front and back"][0]),
+            (rf"on the chest is ({number}) of what",
+             files.places["chest"]["lung exposure"])]
+    ears = [found["eardrum rupture"] for name, found in files.places.items()
+            if name.endswith("ear")]
+    if ears:
+        wanted.append((r"more than (99 %)", 0.99) if max(ears) > 0.99 else
+                      (rf"with a probability of ({number} %)", max(ears)))
+    wanted += [
+        (rf"Pressures in the brain reach from ({number} \w+)",
+         files.injury["injury_intracranial_pressure_lowest"]),
+        (rf"^[^;]*? to ({number} \w?Pa), ",
+         files.injury["injury_intracranial_pressure_peak"]),
+        (r"; (95 %) of its tissue", 0.95),
+        (rf"is strained by less than ({number} %)",
+         files.injury["injury_strain_95"])]
+    if files.injury["injury_strain_95"] < 0.14:
+        wanted.append((r"below the (14 %) at which", 0.14))
+    wanted += _certainty(page)
+    if files.scene["end_time"] < 0.01:
+        wanted.append((rf"The run ends after ({number} ms)",
+                       files.scene["end_time"]))
+    for pattern, value in wanted:
+        match = re.search(pattern, text, re.M)
+        require(match, f"the answer does not say /{pattern}/: {text}")
+        require_same(match[1], value, f"the answer, /{pattern}/")
+        text = text[:match.start(1)] + "…" + text[match.end(1):]
+    # Names of measures have numbers of their own.
+    for title in sorted(TITLES.values(), key=len, reverse=True):
+        text = text.replace(title, "")
+    require(not re.search(r"\d", text), f"numbers of unknown source: {text}")
+    return len(wanted)
+
+
+def _certainty(page):
+    """How many verdicts stand, counted in the table."""
+    verdicts = [row["verdict"] for table in page.tables
+                if table.section == "Injury" for row in table.records()]
+    sure = sum("does not change this" in verdict for verdict in verdicts)
+    known = sure + sum("lies within the error" in verdict
+                       for verdict in verdicts)
+    return [(r"How sure: for (\d+) of the", sure),
+            (r"of the (\d+) measures", known)] if known else []
+
+
+def _with_unit(header, cell):
+    """A number below "peak [kPa]" with its unit."""
+    unit = re.search(r"\[(.*)\]", header)
+    return f"{cell} {unit[1]}" if unit else cell
+
+
+def check_gauges(page, files):
+    """Peak, lowest value, arrival, impulse and duration of each place."""
+    if not files.gauges:
+        return 0
+    time, count = files.gauges["time"], 0
+    rows = page.table("Histories on the skin", column="place").records()
+    require([row["place"] for row in rows]
+            == [name for name in files.gauges if name != "time"
+                and files.peak(name) > 0.], "places on the skin are others")
+    for row in rows:
+        values = files.gauges[row["place"]]
+        peak, lowest = max(values), min(values)
+        begin = next(i for i, value in enumerate(values)
+                     if value >= 0.05 * peak)
+        end = next((i for i in range(begin, len(values)) if values[i] <= 0.),
+                   len(values) - 1)
+        start = begin - 1
+        while start > 0 and values[start] > 0.:
+            start -= 1
+        impulse = sum(0.5 * (time[i + 1] - time[i])
+                      * (max(values[i], 0.) + max(values[i + 1], 0.))
+                      for i in range(max(start, 0), end))
+        known = {"peak [kPa]": peak, "arrival [ms]": time[begin],
+                 "impulse [Pa s]": impulse,
+                 "positive phase [ms]": time[end] - time[begin]}
+        if lowest < -1.:
+            known["lowest [kPa]"] = lowest
+        for header, value in known.items():
+            require_same(_with_unit(header, row[header]), value,
+                         f"{row['place']}, {header}")
+        count += len(known)
+    return count
+
+
+def check_conservation(page, files):
+    known, count = files.summary["blast"]["conservation"], 0
+    table = page.table("Conservation of the gas", column="at the start")
+    for row in table.records():
+        name = row["in the domain of the gas"].replace(" ", "_")
+        for header, end in (("at the start", "_first"), ("at the end", "_last"),
+                            ("change", "_relative_change")):
+            require_same(row[header], known[name + end], name + end)
+            count += 1
+    require(count >= 6, "no gas is conserved")
+    known = files.summary["blast"]["assumptions"]
+    rows = page.table("Conservation of the gas",
+                      column="check of the loads").rows
+    for row, key in zip(rows, (key for key in (
+            "loads_impulse_difference", "loads_force_difference",
+            "loads_sampled_peak_loss") if key in known), strict=True):
+        require_same(row[1], known[key], key)
+    return count + len(rows)
+
+
+def check_audit(page, files):
+    """Estimates and measurements of what was taken for granted."""
+    known, count = files.summary["blast"]["assumptions"], 0
+    section = "What was taken for granted"
+    for row, told in zip(page.table(section).records(),
+                         files.scene["audit"], strict=True):
+        for key in ("estimate", "found"):
+            require(row[key] == (told[key] or "–"), f"{row}, {told}")
+            count += 1
+    rows = page.table(section, "What the blast took for granted").records()
+    require(rows, "the blast took nothing for granted")
+    for row in rows:
+        entry = known[row["item"].replace(" ", "_")]
+        for header, key in (("estimate", "estimate"),
+                            ("measured", "measured")):
+            if row[header] == "–":
+                require(entry.get(key) is None, f"{row}, {entry}")
+            else:
+                require_same(row[header], entry[key], row["item"])
+                count += 1
+    return count
+
+
+def check_free_air(page, files):
+    known = files.summary["blast"]["assumptions"]
+    if "probe_1_reference_peak_overpressure" not in known:
+        return 0
+    table = page.table("Accuracy", "Against measurements in free air")
+    for row in table.records():
+        name = row["what"].replace(" ", "_")
+        found, reference = (known["probe_1_" + part + name]
+                            for part in ("", "reference_"))
+        require_same(row["found"], found, name)
+        require_same(row["Kingery and Bulmash"], reference, name)
+        require_same(row["difference"], found / reference - 1., name)
+    return 3 * len(table.rows)
+
+
+def check_energy(page, files):
+    """Energies at the end, and the sentence on their audit."""
+    last = read_rows(files.output, "biomechanics", "history.csv")[-1]
+    last = {name.split(" [")[0]: float(value)
+            for name, value in last.items()}
+    names = {"work of the loads": "external_work", "kinetic": "kinetic_energy",
+             "stored": "stored_energy", "lost in relaxation":
+             "relaxation_energy", "bulk viscosity": "bulk_viscosity_energy",
+             "hourglass control": "hourglass_energy",
+             "missing": "energy_residual"}
+    rows = page.table("Energy of the body").records()
+    require(len(rows) >= 5, "energies are missing")
+    for row in rows:
+        name = row["energy at the end"]
+        require_same(row["value"], last[names[name]], name)
+        require_same(row["of the work of the loads"],
+                     last[names[name]] / abs(last["external_work"]), name)
+    told = next(text for section, text in page.paragraphs
+                if section == "Energy of the body" and "The audit" in text)
+    known = files.summary["biomechanics"]["assumptions"]
+    parts = re.search(r": (.*?%) of the energy .* control has (.*?%)", told)
+    require_same(parts[1], abs(known["energy_residual"]), "energy missing")
+    require_same(parts[2], known["hourglass_part"], "hourglass energy")
+    return 2 * len(rows) + 2
+
+
+def check_mesh(page, files):
+    known = {row["name"]: row for row in
+             read_rows(files.output, "anatomy", "quality.csv")
+             if row["kind"] == "tissue"}
+    rows = page.table("The body's mesh").records()
+    require([row["tissue"] for row in rows] == list(known),
+            "the report has other tissues")
+    for row in rows:
+        quality = known[row["tissue"]]
+        litre = quantity_in(row["volume [litre]"], 1e-3)
+        for header, shown, column in (
+                ("elements", row["elements"], "elements"),
+                ("volume", litre, "volume [m^3]"),
+                ("mass", row["mass [kg]"], "mass [kg]"),
+                ("time step", row["time step alone [µs]"] + " µs",
+                 "time step [s]")):
+            require_same(shown, float(quality[column]),
+                         f"{row['tissue']}, {header}")
+    return 4 * len(rows)
+
+
+def quantity_in(cell, scale):
+    """The cell of a column in other units, as a number with a power of ten."""
+    require("·10" not in cell and scale == 1e-3, f"cannot scale {cell}")
+    return cell + "·10⁻³"
+
+
+def check_cost(page, files):
+    """Status, time, memory and sizes of each stage."""
+    rows = page.table("Cost").records()
+    require([row["stage"] for row in rows] == list(STAGES),
+            "the cost of some stages is missing")
+    for row, told in zip(rows, files.scene["stages"]):
+        name = row["stage"]
+        require(row["status"] == told["status"], f"{name} is {row['status']}")
+        for header, key in (("wall time", "wall_seconds"),
+                            ("core time", "core_seconds")):
+            _require_duration(row[header], told[key], f"{header} of {name}")
+        require_same(row["memory"], told["peak_memory"], f"memory of {name}")
+        require_same(row["disk"], told["disk"], f"disk of {name}")
+        summary = files.summary[name]
+        for count, word in re.findall(r"([\d\u202f]+) (\w+)", row["size"]):
+            require(int(count.replace("\u202f", "")) == summary[word],
+                    f"{name} has {summary[word]} {word}, not {count}")
+    return 4 * len(rows)
+
+
+def _require_duration(shown, seconds, what):
+    match = re.fullmatch(r"(?:(\d+) h )?(\d+) min(?: (\d+) s)?", shown)
+    if not match:
+        return require_same(shown, seconds, what)
+    hours, minutes, rest = (int(part or 0) for part in match.groups())
+    found = 3600 * hours + 60 * minutes + rest
+    require(found <= seconds < found + (60 if hours else 1),
+            f"{what}: {shown} for {seconds} s")
+    return None
