@@ -84,7 +84,7 @@ details summary { cursor: pointer; color: var(--accent); }
   td small { font-size: 7pt; }
   caption, figcaption { font-size: 8pt; max-width: none; }
   figure { margin: 8px 0 10px; }
-  figure img { width: auto !important; max-height: 92mm; }
+  figure img { width: auto !important; max-height: 80mm; }
   figure, tr { break-inside: avoid; }
   nav, .screen { display: none; }
   .paper { display: inline; }

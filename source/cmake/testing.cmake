@@ -135,6 +135,8 @@ endfunction()
 #   domain        Domain/Size = by time makes room enough for recorded loads:
 #                 BOUNDS of what domain() in load_cases.py finds
 #   disk          a full disk: exit code 3 with MESSAGE, checkpoint intact
+#   main_job*     OTHER_FILE: the first lines in
+#                 tests/applications/main_job_cases.py tell
 #   study_*, scene_*  the first lines in tests/applications/study_cases.py and
 #                 scene_cases.py tell
 # No value may contain a semicolon.

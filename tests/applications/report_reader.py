@@ -10,6 +10,7 @@ PREFIXES = {"G": 1e9, "M": 1e6, "k": 1e3, "": 1., "m": 1e-3, "µ": 1e-6,
             "n": 1e-9}
 UNITS = ("Pa s", "Pa", "m/s", "m", "kg", "s", "J", "N s", "N", "W", "B")
 POWERS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
+SUPERSCRIPTS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 NUMBER = r"−?\d[\d\u202f]*(?:\.\d+)?(?:·10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?"
 
 

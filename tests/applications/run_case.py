@@ -23,6 +23,7 @@ import time
 import cost_cases
 import full_disk
 import load_cases
+import main_job_cases
 import scene_cases
 import study_cases
 
@@ -489,7 +490,8 @@ KINDS = {kind.__name__: kind for kind in
 KINDS.update({name: of_module(kind)
               for name, kind in {**study_cases.KINDS, **cost_cases.KINDS,
                                  **load_cases.KINDS,
-                                 **scene_cases.KINDS}.items()})
+                                 **scene_cases.KINDS,
+                                 **main_job_cases.KINDS}.items()})
 
 
 def parse(arguments):

@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""What tests of the main job prove, a scene from the charge to its report;
+kinds of run_case.py."""
+
+import os
+import subprocess
+
+import report_figures
+from report_figures import STAGES, require
+
+# Peaks [Pa] on the skin by test and place: of the test's own run, of which
+# 3 % may be missing, and of a finer run with what the test's differs by.
+REGRESSION = 0.03
+PEAKS = {
+    # quickstart.prm as in the test, but with cells of 20 mm at the skin
+    # ("Scene/Accuracy=fast"): 829 and 592 kPa. Cells of 10 and 5 mm have 905
+    # and 1008, 582 and 649 (applications/plot/known_differences.csv).
+    "scene_main_job": {"chest": (777648., 829159., -0.062),
+                       "forehead": (597915., 592485., 0.009)}}
+# A person of another stature and mass than the phantom's.
+OTHER_PERSON = ["Body/Phantom/Stature=1.62", "Body/Phantom/Mass=58"]
+
+
+def main_job(case, check_bound, read_summary):
+    """The scene runs from the charge to its report: peaks on the skin are the
+    stored ones, the bounds of the summary of biomechanics hold, and every
+    figure of the report is that of the files."""
+    output = case.folder("run")
+    case.run(output)
+    prove(case, output, check_bound, read_summary)
+
+
+def main_job_surface(case, check_bound, read_summary):
+    """The same with a person of a surface: the STL file that anatomy makes of
+    a phantom of another stature, with the organs of the phantom."""
+    person = case.folder("person")
+    anatomy = os.path.join(os.path.dirname(case.options.application),
+                           "anatomy")
+    subprocess.run(
+        [anatomy, case.options.other_file, "--output", person]
+        + [word for entry in OTHER_PERSON for word in ("--set", entry)],
+        check=True, stdout=subprocess.DEVNULL)
+    output = case.folder("run")
+    surface = os.path.abspath(os.path.join(person, "surface.stl"))
+    case.run(output, ["--set", f"Body/Surface/File={surface}"])
+    prove(case, output, check_bound, read_summary)
+
+
+def prove(case, output, check_bound, read_summary):
+    files = report_figures.Files(output)
+    statuses = {stage["name"]: stage["status"]
+                for stage in files.scene["stages"]}
+    require(statuses == dict.fromkeys(STAGES, "finished"),
+            f"stages are {statuses}")
+    for bound in case.options.bound:
+        check_bound(read_summary(os.path.join(output, "biomechanics")), bound)
+    check_peaks(files, PEAKS.get(case.options.name, {}))
+    check_summary(files)
+    check_fields(case, output)
+    count = report_figures.check_report(output)
+    require(count > 100, f"{count} figures were compared")
+
+
+def check_fields(case, output):
+    """The body's fields are there for ParaView, those of the gas on demand,
+    and its pressure in a plane."""
+    wanted = "Blast/Output/Volume fields=true" in case.options.set
+    for stage, holds in (("biomechanics", True), ("blast", wanted)):
+        path = os.path.join(output, stage, "fields.pvd")
+        require(os.path.exists(path) == holds, f"{path} is "
+                + ("missing" if holds else "there"))
+    planes = [name for name in os.listdir(os.path.join(output, "blast",
+                                                       "fields"))
+              if name.endswith(".npy")]
+    require(len(planes) > 3, f"planes of the gas: {planes}")
+
+
+def check_peaks(files, stored):
+    """Peaks of the places that are stored, against a run before and a finer
+    one."""
+    for place, (coarse, fine, difference) in stored.items():
+        peak = files.peak(place)
+        print(f"{place}: {peak:.6g} Pa, {peak / coarse - 1:+.2%} of the stored "
+              f"{coarse:.6g}, {peak / fine - 1:+.1%} of the finer {fine:.6g}")
+        require(abs(peak / coarse - 1.) < REGRESSION,
+                f"{place}: {peak} Pa is not within 3 % of {coarse}")
+        require(abs(peak / fine - 1. - difference) < REGRESSION,
+                f"{place}: {peak} Pa is {peak / fine - 1:+.1%} of {fine}, not "
+                f"{difference:+.1%}")
+
+
+def check_summary(files):
+    """Summaries say the same as the tables of peaks and injuries; the former
+    know every step, the table of places has a sample in several."""
+    blast = files.summary["blast"]["assumptions"]
+    for name in files.gauges:
+        key = f"loads_{name.replace(' ', '_')}_peak"
+        if name != "time" and blast[key + "_time"] < files.gauges["time"][-1]:
+            require(abs(blast[key] / files.peak(name) - 1.) < 2e-3,
+                    f"{key} is {blast[key]}, the table has "
+                    f"{files.peak(name)}")
+    body = files.summary["biomechanics"]["assumptions"]
+    for name, value in files.injury.items():
+        require(abs(body[name] - value) <= 1e-6 * abs(value),
+                f"{name} is {body[name]} in the summary, {value} in the "
+                "table")
+
+
+KINDS = {"main_job": main_job, "main_job_surface": main_job_surface}
