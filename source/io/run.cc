@@ -117,6 +117,7 @@ namespace io
                       ExitCode::bad_input);
       state_ = folder_.resume();
       updates_before_ = state_.updates;
+      resumed_from_ = state_.step;
       log_line("resumed from " + checkpoint + ", step " +
                std::to_string(state_.step) + ", time " + brief(state_.time, 6) +
                " s");
@@ -190,6 +191,7 @@ namespace io
     summary.status = status;
     summary.message = message;
     summary.state = state_;
+    summary.resumed_from = resumed_from_;
     summary.wall_seconds = seconds_since(begin_);
     summary.loop_seconds = seconds_since(loop_begin_);
     summary.core_seconds =

@@ -92,6 +92,8 @@ namespace io
       json["message"] = summary.message;
     json["time"] = number(summary.state.time);
     json["steps"] = summary.state.step;
+    json["resumed_from_step"] =
+      summary.resumed_from ? Json(*summary.resumed_from) : Json(nullptr);
     json["retries"] = summary.state.retries;
     json["ranks"] = summary.ranks;
     json["cells"] = summary.cells;

@@ -207,7 +207,9 @@ TEST(Application, SigtermWritesACheckpointAndLeavesWithZero)
   EXPECT_EQ(result.err, "");
   EXPECT_EQ(summary(folder)["status"], "stopped");
   EXPECT_EQ(summary(folder)["steps"], 9);
+  EXPECT_TRUE(summary(folder)["resumed_from_step"].is_null());
   EXPECT_EQ(run_scene(folder, {"--resume"}).code, 0);
+  EXPECT_EQ(summary(folder)["resumed_from_step"], 9);
   expect_same_results(straight, folder);
 }
 

@@ -9,6 +9,8 @@
 #include <contrecoup/io/output_folder.h>
 
 #include <chrono>
+#include <cstdint>
+#include <optional>
 #include <string>
 
 namespace contrecoup
@@ -51,6 +53,7 @@ namespace io
     OutputFolder folder_;
     RunState state_;
     double updates_before_ = 0.;
+    std::optional<std::uint64_t> resumed_from_; ///< step of the checkpoint
     std::vector<Assumption> plan_;
 
     std::chrono::steady_clock::time_point begin_;

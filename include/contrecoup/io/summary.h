@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,9 @@ namespace io
     std::string status;  ///< finished, stopped, failed
     std::string message; ///< why it failed
     RunState state;
-    double wall_seconds = 0.; ///< all of this start
-    double loop_seconds = 0.; ///< of this start, without setup
+    std::optional<std::uint64_t> resumed_from; ///< step of the checkpoint
+    double wall_seconds = 0.;                  ///< all of this start
+    double loop_seconds = 0.;                  ///< of this start, without setup
     double core_seconds = 0.; ///< processor time of this start, all ranks
     double updates = 0.;      ///< of this start
     unsigned int ranks = 1;
@@ -47,10 +49,11 @@ namespace io
    * processor time of everything, all ranks added up. For each conserved
    * quantity Q of the history, "conservation" has Q_first, Q_last and
    * Q_relative_change = (last - first) / |first|. A number that is not finite
-   * is written as null. "assumptions" has the numbers of that name and for
-   * each item of the audit an object with what was decided, quantity, unit,
-   * estimate, measured value, limit, whether it holds, and the entry that
-   * decides.
+   * is written as null. "resumed_from_step" is the step of the checkpoint that
+   * this start went on from, null when it began anew. "assumptions" has the
+   * numbers of that name and for each item of the audit an object with what
+   * was decided, quantity, unit, estimate, measured value, limit, whether it
+   * holds, and the entry that decides.
    */
   std::string to_text(const Summary &summary);
 } // namespace io
