@@ -23,10 +23,13 @@ function(contrecoup_add_benchmark_target)
   foreach(_target ${_targets})
     list(APPEND _programs $<TARGET_FILE:${_target}>)
   endforeach()
+  # How right are the times that --check predicts.
+  list(APPEND _programs
+    "${PROJECT_SOURCE_DIR}/tests/benchmark/check_times.py ${PROJECT_BINARY_DIR}/bin")
   add_custom_target(benchmark
     COMMAND ${Python3_EXECUTABLE}
       ${PROJECT_SOURCE_DIR}/tests/benchmark/run_benchmarks.py
       ${PROJECT_BINARY_DIR}/benchmark.csv ${_programs}
-    DEPENDS ${_targets}
+    DEPENDS ${_targets} blast scene
     USES_TERMINAL VERBATIM)
 endfunction()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/log.h>
 #include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/base/text.h>
@@ -10,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
+#include <sstream>
 
 namespace contrecoup
 {
@@ -17,6 +20,7 @@ namespace io
 {
   namespace
   {
+    const char *const levels_variable = "CONTRECOUP_CHECK_LEVELS";
     /// Trials are doubled at most so often.
     constexpr unsigned int most_levels = 10;
     /// Trials of long runs may take this part of their processor time, and so
@@ -201,6 +205,26 @@ namespace io
       const char *text = std::getenv("CONTRECOUP_CHECK_SECONDS");
       return text ? std::strtod(text, nullptr) : 4.;
     }
+
+    /// The levels of the first and the last trial where the environment's
+    /// CONTRECOUP_CHECK_LEVELS = "first last" sets them, whatever time they
+    /// take: what is counted then is the same on every machine.
+    std::optional<std::pair<int, int>> trial_levels()
+    {
+      const char *text = std::getenv(levels_variable);
+      if (text == nullptr)
+        return std::nullopt;
+      std::istringstream stream(text);
+      std::pair<int, int> levels;
+      if (!(stream >> levels.first >> levels.second) || levels.second < 0 ||
+          levels.first < levels.second ||
+          levels.first > static_cast<int>(most_levels))
+        throw InputError(std::string(levels_variable) + " = \"" +
+                         std::string(text) +
+                         "\": two levels are needed, the first from " +
+                         std::to_string(most_levels) + " to the last, 0");
+      return levels;
+    }
   } // namespace
 
   double extrapolate(const double before,
@@ -242,15 +266,16 @@ namespace io
     std::vector<Trial> trials;
     double spent = 0., expected = 0.;
     CostEstimate result = rough;
-    for (int levels = description.coarsen
-                        ? static_cast<int>(first_levels(rough, budget))
-                        : 0;
-         levels >= 0;
-         --levels)
+    const auto set = trial_levels();
+    const auto [begin, end] = set.value_or(std::pair<int, int>(
+      description.coarsen ? first_levels(rough, budget) : 0, 0));
+    for (int levels = begin; levels >= end; --levels)
     {
       // What grows shows in two trials at least.
-      const double allowed = std::clamp(
-        long_run_part * result.seconds, budget, most_budgets * budget);
+      const double allowed = set ? std::numeric_limits<double>::infinity()
+                                 : std::clamp(long_run_part * result.seconds,
+                                              budget,
+                                              most_budgets * budget);
       if (trials.size() > 1 && spent + expected > allowed)
         break;
       const auto trial =
@@ -286,10 +311,12 @@ namespace io
     if (!(budget > 0.))
       return rough;
     const MPI_Comm all = collective.communicator();
+    const char *levels = std::getenv(levels_variable);
     const CostCache cache(
       description.name + " on " +
       std::to_string(dealii::Utilities::MPI::n_mpi_processes(all)) +
-      " ranks, " + brief(budget) + " s\n" + parameter_text(prm, false));
+      " ranks, " + brief(budget) + " s, levels " +
+      (levels ? levels : "by time") + "\n" + parameter_text(prm, false));
     const bool first = dealii::Utilities::MPI::this_mpi_process(all) == 0;
     const std::optional<CostEstimate> known =
       first ? cache.read() : std::nullopt;

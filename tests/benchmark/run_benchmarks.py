@@ -3,8 +3,8 @@
 # Copyright (C) 2026 by the Contrecoup authors
 """Runs benchmark programs and collects what they measure.
 
-run_benchmarks.py CSV PROGRAM... : each program prints rows 'name,value,unit'
-on stdout. CSV gets all of them; beside it stands a Markdown table, which is
+run_benchmarks.py CSV PROGRAM... : each program, with arguments after blanks,
+prints rows 'name,value,unit' on stdout. CSV gets all of them; beside it stands a Markdown table, which is
 printed as well.
 """
 
@@ -17,8 +17,9 @@ import sys
 
 def measure(program):
     """The rows of one program: (name, value, unit)."""
-    print(f"running {os.path.basename(program)} ...", flush=True)
-    run = subprocess.run([program], check=True, stdin=subprocess.DEVNULL,
+    words = program.split(" ") if not os.path.exists(program) else [program]
+    print(f"running {os.path.basename(words[0])} ...", flush=True)
+    run = subprocess.run(words, check=True, stdin=subprocess.DEVNULL,
                          stdout=subprocess.PIPE, text=True)
     rows = []
     for line in run.stdout.splitlines():

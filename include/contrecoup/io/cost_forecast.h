@@ -30,6 +30,10 @@ namespace io
    * grow as cells do, tables as steps, and recorded loads with the facets of a
    * surface and the times at which they are taken.
    *
+   * Where the environment's CONTRECOUP_CHECK_LEVELS is set to the levels of a
+   * first and a last trial, these are run instead, however long they take, so
+   * that cells, steps, memory and output do not depend on the machine's speed.
+   *
    * @param rough what the solver says without trial runs; kept where these
    *   tell nothing
    */
