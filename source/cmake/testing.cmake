@@ -2,7 +2,21 @@
 # parameter-file tests call tests/applications/run_case.py.
 
 find_package(GTest REQUIRED)
+# Debian's interpreter has the packages that debian_packages.txt names.
+if(NOT DEFINED Python3_EXECUTABLE AND EXISTS /usr/bin/python3)
+  set(Python3_EXECUTABLE /usr/bin/python3)
+endif()
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
+
+# Seconds that each test of half a second and more takes, recorded by
+# tests/record_times.py: the dear ones start first, and limits follow from them.
+set(_times ${PROJECT_SOURCE_DIR}/tests/times.csv)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${_times})
+file(STRINGS ${_times} _lines REGEX "^[a-z].*,[0-9.]+$")
+foreach(_line ${_lines})
+  string(REGEX MATCH "^(.*),([0-9.]+)$" _line ${_line})
+  set(CONTRECOUP_SECONDS_${CMAKE_MATCH_1} ${CMAKE_MATCH_2})
+endforeach()
 
 set(CONTRECOUP_TEST_ENVIRONMENT
   OMPI_ALLOW_RUN_AS_ROOT=1
@@ -70,10 +84,23 @@ endfunction()
 
 # _contrecoup_register_test(<name> RANKS <n> [TIMEOUT <s>] LABELS ...
 #   COMMAND ...): add_test with the environment and properties of all tests.
+#
+# A limit of time is there to end what hangs: ten times what the test takes
+# alone, a minute at least, five where that is not known.
 function(_contrecoup_register_test name)
   cmake_parse_arguments(ARG "" "RANKS;TIMEOUT" "LABELS;COMMAND" ${ARGN})
+  set(_seconds 0)
+  if(DEFINED CONTRECOUP_SECONDS_${name})
+    set(_seconds ${CONTRECOUP_SECONDS_${name}})
+  endif()
   if(NOT ARG_TIMEOUT)
-    set(ARG_TIMEOUT 300)
+    string(REGEX REPLACE "[.].*" "" _whole ${_seconds})
+    math(EXPR ARG_TIMEOUT "10 * (${_whole} + 1)")
+    if(NOT DEFINED CONTRECOUP_SECONDS_${name})
+      set(ARG_TIMEOUT 300)
+    elseif(ARG_TIMEOUT LESS 60)
+      set(ARG_TIMEOUT 60)
+    endif()
   endif()
   math(EXPR ARG_TIMEOUT "${CONTRECOUP_TIMEOUT_FACTOR} * ${ARG_TIMEOUT}")
   if(NOT ARG_RANKS)
@@ -84,35 +111,52 @@ function(_contrecoup_register_test name)
   set_tests_properties(${name} PROPERTIES
     ENVIRONMENT "${CONTRECOUP_TEST_ENVIRONMENT}"
     PROCESSORS ${ARG_RANKS}
+    COST ${_seconds}
     TIMEOUT ${ARG_TIMEOUT}
+    SKIP_RETURN_CODE 77
     LABELS "${ARG_LABELS}")
 endfunction()
 
-# contrecoup_add_application_test(<name> <kind> FILE <application>/<x>.prm
-#   [SET "Section/Entry=value"...] [MPI <n>] [TIMEOUT <s>] [LABELS ...] ...)
+# contrecoup_add_application_test(<name> <kind>[,<kind>...]
+#   FILE <application>/<x>.prm [SET "Section/Entry=value"...] [MPI <n>]
+#   [RANKS <n>...] [NEEDS <file>] [TIMEOUT <s>] [LABELS ...] ...)
 #
 # The ctest <application>_<name> runs a shipped parameter file (below
-# parameter_files/) with overrides. What it proves depends on <kind>:
+# parameter_files/) with overrides, on MPI ranks; without a file that it NEEDS
+# it is skipped, and fails in CI (CI is set in the environment). Several kinds
+# share the runs that they have in common. What is proven depends on <kind>:
 #   bounds        BOUNDS "errors.density_L1 < 1e-3" ...: of summary.json, with
 #                 <, > or ==; [EXIT <code>...] [MESSAGE <text>] on the screen
-#   regression    COMPARE <table>... TOLERANCE "-r 1e-8 -a 1e-6": numdiff with
-#                 tests/applications/references/<application>_<name>/
-#   ranks         COMPARE, TOLERANCE: one rank agrees with MPI <n> (default 2)
+#   regression    COMPARE <file>... TOLERANCE "1e-8" "momentum*=1e-9 absolute":
+#                 tables (.csv) and samples of planes, loads and meshes (.npy,
+#                 .h5, .vtu) agree with those in
+#                 tests/applications/references/<application>_<name>/; a
+#                 tolerance is a part of the largest value of a column or
+#                 field, or absolute, see tests/applications/samples.py
+#   ranks         COMPARE, TOLERANCE: one rank agrees with each of RANKS
+#                 (default 2)
 #   same          VARY "Section/Entry=true|false": both runs leave the same
 #                 COMPARE tables and checkpoints, to the last bit; the first
 #                 keeps the BOUNDS
 #   convergence   VARY "Section/Entry=3|4|5" ERROR errors.x ORDER <number>
-#   resume        COMPARE [STOP_AFTER <steps>]: stop and --resume equals
-#                 straight through, to the last bit on one rank
-#   sigterm       the same, stopped by SIGTERM, on several ranks by SIGUSR1; the
-#                 run must last a second
-#   check         --check accepts the file and writes nothing
-#   forecast      --check predicts processor time, memory, output and steps (and
-#                 COMPARE cells) within the factor TOLERANCE, and keeps that for
-#                 the next time
+#   resume        COMPARE [STOP_AFTER <steps>...]: stop and --resume equals
+#                 straight through, to the last bit, and repeats no step
+#   sigterm, sigkill  the same, stopped by SIGTERM or killed once there is a
+#                 checkpoint, which are the first STOP_AFTER steps apart; the run must
+#                 have Time/Largest number of steps or last a second
+#   parallel_resume, parallel_sigterm, parallel_sigkill  the same on the last of
+#                 RANKS, which agrees with straight through on as many within
+#                 TOLERANCE; mpirun gets SIGUSR1
+#   check_files   --check accepts all files of FILE's folder, with a plan, and
+#                 writes nothing; "NEEDS <x.prm>=<file>" leaves one out that
+#                 cannot be checked without a file
+#   forecast      LEVELS "<first> <last>": from trial runs so much coarser,
+#                 --check predicts memory, output and steps (and COMPARE cells)
+#                 within the factor TOLERANCE, and keeps that for the next time
 #   presets       COMPARE <name>...: the presets beside FILE, the cheapest
-#                 first, have the errors and relative costs that they state
-#   pictures      COMPARE <png>...: the run draws these at its end
+#                 first, have the errors and relative updates that they state
+#   pictures      COMPARE <png>...: the run draws these at its end, and they
+#                 are not of one colour
 #   stem          BOUNDS "deviation < 1e-3": [m] of a Mach stem from smooth
 #   wedge         BOUNDS "reflected < 20" "triple_point < 9" ANGLE <degrees>:
 #                 angles of shocks at a wedge
@@ -142,43 +186,47 @@ endfunction()
 # No value may contain a semicolon.
 function(contrecoup_add_application_test name kind)
   cmake_parse_arguments(ARG ""
-    "FILE;OTHER_FILE;MPI;TIMEOUT;TOLERANCE;MESSAGE;OUTPUT;CONTENT;VARY;\
-ERROR;ORDER;STOP_AFTER;HEIGHT;ANGLE"
-    "SET;BOUNDS;COMPARE;EXIT;ARGUMENTS;LABELS" ${ARGN})
+    "FILE;OTHER_FILE;MPI;TIMEOUT;MESSAGE;OUTPUT;CONTENT;VARY;\
+ERROR;ORDER;HEIGHT;ANGLE;LEVELS"
+    "SET;BOUNDS;COMPARE;EXIT;ARGUMENTS;LABELS;RANKS;NEEDS;TOLERANCE;STOP_AFTER" ${ARGN})
   if(NOT ARG_FILE OR ARG_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "contrecoup_add_application_test(${name}): FILE is "
       "missing or these words are unknown: ${ARG_UNPARSED_ARGUMENTS}")
   endif()
   string(REGEX REPLACE "/.*" "" _application ${ARG_FILE})
   set(_test ${_application}_${name})
-  set(_ranks 1)
-  if(ARG_MPI)
-    set(_ranks ${ARG_MPI})
-  elseif(kind STREQUAL "ranks")
-    set(_ranks 2)
+  if(NOT ARG_MPI)
+    set(ARG_MPI 1)
   endif()
+  if(NOT ARG_RANKS AND kind MATCHES "ranks|parallel")
+    set(ARG_RANKS 2)
+  endif()
+  set(_ranks ${ARG_MPI} ${ARG_RANKS})
+  list(SORT _ranks COMPARE NATURAL ORDER DESCENDING)
+  list(GET _ranks 0 _ranks)
   set(_files ${PROJECT_SOURCE_DIR}/parameter_files)
   set(_options --name=${_test} --application=$<TARGET_FILE:${_application}>
-    --file=${_files}/${ARG_FILE} --ranks=${_ranks}
+    --file=${_files}/${ARG_FILE} --mpi=${ARG_MPI}
     --mpiexec=${DEAL_II_MPIEXEC})
-  if(kind STREQUAL "regression")
+  if(kind MATCHES "regression")
     list(APPEND _options --reference=${PROJECT_SOURCE_DIR}/tests/applications/references/${_test})
   endif()
   if(ARG_OTHER_FILE)
     list(APPEND _options --other-file=${_files}/${ARG_OTHER_FILE})
   endif()
-  foreach(_key TOLERANCE MESSAGE OUTPUT CONTENT VARY ERROR ORDER
-          STOP_AFTER HEIGHT ANGLE)
+  foreach(_key MESSAGE OUTPUT CONTENT VARY ERROR ORDER HEIGHT ANGLE
+          LEVELS)
     if(DEFINED ARG_${_key})
       string(TOLOWER ${_key} _option)
-      string(REPLACE "_" "-" _option ${_option})
       list(APPEND _options "--${_option}=${ARG_${_key}}")
     endif()
   endforeach()
   set(_option_BOUNDS bound)
   set(_option_ARGUMENTS argument)
-  foreach(_key SET BOUNDS COMPARE EXIT ARGUMENTS)
+  foreach(_key SET BOUNDS COMPARE EXIT ARGUMENTS RANKS NEEDS TOLERANCE
+          STOP_AFTER)
     string(TOLOWER ${_key} _option)
+    string(REPLACE "_" "-" _option ${_option})
     if(DEFINED _option_${_key})
       set(_option ${_option_${_key}})
     endif()
@@ -186,21 +234,16 @@ ERROR;ORDER;STOP_AFTER;HEIGHT;ANGLE"
       list(APPEND _options "--${_option}=${_value}")
     endforeach()
   endforeach()
+  string(REPLACE "," ";" _labels ${kind})
   _contrecoup_register_test(${_test} RANKS ${_ranks} TIMEOUT ${ARG_TIMEOUT}
-    LABELS ${kind} ${ARG_LABELS}
+    LABELS ${_labels} ${ARG_LABELS}
     COMMAND ${Python3_EXECUTABLE}
       ${PROJECT_SOURCE_DIR}/tests/applications/run_case.py ${kind} ${_options})
 endfunction()
 
-# contrecoup_check_parameter_files(<application>): one test for each of its
-# parameter files, <application>_check_<path>, that --check accepts it.
+# contrecoup_check_parameter_files(<application> [NEEDS ...]): the test
+# <application>_check_files, that --check accepts each of its parameter files.
 function(contrecoup_check_parameter_files application)
-  set(_folder ${PROJECT_SOURCE_DIR}/parameter_files)
-  file(GLOB_RECURSE _files CONFIGURE_DEPENDS RELATIVE ${_folder}
-    ${_folder}/${application}/*.prm)
-  foreach(_file ${_files})
-    string(REGEX REPLACE "^${application}/(.*)\\.prm$" "\\1" _name ${_file})
-    string(REPLACE "/" "_" _name ${_name})
-    contrecoup_add_application_test(check_${_name} check FILE ${_file})
-  endforeach()
+  contrecoup_add_application_test(check_files check_files
+    FILE ${application}/quickstart.prm ${ARGN})
 endfunction()

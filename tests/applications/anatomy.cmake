@@ -52,20 +52,14 @@ contrecoup_add_application_test(refuses_missing_surface refusal
   MESSAGE "there is no such file")
 
 # Images that Debian's mricron-data ships.
-if(EXISTS /usr/share/mricron/templates/ch2.nii.gz)
-  contrecoup_add_application_test(colin_head bounds
-    FILE anatomy/showcase/colin_head.prm
-    SET "Output/Pictures=false" "Mesh/Element size=0.005"
-    BOUNDS "connected_components == 1" "volume > 0.0039" "volume < 0.0045")
-  contrecoup_add_application_test(atlas_brain bounds
-    FILE anatomy/showcase/atlas_brain.prm SET "Output/Pictures=false"
-    BOUNDS "parts == 2" "volume > 0.00147" "volume < 0.00149")
-else()
-  foreach(_name colin_head atlas_brain)
-    set_tests_properties(anatomy_check_showcase_${_name} PROPERTIES
-      DISABLED TRUE)
-  endforeach()
-endif()
+contrecoup_add_application_test(colin_head bounds
+  FILE anatomy/showcase/colin_head.prm NEEDS ${_images}/ch2.nii.gz
+  SET "Output/Pictures=false" "Mesh/Element size=0.005"
+  BOUNDS "connected_components == 1" "volume > 0.0039" "volume < 0.0045")
+contrecoup_add_application_test(atlas_brain bounds
+  FILE anatomy/showcase/atlas_brain.prm NEEDS ${_images}/ch2.nii.gz
+  SET "Output/Pictures=false"
+  BOUNDS "parts == 2" "volume > 0.00147" "volume < 0.00149")
 contrecoup_add_application_test(refuses_missing_image refusal
   FILE anatomy/quickstart.prm
   SET "Body/Kind=image" "Body/Image/File=/nowhere/a.nii"

@@ -5,7 +5,7 @@ set(_sod blast/verification/sod.prm)
 # blast_refuses(<name> <message> <arguments of contrecoup_add_application_test>)
 function(blast_refuses name message)
   contrecoup_add_application_test(refuses_${name} refusal ${ARGN}
-    MESSAGE "${message}" TIMEOUT 60)
+    MESSAGE "${message}")
 endfunction()
 
 blast_refuses(unknown_entry "did you mean \"Limiter\"" FILE ${_sod}
@@ -56,10 +56,10 @@ blast_refuses(missing_mesh_file "cannot be opened"
   "Domain/Geometry=plane" "Domain/Mesh file=no_such.msh")
 
 contrecoup_add_application_test(refuses_truncated_checkpoint damaged_checkpoint
-  FILE ${_sod} MESSAGE "bytes instead of" TIMEOUT 60)
+  FILE ${_sod} MESSAGE "bytes instead of")
 contrecoup_add_application_test(refuses_other_scene foreign_checkpoint
   FILE ${_sod} MESSAGE "belongs to another scene"
-  ARGUMENTS --set "Initial state/Riemann/Left pressure=2" TIMEOUT 60)
+  ARGUMENTS --set "Initial state/Riemann/Left pressure=2")
 contrecoup_add_application_test(refuses_other_file foreign_checkpoint
   FILE ${_sod} OTHER_FILE blast/verification/toro_1.prm
-  MESSAGE "belongs to another scene" TIMEOUT 60)
+  MESSAGE "belongs to another scene")

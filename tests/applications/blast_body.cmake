@@ -49,11 +49,9 @@ set(_adaptive "Domain/Initial refinement=1" "Rigid body/Levels=2"
   "Adaptation/Active=true" "Adaptation/Interval=0" "Adaptation/Sensor=blast"
   "Adaptation/Buffer side=ahead" "Adaptation/Largest level=2"
   "Time/End time=0.5")
-contrecoup_add_application_test(body_adaptive_resume resume FILE ${_cylinder}
-  SET ${_adaptive} COMPARE history.csv probes.csv STOP_AFTER 100)
-contrecoup_add_application_test(body_adaptive_ranks ranks FILE ${_cylinder}
-  SET ${_adaptive} "Output/Fields=false" "Output/History interval=0.1"
-  COMPARE history.csv probes.csv TOLERANCE "-r 1e-10 -a 1e-10")
+contrecoup_add_application_test(body_adaptive ranks,resume FILE ${_cylinder}
+  SET ${_adaptive} COMPARE history.csv probes.csv TOLERANCE 1e-10
+  STOP_AFTER 100)
 
 # Against two-shock theory, on a quarter of the cells a side.
 contrecoup_add_application_test(body_wedge bounds
@@ -127,20 +125,6 @@ contrecoup_add_application_test(body_wedge_mach wedge
     "Probes/Points="
   BOUNDS "triple_point > 8.2" "triple_point < 8.9" LABELS verification)
 
-contrecoup_add_application_test(body_ranks ranks FILE ${_cylinder}
-  SET "Output/Fields=false" "Domain/Initial refinement=2" "Time/End time=0.8"
-    "Output/History interval=0.1"
-  COMPARE history.csv probes.csv TOLERANCE "-r 1e-10 -a 1e-10")
-
-contrecoup_add_application_test(body_resume resume FILE ${_cylinder}
-  SET "Domain/Initial refinement=1" "Time/End time=0.8"
-    "Loads/Record=true"
-  COMPARE history.csv probes.csv STOP_AFTER 20)
-
-# Named places on the body, on any number of ranks and after a stop.
-set(_gauges "Domain/Initial refinement=1" "Time/End time=0.8"
-  "Loads/Record=true" "Loads/Gauges=stagnation point: -0.5, 0"
-  "Loads/Gauge radius=0.05")
 contrecoup_add_application_test(body_gauges bounds FILE ${_cylinder}
   SET "Output/Fields=false" "Domain/Initial refinement=2" "Loads/Record=true"
     "Loads/Gauges=stagnation point: -0.7, 0" "Loads/Gauge radius=0.05"
@@ -148,23 +132,21 @@ contrecoup_add_application_test(body_gauges bounds FILE ${_cylinder}
     "assumptions.loads_stagnation_point_peak < 4.43"
     "assumptions.loads_stagnation_point_arrival > 0.18"
     "assumptions.loads_stagnation_point_arrival < 0.22")
-contrecoup_add_application_test(body_gauges_ranks ranks FILE ${_cylinder}
-  SET "Output/Fields=false" ${_gauges}
-  COMPARE load_gauges.csv gauge_injury.csv TOLERANCE "-r 1e-10 -a 1e-10")
-contrecoup_add_application_test(body_gauges_resume resume FILE ${_cylinder}
-  SET "Output/Fields=false" ${_gauges} "Loads/Interval=0.01"
-  COMPARE load_gauges.csv gauge_injury.csv STOP_AFTER 20)
 
 # Samples begin when the shock, smeared by coarse cells, meets the cylinder, at
 # 0.2 were it sharp: nothing is kept before but a first sample and one at rest,
-# and impulses are exact. A run that is stopped before goes on as if it had not
-# been.
-contrecoup_add_application_test(body_arrival arrival FILE ${_cylinder}
-  SET "Output/Fields=false" ${_gauges} "Loads/Interval=0.005"
+# and impulses are exact. Loads, gauges and fields do not depend on ranks, and
+# a run that is stopped before or after the arrival, ended by a signal or
+# killed goes on as if it had not been.
+contrecoup_add_application_test(body_runs
+  arrival,regression,ranks,resume,sigterm,parallel_resume,parallel_sigkill
+  FILE ${_cylinder} SET "Domain/Initial refinement=1" "Time/End time=0.8"
+    "Loads/Record=true" "Loads/Gauges=stagnation point: -0.5, 0"
+    "Loads/Gauge radius=0.05" "Loads/Interval=0.005"
   BOUNDS "first_sample > 0.07" "first_sample < 0.2" "samples_at_rest < 3"
-    "first_overpressure < 1e-3" "impulse_difference < 1e-9")
-contrecoup_add_application_test(body_arrival_resume resume FILE ${_cylinder}
-  SET "Output/Fields=false" ${_gauges} COMPARE load_gauges.csv STOP_AFTER 5)
+    "first_overpressure < 1e-3" "impulse_difference < 1e-9"
+  COMPARE history.csv probes.csv load_gauges.csv gauge_injury.csv loads.h5
+    fields/*.npy TOLERANCE 1e-10 STOP_AFTER 5 20 RANKS 2 7 3)
 
 # The man before a blast, with cells of 80 mm until the front has passed him.
 set(_human FILE blast/quickstart_human.prm SET "Rigid body/Levels=1"
@@ -172,15 +154,14 @@ set(_human FILE blast/quickstart_human.prm SET "Rigid body/Levels=1"
   "Adaptation/Limit fireball/Largest level=1" "First stage/Cell size=0.04"
   "First stage/Levels=1" "First stage/Spherical cell size=0.004"
   "Time/End time=0.0032")
-contrecoup_add_application_test(human bounds ${_human} "Output/Fields=false"
+contrecoup_add_application_test(human bounds,pictures ${_human}
   BOUNDS "status == finished" "assumptions.loads_impulse_difference < 1e-2"
     "assumptions.loads_chest_peak > 3e5" "assumptions.loads_chest_peak < 1.2e6"
     "assumptions.loads_forehead_peak > 2e5"
     "assumptions.loads_left_temple_peak > 1e5"
     "assumptions.loads_left_temple_peak < 4e5"
     "assumptions.loads_occiput_arrival > 2e-3"
-    "assumptions.loads_occiput_arrival < 2.6e-3")
-contrecoup_add_application_test(human_pictures pictures ${_human}
+    "assumptions.loads_occiput_arrival < 2.6e-3"
   COMPARE body_pressure.png body_maps.png body_gauges.png
     plane_y_0_pressure.png)
 

@@ -5,7 +5,7 @@
 function(blast_survives file bounds)
   contrecoup_add_application_test(extreme_${file} bounds
     FILE blast/extremes/${file}.prm SET "Output/Fields=false" ${ARGN}
-    BOUNDS "status == finished" ${bounds} LABELS extremes TIMEOUT 300)
+    BOUNDS "status == finished" ${bounds} LABELS extremes)
 endfunction()
 
 set(_closed "conservation.mass_relative_change < 1e-12"
@@ -48,7 +48,7 @@ function(blast_survives_in_single file bounds)
   contrecoup_add_application_test(extreme_single_${file} bounds
     FILE blast/extremes/${file}.prm
     SET "Output/Fields=false" "Method/Precision=single" ${ARGN}
-    BOUNDS "status == finished" ${bounds} LABELS extremes TIMEOUT 300)
+    BOUNDS "status == finished" ${bounds} LABELS extremes)
 endfunction()
 
 set(_round_off "")

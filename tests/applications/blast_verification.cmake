@@ -10,7 +10,7 @@ set(_galerkin "Method/Scheme=discontinuous galerkin"
 function(blast_verifies name file bounds)
   contrecoup_add_application_test(${name} bounds FILE ${_folder}/${file}.prm
     SET "Output/Fields=false" ${ARGN} BOUNDS "status == finished" ${bounds}
-    LABELS verification TIMEOUT 300)
+    LABELS verification)
 endfunction()
 
 # What leaves no wall stays to round-off.
@@ -129,7 +129,7 @@ function(blast_rests name dimension geometry)
     "Domain/Coarse leaves=${_upper_${dimension}}" ${ARGN}
     BOUNDS "errors.density_Linf < 1e-12" "errors.velocity_Linf < 1e-9"
     "errors.pressure_Linf < 1e-6"
-    LABELS verification TIMEOUT 300)
+    LABELS verification)
 endfunction()
 blast_rests(plane_1d 1 plane)
 blast_rests(cylindrical 1 cylindrical)

@@ -1,7 +1,8 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """A stand-in for an application, with its command line and output files: the
 decay dx/dt = -x by Euler steps. Entry "Flaw" makes it misbehave in one way,
-so that self_test.py can see each kind of run_case.py fail."""
+so that self_test.py can see each kind of run_case.py fail. "Writes" names what
+it leaves besides history.csv, see extra_files.py."""
 
 import glob
 import json
@@ -12,119 +13,229 @@ import signal
 import sys
 import time
 
-ENTRIES = {"Steps": "60", "Checkpoint every": "15", "Flaw": "none",
-           "Step size": "0.01", "Scene": "decay",
-           "Time/Steps in this run": "0"}
+ENTRIES = {"Time/Largest number of steps": "60",
+           "Time/Steps in this run": "0",
+           "Output/Checkpoint every steps": "15",
+           "Flaw": "none", "Step size": "0.01",
+           "Scene": "decay", "Writes": "", "Fails at": "", "Skip": "false",
+           "Brief": "false",
+           "Loads/Smallest overpressure": "0.0001", "Domain/Size": "given",
+           "Domain/Lower corner": "0, 0, 0", "Domain/Upper corner": "1, 1, 1",
+           "Domain/Coarse leaves": "1, 1, 1"}
+
+
+def flawed(name):
+    return entries["Flaw"] == name
 
 
 def refuse(message, code=1):
     lines = [message]
-    if entries["Flaw"] == "wordy":
+    if flawed("wordy"):
         lines.append("a second line")
     print("\n".join(lines), file=sys.stderr)
     sys.exit(code)
 
 
+def lines_of(path):
+    """Of a file and of those that it includes."""
+    lines = []
+    for line in open(path).read().splitlines():
+        lines += lines_of(line[len("include "):]) \
+            if line.startswith("include ") else [line]
+    return lines
+
+
 def read(arguments):
     """The parameter file, then the overrides."""
-    lines = open(arguments[0]).read().splitlines()
+    lines = lines_of(arguments[0])
     lines += [arguments[at + 1] for at, word in enumerate(arguments)
               if word == "--set"]
     for line in filter(None, lines):
+        if line.startswith("#"):
+            continue
         name, value = line.split("=", 1)
         if name not in ENTRIES:
             refuse(f"unknown entry '{name}'")
         entries[name] = value
     if float(entries["Step size"]) <= 0.:
-        if entries["Flaw"] == "hasty":
+        if flawed("hasty"):
             os.makedirs(output)
         refuse("Step size must be positive")
 
 
 def restore():
-    """Step and value of the last complete checkpoint."""
-    folder = max(glob.glob(os.path.join(output, "checkpoint", "*", "complete")))
-    folder = os.path.dirname(folder)
-    text = open(os.path.join(folder, "state")).read()
+    """Step, value and updates of the last complete checkpoint."""
+    markers = glob.glob(os.path.join(output, "checkpoint", "*",
+                                     "complete.json"))
+    folder = os.path.dirname(max(markers))
+    text = open(os.path.join(folder, "state.bin")).read()
     if not text.endswith("end\n"):
-        if entries["Flaw"] == "meddling":
+        if flawed("meddling"):
             open(os.path.join(output, "log.txt"), "a").write("tried\n")
         refuse("checkpoint is truncated")
     step, value, scene, _ = text.split()
     if scene != entries["Scene"]:
         refuse("checkpoint of another scene")
-    if entries["Flaw"] == "forgetful":
-        value = f"{float(value):.6e}"
+    step, value = int(step), float(value)
+    if flawed("forgetful"):
+        value = float(f"{value:.6e}")
+    if flawed("repeats"):
+        step, value = 0, 1.
     path = os.path.join(output, "history.csv")
-    rows = open(path).read().splitlines()[:int(step) + 2]
+    rows = open(path).read().splitlines()[:step + 2]
     open(path, "w").write("\n".join(rows) + "\n")
-    return int(step), float(value)
+    return step, value
 
 
 def save(step, value):
     folder = os.path.join(output, "checkpoint", f"{step:04d}")
-    if entries["Flaw"] == "careless":
-        shutil.rmtree(os.path.dirname(folder), ignore_errors=True)
+    if flawed("careless"):
+        for path in glob.glob(os.path.join(output, "checkpoint", "*", "*.bin")):
+            with open(path, "r+") as file:
+                file.write("spoilt")
     os.makedirs(folder, exist_ok=True)
-    with open(os.path.join(folder, "state"), "w") as file:
+    with open(os.path.join(folder, "state.bin"), "w") as file:
         file.write(f"{step} {value!r} {entries['Scene']} " + " " * (1 << 16)
                    + "end\n")
-    open(os.path.join(folder, "complete"), "w").close()
+    with open(os.path.join(folder, "run.json"), "w") as file:
+        json.dump({"state": {"step": step, "updates": 10 * step}}, file)
+    open(os.path.join(folder, "complete.json"), "w").close()
 
 
-def summarise(status, step, value):
+def assumptions():
+    """Measures of a blast in a domain that ends at the upper corner, with an
+    error of the step size."""
+    upper = float(entries["Domain/Upper corner"].split(",")[0])
+    far = 1. + math.exp(-upper)
+    size = float(entries["Step size"])
+    return {"loads_chest_peak": far, "loads_chest_impulse": far,
+            "probe_1_peak_overpressure": 5e3 * (1. - size),
+            "probe_1_impulse": 10. * (1. - 0.5 * size)}
+
+
+def size_domain():
+    """Domain/Size = by time makes it large; the parameters say how large."""
+    if entries["Domain/Size"] == "by time" and not flawed("narrow"):
+        entries["Domain/Upper corner"] = "10, 10, 10"
+    with open(os.path.join(output, "parameters.prm"), "w") as file:
+        for name in ("Lower corner", "Upper corner", "Coarse leaves"):
+            file.write(f"  set {name} = {entries['Domain/' + name]}\n")
+
+
+def check():
+    """What --check says, and keeps for the next time."""
+    if flawed("silent"):
+        return
+    folder = os.path.join(os.environ.get("XDG_CACHE_HOME", ""), "contrecoup")
+    cache = os.path.join(folder, "cost.json")
+    if "CONTRECOUP_CHECK_LEVELS" in os.environ:
+        print(f"kept in {cache}" if os.path.exists(cache) else "Calibrating")
+        os.makedirs(folder, exist_ok=True)
+        steps = int(entries["Time/Largest number of steps"])
+        with open(cache, "w") as file:
+            json.dump({"steps": steps / (2. if flawed("rosy") else 1.),
+                       "memory": 1.1e6, "output": 260e3, "cells": 10.}, file)
+        if flawed("oblivious"):
+            os.remove(cache)
+    print("decay would run\nThe parameters are valid.")
+
+
+def summarise(status, step, value, first):
     exact = math.exp(-step * float(entries["Step size"]))
     with open(os.path.join(output, "summary.json"), "w") as file:
         json.dump({"status": status, "errors": {"x": abs(value - exact)},
+                   "steps": step,
+                   "resumed_from_step":
+                       first if "--resume" in sys.argv else None,
+                   "performance": {"peak_memory_bytes": 1e6, "updates": 10 * (
+                       step - (0 if flawed("wasteful") else first))},
+                   "assumptions": assumptions(), "cells": 10,
                    "conservation": {}}, file)
 
 
 def advance(value):
     step_size = float(entries["Step size"])
-    if entries["Flaw"] == "rank" and "OMPI_COMM_WORLD_SIZE" in os.environ:
+    if flawed("rank") and "OMPI_COMM_WORLD_SIZE" in os.environ:
         value *= 1. + 1e-7
-    if entries["Flaw"] == "nan":
+    if flawed("skips") and entries["Skip"] == "true":
+        value *= 1. + 1e-15
+    if flawed("nan"):
         value = math.nan
-    if entries["Flaw"] == "order":
+    if flawed("order"):
         return value * (1. - 0.9 * step_size)
     return value * (1. - step_size)
 
 
+def fails_at(step):
+    """Whether the run fails now, as it does again when it is resumed."""
+    return entries["Fails at"] and step == int(entries["Fails at"])
+
+
 def run():
     stopped = []
-    signal.signal(signal.SIGTERM, lambda *_: stopped.append(True))
+    for number in (signal.SIGTERM, signal.SIGUSR1):
+        signal.signal(number, lambda *_: stopped.append(True))
     step, value = 0, 1.
     if "--resume" in sys.argv:
         step, value = restore()
     else:
         os.makedirs(output)
         open(os.path.join(output, "history.csv"), "w").write("step,x\n0,1.\n")
+    size_domain()
+    first = step
     last = step + int(entries["Time/Steps in this run"])
-    while step < int(entries["Steps"]):
+    end = int(entries["Time/Largest number of steps"])
+    if entries["Brief"] == "true":
+        end = 1
+    while step < end:
         value = advance(value)
         step += 1
         with open(os.path.join(output, "history.csv"), "a") as history:
             history.write(f"{step},{value!r}\n")
+        if fails_at(step):
+            if flawed("untidy"):
+                shutil.rmtree(os.path.join(output, "checkpoint"))
+            refuse("it fails" + (" again" if "--resume" in sys.argv
+                                 and flawed("talkative") else ""), code=2)
         if stopped or step == last:
-            save(step, value)
-            return summarise("stopped", step, value)
-        if step % int(entries["Checkpoint every"]) == 0:
+            if not (stopped and flawed("late")):
+                save(step, value)
+            return summarise("stopped", step, value, first)
+        if step % int(entries["Output/Checkpoint every steps"]) == 0:
             save(step, value)
         time.sleep(0.005)
-    return summarise("finished", step, value)
+    if entries["Writes"]:
+        import extra_files
+        extra_files.write(output, entries)
+    return summarise("finished", step, value, first)
 
 
-entries = dict(ENTRIES)
-output = sys.argv[sys.argv.index("--output") + 1]
-read(sys.argv[1:])
-if "--check" in sys.argv:
-    print(f"{entries['Steps']} steps")
-    if entries["Flaw"] == "hasty":
-        os.makedirs(output)
-    sys.exit(0)
-if os.environ.get("OMPI_COMM_WORLD_RANK", "0") != "0":
-    sys.exit(0)
-try:
-    run()
-except OSError as error:
-    refuse(f"cannot write: {error.strerror}", code=3)
+def gather_ranks():
+    """Only the first rank computes, once no other can be hit by a signal."""
+    rank = int(os.environ.get("OMPI_COMM_WORLD_RANK", "0"))
+    names = [f"{output}_rank_{other}" for other in range(
+        1, int(os.environ.get("OMPI_COMM_WORLD_SIZE", "1")))]
+    if rank > 0:
+        signal.signal(signal.SIGUSR1, signal.SIG_IGN)
+        open(names[rank - 1], "w").close()
+        sys.exit(0)
+    while not all(map(os.path.exists, names)):
+        time.sleep(0.005)
+
+
+if __name__ == "__main__":
+    entries = dict(ENTRIES)
+    output = "output"
+    if "--output" in sys.argv:
+        output = sys.argv[sys.argv.index("--output") + 1]
+    read(sys.argv[1:])
+    if "--check" in sys.argv:
+        check()
+        if flawed("hasty"):
+            os.makedirs(output)
+        sys.exit(0)
+    gather_ranks()
+    try:
+        run()
+    except OSError as error:
+        refuse(f"cannot write: {error.strerror}", code=3)

@@ -28,8 +28,7 @@ def arrival(case, check_bound, read_summary):
     bounds of "first_sample" [s], "samples_at_rest", of the part of the largest
     "first_overpressure" and of the "impulse_difference" from a run that keeps
     less."""
-    outputs = [case.folder("default"), case.folder("later")]
-    case.run(outputs[0])
+    outputs = [case.straight(), case.folder("later")]
     case.run(outputs[1], extra=["--set", ENTRY + "=0.01"])
     runs = [read_gauges(output) for output in outputs]
     impulses = [integrals(*run) for run in runs]

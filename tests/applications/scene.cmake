@@ -1,27 +1,27 @@
 # From the charge to the injuries, on a head of some thousand elements.
 set(_head scene/verification/head.prm)
 
-contrecoup_add_application_test(stages scene_run FILE ${_head} TIMEOUT 300
+contrecoup_add_application_test(stages scene_run FILE ${_head}
   BOUNDS "status == finished" "assumptions.energy_residual < 1e-3"
     "assumptions.injury_intracranial_pressure_peak > 1e5"
     "assumptions.injury_strain_95 < 0.05")
-contrecoup_add_application_test(ranks scene_ranks FILE ${_head} TIMEOUT 300
-  SET "Scene/Forecast=false" "Scene/Report=false" "Anatomy/Output/Pictures=false"
-    "Biomechanics/Elements/Precision=double" "Blast/Method/Precision=double"
-    "Blast/Output/Fields=false" "Biomechanics/Output/Fields=false" LABELS ranks)
-contrecoup_add_application_test(sigkill scene_sigkill FILE ${_head} TIMEOUT 600
-  SET "Scene/Forecast=false" "Scene/Report=false" "Anatomy/Output/Pictures=false")
+set(_brief "Scene/Forecast=false" "Scene/Report=false"
+  "Anatomy/Output/Pictures=false")
+contrecoup_add_application_test(runs scene_ranks,scene_sigkill FILE ${_head}
+  RANKS 2 4 SET ${_brief} "Biomechanics/Elements/Precision=double"
+    "Blast/Method/Precision=double" "Blast/Output/Fields=false"
+    "Biomechanics/Output/Fields=false")
 contrecoup_add_application_test(failing_stage scene_failure FILE ${_head}
-  TIMEOUT 300 SET "Scene/Forecast=false" "Scene/Report=false" "Anatomy/Output/Pictures=false")
+  SET ${_brief})
 # Elements so coarse that it is the blast that fills the disk.
 contrecoup_add_application_test(full_disk scene_full_disk FILE ${_head}
-  TIMEOUT 300 SET "Scene/Forecast=false" "Scene/Report=false" "Anatomy/Output/Pictures=false"
-  "Scene/Element size=0.005" "Biomechanics/Elements/Integration=full")
+  SET ${_brief} "Scene/Element size=0.005"
+  "Biomechanics/Elements/Integration=full")
 
 # scene_refuses(<name> <message> <arguments>)
 function(scene_refuses name message)
   contrecoup_add_application_test(refuses_${name} refusal ${ARGN}
-    FILE ${_head} MESSAGE "${message}" TIMEOUT 60)
+    FILE ${_head} MESSAGE "${message}")
 endfunction()
 
 scene_refuses(charge_in_body "is in the body" SET "Charge/Place=0, 0, 1")

@@ -11,22 +11,33 @@ import unittest
 HERE = os.path.dirname(os.path.abspath(__file__))
 
 
-class RunCaseTest(unittest.TestCase):
+class SelfTest(unittest.TestCase):
+    """A folder with a parameter file for decay.py, and how to judge it."""
+
+    program = "decay.py"
+    file = "decay.prm"
+
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.root = folder.name
-        with open(os.path.join(self.root, "decay.prm"), "w") as file:
-            file.write("Steps=60\n")
+        self.write("decay.prm", "Time/Largest number of steps=60\n")
         self.environment = dict(os.environ)
-        self.environment.pop("CONTRECOUP_TEST_NAMESPACE", None)
+        for name in ("CONTRECOUP_TEST_NAMESPACE", "CI"):
+            self.environment.pop(name, None)
+
+    def write(self, name, text):
+        path = os.path.join(self.root, name)
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
 
     def case(self, kind, *options, flaw="none"):
         """Runs one case; returns its exit code and output."""
         run = subprocess.run(
             [sys.executable, os.path.join(HERE, "run_case.py"), kind,
-             "--name=case", "--file=decay.prm", "--set=Flaw=" + flaw,
-             "--application=" + os.path.join(HERE, "decay.py"), *options],
+             "--name=case", "--file=" + self.file, "--set=Flaw=" + flaw,
+             "--application=" + os.path.join(HERE, self.program), *options],
             cwd=self.root, capture_output=True, text=True,
             env=self.environment)
         self.assertEqual(run.stderr, "")
@@ -42,6 +53,8 @@ class RunCaseTest(unittest.TestCase):
         self.assertIn("FAILED", out)
         self.assertIn(reason, out)
 
+
+class JudgementTest(SelfTest):
     def test_bounds(self):
         self.accepts("bounds", "--bound=errors.x < 2e-3",
                      "--bound=status == finished")
@@ -49,18 +62,45 @@ class RunCaseTest(unittest.TestCase):
         self.rejects("no 'errors.y'", "bounds", "--bound=errors.y < 1")
         self.rejects("history.csv:3", "bounds", flaw="nan")
 
+    def test_several_kinds(self):
+        options = ("bounds,resume", "--bound=errors.x < 2e-3")
+        self.accepts(*options)
+        self.rejects("FAILED: resume", *options, flaw="repeats")
+        self.rejects("FAILED: bounds", *options, "--bound=errors.x < 1e-3")
+
+    def test_needs(self):
+        options = ("bounds", "--needs=/no/such/file")
+        self.assertEqual(self.case(*options)[0], 77)
+        self.environment["CI"] = "true"
+        self.assertEqual(self.case(*options)[0], 1)
+
     def test_regression(self):
-        options = ("regression", "--reference=references", "--tolerance=-r 0")
+        options = ("regression", "--reference=references", "--tolerance=1e-12",
+                   "--set=Writes=stem", "--compare=history.csv",
+                   "--compare=fields/*.npy")
         self.environment["CONTRECOUP_UPDATE_REFERENCES"] = "1"
         self.accepts(*options)
         del self.environment["CONTRECOUP_UPDATE_REFERENCES"]
         self.accepts(*options)
         self.rejects("history.csv differs", *options,
                      "--set=Step size=0.0100000001")
+        self.rejects("plane_pressure_0000.npy differs", *options, flaw="kink")
+        self.rejects("references are of other files", *options,
+                     "--compare=summary.json")
 
     def test_ranks(self):
-        self.accepts("ranks", "--ranks=2")
-        self.rejects("history.csv differs", "ranks", "--ranks=2", flaw="rank")
+        options = ("ranks", "--ranks=2", "--ranks=3")
+        self.accepts(*options)
+        self.rejects("history.csv differs", *options, flaw="rank")
+        self.accepts(*options, "--tolerance=1e-10", "--tolerance=x=1e-5",
+                     flaw="rank")
+        self.rejects("history.csv differs", *options, "--tolerance=1e-6",
+                     "--tolerance=history.csv:x=1e-10 absolute", flaw="rank")
+
+    def test_same(self):
+        options = ("same", "--vary=Skip=true|false")
+        self.accepts(*options)
+        self.rejects("not the same to the last bit", *options, flaw="skips")
 
     def test_convergence(self):
         options = ("convergence", "--error=errors.x", "--order=0.9",
@@ -68,18 +108,19 @@ class RunCaseTest(unittest.TestCase):
         self.accepts(*options)
         self.rejects("order", *options, flaw="order")
 
-    def test_resume(self):
-        self.accepts("resume")
-        self.rejects("history.csv is not the same", "resume",
-                     flaw="forgetful")
-
-    def test_sigterm(self):
-        self.accepts("sigterm")
-        self.rejects("not == stopped", "sigterm", "--set=Steps=1")
-
-    def test_check(self):
-        self.accepts("check")
-        self.rejects("--check wrote", "check", flaw="hasty")
+    def test_check_files(self):
+        self.write("scenes/first.prm", "Scene=first\n")
+        self.write("scenes/more/second.prm", "Scene=second\n")
+        self.file = "scenes/first.prm"
+        self.accepts("check_files")
+        self.rejects("--check wrote", "check_files", flaw="hasty")
+        self.rejects("printed no plan", "check_files", flaw="silent")
+        self.write("scenes/more/second.prm", "Scenery=second\n")
+        self.rejects("1 of 2 files: more/second.prm", "check_files")
+        skip = "--needs=more/second.prm=/no/such/file"
+        self.assertEqual(self.case("check_files", skip)[0], 77)
+        self.environment["CI"] = "true"
+        self.assertEqual(self.case("check_files", skip)[0], 1)
 
     def test_refusal(self):
         options = ("refusal", "--message=must be positive",
@@ -91,6 +132,51 @@ class RunCaseTest(unittest.TestCase):
         self.rejects("exit code 0", "refusal", "--message=")
         self.accepts("refusal", "--message=unknown entry 'Stops'",
                      "--content=Stops=1")
+
+
+class ResumeTest(SelfTest):
+    def test_resume(self):
+        options = ("resume", "--stop-after=5", "--stop-after=20")
+        self.accepts(*options)
+        self.rejects("history.csv is not the same", *options, flaw="forgetful")
+        self.rejects("resumed_from_step", *options, flaw="repeats")
+        self.rejects("updates were made", *options, flaw="wasteful")
+
+    def test_sigterm(self):
+        options = ("sigterm", "--stop-after=2")
+        self.accepts(*options)
+        # A run that is past the end of the straight one when it is stopped.
+        self.accepts(*options, "--set=Time/Largest number of steps=2")
+        self.rejects("no complete checkpoint", *options,
+                     "--set=Brief=true")
+        self.rejects("history.csv is not the same", *options, flaw="forgetful")
+        self.rejects("resumed_from_step", *options, flaw="repeats")
+        self.rejects("is not == 2", *options, flaw="late")
+
+    def test_sigkill(self):
+        options = ("sigkill", "--stop-after=2")
+        self.accepts(*options)
+        self.rejects("history.csv is not the same", *options, flaw="forgetful")
+        self.rejects("resumed_from_step", *options, flaw="repeats")
+        self.rejects("exit code 0 instead of -9", *options, "--set=Brief=true")
+
+    def test_on_two_ranks(self):
+        for kind in ("parallel_resume", "parallel_sigterm",
+                     "parallel_sigkill"):
+            options = (kind, "--stop-after=5", "--ranks=2")
+            self.accepts(*options)
+            self.rejects("history.csv differs", *options, flaw="forgetful")
+            self.rejects("resumed_from_step", *options, flaw="repeats")
+
+    def test_failure(self):
+        options = ("failure", "--exit=2", "--message=it fails",
+                   "--set=Fails at=40", "--argument=--set",
+                   "--argument=Fails at=")
+        self.accepts(*options)
+        self.rejects("no checkpoint", *options, flaw="untidy")
+        self.rejects("in other words", *options, flaw="talkative")
+        self.rejects("exit code 2", *options, "--argument=--set",
+                     "--argument=Fails at=50")
 
     def test_damaged_checkpoint(self):
         options = ("damaged_checkpoint", "--message=is truncated")
@@ -105,18 +191,168 @@ class RunCaseTest(unittest.TestCase):
     def test_disk(self):
         options = ("disk", "--message=cannot write", "--exit=3")
         self.accepts(*options)
-        self.rejects("", *options, flaw="careless")
+        self.rejects("no longer intact", *options, flaw="careless")
 
     def test_disk_without_mount(self):
         """The same where nothing may be mounted."""
-        self.environment["PATH"] = os.path.join(self.root, "bin")
-        os.makedirs(self.environment["PATH"])
-        with open(os.path.join(self.environment["PATH"], "unshare"),
-                  "w") as file:
-            file.write("#!/bin/sh\nexit 1\n")
-        os.chmod(file.name, 0o755)
-        self.environment["PATH"] += ":" + os.environ["PATH"]
+        self.write("bin/unshare", "#!/bin/sh\nexit 1\n")
+        folder = os.path.join(self.root, "bin")
+        os.chmod(os.path.join(folder, "unshare"), 0o755)
+        self.environment["PATH"] = folder + ":" + os.environ["PATH"]
         self.test_disk()
+
+
+class ResultTest(SelfTest):
+    def setUp(self):
+        super().setUp()
+        self.write("decay.prm", "Time/Largest number of steps=2\n")
+
+    def test_pictures(self):
+        options = ("pictures", "--set=Writes=pictures",
+                   "--compare=history.png")
+        self.accepts(*options)
+        self.rejects("of one colour", *options, flaw="blank")
+        self.rejects("is no picture", *options, flaw="cut")
+        self.rejects("does not say", "pictures", "--compare=history.png")
+
+    def test_stem(self):
+        options = ("stem", "--set=Writes=stem", "--bound=deviation < 1e-3")
+        self.accepts(*options)
+        self.rejects("deviation", *options, flaw="kink")
+
+    def test_wedge(self):
+        options = ("wedge", "--set=Writes=wedge", "--angle=60",
+                   "--bound=reflected > 19", "--bound=reflected < 21")
+        self.accepts(*options)
+        self.rejects("is not < 21", *options, flaw="steep")
+
+    def test_reflection(self):
+        options = ("reflection", "--set=Writes=reflection", "--height=1",
+                   "--bound=regular_up_to > 1.15",
+                   "--bound=regular_up_to < 1.25")
+        self.accepts(*options)
+        self.rejects("is not < 1.25", *options, flaw="far")
+        self.rejects("triple_point.py", "reflection", "--set=Writes=stem",
+                     "--height=1")
+
+    def test_arrival(self):
+        options = ("arrival", "--set=Writes=gauges",
+                   "--bound=first_sample > 0.45", "--bound=first_sample < 0.55",
+                   "--bound=samples_at_rest < 3",
+                   "--bound=impulse_difference < 1e-9")
+        self.accepts(*options)
+        self.rejects("first_sample", *options, flaw="early")
+        self.rejects("impulse_difference", *options, flaw="leaky")
+
+    def test_gauge_order(self):
+        options = ("gauge_order", "--set=Writes=gauges",
+                   "--vary=Step size=0.04|0.02", "--error=1 0.01 1.98",
+                   "--bound=order_1 > 0.9", "--bound=error_1 < 0.03")
+        self.accepts(*options)
+        self.rejects("order_1", *options, flaw="flat")
+
+
+class CostTest(SelfTest):
+    def test_forecast(self):
+        options = ("forecast", "--tolerance=1.5", "--levels=2 1",
+                   "--compare=cells")
+        self.accepts(*options)
+        self.rejects("prediction of steps", *options, flaw="rosy")
+        self.rejects("forgot the first", *options, flaw="oblivious")
+
+    def test_presets(self):
+        promise = "# peaks {} %, impulses {} %; updates {} times\n"
+        steps = "Time/Largest number of steps="
+        self.write("scene.prm", "#   1  5.0  10.0\ninclude fast.prm\n")
+        self.write("fast.prm", promise.format(10, 5, 1)
+                   + "Step size=0.1\n" + steps + "3\n")
+        self.write("fine.prm", promise.format(5, 2.5, 2)
+                   + "Step size=0.05\n" + steps + "6\n")
+        self.file = "scene.prm"
+        options = ("presets", "--compare=fast", "--compare=fine")
+        self.accepts(*options)
+        self.write("fine.prm", promise.format(5, 2.5, 2)
+                   + "Step size=0.06\n" + steps + "6\n")
+        self.rejects("the error is 6.00 %", *options)
+        self.write("fine.prm", promise.format(5, 2.5, 2)
+                   + "Step size=0.05\n" + steps + "9\n")
+        self.rejects("makes 3.00 times", *options)
+
+    def test_domain(self):
+        options = ("domain", "--bound=difference < 0.02",
+                   "--bound=short_difference > 0.1")
+        self.write("decay.prm", "Time/Largest number of steps=2\n")
+        self.accepts(*options)
+        self.rejects("is not < 0.02", *options, flaw="narrow")
+
+
+class SceneTest(SelfTest):
+    program = "stand_in_scene.py"
+
+    def test_run(self):
+        options = ("scene_run", "--bound=status == finished")
+        self.accepts(*options)
+        self.rejects("is not == late", "scene_run", "--bound=status == late")
+        self.rejects("stages of a second run", *options, flaw="restless")
+        self.rejects("other tissues made the blast", *options,
+                     flaw="forgetful")
+        self.rejects("other tissues changed nothing", *options, flaw="deaf")
+        self.rejects("report", *options, flaw="silent")
+        self.rejects("body masses are", *options, flaw="heavy")
+
+    def test_ranks(self):
+        options = ("scene_ranks", "--ranks=2")
+        self.accepts(*options)
+        self.rejects("on 1 rank", *options, flaw="ranks")
+
+    def test_sigkill(self):
+        self.accepts("scene_sigkill")
+        self.rejects("injuries are others", "scene_sigkill", flaw="careless")
+        self.rejects("went on from step 0", "scene_sigkill", flaw="repeats")
+        self.rejects("ended before it was killed", "scene_sigkill",
+                     flaw="hurried")
+
+    def test_failure(self):
+        self.accepts("scene_failure")
+        self.rejects("stderr is", "scene_failure", flaw="wordy")
+        self.rejects("blast was not kept", "scene_failure", flaw="lossy")
+
+    def test_full_disk(self):
+        self.accepts("scene_full_disk", "--set=Large=true")
+        self.rejects("stage.json", "scene_full_disk", "--set=Large=true",
+                     flaw="destructive")
+        self.rejects("exit code 0", "scene_full_disk")
+
+
+class StudyTest(SelfTest):
+    program = "study"
+
+    def setUp(self):
+        super().setUp()
+        # Where it is, there is the application blast as well.
+        for name in ("study", "blast"):
+            os.symlink(os.path.join(HERE, "stand_in_study.py"),
+                       os.path.join(self.root, name))
+
+    def case(self, kind, *options, flaw="none"):
+        return super().case(kind, "--application=./study", *options,
+                            flaw=flaw)
+
+    def test_run(self):
+        options = ("study_run", "--bound=status == finished",
+                   "--compare=a.png")
+        self.accepts(*options)
+        self.rejects("is not == late", "study_run", "--bound=status == late")
+        self.rejects("is empty", *options, flaw="blank")
+        self.rejects("has error 0.5", *options, flaw="wrong")
+
+    def test_sigterm(self):
+        self.accepts("study_sigterm")
+        self.rejects("was repeated", "study_sigterm", flaw="restless")
+
+    def test_sigkill(self):
+        self.accepts("study_sigkill")
+        self.rejects("was repeated", "study_sigkill", flaw="restless")
 
 
 if __name__ == "__main__":

@@ -22,7 +22,7 @@ contrecoup_add_application_test(any_file study_any_file FILE ${_study}
 # study_refuses(<name> <message> <arguments>)
 function(study_refuses name message)
   contrecoup_add_application_test(refuses_${name} refusal ${ARGN}
-    FILE ${_study} MESSAGE "${message}" TIMEOUT 60)
+    FILE ${_study} MESSAGE "${message}")
 endfunction()
 
 study_refuses(unknown_application "did you mean \"blast\""

@@ -1,0 +1,147 @@
+#!/usr/bin/python3
+"""A stand-in for the application scene: three stages that write what tests of
+scenes look at. Entry "Flaw" makes it misbehave in one way, see self_test.py."""
+
+import glob
+import json
+import os
+import sys
+import time
+
+STAGES = ("anatomy", "blast", "biomechanics")
+ENTRIES = {"Flaw": "none", "Tissues/Set": "first", "Pause": "0.4", "Large": "",
+           "Blast/Output/Checkpoint every steps": "1",
+           "Biomechanics/Output/Checkpoint every steps": "1",
+           "Biomechanics/Energy audit/Largest residual": "1",
+           "Biomechanics/Energy audit/Largest hourglass part": "1"}
+
+
+def path(*names):
+    return os.path.join(output, *names)
+
+
+def write(text, *names):
+    os.makedirs(os.path.dirname(path(*names)), exist_ok=True)
+    with open(path(*names) + ".new", "w", encoding="utf-8") as file:
+        file.write(text)
+    os.replace(file.name, path(*names))
+
+
+def read(*names):
+    try:
+        with open(path(*names), encoding="utf-8") as file:
+            return json.load(file)
+    except OSError:
+        return {}
+
+
+def key_of(stage):
+    """What a stage depends on."""
+    if stage == "biomechanics" or flaw == "forgetful":
+        return entries["Tissues/Set"]
+    return "scene"
+
+
+def fail(stage, reason, code):
+    print(f"error: stage {stage}: {reason}", file=sys.stderr)
+    if flaw == "wordy":
+        print("more", file=sys.stderr)
+    sys.exit(code)
+
+
+def run_stage(stage):
+    """Takes a finished stage as it is, else runs it on from its checkpoint,
+    a number of steps; returns its status."""
+    record = read(stage + ".stage.json")
+    if (record.get("status") == "finished" and record["key"] == key_of(stage)
+            and flaw != "restless"):
+        return "reused"
+    try:
+        write(json.dumps({"status": "started", "key": key_of(stage)}),
+              stage + ".stage.json")
+        compute(stage)
+    except OSError as error:
+        if flaw == "destructive":
+            os.remove(path("anatomy.stage.json"))
+        fail(stage, error.strerror, 3)
+    write(json.dumps({"status": "finished", "key": key_of(stage)}),
+          stage + ".stage.json")
+    return "finished"
+
+
+def newest(stage):
+    """The step of the newest checkpoint of a stage."""
+    markers = glob.glob(path(stage, "checkpoint", "*", "complete.json"))
+    return int(os.path.basename(os.path.dirname(max(markers)))) \
+        if markers else 0
+
+
+def compute(stage):
+    first = step = 0 if flaw == "repeats" else newest(stage)
+    while step < 20:
+        time.sleep(float(entries["Pause"]) / 20.)
+        step += 1
+        if stage != "anatomy":
+            folder = f"{step:04d}"
+            write(json.dumps({"state": {"step": step}}), stage, "checkpoint",
+                  folder, "run.json")
+            write("", stage, "checkpoint", folder, "complete.json")
+    if stage == "blast":
+        write_loads()
+        write("step\n1\n", stage, "load_gauges.csv")
+    if stage == "biomechanics":
+        if float(entries["Biomechanics/Energy audit/Largest residual"]) <= 0.:
+            if flaw == "lossy":
+                os.remove(path("blast.stage.json"))
+            fail(stage, "energy audit", 2)
+        write_injuries(first)
+    write("step\n1\n", stage, "history.csv")
+    mass = 50. if flaw == "heavy" and stage == "blast" else 5.
+    write(f"  set Body mass = {mass}\n", stage, "parameters.prm")
+    write(json.dumps({"status": "finished", "resumed_from_step": first,
+                      "mass": mass}), stage, "summary.json")
+
+
+def write_loads():
+    """More than the small disk of a test holds, where that is the test."""
+    import h5py
+    import numpy
+    with h5py.File(path("blast", "loads.h5"), "w") as file:
+        file["peak"] = numpy.ones((9 << 17) if entries["Large"] else 10)
+
+
+def write_injuries(first):
+    strain = 0.01 if entries["Tissues/Set"] == "first" else 0.02
+    if flaw == "deaf":
+        strain = 0.01
+    if flaw == "careless" and first > 0:
+        strain *= 1.001
+    if flaw == "ranks" and "OMPI_COMM_WORLD_SIZE" in os.environ:
+        strain *= 1.00001
+    write(f"measure,value\nstrain,{strain}\n", "biomechanics", "injury.csv")
+
+
+def main():
+    statuses = {}
+    for stage in STAGES:
+        begin = time.time()
+        status = run_stage(stage)
+        statuses[stage] = {"name": stage, "status": status,
+                           "wall_seconds": time.time() - begin}
+    write(json.dumps({"stages": list(statuses.values())}), "scene.json")
+    if flaw != "silent":
+        write("<html></html>", "report.html")
+
+
+if __name__ == "__main__":
+    entries = dict(ENTRIES)
+    for at, word in enumerate(sys.argv):
+        if word == "--set":
+            name, value = sys.argv[at + 1].split("=", 1)
+            entries[name] = value
+    output = sys.argv[sys.argv.index("--output") + 1]
+    flaw = entries["Flaw"]
+    if os.environ.get("OMPI_COMM_WORLD_RANK", "0") == "0":
+        os.makedirs(output, exist_ok=True)
+        if flaw != "hurried" or "killed" not in output:
+            main()

@@ -1,0 +1,74 @@
+#!/usr/bin/python3
+"""A stand-in for the application study, and for the blast that it starts: eight
+runs of 0.1 s, a table and a recommended file. Entry "Flaw" makes it misbehave
+in one way, see self_test.py."""
+
+import csv
+import json
+import os
+import signal
+import subprocess
+import sys
+
+
+def path(*names):
+    return os.path.join(output, *names)
+
+
+def write(text, *names):
+    os.makedirs(os.path.dirname(path(*names)), exist_ok=True)
+    with open(path(*names), "w", encoding="utf-8") as file:
+        file.write(text)
+
+
+def summarise(status):
+    write(json.dumps({"status": status, "errors": {"density_L1": 0.003}}),
+          "summary.json")
+
+
+def run_variant(number):
+    """Lasts a while, and leaves its outcome."""
+    subprocess.run([sys.executable, "-c", "import sys, time; time.sleep(0.1)",
+                    path("variants", str(number))], check=True)
+    write("{}", "variants", str(number), "outcome.json")
+
+
+def finish():
+    rows = [["error", "core [s]", "pareto front", "outcome"]]
+    rows += [[0.003 + 0.001 * number, 1 + number, "yes" if number == 0 else
+              "no", "stable"] for number in range(8)]
+    with open(path("study.csv"), "w", newline="", encoding="utf-8") as file:
+        csv.writer(file).writerows(rows)
+    write("Fields = true\n" + ("wrong" if flaw == "wrong" else ""),
+          "recommended.prm")
+    write(" " * (1 if flaw == "blank" else 20000), "pictures", "a.png")
+    summarise("finished")
+
+
+def main():
+    stopped = []
+    signal.signal(signal.SIGTERM, lambda *_: stopped.append(True))
+    for number in range(8):
+        done = path("variants", str(number), "outcome.json")
+        if os.path.exists(done) and flaw != "restless":
+            continue
+        if stopped:
+            return summarise("stopped")
+        run_variant(number)
+    return finish()
+
+
+def stand_in_for_blast():
+    with open(sys.argv[1], encoding="utf-8") as file:
+        error = 0.5 if "wrong" in file.read() else 0.003
+    write(json.dumps({"errors": {"density_L1": error}}), "summary.json")
+
+
+if __name__ == "__main__":
+    output = sys.argv[sys.argv.index("--output") + 1]
+    flaw = next((word[len("Flaw="):] for word in sys.argv
+                 if word.startswith("Flaw=")), "none")
+    if os.path.basename(sys.argv[0]) == "blast":
+        stand_in_for_blast()
+    else:
+        main()
