@@ -63,7 +63,7 @@ def run_stage(stage):
     except OSError as error:
         if flaw == "destructive":
             os.remove(path("anatomy.stage.json"))
-        fail(stage, error.strerror, 3)
+        fail(stage, error.strerror or "it cannot be written", 3)
     write(json.dumps({"status": "finished", "key": key_of(stage)}),
           stage + ".stage.json")
     return "finished"
