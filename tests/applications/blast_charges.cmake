@@ -13,18 +13,16 @@ function(blast_burns name file bounds)
 endfunction()
 
 # The front is in time within 0.5 %, and after 0.28 m has the Chapman-Jouguet
-# pressure within 3 %. Bounds of L1: the errors when the tests were written and
-# a tenth more.
+# pressure within 3 % (plane; in a sphere, whose slope is infinite, it lacks more).
+# Bounds: the errors when the tests were written and a tenth more.
 set(_sphere "Domain/Geometry=spherical" "Charges/Charge 1/Shape=sphere")
 set(_detonation verification/tnt_detonation)
 blast_burns(tnt_detonation ${_detonation} "errors.density_L1 < 3.25;\
-errors.probe_4_arrival_relative < 5e-3;\
-errors.probe_4_arrival_relative > -5e-3;\
-errors.probe_4_peak_overpressure_relative < 0.03;\
-errors.probe_4_peak_overpressure_relative > -0.03")
+errors.probe_4_arrival_relative < 2.2e-3;\
+errors.probe_4_peak_overpressure_relative < 0.0131")
 blast_burns(tnt_detonation_sphere ${_detonation} "errors.density_L1 < 5.4;\
-errors.probe_4_arrival_relative < 5e-3;\
-errors.probe_4_arrival_relative > -5e-3" ${_sphere})
+errors.probe_4_arrival_relative < 2.2e-3;\
+errors.probe_4_peak_overpressure_relative < 0.140" ${_sphere})
 contrecoup_add_application_test(tnt_detonation_order convergence
   FILE blast/${_detonation}.prm SET "Output/Fields=false"
   VARY "Domain/Coarse leaves=38|76" ERROR errors.density_L1 ORDER 0.9
