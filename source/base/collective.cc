@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/collective.h>
 #include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/signals.h>
 #include <contrecoup/base/text.h>
 
 #include <deal.II/base/exceptions.h>
@@ -17,6 +18,8 @@ namespace contrecoup
 {
 namespace
 {
+  constexpr int first_stop = 128;
+
   std::string deal_ii_message(const dealii::ExceptionBase &exception)
   {
     std::ostringstream information;
@@ -26,6 +29,11 @@ namespace
                     (name.empty() ? "" : " (" + name + ")"));
   }
 } // namespace
+
+bool is_stop(const Failure &failure)
+{
+  return static_cast<int>(failure.code) > first_stop;
+}
 
 Failure to_failure(const std::exception_ptr &exception,
                    const ExitCode otherwise)
@@ -45,6 +53,10 @@ Failure to_failure(const std::exception_ptr &exception,
   catch (const SystemError &error)
   {
     return {ExitCode::system_failed, one_line(error.what())};
+  }
+  catch (const Stopped &stop)
+  {
+    return {static_cast<ExitCode>(first_stop + stop.signal()), stop.what()};
   }
   catch (const std::bad_alloc &)
   {
@@ -72,6 +84,8 @@ Failure to_failure(const std::exception_ptr &exception,
 
 void throw_failure(const Failure &failure)
 {
+  if (is_stop(failure))
+    throw Stopped(static_cast<int>(failure.code) - first_stop);
   if (failure.code == ExitCode::bad_input)
     throw InputError(failure.message);
   if (failure.code == ExitCode::numerics_failed)

@@ -9,7 +9,10 @@
 #include <contrecoup/base/text.h>
 #include <contrecoup/base/timers.h>
 
+#include <array>
 #include <cmath>
+#include <csignal>
+#include <utility>
 
 namespace contrecoup
 {
@@ -18,6 +21,9 @@ namespace
   // Bits that the ranks agree on after each step.
   constexpr unsigned int stop_bit = 1;
   constexpr unsigned int checkpoint_bit = 2;
+  // Of several signals the first of these counts.
+  constexpr std::array<std::pair<int, unsigned int>, 3> signal_bits = {
+    {{SIGINT, 4}, {SIGTERM, 8}, {SIGUSR1, 16}}};
 
   void require_finite(const std::vector<NamedValue> &values,
                       const RunState &state)
@@ -78,6 +84,9 @@ RunStatus RunLoop::loop(RunState &state)
     if (!ended && (enough || (flags & stop_bit) != 0))
     {
       checkpoint(state);
+      for (const auto &[signal, bit] : signal_bits)
+        if (stop_signal_ == 0 && (flags & bit) != 0)
+          stop_signal_ = signal;
       return RunStatus::stopped;
     }
     if (!ended && (flags & checkpoint_bit) != 0)
@@ -104,8 +113,10 @@ unsigned int RunLoop::step(RunState &state)
     return minutes > 0. && Minutes(Clock::now() - since).count() > minutes;
   };
   unsigned int flags = 0;
-  if (SignalGuard::stop_requested() ||
-      passed(begin_, parameters.minutes_in_this_run))
+  for (const auto &[signal, bit] : signal_bits)
+    if (SignalGuard::stop_signal() == signal)
+      flags |= stop_bit | bit;
+  if (passed(begin_, parameters.minutes_in_this_run))
     flags |= stop_bit;
   if ((parameters.checkpoint_every_steps > 0 &&
        state.step % parameters.checkpoint_every_steps == 0) ||

@@ -4,6 +4,7 @@
 #include <contrecoup/base/signals.h>
 
 #include <csignal>
+#include <string>
 
 namespace contrecoup
 {
@@ -11,9 +12,17 @@ namespace
 {
   volatile std::sig_atomic_t stop_flag = 0;
 
+  std::string name_of(const int signal)
+  {
+    return signal == SIGINT    ? "SIGINT"
+           : signal == SIGTERM ? "SIGTERM"
+           : signal == SIGUSR1 ? "SIGUSR1"
+                               : "signal " + std::to_string(signal);
+  }
+
   void request_stop(const int signal)
   {
-    stop_flag = 1;
+    stop_flag = signal;
     if (signal == SIGINT)
       std::signal(signal, SIG_DFL);
   }
@@ -36,8 +45,19 @@ SignalGuard::~SignalGuard()
   std::signal(SIGXFSZ, old_file_size_);
 }
 
-bool SignalGuard::stop_requested()
+int SignalGuard::stop_signal()
 {
-  return stop_flag != 0;
+  return stop_flag;
 }
+
+void SignalGuard::require_no_stop()
+{
+  if (stop_flag != 0)
+    throw Stopped(stop_flag);
+}
+
+Stopped::Stopped(const int signal)
+  : std::runtime_error("asked to stop by " + name_of(signal))
+  , signal_(signal)
+{}
 } // namespace contrecoup

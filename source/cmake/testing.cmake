@@ -181,8 +181,8 @@ endfunction()
 #   disk          a full disk: exit code 3 with MESSAGE, checkpoint intact
 #   main_job*     OTHER_FILE: the first lines in
 #                 tests/applications/main_job_cases.py tell
-#   study_*, scene_*  the first lines in tests/applications/study_cases.py and
-#                 scene_cases.py tell
+#   study_*, scene_*, folder_*  the first lines in study_cases.py, scene_cases.py
+#                 and folder_cases.py of tests/applications tell
 # No value may contain a semicolon.
 function(contrecoup_add_application_test name kind)
   cmake_parse_arguments(ARG ""

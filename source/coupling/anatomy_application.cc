@@ -6,19 +6,20 @@
 #include <contrecoup/base/memory.h>
 #include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/base/processor_time.h>
+#include <contrecoup/base/signals.h>
 #include <contrecoup/base/text.h>
 #include <contrecoup/base/version.h>
 #include <contrecoup/coupling/anatomy_application.h>
 #include <contrecoup/coupling/anatomy_parameters.h>
 #include <contrecoup/coupling/body_report.h>
 #include <contrecoup/io/checked_file.h>
+#include <contrecoup/io/folder_claim.h>
 #include <contrecoup/io/hex_mesh_files.h>
 #include <contrecoup/io/pictures.h>
 
 #include <nlohmann/json.hpp>
 
 #include <chrono>
-#include <filesystem>
 
 namespace contrecoup
 {
@@ -26,23 +27,8 @@ namespace coupling
 {
   namespace
   {
-    namespace fs = std::filesystem;
     using Json = nlohmann::ordered_json;
     using dealii::Point;
-
-    /// Everything that a run leaves in its folder.
-    constexpr const char *results[] = {"parameters.prm",
-                                       "log.txt",
-                                       "mesh.vtu",
-                                       "mesh.msh",
-                                       "hanging_nodes.csv",
-                                       "surface.vtu",
-                                       "surface.stl",
-                                       "distance.vti",
-                                       "quality.csv",
-                                       "parts.csv",
-                                       "summary.json",
-                                       "pictures"};
 
     /// One body on its way to a mesh in a folder.
     class AnatomyRun
@@ -77,11 +63,13 @@ namespace coupling
         log_line("  output " + folder_);
       }
 
-      void execute(const std::string &parameter_text)
+      /// Into the folder that @p claim has.
+      void execute(const std::string &parameter_text, io::FolderClaim &claim)
       {
         LabelGrid grid =
           make_grid(surface_->bounding_box(), parameters_.element_size);
         body_->fill(grid);
+        SignalGuard::require_no_stop();
         mesh_ = make_hex_mesh(grid, body_->parts(), parameters_.levels);
         if (mesh_.cells.empty())
           throw InputError(
@@ -91,6 +79,8 @@ namespace coupling
         if (parameters_.smoothing.iterations > 0)
           smoothing = smooth(mesh_, parameters_.smoothing);
         const double meshed = seconds();
+        SignalGuard::require_no_stop();
+        claim.begin();
         start(parameter_text);
         log_line("meshed the " + parameters_.body.kind() + ", " + told_box() +
                  ", with " + std::to_string(mesh_.cells.size()) +
@@ -114,7 +104,9 @@ namespace coupling
                                               parameters_.tissue_set);
         for (const std::string &line : to_lines(report))
           log_line(line);
+        SignalGuard::require_no_stop();
         write(report);
+        claim.set_status("finished");
       }
 
     private:
@@ -152,16 +144,8 @@ namespace coupling
                " x " + brief(box.side_length(2)) + " m";
       }
 
-      /// Makes the folder ready.
       void start(const std::string &parameter_text) const
       {
-        std::error_code error;
-        fs::create_directories(folder_, error);
-        if (error)
-          throw InputError("cannot make the output folder \"" + folder_ +
-                           "\": " + error.message());
-        for (const char *name : results)
-          io::remove_quietly(path(name));
         write_text("parameters.prm", parameter_text);
         Log::instance().open(path("log.txt"), false);
         log_line("anatomy " + version() + " (" + git_revision() + ")");
@@ -264,14 +248,40 @@ namespace coupling
                          "it again");
       AnatomyParameters parameters;
       parameters.parse_parameters(prm);
-      AnatomyRun run(parameters, command.output_folder);
+      const std::string &folder = command.output_folder;
       if (command.check)
-        run.check();
-      else
-        run.execute("# anatomy " + version() + " (" + git_revision() +
-                    "): every entry as used\n\n" + parameter_text(prm, false));
+      {
+        AnatomyRun(parameters, folder).check();
+        return;
+      }
+      io::FolderClaim claim(folder,
+                            "anatomy",
+                            anatomy_files(),
+                            io::make_run_input(parameter_values(prm)));
+      if (!claim.admits(command, {}))
+        return;
+      AnatomyRun(parameters, folder)
+        .execute("# anatomy " + version() + " (" + git_revision() +
+                   "): every entry as used\n\n" + parameter_text(prm, false),
+                 claim);
     }
   } // namespace
+
+  io::FileNames anatomy_files()
+  {
+    return io::FileNames{{"parameters.prm",
+                          "mesh.vtu",
+                          "mesh.msh",
+                          "hanging_nodes.csv",
+                          "surface.vtu",
+                          "surface.stl",
+                          "distance.vti",
+                          "quality.csv",
+                          "parts.csv",
+                          "summary.json"},
+                         {"log.txt"}} +
+           io::picture_files({"body.png", "cuts.png", "quality.png"});
+  }
 
   io::ToolDescription anatomy_application()
   {

@@ -64,6 +64,18 @@ namespace
     prm.set("Elements", join(words, ", "));
     return changed;
   }
+
+  io::FileNames files(const ParameterHandler &)
+  {
+    return io::FileNames{{"injury.csv"}, {}} + io::field_files("solid") +
+           io::picture_files({"history.png",
+                              "probes.png",
+                              "sagittal.png",
+                              "sagittal_head.png",
+                              "energies.png",
+                              "coup.png",
+                              "pressures.png"});
+  }
 } // namespace
 
 
@@ -77,6 +89,8 @@ io::ApplicationDescription biomechanics_application()
           {"Energy audit/",
            "Elements/Step safety",
            "Elements/Largest number of retries"},
-          coarsen};
+          coarsen,
+          {},
+          files};
 }
 } // namespace contrecoup::coupling

@@ -57,6 +57,32 @@ namespace
         return create<3>(prm, communicator);
     }
   }
+
+  io::FileNames files(const ParameterHandler &prm)
+  {
+    io::FileNames names = {{"fields/plane_*.npy",
+                            "fields/plane_*.json",
+                            "fields/gauges_line_#.csv",
+                            "fields/gauges_plane_#_*.npy",
+                            "fields/gauges_plane_#_*.json",
+                            "loads.h5",
+                            "load_gauges.csv",
+                            "gauge_injury.csv"},
+                           {}};
+    const std::string profile = prm.get({"Output"}, "Profile file");
+    if (!profile.empty())
+      names.results.push_back(profile);
+    return names + io::field_files("fields") +
+           io::picture_files({"history.png",
+                              "probes.png",
+                              "*_maps.png",
+                              "plane*.png",
+                              "profiles.png",
+                              "body_pressure.png",
+                              "body_maps.png",
+                              "body_gauges.png",
+                              "triple_point.png"});
+  }
 } // namespace
 
 
@@ -69,6 +95,7 @@ io::ApplicationDescription blast_application()
           create_any,
           {},
           coarsen_scene,
-          "plot_run.py"};
+          "plot_run.py",
+          files};
 }
 } // namespace contrecoup::coupling

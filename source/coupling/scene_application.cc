@@ -27,8 +27,8 @@ namespace
         std::vector<const char *> words;
         for (const std::string &word : arguments)
           words.push_back(word.c_str());
-        command =
-          io::parse_command_line(static_cast<int>(words.size()), words.data());
+        command = io::parse_command_line(
+          static_cast<int>(words.size()), words.data(), "scene");
         told = io::requested_text(
           command,
           "scene",

@@ -12,8 +12,6 @@
 #include <contrecoup/io/checked_file.h>
 #include <contrecoup/io/pictures.h>
 
-#include <filesystem>
-
 namespace contrecoup::coupling
 {
 SceneRun::SceneRun(const io::CommandLine &command,
@@ -38,6 +36,8 @@ void SceneRun::check()
 {
   scene_->print();
   for (SceneStage &stage : stages_)
+    stage.inspect(collective_);
+  for (SceneStage &stage : stages_)
     if (stage.is_finished())
       log_line("stage " + stage.name() + " is finished in " + stage.folder());
     else
@@ -56,27 +56,122 @@ void SceneRun::forecast()
 }
 
 
-void SceneRun::start()
+bool SceneRun::claim()
 {
-  collective_.run([&]() {
-    if (command_.resume)
-    {
-      bool any = false;
-      for (const SceneStage &stage : stages_)
-        any = any || stage.has_record();
-      if (!any)
-        throw InputError("--resume: \"" + command_.output_folder +
-                         "\" holds no stage of a scene");
-    }
-  });
   collective_.run([&]() {
     if (!is_first_rank_)
       return;
-    std::error_code error;
-    std::filesystem::create_directories(command_.output_folder, error);
-    if (error)
-      throw InputError("cannot make the output folder \"" +
-                       command_.output_folder + "\": " + error.message());
+    io::FileNames names = {{"parameters.prm", "scene.json"},
+                           {"log.txt", "report.html", "report.html.new"}};
+    for (const SceneStage &stage : stages_)
+      names = names + StageFiles::names(stage.name());
+    claim_ = std::make_unique<io::FolderClaim>(
+      command_.output_folder,
+      "scene",
+      names,
+      io::make_run_input(parameter_values(prm_)));
+    for (const SceneStage &stage : stages_)
+      stage.prepare();
+  });
+  for (SceneStage &stage : stages_)
+    stage.inspect(collective_);
+  const unsigned int may_run = collective_.run_with_flags(
+    [&]() { return is_first_rank_ && admits() ? 1U : 0U; });
+  return may_run != 0;
+}
+
+
+std::string SceneRun::told_stages() const
+{
+  std::vector<std::string> kept, replaced;
+  for (const SceneStage &stage : stages_)
+    (stage.is_finished() ? kept : replaced).push_back(stage.name());
+  return "makes " + join(replaced, ", ") + " anew" +
+         (kept.empty() ? "" : " and takes " + join(kept, ", ") + " as it is");
+}
+
+
+void SceneRun::require_consent() const
+{
+  const std::string here = "\"" + command_.output_folder + "\" holds ";
+  const std::string changed = claim_->difference();
+  const std::string what = claim_->manifest().status() == "finished"
+                             ? "the results of another scene"
+                             : "finished stages of another scene";
+  for (const SceneStage &stage : stages_)
+    if (stage.standing().is_other && !changed.empty())
+      throw InputError(here + what + ": " + changed + "; --overwrite " +
+                       told_stages() + ", or give another --output");
+  if (command_.resume)
+    return;
+  if (claim_->manifest().status() == "finished" && !changed.empty())
+    throw InputError(here + what + ": " + changed +
+                     "; --overwrite renews what depends on that, or give "
+                     "another --output");
+  for (const SceneStage &stage : stages_)
+    if (stage.standing().has_checkpoint)
+      throw InputError(here + "a scene that has not finished (stage " +
+                       stage.name() +
+                       "); --resume goes on with it, --overwrite begins "
+                       "that stage anew");
+}
+
+
+bool SceneRun::admits() const
+{
+  if (command_.resume)
+  {
+    bool any = false;
+    for (const SceneStage &stage : stages_)
+      any = any || stage.standing().has_record;
+    if (!any)
+      throw InputError("--resume: \"" + command_.output_folder +
+                       "\" holds no stage of a scene");
+  }
+  const io::Manifest &manifest = claim_->manifest();
+  if (!manifest.is_there() || command_.overwrite)
+    return true;
+  require_consent();
+  if (manifest.status() != "finished" || !claim_->difference().empty() ||
+      !manifest.damage().empty())
+    return true;
+  std::string others;
+  for (const SceneStage &stage : stages_)
+  {
+    if (!stage.is_finished() && !stage.standing().is_other)
+      return true;
+    if (stage.standing().is_other)
+      others += " (" + stage.name() + " by another build)";
+  }
+  if (command_.resume && others.empty())
+    return true;
+  log_line("finished before, nothing is done: \"" + command_.output_folder +
+           "\" holds the results" + others +
+           "; --resume makes the report again, --overwrite computes all anew");
+  return false;
+}
+
+
+void SceneRun::start()
+{
+  // Asked for once more as it is, the whole scene is meant.
+  const unsigned int anew = collective_.run_with_flags([&]() {
+    return is_first_rank_ && command_.overwrite &&
+               claim_->manifest().status() == "finished" &&
+               claim_->difference().empty()
+             ? 1U
+             : 0U;
+  });
+  for (SceneStage &stage : stages_)
+    if (anew != 0 && stage.is_finished())
+      stage.discard_result();
+  collective_.run([&]() {
+    if (!is_first_rank_)
+      return;
+    if (command_.overwrite && claim_->manifest().is_there())
+      log_line("--overwrite " + told_stages() +
+               "; what was there before goes when the new is complete");
+    claim_->go_on();
     io::write_file(path("parameters.prm"), [&](std::ostream &out) {
       out << "# scene " << version() << " (" << git_revision()
           << "): every entry as used\n\n"
@@ -119,7 +214,35 @@ bool SceneRun::run_stages()
 
 void SceneRun::execute()
 {
+  if (!claim())
+    return;
   start();
+  try
+  {
+    run_all();
+  }
+  catch (const std::exception &)
+  {
+    const Failure failure =
+      to_failure(std::current_exception(), ExitCode::system_failed);
+    try
+    {
+      collective_.run([&]() {
+        if (is_first_rank_)
+          claim_->set_status(is_stop(failure) ? "stopped" : "failed");
+      });
+    }
+    catch (const std::exception &)
+    {
+      // The first failure is the one to report.
+    }
+    throw;
+  }
+}
+
+
+void SceneRun::run_all()
+{
   scene_->print();
   if (scene_->parameters().has_forecast && !command_.resume)
     forecast();
@@ -133,11 +256,16 @@ void SceneRun::execute()
         command_,
         dealii::Utilities::MPI::n_mpi_processes(collective_.communicator()));
   });
-  if (finished)
-    collective_.run([&]() {
-      if (is_first_rank_)
-        conclude();
-    });
+  for (const SceneStage &stage : stages_)
+    if (is_stop(stage.stop()))
+      throw_failure(stage.stop());
+  collective_.run([&]() {
+    if (!is_first_rank_)
+      return;
+    if (finished)
+      conclude();
+    claim_->set_status(finished ? "finished" : "stopped");
+  });
 }
 
 

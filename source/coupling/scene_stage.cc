@@ -83,74 +83,81 @@ std::string short_key(const std::string &text)
 SceneStage::SceneStage(const std::string &name,
                        const std::string &scene_folder,
                        const std::string &text,
+                       const io::FileNames &names,
                        const std::vector<std::string> &upstream,
                        const bool can_resume,
                        const Runner &runner)
   : name_(name)
-  , scene_folder_(scene_folder)
+  , files_(scene_folder, name)
   , text_(text)
+  , names_(names)
   , can_resume_(can_resume)
   , runner_(runner)
 {
   record_.key = short_key(source_digest(name) + "\n" + text +
                           contents_of_files(text) + join(upstream, "\n"));
-  read_record();
 }
 
 
-bool SceneStage::has_record() const
+void SceneStage::prepare() const
 {
-  return fs::exists(file(".stage.json"));
+  files_.mend();
+  const auto foreign = io::Manifest(folder()).foreign_files(names_);
+  if (!foreign.empty())
+    throw InputError("\"" + folder() + "/" + foreign.front() +
+                     "\" was written by no run of Contrecoup, and stage " +
+                     name_ + " would overwrite it; give another --output");
 }
 
 
-void SceneStage::read_record()
+SceneStage::Standing SceneStage::find_standing()
 {
-  if (!has_record())
-    return;
-  const Json json =
-    Json::parse(io::read_file(file(".stage.json")), nullptr, false);
-  // A damaged record, or one of something else, is none.
-  if (!json.is_object() || json.value("key", "") != record_.key)
-    return;
-  record_.status = json.value("status", "");
-  record_.wall_seconds = number(json, "wall_seconds");
-  record_.core_seconds = number(json, "core_seconds");
-  record_.peak_memory = number(json, "peak_memory");
-  record_.disk = number(json, "disk");
+  Standing standing;
+  const std::string key = record_.key;
+  const StageRecord now = files_.read_record(false);
+  const StageRecord beside = files_.read_record(true);
+  standing.has_record = !now.status.empty() || !beside.status.empty();
+  const bool was_finished = now.status == "finished";
+  if (was_finished)
+  {
+    const std::string damage = files_.damage();
+    standing.is_damaged = !damage.empty();
+    standing.is_finished = damage.empty() && now.key == key;
+    standing.is_other = damage.empty() && now.key != key;
+    if (!damage.empty())
+      log_line("stage " + name_ + " has to be made anew: " + damage);
+  }
+  standing.is_new = was_finished;
+  const StageRecord &begun = was_finished ? beside : now;
+  standing.is_begun = !standing.is_finished && begun.key == key;
+  standing.has_checkpoint =
+    !begun.status.empty() && files_.has_checkpoint(standing.is_new);
+  if (standing.is_finished)
+    record_ = now;
+  else if (standing.is_begun)
+    record_ = begun;
+  return standing;
 }
 
 
-void SceneStage::write_record() const
+void SceneStage::inspect(Collective &collective)
 {
-  const Json json = {{"key", record_.key},
-                     {"status", record_.status},
-                     {"wall_seconds", record_.wall_seconds},
-                     {"core_seconds", record_.core_seconds},
-                     {"peak_memory", record_.peak_memory},
-                     {"disk", record_.disk}};
-  io::write_file(file(".stage.json"),
-                 [&](std::ostream &out) { out << json.dump(2) << "\n"; });
-}
-
-
-bool SceneStage::has_checkpoint() const
-{
-  std::error_code ignored;
-  for (const auto &entry :
-       fs::directory_iterator(folder() + "/checkpoint", ignored))
-    if (fs::exists(entry.path() / "complete.json", ignored))
-      return true;
-  return false;
+  collective.run([&]() {
+    if (is_first_rank())
+      standing_ = find_standing();
+  });
+  standing_ =
+    dealii::Utilities::MPI::broadcast(collective.communicator(), standing_, 0);
 }
 
 
 void SceneStage::take_summary(const double wall_seconds)
 {
+  const std::string folder = files_.folder(standing_.is_new);
   const Json json =
-    Json::parse(io::read_file(folder() + "/summary.json"), nullptr, false);
+    Json::parse(io::read_file(folder + "/summary.json"), nullptr, false);
   if (!json.is_object())
-    throw SystemError("cannot read \"" + folder() + "/summary.json\"");
+    throw SystemError("cannot read \"" + folder + "/summary.json\"");
   const Json &performance = json["performance"];
   record_.status = json.value("status", "failed");
   record_.wall_seconds += wall_seconds;
@@ -158,7 +165,7 @@ void SceneStage::take_summary(const double wall_seconds)
   record_.core_seconds += cores > 0. ? cores : wall_seconds;
   record_.peak_memory =
     std::max(record_.peak_memory, number(performance, "peak_memory_bytes"));
-  record_.disk = size_of_folder(folder());
+  record_.disk = size_of_folder(folder);
 }
 
 
@@ -176,50 +183,66 @@ void SceneStage::check(Collective &collective)
 }
 
 
+void SceneStage::begin(const bool goes_on)
+{
+  if (!goes_on)
+  {
+    const std::string key = record_.key;
+    record_ = {};
+    record_.key = key;
+  }
+  record_.status = "started";
+  io::write_file(files_.parameter_file(standing_.is_new),
+                 [&](std::ostream &out) { out << text_; });
+  files_.write_record(standing_.is_new, record_);
+}
+
+
+void SceneStage::end(const double wall_seconds)
+{
+  // A tool that was stopped has no summary.
+  if (is_stop(stop_) && !can_resume_)
+    record_.status = "stopped";
+  else
+    take_summary(wall_seconds);
+  files_.write_record(standing_.is_new, record_);
+  standing_.is_finished = record_.status == "finished";
+  if (standing_.is_finished && standing_.is_new)
+    files_.replace();
+}
+
+
 bool SceneStage::run(const bool resume, Collective &collective)
 {
   if (is_finished())
     return true;
-  std::vector<std::string> words = {name_, file(".prm"), "--output", folder()};
+  const bool goes_on =
+    resume && can_resume_ && standing_.has_checkpoint && standing_.is_begun;
+  std::vector<std::string> words = {name_,
+                                    files_.parameter_file(standing_.is_new),
+                                    "--output",
+                                    files_.folder(standing_.is_new),
+                                    goes_on ? "--resume" : "--overwrite"};
   words.insert(words.end(), arguments_.begin(), arguments_.end());
-  const bool goes_on = collective.run_with_flags([&]() {
-    return is_first_rank() && resume && can_resume_ &&
-               !record_.status.empty() && has_checkpoint()
-             ? 1U
-             : 0U;
-  }) != 0;
-  if (goes_on)
-    words.push_back("--resume");
   collective.run([&]() {
-    if (!is_first_rank())
-      return;
-    if (!goes_on)
-    {
-      const std::string key = record_.key;
-      record_ = {};
-      record_.key = key;
-      // What another scene or an earlier start left would be taken for
-      // this one's.
-      io::remove_quietly(folder());
-    }
-    record_.status = "started";
-    io::write_file(file(".prm"), [&](std::ostream &out) { out << text_; });
-    write_record();
+    if (is_first_rank())
+      begin(goes_on);
   });
   const auto begin = std::chrono::steady_clock::now();
   const Failure failure = runner_(words);
   const double wall_seconds =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
       .count();
-  if (failure.code != ExitCode::done)
+  if (is_stop(failure))
+    stop_ = failure;
+  else if (failure.code != ExitCode::done)
     throw_failure({failure.code, "stage " + name_ + ": " + failure.message});
   const unsigned int finished = collective.run_with_flags([&]() {
-    if (!is_first_rank())
-      return 0U;
-    take_summary(wall_seconds);
-    write_record();
+    if (is_first_rank())
+      end(wall_seconds);
     return is_finished() ? 1U : 0U;
   });
-  return finished != 0;
+  standing_.is_finished = finished != 0;
+  return is_finished();
 }
 } // namespace contrecoup::coupling

@@ -11,6 +11,7 @@
 #include <contrecoup/coupling/scene_files.h>
 #include <contrecoup/coupling/scene_stages.h>
 #include <contrecoup/io/application.h>
+#include <contrecoup/io/output_folder.h>
 
 #include <filesystem>
 
@@ -98,6 +99,7 @@ namespace
                          prm_,
                          wrote_,
                          tool.declare_parameters),
+              anatomy_files(),
               {},
               false,
               runner(tool, collective_)};
@@ -142,7 +144,15 @@ namespace
         stage_text(section, entries, prm_, wrote_, [&](ParameterHandler &prm) {
           declare(application, prm);
         });
-      return {name, folder_, text, upstream, true, runner(application)};
+      ParameterHandler defaults;
+      declare(application, defaults);
+      return {name,
+              folder_,
+              text,
+              io::OutputFolder::run_files() + application.files(defaults),
+              upstream,
+              true,
+              runner(application)};
     }
 
     const PlannedScene &scene_;

@@ -59,7 +59,7 @@ namespace io
       std::string told;
       collective.run(
         [&]() {
-          command = parse_command_line(argc, argv);
+          command = parse_command_line(argc, argv, description.name);
           told = told_text(command, description);
           if (!told.empty())
             return;
@@ -76,10 +76,13 @@ namespace io
       collective.run([&]() { simulation = description.create(prm, all); },
                      ExitCode::bad_input);
       Run run(command, description, prm, *simulation, collective);
-      if (command.check)
-        run.check();
-      else
+      if (!command.check)
         run.execute();
+      else
+      {
+        run.check();
+        SignalGuard::require_no_stop();
+      }
     }
   } // namespace
 
@@ -123,7 +126,7 @@ namespace io
         argc, argv, 1);
     const SignalGuard signals;
     const Failure failure = work();
-    if (failure.code != ExitCode::done &&
+    if (failure.code != ExitCode::done && !is_stop(failure) &&
         dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
       std::cerr << "error: " << failure.message << std::endl;
     return static_cast<int>(failure.code);

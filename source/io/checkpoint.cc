@@ -5,15 +5,15 @@
 #include <contrecoup/base/log.h>
 #include <contrecoup/io/checked_file.h>
 #include <contrecoup/io/checkpoint.h>
+#include <contrecoup/io/file_digest.h>
+#include <contrecoup/io/name_patterns.h>
 
 #include <deal.II/base/utilities.h>
 
 #include <nlohmann/json.hpp>
-#include <zlib.h>
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <vector>
 
@@ -28,6 +28,9 @@ namespace io
 
     const char *const marker = "complete.json";
     const char *const run_file = "run.json";
+
+    /// What solvers and this class write into a checkpoint.
+    const std::vector<std::string> file_names = {"*.bin", "*.json", "*.h5"};
 
     /// Checkpoint folders by number.
     std::map<unsigned long, fs::path> numbered(const std::string &folder)
@@ -49,30 +52,15 @@ namespace io
       return fs::exists(checkpoint / marker);
     }
 
-    unsigned long checksum(const fs::path &file)
-    {
-      std::ifstream input(file, std::ios::binary);
-      std::vector<char> block(1 << 20);
-      unsigned long sum = crc32(0, Z_NULL, 0);
-      while (input)
-      {
-        input.read(block.data(), static_cast<long>(block.size()));
-        sum = crc32(sum,
-                    reinterpret_cast<const Bytef *>(block.data()),
-                    static_cast<unsigned int>(input.gcount()));
-      }
-      return sum;
-    }
-
     void write_marker(const fs::path &checkpoint)
     {
       Json files = Json::object();
       for (const auto &item : fs::directory_iterator(checkpoint))
       {
         sync(item.path().string());
-        files[item.path().filename().string()] = {
-          {"bytes", fs::file_size(item.path())},
-          {"crc32", checksum(item.path())}};
+        const FileDigest digest = digest_of(item.path().string());
+        files[item.path().filename().string()] = {{"bytes", digest.bytes},
+                                                  {"crc32", digest.crc32}};
       }
       write_file((checkpoint / marker).string(), [&](std::ostream &out) {
         out << Json{{"files", files}}.dump(1) << '\n';
@@ -102,10 +90,19 @@ namespace io
         if (size != bytes)
           return "the file \"" + item.key() + "\" has " + std::to_string(size) +
                  " bytes instead of " + std::to_string(bytes);
-        if (checksum(file) != want.value("crc32", 0ul))
+        if (digest_of(file.string()).crc32 != want.value("crc32", 0ul))
           return "the content of the file \"" + item.key() + "\" is damaged";
       }
       return "";
+    }
+
+    void remove_checkpoint(const fs::path &checkpoint)
+    {
+      const std::string folder = checkpoint.parent_path().string();
+      std::vector<std::string> patterns;
+      for (const std::string &file : file_names)
+        patterns.push_back(checkpoint.filename().string() + "/" + file);
+      remove_files(folder, find_files(folder, patterns));
     }
 
     void remove_old(const std::string &folder)
@@ -118,7 +115,7 @@ namespace io
         if (is_complete(item->second) && complete < kept)
           ++complete;
         else
-          remove_quietly(item->second.string());
+          remove_checkpoint(item->second);
       }
     }
   } // namespace
@@ -208,18 +205,20 @@ namespace io
     return found;
   }
 
-  void Checkpoints::clear()
+  bool Checkpoints::has_complete() const
   {
-    collective_.run([&]() {
-      if (dealii::Utilities::MPI::this_mpi_process(
-            collective_.communicator()) == 0)
-        for (const auto &item : numbered(folder_))
-        {
-          log_line("removed the earlier run's \"" + item.second.string() +
-                   "\"; --resume would have gone on from there");
-          remove_quietly(item.second.string());
-        }
-    });
+    for (const auto &item : numbered(folder_))
+      if (is_complete(item.second))
+        return true;
+    return false;
+  }
+
+  FileNames Checkpoints::files(const std::string &folder)
+  {
+    FileNames names;
+    for (const std::string &file : file_names)
+      names.others.push_back(folder + "/#/" + file);
+    return names;
   }
 } // namespace io
 } // namespace contrecoup

@@ -18,6 +18,7 @@ namespace io
     const std::vector<std::string> options = {"--set",
                                               "--output",
                                               "--resume",
+                                              "--overwrite",
                                               "--check",
                                               "--print-parameters",
                                               "--help",
@@ -38,6 +39,8 @@ namespace io
         command.output_folder = value;
       else if (option == "--resume")
         command.resume = true;
+      else if (option == "--overwrite")
+        command.overwrite = true;
       else if (option == "--check")
         command.check = true;
       else if (option == "--print-parameters")
@@ -61,7 +64,9 @@ namespace io
     }
   } // namespace
 
-  CommandLine parse_command_line(const int argc, const char *const *argv)
+  CommandLine parse_command_line(const int argc,
+                                 const char *const *argv,
+                                 const std::string &application)
   {
     CommandLine command;
     for (int i = 1; i < argc; ++i)
@@ -91,9 +96,12 @@ namespace io
       command.help || command.version || command.print_parameters;
     if (command.parameter_file.empty() && !only_tells)
       throw InputError("no parameter file is given; --help shows how");
+    if (command.resume && command.overwrite)
+      throw InputError("--resume keeps what --overwrite removes; give one of "
+                       "them");
     if (command.output_folder.empty())
       command.output_folder =
-        "output/" +
+        "output/" + application + "/" +
         std::filesystem::path(command.parameter_file).stem().string();
     return command;
   }
@@ -108,9 +116,13 @@ namespace io
            "                      overrides one entry of the file; any "
            "number of times\n"
            "  --output DIR        the output folder "
-           "(default: output/<name of FILE>)\n"
+           "(default: output/" +
+           application +
+           "/<name of FILE>)\n"
            "  --resume            goes on from the last complete checkpoint "
            "there\n"
+           "  --overwrite         begins anew and removes what an earlier run "
+           "left there\n"
            "  --check             says what would be run and what it would "
            "cost\n"
            "  --print-parameters  prints all entries with meaning, allowed "
@@ -118,7 +130,8 @@ namespace io
            "  --help              prints this\n"
            "  --version           prints version and git revision\n\n"
            "Exit codes: 0 done, 1 bad input, 2 the numerics failed, 3 the "
-           "system failed.\n" +
+           "system failed;\n130, 143, 138 stopped by Ctrl-C, SIGTERM, SIGUSR1, "
+           "with a checkpoint to go on\nfrom.\n" +
            parallel;
   }
 

@@ -62,7 +62,9 @@ namespace io
 
   std::optional<CostEstimate> CostCache::read() const
   {
-    if (file_.empty() || !fs::exists(file_))
+    // A folder that may not be read throws otherwise.
+    std::error_code ignored;
+    if (file_.empty() || !fs::exists(file_, ignored))
       return std::nullopt;
     try
     {

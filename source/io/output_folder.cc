@@ -33,9 +33,11 @@ namespace io
     const std::string &path,
     const std::string &application,
     const std::map<std::string, std::string> &parameters,
+    const FileNames &names,
     Collective &collective)
     : collective_(collective)
     , path_(path)
+    , names_(run_files() + names)
     , writes_(is_first_rank(collective))
     , history_(path + "/history.csv")
     , probes_(path + "/probes.csv")
@@ -45,50 +47,25 @@ namespace io
     run_.parameters = parameters;
   }
 
-  void OutputFolder::create()
+  bool OutputFolder::claim(const CommandLine &command)
   {
-    collective_.run([&]() {
+    const auto may_run = [&]() {
       if (!writes_)
-        return;
-      std::error_code error;
-      created_ = fs::create_directories(path_, error);
-      if (!error)
-        try
-        {
-          write_file(path("writable"), [](std::ostream &out) { out << 1; });
-          remove_quietly(path("writable"));
-          return;
-        }
-        catch (const SystemError &reason)
-        {
-          discard();
-          throw InputError("the output folder takes no files: " +
-                           std::string(reason.what()));
-        }
-      throw InputError("cannot make the output folder \"" + path_ +
-                       "\": " + error.message());
-    });
-  }
-
-  void OutputFolder::discard()
-  {
-    std::error_code ignored;
-    if (writes_ && created_)
-      fs::remove(path_, ignored);
+        return 0U;
+      claim_ = std::make_unique<FolderClaim>(
+        path_, run_.application, names_, make_run_input(run_.parameters));
+      const auto can_go_on = [&]() { return checkpoints_.has_complete(); };
+      return claim_->admits(command, can_go_on) ? 1U : 0U;
+    };
+    return collective_.run_with_flags(may_run) != 0;
   }
 
   void OutputFolder::start()
   {
-    checkpoints_.clear();
     run_.fields.clear();
     collective_.run([&]() {
-      if (!writes_)
-        return;
-      history_.start();
-      probes_.start();
-      remove_quietly(path("fields"));
-      for (const char *name : {"fields.pvd", "summary.json", "log.txt"})
-        remove_quietly(path(name));
+      if (writes_)
+        claim_->begin();
     });
   }
 
@@ -117,6 +94,7 @@ namespace io
       [&]() {
         if (!writes_)
           return;
+        claim_->go_on();
         history_.resume(run_.history_bytes);
         probes_.resume(run_.probes_bytes);
       },
@@ -201,6 +179,14 @@ namespace io
     });
   }
 
+  void OutputFolder::set_status(const std::string &status)
+  {
+    collective_.run([&]() {
+      if (writes_)
+        claim_->set_status(status);
+    });
+  }
+
   void OutputFolder::write_text(const std::string &name,
                                 const std::string &text)
   {
@@ -208,6 +194,17 @@ namespace io
       if (writes_)
         write_file(path(name), [&](std::ostream &out) { out << text; });
     });
+  }
+
+  FileNames OutputFolder::run_files()
+  {
+    const FileNames names = {{"parameters.prm",
+                              "history.csv",
+                              "probes.csv",
+                              "fields.pvd",
+                              "summary.json"},
+                             {"log.txt"}};
+    return names + Checkpoints::files("checkpoint");
   }
 
   std::string OutputFolder::path(const std::string &name) const

@@ -6,6 +6,7 @@
 #include <contrecoup/base/memory.h>
 #include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/base/processor_time.h>
+#include <contrecoup/base/signals.h>
 #include <contrecoup/base/text.h>
 #include <contrecoup/base/timers.h>
 #include <contrecoup/base/version.h>
@@ -36,6 +37,14 @@ namespace io
       return parameters;
     }
 
+    /// Why a run has stopped; empty if no signal asked for it.
+    std::string told_stop(const int signal)
+    {
+      return signal == 0 ? ""
+                         : std::string(Stopped(signal).what()) +
+                             "; --resume goes on from here";
+    }
+
     double seconds_since(const std::chrono::steady_clock::time_point begin)
     {
       return std::chrono::duration<double>(std::chrono::steady_clock::now() -
@@ -61,6 +70,7 @@ namespace io
     , folder_(command.output_folder,
               description.name,
               parameter_values(prm),
+              description.files ? description.files(prm) : FileNames(),
               collective)
     , begin_(std::chrono::steady_clock::now())
     , begin_processor_(processor_seconds())
@@ -142,29 +152,24 @@ namespace io
 
   void Run::execute()
   {
+    if (!folder_.claim(command_))
+      return;
     estimate();
-    folder_.create();
-    try
-    {
-      prepare();
-    }
-    catch (const std::exception &)
-    {
-      folder_.discard();
-      throw;
-    }
+    prepare();
 
     loop_begin_ = std::chrono::steady_clock::now();
     RunLoop loop(time_, simulation_, folder_, collective_);
     try
     {
-      const RunStatus status = loop.run(state_);
+      const bool is_finished = loop.run(state_) == RunStatus::finished;
       folder_.flush();
-      if (status == RunStatus::finished)
+      if (is_finished)
         collective_.run([&]() { simulation_.finish(folder_.path()); });
-      summarise(status == RunStatus::finished ? "finished" : "stopped", "");
-      if (status == RunStatus::finished)
+      const std::string status = is_finished ? "finished" : "stopped";
+      summarise(status, told_stop(loop.stop_signal()));
+      if (is_finished)
         draw_pictures();
+      folder_.set_status(status);
     }
     catch (const std::exception &)
     {
@@ -174,6 +179,7 @@ namespace io
       {
         folder_.flush();
         summarise("failed", failure.message);
+        folder_.set_status("failed");
       }
       catch (const std::exception &)
       {
@@ -181,6 +187,8 @@ namespace io
       }
       throw;
     }
+    if (loop.stop_signal() != 0)
+      throw Stopped(loop.stop_signal());
   }
 
   void Run::summarise(const std::string &status, const std::string &message)

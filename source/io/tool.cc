@@ -29,7 +29,8 @@ namespace io
     void
     execute(const int argc, char **argv, const ToolDescription &description)
     {
-      const CommandLine command = parse_command_line(argc, argv);
+      const CommandLine command =
+        parse_command_line(argc, argv, description.name);
       const std::string told =
         requested_text(command,
                        description.name,
@@ -77,7 +78,7 @@ namespace io
     const SignalGuard signals;
     const Failure failure =
       run_within(std::vector<std::string>(argv, argv + argc), description);
-    if (failure.code != ExitCode::done)
+    if (failure.code != ExitCode::done && !is_stop(failure))
       std::cerr << "error: " << failure.message << std::endl;
     return static_cast<int>(failure.code);
   }

@@ -246,8 +246,8 @@ namespace io
         simulation, trial, longest, collective.communicator());
       simulation.set_output_folder(folder);
       measured.setup();
-      OutputFolder output(folder, application, {}, collective);
-      output.start();
+      // The folder is new, so that nothing in it has to be claimed.
+      OutputFolder output(folder, application, {}, {}, collective);
       RunState state;
       const double begin = measured.time();
       RunLoop loop(time, measured, output, collective);

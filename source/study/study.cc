@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/log.h>
+#include <contrecoup/base/signals.h>
 #include <contrecoup/base/text.h>
 #include <contrecoup/base/version.h>
 #include <contrecoup/io/checked_file.h>
@@ -26,15 +27,29 @@ namespace
 
   constexpr const char *marker = "study.json";
 
-  /// Everything that a study leaves in its folder.
-  constexpr const char *results[] = {marker,
-                                     "study.csv",
-                                     "study.md",
-                                     "recommended.prm",
-                                     "summary.json",
-                                     "log.txt",
-                                     "pictures",
-                                     "variants"};
+  /// What a study with these runs writes into its folder.
+  io::FileNames file_names(const std::string &folder,
+                           const std::vector<Task> &tasks)
+  {
+    io::FileNames names = {{"parameters.prm",
+                            marker,
+                            "study.csv",
+                            "study.md",
+                            "recommended.prm",
+                            "summary.json"},
+                           {"log.txt"}};
+    for (const Task &task : tasks)
+    {
+      const std::string variant = task.folder.substr(folder.size() + 1) + "/";
+      for (const char *name :
+           {"outcome.json", "screen.txt", "errors.txt", "run/"})
+        names.others.push_back(variant + name);
+    }
+    return names + io::picture_files({"work_precision.svg",
+                                      "work_precision.png",
+                                      "stability_map.svg",
+                                      "stability_map.png"});
+  }
 
   Settings joined(Settings first, const Settings &second)
   {
@@ -170,18 +185,26 @@ void Study::check() const
   log_line(plan);
 }
 
-void Study::prepare(const std::string &parameter_text, const bool resume)
+bool Study::has_outcomes() const
+{
+  std::error_code ignored;
+  for (const auto &variant : fs::directory_iterator(path("variants"), ignored))
+    if (fs::exists(variant.path() / "outcome.json", ignored))
+      return true;
+  return false;
+}
+
+void Study::prepare(const std::string &parameter_text,
+                    const bool resume,
+                    io::FolderClaim &claim)
 {
   if (resume && !fs::exists(path(marker)))
     throw InputError("--resume: \"" + folder_ + "\" holds no study");
-  std::error_code error;
-  fs::create_directories(path("variants"), error);
-  if (error)
-    throw InputError("cannot make the output folder \"" + folder_ +
-                     "\": " + error.message());
-  if (!resume)
-    for (const char *name : results)
-      io::remove_quietly(path(name));
+  if (resume)
+    claim.go_on();
+  else
+    claim.begin();
+  fs::create_directories(path("variants"));
   for (Task &task : tasks_)
     if (resume)
       task.outcome = read_outcome(
@@ -301,9 +324,15 @@ void Study::draw() const
   }
 }
 
-void Study::execute(const std::string &parameter_text, const bool resume)
+void Study::execute(const io::CommandLine &command,
+                    const std::string &parameter_text,
+                    const std::map<std::string, std::string> &entries)
 {
-  prepare(parameter_text, resume);
+  io::FolderClaim claim(
+    folder_, "study", file_names(folder_, tasks_), io::make_run_input(entries));
+  if (!claim.admits(command, [&]() { return has_outcomes(); }))
+    return;
+  prepare(parameter_text, command.resume, claim);
   begin_ = std::chrono::steady_clock::now();
   VariantRunner runner(application_, parameters_.cores, parameters_.time_limit);
   const bool complete =
@@ -311,11 +340,15 @@ void Study::execute(const std::string &parameter_text, const bool resume)
   const double seconds =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_)
       .count();
-  write_results(complete ? "finished" : "stopped", seconds);
+  const std::string status = complete ? "finished" : "stopped";
+  write_results(status, seconds);
+  claim.set_status(status);
   if (!complete)
     log_line("stopped after " + std::to_string(n_done_) + " of " +
              std::to_string(tasks_.size()) +
              " runs; --resume goes on with the others");
   Log::instance().check();
+  if (!complete)
+    SignalGuard::require_no_stop();
 }
 } // namespace contrecoup::study

@@ -23,9 +23,10 @@ namespace
     if (command.check)
       study.check();
     else
-      study.execute("# study " + version() + " (" + git_revision() +
+      study.execute(command,
+                    "# study " + version() + " (" + git_revision() +
                       "): every entry as used\n\n" + parameter_text(prm, false),
-                    command.resume);
+                    parameter_values(prm));
   }
 } // namespace
 

@@ -2,7 +2,8 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/signals.h>
-#include <contrecoup/io/checked_file.h>
+#include <contrecoup/io/manifest.h>
+#include <contrecoup/io/name_patterns.h>
 #include <contrecoup/study/variant_runner.h>
 
 #include <filesystem>
@@ -43,7 +44,7 @@ bool VariantRunner::run(std::vector<Task> &tasks,
   auto next = tasks.begin();
   while (next != tasks.end() || !running_.empty())
   {
-    if (SignalGuard::stop_requested())
+    if (SignalGuard::stop_signal() != 0)
     {
       for (Running &running : running_)
         running.process->terminate(patience);
@@ -64,8 +65,11 @@ bool VariantRunner::run(std::vector<Task> &tasks,
 
 void VariantRunner::start(Task &task)
 {
-  io::remove_quietly(task.folder);
   std::filesystem::create_directories(task.folder);
+  // What an attempt before left would be taken for this one's.
+  io::remove_files(task.folder, {"outcome.json", "screen.txt", "errors.txt"});
+  if (std::filesystem::exists(task.run_folder()))
+    io::Manifest(task.run_folder()).remove_all();
   const auto command =
     application_.command(task.variant.settings, task.run_folder());
   running_.push_back(

@@ -174,7 +174,7 @@ def fails_at(step):
 def run():
     stopped = []
     for number in (signal.SIGTERM, signal.SIGUSR1):
-        signal.signal(number, lambda *_: stopped.append(True))
+        signal.signal(number, lambda asked, _: stopped.append(asked))
     step, value = 0, 1.
     if "--resume" in sys.argv:
         step, value = restore()
@@ -200,7 +200,9 @@ def run():
         if stopped or step == last:
             if not (stopped and flawed("late")):
                 save(step, value)
-            return summarise("stopped", step, value, first)
+            summarise("stopped", step, value, first)
+            sys.exit(128 + stopped[0] if stopped and not flawed("content")
+                     else 0)
         if step % int(entries["Output/Checkpoint every steps"]) == 0:
             save(step, value)
         time.sleep(0.005)

@@ -132,8 +132,9 @@ def terminate_on(case, ranks):
     output = case.folder(f"terminated_on_{ranks}")
     process = start_endless(case, output, ranks)
     # mpirun leaves its ranks no time after SIGTERM.
-    process.send_signal(signal.SIGUSR1 if ranks > 1 else signal.SIGTERM)
-    end(process, 0)
+    asked = signal.SIGUSR1 if ranks > 1 else signal.SIGTERM
+    process.send_signal(asked)
+    end(process, 128 + asked)
     state = checkpoint_state(output)
     summary = read_summary(output)
     check_bound(summary, "status == stopped")

@@ -54,8 +54,8 @@ def body_masses(output):
 
 
 def scene_run(case, check_bound, read_summary):
-    """Every stage runs and keeps the bounds of the biomechanics summary; run
-    again, stages whose inputs are the same are taken as they are."""
+    """Every stage runs and keeps the bounds of the biomechanics summary; with
+    other entries, stages whose inputs are the same are taken as they are."""
     output = case.folder("run")
     case.run(output)
     for bound in case.options.bound:
@@ -67,11 +67,11 @@ def scene_run(case, check_bound, read_summary):
     masses = body_masses(output)
     require(max(masses) < 1.05 * min(masses), f"body masses are {masses} kg")
     loads = os.stat(os.path.join(output, "blast", "loads.h5")).st_mtime_ns
-    case.run(output)
+    case.run(output, ["--resume"])
     require(statuses(output) == dict.fromkeys(STAGES, "reused"),
             f"stages of a second run are {statuses(output)}")
     before = injury_table(output)
-    case.run(output, ["--set", "Tissues/Set=physiological"])
+    case.run(output, ["--overwrite", "--set", "Tissues/Set=physiological"])
     require(statuses(output)["blast"] == "reused",
             "other tissues made the blast run again")
     require(statuses(output)["biomechanics"] == "finished",

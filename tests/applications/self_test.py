@@ -147,8 +147,9 @@ class ResumeTest(SelfTest):
         self.accepts(*options)
         # A run that is past the end of the straight one when it is stopped.
         self.accepts(*options, "--set=Time/Largest number of steps=2")
-        self.rejects("no complete checkpoint", *options,
+        self.rejects("exit code 0 instead of 143", *options,
                      "--set=Brief=true")
+        self.rejects("exit code 0 instead of 143", *options, flaw="content")
         self.rejects("history.csv is not the same", *options, flaw="forgetful")
         self.rejects("resumed_from_step", *options, flaw="repeats")
         self.rejects("is not == 2", *options, flaw="late")

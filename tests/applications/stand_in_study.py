@@ -53,7 +53,8 @@ def main():
         if os.path.exists(done) and flaw != "restless":
             continue
         if stopped:
-            return summarise("stopped")
+            summarise("stopped")
+            sys.exit(143)
         run_variant(number)
     return finish()
 

@@ -143,9 +143,9 @@ def resumed(case, before, check_bound, read_summary):
 
 
 def study_sigterm(case, check_bound, read_summary):
-    """SIGTERM ends study and runs with code 0; --resume does the rest."""
+    """SIGTERM ends study and runs with code 143; --resume does the rest."""
     code, before = interrupted(case, signal.SIGTERM)
-    require(code == 0, f"exit code {code}")
+    require(code == 143, f"exit code {code}")
     check_bound(read_summary(case.folder("run")), "status == stopped")
     resumed(case, before, check_bound, read_summary)
 

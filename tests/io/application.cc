@@ -176,6 +176,7 @@ TEST(Application, WallTimeStopsARun)
 TEST(Application, CheckpointsDoNotChangeTheRun)
 {
   const std::string straight = local("straight"), marked = local("marked");
+  remove(straight);
   remove(marked);
   run_scene(straight);
   EXPECT_EQ(
@@ -196,16 +197,19 @@ TEST(Application, AFinishedRunGoesOnToALaterEnd)
   EXPECT_EQ(summary(folder)["steps"].get<int>() + 2, n_lines(history));
 }
 
-TEST(Application, SigtermWritesACheckpointAndLeavesWithZero)
+TEST(Application, SigtermWritesACheckpointAndLeavesWithItsCode)
 {
   const std::string straight = local("straight"), folder = local("terminated");
+  remove(straight);
   remove(folder);
   run_scene(straight);
   const Result result = run_scene(
     folder, {"--set", "Mishap/Kind=signal", "--set", "Mishap/Step=9"});
-  EXPECT_EQ(result.code, 0);
+  EXPECT_EQ(result.code, 143);
   EXPECT_EQ(result.err, "");
   EXPECT_EQ(summary(folder)["status"], "stopped");
+  EXPECT_EQ(summary(folder)["message"],
+            "asked to stop by SIGTERM; --resume goes on from here");
   EXPECT_EQ(summary(folder)["steps"], 9);
   EXPECT_TRUE(summary(folder)["resumed_from_step"].is_null());
   EXPECT_EQ(run_scene(folder, {"--resume"}).code, 0);

@@ -139,16 +139,17 @@ TEST(BadInput, DamagedCheckpointGivesWayToTheOneBefore)
 {
   const std::string folder = local("damaged");
   stop_with_checkpoints(folder);
-  truncate(checkpoints(folder)[1] + "/oscillator.txt", 10);
+  truncate(checkpoints(folder)[1] + "/oscillator.bin", 10);
   const Result result = run_scene(folder, {"--resume"});
   EXPECT_EQ(result.code, 0);
   if (is_first_rank())
   {
-    EXPECT_NE(result.out.find("\"oscillator.txt\" has 10 bytes"),
+    EXPECT_NE(result.out.find("\"oscillator.bin\" has 10 bytes"),
               std::string::npos);
     EXPECT_NE(result.out.find("step 16,"), std::string::npos);
   }
   const std::string straight = local("straight_beside_damaged");
+  remove(straight);
   run_scene(straight);
   EXPECT_EQ(content(straight + "/history.csv"),
             content(folder + "/history.csv"));
@@ -164,14 +165,14 @@ TEST(BadInput, AllCheckpointsDamaged)
   // Same length, other content.
   if (is_first_rank())
   {
-    std::fstream file(found[1] + "/oscillator.txt");
+    std::fstream file(found[1] + "/oscillator.bin");
     file.seekp(50000);
     file << "!";
   }
   MPI_Barrier(MPI_COMM_WORLD);
   expect_failure(run_scene(folder, {"--resume"}),
                  1,
-                 "content of the file \"oscillator.txt\" is damaged");
+                 "content of the file \"oscillator.bin\" is damaged");
   EXPECT_EQ(content(folder + "/history.csv"), before);
 }
 

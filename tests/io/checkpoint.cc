@@ -24,7 +24,7 @@ unsigned int rank()
 /// Every rank writes a file of its own.
 void save(const std::string &folder)
 {
-  write_file(folder + "/rank_" + std::to_string(rank()),
+  write_file(folder + "/rank_" + std::to_string(rank()) + ".bin",
              [](std::ostream &out) { out << "state"; });
 }
 
@@ -65,8 +65,9 @@ TEST(Checkpoints, TheLastTwoAreKept)
   ASSERT_TRUE(found);
   EXPECT_EQ(found->run, "c");
   EXPECT_EQ(found->folder, folder + "/0003");
-  EXPECT_EQ(read_file(found->folder + "/rank_" + std::to_string(rank())),
-            "state");
+  EXPECT_EQ(
+    read_file(found->folder + "/rank_" + std::to_string(rank()) + ".bin"),
+    "state");
 }
 
 TEST(Checkpoints, AFailureOfOneRankLeavesNothing)

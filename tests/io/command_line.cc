@@ -14,7 +14,8 @@ namespace
 CommandLine parse(std::vector<const char *> words)
 {
   words.insert(words.begin(), "program");
-  return parse_command_line(static_cast<int>(words.size()), words.data());
+  return parse_command_line(
+    static_cast<int>(words.size()), words.data(), "program");
 }
 } // namespace
 
@@ -37,7 +38,14 @@ TEST(CommandLine, ReadsEveryOptionInAnyOrder)
 
 TEST(CommandLine, OutputFolderIsNamedAfterTheFile)
 {
-  EXPECT_EQ(parse({"folder/scene.prm"}).output_folder, "output/scene");
+  EXPECT_EQ(parse({"folder/scene.prm"}).output_folder, "output/program/scene");
+}
+
+TEST(CommandLine, ResumeAndOverwriteExcludeEachOther)
+{
+  EXPECT_TRUE(parse({"a.prm", "--overwrite"}).overwrite);
+  EXPECT_FALSE(parse({"a.prm", "--resume"}).overwrite);
+  EXPECT_THROW(parse({"a.prm", "--resume", "--overwrite"}), InputError);
 }
 
 TEST(CommandLine, RefusesWhatItDoesNotKnow)

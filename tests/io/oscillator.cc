@@ -117,14 +117,14 @@ namespace io
 
   void Oscillator::restore(const std::string &folder)
   {
-    std::istringstream input(read_file(folder + "/oscillator.txt"));
+    std::istringstream input(read_file(folder + "/oscillator.bin"));
     input >> step_ >> time_ >> position_ >> velocity_ >> lost_;
   }
 
   void Oscillator::save(const std::string &folder)
   {
     if (dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
-      write_file(folder + "/oscillator.txt", [&](std::ostream &out) {
+      write_file(folder + "/oscillator.bin", [&](std::ostream &out) {
         out.precision(17);
         out << step_ << ' ' << time_ << ' ' << position_ << ' ' << velocity_
             << ' ' << lost_ << '\n'
@@ -238,7 +238,10 @@ namespace io
               oscillator->parse_parameters(prm);
               return oscillator;
             },
-            {"Mishap/"}};
+            {"Mishap/"},
+            {},
+            {},
+            [](const ParameterHandler &) { return field_files("oscillator"); }};
   }
 } // namespace io
 } // namespace contrecoup

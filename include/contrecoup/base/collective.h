@@ -11,7 +11,8 @@
 
 namespace contrecoup
 {
-/// Exit codes of every application.
+/// Exit codes of every application; 128 and the number of a signal when that
+/// stopped it, see Stopped.
 enum class ExitCode : int
 {
   done = 0,
@@ -27,14 +28,17 @@ struct Failure
   std::string message;
 };
 
+/// Whether a signal stopped what was to be done.
+bool is_stop(const Failure &failure);
+
 /**
  * Makes a Failure of any exception: InputError, NumericsError, SystemError,
- * std::bad_alloc (system failed), deal.II's exceptions (one line, without
- * stack trace). What is none of these gets the code @p otherwise.
+ * Stopped, std::bad_alloc (system failed), deal.II's exceptions (one line,
+ * without stack trace). What is none of these gets the code @p otherwise.
  */
 Failure to_failure(const std::exception_ptr &exception, ExitCode otherwise);
 
-/// Throws the InputError, NumericsError or SystemError for a failure.
+/// Throws the InputError, NumericsError, SystemError or Stopped for a failure.
 [[noreturn]] void throw_failure(const Failure &failure);
 
 /**

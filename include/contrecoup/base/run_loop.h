@@ -57,6 +57,12 @@ public:
    */
   RunStatus run(RunState &state);
 
+  /// The signal that stopped it on any rank, or 0.
+  int stop_signal() const
+  {
+    return stop_signal_;
+  }
+
 private:
   using Clock = std::chrono::steady_clock;
 
@@ -76,6 +82,7 @@ private:
   RunOutput &output_;
   Collective &collective_;
   std::uint64_t first_step_ = 0;
+  int stop_signal_ = 0;
 
   std::unique_ptr<Progress> progress_;
   Clock::time_point begin_;

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <stdexcept>
+
 namespace contrecoup
 {
 /**
@@ -20,13 +22,32 @@ public:
   SignalGuard(const SignalGuard &) = delete;
   SignalGuard &operator=(const SignalGuard &) = delete;
 
-  /// Whether this process was asked to stop.
-  static bool stop_requested();
+  /// The signal by which this process was asked to stop, or 0.
+  static int stop_signal();
+
+  /// @throws Stopped when this process was asked to stop
+  static void require_no_stop();
 
 private:
   void (*old_terminate_)(int);
   void (*old_interrupt_)(int);
   void (*old_user_)(int);
   void (*old_file_size_)(int);
+};
+
+/// What was asked for ends before it is finished because of a signal, with
+/// the exit code 128 and the signal's number: SIGINT (Ctrl-C) 130, SIGTERM
+/// 143, SIGUSR1 138.
+class Stopped : public std::runtime_error
+{
+public:
+  explicit Stopped(int signal);
+  int signal() const
+  {
+    return signal_;
+  }
+
+private:
+  int signal_;
 };
 } // namespace contrecoup

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <contrecoup/io/manifest.h>
 #include <contrecoup/io/tool.h>
 
 namespace contrecoup
@@ -12,5 +13,8 @@ namespace coupling
   /// `anatomy`: makes hexahedra by tissue of a body, with its surface, its
   /// quality and pictures.
   io::ToolDescription anatomy_application();
+
+  /// The files that it writes.
+  io::FileNames anatomy_files();
 } // namespace coupling
 } // namespace contrecoup

@@ -6,8 +6,9 @@
 #include <contrecoup/base/collective.h>
 #include <contrecoup/coupling/planned_scene.h>
 #include <contrecoup/coupling/scene_stage.h>
-#include <contrecoup/io/command_line.h>
+#include <contrecoup/io/folder_claim.h>
 
+#include <memory>
 #include <optional>
 
 namespace contrecoup::coupling
@@ -33,8 +34,15 @@ public:
 private:
   /// Prints what each stage would cost.
   void forecast();
+  /// Takes the folder; returns false when there is nothing to do in it.
+  bool claim();
+  bool admits() const;
+  /// @throws InputError when results would go that are to be kept
+  void require_consent() const;
+  std::string told_stages() const;
   void start();
   bool run_stages();
+  void run_all();
   /// Audit and report.
   void conclude();
   std::string path(const std::string &name) const
@@ -48,6 +56,7 @@ private:
   bool is_first_rank_;
   std::optional<PlannedScene> scene_;
   std::vector<SceneStage> stages_;
-  std::vector<std::string> reused_; ///< names of stages
+  std::vector<std::string> reused_;        ///< names of stages
+  std::unique_ptr<io::FolderClaim> claim_; ///< of the first rank
 };
 } // namespace contrecoup::coupling

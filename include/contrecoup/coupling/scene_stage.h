@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/base/collective.h>
+#include <contrecoup/coupling/stage_files.h>
 
 #include <functional>
 #include <string>
@@ -11,22 +12,10 @@
 
 namespace contrecoup::coupling
 {
-/// How a stage of a scene stands, as kept in its record.
-struct StageRecord
-{
-  std::string key;          ///< of what it was made from
-  std::string status;       ///< started, finished, stopped, failed
-  double wall_seconds = 0.; ///< of all starts
-  double core_seconds = 0.; ///< of all starts and ranks
-  double peak_memory = 0.;  ///< [byte]
-  double disk = 0.;         ///< of its folder [byte]
-};
-
-
 /**
- * An application as a stage of a scene: its parameter file NAME.prm, its
- * output folder NAME and its record NAME.stage.json in the scene's folder. A
- * stage that finished with the same key is not run again.
+ * An application as a stage of a scene, see StageFiles. A stage that finished
+ * with the same key, and whose results are all as they were written, is not run
+ * again.
  */
 class SceneStage
 {
@@ -34,15 +23,29 @@ public:
   /// Runs the application with these arguments. Collective.
   using Runner = std::function<Failure(const std::vector<std::string> &)>;
 
+  /// How the stage stands in the scene's folder.
+  struct Standing
+  {
+    bool has_record = false;     ///< with whatever key
+    bool is_finished = false;    ///< with this key
+    bool is_other = false;       ///< finished, but with another key
+    bool is_damaged = false;     ///< finished once, but not as it was
+    bool is_begun = false;       ///< with this key
+    bool is_new = false;         ///< what is begun, or will be, stands beside
+    bool has_checkpoint = false; ///< of what is begun, with whatever key
+  };
+
   /**
    * @param name of the application, see source_digest()
    * @param text of the parameter file
+   * @param names of the files that the application writes
    * @param upstream keys of the stages whose results this one takes
    * @param can_resume whether the application takes --resume
    */
   SceneStage(const std::string &name,
              const std::string &scene_folder,
              const std::string &text,
+             const io::FileNames &names,
              const std::vector<std::string> &upstream,
              bool can_resume,
              const Runner &runner);
@@ -55,7 +58,7 @@ public:
   /// Folder of the results.
   std::string folder() const
   {
-    return scene_folder_ + "/" + name_;
+    return files_.folder(false);
   }
 
   /// What the results depend on, in short: the parameters, the contents of
@@ -65,18 +68,42 @@ public:
     return record_.key;
   }
 
-  /// Whether it is finished with this key.
-  bool is_finished() const
+  /// Finds out how the stage stands. Collective.
+  void inspect(Collective &collective);
+
+  /// Brings to its end what a process was killed in, and makes sure that
+  /// nothing of somebody else is where the stage will write. By the first
+  /// rank.
+  /// @throws InputError when there is
+  void prepare() const;
+
+  const Standing &standing() const
   {
-    return record_.status == "finished";
+    return standing_;
   }
 
-  /// Whether there is a record of it, with whatever key.
-  bool has_record() const;
+  /// Makes it anew although it is finished.
+  void discard_result()
+  {
+    standing_.is_finished = false;
+    standing_.is_begun = false;
+    standing_.is_new = true;
+  }
+
+  bool is_finished() const
+  {
+    return standing_.is_finished;
+  }
 
   const StageRecord &record() const
   {
     return record_;
+  }
+
+  /// What stopped the run, if something did.
+  const Failure &stop() const
+  {
+    return stop_;
   }
 
   /// Further arguments for the application, "--set ..." and so on.
@@ -97,22 +124,21 @@ public:
   bool run(bool resume, Collective &collective);
 
 private:
-  std::string file(const std::string &ending) const
-  {
-    return scene_folder_ + "/" + name_ + ending;
-  }
-  void read_record();
-  void write_record() const;
-  bool has_checkpoint() const;
+  Standing find_standing();
+  void begin(bool goes_on);
   void take_summary(double wall_seconds);
+  void end(double wall_seconds);
 
   std::string name_;
-  std::string scene_folder_;
+  StageFiles files_;
   std::string text_;
+  io::FileNames names_;
   bool can_resume_;
   Runner runner_;
   std::vector<std::string> arguments_;
   StageRecord record_;
+  Standing standing_;
+  Failure stop_;
 };
 
 

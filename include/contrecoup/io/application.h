@@ -5,6 +5,7 @@
 
 #include <contrecoup/base/collective.h>
 #include <contrecoup/base/simulation.h>
+#include <contrecoup/io/manifest.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
@@ -45,6 +46,10 @@ namespace io
     /// Script that draws a finished run where the entry "Output/Pictures",
     /// which is then among the solver's, says so, see draw(). Empty: none.
     std::string pictures = {};
+
+    /// The files that the solver writes into the output folder, for these
+    /// entries, besides its checkpoints and what every run writes. Empty: none.
+    std::function<FileNames(const dealii::ParameterHandler &)> files = {};
   };
 
   /**

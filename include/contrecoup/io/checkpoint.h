@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/base/collective.h>
+#include <contrecoup/io/manifest.h>
 
 #include <functional>
 #include <optional>
@@ -17,8 +18,9 @@ namespace io
    * The numbered checkpoints of an output folder, `checkpoint/0007/`. Each
    * holds the solver's files, `run.json` (what the run loop and the outputs
    * need to go on) and, written last, the marker `complete.json` with size
-   * and CRC-32 of every other file. The last two complete ones are kept.
-   * Every function is collective; files are judged by the first rank.
+   * and CRC-32 of every other file. The names of solvers' files end in .bin or
+   * .h5, so that nothing else is ever removed. The last two complete ones are
+   * kept. Every function is collective; files are judged by the first rank.
    */
   class Checkpoints
   {
@@ -48,8 +50,11 @@ namespace io
     /// @throws InputError when all are damaged or incomplete.
     std::optional<Found> newest() const;
 
-    /// Removes all checkpoints, and says so in the log.
-    void clear();
+    /// Whether any was written to its end. Not collective.
+    bool has_complete() const;
+
+    /// The names of all files in checkpoints below @p folder.
+    static FileNames files(const std::string &folder);
 
   private:
     std::string folder_;

@@ -20,6 +20,7 @@ namespace io
     std::vector<std::string> overrides; ///< "Section/Entry=value"
     std::string output_folder;
     bool resume = false;
+    bool overwrite = false;
     bool check = false;
     bool print_parameters = false;
     bool help = false;
@@ -28,13 +29,15 @@ namespace io
 
   /**
    * Reads `FILE.prm [--set "Section/Entry=value"]... [--output DIR]
-   * [--resume] [--check] [--print-parameters] [--help] [--version]`;
-   * `--set=...` and `--output=...` are understood as well. Without
-   * `--output` the folder is output/<name of the file>.
+   * [--resume] [--overwrite] [--check] [--print-parameters] [--help]
+   * [--version]`; `--set=...` and `--output=...` are understood as well.
+   * Without `--output` the folder is output/<application>/<name of the file>.
    * @throws InputError naming the nearest option for an unknown one, or
    *   when no parameter file is given although one is needed.
    */
-  CommandLine parse_command_line(int argc, const char *const *argv);
+  CommandLine parse_command_line(int argc,
+                                 const char *const *argv,
+                                 const std::string &application);
 
   /// What --help prints; @p parallel says how several cores are used.
   std::string help_text(const std::string &application,

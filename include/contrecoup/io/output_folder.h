@@ -6,10 +6,12 @@
 #include <contrecoup/base/collective.h>
 #include <contrecoup/base/run_loop.h>
 #include <contrecoup/io/checkpoint.h>
+#include <contrecoup/io/folder_claim.h>
 #include <contrecoup/io/history.h>
 #include <contrecoup/io/run_description.h>
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -25,19 +27,19 @@ namespace io
   {
   public:
     /// @param parameters the entries as used, to be kept in checkpoints
+    /// @param names of files that the solver writes into the folder
     OutputFolder(const std::string &path,
                  const std::string &application,
                  const std::map<std::string, std::string> &parameters,
+                 const FileNames &names,
                  Collective &collective);
 
-    /// Makes the folder and tries that it takes files.
-    /// @throws InputError when it does not.
-    void create();
+    /// Takes the folder for this run, see FolderClaim, until this object ends.
+    /// Returns false when there is nothing to do in it.
+    /// @throws InputError when it is not to be had.
+    bool claim(const CommandLine &command);
 
-    /// Removes the folder again if create() made it and it is empty.
-    void discard();
-
-    /// Removes results of an earlier run.
+    /// Removes what an earlier run left.
     void start();
 
     /**
@@ -64,8 +66,14 @@ namespace io
     /// Writes what is still held in memory.
     void flush();
 
+    /// Says how the run stands, see Manifest.
+    void set_status(const std::string &status);
+
     /// Writes a small text file of this name. Collective.
     void write_text(const std::string &name, const std::string &text);
+
+    /// What any run writes, besides the files of its solver.
+    static FileNames run_files();
 
     /// The path of a file in this folder.
     std::string path(const std::string &name = "") const;
@@ -77,8 +85,9 @@ namespace io
   private:
     Collective &collective_;
     std::string path_;
+    FileNames names_;
     bool writes_;
-    bool created_ = false;
+    std::unique_ptr<FolderClaim> claim_; ///< of the rank that writes
     HistoryFile history_;
     HistoryFile probes_;
     Checkpoints checkpoints_;

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <contrecoup/io/folder_claim.h>
 #include <contrecoup/study/study_result.h>
 
 namespace contrecoup::study
@@ -20,12 +21,17 @@ public:
 
   /**
    * Runs what an earlier start has not run yet, and writes the results.
+   * @param command with --resume keeps the variants that an earlier start has
+   *   finished
    * @param parameter_text all entries of the study, for parameters.prm
-   * @param resume keeps the variants that an earlier start has finished
-   * @throws InputError when there is nothing to resume, or when all variants
-   *   were refused; NumericsError when the reference run failed
+   * @param entries the same
+   * @throws InputError when the folder is not to be had, when there is nothing
+   *   to resume, or when all variants were refused; NumericsError when the
+   *   reference run failed; Stopped after a signal
    */
-  void execute(const std::string &parameter_text, bool resume);
+  void execute(const io::CommandLine &command,
+               const std::string &parameter_text,
+               const std::map<std::string, std::string> &entries);
 
 private:
   /// @throws InputError for the first entry or value that the application
@@ -34,7 +40,10 @@ private:
   void require_known(const Settings &settings, const std::string &where) const;
 
   Task make_task(const Variant &variant) const;
-  void prepare(const std::string &parameter_text, bool resume);
+  bool has_outcomes() const;
+  void prepare(const std::string &parameter_text,
+               bool resume,
+               io::FolderClaim &claim);
   void report(const Task &task);
   void write_results(const std::string &status, double seconds);
   void use_reference();
