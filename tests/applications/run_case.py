@@ -19,6 +19,7 @@ import subprocess
 import sys
 
 import cost_cases
+import folder_cases
 import full_disk
 import load_cases
 import main_job_cases
@@ -340,6 +341,7 @@ KINDS.update(picture_cases.KINDS)
 KINDS.update({name: of_module(kind)
               for name, kind in {**study_cases.KINDS, **cost_cases.KINDS,
                                  **load_cases.KINDS,
+                                 **folder_cases.KINDS,
                                  **scene_cases.KINDS,
                                  **main_job_cases.KINDS}.items()})
 

@@ -1,0 +1,68 @@
+# Output folders of every application: what a user has in them stays, finished
+# runs stay until --overwrite, one run at a time, exit codes of signals, disks
+# that take no more. The scenes are as small as they come.
+set(_sod FILE blast/verification/sod.prm SET "Output/Fields=true"
+  "Output/Fields interval=0.1")
+set(_ball FILE blast/showcase/hot_ball.prm SET "Adaptation/Largest level=2"
+  "Output/History every steps=1" "Time/Largest number of steps=12")
+set(_wave FILE biomechanics/verification/plane_wave.prm)
+set(_long ARGUMENTS --set "Time/End time=1e3" --set
+  "Output/Checkpoint every steps=100")
+set(_long_ball ARGUMENTS --set "Time/Largest number of steps=100000" --set
+  "Output/Checkpoint every steps=5" --set "Output/Fields=false")
+
+# Twice to the end, once more with another value, in a folder of a user.
+contrecoup_add_application_test(folder_finished folder_finished ${_sod}
+  ARGUMENTS "Time/End time=0.1" TIMEOUT 60)
+contrecoup_add_application_test(folder_finished_on_3 folder_finished ${_ball}
+  MPI 3 ARGUMENTS "Time/Largest number of steps=6" TIMEOUT 120)
+contrecoup_add_application_test(folder_finished folder_finished ${_wave}
+  ARGUMENTS "Time/Largest number of steps=7" TIMEOUT 60)
+contrecoup_add_application_test(folder_finished folder_finished
+  FILE anatomy/extremes/needle.prm SET "Output/Pictures=false"
+  ARGUMENTS "Mesh/Element size=0.02" TIMEOUT 60)
+
+# Files of a user where results would be.
+contrecoup_add_application_test(folder_foreign folder_foreign ${_sod}
+  COMPARE history.csv fields/fields_0000.vtu summary.json pictures/history.png
+  checkpoint/0001/run.json TIMEOUT 60)
+contrecoup_add_application_test(folder_foreign folder_foreign ${_wave}
+  COMPARE history.csv fields/solid_0000.vtu injury.csv TIMEOUT 60)
+contrecoup_add_application_test(folder_foreign folder_foreign
+  FILE anatomy/extremes/needle.prm COMPARE mesh.vtu quality.csv
+  pictures/cuts.png TIMEOUT 60)
+contrecoup_add_application_test(folder_foreign folder_foreign
+  FILE study/quickstart.prm COMPARE study.csv pictures/work_precision.svg
+  TIMEOUT 120)
+contrecoup_add_application_test(folder_foreign folder_foreign
+  FILE scene/verification/head.prm COMPARE scene.json report.html
+  blast/history.csv anatomy/mesh.vtu blast.prm TIMEOUT 120)
+
+foreach(_ranks 1 2 3)
+  contrecoup_add_application_test(folder_lock_on_${_ranks} folder_lock ${_ball}
+    MPI ${_ranks} ${_long_ball} TIMEOUT 120)
+  contrecoup_add_application_test(folder_signals_on_${_ranks} folder_signals
+    ${_ball} MPI ${_ranks} ${_long_ball} COMPARE history.csv TIMEOUT 120)
+  contrecoup_add_application_test(folder_read_only_on_${_ranks} folder_read_only
+    ${_ball} MPI ${_ranks} ${_long_ball} TIMEOUT 120)
+  contrecoup_add_application_test(folder_lock_on_${_ranks} folder_lock ${_wave}
+    MPI ${_ranks} ${_long} TIMEOUT 120)
+  contrecoup_add_application_test(folder_signals_on_${_ranks} folder_signals
+    ${_wave} MPI ${_ranks} ${_long} COMPARE history.csv TIMEOUT 120)
+  contrecoup_add_application_test(folder_read_only_on_${_ranks} folder_read_only
+    ${_wave} MPI ${_ranks} ${_long} TIMEOUT 120)
+endforeach()
+contrecoup_add_application_test(folder_cache folder_cache ${_ball} TIMEOUT 60)
+contrecoup_add_application_test(folder_ranks folder_ranks ${_ball} MPI 2
+  STOP_AFTER 6 ARGUMENTS "Method/Precision=single" TIMEOUT 120)
+contrecoup_add_application_test(folder_ranks folder_ranks ${_wave} MPI 2
+  STOP_AFTER 6 ARGUMENTS "Elements/Precision=single" TIMEOUT 120)
+
+contrecoup_add_application_test(folder_signals folder_signals
+  FILE scene/verification/head.prm SET "Scene/Forecast=false"
+  "Scene/Report=false" "Anatomy/Output/Pictures=false"
+  ARGUMENTS --set "Blast/Output/Checkpoint every steps=10"
+  COMPARE blast/history.csv TIMEOUT 300)
+contrecoup_add_application_test(folder_stages folder_stages
+  FILE scene/verification/head.prm SET "Scene/Forecast=false"
+  "Scene/Report=false" "Anatomy/Output/Pictures=false" TIMEOUT 600)

@@ -1,0 +1,318 @@
+"""What tests of output folders prove: that nothing is lost in them; kinds of
+run_case.py. Applications with checkpoints are stopped by --stop-after steps."""
+
+import glob
+import json
+import os
+import signal
+import stat
+import subprocess
+import time
+
+import full_disk
+
+# Of a user, in places where no application writes.
+FOREIGN = ("thesis.txt", "fields/x.txt", "blast/thesis.txt", "anatomy/data.csv",
+           "checkpoint/0001/note.txt", "pictures/holiday.jpg", "variants/y.txt")
+
+
+def require(holds, reason):
+    if not holds:
+        raise AssertionError(reason)
+
+
+def read_bytes(*names):
+    with open(os.path.join(*names), "rb") as file:
+        return file.read()
+
+
+def snapshot(folder):
+    """Contents of all files below a folder."""
+    return {os.path.relpath(os.path.join(here, name), folder):
+            read_bytes(here, name)
+            for here, _, names in os.walk(folder) for name in names}
+
+
+def manifest(output):
+    with open(os.path.join(output, "manifest.json"), encoding="utf-8") as file:
+        return json.load(file)
+
+
+def put(folder, *names):
+    for name in names:
+        path = os.path.join(folder, name)
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write("not of Contrecoup: " + name)
+
+
+def has_foreign(folder):
+    for name in FOREIGN:
+        path = os.path.join(folder, name)
+        require(os.path.exists(path) and read_bytes(path).decode()
+                == "not of Contrecoup: " + name, f"{path} is gone or changed")
+
+
+def is_solver(case):
+    return os.path.basename(case.options.application) in ("blast",
+                                                          "biomechanics")
+
+
+def refused(case, output, message, extra=(), code=1, **keywords):
+    """One line on stderr that has the message, and nothing changes in a folder
+    of the test besides the lock that a killed run left."""
+    watched = output.startswith(case.options.name) and keywords == {}
+    before = snapshot(output) if watched else {}
+    _, _, err = case.run(output, extra, codes=(code,), **keywords)
+    lines = err.strip().splitlines()
+    if case.options.mpi > 1:
+        # mpirun has its own opinion of exit codes.
+        lines = [line for line in lines if line.startswith("error: ")]
+    require(len(lines) == 1 and message in lines[0],
+            f"not one line with '{message}': {err}")
+    after = snapshot(output) if watched else {}
+    changed = {name for name in before.keys() | after.keys()
+               if name != "lock" and before.get(name) != after.get(name)}
+    require(not changed, f"the refused run changed {changed}")
+
+
+def folder_finished(case, _check_bound, _read_summary):
+    """Files of a user survive every command; a finished run stays as it is
+    until --overwrite; what was changed is refused, and other entries are
+    named. The first --argument is an entry with another value."""
+    output = case.folder("run")
+    put(output, *FOREIGN)
+    case.run(output)
+    has_foreign(output)
+    require(manifest(output)["status"] == "finished", "it did not finish")
+    require(not os.path.exists(os.path.join(output, "lock")), "a lock is left")
+    before = snapshot(output)
+    _, out, _ = case.run(output)
+    require("--overwrite" in out and "finished" in out, f"it says: {out}")
+    require(snapshot(output) == before, "a finished folder was changed")
+    other = ["--set", case.options.argument[0]]
+    refused(case, output, case.options.argument[0].split("=")[0], other)
+    _, out, _ = case.run(output, other + ["--overwrite"])
+    has_foreign(output)
+    require(manifest(output)["status"] == "finished", "it did not finish")
+    entry, value = case.options.argument[0].split("=")
+    require(manifest(output)["entries"][entry] == value, "it ran as before")
+
+
+def folder_foreign(case, _check_bound, _read_summary):
+    """Files of a user in the place of results are never overwritten; --output
+    cannot be the root, the home folder, or one of another application."""
+    for name in case.options.compare:
+        output = case.folder("run_" + name.replace("/", "_"))
+        put(output, name)
+        refused(case, output, name, ["--overwrite"])
+        refused(case, output, name)
+    refused(case, "/", "root", ["--overwrite"])
+    home = case.folder("home")
+    put(home, "letter.txt")
+    os.environ["HOME"] = os.path.abspath(home)
+    refused(case, home, "home", ["--overwrite"])
+    output = case.folder("locked")
+    put(output, "lock")
+    refused(case, output, "lock")
+    output = case.folder("manifest")
+    put(output, "manifest.json")
+    refused(case, output, "manifest.json", ["--overwrite"])
+
+
+def wait_until(process, condition, what):
+    while process.poll() is None and not condition():
+        time.sleep(0.01)
+    require(process.poll() is None, f"it ended before {what}")
+
+
+def has_checkpoint(output):
+    return bool(glob.glob(os.path.join(output, "**", "checkpoint", "*",
+                                       "complete.json"), recursive=True))
+
+
+def folder_lock(case, _check_bound, _read_summary):
+    """The second run in a folder is told who is there; after kill -9 the next
+    one knows the files for Contrecoup's and begins anew. --argument: what makes
+    a long run with checkpoints."""
+    output = case.folder("run")
+    process = case.start(output, case.options.argument)
+    number = process.pid
+    try:
+        wait_until(process, lambda: os.path.exists(
+            os.path.join(output, "manifest.json")), "it had begun")
+        holder = read_bytes(output, "lock").decode()
+        number = int(holder.split("process ")[1].split(" ")[0])
+        refused(case, output, f"process {number} on ",
+                case.options.argument + ["--overwrite"], ranks=1)
+        if is_solver(case):
+            wait_until(process, lambda: has_checkpoint(output), "a checkpoint")
+    finally:
+        # mpirun ends the other ranks.
+        os.kill(number, signal.SIGKILL)
+        process.communicate()
+    require(os.path.exists(os.path.join(output, "lock")), "it was not killed")
+    require(manifest(output)["status"] == "started", "it was not killed")
+    if is_solver(case):
+        refused(case, output, "--resume goes on with it",
+                case.options.argument)
+    case.run(output, ["--overwrite"])
+    require(manifest(output)["status"] == "finished", "it did not finish")
+
+
+def folder_signals(case, check_bound, read_summary):
+    """SIGINT ends with 130, SIGTERM with 143, SIGUSR1 with 138 (which is the one
+    that mpirun gives its ranks time for), so that what comes after && does not
+    begin; what is left is neither lost without a question nor taken for
+    finished. --argument makes a long run."""
+    extra = case.options.argument
+    signals = (signal.SIGINT, signal.SIGTERM, signal.SIGUSR1)
+    for asked in signals if case.options.mpi == 1 else signals[2:]:
+        output = case.folder(f"run_{int(asked)}")
+        process = case.start(output, extra)
+        wait_until(process, lambda: os.path.exists(
+            os.path.join(output, case.options.compare[0])), "its first output")
+        time.sleep(0.1)
+        process.send_signal(asked)
+        out, err = process.communicate()
+        require(process.returncode == 128 + asked,
+                f"{asked!r} gave {process.returncode}: {out[-999:]}{err[-999:]}")
+        if case.options.mpi == 1:
+            require(err == "", f"stderr is {err}")
+        if not has_checkpoint(output):
+            continue
+        require(manifest(output)["status"] == "stopped", "it did not stop")
+        refused(case, output, "--resume goes on with it", extra)
+
+
+def folder_read_only(case, _check_bound, _read_summary):
+    """A folder that takes no files is refused with 1, and a file system that
+    turns read-only in the middle of a run ends it with 3. --argument: what
+    makes a long run with checkpoints."""
+    output = case.folder("run")
+    put(output, "a_file")
+    refused(case, os.path.join(output, "a_file"), "output folder")
+    refused(case, os.path.join(output, "a_file", "below"), "output folder")
+    full_disk.enter_namespace()
+    if full_disk.NAMESPACE not in os.environ:
+        # No mounts here: a folder without the right to write, unless root.
+        require(os.geteuid() != 0, "neither mounts nor rights can be tried")
+        os.chmod(output, stat.S_IRUSR | stat.S_IXUSR)
+        refused(case, output, "takes no files")
+        os.chmod(output, stat.S_IRWXU)
+        return
+    with full_disk.small_disk(case.folder("disk"), 64 << 20) as (folder, _, _):
+        process = case.start(folder, case.options.argument)
+        wait_until(process, lambda: has_checkpoint(folder), "a checkpoint")
+        make_read_only(folder)
+        out, err = process.communicate()
+        require(process.returncode == 3,
+                f"exit code {process.returncode}: {out[-999:]}{err[-999:]}")
+        if case.options.mpi == 1:
+            require(len(err.strip().splitlines()) == 1, f"stderr is {err}")
+        subprocess.run(["umount", folder], check=True)
+        case.run(folder, case.options.argument
+                 + ["--resume", "--set", "Time/Steps in this run=1"])
+
+
+def make_read_only(folder):
+    """Mounts the folder once more, read-only, over itself: files that are open
+    stay so, which a file system that is in use would not allow otherwise."""
+    subprocess.run(["mount", "--bind", folder, folder], check=True)
+    subprocess.run(["mount", "-o", "remount,bind,ro", folder], check=True)
+
+
+def folder_cache(case, _check_bound, _read_summary):
+    """--check does without its cache where none can be kept: the place is a
+    file, a folder that takes no files, or one that is not there."""
+    put(case.folder(""), "a_file")
+    closed = case.folder("closed")
+    os.makedirs(closed)
+    os.chmod(closed, 0)
+    os.environ["CONTRECOUP_CHECK_SECONDS"] = "0.2"
+    for place in (case.folder("a_file"), closed, "/proc/nowhere"):
+        os.environ["XDG_CACHE_HOME"] = os.path.abspath(place)
+        _, out, err = case.run(case.folder("run"), ["--check"])
+        require("The parameters are valid." in out and err == "",
+                f"with the cache in {place}: {out}{err}")
+        require(not os.path.exists(case.folder("run")), "--check wrote results")
+    os.chmod(closed, stat.S_IRWXU)
+    require(not os.listdir(closed) or os.geteuid() == 0, "it was not closed")
+
+
+def folder_ranks(case, _check_bound, read_summary):
+    """A checkpoint of another number of ranks or precision goes on, or is
+    refused in one line; nothing is lost in either. --argument is the entry of
+    the other precision."""
+    output = case.folder("run")
+    case.run(output, ["--set",
+                      f"Time/Steps in this run={case.options.stop_after[0]}"])
+    for ranks in (1, 2, 3):
+        if ranks == case.options.mpi:
+            continue
+        before = snapshot(output)
+        code, _, err = case.run(
+            output, ["--resume", "--set", "Time/Steps in this run=1"],
+            ranks=ranks, codes=(0, 1))
+        if code == 1:
+            require("rank" in err, f"nothing is said of ranks: {err}")
+            require(snapshot(output) == before, "the refused run changed files")
+    refused(case, output, case.options.argument[0].split("=")[0],
+            ["--resume", "--set", case.options.argument[0]])
+    case.run(output, ["--resume"])
+    require(read_summary(output)["status"] == "finished", "it did not finish")
+
+
+def folder_stages(case, _check_bound, _read_summary):
+    """A stage whose results were cut, changed or deleted is made anew, and the
+    log says why; other entries replace a stage only with --overwrite and only
+    when the new one is complete; files of the user stay."""
+    output = case.folder("run")
+    put(output, *FOREIGN)
+    case.run(output)
+    has_foreign(output)
+    before = snapshot(output)
+    _, out, _ = case.run(output)
+    require("finished before" in out and snapshot(output) == before,
+            f"a finished scene was changed: {out}")
+    loads = os.path.join(output, "blast", "loads.h5")
+    whole = os.path.getsize(loads)
+    for damage, words in (
+            (lambda: os.truncate(loads, whole // 2), "bytes instead of"),
+            (lambda: flip_byte(loads), "has changed"),
+            (lambda: os.remove(loads), "is missing")):
+        damage()
+        _, out, _ = case.run(output)
+        require("stage blast has to be made anew" in out and words in out,
+                f"the log does not say '{words}': {out[-2000:]}")
+        require(os.path.getsize(loads) == whole, "the loads are not whole")
+        has_foreign(output)
+    other = ["--set", "Charge/Mass=0.02"]
+    refused(case, output, '"Charge/Mass" was', other)
+    # Killed while the new blast is made: the old one is still complete.
+    old = read_bytes(loads)
+    process = case.start(output, other + ["--overwrite"])
+    wait_until(process, lambda: os.path.exists(
+        os.path.join(output, "blast.new", "history.csv")), "the new blast")
+    process.kill()
+    process.communicate()
+    require(read_bytes(loads) == old, "the old blast is no longer complete")
+    case.run(output, other + ["--overwrite"])
+    require(read_bytes(loads) != old, "the blast was not made anew")
+    has_foreign(output)
+    for ending in (".new", ".old"):
+        require(not glob.glob(os.path.join(output, "*" + ending + "*")),
+                f"{ending} is left")
+
+
+def flip_byte(path):
+    with open(path, "r+b") as file:
+        file.seek(os.path.getsize(path) // 2)
+        byte = file.read(1)[0]
+        file.seek(-1, os.SEEK_CUR)
+        file.write(bytes([byte ^ 1]))
+
+
+KINDS = {kind.__name__: kind for kind in
+         (folder_finished, folder_foreign, folder_lock, folder_signals,
+          folder_read_only, folder_cache, folder_ranks, folder_stages)}
