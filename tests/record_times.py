@@ -12,6 +12,7 @@ fails by it. Tests that are not in the file keep the seconds that they had.
 
 import csv
 import os
+import re
 import sys
 import xml.etree.ElementTree
 
@@ -27,6 +28,14 @@ def read_table():
                 for row in csv.DictReader(file)}
 
 
+def seconds_of(case):
+    """Of processor time where the test says it, which does not depend on what
+    else the machine does, else of the clock."""
+    said = re.findall(r"^core seconds: ([0-9.]+)$",
+                      case.findtext("system-out") or "", re.MULTILINE)
+    return float(said[-1]) if said else float(case.get("time"))
+
+
 def main(arguments):
     if not arguments:
         print("usage: record_times.py JUNIT.xml...", file=sys.stderr)
@@ -35,7 +44,7 @@ def main(arguments):
     for path in arguments:
         for case in xml.etree.ElementTree.parse(path).iter("testcase"):
             if case.get("status") == "run":
-                times[case.get("name")] = float(case.get("time"))
+                times[case.get("name")] = seconds_of(case)
     rows = sorted((name, f"{seconds:.1f}") for name, seconds in times.items()
                   if seconds >= SHORTEST)
     with open(TABLE, "w", newline="", encoding="utf-8") as file:

@@ -86,7 +86,7 @@ endfunction()
 #   COMMAND ...): add_test with the environment and properties of all tests.
 #
 # A limit of time is there to end what hangs: ten times what the test takes
-# alone, a minute at least, five where that is not known.
+# alone, a minute at least, ten where that is not known.
 function(_contrecoup_register_test name)
   cmake_parse_arguments(ARG "" "RANKS;TIMEOUT" "LABELS;COMMAND" ${ARGN})
   set(_seconds 0)
@@ -97,7 +97,7 @@ function(_contrecoup_register_test name)
     string(REGEX REPLACE "[.].*" "" _whole ${_seconds})
     math(EXPR ARG_TIMEOUT "10 * (${_whole} + 1)")
     if(NOT DEFINED CONTRECOUP_SECONDS_${name})
-      set(ARG_TIMEOUT 300)
+      set(ARG_TIMEOUT 600)
     elseif(ARG_TIMEOUT LESS 60)
       set(ARG_TIMEOUT 60)
     endif()

@@ -63,7 +63,8 @@ def run_stage(stage):
     except OSError as error:
         if flaw == "destructive":
             os.remove(path("anatomy.stage.json"))
-        fail(stage, error.strerror or "it cannot be written", 3)
+        print(error)
+        fail(stage, "files cannot be written", 3)
     write(json.dumps({"status": "finished", "key": key_of(stage)}),
           stage + ".stage.json")
     return "finished"
