@@ -325,6 +325,44 @@ class SceneTest(SelfTest):
         self.rejects("exit code 0", "scene_full_disk")
 
 
+class FolderTest(SelfTest):
+    def setUp(self):
+        super().setUp()
+        os.symlink(os.path.join(HERE, "stand_in_folder.py"),
+                   os.path.join(self.root, "blast"))
+
+    def case(self, kind, *options, flaw="none"):
+        return super().case(kind, "--application=./blast", *options, flaw=flaw)
+
+    def test_finished(self):
+        options = ("folder_finished", "--argument=Steps=4")
+        self.accepts(*options)
+        self.rejects("is gone or changed", *options, flaw="greedy")
+        self.rejects("it says: ", *options, flaw="forgetful")
+
+    def test_foreign(self):
+        options = ("folder_foreign", "--compare=history.csv",
+                   "--compare=fields/fields_0000.vtu")
+        self.accepts(*options)
+        self.rejects("exit code 0", *options, flaw="ruthless")
+
+    def test_lock(self):
+        options = ("folder_lock", "--argument=--set", "--argument=Steps=1000")
+        self.accepts(*options)
+        self.rejects("exit code 0", *options, flaw="shares")
+        self.rejects("exit code 0", *options, flaw="forgetful")
+
+    def test_signals(self):
+        options = ("folder_signals", "--compare=history.csv",
+                   "--argument=--set", "--argument=Steps=1000")
+        self.accepts(*options)
+        self.rejects("gave 0", *options, flaw="content")
+
+    def test_cache(self):
+        self.accepts("folder_cache")
+        self.rejects("no cache in", "folder_cache", flaw="cached")
+
+
 class StudyTest(SelfTest):
     program = "study"
 

@@ -1,0 +1,139 @@
+#!/usr/bin/python3
+"""A stand-in for an application in its output folder: a lock, a manifest, what
+--resume and --overwrite do, signals. Entry "Flaw" makes it misbehave in one
+way, see self_test.py."""
+
+import glob
+import json
+import os
+import shutil
+import signal
+import sys
+import time
+
+NAMES = ("history.csv", "fields/fields_0000.vtu", "checkpoint/1/complete.json")
+
+
+def refuse(message):
+    print(message, file=sys.stderr)
+    sys.exit(1)
+
+
+def path(*names):
+    return os.path.join(output, *names)
+
+
+def read(name):
+    with open(path(name), encoding="utf-8") as file:
+        return file.read()
+
+
+def write(name, text):
+    os.makedirs(os.path.dirname(path(name)), exist_ok=True)
+    with open(path(name), "w", encoding="utf-8") as file:
+        file.write(text)
+
+
+def write_manifest(status):
+    write("manifest.json", json.dumps({"status": status, "entries": entries}))
+
+
+def manifest():
+    """That of the run before; none if there is none."""
+    if not os.path.exists(path("manifest.json")):
+        return None
+    try:
+        return {"status": "", "entries": {}, **json.loads(read("manifest.json"))}
+    except json.JSONDecodeError:
+        return refuse("manifest.json is not one")
+
+
+def require_folder():
+    for other, name in (("/", "root"), (os.environ.get("HOME"), "home")):
+        if os.path.exists(output) and os.path.samefile(output, other):
+            refuse(f"the {name} folder")
+
+
+def lock():
+    if os.path.exists(path("lock")) and flaw != "shares":
+        holder = read("lock")
+        if "process" not in holder:
+            refuse("lock is not one")
+        number = holder.split("process ")[1].split(" ")[0]
+        if os.path.exists(f"/proc/{number}"):
+            refuse(f"in use by process {number} on here")
+    if flaw == "greedy":
+        shutil.rmtree(output, ignore_errors=True)
+    write("lock", f"process {os.getpid()} on here")
+
+
+def admit(before):
+    """Whether the run may begin."""
+    if before is None:
+        for name in NAMES:
+            if os.path.exists(path(name)) and flaw != "ruthless":
+                leave(f"{name} is foreign")
+        return True
+    if "--overwrite" in sys.argv or flaw == "forgetful":
+        return True
+    changed = [name for name in entries
+               if before["entries"].get(name) != entries[name]]
+    if changed and (before["status"] == "finished" or "--resume" in sys.argv
+                    and changed[0] == "Precision"):
+        leave(f"{changed[0]} differs")
+    if before["status"] == "finished":
+        print("finished before; --overwrite computes all anew")
+        return False
+    if "--resume" not in sys.argv and glob.glob(path(NAMES[2])):
+        leave("--resume goes on with it")
+    return True
+
+
+def leave(message):
+    os.remove(path("lock"))
+    if os.path.isdir(output) and not os.listdir(output):
+        os.rmdir(output)
+    refuse(message)
+
+
+def run():
+    asked = []
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGUSR1):
+        signal.signal(number, lambda found, _: asked.append(found))
+    write_manifest("started")
+    for name in NAMES:
+        write(name, str(entries))
+    last = int(entries.get("Steps", "3"))
+    stop = int(entries.get("Time/Steps in this run", last))
+    for _ in range(min(last, stop)):
+        time.sleep(0.01)
+        if asked:
+            break
+    is_stopped = asked or stop < last
+    write("summary.json", json.dumps(
+        {"status": "stopped" if is_stopped else "finished"}))
+    write_manifest("stopped" if is_stopped else "finished")
+    os.remove(path("lock"))
+    sys.exit(128 + asked[0] if asked and flaw != "content" else 0)
+
+
+def check():
+    place = os.environ.get("XDG_CACHE_HOME", "")
+    if flaw == "cached" and not os.path.isdir(place):
+        refuse(f"no cache in {place}")
+    print("The parameters are valid.")
+    sys.exit(0)
+
+
+entries = dict(sys.argv[at + 1].split("=", 1)
+               for at, word in enumerate(sys.argv) if word == "--set")
+flaw = entries.pop("Flaw", "none")
+output = sys.argv[sys.argv.index("--output") + 1]
+if "--check" in sys.argv:
+    check()
+require_folder()
+lock()
+if not admit(manifest()):
+    os.remove(path("lock"))
+    sys.exit(0)
+run()
