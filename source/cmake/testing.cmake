@@ -126,7 +126,8 @@ endfunction()
 # it is skipped, and fails in CI (CI is set in the environment). Several kinds
 # share the runs that they have in common. What is proven depends on <kind>:
 #   bounds        BOUNDS "errors.density_L1 < 1e-3" ...: of summary.json, with
-#                 <, > or ==; [EXIT <code>...] [MESSAGE <text>] on the screen
+#                 <, > or ==; "history.x" is the last value of that column;
+#                 [EXIT <code>...] [MESSAGE <text>] on the screen
 #   regression    COMPARE <file>... TOLERANCE "1e-8" "momentum*=1e-9 absolute":
 #                 tables (.csv) and samples of planes, loads and meshes (.npy,
 #                 .h5, .vtu) agree with those in

@@ -221,7 +221,9 @@ contrecoup_add_application_test(gas_too_stiff refusal
     "--set" "Materials/Tissue lung/Modulus without gas=1e6"
   MESSAGE "must be at least the bulk modulus")
 biomechanics_endures(slivers "assumptions.energy_residual < 1e-12")
-biomechanics_endures(microsecond_pulse "assumptions.energy_residual < 1e-12")
+# The impulse of the load is 1.6e-5 N s, of which sampling it loses 1.8 %.
+biomechanics_endures(microsecond_pulse "assumptions.energy_residual < 1e-12;\
+history.momentum_x > 1.5678e-5;history.momentum_x < 1.5737e-5")
 biomechanics_endures(floating
   "errors.displacement < 6.7e-3;assumptions.energy_residual < 1.9e-5")
 biomechanics_endures(long_pulse
