@@ -300,18 +300,19 @@ def read_results():
 
 
 def write_results(mutations, rows):
-    """The table in the order of the list, of faults that are still in it."""
+    """The table, with a row for each fault of the list, in its order."""
     with open(RESULTS, "w", encoding="utf-8") as file:
         file.write(INTRODUCTION)
         file.write("| name | fault | file | caught by | s |\n"
                    "|---|---|---|---|---|\n")
-        file.writelines(rows[mutation.name] for mutation in mutations
-                        if mutation.name in rows)
+        file.writelines(
+            rows.get(mutation.name) or row_of(mutation, "not tried yet", "")
+            for mutation in mutations)
 
 
 def row_of(mutation, outcome, seconds):
     return (f"| `{mutation.name}` | {mutation.fault} | `{mutation.file}` | "
-            f"{outcome} | {seconds:.0f} |\n")
+            f"{outcome} | {seconds} |\n")
 
 
 def told(failed):
@@ -343,7 +344,7 @@ def try_all(mutations, chosen, copy, all_tests):
         not_caught += 0 if failed else 1
         print(f"{mutation.name}: {outcome} ({seconds:.0f} s)", flush=True)
         rows = read_results()
-        rows[mutation.name] = row_of(mutation, outcome, seconds)
+        rows[mutation.name] = row_of(mutation, outcome, round(seconds))
         write_results(mutations, rows)
     return not_caught
 
