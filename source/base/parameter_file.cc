@@ -3,15 +3,18 @@
 
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameter_file.h>
+#include <contrecoup/base/readable_file.h>
 #include <contrecoup/base/text.h>
 
 #include <filesystem>
-#include <fstream>
+#include <sstream>
 
 namespace contrecoup
 {
 namespace
 {
+  constexpr std::size_t most_bytes = std::size_t(1) << 24;
+
   /// Reads one file and, through itself, the files that it includes.
   class FileReader
   {
@@ -35,11 +38,7 @@ namespace
 
   void FileReader::read(const std::string &file)
   {
-    std::ifstream input(file);
-    if (!input || std::filesystem::is_directory(file))
-      throw InputError(
-        "cannot read the parameter file \"" + file + "\"" +
-        (files_.empty() ? "" : " that \"" + files_.back() + "\" includes"));
+    std::istringstream input(read_text("the parameter file", file, most_bytes));
     const std::size_t depth = sections_.size();
     files_.push_back(file);
     unsigned int number = 0;
@@ -90,8 +89,8 @@ namespace
     else if (keyword == "include" && !rest.empty())
       include(rest, where);
     else
-      throw InputError(where + ": cannot understand \"" + line +
-                       "\"; a line is \"subsection NAME\", \"set ENTRY = "
+      throw InputError(where + ": cannot understand " + quotation(line) +
+                       "; a line is \"subsection NAME\", \"set ENTRY = "
                        "VALUE\", \"end\" or \"include FILE\"");
   }
 
@@ -99,8 +98,8 @@ namespace
   {
     const std::size_t equals = rest.find('=');
     if (equals == std::string::npos || trim(rest.substr(0, equals)).empty())
-      throw InputError(where + ": \"set " + rest +
-                       "\" is not of the form \"set ENTRY = VALUE\"");
+      throw InputError(where + ": " + quotation("set " + rest) +
+                       " is not of the form \"set ENTRY = VALUE\"");
     assignments_.push_back(
       {sections_,
        trim(rest.substr(0, equals)),
@@ -121,6 +120,10 @@ namespace
     for (const std::string &open : files_)
       if (std::filesystem::equivalent(open, file, error))
         throw InputError(where + ": files include each other without end");
+    const std::string why = why_unreadable(file);
+    if (!why.empty())
+      throw InputError(where + ": cannot include " + quotation(file) + ": " +
+                       why);
     read(file);
   }
 } // namespace
@@ -140,11 +143,11 @@ Assignment parse_override(const std::string &text)
   for (const std::string &part : path)
     complete = complete && !part.empty();
   if (!complete)
-    throw InputError("--set \"" + text +
-                     "\" is not of the form \"Section/Entry=value\"");
+    throw InputError("--set " + quotation(text) +
+                     " is not of the form \"Section/Entry=value\"");
   if (text.find_first_of("#\n") != std::string::npos)
-    throw InputError("--set \"" + one_line(text) +
-                     "\" holds a \"#\" or a line end, which a parameter file "
+    throw InputError("--set " + quotation(text) +
+                     " holds a \"#\" or a line end, which a parameter file "
                      "could not give back");
   Assignment assignment;
   assignment.entry = path.back();

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/declared_tree.h>
 #include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameter_names.h>
 #include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/base/parameters.h>
+#include <contrecoup/base/readable_file.h>
 #include <contrecoup/base/text.h>
 
 #include <deal.II/base/patterns.h>
@@ -17,48 +20,13 @@ namespace contrecoup
 {
 namespace
 {
-  using Tree = nlohmann::ordered_json;
-
-  /// The declared entries as deal.II prints them, in order of declaration.
-  Tree tree_of(const ParameterHandler &prm)
-  {
-    std::ostringstream text;
-    prm.print_parameters(
-      text, ParameterHandler::JSON | ParameterHandler::KeepDeclarationOrder);
-    return trim(text.str()).empty() ? Tree::object() : Tree::parse(text.str());
-  }
-
-  bool is_entry(const Tree &node)
-  {
-    return node.is_object() && node.contains("pattern_description") &&
-           node["pattern_description"].is_string();
-  }
-
-  bool is_pattern(const std::string &section)
-  {
-    return section.size() > 2 &&
-           section.compare(section.size() - 2, 2, " *") == 0;
-  }
-
-  std::vector<std::string> names(const Tree &node, const bool entries)
-  {
-    std::vector<std::string> result;
-    if (node.is_object())
-      for (const auto &item : node.items())
-        if (is_entry(item.value()) == entries)
-          result.push_back(item.key());
-    return result;
-  }
-
-  /// The pattern subsection that allows @p section, or an empty string.
-  std::string pattern_of(const Tree &node, const std::string &section)
-  {
-    for (const std::string &name : names(node, false))
-      if (is_pattern(name) && section.size() >= name.size() &&
-          section.compare(0, name.size() - 1, name, 0, name.size() - 1) == 0)
-        return name;
-    return "";
-  }
+  using declared::between;
+  using declared::is_entry;
+  using declared::is_pattern;
+  using declared::names;
+  using declared::pattern_of;
+  using declared::Tree;
+  using declared::tree_of;
 
   /// The pattern that describes itself so. deal.II's own function does not
   /// know separators other than commas.
@@ -118,8 +86,8 @@ namespace
         std::find(known.begin(), known.end(), section) != known.end();
       const std::string pattern = pattern_of(*node, section);
       if (is_pattern(section) || (!declared && pattern.empty()))
-        throw InputError(assignment.origin + ": unknown subsection \"" +
-                         section + "\" " + where(sections, depth) +
+        throw InputError(assignment.origin + ": unknown subsection " +
+                         quotation(section) + " " + where(sections, depth) +
                          suggestion(section, known));
       if (!declared)
       {
@@ -135,19 +103,11 @@ namespace
     }
     const std::vector<std::string> known = names(*node, true);
     if (std::find(known.begin(), known.end(), assignment.entry) == known.end())
-      throw InputError(
-        assignment.origin + ": unknown entry \"" + assignment.entry + "\" " +
-        where(sections, sections.size()) + suggestion(assignment.entry, known));
+      throw InputError(assignment.origin + ": unknown entry " +
+                       quotation(assignment.entry) + " " +
+                       where(sections, sections.size()) +
+                       suggestion(assignment.entry, known));
     return (*node)[assignment.entry];
-  }
-
-  /// What stands between two marks of a pattern description.
-  std::string between(const std::string &text,
-                      const std::string &first,
-                      const std::string &last)
-  {
-    const std::size_t begin = text.find(first) + first.size();
-    return text.substr(begin, text.rfind(last) - begin);
   }
 
   std::string plain_range(const std::string &kind, const std::string &range)
@@ -229,8 +189,9 @@ namespace
     namespace fs = std::filesystem;
     if (description.find("[FileName ") != 0 || assignment.value.empty())
       return assignment.value;
+    std::error_code ignored;
     for (const fs::path &folder : {fs::path(assignment.folder), fs::path()})
-      if (fs::is_regular_file(folder / assignment.value))
+      if (fs::is_regular_file(folder / assignment.value, ignored))
         return fs::absolute(folder / assignment.value)
           .lexically_normal()
           .string();
@@ -251,7 +212,7 @@ namespace
                                ? "; allowed: "
                                : "; did you mean \"" + meant + "\"? Allowed: ";
     return assignment.origin + ": entry \"" + join(path, "/") +
-           "\" cannot be \"" + assignment.value + "\"" + help +
+           "\" cannot be " + quotation(assignment.value) + help +
            plain_words(description);
   }
 
@@ -293,7 +254,7 @@ void apply_assignments(const std::vector<Assignment> &assignments,
                        ParameterHandler &prm)
 {
   Tree tree = tree_of(prm);
-  for (const Assignment &assignment : assignments)
+  for (const Assignment &assignment : with_declared_names(assignments, prm))
   {
     const Tree &entry = find_entry(assignment, prm, tree);
     const auto description = entry["pattern_description"].get<std::string>();
@@ -367,7 +328,8 @@ std::string plain_words(const std::string &pattern)
   if (pattern.find("[Selection ") == 0)
     return join(split(between(pattern, "[Selection ", "]"), '|'), ", ");
   if (pattern.find("[List of <[List of <") == 0)
-    return "points of one to three numbers, as in \"0,0,1; 0,0,2\"";
+    return "points of one to three numbers from -1e6 to 1e6, as in \"0,0,1; "
+           "0,0,2\"";
   if (pattern.find("[List of <") == 0)
   {
     const std::string count = between(pattern, "> of length ", " (inclusive)");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/bounds.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/base/text.h>
@@ -145,10 +146,9 @@ void declare_points(ParameterHandler &prm,
 
 Patterns::List points_pattern()
 {
-  return Patterns::List(Patterns::List(Patterns::Double(), 1, 3),
-                        0,
-                        Patterns::List::max_int_value,
-                        ";");
+  const Patterns::Double coordinate(-bounds::length, bounds::length);
+  return Patterns::List(
+    Patterns::List(coordinate, 1, 3), 0, Patterns::List::max_int_value, ";");
 }
 
 double read_double(const ParameterHandler &prm, const std::string &name)

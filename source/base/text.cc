@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <sstream>
@@ -102,7 +103,12 @@ std::size_t edit_distance(const std::string &first, const std::string &second)
 std::string nearest(const std::string &name,
                     const std::vector<std::string> &candidates)
 {
+  // What is as long as that is no name, and its distance takes long to find.
+  constexpr std::size_t longest_name = 100;
+
   std::string best;
+  if (name.size() > longest_name)
+    return best;
   std::size_t smallest = std::max<std::size_t>(2, name.size() / 2) + 1;
   for (const std::string &candidate : candidates)
   {
@@ -134,8 +140,8 @@ std::string suggestion(const std::string &name,
 std::string exact(const double value)
 {
   char buffer[40];
-  std::snprintf(buffer, sizeof(buffer), "%.17g", value);
-  return buffer;
+  const auto end = std::to_chars(buffer, buffer + sizeof(buffer), value).ptr;
+  return {buffer, end};
 }
 
 std::string brief(const double value, const int digits)

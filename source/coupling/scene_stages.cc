@@ -57,15 +57,6 @@ namespace
   }
 
 
-  std::vector<Assignment> assignments_of(const io::CommandLine &command)
-  {
-    std::vector<Assignment> wrote = read_assignments(command.parameter_file);
-    for (const std::string &text : command.overrides)
-      wrote.push_back(parse_override(text));
-    return wrote;
-  }
-
-
   void declare(const io::ApplicationDescription &application,
                ParameterHandler &prm)
   {
@@ -85,7 +76,7 @@ namespace
       : scene_(scene)
       , folder_(command.output_folder)
       , prm_(prm)
-      , wrote_(assignments_of(command))
+      , wrote_(io::assignments_of(command, prm))
       , collective_(collective)
     {}
 

@@ -2,6 +2,8 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/log.h>
+#include <contrecoup/base/parameter_names.h>
 #include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/base/text.h>
 #include <contrecoup/base/version.h>
@@ -61,6 +63,15 @@ namespace io
                          command.parameter_file + "\" and \"" + file +
                          "\"; one is allowed");
       command.parameter_file = file;
+    }
+
+    /// @return what the user may have overlooked, in lines
+    std::vector<std::string> assign(const CommandLine &command,
+                                    dealii::ParameterHandler &prm)
+    {
+      const std::vector<Assignment> assignments = assignments_of(command, prm);
+      apply_assignments(assignments, prm);
+      return oversights(command.parameter_file, assignments);
     }
   } // namespace
 
@@ -150,20 +161,29 @@ namespace io
       return "";
     dealii::ParameterHandler prm;
     declare_parameters(prm);
-    read_parameters(command, prm);
-    return "# " + application + ": " + purpose + "\n\n" +
-           parameter_text(prm, true);
+    std::string text = "# " + application + ": " + purpose + "\n";
+    for (const std::string &line : assign(command, prm))
+      text += "# " + line + "\n";
+    return text + "\n" + parameter_text(prm, true);
   }
 
   void read_parameters(const CommandLine &command,
                        dealii::ParameterHandler &prm)
+  {
+    for (const std::string &line : assign(command, prm))
+      log_line(line);
+  }
+
+
+  std::vector<Assignment> assignments_of(const CommandLine &command,
+                                         const dealii::ParameterHandler &prm)
   {
     std::vector<Assignment> assignments;
     if (!command.parameter_file.empty())
       assignments = read_assignments(command.parameter_file);
     for (const std::string &text : command.overrides)
       assignments.push_back(parse_override(text));
-    apply_assignments(assignments, prm);
+    return with_declared_names(assignments, prm);
   }
 } // namespace io
 } // namespace contrecoup

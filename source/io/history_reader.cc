@@ -2,17 +2,37 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/readable_file.h>
 #include <contrecoup/base/text.h>
 #include <contrecoup/io/history_reader.h>
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
+#include <sstream>
 
 namespace contrecoup
 {
 namespace io
 {
+  namespace
+  {
+    /// What is not known stands as nan in tables.
+    double number_in(const std::string &word,
+                     const std::string &file,
+                     const unsigned int line,
+                     const std::string &column)
+    {
+      char *end = nullptr;
+      const double number = std::strtod(word.c_str(), &end);
+      if (word.empty() || *end != '\0')
+        throw InputError("\"" + file + "\", line " + std::to_string(line) +
+                         ": the column \"" + column + "\" has " +
+                         quotation(word) + " instead of a number");
+      return number;
+    }
+  } // namespace
+
+
   const std::vector<double> &HistoryTable::column(const std::string &name,
                                                   const std::string &file) const
   {
@@ -26,23 +46,25 @@ namespace io
 
   HistoryTable read_history(const std::string &file)
   {
-    std::ifstream input(file);
+    std::istringstream input(read_text("the table", file));
     std::string line;
     if (!std::getline(input, line))
-      throw InputError("there is no table \"" + file + "\"");
+      throw InputError("cannot read the table \"" + file + "\": it is empty");
     HistoryTable table;
     for (const std::string &entry : split(line, ','))
       table.names.push_back(trim(entry.substr(0, entry.find('['))));
     table.columns.resize(table.names.size());
-    while (std::getline(input, line))
+    for (unsigned int number = 2; std::getline(input, line); ++number)
     {
       const std::vector<std::string> row = split(line, ',');
       if (row.size() != table.names.size())
-        throw InputError("\"" + file + "\": a row has " +
-                         std::to_string(row.size()) + " numbers for " +
-                         std::to_string(table.names.size()) + " columns");
+        throw InputError("\"" + file + "\", line " + std::to_string(number) +
+                         ": the row has " + std::to_string(row.size()) +
+                         " numbers for " + std::to_string(table.names.size()) +
+                         " columns");
       for (std::size_t i = 0; i < row.size(); ++i)
-        table.columns[i].push_back(std::strtod(row[i].c_str(), nullptr));
+        table.columns[i].push_back(
+          number_in(row[i], file, number, table.names[i]));
     }
     return table;
   }

@@ -83,8 +83,15 @@ TEST(ParameterFile, SaysFileAndLineOfEachMistake)
   EXPECT_NE(refusal("A = 1\n").find("line 1: cannot understand \"A = 1\""),
             std::string::npos);
   EXPECT_EQ(refusal("include nowhere.prm\n"),
-            "cannot read the parameter file \"nowhere.prm\" that "
-            "\"refused.prm\" includes");
+            "\"refused.prm\", line 1: cannot include \"nowhere.prm\": there is "
+            "no such file");
+  EXPECT_EQ(refusal("set A = 1\ninclude .\n"),
+            "\"refused.prm\", line 2: cannot include \".\": it is a folder");
+  EXPECT_EQ(refusal(std::string(300, 'x')),
+            "\"refused.prm\", line 1: cannot understand \"" +
+              std::string(60, 'x') +
+              "...\"; a line is \"subsection NAME\", \"set ENTRY = VALUE\", "
+              "\"end\" or \"include FILE\"");
   EXPECT_NE(refusal("include refused.prm\n").find("include each other"),
             std::string::npos);
   EXPECT_NE(refusal("include refused.prm\ninclude ./refused.prm\n")
@@ -92,6 +99,22 @@ TEST(ParameterFile, SaysFileAndLineOfEachMistake)
             std::string::npos);
   EXPECT_THROW(read_assignments("missing.prm"), InputError);
   EXPECT_THROW(read_assignments("folder"), InputError);
+}
+
+TEST(ParameterFile, AcceptsAByteOrderMarkAndAnyLineEnds)
+{
+  const std::string mark = "\xEF\xBB\xBF";
+  for (const std::string end : {"\n", "\r\n", "\r"})
+    for (const std::string &begin : {std::string(), mark})
+    {
+      const auto assignments = read_assignments(
+        file_with("marked.prm", begin + "set A = 1" + end + "set B = 2" + end));
+      ASSERT_EQ(assignments.size(), 2u);
+      EXPECT_EQ(assignments[0].entry, "A");
+      EXPECT_EQ(assignments[0].value, "1");
+      EXPECT_EQ(assignments[1].entry, "B");
+      EXPECT_EQ(assignments[1].origin, "\"marked.prm\", line 2");
+    }
 }
 
 TEST(ParameterFile, ReadsOverrides)

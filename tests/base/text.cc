@@ -45,6 +45,14 @@ TEST(Text, ExactNumbersComeBackBitByBit)
 {
   for (const double value : {0.1, 1. / 3., 1e-308, -1.7976931348623157e308})
     EXPECT_EQ(std::strtod(exact(value).c_str(), nullptr), value);
+  EXPECT_EQ(exact(0.005), "0.005");
+  EXPECT_EQ(exact(0.1 + 0.2), "0.30000000000000004");
+  EXPECT_EQ(exact(-101325.), "-101325");
+}
+
+TEST(Text, NothingIsNearATextOfAnyLength)
+{
+  EXPECT_EQ(nearest(std::string(100000, 'x'), {std::string(99999, 'x')}), "");
 }
 
 TEST(Text, SaysDurationsAndSizes)

@@ -23,8 +23,8 @@ TEST(History, HasHeaderAndExactNumbers)
   file.flush();
   const std::string text = read_file("table.csv");
   EXPECT_EQ(text,
-            "time [s],count\n0.10000000000000001,3\n"
-            "0.33333333333333331,-1e-300\n");
+            "time [s],count\n0.1,3\n"
+            "0.3333333333333333,-1e-300\n");
   EXPECT_EQ(file.size(), text.size());
 }
 
@@ -64,9 +64,40 @@ TEST(History, IsReadAsItWasWritten)
             std::vector<double>({0.1, 1. / 3., -1e-300}));
   EXPECT_EQ(table.column("left ear", "read.csv")[1], 7. * (1. / 3.));
   EXPECT_THROW(table.column("right ear", "read.csv"), InputError);
-  EXPECT_THROW(read_history("no_such.csv"), InputError);
-  std::ofstream("broken.csv") << "time [s],a [Pa]\n1,2\n3";
+}
+
+TEST(History, SaysWhatIsWrongWithATable)
+{
+  const auto refusal = [](const std::string &text) -> std::string {
+    std::ofstream("broken.csv") << text;
+    try
+    {
+      read_history("broken.csv");
+    }
+    catch (const InputError &error)
+    {
+      return error.what();
+    }
+    return "accepted";
+  };
+  const std::string header = "time [s],a [Pa]\n";
+  EXPECT_EQ(refusal(header + "1,2\n3"),
+            "\"broken.csv\", line 3: the row has 1 numbers for 2 columns");
+  EXPECT_EQ(refusal(header + "1,2x\n"),
+            "\"broken.csv\", line 2: the column \"a\" has \"2x\" instead of a "
+            "number");
+  EXPECT_EQ(refusal(header + "1,\n"),
+            "\"broken.csv\", line 2: the column \"a\" has \"\" instead of a "
+            "number");
+  EXPECT_EQ(refusal(header + "1,nan\n"), "accepted");
+  EXPECT_EQ(refusal(""), "cannot read the table \"broken.csv\": it is empty");
+  EXPECT_EQ(
+    refusal(std::string("\x89HDF")),
+    "cannot read the table \"broken.csv\": it is not a text file: it is "
+    "an HDF5 file");
+  std::filesystem::remove("broken.csv");
   EXPECT_THROW(read_history("broken.csv"), InputError);
+  EXPECT_THROW(read_history("."), InputError);
 }
 
 TEST(CheckedFile, LeavesNothingOfAFileThatCannotBeWritten)

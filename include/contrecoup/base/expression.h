@@ -16,9 +16,10 @@ class Expression
 {
 public:
   /// @param entry where the text stands, for the message
-  /// @throws InputError when it cannot be read
+  /// @throws InputError when it cannot be read, or is always nan or infinite
   Expression(const std::string &entry, const std::string &text);
 
+  /// @throws InputError when it is not finite there and then
   double value(const dealii::Point<3> &point, double time = 0.) const;
 
   /// Whether it is just the number 0.
@@ -39,6 +40,7 @@ public:
   }
 
 private:
+  std::string entry_;
   std::string text_;
   bool depends_on_place_;
   std::shared_ptr<dealii::FunctionParser<3>> function_;

@@ -39,7 +39,7 @@ std::string nearest(const std::string &name,
 std::string suggestion(const std::string &name,
                        const std::vector<std::string> &candidates);
 
-/// @p value with the 17 significant digits that bring it back bit by bit.
+/// The shortest text that brings @p value back bit by bit: "0.005".
 std::string exact(double value);
 
 /// @p value with @p digits significant digits, for people.

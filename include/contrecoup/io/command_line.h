@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <contrecoup/base/parameter_file.h>
+
 #include <deal.II/base/parameter_handler.h>
 
 #include <functional>
@@ -57,7 +59,12 @@ namespace io
     const std::string &parallel,
     const std::function<void(dealii::ParameterHandler &)> &declare_parameters);
 
-  /// Hands the parameter file and the overrides to declared entries.
+  /// What the user wrote in the parameter file and the overrides, with the
+  /// names that @p prm declares. @throws InputError for what cannot be read
+  std::vector<Assignment> assignments_of(const CommandLine &command,
+                                         const dealii::ParameterHandler &prm);
+
+  /// Hands them to declared entries; logs what may have been overlooked.
   /// @throws InputError for what does not fit them
   void read_parameters(const CommandLine &command,
                        dealii::ParameterHandler &prm);

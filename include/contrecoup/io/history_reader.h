@@ -23,8 +23,8 @@ namespace io
   };
 
   /// Reads the table in @p file.
-  /// @throws InputError when there is no such file, or for a row with more or
-  /// fewer numbers than the header has names
+  /// @throws InputError when it cannot be read, or for a row with more or fewer
+  /// numbers than the header has names, or with what is no number
   HistoryTable read_history(const std::string &file);
 } // namespace io
 } // namespace contrecoup
