@@ -5,6 +5,7 @@
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/materials/explosives.h>
 #include <contrecoup/materials/gas_material.h>
+#include <contrecoup/materials/jwl_check.h>
 
 namespace contrecoup
 {
@@ -15,7 +16,15 @@ namespace
     const Section section(prm, "Custom explosive");
     const double largest = 1e15;
     declare_double(prm, "A", "373.8e9", 0., largest, "Pa", "JWL constant A.");
-    declare_double(prm, "B", "3.747e9", 0., largest, "Pa", "JWL constant B.");
+    declare_double(prm,
+                   "B",
+                   "3.747e9",
+                   -largest,
+                   largest,
+                   "Pa",
+                   "JWL constant B; below 0 only where the sound speed stays "
+                   "real as the products expand, or, without energy, as the "
+                   "explosive is compressed.");
     declare_double(prm, "R1", "4.15", 1e-3, 1e3, "-", "JWL constant R1.");
     declare_double(prm, "R2", "0.9", 1e-3, 1e3, "-", "JWL constant R2.");
     declare_double(prm, "Omega", "0.35", 1e-3, 10., "-", "JWL constant omega.");
@@ -70,6 +79,7 @@ namespace
     jwl.reference_density = read_double(prm, "Density");
     jwl.energy_density = read_double(prm, "Energy density");
     jwl.specific_heat = read_double(prm, "Specific heat");
+    require_real_sound_speed(jwl, "Material/Custom explosive");
     return jwl;
   }
 } // namespace

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/exceptions.h>
 #include <contrecoup/materials/explosives.h>
 #include <contrecoup/materials/gas_material.h>
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 using namespace contrecoup;
@@ -105,4 +107,72 @@ TEST(GasMaterial, RefusesWhatIsOutOfRange)
   EXPECT_ANY_THROW(parse("set Stiffening pressure = -1\n"));
   EXPECT_ANY_THROW(parse("set Explosive = rdx\n"));
   EXPECT_ANY_THROW(parse("subsection Custom explosive\n set B = -1e9\nend\n"));
+}
+
+namespace
+{
+/// TNT of the library with another B [Pa].
+std::string tnt_with(const std::string &B)
+{
+  return "set Equation of state = jwl\nset Explosive = custom\n"
+         "subsection Custom explosive\nset A = 371.2e9\nset R1 = 4.15\n"
+         "set R2 = 0.95\nset Omega = 0.3\nset Energy density = 7e9\nset B = " +
+         B + "\nend\n";
+}
+
+/**
+ * Unreacted PBX 9404 (Tarver, Hallquist and Erickson 1985, Eighth Symposium
+ * (International) on Detonation, p. 951): A = 9522, B = -0.05944 Mbar,
+ * c_v = 2.7806e-5 Mbar/K.
+ */
+std::string unreacted_pbx_9404(const std::string &energy_density)
+{
+  return "set Equation of state = jwl\nset Explosive = custom\n"
+         "subsection Custom explosive\nset A = 9.522e14\nset B = -5.944e9\n"
+         "set R1 = 14.1\nset R2 = 1.41\nset Omega = 0.8867\n"
+         "set Density = 1842\nset Specific heat = 1509.6\n"
+         "set Energy density = " +
+         energy_density + "\nend\n";
+}
+
+std::string refusal(const std::string &entries)
+{
+  try
+  {
+    parse(entries);
+  }
+  catch (const InputError &error)
+  {
+    return error.what();
+  }
+  return "accepted";
+}
+} // namespace
+
+TEST(GasMaterial, TakesNegativeBOfAnUnreactedExplosive)
+{
+  const GasMaterial material = parse(unreacted_pbx_9404("0"));
+  // The published constants make it free of pressure at 298 K and V = 1; the
+  // terms of the sum are 1e9 Pa.
+  const double energy = material.cold_energy_density(1842., 0.) +
+                        1842. * material.explosive().specific_heat * 298.;
+  EXPECT_NEAR(material.pressure(1842., energy, 0.), 0., 2e6);
+  const double pressure = material.pressure(1842., energy, 0.);
+  EXPECT_NEAR(
+    std::sqrt(material.sound_speed_squared(1842., pressure, 0.)), 2264., 5.);
+}
+
+TEST(GasMaterial, RefusesNegativeBWhereTheSoundSpeedIsNotReal)
+{
+  EXPECT_EQ(refusal(tnt_with("3.231e9")), "accepted");
+  EXPECT_EQ(refusal(tnt_with("-3e9")), "accepted");
+  const std::string message = refusal(tnt_with("-5e9"));
+  EXPECT_EQ(message.find("Material/Custom explosive: with B = -5e+09 Pa the "
+                         "sound speed is not real at the relative volume 2.26"),
+            0u)
+    << message;
+  EXPECT_NE(message.find("kg/m^3, to which the products expand"),
+            std::string::npos);
+  EXPECT_NE(refusal(unreacted_pbx_9404("7e9")), "accepted")
+    << "as products these constants make no sense";
 }
