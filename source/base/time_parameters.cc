@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/bounds.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/base/text.h>
@@ -15,13 +16,18 @@ namespace
   void declare_time(ParameterHandler &prm)
   {
     const Section section(prm, "Time");
-    declare_double(
-      prm, "End time", "1", 0., unbounded, "s", "Simulated time at the end.");
+    declare_double(prm,
+                   "End time",
+                   "1",
+                   0.,
+                   bounds::time,
+                   "s",
+                   "Simulated time at the end.");
     declare_double(prm,
                    "Largest step",
                    "0",
                    0.,
-                   unbounded,
+                   bounds::time,
                    "s",
                    "Bound of the step size; 0: only the solver's own.");
     declare_integer(prm,
@@ -60,7 +66,7 @@ namespace
                    "History interval",
                    "0",
                    0.,
-                   unbounded,
+                   bounds::time,
                    "s",
                    "Time between rows of history.csv, met exactly; 0: by "
                    "steps.");
@@ -83,7 +89,7 @@ namespace
                    "Fields interval",
                    "0",
                    0.,
-                   unbounded,
+                   bounds::time,
                    "s",
                    "Time between field outputs, met exactly; 0: none between "
                    "start and end.");

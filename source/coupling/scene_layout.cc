@@ -18,6 +18,7 @@ namespace
 {
   constexpr double air_pressure = 101325.; // [Pa]
   constexpr double air_density = 1.225;    // [kg/m^3]
+  constexpr double most_leaves = 1e8;
 
   /// Where a ray along -x from @p begin first meets the surface, by steps of
   /// the distance to it; no point when it leaves the box.
@@ -83,7 +84,7 @@ SceneLayout::SceneLayout(const SceneParameters &scene, const Shape &surface)
     throw InputError("Scene/End time = " + brief(scene.end_time) +
                      " s: the blast reaches the body at " + brief(arrival) +
                      " s only");
-  size_domain();
+  size_domain(scene.end_time);
 }
 
 
@@ -152,7 +153,7 @@ void SceneLayout::find_symmetry(const SceneParameters &scene,
 }
 
 
-void SceneLayout::size_domain()
+void SceneLayout::size_domain(const double end_time)
 {
   // Where an open side must be, at least, along direction d: the charge's
   // mirror image in it is farther from the body than the front gets, and it
@@ -172,6 +173,16 @@ void SceneLayout::size_domain()
     return std::max(0.5 * (along + farthest + place),
                     std::max(farthest, place) + leaf);
   };
+  double n_all = 1.;
+  for (unsigned int d = 0; d < 3; ++d)
+    n_all *= (side(d, 1.) + side(d, -1.)) / leaf;
+  if (n_all > most_leaves)
+    throw InputError(
+      "Scene/End time = " + brief(end_time) + " s: the blast reaches " +
+      brief(reach) + " m until then; its domain of " +
+      brief(side(0, 1.) + side(0, -1.)) + " x " +
+      brief(side(1, 1.) + side(1, -1.)) + " x " + brief(side(2, 1.)) +
+      " m is too large to be computed in cells of the body's size");
   for (unsigned int d = 0; d < 3; ++d)
   {
     const int n_upper = static_cast<int>(std::ceil(side(d, 1.) / leaf));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/bounds.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/base/time_parameters.h>
@@ -55,14 +56,14 @@ namespace
                    "Element size",
                    "0",
                    0.,
-                   unbounded,
+                   1.,
                    "m",
                    "Edge of the body's elements; 0: as the accuracy has it.");
     declare_double(prm,
                    "End time",
                    "0.012",
                    1e-9,
-                   unbounded,
+                   1.,
                    "s",
                    "Time since the detonation until which the scene is "
                    "followed, above 0.");
@@ -91,12 +92,12 @@ namespace
                       explosive_names(),
                       "Of the library of explosives.");
     declare_double(
-      prm, "Mass", "1", 1e-9, unbounded, "kg", "Of the sphere, above 0.");
+      prm, "Mass", "1", 1e-9, bounds::mass, "kg", "Of the sphere, above 0.");
     declare_double(prm,
                    "Afterburn energy",
                    "0",
                    0.,
-                   unbounded,
+                   bounds::specific_energy,
                    "J/kg",
                    "Energy that the products release when they burn in air, "
                    "at the rate of Miller; 0: none.");
@@ -104,7 +105,7 @@ namespace
                    "Distance",
                    "2",
                    1e-9,
-                   unbounded,
+                   1e3,
                    "m",
                    "From the centre along -x to the body's surface, or to its "
                    "nearest place where that line misses it; above 0.");
@@ -112,7 +113,7 @@ namespace
                    "Height",
                    "1",
                    1e-9,
-                   unbounded,
+                   1e3,
                    "m",
                    "Of the centre above the ground z = 0, above 0.");
     declare_points(prm,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/bounds.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/base/text.h>
@@ -181,8 +182,8 @@ void StageParameters::declare_parameters(ParameterHandler &prm)
   declare_double(prm,
                  "Cell size",
                  "0.001",
-                 1e-9,
-                 unbounded,
+                 bounds::smallest_length,
+                 bounds::length,
                  "m",
                  "Edge of the subcells of the first stage, of the smallest "
                  "ones if it is axisymmetric.");
@@ -197,7 +198,7 @@ void StageParameters::declare_parameters(ParameterHandler &prm)
                  "Spherical cell size",
                  "0",
                  0.,
-                 unbounded,
+                 bounds::length,
                  "m",
                  "Edge of the subcells of a spherical stage that an "
                  "axisymmetric one begins with, until the front comes near "
@@ -215,14 +216,14 @@ void StageParameters::declare_parameters(ParameterHandler &prm)
                  "Time",
                  "0",
                  0.,
-                 unbounded,
+                 bounds::time,
                  "s",
                  "Time of the hand-over, if at a time.");
   declare_double(prm,
                  "Radius",
                  "1",
-                 1e-9,
-                 unbounded,
+                 bounds::smallest_length,
+                 bounds::length,
                  "m",
                  "Distance of the front from the charge's centre or axis "
                  "at the hand-over, if at a radius.");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/bounds.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/gas/adaptation.h>
@@ -56,8 +57,8 @@ namespace
                  "0, 0, 0",
                  1,
                  3,
-                 -unbounded,
-                 unbounded,
+                 -bounds::length,
+                 bounds::length,
                  "m",
                  "Corner of smallest coordinates of a box that stays fine.");
     declare_list(prm,
@@ -65,8 +66,8 @@ namespace
                  "1, 1, 1",
                  1,
                  3,
-                 -unbounded,
-                 unbounded,
+                 -bounds::length,
+                 bounds::length,
                  "m",
                  "Its corner of largest coordinates.");
     declare_integer(prm,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/bounds.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/gas/afterburn.h>
 #include <contrecoup/gas/gas_measures.h>
@@ -100,7 +101,7 @@ void Afterburn::declare_parameters(ParameterHandler &prm)
                  "Start time",
                  "0",
                  0.,
-                 unbounded,
+                 bounds::time,
                  "s",
                  "Constant: when it begins, though never before all explosive "
                  "has burned.");
@@ -108,7 +109,7 @@ void Afterburn::declare_parameters(ParameterHandler &prm)
                  "End time",
                  "4.4e-3",
                  0.,
-                 unbounded,
+                 bounds::time,
                  "s",
                  "Constant: when all energy is out.");
   declare_double(prm,

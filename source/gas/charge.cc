@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/bounds.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/gas/charge.h>
 #include <contrecoup/gas/state_parameters.h>
@@ -19,12 +20,11 @@ namespace
 
   void declare_size(ParameterHandler &prm)
   {
-    const double tiny = std::numeric_limits<double>::min();
     declare_double(prm,
                    "Mass",
                    "0",
                    0.,
-                   unbounded,
+                   bounds::mass,
                    "kg",
                    "If above 0: mass of the whole charge (plane 2-D and "
                    "cylindrical meshes: per m, plane 1-D: per m^2); the sizes "
@@ -32,15 +32,15 @@ namespace
     declare_double(prm,
                    "Radius",
                    "0.05",
-                   tiny,
-                   unbounded,
+                   bounds::smallest_length,
+                   bounds::length,
                    "m",
                    "Radius of a sphere or cylinder.");
     declare_double(prm,
                    "Length",
                    "0.1",
-                   tiny,
-                   unbounded,
+                   bounds::smallest_length,
+                   bounds::length,
                    "m",
                    "Length of a cylinder where the mesh resolves it.");
     declare_list(prm,
@@ -48,8 +48,8 @@ namespace
                  "0.1, 0.1, 0.1",
                  1,
                  3,
-                 tiny,
-                 unbounded,
+                 bounds::smallest_length,
+                 bounds::length,
                  "m",
                  "Edge lengths of a box, along the axes of the mesh.");
   }
@@ -85,8 +85,8 @@ void Charge<dim>::declare_parameters(ParameterHandler &prm)
                "0, 0, 0",
                1,
                3,
-               -unbounded,
-               unbounded,
+               -bounds::length,
+               bounds::length,
                "m",
                "Centre in the coordinates of the mesh; missing ones are zero.");
   declare_size(prm);
@@ -95,8 +95,8 @@ void Charge<dim>::declare_parameters(ParameterHandler &prm)
                "0, 0, 1",
                3,
                3,
-               -unbounded,
-               unbounded,
+               -bounds::direction,
+               bounds::direction,
                "-",
                "Direction of a cylinder's axis in 3-D, of any length.");
   declare_points(prm,
@@ -112,7 +112,7 @@ void Charge<dim>::declare_parameters(ParameterHandler &prm)
                0,
                1000,
                0.,
-               unbounded,
+               bounds::time,
                "s",
                "When each point is lit; none: at time zero.");
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/bounds.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/gas/classical_fields.h>
 #include <contrecoup/gas/state_parameters.h>
@@ -15,7 +16,6 @@ namespace contrecoup::gas
 {
 namespace
 {
-  constexpr double tiny = std::numeric_limits<double>::min();
 
   void declare_center(ParameterHandler &prm)
   {
@@ -24,8 +24,8 @@ namespace
                  "0, 0, 0",
                  1,
                  3,
-                 -unbounded,
-                 unbounded,
+                 -bounds::length,
+                 bounds::length,
                  "m",
                  "Place of the centre; missing coordinates are zero.");
   }
@@ -36,15 +36,15 @@ namespace
     declare_double(prm,
                    "Density",
                    "1",
-                   tiny,
-                   unbounded,
+                   bounds::smallest_density,
+                   bounds::density,
                    "kg/m^3",
                    "Mass per volume of the undisturbed gas.");
     declare_double(prm,
                    "Pressure",
                    pressure,
-                   -unbounded,
-                   unbounded,
+                   -bounds::pressure,
+                   bounds::pressure,
                    "Pa",
                    "Absolute pressure of the undisturbed gas; must be above "
                    "the lowest one that the material has at this density.");
@@ -70,7 +70,7 @@ namespace
                         const std::string &unit,
                         const std::string &sentence)
   {
-    declare_double(prm, name, default_value, tiny, unbounded, unit, sentence);
+    declare_double(prm, name, default_value, 1e-9, 1e12, unit, sentence);
   }
 } // namespace
 
@@ -189,8 +189,8 @@ void VortexField<dim>::declare_parameters(ParameterHandler &prm)
   declare_double(prm,
                  "Strength",
                  "5",
-                 -unbounded,
-                 unbounded,
+                 -1e6,
+                 1e6,
                  "-",
                  "Circulation beta in units of the core radius and of "
                  "sqrt(pressure/density).");
@@ -203,8 +203,8 @@ void VortexField<dim>::declare_parameters(ParameterHandler &prm)
                "1, 1, 0",
                1,
                3,
-               -unbounded,
-               unbounded,
+               -bounds::speed,
+               bounds::speed,
                "m/s",
                "Velocity of gas and vortex; missing components are zero.");
   declare_ambient(prm, "1");

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/readable_file.h>
 #include <contrecoup/base/silence.h>
 #include <contrecoup/base/text.h>
 #include <contrecoup/gas/expression_field.h>
@@ -10,7 +11,9 @@
 #include <boost/math/constants/constants.hpp>
 
 #include <array>
+#include <cmath>
 #include <map>
+#include <regex>
 #include <sstream>
 
 namespace contrecoup::gas
@@ -32,15 +35,16 @@ namespace
 
 
   /// Throws whatever deal.II throws for an expression it cannot read.
+  /// @return its value at the origin
   template <int dim>
-  void try_expression(const std::string &variables,
-                      const std::string &expression,
-                      const std::map<std::string, double> &constants)
+  double try_expression(const std::string &variables,
+                        const std::string &expression,
+                        const std::map<std::string, double> &constants)
   {
     const Silence silence;
     dealii::FunctionParser<dim> function(1);
     function.initialize(variables, expression, constants);
-    function.value(dealii::Point<dim>());
+    return function.value(dealii::Point<dim>());
   }
 } // namespace
 
@@ -77,16 +81,22 @@ ExpressionField<dim>::ExpressionField(ParameterHandler &prm,
   for (const std::string &name : entry_names(dim))
   {
     expressions.push_back(prm.get(name));
+    double value = 0.;
     try
     {
-      try_expression<dim>(variables, expressions.back(), constants);
+      value = try_expression<dim>(variables, expressions.back(), constants);
     }
     catch (const std::exception &)
     {
-      throw InputError("Initial state/Expression: " + name + " = \"" +
-                       expressions.back() + "\" is no muParser expression of " +
-                       variables + ",pi");
+      throw InputError("Initial state/Expression: " + name + " = " +
+                       quotation(expressions.back()) +
+                       " is no muParser expression of " + variables + ",pi");
     }
+    if (!std::isfinite(value) &&
+        !std::regex_search(expressions.back(), std::regex("\\b[xyz]\\b")))
+      throw InputError("Initial state/Expression: " + name + " = " +
+                       quotation(expressions.back()) + " is " + brief(value) +
+                       " everywhere; a finite number is wanted");
   }
   function_.initialize(variables, expressions, constants);
 }

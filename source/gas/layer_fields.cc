@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/bounds.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/gas/layer_fields.h>
 #include <contrecoup/gas/state_parameters.h>
@@ -14,7 +15,6 @@ namespace contrecoup::gas
 {
 namespace
 {
-  constexpr double tiny = std::numeric_limits<double>::min();
   constexpr double infinity = std::numeric_limits<double>::infinity();
 
   void declare_direction(ParameterHandler &prm)
@@ -24,8 +24,8 @@ namespace
                  "1, 0, 0",
                  1,
                  3,
-                 -unbounded,
-                 unbounded,
+                 -bounds::direction,
+                 bounds::direction,
                  "-",
                  "Normal of the planes, pointing to the right; any length.");
   }
@@ -39,22 +39,22 @@ namespace
     declare_double(prm,
                    side + " density",
                    density,
-                   tiny,
-                   unbounded,
+                   bounds::smallest_density,
+                   bounds::density,
                    "kg/m^3",
                    "Mass per volume.");
     declare_double(prm,
                    side + " velocity",
                    "0",
-                   -unbounded,
-                   unbounded,
+                   -bounds::speed,
+                   bounds::speed,
                    "m/s",
                    "Velocity along the direction, seen from the frame.");
     declare_double(prm,
                    side + " pressure",
                    pressure,
-                   -unbounded,
-                   unbounded,
+                   -bounds::pressure,
+                   bounds::pressure,
                    "Pa",
                    "Absolute pressure; must be above the lowest one that the "
                    "material has at this density (0 in an ideal gas).");
@@ -124,8 +124,8 @@ void RiemannField<dim>::declare_parameters(ParameterHandler &prm)
   declare_double(prm,
                  "Position",
                  "0.5",
-                 -unbounded,
-                 unbounded,
+                 -bounds::length,
+                 bounds::length,
                  "m",
                  "Distance of the plane from the origin, along the "
                  "direction.");
@@ -135,8 +135,8 @@ void RiemannField<dim>::declare_parameters(ParameterHandler &prm)
                "0, 0, 0",
                1,
                3,
-               -unbounded,
-               unbounded,
+               -bounds::speed,
+               bounds::speed,
                "m/s",
                "Velocity that is added to both sides; missing components "
                "are zero.");
@@ -217,25 +217,30 @@ void LayerField<dim>::declare_parameters(ParameterHandler &prm)
                "0.1, 0.9",
                1,
                999,
-               -unbounded,
-               unbounded,
+               -bounds::length,
+               bounds::length,
                "m",
                "Distances of the planes between the layers from the origin, "
                "along the direction, increasing.");
-  declare_values(
-    prm, "Densities", "1, 1, 1", tiny, unbounded, "kg/m^3", "Density");
+  declare_values(prm,
+                 "Densities",
+                 "1, 1, 1",
+                 bounds::smallest_density,
+                 bounds::density,
+                 "kg/m^3",
+                 "Density");
   declare_values(prm,
                  "Velocities",
                  "0, 0, 0",
-                 -unbounded,
-                 unbounded,
+                 -bounds::speed,
+                 bounds::speed,
                  "m/s",
                  "Velocity along the direction");
   declare_values(prm,
                  "Pressures",
                  "1000, 0.01, 100",
-                 -unbounded,
-                 unbounded,
+                 -bounds::pressure,
+                 bounds::pressure,
                  "Pa",
                  "Absolute pressure");
   declare_values(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/bounds.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/base/text.h>
@@ -92,8 +93,8 @@ void LoadGauges::declare_parameters(dealii::ParameterHandler &prm)
   declare_double(prm,
                  "Gauge radius",
                  "0.02",
-                 1e-9,
-                 unbounded,
+                 bounds::smallest_length,
+                 bounds::length,
                  "m",
                  "Radius of the patch of surface that a gauge takes the mean "
                  "over, above 0; where no facet is so near, the nearest one "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/bounds.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/text.h>
 #include <contrecoup/gas/leaf_sampling.h>
@@ -59,8 +60,8 @@ void ProfileField<dim>::declare_parameters(ParameterHandler &prm)
                "0, 0, 0",
                1,
                3,
-               -unbounded,
-               unbounded,
+               -bounds::length,
+               bounds::length,
                "m",
                "Where the profile's centre, or the origin of its axis, comes "
                "to lie; axes are along z, in axisymmetric domains along y.");

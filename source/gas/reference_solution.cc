@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/bounds.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/base/text.h>
@@ -167,8 +168,8 @@ namespace
                  "0, 0, 0",
                  1,
                  3,
-                 -unbounded,
-                 unbounded,
+                 -bounds::length,
+                 bounds::length,
                  "m",
                  "The charge's centre, from which distances count; as many "
                  "coordinates as needed are taken.");

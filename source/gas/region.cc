@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/bounds.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/base/text.h>
@@ -62,15 +63,15 @@ void Region::declare_parameters(ParameterHandler &prm, const std::string &rule)
                  "0, 0, 0",
                  1,
                  3,
-                 -unbounded,
-                 unbounded,
+                 -bounds::length,
+                 bounds::length,
                  "m",
                  "Place in the coordinates of the mesh.");
   declare_double(prm,
                  "Radius",
                  "1",
                  0.,
-                 unbounded,
+                 bounds::length,
                  "m",
                  "Radius of the ball; of one that grows, when it begins to.");
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/bounds.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/base/text.h>
@@ -34,16 +35,16 @@ namespace
                    "0, 0, 0",
                    1,
                    3,
-                   -unbounded,
-                   unbounded,
+                   -bounds::length,
+                   bounds::length,
                    "m",
                    "Place in the coordinates of the mesh; missing ones are "
                    "zero.");
     declare_double(prm,
                    "Radius",
                    "0.1",
-                   std::numeric_limits<double>::min(),
-                   unbounded,
+                   bounds::smallest_length,
+                   bounds::length,
                    "m",
                    "Radius of a sphere.");
     declare_list(prm,
@@ -51,8 +52,8 @@ namespace
                  "1, 0, 0",
                  1,
                  3,
-                 -unbounded,
-                 unbounded,
+                 -bounds::direction,
+                 bounds::direction,
                  "-",
                  "Outward normal of a half space, of any length.");
     declare_bool(
@@ -67,7 +68,7 @@ namespace
                    "Energy",
                    "0",
                    0.,
-                   unbounded,
+                   bounds::energy,
                    "J",
                    "If above 0: internal energy of the whole region, from "
                    "which the pressure follows; Pressure then has no effect. "

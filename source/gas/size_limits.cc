@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/bounds.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/base/parameters.h>
@@ -42,8 +43,8 @@ namespace
     declare_double(prm,
                    "Radius growth",
                    "0",
-                   -unbounded,
-                   unbounded,
+                   -bounds::speed,
+                   bounds::speed,
                    "m/s",
                    "How fast the radius grows from then on.");
   }

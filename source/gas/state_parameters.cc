@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/bounds.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/text.h>
 #include <contrecoup/gas/state_parameters.h>
@@ -12,23 +13,27 @@ namespace contrecoup::gas
 {
 void declare_state(ParameterHandler &prm)
 {
-  const double tiny = std::numeric_limits<double>::min();
-  declare_double(
-    prm, "Density", "1.225", tiny, unbounded, "kg/m^3", "Mass per volume.");
+  declare_double(prm,
+                 "Density",
+                 "1.225",
+                 bounds::smallest_density,
+                 bounds::density,
+                 "kg/m^3",
+                 "Mass per volume.");
   declare_list(prm,
                "Velocity",
                "0, 0, 0",
                1,
                3,
-               -unbounded,
-               unbounded,
+               -bounds::speed,
+               bounds::speed,
                "m/s",
                "Velocity; missing components are zero.");
   declare_double(prm,
                  "Pressure",
                  "101325",
-                 -unbounded,
-                 unbounded,
+                 -bounds::pressure,
+                 bounds::pressure,
                  "Pa",
                  "Absolute pressure; must be above the lowest one that the "
                  "material has at this density (0 in an ideal gas).");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/bounds.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/base/timers.h>
@@ -28,7 +29,7 @@ void WallLoads<dim>::declare_parameters(ParameterHandler &prm)
                  "Interval",
                  "0",
                  0.,
-                 unbounded,
+                 bounds::time,
                  "s",
                  "Time between samples, which are means since the last one, so "
                  "that impulses stay exact; 0 for every step. Peaks and "

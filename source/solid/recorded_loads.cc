@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/bounds.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/log.h>
 #include <contrecoup/base/parameters.h>
@@ -48,8 +49,8 @@ void RecordedLoads::declare_parameters(ParameterHandler &prm)
   declare_double(prm,
                  "Time offset",
                  "0",
-                 -unbounded,
-                 unbounded,
+                 -bounds::time,
+                 bounds::time,
                  "s",
                  "Recorded time at which this run begins.");
   declare_double(
@@ -57,7 +58,7 @@ void RecordedLoads::declare_parameters(ParameterHandler &prm)
     "Averaging interval",
     "0",
     0.,
-    unbounded,
+    bounds::time,
     "s",
     "Samples are merged to means over this time, which keeps "
     "impulses and shows what seldom records would lose; 0, or less "
@@ -66,7 +67,7 @@ void RecordedLoads::declare_parameters(ParameterHandler &prm)
                  "Largest distance",
                  "0.05",
                  0.,
-                 unbounded,
+                 bounds::length,
                  "m",
                  "Facets farther than this from any recorded one are not "
                  "loaded.");

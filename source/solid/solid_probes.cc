@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/bounds.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/base/parameters.h>
@@ -127,7 +128,7 @@ void SolidProbes::declare_parameters(ParameterHandler &prm)
                  "First time",
                  "0",
                  0.,
-                 unbounded,
+                 bounds::time,
                  "s",
                  "Steps before it do not count.");
   declare_double(prm,

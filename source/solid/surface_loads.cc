@@ -113,6 +113,10 @@ void SurfaceLoads::parse_parameters(ParameterHandler &prm)
                       kind == "expression"
                         ? nullptr
                         : AnalyticBlast::parse_parameters(prm, kind, path)});
+    // One that is not finite at the start is refused before anything is made.
+    const Load &parsed = loads_.back();
+    if (!parsed.history && !parsed.pressure.depends_on_place())
+      parsed.pressure.value(Point<3>());
   }
 }
 

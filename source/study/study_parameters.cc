@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/bounds.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/base/text.h>
@@ -89,7 +90,7 @@ namespace
                    "Time limit",
                    "0",
                    0.,
-                   unbounded,
+                   bounds::time,
                    "s",
                    "Wall time after which a run is ended and counts as timed "
                    "out; 0: none.");

@@ -57,6 +57,6 @@ struct SceneLayout
 private:
   void place_charge(const SceneParameters &scene, const Shape &surface);
   void find_symmetry(const SceneParameters &scene, const Shape &surface);
-  void size_domain();
+  void size_domain(double end_time);
 };
 } // namespace contrecoup::coupling
