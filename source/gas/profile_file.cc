@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/readable_file.h>
 #include <contrecoup/base/text.h>
 #include <contrecoup/gas/profile_file.h>
 #include <contrecoup/io/checked_file.h>
@@ -249,7 +250,7 @@ namespace
   Table read_lines(const std::string &file)
   {
     Table table;
-    std::istringstream stream(io::read_file(file));
+    std::istringstream stream(read_text("the profile", file));
     std::string line;
     for (unsigned int number = 1; std::getline(stream, line); ++number)
     {
@@ -383,8 +384,7 @@ void write_profile(const std::string &file, const ProfileData &data)
 
 ProfileData read_profile(const std::string &file)
 {
-  if (!std::filesystem::is_regular_file(file))
-    throw InputError("The profile " + file + " does not exist");
+  require_readable("the profile", file);
   return is_table(file) ? read_table(file) : read_hdf5(file);
 }
 } // namespace contrecoup::gas

@@ -2,12 +2,13 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/readable_file.h>
 #include <contrecoup/base/text.h>
 #include <contrecoup/gas/table_profile.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
+#include <sstream>
 
 namespace contrecoup::gas
 {
@@ -40,11 +41,7 @@ namespace
 
 TableProfile::TableProfile(const std::string &file)
 {
-  std::ifstream stream(file);
-  if (!stream)
-    throw InputError("Reference/Table = " + file +
-                     ": the file cannot be opened");
-
+  std::istringstream stream(read_text("Reference/Table", file));
   std::string line;
   unsigned int line_number = 0;
   bool header_seen = false;

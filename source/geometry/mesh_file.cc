@@ -2,6 +2,8 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/readable_file.h>
+#include <contrecoup/base/text.h>
 #include <contrecoup/geometry/mesh_file.h>
 
 #include <deal.II/grid/grid_in.h>
@@ -59,6 +61,9 @@ void read_mesh_file(const std::string &path,
                     dealii::Triangulation<dim> &mesh)
 {
   const std::string where = entry + " = " + path + ": ";
+  const std::string why = why_unreadable(path);
+  if (!why.empty())
+    throw InputError(where + why);
   std::ifstream stream(path);
   std::error_code error;
   const std::uint64_t size = std::filesystem::file_size(path, error);
@@ -66,6 +71,11 @@ void read_mesh_file(const std::string &path,
     throw InputError(where + "the file cannot be opened");
   std::string ending = std::filesystem::path(path).extension();
   ending.erase(0, 1);
+  const std::vector<std::string> known = {
+    "msh", "vtk", "vtu", "inp", "ucd", "unv", "xda", "dbmesh", "dat"};
+  if (std::find(known.begin(), known.end(), ending) == known.end())
+    throw InputError(where + "its name must end as that of a mesh: ." +
+                     join(known, ", ."));
   const std::uint64_t claim = largest_claim(stream, ending);
   if (claim > size)
     throw InputError(where + "it has " + std::to_string(size) +

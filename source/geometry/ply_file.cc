@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/readable_file.h>
 #include <contrecoup/base/text.h>
 #include <contrecoup/geometry/ply_file.h>
 
@@ -81,9 +82,8 @@ namespace
   PlyReader::PlyReader(const std::string &file)
     : file_(file)
   {
+    require_readable("the surface", file);
     std::ifstream stream(file, std::ios::binary);
-    if (!stream)
-      refuse("it cannot be opened");
     content_.assign(std::istreambuf_iterator<char>(stream), {});
   }
 

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/readable_file.h>
 #include <contrecoup/base/text.h>
 #include <contrecoup/geometry/ply_file.h>
 #include <contrecoup/geometry/triangle_mesh.h>
@@ -81,9 +82,7 @@ namespace
 
 TriangleMesh read_surface(const std::string &file, const double unit)
 {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error))
-    throw InputError("surface \"" + file + "\": there is no such file");
+  require_readable("the surface", file);
   TriangleMesh mesh;
   std::string ending = std::filesystem::path(file).extension();
   for (char &letter : ending)
@@ -96,11 +95,16 @@ TriangleMesh read_surface(const std::string &file, const double unit)
     return mesh;
   }
   Assimp::Importer importer;
+  // By the content of a file with another ending, Assimp takes any for DXF.
+  if (ending.empty() || !importer.IsExtensionSupported(ending))
+    throw InputError("surface \"" + file +
+                     "\" cannot be read: its name must "
+                     "end as that of a surface, as in .stl, .ply or .obj");
   const aiScene *scene = importer.ReadFile(
     file, aiProcess_Triangulate | aiProcess_PreTransformVertices);
   if (scene == nullptr)
-    throw InputError("surface \"" + file + "\" cannot be read: " +
-                     one_line(importer.GetErrorString()));
+    throw InputError("surface \"" + file + "\" cannot be read as " + ending +
+                     ": " + one_line(importer.GetErrorString()));
   for (unsigned int m = 0; m < scene->mNumMeshes; ++m)
     append(*scene->mMeshes[m], unit, mesh);
   check(mesh, file);

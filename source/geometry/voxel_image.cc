@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/readable_file.h>
 #include <contrecoup/base/text.h>
 #include <contrecoup/geometry/voxel_image.h>
 
@@ -140,9 +141,7 @@ std::array<double, 3> VoxelImage::spacing() const
 
 VoxelImage read_image(const std::string &file)
 {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error))
-    throw InputError("image \"" + file + "\": there is no such file");
+  require_readable("the image", file);
   nifti_set_debug_level(0);
   const NiftiPointer source(nifti_image_read(file.c_str(), 1),
                             nifti_image_free);

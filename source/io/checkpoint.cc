@@ -40,7 +40,7 @@ namespace io
       for (const auto &item : fs::directory_iterator(folder, error))
       {
         const std::string name = item.path().filename().string();
-        if (item.is_directory() && name.size() >= 4 &&
+        if (item.is_directory() && name.size() >= 4 && name.size() <= 9 &&
             name.find_first_not_of("0123456789") == std::string::npos)
           found[std::stoul(name)] = item.path();
       }
@@ -76,21 +76,29 @@ namespace io
         return "it is incomplete: the run ended while writing it";
       const Json list =
         Json::parse(read_file((checkpoint / marker).string()), nullptr, false);
-      if (list.is_discarded() || !list.contains("files"))
-        return "the file \"" + std::string(marker) + "\" is damaged";
+      const std::string broken =
+        "the file \"" + std::string(marker) + "\" is damaged";
+      if (!list.is_object() || !list.contains("files") ||
+          !list["files"].is_object())
+        return broken;
       for (const auto &item : list["files"].items())
       {
         const fs::path file = checkpoint / item.key();
         const Json &want = item.value();
+        for (const char *const name : {"bytes", "crc32"})
+          if (!want.is_object() || !want.contains(name) ||
+              !want[name].is_number_unsigned())
+            return broken;
         std::error_code error;
         const auto size = fs::file_size(file, error);
         if (error)
           return "the file \"" + item.key() + "\" is missing";
-        const auto bytes = want.value("bytes", std::uint64_t(0));
+        const auto bytes = want["bytes"].get<std::uint64_t>();
         if (size != bytes)
           return "the file \"" + item.key() + "\" has " + std::to_string(size) +
                  " bytes instead of " + std::to_string(bytes);
-        if (digest_of(file.string()).crc32 != want.value("crc32", 0ul))
+        if (digest_of(file.string()).crc32 !=
+            want["crc32"].get<std::uint64_t>())
           return "the content of the file \"" + item.key() + "\" is damaged";
       }
       return "";

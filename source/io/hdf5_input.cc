@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/readable_file.h>
 #include <contrecoup/io/hdf5_input.h>
 
 #include <cstdint>
@@ -21,6 +22,9 @@ namespace io
 
     hid_t open(const std::string &path)
     {
+      const std::string why = why_unreadable(path);
+      if (!why.empty())
+        throw InputError("\"" + path + "\" cannot be read: " + why);
       H5Eset_auto(H5E_DEFAULT, nullptr, nullptr);
       return H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
     }
@@ -31,8 +35,13 @@ namespace io
     : path_(path)
     , file_(open(path), H5Fclose)
   {
-    if (file_ < 0)
-      refuse("it is no HDF5 file, or damaged");
+    if (file_ >= 0)
+      return;
+    std::error_code error;
+    if (std::filesystem::file_size(path, error) == 0)
+      refuse("it is empty");
+    refuse(H5Fis_hdf5(path.c_str()) > 0 ? "it is a damaged HDF5 file"
+                                        : "it is no HDF5 file");
   }
 
 

@@ -123,7 +123,9 @@ namespace io
         H5Dread(
           data, H5T_NATIVE_FLOAT, memory, space, H5P_DEFAULT, values.data()) <
           0)
-      throw SystemError("\"" + path_ + "\" cannot be read");
+      throw InputError("\"" + path_ +
+                       "\" cannot be read: its dataset "
+                       "\"overpressure\" is missing, too short or damaged");
     return values;
   }
 } // namespace io

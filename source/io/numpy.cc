@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/readable_file.h>
 #include <contrecoup/io/checked_file.h>
 #include <contrecoup/io/numpy.h>
 
@@ -48,6 +49,7 @@ namespace io
 
   NumpyArray read_npy(const std::string &file)
   {
+    require_readable("the array", file);
     const std::string content = read_file(file);
     const std::string mark = "'shape': (";
     const std::size_t end = content.find('\n');
@@ -69,7 +71,10 @@ namespace io
                                              array.shape.end(),
                                              std::size_t(1),
                                              std::multiplies<>());
-    if (!is_known || content.size() - end - 1 != size * sizeof(double))
+    // The product of what a damaged file claims may be any number.
+    const std::size_t bytes = is_known ? content.size() - end - 1 : 0;
+    if (!is_known || bytes % sizeof(double) != 0 ||
+        bytes / sizeof(double) != size)
       throw InputError("\"" + file +
                        "\" is not an array of doubles as runs write it");
     array.data.resize(size);

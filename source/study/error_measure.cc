@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameters.h>
+#include <contrecoup/base/readable_file.h>
 #include <contrecoup/base/text.h>
 #include <contrecoup/io/numpy.h>
 #include <contrecoup/study/curve.h>
@@ -63,10 +64,12 @@ namespace
   nlohmann::json read_summary(const std::string &folder)
   {
     const std::string file = folder + "/summary.json";
+    require_readable("the reference run's summary", file);
     std::ifstream input(file);
     const auto summary = nlohmann::json::parse(input, nullptr, false);
     if (!summary.is_object())
-      throw InputError("the reference run has no readable \"" + file + "\"");
+      throw InputError("the reference run's summary \"" + file +
+                       "\" is damaged: it is no JSON");
     return summary;
   }
 } // namespace

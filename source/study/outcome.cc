@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/log.h>
 #include <contrecoup/io/checked_file.h>
 #include <contrecoup/study/outcome.h>
 
 #include <nlohmann/json.hpp>
 
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 
 namespace contrecoup::study
@@ -26,9 +28,31 @@ namespace
   Type
   member(const Json &object, const std::string &name, const Type &otherwise)
   {
-    const bool is_there =
-      object.is_object() && object.contains(name) && !object[name].is_null();
-    return is_there ? object[name].get<Type>() : otherwise;
+    if (!object.is_object() || !object.contains(name) || object[name].is_null())
+      return otherwise;
+    try
+    {
+      return object[name].get<Type>();
+    }
+    catch (const Json::exception &)
+    {
+      // It is of another kind than what was written.
+      return otherwise;
+    }
+  }
+
+  /// Whether it has all that write_outcome() writes, each of its kind.
+  bool is_whole(const Json &text)
+  {
+    if (!text.is_object())
+      return false;
+    for (const char *const name : {"outcome", "reason"})
+      if (!text.contains(name) || !text[name].is_string())
+        return false;
+    for (const char *const name : {"exit_code", "wall_seconds", "time_limit"})
+      if (!text.contains(name) || !text[name].is_number())
+        return false;
+    return text.contains("identity");
   }
 
   /// A process that left by itself with code 0.
@@ -135,9 +159,15 @@ std::optional<Outcome> read_outcome(const std::string &file,
                                     const std::string &identity,
                                     const double time_limit)
 {
+  if (!std::filesystem::exists(file))
+    return {};
   const Json text = read_json(file);
-  if (!text.is_object() || !text.contains("identity") ||
-      text["identity"] != Json::parse(identity))
+  if (!is_whole(text))
+  {
+    log_line("the outcome \"" + file + "\" is damaged: its run is made again");
+    return {};
+  }
+  if (text["identity"] != Json::parse(identity))
     return {};
   Outcome outcome;
   outcome.kind = member<std::string>(text, "outcome", "");

@@ -51,7 +51,7 @@ blast_refuses(unwritable_output "output folder" FILE ${_sod}
   OUTPUT "@FOLDER@/a_file/run")
 blast_refuses(resume_from_nothing "no complete checkpoint" FILE ${_sod}
   ARGUMENTS --resume)
-blast_refuses(missing_mesh_file "cannot be opened"
+blast_refuses(missing_mesh_file "there is no such file"
   FILE blast/extremes/rest_100000_steps.prm SET "Domain/Mesh=file"
   "Domain/Geometry=plane" "Domain/Mesh file=no_such.msh")
 

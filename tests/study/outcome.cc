@@ -74,9 +74,30 @@ TEST(Outcome, IsFoundAgainForTheSameIdentityAlone)
   EXPECT_EQ(found->exit_code, 2);
   EXPECT_EQ(found->wall_seconds, 1.25);
   EXPECT_FALSE(read_outcome(file, identity("blast", "2", 1, {}), 0.));
+}
 
-  std::ofstream(file) << "{ \"outcome\": \"sta";
-  EXPECT_FALSE(read_outcome(file, who, 0.));
+TEST(Outcome, OfADamagedFileIsNone)
+{
+  const contrecoup::io::TemporaryFolder folder;
+  const std::string file = folder.path() + "/outcome.json";
+  const std::string who = identity("blast", "1", 1, {});
+  for (const std::string text :
+       {"",
+        "{ \"outcome\": \"sta",
+        "[]",
+        "{}",
+        "{\"outcome\": 1, \"reason\": \"\", \"exit_code\": 0, "
+        "\"wall_seconds\": 1, \"time_limit\": 0, \"identity\": {}}",
+        "{\"outcome\": \"stable\", \"reason\": \"\", \"exit_code\": [0], "
+        "\"wall_seconds\": 1, \"time_limit\": 0, \"identity\": {}}"})
+  {
+    std::ofstream(file) << text;
+    testing::internal::CaptureStdout();
+    EXPECT_FALSE(read_outcome(file, who, 0.)) << text;
+    EXPECT_EQ(testing::internal::GetCapturedStdout(),
+              "the outcome \"" + file +
+                "\" is damaged: its run is made again\n");
+  }
 }
 
 TEST(Outcome, IsRepeatedWhenItMayTurnOutOtherwise)

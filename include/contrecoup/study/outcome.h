@@ -57,7 +57,7 @@ void write_outcome(const std::string &file,
 /**
  * The outcome that an earlier study left in @p file, if it stands: the file
  * is complete, of the same identity, and does not tell of a failed machine or
- * of a time limit below @p time_limit.
+ * of a time limit below @p time_limit. That a file is damaged is logged.
  */
 std::optional<Outcome> read_outcome(const std::string &file,
                                     const std::string &identity,
