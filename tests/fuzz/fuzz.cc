@@ -27,7 +27,7 @@ namespace
 {
   namespace fs = std::filesystem;
 
-  constexpr unsigned int longest = 10; // s, for one file
+  constexpr unsigned int longest = 60; // s, for one file
   [[maybe_unused]] constexpr std::uint64_t memory = 2ull << 30; // bytes
   constexpr unsigned int most_failures = 20;                    // of one reader
   constexpr std::uint64_t default_inputs = 10000;               // with number 0
@@ -37,6 +37,7 @@ namespace
   {
     std::uint64_t inputs = default_inputs;
     double seconds = 1e9;
+    std::uint64_t least = 100; // inputs, however long they take
     std::string reader;
     std::string replay;
   };
@@ -54,6 +55,21 @@ namespace
   {
     using namespace std::chrono;
     return duration<double>(steady_clock::now().time_since_epoch()).count();
+  }
+
+  std::string version_of(const Reader &reader,
+                         const std::string &content,
+                         const std::uint64_t number)
+  {
+    return reader.mutate ? reader.mutate(content, number)
+                         : mutate(content, number);
+  }
+
+  /// Number of inputs with that of the file itself.
+  std::uint64_t inputs_of(const Reader &reader, const Options &options)
+  {
+    return reader.versions == 0 ? options.inputs
+                                : std::min(options.inputs, reader.versions + 1);
   }
 
   std::string content_of(const std::string &path)
@@ -81,19 +97,22 @@ namespace
       ++progress.loaded;
       return true;
     }
-    catch (const InputError &)
-    {}
-    catch (const NumericsError &)
-    {}
-    catch (const SystemError &)
-    {}
+    catch (const InputError &error)
+    {
+      ++progress.refused;
+      const std::string message = error.what();
+      if (message.empty() || message.find('\n') != std::string::npos)
+      {
+        tell(progress, "refused, but not in one line: " + message);
+        return false;
+      }
+      return true;
+    }
     catch (const std::exception &error)
     {
       tell(progress, std::string("threw ") + error.what());
       return false;
     }
-    ++progress.refused;
-    return true;
   }
 
   /// Not with the address sanitizer, whose shadow of all addresses counts.
@@ -123,9 +142,11 @@ namespace
       std::signal(signal, SIG_DFL);
     limit_memory();
     const std::string path = folder + "/" + reader.file;
-    while (progress.number < options.inputs && now() < end)
+    const std::uint64_t inputs = inputs_of(reader, options);
+    while (progress.number < inputs &&
+           (now() < end || progress.number < options.least))
     {
-      put(path, mutate(content, progress.number));
+      put(path, version_of(reader, content, progress.number));
       alarm(longest);
       const bool is_good = read(reader, path, progress);
       alarm(0);
@@ -177,7 +198,7 @@ namespace
     const std::string path = "fuzz_failures/" + reader.name + "_" +
                              std::to_string(number) +
                              fs::path(reader.file).extension().string();
-    put(path, mutate(content, number));
+    put(path, version_of(reader, content, number));
     return path;
   }
 
@@ -195,8 +216,9 @@ namespace
     in_child([&]() { reader.prepare(folder); });
     const std::string content = content_of(folder + "/" + reader.file);
     unsigned int failures = 0;
-    while (progress.number < options.inputs && failures < most_failures &&
-           now() < begin + options.seconds)
+    const std::uint64_t inputs = inputs_of(reader, options);
+    while (progress.number < inputs && failures < most_failures &&
+           (now() < begin + options.seconds || progress.number < options.least))
     {
       const int status = in_child([&]() {
         read_all(
@@ -251,6 +273,8 @@ namespace
         options.inputs = std::stoull(value);
       else if (name == "--seconds")
         options.seconds = std::stod(value);
+      else if (name == "--least")
+        options.least = std::stoull(value);
       else if (name == "--reader")
         options.reader = value;
       else if (name == "--replay")
@@ -272,13 +296,18 @@ int run(const int argc, char **argv, const std::vector<Reader> &readers)
                                  -1,
                                  0));
   unsigned int failures = 0;
+  std::uint64_t inputs = 0;
   for (const Reader &reader : readers)
     if (options.reader.empty() || options.reader == reader.name)
     {
       if (!options.replay.empty())
         return replay(reader, options.replay);
       failures += try_reader(reader, options, *progress);
+      inputs += progress->number;
     }
-  return failures == 0 ? 0 : 1;
+  std::cout << inputs << " inputs in all, " << failures << " failures\n";
+  if (inputs == 0)
+    std::cout << "there is no such reader\n";
+  return failures == 0 && inputs > 0 ? 0 : 1;
 }
 } // namespace contrecoup::fuzz

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -20,9 +21,16 @@ struct Reader
   /// Writes a valid input into a folder, other files that it needs as well.
   std::function<void(const std::string &folder)> prepare;
 
-  /// Reads the file and uses what it found. May throw InputError,
-  /// NumericsError or SystemError, nothing else.
+  /// Reads the file and uses what it found. May throw InputError, nothing
+  /// else: a damaged file is neither the numerics' nor the machine's fault.
   std::function<void(const std::string &path)> read;
+
+  /// Another version of the file, as mutate() makes, which is taken if empty.
+  std::function<std::string(const std::string &content, std::uint64_t number)>
+    mutate = {};
+
+  /// How many versions there are besides the file itself; 0: any number.
+  std::uint64_t versions = 0;
 };
 
 /**
@@ -33,11 +41,13 @@ std::string mutate(const std::string &content, std::uint64_t number);
 
 /**
  * Feeds mutated files to readers, each in a process of its own, and reports
- * those that crash it, take longer than ten seconds, ask for more than two
- * gigabytes, or throw what they must not; such files are kept in fuzz_failures.
+ * how many there were and those that crash it, take longer than a minute, ask
+ * for more than two gigabytes, or throw what they must not; such files are kept
+ * in fuzz_failures.
  *
- * Arguments: [--inputs N] (10,000), [--seconds S] for each reader at most,
- * [--reader NAME] alone, [--replay FILE] through that one.
+ * Arguments: [--inputs N] (10,000), [--seconds S] for each reader at most but
+ * [--least N] inputs (100), [--reader NAME] alone, [--replay FILE] through that
+ * one.
  *
  * @return exit code: 0 when there were no such files, else 1
  */

@@ -2,8 +2,11 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/gas/profile_file.h>
+#include <contrecoup/gas/table_profile.h>
 
 #include "fuzz.h"
+
+#include <fstream>
 
 using namespace contrecoup;
 
@@ -30,6 +33,19 @@ gas::ProfileData make_profile()
   return data;
 }
 
+void prepare_table(const std::string &folder)
+{
+  std::ofstream(folder + "/table.csv")
+    << "# x, rho, u, p, Y\nx, density, velocity, pressure, products\n"
+       "0, 1, 0, 1e5, 0.5\n0.5, 2, 3, 1e5, 0\n1, 1, 0, 1e5, 0\n";
+}
+
+void use_table(const std::string &path)
+{
+  const gas::TableProfile table(path);
+  table.value(0.5 * (table.begin() + table.end()));
+}
+
 void use(const std::string &path)
 {
   const gas::Profile profile(gas::read_profile(path));
@@ -49,5 +65,6 @@ int main(int argc, char **argv)
   return fuzz::run(argc,
                    argv,
                    {{"profile_csv", "profile.csv", prepare("profile.csv"), use},
-                    {"profile_h5", "profile.h5", prepare("profile.h5"), use}});
+                    {"profile_h5", "profile.h5", prepare("profile.h5"), use},
+                    {"table", "table.csv", prepare_table, use_table}});
 }

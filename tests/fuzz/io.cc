@@ -5,10 +5,16 @@
 #include <contrecoup/geometry/body_description.h>
 #include <contrecoup/io/checked_file.h>
 #include <contrecoup/io/checkpoint.h>
+#include <contrecoup/io/cost_cache.h>
+#include <contrecoup/io/history.h>
+#include <contrecoup/io/history_reader.h>
 #include <contrecoup/io/load_reader.h>
+#include <contrecoup/io/numpy.h>
+#include <contrecoup/io/run_description.h>
 
 #include "fuzz.h"
 
+#include <cstdlib>
 #include <filesystem>
 
 using namespace contrecoup;
@@ -63,6 +69,68 @@ void prepare_checkpoint(const std::string &folder)
     });
 }
 
+void prepare_history(const std::string &folder)
+{
+  io::HistoryFile history(folder + "/history.csv");
+  history.start();
+  for (const double x : {0.1, 1. / 3.})
+    history.add_row({{"time", "s", x}, {"left ear", "Pa", 7. * x}});
+}
+
+void read_history(const std::string &path)
+{
+  io::read_history(path).column("left ear", path);
+}
+
+
+void prepare_array(const std::string &folder)
+{
+  io::write_npy(folder + "/plane.npy", {2, 3}, {1., 2., 3., 4., 5., 6.});
+}
+
+void read_array(const std::string &path)
+{
+  io::read_npy(path);
+}
+
+
+void prepare_cost(const std::string &folder)
+{
+  setenv("XDG_CACHE_HOME", folder.c_str(), 1);
+  const io::CostCache cache("a scene");
+  cache.write({1., 2., 3., 4., 5., 6.});
+  std::filesystem::copy_file(cache.file(), folder + "/cost.json");
+}
+
+/// What is damaged counts as not there.
+void read_cost(const std::string &path)
+{
+  setenv(
+    "XDG_CACHE_HOME", std::filesystem::path(path).parent_path().c_str(), 1);
+  const io::CostCache cache("a scene");
+  std::filesystem::copy_file(
+    path, cache.file(), std::filesystem::copy_options::overwrite_existing);
+  cache.read();
+}
+
+
+void prepare_run(const std::string &folder)
+{
+  io::RunDescription run;
+  run.application = "blast";
+  run.parameters = {{"Time/End time", "1"}};
+  run.fields = {{0.5, "fields_1"}};
+  run.first_values = {{"mass", "kg", 1., true}};
+  io::write_file(folder + "/run.json",
+                 [&](std::ostream &out) { out << io::to_text(run); });
+}
+
+void read_run(const std::string &path)
+{
+  io::from_text(io::read_file(path));
+}
+
+
 /// Of the folder that the file is in, which has but this checkpoint.
 void read_checkpoint(const std::string &path)
 {
@@ -82,6 +150,10 @@ int main(int argc, char **argv)
     argv,
     {{"parameters", "run.prm", prepare_parameters, read_parameters},
      {"loads", "loads.h5", prepare_loads, read_loads},
+     {"history", "history.csv", prepare_history, read_history},
+     {"array", "plane.npy", prepare_array, read_array},
+     {"cost", "cost.json", prepare_cost, read_cost},
+     {"run", "run.json", prepare_run, read_run},
      {"checkpoint_marker",
       "0001/complete.json",
       prepare_checkpoint,

@@ -1,0 +1,229 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""Input that users get wrong: input_cases.py PROGRAMS_FOLDER REPOSITORY
+
+Each case below starts an application with --check on a file of its own. What
+is refused must be so with exit code 1 and one line on stderr that has the
+message; what is accepted must say what the case expects on the screen. Nothing
+may be written. One process for all, since each start costs little but a test
+of each would cost more. Exit code 0: all as wanted; 1: not, with the cases.
+"""
+
+import os
+import shutil
+import subprocess
+import sys
+
+FOLDER = "input_cases"
+SCENE = "scene/quickstart.prm"
+SOD = "blast/verification/sod.prm"
+BAR = "biomechanics/verification/bar_wave.prm"
+ANATOMY = "anatomy/quickstart.prm"
+REST = "blast/extremes/rest_100000_steps.prm"
+# Where what is needed for a case lies, made by make_files().
+MISSING = "no_such_file"
+A_FOLDER = "a_folder"
+SHORT = "short"
+OTHER = "other.prm"
+
+
+def shipped(path, *lines):
+    """A parameter file that includes a shipped one and goes on."""
+    return "\n".join([f"include @FILES@/{path}", *lines, ""]).encode()
+
+
+def entry(path, value):
+    """Lines that set "Section/Entry" to the value."""
+    *sections, name = path.split("/")
+    text = f"set {name} = {value}\n"
+    for section in reversed(sections):
+        text = f"subsection {section}\n{text}end\n"
+    return text
+
+
+def refused_files():
+    """Parameter files that cannot be read."""
+    plain = "subsection Charge\nset Mass = 1\nend\n"
+    yield ("UTF-16", "scene", plain.encode("utf-16"),
+           "it is not a text file: it is encoded as UTF-16")
+    yield ("UTF-16 without a mark", "scene", plain.encode("utf-16-le"),
+           "it is not a text file: its byte 2 is 0")
+    yield ("HDF5", "scene", b"\x89HDF\r\n\x1a\n" + bytes(20),
+           "it is not a text file: it is an HDF5 file")
+    yield ("include of nothing", "scene", f"include {MISSING}\n".encode(),
+           "there is no such file")
+    yield ("include of a folder", "scene", f"include {A_FOLDER}\n".encode(),
+           "it is a folder")
+    yield ("unknown word", "scene",
+           shipped(SCENE, entry("Charge/Explosive", "C44")),
+           'did you mean "c-4"?')
+
+
+def refused_entries():
+    """Values out of range, and expressions that are no numbers."""
+    for path, value in [("Scene/End time", "1e9"),
+                        ("Scene/End time", "2"),
+                        ("Charge/Mass", "1e300"),
+                        ("Charge/Mass", "1.1e6"),
+                        ("Charge/Distance", "1e9"),
+                        ("Charge/Height", "1e9"),
+                        ("Charge/Afterburn energy", "1e300"),
+                        ("Scene/Element size", "1e300"),
+                        ("Charge/Place", "1e7, 0, 1")]:
+        yield (path, "scene", shipped(SCENE, entry(path, value)),
+               f'entry "{path}" cannot be "{value}"')
+    for path, value in [("Initial state/Riemann/Left density", "1e300"),
+                        ("Initial state/Riemann/Left velocity", "1e300"),
+                        ("Initial state/Riemann/Right pressure", "-1e300"),
+                        ("Time/End time", "1e300"),
+                        ("Time/Largest step", "1e300"),
+                        ("Probes/Points", "1e300")]:
+        yield (path, "blast", shipped(SOD, entry(path, value)),
+               f'entry "{path}" cannot be "{value}"')
+    yield ("constant that is not finite", "blast",
+           shipped(SOD, entry("Initial state/Kind", "expression"),
+                   entry("Reference/Kind", "none"),
+                   entry("Initial state/Expression/Density", "sqrt(-1)")),
+           "Initial state/Expression: Density = \"sqrt(-1)\" is")
+    for value in ("sqrt(-1)", "1/t"):
+        path = "Loads/Load end/Pressure"
+        yield (f"load {value}", "biomechanics",
+               shipped(BAR, entry("Loads/Load end/Where", "1"),
+                       entry(path, value)),
+               f'{path} = "{value}" is ')
+
+
+def refused_other_files():
+    """Files of other kinds that an entry names."""
+    reasons = [(MISSING, "there is no such file"), (A_FOLDER, "it is a folder")]
+    for name, reason in reasons + [(OTHER, "it is no HDF5 file"),
+                                   (SHORT, "it is empty")]:
+        yield (f"{name} as loads", "biomechanics",
+               shipped(BAR, entry("Loads/Recorded/File", name)), reason)
+    for name, reason in reasons + [
+            (OTHER, "its name must end as that of a surface"),
+            ("other.stl", "cannot be read as .stl"),
+            ("short.stl", "cannot be read as .stl"),
+            ("other.ply", "cannot be read as PLY")]:
+        yield (f"{name} as surface", "anatomy",
+               shipped(ANATOMY, entry("Body/Kind", "surface"),
+                       entry("Body/Surface/File", name)), reason)
+    for name, reason in reasons + [(OTHER, "it must be NIfTI-1"),
+                                   ("short.nii", "it must be NIfTI-1")]:
+        yield (f"{name} as image", "anatomy",
+               shipped(ANATOMY, entry("Body/Kind", "image"),
+                       entry("Body/Image/Labels", "1: brain"),
+                       entry("Body/Image/File", name)), reason)
+    for name, reason in reasons + [
+            (OTHER, "its name must end as that of a mesh: .msh"),
+            ("short.msh", "deal.II cannot read it as a mesh")]:
+        yield (f"{name} as mesh", "blast",
+               shipped(REST, entry("Domain/Mesh", "file"),
+                       entry("Domain/Geometry", "plane"),
+                       entry("Domain/Mesh file", name)), reason)
+        yield (f"{name} as mesh of a solid", "biomechanics",
+               shipped(BAR, entry("Mesh/Kind", "file"),
+                       entry("Mesh/File", name)), reason)
+    for name, reason in reasons + [(OTHER, "no profile"),
+                                   ("short.csv", "has no line")]:
+        yield (f"{name} as profile", "blast",
+               shipped(SOD, entry("Reference/Kind", "none"),
+                       entry("Initial state/Kind", "profile"),
+                       entry("Initial state/Profile/File", name)), reason)
+    for name, reason in reasons + [("short.csv", "at least 2 lines")]:
+        yield (f"{name} as reference", "blast",
+               shipped(SOD, entry("Reference/Kind", "table"),
+                       entry("Reference/Table", name)), reason)
+
+
+def accepted():
+    """What is understood, and what is said of it."""
+    sod = "\n".join(["include @FILES@/" + SOD, ""])
+    yield ("byte order mark", "blast",
+           b"\xef\xbb\xbf" + sod.encode(), "The parameters are valid.")
+    yield ("other case and words", "blast",
+           shipped(SOD, entry("METHOD/limiter", "MinMod"),
+                   entry("time/END TIME", "0.1"),
+                   entry("output/checkpoint at the end", "Yes")),
+           "to time 0.1 s")
+    yield ("an entry twice", "blast",
+           shipped(SOD, "subsection Time", "set End time = 1",
+                   "set end time = 0.1", "end"),
+           'line 4: entry "Time/End time" was set in line 3 already; the later '
+           'value, "0.1", counts')
+    yield ("no entry", "blast", b"# nothing\n", "sets no entry")
+
+
+def make_files():
+    shutil.rmtree(FOLDER, ignore_errors=True)
+    os.makedirs(os.path.join(FOLDER, A_FOLDER))
+    for name in (SHORT, "short.stl", "short.nii", "short.msh", "short.csv"):
+        open(os.path.join(FOLDER, name), "w").close()
+    for name in (OTHER, "other.stl", "other.ply"):
+        with open(os.path.join(FOLDER, name), "w") as file:
+            file.write("set A = 1\n")
+
+
+def run(program, arguments):
+    """The application's answer; one that hangs is ended, with exit code -9."""
+    command = [program, *arguments, "--check", "--output", "output"]
+    environment = dict(os.environ, CONTRECOUP_CHECK_SECONDS="0")
+    try:
+        return subprocess.run(command, cwd=FOLDER, env=environment,
+                              capture_output=True, text=True, errors="replace",
+                              timeout=300)
+    except subprocess.TimeoutExpired:
+        return subprocess.CompletedProcess(command, -9, "", "it hangs")
+
+
+def judge_refusal(end, message):
+    """What is wrong with an answer that should be a refusal."""
+    lines = end.stderr.splitlines()
+    if end.returncode != 1:
+        return f"exit code {end.returncode}: {end.stderr}"
+    if len(lines) != 1 or message not in lines[0]:
+        return f"the message lacks '{message}': {end.stderr}"
+    return ""
+
+
+def judge_acceptance(end, text):
+    if end.returncode != 0 or end.stderr:
+        return f"exit code {end.returncode}: {end.stderr}"
+    return "" if text in end.stdout else f"'{text}' is not said: {end.stdout}"
+
+
+def main(programs, repository):
+    make_files()
+    before = sorted(os.listdir(FOLDER)) + ["case.prm"]
+    files = os.path.join(repository, "parameter_files")
+    count, problems = 0, []
+
+    def judge(name, end, verdict):
+        nonlocal count
+        count += 1
+        if sorted(set(os.listdir(FOLDER)) | {"case.prm"}) != sorted(before):
+            verdict = f"wrote {sorted(os.listdir(FOLDER))}"
+        if verdict:
+            problems.append(f"{name}: {verdict}")
+
+    for cases, verdict_of in [(refused_files, judge_refusal),
+                              (refused_entries, judge_refusal),
+                              (refused_other_files, judge_refusal),
+                              (accepted, judge_acceptance)]:
+        for name, application, content, text in cases():
+            with open(os.path.join(FOLDER, "case.prm"), "wb") as file:
+                file.write(content.replace(b"@FILES@", files.encode()))
+            end = run(os.path.join(programs, application), ["case.prm"])
+            judge(name, end, verdict_of(end, text))
+    for name, reason in [(MISSING, "there is no such file"),
+                         (A_FOLDER, "it is a folder")]:
+        end = run(os.path.join(programs, "scene"), [name])
+        judge(name, end, judge_refusal(
+            end, f'cannot read the parameter file "{name}": {reason}'))
+    print("\n".join(problems) or f"all {count} cases are as wanted")
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
