@@ -59,10 +59,11 @@ contrecoup_add_application_test(folder_ranks folder_ranks ${_wave} MPI 2
   STOP_AFTER 6 ARGUMENTS "Elements/Precision=single" TIMEOUT 120)
 
 contrecoup_add_application_test(folder_signals folder_signals
-  FILE scene/verification/head.prm SET "Scene/Forecast=false"
-  "Scene/Report=false" "Anatomy/Output/Pictures=false"
+  FILE scene/verification/head.prm SET "Scene/Question=loads"
+  "Scene/Forecast=false" "Scene/Report=false" "Anatomy/Output/Pictures=false"
   ARGUMENTS --set "Blast/Output/Checkpoint every steps=10"
   COMPARE blast/history.csv TIMEOUT 300)
 contrecoup_add_application_test(folder_stages folder_stages
-  FILE scene/verification/head.prm SET "Scene/Forecast=false"
-  "Scene/Report=false" "Anatomy/Output/Pictures=false" TIMEOUT 600)
+  FILE scene/verification/head.prm SET "Scene/Question=loads"
+  "Scene/Forecast=false" "Scene/Report=false" "Anatomy/Output/Pictures=false"
+  TIMEOUT 600)
