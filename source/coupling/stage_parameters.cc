@@ -7,6 +7,8 @@
 #include <contrecoup/base/text.h>
 #include <contrecoup/coupling/stage_parameters.h>
 #include <contrecoup/gas/rigid_body.h>
+#include <contrecoup/gas/scene_places.h>
+#include <contrecoup/materials/gas_material.h>
 
 #include <algorithm>
 #include <cmath>
@@ -252,13 +254,11 @@ namespace
   /// How far the front may go before it meets the scene's body: at least the
   /// distance from the charge's centre or, if axisymmetric, from its axis.
   template <int dim>
-  double distance_to_body(ParameterHandler &scene,
+  double distance_to_body(const gas::RigidBody &body,
                           const CoarseMesh<dim> &domain,
                           dealii::Point<dim> centre,
                           const std::string &stage)
   {
-    gas::RigidBody body;
-    body.parse_parameters(scene);
     if (body.empty())
       return std::numeric_limits<double>::max();
     if (stage != "axisymmetric")
@@ -273,6 +273,55 @@ namespace
       nearest = std::min(nearest, body.value(centre) - 0.5 * spacing);
     }
     return nearest;
+  }
+
+
+  /// Refuses a stage whose front would meet a side or the body before the
+  /// charge has burned in it.
+  template <int dim>
+  void check_room_to_burn(const StageParameters &parameters,
+                          const StagePlan<dim> &plan,
+                          const double charge_extent)
+  {
+    // The front leaves the charge while its last cells burn.
+    constexpr double burning_cells = 8.;
+    const double size = parameters.spherical_cell_size > 0.
+                          ? parameters.spherical_cell_size
+                          : parameters.cell_size;
+    const double least = charge_extent + burning_cells * size;
+    if (parameters.criterion != "auto" || charge_extent == 0. ||
+        plan.nearest > least)
+      return;
+    throw InputError(
+      "First stage/Kind = " + parameters.kind +
+      ": the centre of the charge is " + brief(plan.nearest) +
+      " m from the body or a side of the domain, and " + brief(least) +
+      " m are needed to burn it, " + brief(charge_extent) +
+      " m in radius, in cells of " + brief(size) +
+      " m; move it, use smaller cells, or First stage/Kind = none");
+  }
+
+
+  /// Shortens the way to the nearest obstacle where that is the body, after a
+  /// look at whether charges and body are where they can be.
+  template <int dim>
+  void meet_body(ParameterHandler &scene,
+                 const CoarseMesh<dim> &domain,
+                 const StageParameters &parameters,
+                 StagePlan<dim> &plan)
+  {
+    GasMaterial material;
+    material.parse_parameters(scene);
+    gas::RigidBody body;
+    body.parse_parameters(scene);
+    gas::check_places(scene, material, domain, body);
+    plan.nearest =
+      std::min(plan.nearest,
+               distance_to_body(body, domain, plan.centre, parameters.kind));
+    // Trials of the costs have larger cells, and go on as far as they can.
+    if (body.is_required())
+      check_room_to_burn(
+        parameters, plan, gas::largest_charge_extent(scene, material, domain));
   }
 } // namespace
 
@@ -304,7 +353,11 @@ StagePlan<dim> make_plan(ParameterHandler &scene,
     if (std::min(below, above) < -tolerance)
       throw InputError("First stage: the charge must be in the domain");
     if (axisymmetric_stage && d == dim - 1)
+    {
+      const double side = std::min(below, above);
+      plan.along_axis = side > tolerance ? side : std::max(below, above);
       continue;
+    }
     square += std::pow(std::max(below, above), 2);
     if (std::min(below, above) > tolerance)
       plan.nearest = std::min({plan.nearest, below, above});
@@ -317,9 +370,7 @@ StagePlan<dim> make_plan(ParameterHandler &scene,
       plan.part *= 0.5;
     }
   }
-  plan.nearest =
-    std::min(plan.nearest,
-             distance_to_body(scene, domain, plan.centre, parameters.kind));
+  meet_body(scene, domain, parameters, plan);
   if (axisymmetric_stage)
     plan.centre[dim - 1] = 0.;
   if (axisymmetric_scene && plan.centre[0] != 0.)

@@ -71,6 +71,37 @@ void StagedSimulation<dim>::parse_parameters(ParameterHandler &prm)
                                  plan_,
                                  scene_.probe_set().places(),
                                  communicator_);
+  bool is_trial = false;
+  {
+    const Section section(prm, "Rigid body");
+    is_trial = !prm.get_bool("Required");
+  }
+  if (!is_trial)
+    check_ways();
+}
+
+
+template <int dim>
+void StagedSimulation<dim>::check_ways() const
+{
+  const double cell = parameters_.cell_size,
+               spherical_cell = parameters_.spherical_cell_size;
+  if (spherical_cell == 0. || parameters_.criterion != "auto")
+    return;
+  // The fronts at which the spherical stage and the axisymmetric one end.
+  const double first =
+    plan_.along_axis -
+    std::min(2. * cell + 4. * spherical_cell, 0.5 * plan_.along_axis);
+  const double second = plan_.nearest - margin();
+  if (first >= second)
+    throw InputError(
+      "First stage: the spherical stage goes on until its front is at " +
+      brief(first) +
+      " m, near the ground, and the axisymmetric one would end "
+      "at " +
+      brief(second) +
+      " m, near the body or a side of the domain; "
+      "nothing is left for Kind = axisymmetric to do; use spherical");
 }
 
 

@@ -8,6 +8,7 @@
 #include <contrecoup/gas/gas_checkpoint.h>
 #include <contrecoup/gas/gas_measures.h>
 #include <contrecoup/gas/gas_simulation.h>
+#include <contrecoup/gas/scene_places.h>
 #include <contrecoup/io/checked_file.h>
 
 #include <sstream>
@@ -76,6 +77,10 @@ void GasSimulation<dim>::parse_parameters(ParameterHandler &prm)
   adaptation_pace_ = AdaptationPace(adaptation_parameters_);
   probes_.parse_parameters(prm, coarse_mesh_);
   parse_body(prm);
+  check_places(prm, material_, coarse_mesh_, body_);
+  if (!body_.empty() && body_.is_required())
+    for (const std::string &line : remarks_on_cuts(prm, coarse_mesh_, body_))
+      log_line(line);
   probes_.set_ambient(initial_state_);
   gauges_.parse_parameters(prm, coarse_mesh_);
   gauges_.set_ambient(initial_state_);

@@ -79,7 +79,7 @@ BodyPointer BodyDescription::create_unplaced() const
     return phantom_.create();
   if (kind_ == "surface")
   {
-    const BodyPointer body = from_surface_.create();
+    const BodyPointer body = from_surface_.create(placement_.scale());
     if (!from_surface_.has_organs())
       return body;
     const auto giver =

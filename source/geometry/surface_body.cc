@@ -59,6 +59,15 @@ void SurfaceBody::declare_parameters(dealii::ParameterHandler &prm)
   for (const auto &[name, length] : units())
     names.push_back(name);
   declare_selection(prm, "Unit", "m", names, "The length of a 1 in the file.");
+  declare_double(prm,
+                 "Largest size",
+                 "5",
+                 1e-6,
+                 1e6,
+                 "m",
+                 "Longest edge of the box around the body, with the scale of "
+                 "Body, above which it is refused, for Unit is then likely to "
+                 "be wrong.");
   Placement::declare_rotation(
     prm,
     "Angles about the fixed axes x, then y, then z that turn what the file "
@@ -102,6 +111,7 @@ void SurfaceBody::parse_parameters(dealii::ParameterHandler &prm)
   for (const auto &[name, length] : units())
     if (name == prm.get("Unit"))
       unit_ = length;
+  largest_size_ = read_double(prm, "Largest size");
   angles_ = Placement::read_rotation(prm);
   tissue_ = find_tissue(prm.get("Tissue"));
   has_organs_ = prm.get("Organs") == "phantom";
@@ -109,12 +119,51 @@ void SurfaceBody::parse_parameters(dealii::ParameterHandler &prm)
   largest_hole_area_ = read_double(prm, "Largest holes");
 }
 
-BodyPointer SurfaceBody::create() const
+void SurfaceBody::check_size(const dealii::BoundingBox<3> &box) const
+{
+  // Of persons, with organs, and of what else bodies are made for.
+  constexpr double smallest_person = 0.3, largest_person = 2.6;
+  double size = 0.;
+  for (unsigned int d = 0; d < 3; ++d)
+    size = std::max(size, box.side_length(d));
+  const double smallest = has_organs_ ? smallest_person : 0.;
+  const double largest =
+    has_organs_ ? std::min(largest_size_, largest_person) : largest_size_;
+  if (size >= smallest && size <= largest)
+    return;
+  std::vector<std::string> better;
+  for (const auto &[name, length] : units())
+  {
+    const double other = size * length / unit_;
+    if (other >= smallest_person && other <= largest_person)
+      better.push_back("Body/Surface/Unit = " + name + " would make it " +
+                       brief(other) + " m");
+  }
+  throw InputError(
+    "surface \"" + file_ + "\": its box is " + brief(box.side_length(0)) +
+    " x " + brief(box.side_length(1)) + " x " + brief(box.side_length(2)) +
+    " m, " +
+    (has_organs_
+       ? "that of a person is " + brief(smallest) + " to " + brief(largest) +
+           " m long"
+       : "Body/Surface/Largest size allows " + brief(largest) + " m") +
+    (better.empty() ? std::string("; Body/Surface/Unit or "
+                                  "Body/Scale changes it")
+                    : "; " + join(better, ", ")));
+}
+
+BodyPointer SurfaceBody::create(const double scale) const
 {
   TriangleMesh mesh = read_surface(file_, unit_);
   const Placement turned(1., angles_, {});
+  std::vector<dealii::Point<3>> scaled;
   for (dealii::Point<3> &vertex : mesh.vertices)
+  {
     vertex = turned.apply(vertex);
+    scaled.push_back(scale * vertex);
+  }
+  if (!scaled.empty())
+    check_size(dealii::BoundingBox<3>(scaled));
   const RepairReport report = repair(mesh);
   const std::string where = "surface \"" + file_ + "\": ";
   if (mesh.triangles.empty())

@@ -50,6 +50,9 @@ struct StagePlan
   /// Distance from the centre or the axis to the next side of the domain
   /// that is no plane through it [m].
   double nearest = std::numeric_limits<double>::max();
+  /// From the charge along the axis of an axisymmetric stage to the next side
+  /// of the domain that is no plane through it [m].
+  double along_axis = 0.;
   /// To the corner that is farthest away [m].
   double farthest = 0.;
   /// The part of the whole body within the domain: 1, or a half for each

@@ -72,6 +72,9 @@ public:
 private:
   /// The solver of the stage that is at work.
   Simulation &active() const;
+  /// @throws InputError when an axisymmetric stage that begins in 1-D would
+  /// end before it begins.
+  void check_ways() const;
   void read_gauges();
   /// Distance before the nearest side at which "auto" hands over [m].
   double margin() const;

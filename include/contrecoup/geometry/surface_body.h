@@ -25,9 +25,10 @@ public:
   void parse_parameters(dealii::ParameterHandler &prm);
 
   /// Reads and repairs the surface. What was found is in the body's remarks.
+  /// @param scale that the body gets afterwards, which counts for its size
   /// @throws InputError when the file cannot be read, the surface encloses no
-  ///   volume, or its holes are too large
-  BodyPointer create() const;
+  ///   volume, its holes are too large, or it is itself, or no person's
+  BodyPointer create(double scale = 1.) const;
 
   /// Whether the phantom's organs belong into it.
   bool has_organs() const
@@ -42,8 +43,12 @@ public:
   }
 
 private:
+  /// @throws InputError for a size that hints at another unit
+  void check_size(const dealii::BoundingBox<3> &box) const;
+
   std::string file_;
   double unit_ = 1.;            ///< [m]
+  double largest_size_ = 5.;    ///< [m]
   dealii::Tensor<1, 3> angles_; ///< [rad]
   Tissue tissue_ = Tissue::soft_tissue;
   bool has_organs_ = false;

@@ -1,0 +1,10 @@
+# What must not be computed is refused before anything is meshed; the rows are
+# in danger.py.
+foreach(_application blast)
+  set(_folder ${CMAKE_CURRENT_BINARY_DIR}/danger_${_application})
+  file(MAKE_DIRECTORY ${_folder})
+  _contrecoup_register_test(${_application}_danger TIMEOUT 600 LABELS refusal
+    COMMAND ${CMAKE_COMMAND} -E chdir ${_folder}
+      ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/danger.py
+      ${_application} $<TARGET_FILE:${_application}> $<TARGET_FILE:blast>)
+endforeach()
