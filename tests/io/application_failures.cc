@@ -234,6 +234,7 @@ TEST(System, FullDiskDuringACheckpointKeepsTheLast)
 {
   const std::string straight = local("straight_beside_full");
   const std::string folder = local("full");
+  remove(straight);
   run_scene(straight);
   stop_with_checkpoints(folder);
   const auto before = checkpoints(folder);
@@ -255,8 +256,12 @@ TEST(System, FullDiskDuringHistoryOrFields)
 {
   const std::string folder = local("full_at_once");
   remove(folder);
-  const FullDisk disk(1500);
-  expect_failure(run_scene(folder), 3, "cannot write");
+  // Room for the manifest and the parameters, not for a thousand rows.
+  const FullDisk disk(12000);
+  expect_failure(
+    run_scene(folder, {"--set", "Time/End time=100"}), 3, "cannot write");
+  EXPECT_TRUE(exists(folder + "/manifest.json"));
+  EXPECT_TRUE(exists(folder + "/parameters.prm"));
   for (const auto &item : fs::recursive_directory_iterator(folder))
     EXPECT_EQ(item.path().string().find(".partial"), std::string::npos);
 }
