@@ -21,7 +21,7 @@ contrecoup_add_application_test(hot_ball_on_2
   SET ${_short} ${_gauges} ${_all} ${_near} STOP_AFTER 7)
 contrecoup_add_application_test(hot_ball_galerkin ranks,resume ${_hot_ball}
   SET ${_short} "Method/Scheme=discontinuous galerkin" "Method/Degree=2"
-  ${_all} ${_near} STOP_AFTER 7)
+  COMPARE history.csv probes.csv fields/*.npy ${_near} STOP_AFTER 7)
 contrecoup_add_application_test(hot_ball_single
   ranks,resume,parallel_resume,parallel_sigkill ${_hot_ball}
   SET ${_short} "Method/Precision=single" ${_gauges} ${_all} RANKS 2 7 3
