@@ -6,6 +6,9 @@ option(CONTRECOUP_NATIVE
 option(CONTRECOUP_SANITIZE
   "Build with the address and undefined-behaviour sanitizers" OFF)
 
+# OFF while one works on a test: a change then compiles its source alone.
+option(CONTRECOUP_UNITY "Compile sources of tests several at once" ON)
+
 # gcc 12 takes the undefined registers of its own AVX-512 intrinsics for
 # uninitialised variables.
 set(_common -Wall -Wextra -Wno-psabi -Wno-maybe-uninitialized

@@ -48,37 +48,54 @@ endfunction()
 
 # The main function of all unit tests; compiled once.
 add_library(contrecoup_test_main STATIC
-  ${PROJECT_SOURCE_DIR}/tests/main.cc)
+  ${PROJECT_SOURCE_DIR}/tests/main.cc
+  ${PROJECT_SOURCE_DIR}/tests/source_filter.cc)
 contrecoup_setup_test_target(contrecoup_test_main)
 target_link_libraries(contrecoup_test_main contrecoup_base GTest::gtest)
 
 # contrecoup_add_unit_test(<name> SOURCES <a.cc>... DEPENDS <layer>...
-#   [MPI <n>] [LABELS <label>...] [TIMEOUT <seconds>])
+#   [TOGETHER <word>] [MPI <n>] [LABELS <label>...] [TIMEOUT <seconds>])
 #
-# A GoogleTest executable and ctest <folder>_<name>, where <folder> is that of
-# the calling CMakeLists.txt. With MPI <n> it runs a second time on n ranks,
-# as <folder>_<name>_mpi_<n>. MPI is initialised before the first test.
+# The ctest <folder>_<name> runs the GoogleTests of these sources, where <folder>
+# is that of the calling CMakeLists.txt. All of a folder are one program,
+# <folder>_tests: each program takes 2 s to link. With MPI <n> they run a second
+# time on n ranks, as <folder>_<name>_mpi_<n>. MPI is initialised before the
+# first test. The compiler gets all sources of a folder with the same word of
+# TOGETHER at once, which halves its work; names in their unnamed namespaces must
+# differ.
 function(contrecoup_add_unit_test name)
-  cmake_parse_arguments(ARG "" "MPI;TIMEOUT" "SOURCES;DEPENDS;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "" "MPI;TIMEOUT;TOGETHER" "SOURCES;DEPENDS;LABELS" ${ARGN})
   if(NOT ARG_SOURCES OR ARG_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "contrecoup_add_unit_test(${name}): SOURCES is "
       "missing or these words are unknown: ${ARG_UNPARSED_ARGUMENTS}")
   endif()
   get_filename_component(_folder ${CMAKE_CURRENT_SOURCE_DIR} NAME)
-  set(_target ${_folder}_${name})
-  add_executable(${_target} ${ARG_SOURCES})
-  contrecoup_setup_test_target(${_target})
-  target_link_libraries(${_target} contrecoup_test_main)
+  set(_test ${_folder}_${name})
+  set(_program ${_folder}_tests)
+  if(NOT TARGET ${_program})
+    add_executable(${_program})
+    contrecoup_setup_test_target(${_program})
+    set_target_properties(${_program} PROPERTIES
+      UNITY_BUILD ${CONTRECOUP_UNITY} UNITY_BUILD_MODE GROUP)
+    target_link_libraries(${_program} contrecoup_test_main)
+  endif()
+  target_sources(${_program} PRIVATE ${ARG_SOURCES})
+  if(ARG_TOGETHER)
+    set_source_files_properties(${ARG_SOURCES} PROPERTIES
+      UNITY_GROUP ${ARG_TOGETHER})
+  endif()
   foreach(_layer ${ARG_DEPENDS})
-    target_link_libraries(${_target} contrecoup_${_layer})
+    target_link_libraries(${_program} contrecoup_${_layer})
   endforeach()
 
-  _contrecoup_register_test(${_target} RANKS 1 TIMEOUT ${ARG_TIMEOUT}
-    LABELS unit ${ARG_LABELS} COMMAND $<TARGET_FILE:${_target}>)
+  list(JOIN ARG_SOURCES "," _sources)
+  set(_command $<TARGET_FILE:${_program}> --sources=${_sources})
+  _contrecoup_register_test(${_test} RANKS 1 TIMEOUT ${ARG_TIMEOUT}
+    LABELS unit ${ARG_LABELS} COMMAND ${_command})
   if(ARG_MPI)
-    _contrecoup_register_test(${_target}_mpi_${ARG_MPI} RANKS ${ARG_MPI}
+    _contrecoup_register_test(${_test}_mpi_${ARG_MPI} RANKS ${ARG_MPI}
       TIMEOUT ${ARG_TIMEOUT} LABELS unit ${ARG_LABELS}
-      COMMAND ${DEAL_II_MPIEXEC} -np ${ARG_MPI} $<TARGET_FILE:${_target}>)
+      COMMAND ${DEAL_II_MPIEXEC} -np ${ARG_MPI} ${_command})
   endif()
 endfunction()
 
