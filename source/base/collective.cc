@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/collective.h>
 #include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/gather.h>
 #include <contrecoup/base/signals.h>
 #include <contrecoup/base/text.h>
 
@@ -184,9 +185,8 @@ unsigned int Collective::agree(const Failure &own, const unsigned int flags)
   if (received[0] != 0)
   {
     const int root = n_ranks_ - 1 - received[0] % n_ranks_;
-    throw_failure(
-      {static_cast<ExitCode>(received[0] / n_ranks_),
-       dealii::Utilities::MPI::broadcast(agreement_, own.message, root)});
+    throw_failure({static_cast<ExitCode>(received[0] / n_ranks_),
+                   broadcast_text(agreement_, own.message, root)});
   }
   unsigned int all = 0;
   for (int i = 0; i < n_flags; ++i)

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/gather.h>
 #include <contrecoup/base/log.h>
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/base/timers.h>
@@ -277,10 +278,8 @@ void GasSimulation<dim>::give_up(
   // The first rank with a bad leaf speaks for all.
   const std::string mine =
     result.unphysical_leaf ? describe_leaf(*result.unphysical_leaf) : "";
-  const auto all =
-    dealii::Utilities::MPI::all_gather(mesh_.communicator(), mine);
   std::string text;
-  for (const auto &candidate : all)
+  for (const auto &candidate : gather_texts(mesh_.communicator(), mine))
     if (text.empty())
       text = candidate;
   std::ostringstream message;

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/gather.h>
 #include <contrecoup/gas/point_sampler.h>
 
 #include <deal.II/fe/mapping_q1.h>
@@ -123,19 +124,25 @@ void PointSampler<dim>::find_in_cells(
   const LeafPoints<dim> &points)
 {
   std::vector<Holder<dim>> holders;
-  std::vector<std::string> mine;
+  std::string mine; // the names in lines
   for (const auto &place : places)
   {
     holders.push_back(holder_of(place, mesh));
-    mine.push_back(holders.back().name);
+    mine += holders.back().name + '\n';
   }
-  const auto all = dealii::Utilities::MPI::all_gather(communicator_, mine);
+  std::vector<std::istringstream> all;
+  for (const auto &names : gather_texts(communicator_, mine))
+    all.emplace_back(names);
   for (unsigned int i = 0; i < places.size(); ++i)
   {
     std::string first;
-    for (const auto &names : all)
-      if (!names[i].empty() && (first.empty() || names[i] < first))
-        first = names[i];
+    for (auto &names : all)
+    {
+      std::string name;
+      std::getline(names, name);
+      if (!name.empty() && (first.empty() || name < first))
+        first = name;
+    }
     if (first.empty())
     {
       std::ostringstream message;
@@ -143,7 +150,7 @@ void PointSampler<dim>::find_in_cells(
               << " m is outside of the mesh";
       throw InputError(message.str());
     }
-    if (mine[i] == first)
+    if (holders[i].name == first)
       add_place(i, holders[i].cell, holders[i].place, mesh, points);
   }
 }

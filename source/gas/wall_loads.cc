@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/bounds.h>
 #include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/gather.h>
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/base/timers.h>
 #include <contrecoup/gas/gas_measures.h>
@@ -167,8 +168,7 @@ void WallLoads<dim>::number_facets(const std::vector<std::uint64_t> &keys,
                                    const std::vector<double> &geometry)
 {
   std::vector<std::uint64_t> all;
-  for (const auto &of_rank :
-       dealii::Utilities::MPI::all_gather(communicator_, keys))
+  for (const auto &of_rank : gather_arrays(communicator_, keys))
     all.insert(all.end(), of_rank.begin(), of_rank.end());
   std::sort(all.begin(), all.end());
   if (records_.size() != all.size() || (!keys_.empty() && keys_ != all))

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/gather.h>
 #include <contrecoup/base/log.h>
 #include <contrecoup/io/checked_file.h>
 #include <contrecoup/io/checkpoint.h>
@@ -157,7 +158,7 @@ namespace io
           throw SystemError("cannot make the folder \"" + checkpoint +
                             "\": " + error.message());
       });
-      checkpoint = MPI::broadcast(all, checkpoint, 0);
+      checkpoint = broadcast_text(all, checkpoint, 0);
       collective_.run([&]() { save(checkpoint); });
       collective_.run([&]() {
         if (!first_rank)
@@ -206,8 +207,8 @@ namespace io
                                           "from");
       },
       ExitCode::bad_input);
-    found.folder = MPI::broadcast(all, found.folder, 0);
-    found.run = MPI::broadcast(all, found.run, 0);
+    found.folder = broadcast_text(all, found.folder, 0);
+    found.run = broadcast_text(all, found.run, 0);
     if (found.folder.empty())
       return std::nullopt;
     return found;

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/gather.h>
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/io/checked_file.h>
 #include <contrecoup/io/field_output.h>
@@ -113,7 +114,8 @@ namespace io
     };
     // Nothing is sent from here on: a rank whose disk is full must not leave
     // the others waiting.
-    const auto n_patches = MPI::gather(communicator, patches_.size(), 0);
+    const auto n_patches =
+      gather_arrays(communicator, std::vector<std::size_t>{patches_.size()});
     // A rank without patches has no piece.
     if (!patches_.empty() || n == 1)
       write_file(folder + "/" + piece(rank), [&](std::ostream &out) {
@@ -125,7 +127,7 @@ namespace io
     {
       std::vector<std::string> pieces;
       for (unsigned int r = 0; r < n; ++r)
-        if (n_patches[r] > 0)
+        if (n_patches[r][0] > 0)
           pieces.push_back(piece(r));
       write_file(folder + "/" + name + ".pvtu", [&](std::ostream &out) {
         this->write_pvtu_record(out, pieces);

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/gather.h>
 #include <contrecoup/io/checked_file.h>
 #include <contrecoup/io/field_output.h>
 #include <contrecoup/io/output_folder.h>
@@ -140,8 +141,7 @@ namespace io
         path("fields"), static_cast<unsigned int>(state.field_index));
     });
     // Of a mesh in 1-D only the first rank writes, and knows the name.
-    file =
-      dealii::Utilities::MPI::broadcast(collective_.communicator(), file, 0);
+    file = broadcast_text(collective_.communicator(), file, 0);
     // A collection cannot list other formats.
     if (fs::path(file).extension() != ".vtu" &&
         fs::path(file).extension() != ".pvtu")

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/gather.h>
 #include <contrecoup/base/log.h>
 #include <contrecoup/base/memory.h>
 #include <contrecoup/base/parameter_tree.h>
@@ -310,7 +311,7 @@ namespace io
           folder = std::make_unique<TemporaryFolder>();
           path = folder->path();
         }
-        path = dealii::Utilities::MPI::broadcast(all, path, 0);
+        path = broadcast_text(all, path, 0);
         // The loop agrees on its own errors, in between those of setup.
         Collective inner(all);
         part = run_in(

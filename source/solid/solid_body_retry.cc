@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/gather.h>
 #include <contrecoup/base/text.h>
 #include <contrecoup/solid/node_backup.h>
 #include <contrecoup/solid/solid_body.h>
@@ -155,16 +156,13 @@ void SolidBody<Real>::give_up(const Advance &failed)
                   3.)
          << " Pa";
   }
-  const auto all = dealii::Utilities::MPI::all_gather(
-    communicator_, std::make_pair(least, text.str()));
-  const auto found =
-    std::min_element(all.begin(), all.end(), [](const auto &a, const auto &b) {
-      return a.first < b.first;
-    });
+  const auto values = gather_arrays(communicator_, std::vector<double>{least});
+  const auto texts = gather_texts(communicator_, text.str());
+  const auto found = std::min_element(values.begin(), values.end());
   std::ostringstream message;
   message << "The body turned unphysical at time " << time_
           << " s although the step was reduced to " << brief(failed.step)
-          << " s; " << found->second;
+          << " s; " << texts[found - values.begin()];
   throw NumericsError(message.str());
 }
 

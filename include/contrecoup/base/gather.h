@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <mpi.h>
+
+#include <cstring>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+/**
+ * @file
+ * Texts and arrays from rank to rank. deal.II's functions of these names pack
+ * any type by Boost, which takes 5 s to compile in each source that calls one.
+ */
+
+namespace contrecoup
+{
+/// The texts of all ranks, in their order, on all ranks. Collective.
+/// @throws SystemError, on all ranks, when they exceed 2 GiB together.
+std::vector<std::string> gather_texts(MPI_Comm communicator,
+                                      const std::string &text);
+
+/// The text of rank @p root on all ranks. Collective.
+/// @throws SystemError, on all ranks, when it exceeds 2 GiB.
+std::string
+broadcast_text(MPI_Comm communicator, const std::string &text, int root);
+
+/// As gather_texts(), of arrays of plain numbers.
+template <typename T>
+std::vector<std::vector<T>> gather_arrays(const MPI_Comm communicator,
+                                          const std::vector<T> &values)
+{
+  static_assert(std::is_arithmetic_v<T>, "only numbers are sent as bytes");
+  const std::string bytes(reinterpret_cast<const char *>(values.data()),
+                          values.size() * sizeof(T));
+  std::vector<std::vector<T>> result;
+  for (const std::string &of_rank : gather_texts(communicator, bytes))
+  {
+    std::vector<T> &numbers = result.emplace_back(of_rank.size() / sizeof(T));
+    if (!numbers.empty())
+      std::memcpy(numbers.data(), of_rank.data(), of_rank.size());
+  }
+  return result;
+}
+} // namespace contrecoup
