@@ -292,7 +292,7 @@ namespace io
         dealii::ParameterHandler coarse;
         TimeParameters::declare_parameters(coarse);
         description.declare_parameters(coarse);
-        apply_assignments(assignments_of(prm), coarse);
+        apply_assignments(contrecoup::assignments_of(prm), coarse);
         if (levels > 0 && !description.coarsen(coarse, levels))
           throw InputError("the scene cannot be so coarse");
         TimeParameters time;
