@@ -12,4 +12,10 @@ _contrecoup_register_test(scene_main_job_page TIMEOUT 900 LABELS main_job
 set_tests_properties(scene_main_job PROPERTIES
   FIXTURES_SETUP main_job_report)
 set_tests_properties(scene_main_job_page PROPERTIES
-  FIXTURES_REQUIRED main_job_report SKIP_RETURN_CODE 77)
+  FIXTURES_REQUIRED main_job_report)
+
+# A woman of an STL file.
+contrecoup_add_application_test(main_job_surface main_job_surface
+  FILE scene/quickstart.prm OTHER_FILE anatomy/quickstart.prm
+  MPI 2 TIMEOUT 1800 SET ${_first_look} "Body/Kind=surface"
+  "Body/Surface/Organs=phantom")
