@@ -52,7 +52,7 @@ pre { background: var(--pale); padding: 10px 14px; white-space: pre-wrap; }
 details summary { cursor: pointer; color: var(--accent); }
 .paper { display: none; }
 /* On a narrow window a row stands as a card, each cell after its heading. */
-@media screen and (max-width: 760px) {
+@media screen and (max-width: 900px) {
   body { padding: 16px 14px 40px; overflow-wrap: break-word; }
   h1 { font-size: 25px; }
   .answer { padding: 8px 14px; font-size: 16px; }

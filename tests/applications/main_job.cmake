@@ -19,3 +19,17 @@ contrecoup_add_application_test(main_job_surface main_job_surface
   FILE scene/quickstart.prm OTHER_FILE anatomy/quickstart.prm
   MPI 2 TIMEOUT 1800 SET ${_first_look} "Body/Kind=surface"
   "Body/Surface/Organs=phantom")
+
+# A head of medical images, which Debian's mricron-data ships. Elements as coarse
+# as these bend too easily with one point of integration. It has no named places:
+# bounds are within 3 % of what the brain had.
+contrecoup_add_application_test(main_job_image main_job
+  FILE scene/showcase/colin_head.prm MPI 2 TIMEOUT 1800
+  NEEDS /usr/share/mricron/templates/ch2.nii.gz
+  SET ${_first_look} "Scene/Element size=0.006"
+    "Biomechanics/Elements/Integration=full" "Blast/Output/Volume fields=true"
+  BOUNDS "assumptions.injury_intracranial_pressure_peak > 670.4e3"
+    "assumptions.injury_intracranial_pressure_peak < 711.8e3"
+    "assumptions.injury_intracranial_pressure_lowest < 282.7e3"
+    "assumptions.injury_strain_95 > 0.01432" "assumptions.injury_strain_95 < 0.0152"
+    "assumptions.injury_hic15 > 396" "assumptions.injury_hic15 < 420.5")

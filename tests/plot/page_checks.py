@@ -12,7 +12,7 @@ import sys
 
 import browser
 
-WIDTHS = (1200, 800, 400)
+WIDTHS = (1200, 920, 800, 400)
 # Of a page's height, above its lowest mark; the last page may end anywhere.
 LEAST_FILL = 0.45
 LEAST_MEAN_FILL = 0.75
