@@ -15,7 +15,7 @@ contrecoup_add_application_test(forecast_uniform forecast
   FILE blast/verification/noh_3d.prm TOLERANCE 1.5 LEVELS "5 2"
   SET "Time/End time=0.3")
 contrecoup_add_application_test(forecast_body forecast
-  FILE blast/quickstart_human.prm TOLERANCE 2 LEVELS "4 2"
+  FILE blast/quickstart_human.prm TOLERANCE 1.5 LEVELS "3 1"
   SET "Time/End time=0.003"
   "Rigid body/Levels=2" "First stage/Cell size=0.02" "Pictures/Planes="
   "First stage/Spherical cell size=0.002" "Output/Fields=false"
