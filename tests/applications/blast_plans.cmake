@@ -1,8 +1,8 @@
 # What --check foretells, and what a run takes for granted.
 
 # Steps, memory and output within a factor of 1.5: a blast that begins in 1-D
-# and goes on in an adaptive 3-D mesh, an adaptive one in 2-D, a uniform one;
-# within 2 one with a body that records its loads. The trial runs are those that
+# and goes on in an adaptive 3-D mesh, an adaptive one in 2-D, a uniform one,
+# and one with a body that records its loads. The trial runs are those that
 # --check makes in its four seconds on a processor of 2021.
 contrecoup_add_application_test(forecast_stages forecast
   FILE blast/quickstart.prm TOLERANCE 1.5 LEVELS "3 1" SET "Time/End time=0.0012"
