@@ -131,11 +131,13 @@ void SurfaceBody::check_size(const dealii::BoundingBox<3> &box) const
     has_organs_ ? std::min(largest_size_, largest_person) : largest_size_;
   if (size >= smallest && size <= largest)
     return;
+  // Heads are scanned alone, too.
+  constexpr double smallest_likely = 0.1;
   std::vector<std::string> better;
   for (const auto &[name, length] : units())
   {
     const double other = size * length / unit_;
-    if (other >= smallest_person && other <= largest_person)
+    if (other >= smallest_likely && other <= largest_person)
       better.push_back("Body/Surface/Unit = " + name + " would make it " +
                        brief(other) + " m");
   }
