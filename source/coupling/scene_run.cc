@@ -12,6 +12,8 @@
 #include <contrecoup/io/checked_file.h>
 #include <contrecoup/io/pictures.h>
 
+#include <algorithm>
+
 namespace contrecoup::coupling
 {
 SceneRun::SceneRun(const io::CommandLine &command,
@@ -32,16 +34,40 @@ SceneRun::SceneRun(const io::CommandLine &command,
 }
 
 
+void SceneRun::tell_costs()
+{
+  CostEstimate total;
+  bool any_finished = false;
+  for (SceneStage &stage : stages_)
+  {
+    if (stage.is_finished())
+    {
+      log_line("stage " + stage.name() + " is finished in " + stage.folder());
+      any_finished = true;
+      continue;
+    }
+    log_line("stage " + stage.name() + ":");
+    const CostEstimate cost = stage.check(collective_);
+    total.seconds += cost.seconds;
+    total.memory = std::max(total.memory, cost.memory);
+    total.output += cost.output;
+  }
+  if (!(total.memory > 0.))
+    return;
+  log_line(std::string(any_finished ? "what is left" : "all stages") +
+           ", one after the other: wall time about " + duration(total.seconds) +
+           ", memory about " + bytes(total.memory) +
+           (total.output > 0. ? ", output about " + bytes(total.output) : "") +
+           " in " + command_.output_folder);
+}
+
+
 void SceneRun::check()
 {
   scene_->print();
   for (SceneStage &stage : stages_)
     stage.inspect(collective_);
-  for (SceneStage &stage : stages_)
-    if (stage.is_finished())
-      log_line("stage " + stage.name() + " is finished in " + stage.folder());
-    else
-      stage.check(collective_);
+  tell_costs();
 }
 
 
@@ -49,9 +75,7 @@ void SceneRun::forecast()
 {
   // The checks of stages close it, but there may be none.
   Log::instance().close();
-  for (SceneStage &stage : stages_)
-    if (!stage.is_finished())
-      stage.check(collective_);
+  tell_costs();
   collective_.run([&]() { Log::instance().open(path("log.txt"), true); });
 }
 

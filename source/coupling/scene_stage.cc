@@ -169,17 +169,19 @@ void SceneStage::take_summary(const double wall_seconds)
 }
 
 
-void SceneStage::check(Collective &collective)
+CostEstimate SceneStage::check(Collective &collective)
 {
   // Every rank has its own, for there may be no folder that all of them see.
   const io::TemporaryFolder temporary;
   const std::string path = temporary.path() + "/" + name_ + ".prm";
   collective.run(
     [&]() { io::write_file(path, [&](std::ostream &out) { out << text_; }); });
+  CostEstimate cost;
   const Failure failure =
-    runner_({name_, path, "--output", folder(), "--check"});
+    runner_({name_, path, "--output", folder(), "--check"}, cost);
   if (failure.code != ExitCode::done)
     throw_failure({failure.code, "stage " + name_ + ": " + failure.message});
+  return cost;
 }
 
 
@@ -229,7 +231,8 @@ bool SceneStage::run(const bool resume, Collective &collective)
       begin(goes_on);
   });
   const auto begin = std::chrono::steady_clock::now();
-  const Failure failure = runner_(words);
+  CostEstimate unused;
+  const Failure failure = runner_(words, unused);
   const double wall_seconds =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
       .count();

@@ -24,18 +24,23 @@ namespace
   /// A solver as a stage.
   SceneStage::Runner runner(const io::ApplicationDescription &application)
   {
-    return [application](const std::vector<std::string> &arguments) {
+    return [application](const std::vector<std::string> &arguments,
+                         CostEstimate &cost) {
       forget_peak_memory();
-      return io::run_within(arguments, application);
+      io::ApplicationDescription stage = application;
+      stage.take_cost = [&cost](const CostEstimate &found) { cost = found; };
+      return io::run_within(arguments, stage);
     };
   }
 
 
-  /// A tool as a stage: the first rank's work.
-  SceneStage::Runner runner(const io::ToolDescription &tool,
-                            Collective &collective)
+  /// The body's mesh as a stage: the first rank's work.
+  SceneStage::Runner anatomy_runner(Collective &collective)
   {
-    return [tool, &collective](const std::vector<std::string> &arguments) {
+    return [&collective](const std::vector<std::string> &arguments,
+                         CostEstimate &cost) {
+      const io::ToolDescription tool = anatomy_application(
+        [&cost](const CostEstimate &found) { cost = found; });
       Failure failure;
       try
       {
@@ -93,7 +98,7 @@ namespace
               anatomy_files(),
               {},
               false,
-              runner(tool, collective_)};
+              anatomy_runner(collective_)};
     }
 
     SceneStage blast() const

@@ -94,7 +94,11 @@ namespace io
   {
     const CostEstimate cost =
       known_cost(description_, prm_, estimate(), collective_);
-    log_line(description_.name + " would run " + command_.parameter_file + ":");
+    if (description_.take_cost)
+      description_.take_cost(cost);
+    log_line(description_.name + " would run" +
+             (description_.take_cost ? "" : " " + command_.parameter_file) +
+             ":");
     log_line("  cells     " + brief(cost.cells, 7));
     log_line("  unknowns  " + brief(cost.unknowns, 7));
     log_line("  steps     about " + brief(cost.steps, 3) + " to time " +

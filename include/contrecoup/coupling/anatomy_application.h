@@ -3,8 +3,11 @@
 
 #pragma once
 
+#include <contrecoup/base/simulation.h>
 #include <contrecoup/io/manifest.h>
 #include <contrecoup/io/tool.h>
+
+#include <functional>
 
 namespace contrecoup
 {
@@ -12,7 +15,9 @@ namespace coupling
 {
   /// `anatomy`: makes hexahedra by tissue of a body, with its surface, its
   /// quality and pictures.
-  io::ToolDescription anatomy_application();
+  /// @param take_cost gets what --check finds
+  io::ToolDescription anatomy_application(
+    const std::function<void(const CostEstimate &)> &take_cost = {});
 
   /// The files that it writes.
   io::FileNames anatomy_files();

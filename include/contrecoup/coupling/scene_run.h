@@ -32,7 +32,10 @@ public:
   void execute();
 
 private:
-  /// Prints what each stage would cost.
+  /// Prints what each stage that is not finished, and all of them together,
+  /// would cost.
+  void tell_costs();
+  /// The same before a run.
   void forecast();
   /// Takes the folder; returns false when there is nothing to do in it.
   bool claim();

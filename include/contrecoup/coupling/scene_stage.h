@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/base/collective.h>
+#include <contrecoup/base/simulation.h>
 #include <contrecoup/coupling/stage_files.h>
 
 #include <functional>
@@ -20,8 +21,10 @@ namespace contrecoup::coupling
 class SceneStage
 {
 public:
-  /// Runs the application with these arguments. Collective.
-  using Runner = std::function<Failure(const std::vector<std::string> &)>;
+  /// Runs the application with these arguments; with --check notes what it
+  /// would cost. Collective.
+  using Runner =
+    std::function<Failure(const std::vector<std::string> &, CostEstimate &)>;
 
   /// How the stage stands in the scene's folder.
   struct Standing
@@ -112,8 +115,9 @@ public:
     arguments_ = arguments;
   }
 
-  /// Says what it would do and cost. Collective. @throws InputError
-  void check(Collective &collective);
+  /// Says what it would do and cost, and returns the latter. Collective.
+  /// @throws InputError
+  CostEstimate check(Collective &collective);
 
   /**
    * Runs it unless it is finished; goes on from its last checkpoint when that

@@ -50,6 +50,10 @@ namespace io
     /// The files that the solver writes into the output folder, for these
     /// entries, besides its checkpoints and what every run writes. Empty: none.
     std::function<FileNames(const dealii::ParameterHandler &)> files = {};
+
+    /// Takes what --check finds, from whoever runs the application as a part of
+    /// something larger, and says itself what that is. Empty: nobody.
+    std::function<void(const CostEstimate &)> take_cost = {};
   };
 
   /**
