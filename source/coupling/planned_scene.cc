@@ -40,9 +40,12 @@ void PlannedScene::print() const
               ? ", elements of " +
                   brief(1e3 * parameters_.accuracy.element_size) + " mm"
               : ""));
-  log_line("  expected in free air: the front reaches the body at " +
-           brief(1e3 * layout_->arrival, 3) + " ms with " +
-           brief(1e-3 * layout_->overpressure, 3) + " kPa");
+  log_line(layout_->is_far(parameters_)
+             ? "  expected in free air: the front reaches the body at " +
+                 brief(1e3 * layout_->arrival, 3) + " ms with " +
+                 brief(1e-3 * layout_->overpressure, 3) + " kPa"
+             : "  the front reaches the body before it has swept the charge's "
+               "mass of air; what it has there is not known beforehand");
   for (const std::string &remark : body_->remarks())
     log_line("  " + remark);
   for (const std::string &line : io::plan_lines(plan_))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/base/text.h>
 #include <contrecoup/coupling/scene_files.h>
@@ -91,20 +92,44 @@ namespace
   }
 
 
-  void set_first_stage(const SceneLayout &layout, Entries &entries)
+  void set_first_stage(const SceneParameters &scene,
+                       const SceneLayout &layout,
+                       Entries &entries)
   {
-    const double radial_cell = 0.001, cell = 0.005;
+    const double radial_cell = SceneLayout::radial_cell;
+    double cell = 0.005;
+    unsigned int levels = 4;
     // In 2-D the blast goes on from the ground to the body or a side, where
-    // that is a way at all.
-    const bool meets_ground_first = layout.free_way() > 1.2 * layout.charge[2];
+    // that is a way at all: there it ends some cells of the scene before it.
+    const double front_cell = SceneLayout::leaf / SceneLayout::subcells /
+                              std::pow(2., scene.accuracy.front_levels);
+    const double way = layout.free_way() - 2. * front_cell - 4. * cell;
+    const bool meets_ground_first = way > 1.2 * layout.charge[2];
+    // As near to the ground as that a charge burns in 2-D from the beginning,
+    // in cells of which its radius has ten at least.
+    const bool burns_in_1d =
+      layout.charge[2] > layout.charge_radius + 10. * radial_cell;
+    for (; !burns_in_1d && cell > 0.1 * layout.charge_radius && levels < 8;
+         ++levels)
+      cell *= 0.5;
+    if (!meets_ground_first && !burns_in_1d)
+      throw InputError(
+        "Charge/Height: " + brief(layout.charge[2]) +
+        " m above the ground the charge, " + brief(layout.charge_radius) +
+        " m in radius, burns in two dimensions, for which it is too near to "
+        "the body or a side, " +
+        brief(layout.free_way()) + " m away; a Height of at least " +
+        brief(layout.charge_radius + 10. * radial_cell) +
+        " m or a larger Distance is needed");
     entries.set("First stage/Kind",
                 meets_ground_first ? "axisymmetric" : "spherical");
     entries.set("First stage/Cell size",
                 meets_ground_first ? cell : radial_cell);
     if (!meets_ground_first)
       return;
-    entries.set("First stage/Levels", 4U);
-    entries.set("First stage/Spherical cell size", radial_cell);
+    entries.set("First stage/Levels", levels);
+    entries.set("First stage/Spherical cell size",
+                burns_in_1d ? radial_cell : 0.);
   }
 
 
@@ -124,7 +149,7 @@ namespace
       entries.set("Charges/Afterburn/Kind", "miller");
       entries.set("Charges/Afterburn/Energy", scene.afterburn);
     }
-    set_first_stage(layout, entries);
+    set_first_stage(scene, layout, entries);
     if (!is_c4 && scene.explosive != "tnt")
       return;
     const std::string reference = "Reference/Kingery Bulmash/";

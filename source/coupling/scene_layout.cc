@@ -5,7 +5,8 @@
 #include <contrecoup/base/text.h>
 #include <contrecoup/coupling/scene_layout.h>
 #include <contrecoup/materials/explosives.h>
-#include <contrecoup/numerics/expected_blast.h>
+
+#include <boost/math/constants/constants.hpp>
 
 #include <cmath>
 #include <random>
@@ -18,7 +19,6 @@ namespace
 {
   constexpr double air_pressure = 101325.; // [Pa]
   constexpr double air_density = 1.225;    // [kg/m^3]
-  constexpr double most_leaves = 1e8;
 
   /// Where a ray along -x from @p begin first meets the surface, by steps of
   /// the distance to it; no point when it leaves the box.
@@ -59,6 +59,19 @@ namespace
   }
 
 
+  /// Volume of a ball over the cube of its radius.
+  constexpr double ball = 4. / 3. * boost::math::double_constants::pi;
+
+
+  double product_of(const std::array<std::array<double, 2>, 3> &leaves)
+  {
+    double product = 1.;
+    for (const auto &[below, above] : leaves)
+      product *= below + above;
+    return product;
+  }
+
+
   std::string text_of(const Point<3> &point)
   {
     return brief(point[0]) + ", " + brief(point[1]) + ", " + brief(point[2]);
@@ -72,7 +85,11 @@ SceneLayout::SceneLayout(const SceneParameters &scene, const Shape &surface)
   if (body.lower_bound(2) < -1e-6)
     throw InputError("Body: it reaches " + brief(-body.lower_bound(2)) +
                      " m below the ground z = 0; Body/Shift lifts it");
+  charge_radius =
+    std::cbrt(scene.mass /
+              (ball * find_explosive(scene.explosive).jwl.reference_density));
   place_charge(scene, surface);
+  check_charge(scene);
   find_symmetry(scene, surface);
   const ExpectedBlast blast(energy_of(scene), air_pressure, air_density);
   arrival = blast.arrival(distance);
@@ -84,7 +101,7 @@ SceneLayout::SceneLayout(const SceneParameters &scene, const Shape &surface)
     throw InputError("Scene/End time = " + brief(scene.end_time) +
                      " s: the blast reaches the body at " + brief(arrival) +
                      " s only");
-  size_domain(scene.end_time);
+  size_domain(scene, blast);
 }
 
 
@@ -126,6 +143,38 @@ void SceneLayout::place_charge(const SceneParameters &scene,
 }
 
 
+void SceneLayout::check_charge(const SceneParameters &scene) const
+{
+  const std::string charge_of =
+    "the charge of " + brief(scene.mass) + " kg of " + scene.explosive +
+    " has a radius of " + brief(charge_radius) + " m";
+  const auto largest_mass = [&](const double radius) {
+    return brief(scene.mass * std::pow(radius / charge_radius, 3), 3) + " kg";
+  };
+  const std::string height = scene.place ? "Charge/Place" : "Charge/Height";
+  if (charge[2] < charge_radius * (1. - 1e-9))
+    throw InputError(height + ": " + brief(charge[2]) +
+                     " m above the ground, " + charge_of +
+                     " and would be cut by it; at least that height, or a "
+                     "Mass of at most " +
+                     largest_mass(charge[2]) + ", is needed");
+  // Cells at the skin that must be between charge and body.
+  constexpr double least_cells = 2.;
+  // In those of the first stage the charge burns before its front is there.
+  constexpr double least_radial_cells = 10.;
+  const double cell = cell_size(scene);
+  const double gap =
+    std::max(least_cells * cell, least_radial_cells * radial_cell);
+  if (distance < charge_radius + gap)
+    throw InputError(
+      std::string(scene.place ? "Charge/Place" : "Charge/Distance") + ": " +
+      brief(distance) + " m from the body, " + charge_of + "; with cells of " +
+      brief(1e3 * cell) + " mm at the skin its surface must be " + brief(gap) +
+      " m away, its centre at least " + brief(charge_radius + gap) +
+      " m; a finer Scene/Accuracy allows less");
+}
+
+
 void SceneLayout::find_symmetry(const SceneParameters &scene,
                                 const Shape &surface)
 {
@@ -147,13 +196,17 @@ void SceneLayout::find_symmetry(const SceneParameters &scene,
   }
   symmetry_limit = 0.01 * body.side_length(1);
   is_half = scene.symmetry != "none" && asymmetry < symmetry_limit;
+  // What is cut in two must be halves.
+  if (is_half)
+    charge[1] = 0.;
   if (scene.symmetry == "y" && !is_half)
     throw InputError("Scene/Symmetry = y: body or charge differ by " +
                      brief(asymmetry) + " m between both sides of y = 0");
 }
 
 
-void SceneLayout::size_domain(const double end_time)
+std::array<std::array<double, 2>, 3>
+SceneLayout::leaves_for(const double reach) const
 {
   // Where an open side must be, at least, along direction d: the charge's
   // mirror image in it is farther from the body than the front gets, and it
@@ -173,25 +226,55 @@ void SceneLayout::size_domain(const double end_time)
     return std::max(0.5 * (along + farthest + place),
                     std::max(farthest, place) + leaf);
   };
-  double n_all = 1.;
-  for (unsigned int d = 0; d < 3; ++d)
-    n_all *= (side(d, 1.) + side(d, -1.)) / leaf;
-  if (n_all > most_leaves)
-    throw InputError(
-      "Scene/End time = " + brief(end_time) + " s: the blast reaches " +
-      brief(reach) + " m until then; its domain of " +
-      brief(side(0, 1.) + side(0, -1.)) + " x " +
-      brief(side(1, 1.) + side(1, -1.)) + " x " + brief(side(2, 1.)) +
-      " m is too large to be computed in cells of the body's size");
+  std::array<std::array<double, 2>, 3> leaves;
   for (unsigned int d = 0; d < 3; ++d)
   {
-    const int n_upper = static_cast<int>(std::ceil(side(d, 1.) / leaf));
-    int n_lower = static_cast<int>(std::ceil(side(d, -1.) / leaf));
+    leaves[d] = {
+      {std::ceil(side(d, -1.) / leaf), std::ceil(side(d, 1.) / leaf)}};
     if (d == 2 || (d == 1 && is_half))
-      n_lower = 0;
-    lower[d] = -n_lower * leaf;
-    upper[d] = n_upper * leaf;
-    n_leaves[d] = static_cast<unsigned int>(n_upper + n_lower);
+      leaves[d][0] = 0.;
+  }
+  return leaves;
+}
+
+
+void SceneLayout::size_domain(const SceneParameters &scene,
+                              const ExpectedBlast &blast)
+{
+  const auto fits = [&](const double radius) {
+    return product_of(leaves_for(radius)) <= most_leaves;
+  };
+  const std::string many =
+    " leaves of " + brief(leaf) + " m, more than " + brief(most_leaves);
+  if (!fits(0.))
+    throw InputError(
+      std::string(scene.place ? "Charge/Place" : "Charge/Distance and Height") +
+      ": charge and body are so far apart, " + brief(distance) +
+      " m, that a domain with both would have " +
+      brief(product_of(leaves_for(0.)), 2) + many);
+  if (!fits(reach))
+  {
+    double low = 0., high = reach;
+    for (unsigned int i = 0; i < 200; ++i)
+    {
+      const double middle = 0.5 * (low + high);
+      (fits(middle) ? low : high) = middle;
+    }
+    throw InputError(
+      "Scene/End time = " + brief(scene.end_time) +
+      " s: the blast of this charge gets " + brief(reach, 2) +
+      " m far until then, and a domain whose open sides send nothing back to "
+      "the body would have " +
+      brief(product_of(leaves_for(reach)), 2) + many + "; from " +
+      brief(arrival) + " to " + brief(blast.arrival(low), 3) +
+      " s are possible");
+  }
+  const auto leaves = leaves_for(reach);
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    lower[d] = 0. - leaves[d][0] * leaf; // not -0
+    upper[d] = leaves[d][1] * leaf;
+    n_leaves[d] = static_cast<unsigned int>(leaves[d][0] + leaves[d][1]);
   }
 }
 
@@ -207,6 +290,12 @@ double SceneLayout::free_way() const
       way = std::min(way, charge[d] - lower[d]);
   }
   return way;
+}
+
+
+bool SceneLayout::is_far(const SceneParameters &scene) const
+{
+  return ball * std::pow(distance, 3) * air_density > scene.mass;
 }
 
 
