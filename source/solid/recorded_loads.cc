@@ -30,6 +30,10 @@ namespace
   /// that the surfaces are not the same.
   constexpr double largest_mended = 0.1;
 
+  /// Part of the recorded impulse, summed without directions, that must arrive
+  /// at least.
+  constexpr double least_arriving = 0.5;
+
   const std::vector<std::string>
     mirrors{"none", "x", "y", "z", "x and y", "x and z", "y and z"};
 
@@ -77,6 +81,17 @@ void RecordedLoads::declare_parameters(ParameterHandler &prm)
                     mirrors,
                     "Directions across planes of symmetry through 0, on one "
                     "side of which loads were recorded.");
+  declare_double(prm,
+                 "Largest misfit",
+                 "0.2",
+                 0.,
+                 1e6,
+                 "-",
+                 "Mean distance of the recorded facets from the surface of "
+                 "the body that is meshed, in edges of these facets, above "
+                 "which the loads are refused as those of another body or "
+                 "place. A man in his place has 0, one who was turned by 180 "
+                 "degrees 0.3 of facets 34 mm wide and 0.6 of 17 mm.");
   declare_bool(prm,
                "Keep impulse",
                "true",
@@ -199,7 +214,6 @@ double RecordedLoads::pressure(const std::size_t facet) const
 void RecordedLoads::measure_impulses()
 {
   const std::vector<double> &ends = reader_->times();
-  const io::LoadFile::Facets &facets = reader_->facets();
   std::vector<double> impulse(reader_->n_facets(), 0.); // per area
   for (std::size_t first = 0; first < ends.size(); first += samples_at_once)
   {
@@ -213,23 +227,7 @@ void RecordedLoads::measure_impulses()
         impulse[i] += step * double(samples[i * count + t]);
     }
   }
-  recorded_impulse_ = mapped_impulse_ = Tensor<1, 3>();
-  for (std::size_t i = 0; i < impulse.size(); ++i)
-    recorded_impulse_ -=
-      impulse[i] * facets.areas[i] * Tensor<1, 3>(point_at(facets.normals, i));
-  for (unsigned int d = 0; d < 3; ++d)
-    if (mirrored_[d])
-    {
-      recorded_impulse_ *= 2.;
-      recorded_impulse_[d] = 0.;
-    }
-  for (std::size_t i = 0; i < source_.size(); ++i)
-    if (source_[i] != none)
-      mapped_impulse_ -= impulse[source_[i]] * areas_[i];
-  std::vector<double> sum(mapped_impulse_.begin_raw(),
-                          mapped_impulse_.end_raw());
-  dealii::Utilities::MPI::sum(sum, communicator_, sum);
-  std::copy(sum.begin(), sum.end(), mapped_impulse_.begin_raw());
+  sum_impulses(impulse);
   const double ratio = mapped_impulse_ * recorded_impulse_ /
                        std::max(recorded_impulse_.norm_square(), 1e-300);
   const bool mends = std::abs(ratio - 1.) < largest_mended;
@@ -239,6 +237,55 @@ void RecordedLoads::measure_impulses()
            brief(ratio) +
            " of the recorded one, and pressures get the factor " +
            brief(factor_));
+}
+
+
+void RecordedLoads::sum_impulses(const std::vector<double> &impulse)
+{
+  const io::LoadFile::Facets &facets = reader_->facets();
+  recorded_impulse_ = mapped_impulse_ = Tensor<1, 3>();
+  double recorded = 0., arriving = 0.; // without directions
+  for (std::size_t i = 0; i < impulse.size(); ++i)
+  {
+    recorded_impulse_ -=
+      impulse[i] * facets.areas[i] * Tensor<1, 3>(point_at(facets.normals, i));
+    recorded += std::abs(impulse[i]) * facets.areas[i];
+  }
+  for (unsigned int d = 0; d < 3; ++d)
+    if (mirrored_[d])
+    {
+      recorded *= 2.;
+      recorded_impulse_ *= 2.;
+      recorded_impulse_[d] = 0.;
+    }
+  for (std::size_t i = 0; i < source_.size(); ++i)
+    if (source_[i] != none)
+    {
+      mapped_impulse_ -= impulse[source_[i]] * areas_[i];
+      // The areas of stairs are too large, their projections are not.
+      const Tensor<1, 3> normal = point_at(facets.normals, source_[i]);
+      double projection = 0.;
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        const double part = areas_[i][d] * normal[d];
+        projection += mirrored_[d] ? std::abs(part) : part;
+      }
+      arriving += std::abs(impulse[source_[i]]) * std::max(0., projection);
+    }
+  std::vector<double> sum(mapped_impulse_.begin_raw(),
+                          mapped_impulse_.end_raw());
+  sum.push_back(arriving);
+  dealii::Utilities::MPI::sum(sum, communicator_, sum);
+  std::copy(sum.begin(), sum.end() - 1, mapped_impulse_.begin_raw());
+  if (sum.back() < least_arriving * recorded)
+    throw InputError(
+      "Loads/Recorded/File: " + brief(100. * sum.back() / recorded, 2) +
+      " % of the recorded impulse arrives on this body, less than " +
+      brief(100. * least_arriving) +
+      " %; it must be in the place of the recorded one (Body/Shift and "
+      "Rotation, or the mesh's file), and Loads/Recorded/Mirror and Largest "
+      "distance, now " +
+      brief(largest_distance_) + " m, must reach all facets");
 }
 
 

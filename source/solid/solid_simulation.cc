@@ -7,6 +7,7 @@
 #include <contrecoup/base/text.h>
 #include <contrecoup/base/timers.h>
 #include <contrecoup/io/checked_file.h>
+#include <contrecoup/solid/load_place.h>
 #include <contrecoup/solid/solid_output.h>
 #include <contrecoup/solid/solid_simulation.h>
 #include <contrecoup/solid/tissue_measures.h>
@@ -114,6 +115,7 @@ void SolidSimulation<Real>::parse_parameters(ParameterHandler &prm)
   }
   supports_.parse_parameters(prm);
   loads_.parse_parameters(prm);
+  check_load_place(prm);
   surroundings_.parse_parameters(prm);
   initial_.parse_parameters(prm);
   reference_.parse_parameters(prm);

@@ -1,6 +1,6 @@
 # What must not be computed is refused before anything is meshed; the rows are
 # in danger.py.
-foreach(_application blast anatomy scene)
+foreach(_application blast anatomy scene biomechanics)
   set(_folder ${CMAKE_CURRENT_BINARY_DIR}/danger_${_application})
   file(MAKE_DIRECTORY ${_folder})
   _contrecoup_register_test(${_application}_danger TIMEOUT 600 LABELS refusal

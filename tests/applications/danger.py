@@ -127,7 +127,7 @@ REFUSED = {
          ["Loads/Recorded/File", "their middle is -1, 0, 0 m",
           "Shift, Rotation"]),
         ("body that was turned", danger_files.WEDGE, ["Body/Rotation=0, 0, 180"],
-         ["Loads/Recorded/File", "Largest misfit = 0.5"]),
+         ["Loads/Recorded/File", "Largest misfit = 0.2"]),
         ("another size", danger_files.BALL, ["Body/Scale=1.5"],
          ["Loads/Recorded/File", "mm off the body's surface"]),
     ],

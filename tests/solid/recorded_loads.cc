@@ -101,6 +101,25 @@ TEST(RecordedLoads, ImpulseIsKept)
 }
 
 
+// What the pressures push with, without directions, is 0.72 N s: a third of it
+// arrives where 0.4 of the first facet is loaded and the second is away.
+TEST(RecordedLoads, LoadsThatHardlyArriveAreRefused)
+{
+  const std::string file = "recorded_elsewhere.h5";
+  write_loads(file);
+  const auto loads = read_loads(file);
+  const std::vector<Point<3>> middles{{0., 0., 0.}, {2., 0., 0.}};
+  const auto load = [&](const double area) {
+    loads->reinit(
+      middles, {Point<3>(-area, 0., 0.), Point<3>(2., 0., 0.)}, MPI_COMM_SELF);
+  };
+  EXPECT_THROW(load(0.4), InputError);
+  EXPECT_THROW(load(-1.), InputError);
+  EXPECT_NO_THROW(load(0.7));
+  std::filesystem::remove(file);
+}
+
+
 // A blast is recorded from its arrival: a first sample for all time before, one
 // at rest that is as long as the others, then the wave. Nothing is felt before
 // it, not even by lines between the middles of samples, and no impulse is lost.

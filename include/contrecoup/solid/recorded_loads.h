@@ -47,6 +47,9 @@ public:
 
 private:
   void measure_impulses();
+  /// Sums of impulses per area of the recorded facets. Collective.
+  /// @throws InputError when too little of them arrives
+  void sum_impulses(const std::vector<double> &impulse);
 
   std::unique_ptr<io::LoadReader> reader_;
   double offset_ = 0.; ///< of recorded times [s]

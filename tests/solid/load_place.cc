@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/geometry/primitive_shapes.h>
+#include <contrecoup/solid/load_place.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace contrecoup;
+using dealii::Point;
+
+namespace
+{
+constexpr double radius = 0.1;
+
+/// Facets of equal area on the ball around 0, or on its half at y > 0, by the
+/// golden angle.
+io::LoadFile::Facets facets_of_ball(const bool is_half)
+{
+  constexpr double pi = 3.14159265358979323846;
+  constexpr unsigned int n_facets = 9000; // more than are looked at
+  io::LoadFile::Facets facets;
+  for (unsigned int i = 0; i < n_facets; ++i)
+  {
+    const double height = 1. - (2. * i + 1.) / n_facets;
+    const double angle = pi * (3. - std::sqrt(5.)) * i;
+    const double aside = std::sqrt(1. - height * height);
+    const Point<3> normal(
+      aside * std::cos(angle), aside * std::sin(angle), height);
+    if (is_half && normal[1] < 0.)
+      continue;
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      facets.centroids.push_back(radius * normal[d]);
+      facets.normals.push_back(normal[d]);
+    }
+    facets.areas.push_back(4. * pi * radius * radius / n_facets);
+  }
+  return facets;
+}
+} // namespace
+
+
+// The distances between two balls that are a way apart which is smaller than
+// their radius have the mean of half that way, and the cosines between their
+// normals that of 1 less a third of (way / radius)^2, exactly.
+TEST(LoadPlace, FacetsAreHalfTheWayOffABallThatWasMoved)
+{
+  const auto facets = facets_of_ball(false);
+  const double edge = std::sqrt(facets.areas[0]);
+  for (const double way : {0., 0.02, 0.08})
+  {
+    const solid::LoadPlace place = solid::measure_load_place(
+      facets, Sphere(Point<3>(0., 0., way), radius), {});
+    EXPECT_NEAR(place.distance, 0.5 * way, 2e-3 * way + 1e-12);
+    EXPECT_NEAR(place.facet_edge, edge, 1e-9);
+    EXPECT_NEAR(place.offset[2], -way, 1e-3 * radius);
+    EXPECT_NEAR(place.offset.norm(), way, 1e-2 * radius);
+    const double part = way / radius;
+    EXPECT_NEAR(place.agreement, 1. - part * part / 3., 1e-3 * part + 1e-12);
+  }
+}
+
+
+// Seen from the other side, facets on the surface face the wrong way.
+TEST(LoadPlace, FacetsThatFaceInwardsDisagree)
+{
+  auto facets = facets_of_ball(false);
+  for (double &number : facets.normals)
+    number *= -1.;
+  const solid::LoadPlace place =
+    solid::measure_load_place(facets, Sphere(Point<3>(), radius), {});
+  EXPECT_NEAR(place.agreement, -1., 1e-12);
+}
+
+
+// Recorded at y > 0: mirrored, their middle is that of the ball.
+TEST(LoadPlace, HalvesAreWholesWhenTheyAreMirrored)
+{
+  const auto facets = facets_of_ball(true);
+  const Sphere ball(Point<3>(), radius);
+  const auto half = solid::measure_load_place(facets, ball, {});
+  EXPECT_NEAR(half.offset[1], 0.5 * radius, 1e-2 * radius);
+  const auto whole =
+    solid::measure_load_place(facets, ball, {{false, true, false}});
+  EXPECT_NEAR(whole.offset[1], 0., 1e-12);
+  EXPECT_NEAR(whole.distance, 0., 1e-12);
+}
