@@ -55,9 +55,10 @@ def judge(case, straight, output, state, ranks):
     rest = updates[0] - state["updates"]
     print(f"{updates[1]:.0f} updates after the checkpoint, "
           f"{updates[0]:.0f} straight through")
-    require(0. < rest < updates[0] and abs(updates[1] - rest) <= 1e-9 * rest,
+    # A resumed run finds anew which leaves are at rest; it may skip more.
+    require(0.5 * rest < updates[1] <= (1. + 1e-9) * rest < updates[0],
             f"{updates[1]:.0f} updates were made after the checkpoint instead "
-            f"of {rest:.0f}")
+            f"of at most {rest:.0f}")
     if ranks > 1:
         compare_numbers(case.options.tolerance, straight, output,
                         case.options.compare)
