@@ -28,7 +28,7 @@ contrecoup_add_application_test(presets presets
 # A file that is missing is named, with the one that includes it.
 contrecoup_add_application_test(refuses_missing_include refusal
   FILE blast/verification/sod.prm CONTENT "include no_such.prm"
-  MESSAGE "no_such.prm\" that")
+  MESSAGE "no_such.prm\": there is no such file")
 
 # The plan and its audit. Where the domain ends too early the run says so, and
 # Domain/Size = by time mends it.
