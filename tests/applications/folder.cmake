@@ -20,7 +20,7 @@ contrecoup_add_application_test(folder_finished folder_finished ${_wave}
   ARGUMENTS "Time/Largest number of steps=7" TIMEOUT 60)
 contrecoup_add_application_test(folder_finished folder_finished
   FILE anatomy/extremes/needle.prm SET "Output/Pictures=false"
-  ARGUMENTS "Mesh/Element size=0.02" TIMEOUT 60)
+  ARGUMENTS "Output/Gmsh=true" TIMEOUT 60)
 
 # Files of a user where results would be.
 contrecoup_add_application_test(folder_foreign folder_foreign ${_sod}
