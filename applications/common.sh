@@ -79,7 +79,7 @@ build() {
   say "configuring in $root/build"
   quietly cmake --preset release ||
     fail "configuring failed; see $log"
-  say "building with $jobs compiler(s) at once (about 10 minutes)"
+  say "building with $jobs compiler(s) at once (about 12 minutes)"
   local watcher=
   if [ -t 1 ]; then
     watch_build &
