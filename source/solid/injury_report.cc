@@ -359,8 +359,10 @@ void InjuryReport<Real>::restore(const SolidBody<Real> &body,
   std::unordered_map<std::uint32_t, std::size_t> here;
   for (std::size_t i = 0; i < pieces_.size(); ++i)
     here[pieces_[i].cell] = i;
-  const bool first =
-    dealii::Utilities::MPI::this_mpi_process(body.communicator()) == 0;
+  const unsigned int own =
+    dealii::Utilities::MPI::this_mpi_process(body.communicator());
+  const unsigned int n_ranks =
+    dealii::Utilities::MPI::n_mpi_processes(body.communicator());
   for (unsigned int rank = 0; std::filesystem::exists(file_of(folder, rank));
        ++rank)
   {
@@ -381,10 +383,14 @@ void InjuryReport<Real>::restore(const SolidBody<Real> &body,
       std::move(chest[0]), std::move(chest[1]), std::move(chest[2]));
     n_steps_ = static_cast<std::uint64_t>(numbers[0]);
     last_time_ = numbers[1];
-    // Sums over ranks go on at the first one.
-    cavitation_dose_ += first ? numbers[2] : 0.;
-    rough_ += first ? numbers[3] : 0.;
-    smooth_ += first ? numbers[4] : 0.;
+    // Each rank's part of the sums goes on at one rank: its own, so that as
+    // many ranks as before add in the same order.
+    if (rank % n_ranks == own)
+    {
+      cavitation_dose_ += numbers[2];
+      rough_ += numbers[3];
+      smooth_ += numbers[4];
+    }
     largest_spin_ = {{numbers[5], numbers[6], numbers[7]}};
     for (const Piece &piece : pieces)
       if (here.count(piece.cell) > 0)

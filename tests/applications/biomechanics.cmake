@@ -128,7 +128,9 @@ contrecoup_add_application_test(runs ranks,resume
   COMPARE history.csv probes.csv
   TOLERANCE 1e-9 "hourglass_energy=1e-16 absolute"
     "energy_residual=1e-16 absolute" "momentum_y=1e-16 absolute"
-    "momentum_z=1e-16 absolute")
+    "momentum_z=1e-16 absolute" "probe_1_stress_xy=1e-6 absolute"
+    "probe_1_stress_yz=1e-6 absolute" "probe_1_stress_zx=1e-6 absolute"
+    "probe_1_principal_strain=1e-11 absolute")
 contrecoup_add_application_test(stiff_ground refusal
   FILE ${_folder}/bounce.prm ARGUMENTS "--set" "Ground/Stiffness=0.5"
   MESSAGE "makes steps unstable")

@@ -78,7 +78,7 @@ def restore():
         refuse("checkpoint of another scene")
     step, value = int(step), float(value)
     if flawed("forgetful"):
-        value = float(f"{value:.6e}")
+        value = float(f"{value:.1e}")
     if flawed("repeats"):
         step, value = 0, 1.
     path = os.path.join(output, "history.csv")

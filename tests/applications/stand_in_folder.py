@@ -67,6 +67,12 @@ def lock():
     write("lock", f"process {os.getpid()} on here")
 
 
+def unlock():
+    """A run that shares its folder may find the lock gone."""
+    if os.path.exists(path("lock")) or flaw != "shares":
+        os.remove(path("lock"))
+
+
 def admit(before):
     """Whether the run may begin."""
     if before is None:
@@ -90,7 +96,7 @@ def admit(before):
 
 
 def leave(message):
-    os.remove(path("lock"))
+    unlock()
     if os.path.isdir(output) and not os.listdir(output):
         os.rmdir(output)
     refuse(message)
@@ -113,7 +119,7 @@ def run():
     write("summary.json", json.dumps(
         {"status": "stopped" if is_stopped else "finished"}))
     write_manifest("stopped" if is_stopped else "finished")
-    os.remove(path("lock"))
+    unlock()
     sys.exit(128 + asked[0] if asked and flaw != "content" else 0)
 
 
@@ -134,6 +140,6 @@ if "--check" in sys.argv:
 require_folder()
 lock()
 if not admit(manifest()):
-    os.remove(path("lock"))
+    unlock()
     sys.exit(0)
 run()
