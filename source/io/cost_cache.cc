@@ -60,7 +60,7 @@ namespace io
               std::to_string(std::hash<std::string>()(key_)) + ".json";
   }
 
-  std::optional<CostEstimate> CostCache::read() const
+  std::optional<ExpectedCost> CostCache::read() const
   {
     // A folder that may not be read throws otherwise.
     std::error_code ignored;
@@ -71,13 +71,14 @@ namespace io
       const Json json = Json::parse(read_file(file_));
       if (json.at("key") != key_)
         return std::nullopt;
-      CostEstimate cost;
+      ExpectedCost cost;
       json.at("cells").get_to(cost.cells);
       json.at("unknowns").get_to(cost.unknowns);
       json.at("steps").get_to(cost.steps);
       json.at("memory").get_to(cost.memory);
       json.at("seconds").get_to(cost.seconds);
       json.at("output").get_to(cost.output);
+      json.at("course").get_to(cost.course);
       return cost;
     }
     catch (const std::exception &)
@@ -86,7 +87,7 @@ namespace io
     }
   }
 
-  void CostCache::write(const CostEstimate &cost) const noexcept
+  void CostCache::write(const ExpectedCost &cost) const noexcept
   {
     try
     {
@@ -99,7 +100,8 @@ namespace io
                          {"steps", cost.steps},
                          {"memory", cost.memory},
                          {"seconds", cost.seconds},
-                         {"output", cost.output}};
+                         {"output", cost.output},
+                         {"course", cost.course}};
       write_file(file_,
                  [&](std::ostream &out) { out << json.dump(1) << '\n'; });
     }

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <contrecoup/base/remaining_time.h>
+
 #include <chrono>
 #include <cstdint>
 
@@ -18,7 +20,10 @@ class Progress
 public:
   /// @param start_time simulated time now [s]
   /// @param end_time simulated time at the end [s]
-  Progress(double start_time, double end_time);
+  /// @param course see RemainingTime; costs in seconds of wall time
+  Progress(double start_time,
+           double end_time,
+           const ExpectedCourse &course = {});
 
   /// Call after each step; draws only when it is time to.
   /// @param updates unknowns updated in this step, all ranks [-]
@@ -30,8 +35,7 @@ private:
 
   Clock::time_point begin_;
   Clock::time_point last_;
-  double start_time_;
-  double end_time_;
+  RemainingTime remaining_;
   double recent_updates_ = 0.;
 };
 } // namespace contrecoup

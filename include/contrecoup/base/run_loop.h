@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/base/collective.h>
+#include <contrecoup/base/remaining_time.h>
 #include <contrecoup/base/simulation.h>
 #include <contrecoup/base/time_control.h>
 
@@ -49,6 +50,12 @@ public:
           Collective &collective);
   ~RunLoop();
 
+  /// Tells what the run is expected to cost [s], for the time left.
+  void expect(const ExpectedCourse &course)
+  {
+    course_ = course;
+  }
+
   /**
    * Goes on from @p state to the end. A state of step 0 is a fresh start,
    * whose initial state is written.
@@ -84,6 +91,7 @@ private:
   std::uint64_t first_step_ = 0;
   int stop_signal_ = 0;
 
+  ExpectedCourse course_;
   std::unique_ptr<Progress> progress_;
   Clock::time_point begin_;
   Clock::time_point last_checkpoint_;
