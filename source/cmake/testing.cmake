@@ -191,8 +191,8 @@ endfunction()
 #                 with MESSAGE
 #   arrival       recorded loads begin with the wave and lose no impulse: BOUNDS
 #                 of what arrival() in load_cases.py finds
-#   gauge_order   VARY "Section/Entry=3|4|5" ERROR "<number> <s> <exact>|...":
-#                 the largest means over so many seconds of gauges on the body
+#   gauge_order   VARY "Section/Entry=3|4|5" ERROR "<number> <s> [last] <exact>|...":
+#                 the largest (or last) means over so many seconds of gauges on the body
 #                 converge; BOUNDS of what gauge_order() in load_cases.py finds
 #   facet_loads   the samples in loads.h5 have the impulse of the run: BOUNDS of
 #                 the summary and of what facet_loads() in load_cases.py finds

@@ -115,6 +115,13 @@ contrecoup_add_application_test(body_cylinder_wall gauge_order
   BOUNDS "order_2 > 1" "error_2 < 0.007" "order_3 > 1" "error_3 < 0.018"
   LABELS verification)
 
+# In a steady wind the pressure on a cone is what Taylor and Maccoll's equation
+# says (tests/references/taylor_maccoll.py 2 20).
+contrecoup_add_application_test(body_cone gauge_order
+  FILE blast/verification/body_cone.prm
+  VARY "Domain/Initial refinement=0" ERROR "1 0.3 last 0.911527"
+  BOUNDS "error_1 < 1.93e-3" LABELS verification)
+
 # Angles on half of the cells a side: regular reflection, 19.79 degrees in
 # two-shock theory; the triple point of a Mach reflection at a wedge of 30
 # degrees, 8.50 in three-shock theory with a straight stem.

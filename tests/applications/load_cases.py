@@ -47,9 +47,9 @@ def arrival(case, check_bound, read_summary):
             check_bound(found, bound)
 
 
-def largest_mean(times, samples, gauge, duration):
+def largest_mean(times, samples, gauge, duration, last=False):
     """Largest mean of a gauge over this time, as one that responds slowly
-    would show it; samples are means since the time before."""
+    would show it, or the last one; samples are means since the time before."""
     begins = [0.] + times
     sums = [0.]
     for begin, end, sample in zip(begins, times, samples):
@@ -61,14 +61,16 @@ def largest_mean(times, samples, gauge, duration):
         return sums[i - 1] + part * (sums[i] - sums[i - 1])
 
     return max((integral(time) - integral(time - duration)) / duration
-               for time in times if time >= duration)
+               for time in (times[-1:] if last else times)
+               if time >= duration)
 
 
 def gauge_order(case, check_bound, read_summary):
-    """The largest means of gauges over some time converge: for --vary as in
-    convergence, and --error "NUMBER SECONDS EXACT|..." of the gauges, bounds of
-    "order_NUMBER" and "error_NUMBER", a part of the exact one, of the last
-    runs, and of "peak_NUMBER" in the last, without a mean."""
+    """The largest means of gauges over some time converge, or with "last" after
+    SECONDS those at the end: for --vary as in convergence, and --error "NUMBER
+    SECONDS EXACT|..." of the gauges, bounds of "order_NUMBER" and
+    "error_NUMBER", a part of the exact one, of the last runs, and of
+    "peak_NUMBER" in the last, without a mean."""
     entry, values = case.options.vary.split("=", 1)
     runs = []
     for value in values.split("|"):
@@ -77,16 +79,17 @@ def gauge_order(case, check_bound, read_summary):
         runs.append((value, *read_gauges(output)))
     found = {}
     for text in case.options.error.split("|"):
-        number, duration, exact = text.split()
+        number, duration, *words, exact = text.split()
         gauge, last = int(number) - 1, None
         for value, times, samples in runs:
             peak = max(sample[gauge] for sample in samples)
-            mean = largest_mean(times, samples, gauge, float(duration))
+            mean = largest_mean(times, samples, gauge, float(duration),
+                                words == ["last"])
             error = abs(mean / float(exact) - 1.)
             order = math.log2(last / error) if last else math.nan
             last = error
-            print(f"gauge {number}, {entry} = {value}: peak {peak:.4f}, largest "
-                  f"mean {mean:.4f}, error {error:.5f}, order {order:.2f}")
+            print(f"gauge {number}, {entry} = {value}: peak {peak:.4f}, mean "
+                  f"{mean:.5f}, error {error:.5f}, order {order:.2f}")
         found.update({"order_" + number: order, "error_" + number: error,
                       "peak_" + number: peak})
     for bound in case.options.bound:

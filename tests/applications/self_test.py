@@ -251,6 +251,9 @@ class ResultTest(SelfTest):
                    "--bound=order_1 > 0.9", "--bound=error_1 < 0.03")
         self.accepts(*options)
         self.rejects("order_1", *options, flaw="flat")
+        last = options[:3] + ("--error=1 0.01 last 1",) + options[4:]
+        self.accepts(*last)
+        self.rejects("error_1", *last, "--error=1 0.01 1")
 
 
 class CostTest(SelfTest):
