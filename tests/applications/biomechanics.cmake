@@ -17,21 +17,22 @@ foreach(_control none viscous stiffness "assumed strain")
     "Elements/Hourglass control=${_control}")
 endforeach()
 biomechanics_verifies(plane_wave plane_wave
-  "errors.displacement_L2 < 3e-4;assumptions.energy_residual < 1e-12")
+  "errors.displacement_L2 < 2.66e-4;assumptions.energy_residual < 1e-12")
+# The energy missing is rounding of single precision, 1.6e-7 here.
 biomechanics_verifies(plane_wave_single plane_wave
-  "errors.displacement_L2 < 3e-4;assumptions.energy_residual < 1e-4"
+  "errors.displacement_L2 < 2.66e-4;assumptions.energy_residual < 5e-7"
   "Elements/Precision=single")
 # A push of 1 MPa, and a pull, which stretches skeleton by 1.4857e-4 in three
 # quarters of the bar.
 biomechanics_verifies(tissue_peaks plane_wave
   "assumptions.highest_pressure_skeleton > 6.15e5;\
 assumptions.highest_pressure_skeleton < 6.2e5;\
-assumptions.lowest_pressure_skeleton < 2.5e3;\
+assumptions.lowest_pressure_skeleton < 2.01e3;\
 assumptions.largest_von_mises_stress_skeleton > 5.7e5;\
 assumptions.largest_von_mises_stress_skeleton < 5.726e5"
   "Peaks/Active=true" "Peaks/Every steps=1")
 biomechanics_verifies(tissue_peaks_pull plane_wave
-  "assumptions.highest_pressure_skeleton < 2.5e3;\
+  "assumptions.highest_pressure_skeleton < 2.01e3;\
 assumptions.principal_strain_95_skeleton > 1.482e-4;\
 assumptions.principal_strain_95_skeleton < 1.489e-4"
   "Loads/Load end/Pressure=if(t < 20e-6, -1e6 * sin(pi * t / 20e-6)^2, 0)"
@@ -42,18 +43,18 @@ assumptions.energy_residual < 1e-12")
 
 biomechanics_verifies(fluid_sphere fluid_sphere "errors.pressure_L1 < 6.5e-2")
 biomechanics_verifies(shear_wave shear_wave
-  "errors.frequency < 3.5e-3;assumptions.energy_residual < 1e-10")
+  "errors.frequency < 3.38e-3;assumptions.energy_residual < 1e-12")
 biomechanics_verifies(shear_attenuation shear_attenuation
-  "errors.amplitude < 4e-3;errors.passing_zero < 1.1e-3;\
-assumptions.energy_residual < 1e-6")
+  "errors.amplitude < 3.94e-3;errors.passing_zero < 1.08e-3;\
+assumptions.energy_residual < 4.5e-7")
 biomechanics_verifies(shear_attenuation_100 shear_attenuation
-  "errors.amplitude < 8e-3;errors.passing_zero < 1.1e-3"
+  "errors.amplitude < 4.95e-3;errors.passing_zero < 3.36e-5"
   "Supports/Support end/Velocity y=sin(2*pi*100*t)"
   "Measures/Measure amplitude/Expected=0.674770"
   "Measures/Measure passing_zero/Expected=0.0372247")
 # A longer column, from which nothing comes back in a longer time.
 biomechanics_verifies(shear_attenuation_50 shear_attenuation
-  "errors.amplitude < 8e-3;errors.passing_zero < 1.1e-3"
+  "errors.amplitude < 5.6e-3;errors.passing_zero < 4.68e-4"
   "Mesh/Upper corner=0.4, 0.002, 0.002" "Mesh/Elements=200, 1, 1"
   "Supports/Support end/Velocity y=sin(2*pi*50*t)" "Time/End time=0.068"
   "Measures/Measure amplitude/First time=0.045"
@@ -61,18 +62,18 @@ biomechanics_verifies(shear_attenuation_50 shear_attenuation
   "Measures/Measure passing_zero/First time=0.045"
   "Measures/Measure passing_zero/Expected=0.0474496")
 biomechanics_verifies(bar_wave bar_wave
-  "errors.arrival < 1.12e-3;errors.peak < 3.8e-4;\
+  "errors.arrival < 1.12e-3;errors.peak < 3.74e-4;\
 assumptions.energy_residual < 1e-12")
 biomechanics_verifies(creep creep
   "errors.displacement < 8.5e-4;assumptions.energy_residual < 4.2e-10")
 biomechanics_verifies(cantilever cantilever "errors.frequency < 9e-3"
   "Time/End time=0.055")
 biomechanics_verifies(interface interface
-  "errors.transmitted < 4.4e-3;errors.reflected < 2.9e-3")
+  "errors.transmitted < 4.37e-3;errors.reflected < 2.83e-3")
 biomechanics_verifies(interface_lung interface_lung
-  "errors.transmitted < 2.3e-3;errors.reflected < 1.1e-4")
+  "errors.transmitted < 2.26e-3;errors.reflected < 1.05e-4")
 biomechanics_verifies(interface_brain interface
-  "errors.transmitted < 1e-2;errors.reflected < 1e-2"
+  "errors.transmitted < 4.02e-4;errors.reflected < 9.7e-4"
   "Mesh/Tissue=skeleton" "Mesh/Region far/Tissue=brain"
   "Mesh/Elements=300, 1, 1" "Measures/Measure transmitted/Expected=-704.559"
   "Measures/Measure reflected/Statistic=maximum"
@@ -80,24 +81,24 @@ biomechanics_verifies(interface_brain interface
   "Measures/Measure reflected/Expected=295.441" "Time/End time=1.15e-4")
 biomechanics_verifies(hanging_nodes hanging_nodes
   "errors.passed < 1.36e-2;\
-assumptions.returned_push < 4.3e3;assumptions.returned_pull < 3.1e3")
+assumptions.returned_push < 4.3e3;assumptions.returned_pull < 3.02e3")
 biomechanics_verifies(relaxation relaxation
   "errors.stress < 2.2e-8;assumptions.energy_residual < 3.4e-6")
 biomechanics_verifies(relaxation_long_term relaxation
-  "errors.stress < 3.0e-8;assumptions.energy_residual < 1.7e-6"
+  "errors.stress < 2.99e-8;assumptions.energy_residual < 1.63e-6"
   "Materials/Reading of G1=long-term modulus"
   "Measures/Measure stress/Expected=38.886070")
 # Full integration.
 biomechanics_verifies(patch_full patch_test "${_exact}"
   "Elements/Integration=full")
 biomechanics_verifies(shear_wave_full shear_wave
-  "errors.frequency < 3.5e-3;assumptions.energy_residual < 1e-10"
+  "errors.frequency < 3.19e-3;assumptions.energy_residual < 1e-12"
   "Elements/Integration=full")
 biomechanics_verifies(spherical_cavity_full spherical_cavity
   "errors.peak_displacement < 6.9e-3;errors.peak_displacement_z < 8.2e-3;\
 assumptions.energy_residual < 1e-12"
   "Elements/Integration=full" "Mesh/Refinements=3")
-biomechanics_verifies(cantilever_full cantilever "errors.frequency < 9e-3"
+biomechanics_verifies(cantilever_full cantilever "errors.frequency < 8.8e-3"
   "Elements/Integration=full" "Time/End time=0.055" "Mesh/Elements=40, 2, 2")
 biomechanics_verifies(relaxation_full relaxation "errors.stress < 2.2e-8"
   "Elements/Integration=full")
@@ -106,7 +107,7 @@ biomechanics_verifies(fluid_sphere_full fluid_sphere
 
 # The finer half gets (2.6e-7 s / 1.335e-7 s)^2 - 1 times its mass of 0.44 g.
 biomechanics_verifies(mass_scaling hanging_nodes
-  "assumptions.energy_residual < 1e-12;assumptions.stable_step > 2.6e-7;\
+  "assumptions.energy_residual < 1e-12;assumptions.stable_step > 3.22e-7;\
 assumptions.scaled_elements_skeleton > 3199;\
 assumptions.added_mass_skeleton > 1.22e-3;\
 assumptions.added_mass_skeleton < 1.24e-3" "Elements/Smallest step=2.6e-7")
@@ -114,12 +115,12 @@ biomechanics_verifies(bounce bounce
   "assumptions.energy_residual < 2.9e-4;errors.velocity_after < 0.048")
 # Without ground: t^2 g / 2.
 biomechanics_verifies(free_fall bounce
-  "errors.velocity_after < 1e-9;assumptions.energy_residual < 1e-9"
+  "errors.velocity_after < 1e-12;assumptions.energy_residual < 1e-12"
   "Ground/Active=false" "Initial state/Velocity z=0"
   "Measures/Measure velocity_after/Quantity=displacement_z"
   "Measures/Measure velocity_after/Expected=-4.905e-8")
 biomechanics_verifies(phantom ../quickstart
-  "assumptions.energy_residual < 1e-4" "Time/End time=1e-3")
+  "assumptions.energy_residual < 1.83e-7" "Time/End time=1e-3")
 
 # Peaks of tissues and fields go on, too.
 contrecoup_add_application_test(runs ranks,resume
@@ -152,7 +153,7 @@ contrecoup_add_application_test(energy_gate bounds
 contrecoup_add_application_test(tnt bounds FILE biomechanics/quickstart.prm
   SET "Output/Fields=false" "Time/End time=1.5e-3"
   "Loads/Load pulse/Kind=kingery bulmash"
-  BOUNDS "status == finished" "assumptions.energy_residual < 1e-6"
+  BOUNDS "status == finished" "assumptions.energy_residual < 1.93e-7"
   "assumptions.injury_chest_pressure_peak > 7.04e5"
   "assumptions.injury_chest_pressure_peak < 7.78e5"
   "assumptions.injury_intracranial_pressure_peak > 5.96e5"
@@ -167,7 +168,7 @@ contrecoup_add_application_test(tnt bounds FILE biomechanics/quickstart.prm
 # The phantom with its measures of injury, each within 5 %.
 contrecoup_add_application_test(injury bounds FILE biomechanics/quickstart.prm
   SET "Output/Fields=false" "Time/End time=2e-3"
-  BOUNDS "status == finished" "assumptions.energy_residual < 1e-6"
+  BOUNDS "status == finished" "assumptions.energy_residual < 1.37e-7"
   "assumptions.injury_strain_95 > 6.97e-4"
   "assumptions.injury_strain_95 < 7.70e-4"
   "assumptions.injury_intracranial_pressure_peak > 9.40e4"
@@ -182,10 +183,17 @@ contrecoup_add_application_test(injury bounds FILE biomechanics/quickstart.prm
   "assumptions.injury_chest_wall_velocity < 1.019"
   "assumptions.injury_chest_wall_velocity_mesh > 0.119"
   "assumptions.injury_chest_wall_velocity_mesh < 0.132")
-contrecoup_add_application_test(injury_resume resume
+# On coarser elements and under a pulse that begins nearer, what the man goes
+# through is what it was, also after a stop.
+contrecoup_add_application_test(phantom_runs regression,resume
   FILE biomechanics/quickstart.prm
-  SET "Output/Fields=false" "Time/End time=3e-4" "Injury/Every steps=3"
-  STOP_AFTER 20 COMPARE history.csv probes.csv injury.csv)
+  SET "Mesh/Element size=0.02" "Time/End time=1e-3"
+    "Loads/Load pulse/Friedlander/Centre=1000000.13, 0, 0"
+    "Injury/Every steps=3" "Peaks/Active=true" "Peaks/Every steps=3"
+    "Output/Fields interval=1e-3"
+  COMPARE history.csv probes.csv injury.csv fields/*.vtu STOP_AFTER 20
+  TOLERANCE 1e-8 "energy_residual=1e-12 absolute" "momentum_y=1e-12 absolute"
+    "fields/*.vtu:*=2e-7")
 
 # Experiment 37 of Nahum: signs and order of pressures as measured; the errors
 # are those of the model, which its header explains.
@@ -201,7 +209,7 @@ function(biomechanics_endures name bounds)
     FILE biomechanics/extremes/${name}.prm SET "Output/Fields=false"
     BOUNDS "status == finished" ${bounds} LABELS extremes)
 endfunction()
-biomechanics_endures(incompressible "errors.frequency < 9e-3")
+biomechanics_endures(incompressible "errors.frequency < 8.78e-3")
 biomechanics_endures(lung_by_bone "assumptions.energy_residual < 3.9e-6")
 biomechanics_endures(ten_megapascal "assumptions.energy_residual < 5.5e-4")
 biomechanics_endures(crushed_lung "errors.displacement < 1.31e-3;\
@@ -230,7 +238,7 @@ biomechanics_endures(slivers "assumptions.energy_residual < 1e-12")
 biomechanics_endures(microsecond_pulse "assumptions.energy_residual < 1e-12;\
 history.momentum_x > 1.5678e-5;history.momentum_x < 1.5737e-5")
 biomechanics_endures(floating
-  "errors.displacement < 6.7e-3;assumptions.energy_residual < 1.9e-5")
+  "errors.displacement < 6.7e-3;assumptions.energy_residual < 1.82e-5")
 biomechanics_endures(long_pulse
   "errors.pressure < 7.8e-7;assumptions.energy_residual < 1e-12")
 # Alternating pressures are damped, with no heat that is not booked; averages
@@ -238,13 +246,13 @@ biomechanics_endures(long_pulse
 contrecoup_add_application_test(layered_head bounds
   FILE biomechanics/extremes/layered_head.prm
   SET "Output/Fields=false" "Elements/Hourglass damping=0.1"
-  BOUNDS "status == finished" "assumptions.energy_residual < 1e-6"
+  BOUNDS "status == finished" "assumptions.energy_residual < 7.2e-8"
     "assumptions.injury_pressure_roughness > 0.107"
     "assumptions.injury_pressure_roughness < 0.131"
     "assumptions.injury_intracranial_pressure_peak > 1.4e5"
     "assumptions.injury_intracranial_pressure_peak < 1.51e5"
   LABELS extremes)
-biomechanics_endures(million_steps "assumptions.energy_residual < 1e-7")
+biomechanics_endures(million_steps "assumptions.energy_residual < 6.4e-8")
 contrecoup_add_application_test(inverted_element refusal
   FILE biomechanics/quickstart.prm
   ARGUMENTS "--set" "Mesh/Kind=file"

@@ -35,6 +35,9 @@ from case import (Case, Failed, Skipped, check_bound, check_finite,
 
 REPOSITORY = os.path.dirname(os.path.dirname(os.path.dirname(
     os.path.abspath(__file__))))
+# Values in a table that regressions keep as it is.
+LARGEST_TABLE = 5000
+SAMPLES = ".samples.csv"
 
 
 def bounds(case):
@@ -58,23 +61,27 @@ def bounds(case):
         check_bound(summary, bound)
 
 
-def reference_of(case, name):
-    """Where the numbers of a file are kept: a table as it is, of others some
-    samples."""
-    name = name.replace("/", "_")
-    return os.path.join(case.options.reference, name if name.endswith(".csv")
-                        else name + ".samples.csv")
+def reference_of(case, output, name):
+    """Where the numbers of a file are kept: a table as it is, of long ones and
+    of other files some samples."""
+    here = os.path.join(case.options.reference, name.replace("/", "_"))
+    if name.endswith(".csv"):
+        with open(os.path.join(output, name), encoding="utf-8") as file:
+            if sum(line.count(",") + 1 for line in file) <= LARGEST_TABLE:
+                return here
+    return here + SAMPLES
 
 
 def update_references(case, output):
     shutil.rmtree(case.options.reference, ignore_errors=True)
     os.makedirs(case.options.reference)
     for name in expand(output, case.options.compare):
-        path = os.path.join(output, name)
-        if name.endswith(".csv"):
-            shutil.copy(path, reference_of(case, name))
+        path, reference = (os.path.join(output, name),
+                           reference_of(case, output, name))
+        if not reference.endswith(SAMPLES):
+            shutil.copy(path, reference)
             continue
-        with open(reference_of(case, name), "w", encoding="utf-8") as file:
+        with open(reference, "w", encoding="utf-8") as file:
             file.write(samples.summarise(samples.read(path)))
 
 
@@ -85,17 +92,17 @@ def regression(case):
     if os.environ.get("CONTRECOUP_UPDATE_REFERENCES") == "1":
         update_references(case, output)
     names = expand(output, case.options.compare)
-    kept = {os.path.basename(reference_of(case, name)) for name in names}
-    if kept != set(os.listdir(case.options.reference)):
+    references = [reference_of(case, output, name) for name in names]
+    if set(map(os.path.basename, references)) != \
+            set(os.listdir(case.options.reference)):
         raise Failed(f"the references are of other files than {names}")
-    for name in names:
+    for name, reference in zip(names, references):
         path = os.path.join(output, name)
-        if name.endswith(".csv"):
+        if not reference.endswith(SAMPLES):
             compare_arrays(name, case.options.tolerance,
-                           samples.read(reference_of(case, name)),
-                           samples.read(path), output)
+                           samples.read(reference), samples.read(path), output)
             continue
-        with open(reference_of(case, name), encoding="utf-8") as file:
+        with open(reference, encoding="utf-8") as file:
             worst, reasons = samples.compare_summaries(
                 case.options.tolerance, name, file.read(),
                 samples.summarise(samples.read(path)))

@@ -44,6 +44,9 @@ def read_table(text):
     by the names of its row and column. Columns of words are lists."""
     header, *rows = csv.reader(io.StringIO(text))
     columns = {}
+    if header[1:] == ["n_masters", "masters and weights"]:
+        # Hanging nodes: of each as many values as it has masters.
+        rows = [[row[0], row[1], value] for row in rows for value in row[2:]]
     for name, *words in zip(header, *rows):
         try:
             columns[name] = numpy.array([float(word) for word in words])
