@@ -51,22 +51,22 @@ blast_burns(charge_axisymmetric verification/charge_axisymmetric "${_closed}")
 blast_burns(extreme_implosion verification/paper_1d "${_closed}"
   "Charges/Charge 1/Ignition points=0.05")
 
-# The cone and the spherical run differ by less than 0.5 % of the mean density.
-blast_burns(cone verification/cone "errors.density_L1 < 0.0142;${_closed}")
+# The cone and the spherical run differ by 0.34 % of the mean density.
+blast_burns(cone verification/cone "errors.density_L1 < 0.0106;${_closed}")
 
-# Kingery and Bulmash within 15 % in peak and impulse and 5 % in arrival at 1
-# and 2 m.
-set(_bounds "")
-foreach(_probe 3 4)
-  foreach(_sign "<" "> -")
-    string(REPLACE "<" "< " _than ${_sign})
-    list(APPEND _bounds
-      "errors.probe_${_probe}_peak_overpressure_relative ${_than}0.15"
-      "errors.probe_${_probe}_impulse_relative ${_than}0.15"
-      "errors.probe_${_probe}_arrival_relative ${_than}0.05")
-  endforeach()
-endforeach()
-blast_burns(kingery_bulmash verification/kingery_bulmash "${_bounds}")
+# Kingery and Bulmash at 0.5, 1 and 2 m; at 1 and 2 m 15 % in peak and impulse and
+# 5 % in arrival were asked for. Bounds: the differences when the test was written
+# and a tenth more.
+blast_burns(kingery_bulmash verification/kingery_bulmash
+  "errors.probe_2_peak_overpressure_relative < 0.144;\
+errors.probe_2_impulse_relative < 0.11;\
+errors.probe_2_arrival_relative < 5.28e-3;\
+errors.probe_3_peak_overpressure_relative < 0.0288;\
+errors.probe_3_impulse_relative < 0.031;\
+errors.probe_3_arrival_relative < 0.0325;\
+errors.probe_4_peak_overpressure_relative < 0.0596;\
+errors.probe_4_impulse_relative < 0.0924;\
+errors.probe_4_arrival_relative < 3.4e-4")
 # 5 lb of C-4 at 2.337 m, a prediction: nothing was fitted to it. The errors when
 # the test was written, -5.5, 1.9 and -3.7 %, and a tenth more.
 blast_burns(c4_prediction verification/kingery_bulmash

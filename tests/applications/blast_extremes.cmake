@@ -16,24 +16,24 @@ blast_survives(cfl_beyond "errors.density_L1 < 0.15")
 blast_survives(cfl_tiny "errors.density_L1 < 2.4e-3;${_closed}")
 blast_survives(contact_at_rest
   "errors.pressure_Linf < 1e-9;errors.velocity_Linf < 1e-11;${_closed}")
-blast_survives(contact_at_speed "errors.density_L1 < 0.3")
-blast_survives(jwl_above_reference "errors.density_L1 < 26;${_closed}")
-blast_survives(jwl_below_reference "errors.density_L1 < 4.2e-6;${_closed}")
-blast_survives(leblanc_100 "errors.density_L1 < 5.0e-3;${_closed}")
+blast_survives(contact_at_speed "errors.density_L1 < 0.291")
+blast_survives(jwl_above_reference "errors.density_L1 < 25.6;${_closed}")
+blast_survives(jwl_below_reference "errors.density_L1 < 4.11e-6;${_closed}")
+blast_survives(leblanc_100 "errors.density_L1 < 4.96e-3;${_closed}")
 # Through the nozzle come 5 kg/m^3 * 371 m/s of mass and their kinetic energy for
 # 2 ms, within 2 %: its edge is not one of cells.
 blast_survives(mach_1000_jet "conservation.mass_relative_change > 0.727;\
 conservation.mass_relative_change < 0.757;\
 conservation.energy_relative_change > 40419;\
 conservation.energy_relative_change < 42069")
-blast_survives(mach_1000_piston "errors.density_L1 < 2.0e-2")
+blast_survives(mach_1000_piston "errors.density_L1 < 1.91e-2")
 blast_survives(one_cell "${_closed}")
 blast_survives(one_cell_periodic "errors.density_Linf < 1e-12;${_closed}")
-blast_survives(ratio_1330_1e6 "errors.density_L1 < 2.2;${_closed}")
+blast_survives(ratio_1330_1e6 "errors.density_L1 < 2.1;${_closed}")
 blast_survives(rest_100000_steps
   "errors.density_Linf < 1e-12;errors.velocity_Linf < 1e-12;${_closed}")
 blast_survives(ten_levels "${_closed}")
-blast_survives(vacuum "errors.density_L1 < 7.5e-3")
+blast_survives(vacuum "errors.density_L1 < 7.43e-3")
 
 # Rigid bodies.
 blast_survives(body_on_ground "${_closed};retries == 0")
@@ -42,10 +42,11 @@ foreach(_file cut_by_boundary thin_plate thin_shell needle gap
   blast_survives(body_${_file} "${_closed}")
 endforeach()
 blast_survives(body_charge_50_m
-  "assumptions.loads_impulse_difference < 1e-2;\
+  "assumptions.loads_impulse_difference < 5.2e-4;\
 assumptions.probe_2_peak_overpressure > 1e4")
 
-# The same in single precision and three dimensions: totals to its round-off,
+# The same in single precision and three dimensions: totals to its round-off (1.2e-7
+# at most, which scatters from one processor to another),
 # and rest at rest.
 #
 # blast_survives_in_single(<file> [<bounds>] [<overrides>...])
@@ -83,8 +84,8 @@ conservation.energy_relative_change < 1822" "Domain/Dimension=3"
   "Initial state/Region nozzle/Lower corner=-1,-0.05,-0.05"
   "Initial state/Region nozzle/Upper corner=1e-6,0.05,0.05"
   "Initial state/Region nozzle/Velocity=371,0,0" "Time/End time=0.001")
-blast_survives_in_single(rest_100000_steps "errors.density_Linf < 1e-7;\
-errors.velocity_Linf < 1e-12;errors.pressure_Linf < 1e-2"
+blast_survives_in_single(rest_100000_steps "errors.density_Linf < 2.6e-8;\
+errors.velocity_Linf < 1e-12;errors.pressure_Linf < 1e-9"
   "Domain/Dimension=3" "Domain/Geometry=plane" "Domain/Lower corner=0,0,0"
   "Domain/Upper corner=1,1,1" "Domain/Coarse leaves=1,1,1" "Method/Subcells=4"
   "Time/Largest number of steps=10000")

@@ -22,32 +22,32 @@ blast_verifies(sod_van_leer sod "errors.density_L1 < 2.7e-3;${_closed}"
   "Method/Limiter=van leer")
 # What nodes and subcells of Galerkin schemes stand for, at 200 unknowns a
 # variable: 1.8e-3 is required of the best setting.
-blast_verifies(sod_degree_1 sod "errors.density_mean_L1 < 1.8e-3;${_closed}"
+blast_verifies(sod_degree_1 sod "errors.density_mean_L1 < 1.74e-3;${_closed}"
   ${_galerkin} "Method/Degree=1" "Domain/Coarse leaves=100"
   "Method/Limiter=superbee" "Method/Indicator threshold=0.03")
 blast_verifies(sod_degree_3 sod
   "errors.density_L1 < 3.0e-3;errors.density_mean_L1 < 2.4e-3;${_closed}"
   ${_galerkin} "Domain/Coarse leaves=50")
-blast_verifies(toro_1 toro_1 "errors.density_L1 < 3.2e-3")
-blast_verifies(toro_2 toro_2 "errors.density_L1 < 3.7e-3")
-blast_verifies(toro_3 toro_3 "errors.density_L1 < 7.4e-2;${_closed}")
-blast_verifies(toro_4 toro_4 "errors.density_L1 < 0.29")
-blast_verifies(toro_5 toro_5 "errors.density_L1 < 2.9e-2")
+blast_verifies(toro_1 toro_1 "errors.density_L1 < 3.13e-3")
+blast_verifies(toro_2 toro_2 "errors.density_L1 < 3.64e-3")
+blast_verifies(toro_3 toro_3 "errors.density_L1 < 7.31e-2;${_closed}")
+blast_verifies(toro_4 toro_4 "errors.density_L1 < 0.281")
+blast_verifies(toro_5 toro_5 "errors.density_L1 < 2.87e-2")
 blast_verifies(leblanc leblanc "errors.density_L1 < 7.5e-4;${_closed}")
 blast_verifies(jwl_shyue jwl_shyue "errors.density_L1 < 2.6e-2;${_closed}")
 blast_verifies(tnt_air tnt_air "errors.density_L1 < 3.9;${_closed}")
-blast_verifies(noh_1d noh_1d "errors.density_L1 < 9.4e-3")
-blast_verifies(noh_2d noh_2d "errors.density_L1 < 2.0e-2")
-blast_verifies(sedov_1d sedov_1d "errors.density_L1 < 2.7e-2;${_closed}")
-blast_verifies(sedov_2d sedov_2d "errors.density_L1 < 6.0e-2;${_closed}")
+blast_verifies(noh_1d noh_1d "errors.density_L1 < 9.34e-3")
+blast_verifies(noh_2d noh_2d "errors.density_L1 < 1.87e-2")
+blast_verifies(sedov_1d sedov_1d "errors.density_L1 < 2.67e-2;${_closed}")
+blast_verifies(sedov_2d sedov_2d "errors.density_L1 < 5.87e-2;${_closed}")
 
 blast_verifies(woodward_colella woodward_colella
   "errors.density_L1 < 6.6e-2;${_closed}")
-blast_verifies(shu_osher shu_osher "errors.density_L1 < 6.2e-2")
+blast_verifies(shu_osher shu_osher "errors.density_L1 < 6.1e-2")
 # Plain HLLC has a carbuncle here and an error of 3.2e-2.
 blast_verifies(quirk quirk "errors.density_L1 < 9.2e-3")
-# Regular reflection ends within 10 % of the 1.04 m of two-shock theory; cells
-# of 2.5 mm near the ground.
+# Regular reflection ends 3.7 % beyond the 1.04 m of two-shock theory; cells of
+# 2.5 mm near the ground. 10 % were asked for.
 contrecoup_add_application_test(regular_reflection reflection
   FILE blast/verification/height_of_burst.prm HEIGHT 1.27
   SET "Output/Fields=false" "Pictures/Planes=" "Time/End time=0.0012"
@@ -55,7 +55,7 @@ contrecoup_add_application_test(regular_reflection reflection
   "Adaptation/Limit high/Lower corner=0,0.25"
   "Adaptation/Limit high/Upper corner=3,3"
   "Adaptation/Limit high/Largest level=3"
-  BOUNDS "regular_up_to < 1.144" "regular_up_to > 0.936" LABELS verification)
+  BOUNDS "regular_up_to < 1.082" "regular_up_to > 1.06" LABELS verification)
 
 # Subcells of 1/64 m. With plain HLLC the stem has a kink of 2.3e-3 m.
 contrecoup_add_application_test(double_mach stem
@@ -70,9 +70,9 @@ errors.probe_4_peak_overpressure_relative < 5.3e-3;\
 errors.probe_5_peak_overpressure_relative < 1e-2;\
 errors.probe_1_arrival_relative < 1.9e-4;\
 errors.probe_2_arrival_relative < 4.1e-4;\
-errors.probe_3_arrival_relative < 1.3e-4;\
-errors.probe_4_arrival_relative < 5e-5;\
-errors.probe_5_arrival_relative < 5e-5"
+errors.probe_3_arrival_relative < 1.2e-4;\
+errors.probe_4_arrival_relative < 1.72e-5;\
+errors.probe_5_arrival_relative < 3.53e-5"
   "Adaptation/Largest level=10" "Initial state/Sedov/Radius=0.01")
 
 # The smooth vortex shows the order of a method; in the L1 norm k + 0.8 is
@@ -107,10 +107,10 @@ blast_converges(degree_3 3.8 5 6 ${_galerkin} "Method/Degree=3"
 blast_converges(finite_volume 1.8 3 4 "Method/Scheme=finite volume")
 
 # Three dimensions, on meshes an eighth of the shipped ones.
-blast_verifies(noh_3d noh_3d "errors.density_L1 < 0.09"
+blast_verifies(noh_3d noh_3d "errors.density_L1 < 0.074"
   "Domain/Initial refinement=2")
 # The shock stays clear of the open sides until the end of this shorter run.
-blast_verifies(sedov_3d sedov_3d "errors.density_L1 < 0.062;${_closed}"
+blast_verifies(sedov_3d sedov_3d "errors.density_L1 < 0.0616;${_closed}"
   "Adaptation/Largest level=3" "Time/End time=0.7")
 
 # A gas at rest stays at rest in every geometry, to round-off.
@@ -128,8 +128,8 @@ function(blast_rests name dimension geometry)
     "Domain/Lower corner=${_lower_${dimension}}"
     "Domain/Upper corner=${_upper_${dimension}}"
     "Domain/Coarse leaves=${_upper_${dimension}}" ${ARGN}
-    BOUNDS "errors.density_Linf < 1e-12" "errors.velocity_Linf < 1e-9"
-    "errors.pressure_Linf < 1e-6"
+    BOUNDS "errors.density_Linf < 1e-12" "errors.velocity_Linf < 1e-12"
+    "errors.pressure_Linf < 1e-9"
     LABELS verification)
 endfunction()
 blast_rests(plane_1d 1 plane)

@@ -5,7 +5,7 @@ set(_study study/quickstart.prm)
 # of blast keep; here they must arrive.
 contrecoup_add_application_test(quickstart study_run FILE ${_study}
   BOUNDS "outcomes.stable == 8" "status == finished"
-    "orders.finite volume > 0.7" "orders.finite volume < 1.2"
+    "orders.finite volume > 0.746" "orders.finite volume < 0.902"
   COMPARE work_precision.png)
 
 # Every way in which a run can end; a study survives them all.
