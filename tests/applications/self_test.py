@@ -253,7 +253,7 @@ class ResultTest(SelfTest):
         self.rejects("order_1", *options, flaw="flat")
         last = options[:3] + ("--error=1 0.01 last 1",) + options[4:]
         self.accepts(*last)
-        self.rejects("error_1", *last, "--error=1 0.01 1")
+        self.rejects("order_1", *last, "--error=1 0.01 1")
 
 
 class CostTest(SelfTest):
