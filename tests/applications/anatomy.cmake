@@ -7,7 +7,8 @@ contrecoup_add_application_test(quickstart bounds
   FILE anatomy/quickstart.prm SET "Output/Pictures=false"
   BOUNDS "status == finished" "connected_components == 1"
     "errors.whole_body_volume < 1.65e-3" "errors.brain_volume < 0.0345"
-    "smallest_scaled_jacobian > 0.999" "height > 1.75")
+    "smallest_scaled_jacobian > 0.999" "height > 1.75"
+    "center_of_gravity.2 > 0.978" "center_of_gravity.2 < 0.982")
 contrecoup_add_application_test(organs bounds
   FILE anatomy/quickstart.prm
   SET "Output/Pictures=false" "Mesh/Element size=0.005"

@@ -101,9 +101,12 @@ def read_summary(output):
 
 
 def look_up(summary, key):
-    """The entry of @p summary that a dotted key names."""
+    """The entry of @p summary that a dotted key names; those of lists have
+    numbers."""
     value = summary
     for part in key.split("."):
+        if isinstance(value, list):
+            value = dict(zip(map(str, range(len(value))), value))
         if not isinstance(value, dict) or part not in value:
             raise Failed(f"summary.json has no '{key}'; at '{part}' there are:"
                          f" {', '.join(value) if value else 'none'}")

@@ -53,6 +53,21 @@ def body_masses(output):
     return masses
 
 
+def require_charge(output):
+    """scene.json tells of the charge what the blast was given."""
+    facts = read_json(output, "scene.json")
+    words = re.search(r"subsection Charge 1\n.*?set Center *= ([^\n]*)\n"
+                      r".*?set Mass *= (\S+)",
+                      read_bytes(output, "blast", "parameters.prm").decode(),
+                      re.S)
+    place = [float(word) for word in words[1].split(",")]
+    expected = [*place, place[2], float(words[2])]
+    told = [*facts["charge_place"], facts["height"], facts["charge_mass"]]
+    require(all(abs(one - two) < 1e-9 for one, two in zip(told, expected)),
+            f"place, height and mass of the charge are {told} in scene.json, "
+            f"{expected} in the blast")
+
+
 def scene_run(case, check_bound, read_summary):
     """Every stage runs and keeps the bounds of the biomechanics summary; with
     other entries, stages whose inputs are the same are taken as they are."""
@@ -66,6 +81,7 @@ def scene_run(case, check_bound, read_summary):
             "there is no report")
     masses = body_masses(output)
     require(max(masses) < 1.05 * min(masses), f"body masses are {masses} kg")
+    require_charge(output)
     loads = os.stat(os.path.join(output, "blast", "loads.h5")).st_mtime_ns
     case.run(output, ["--resume"])
     require(statuses(output) == dict.fromkeys(STAGES, "reused"),

@@ -303,6 +303,7 @@ class SceneTest(SelfTest):
         self.rejects("other tissues changed nothing", *options, flaw="deaf")
         self.rejects("report", *options, flaw="silent")
         self.rejects("body masses are", *options, flaw="heavy")
+        self.rejects("height and mass of the charge", *options, flaw="low")
 
     def test_ranks(self):
         options = ("scene_ranks", "--ranks=2")

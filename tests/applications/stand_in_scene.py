@@ -98,7 +98,9 @@ def compute(stage):
         write_injuries(first)
     write("step\n1\n", stage, "history.csv")
     mass = 50. if flaw == "heavy" and stage == "blast" else 5.
-    write(f"  set Body mass = {mass}\n", stage, "parameters.prm")
+    write("subsection Charges\n  subsection Charge 1\n    set Center = 1, 0, 2"
+          f"\n    set Mass   = 3\nset Body mass = {mass}\n",
+          stage, "parameters.prm")
     write(json.dumps({"status": "finished", "resumed_from_step": first,
                       "mass": mass}), stage, "summary.json")
 
@@ -129,7 +131,9 @@ def main():
         status = run_stage(stage)
         statuses[stage] = {"name": stage, "status": status,
                            "wall_seconds": time.time() - begin}
-    write(json.dumps({"stages": list(statuses.values())}), "scene.json")
+    write(json.dumps({"stages": list(statuses.values()), "charge_mass": 3.,
+                      "charge_place": [1., 0., 2.],
+                      "height": 1. if flaw == "low" else 2.}), "scene.json")
     if flaw != "silent":
         write("<html></html>", "report.html")
 

@@ -72,6 +72,22 @@ TEST(Parameters, ReadsWhatWasSet)
   EXPECT_THROW(read_point<2>(prm, "Weights"), InputError);
 }
 
+// Whatever the pattern of the entry lets through.
+TEST(Parameters, ReadsFiniteNumbersOnly)
+{
+  ParameterHandler prm;
+  prm.declare_entry("Any", "0", dealii::Patterns::Anything());
+  for (const std::string value : {"nan", "inf", "-inf", "1e400", "1 m"})
+  {
+    prm.set("Any", value);
+    EXPECT_THROW(read_double(prm, "Any"), InputError) << value;
+    EXPECT_THROW(read_list(prm, "Any"), InputError) << value;
+    EXPECT_THROW(read_points<1>(prm, "Any"), InputError) << value;
+  }
+  prm.set("Any", "-1e300");
+  EXPECT_EQ(read_double(prm, "Any"), -1e300);
+}
+
 TEST(Parameters, SaysWhatIsAllowed)
 {
   EXPECT_EQ(refusal("Density=-1"),

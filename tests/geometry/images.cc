@@ -19,14 +19,27 @@ using dealii::Tensor;
 
 namespace
 {
-/// A NIfTI-1 file of 16-bit numbers, in mm: sform with voxels of these sizes,
-/// first to the left (-x of NIfTI), second to the front, third up.
+/// What says where voxels are in space.
+enum class Form
+{
+  matrix,
+  quaternion,
+  none
+};
+
+/// A NIfTI-1 file of 16-bit numbers, in mm, with voxels of these sizes, the
+/// first axis to the left (-x of NIfTI), the second to the front, the third up;
+/// without a form the first is to the right.
 struct Header
 {
   std::array<short, 3> size;
   std::array<float, 3> spacing{{1.F, 1.F, 1.F}};
   float oblique = 0.F;
   short frames = 1;
+  Form form = Form::matrix;
+  std::array<float, 3> place{{0.F, 0.F, 0.F}}; ///< of the first voxel
+  char unit = 2;                               ///< 1: m, 2: mm, 3: micrometre
+  float slope = 0.F, intercept = 0.F;
 };
 
 std::string make_nifti(const Header &h,
@@ -49,12 +62,23 @@ std::string make_nifti(const Header &h,
   for (unsigned int d = 0; d < 3; ++d)
     put(80 + 4 * d, h.spacing[d]);
   put(108, is_pair ? 0.F : 352.F);
-  bytes[123] = 2; // mm
-  put(254, short(1));
+  put(112, h.slope);
+  put(116, h.intercept);
+  bytes[123] = h.unit;
+  put(252, short(h.form == Form::quaternion));
+  put(254, short(h.form == Form::matrix));
+  // Half a turn around the second axis, and the third one reversed.
+  put(76, -1.F);
+  put(260, 1.F);
   put(280, -h.spacing[0]);
   put(284, h.oblique);
   put(300, h.spacing[1]);
   put(320, h.spacing[2]);
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    put(268 + 4 * d, h.place[d]);
+    put(292 + 16 * d, h.place[d]);
+  }
   bytes.replace(344, 3, is_pair ? "ni1" : "n+1");
   const std::string data(reinterpret_cast<const char *>(values.data()),
                          2 * values.size());
@@ -171,6 +195,66 @@ TEST_F(Images, VoxelsAreWhereTheHeaderSays)
     EXPECT_EQ(body->part_at({0.003, 0.0029, 0.0061}), LabelGrid::nothing);
     EXPECT_EQ(body->part_at({-0.002, 0., 0.}), LabelGrid::nothing);
   }
+}
+
+
+// 10 mm to the right, 20 to the front and 30 up, in each unit.
+TEST_F(Images, PlaceAndUnitAreThoseOfTheHeader)
+{
+  for (const Form form : {Form::matrix, Form::quaternion})
+    for (const auto &[unit, size] :
+         {std::pair<char, float>{1, 1e-3F}, {2, 1.F}, {3, 1e3F}})
+    {
+      SCOPED_TRACE(int(unit));
+      Header header = small;
+      header.form = form;
+      header.unit = unit;
+      header.place = {{10.F * size, 20.F * size, 30.F * size}};
+      for (float &spacing : header.spacing)
+        spacing *= size;
+      const BodyPointer body = create(
+        {"Image/File=" + write("a.nii", make_nifti(header, small_labels)),
+         "Image/Labels=1: brain; 2-3: skeleton"});
+      const auto part_at = [&](const double x, const double y, const double z) {
+        return body->part_at({0.02 + x, -0.01 + y, 0.03 + z});
+      };
+      EXPECT_EQ(part_at(0., 0., 0.), 0);
+      EXPECT_EQ(part_at(0., 0.002, 0.), LabelGrid::nothing);
+      EXPECT_EQ(part_at(0., 0.004, 0.), 1);
+      EXPECT_EQ(part_at(0.003, 0.0029, 0.0055), 1);
+      EXPECT_EQ(part_at(0.003, 0.0029, 0.0061), LabelGrid::nothing);
+      EXPECT_EQ(part_at(-0.002, 0., 0.), LabelGrid::nothing);
+    }
+}
+
+
+TEST_F(Images, WithoutAFormTheFirstAxisIsToTheRight)
+{
+  Header header = small;
+  header.form = Form::none;
+  const BodyPointer body =
+    create({"Image/File=" + write("a.nii", make_nifti(header, small_labels)),
+            "Image/Labels=1: brain; 2-3: skeleton"});
+  EXPECT_EQ(body->part_at({0., 0., 0.}), 0);
+  EXPECT_EQ(body->part_at({0., -0.004, 0.}), 1);
+  EXPECT_EQ(body->part_at({0.003, -0.002, 0.}), 0);
+  EXPECT_EQ(body->part_at({0., 0.004, 0.}), LabelGrid::nothing);
+}
+
+
+// A stored 3 stands for 2 * 3 + 1.
+TEST_F(Images, LabelsAreScaledAsTheHeaderSays)
+{
+  Header header = small;
+  header.slope = 2.F;
+  header.intercept = 1.F;
+  const BodyPointer body =
+    create({"Image/File=" + write("a.nii", make_nifti(header, small_labels)),
+            "Image/Labels=3: brain; 5: skeleton; 7: lung; 1: none"});
+  EXPECT_EQ(body->part_at({0., 0., 0.}), 0);
+  EXPECT_EQ(body->part_at({0., 0.002, 0.}), LabelGrid::nothing);
+  EXPECT_EQ(body->part_at({0., 0.004, 0.}), 1);
+  EXPECT_EQ(body->part_at({0.003, 0.002, 0.004}), 2);
 }
 
 

@@ -340,6 +340,24 @@ TEST_F(SurfaceFile, UnitsScaleRotationAndOriginPlaceIt)
 }
 
 
+// A hundred of each, in m.
+TEST_F(SurfaceFile, UnitsHaveTheirLengths)
+{
+  const std::string file =
+    write("a.stl", make_sphere(16, Point<3>(), 50.), write_binary_stl);
+  for (const auto &[unit, size] : {std::pair<std::string, double>{"m", 100.},
+                                   {"cm", 1.},
+                                   {"mm", 0.1},
+                                   {"inch", 2.54}})
+  {
+    const BodyPointer body =
+      create(file, {"Surface/Unit=" + unit, "Surface/Largest size=200"});
+    const auto box = body->surface()->bounding_box();
+    EXPECT_NEAR(box.side_length(2), size, 1e-5 * size) << unit;
+  }
+}
+
+
 TEST_F(SurfaceFile, HolesAndCrossingsAreReported)
 {
   TriangleMesh mesh = make_sphere(16);

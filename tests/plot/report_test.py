@@ -172,7 +172,9 @@ class ReportTest(unittest.TestCase):
     def test_numbers(self):
         self.expect(
             self.text, "1.04 MPa", "−810 kPa", "0.0542", "931",
-            "2.268 kg of C-4", "2.337 m", "8.25 mm", "186.1 kg", "−22.0 %",
+            "2.268 kg of C-4", "distance to the body 2.337 m",
+            "height above ground 1.270 m", "8.25 mm", "186.1 kg", "−22.0 %",
+            "peak 900 kPa, impulse 342 Pa s",
             "268 kPa", "314 kPa", "−15 %", "0.055 %", "1 min 15 s",
             "1 min 01 s", "2.2 GB", "5.5 MB", "mpirun -np 2 scene tiny.prm",
             "abc123")

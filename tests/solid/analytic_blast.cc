@@ -74,6 +74,26 @@ TEST(AnalyticBlast, FacetsHaveTheImpulsesOfTheTables)
 }
 
 
+TEST(AnalyticBlast, RunsMayBeginAfterTheDetonation)
+{
+  const auto whole =
+    blast("kingery bulmash", {{"Mass", "1"}, {"Centre", "2, 0, 0"}});
+  const auto late =
+    blast("kingery bulmash",
+          {{"Mass", "1"}, {"Centre", "2, 0, 0"}, {"Start time", "1.5e-3"}});
+  for (const auto &one : {whole, late})
+    one->reinit({Point<3>()}, {Point<3>(1., 0., 0.)}, MPI_COMM_SELF);
+  for (const double time : {0., 0.2e-3, 0.5e-3, 1e-3})
+  {
+    whole->set_time(1.5e-3 + time);
+    late->set_time(time);
+    EXPECT_NEAR(
+      late->pressure(0), whole->pressure(0), 1e-9 * whole->pressure(0));
+  }
+  EXPECT_GT(late->pressure(0), 1e4);
+}
+
+
 TEST(AnalyticBlast, FrontOfEvenSpeed)
 {
   const auto load = blast("friedlander",

@@ -176,6 +176,59 @@ TEST(RecordedLoads, MirroredAcrossTwoPlanes)
 }
 
 
+// A thin plate beside the plane of symmetry, pressed by 100 Pa from the plane
+// and by 300 Pa from outside: so is its mirror image.
+TEST(RecordedLoads, MirroredFacetsFeelWhatFacesThem)
+{
+  const std::string file = "recorded_plate.h5";
+  {
+    io::LoadFile loads(file);
+    loads.create(
+      {{0., 0.5, 0., 0., 0.52, 0.}, {0., -1., 0., 0., 1., 0.}, {1., 1.}},
+      {{"application", "t"}});
+    loads.append({1e-3, 2e-3}, {100.F, 300.F, 100.F, 300.F});
+  }
+  ParameterHandler prm;
+  solid::RecordedLoads::declare_parameters(prm);
+  prm.set("File", file);
+  prm.set("Mirror", "y");
+  const auto loads = solid::RecordedLoads::parse_parameters(prm);
+  loads->reinit(
+    {{0., 0.5, 0.}, {0., 0.52, 0.}, {0., -0.5, 0.}, {0., -0.52, 0.}},
+    {Point<3>(0., -1., 0.),
+     Point<3>(0., 1., 0.),
+     Point<3>(0., 1., 0.),
+     Point<3>(0., -1., 0.)},
+    MPI_COMM_SELF);
+  loads->set_time(0.5e-3);
+  for (unsigned int i = 0; i < 4; ++i)
+    EXPECT_NEAR(loads->pressure(i), i % 2 == 0 ? 100. : 300., 1e-10) << i;
+  std::filesystem::remove(file);
+}
+
+
+TEST(RecordedLoads, RunsMayBeginWithinTheRecord)
+{
+  const std::string file = "recorded_offset.h5";
+  write_loads(file);
+  ParameterHandler prm;
+  solid::RecordedLoads::declare_parameters(prm);
+  prm.set("File", file);
+  prm.set("Time offset", "1e-3");
+  const auto loads = solid::RecordedLoads::parse_parameters(prm);
+  loads->reinit({{0., 0., 0.}, {1., 0., 0.}},
+                {Point<3>(-1., 0., 0.), Point<3>(2., 0., 0.)},
+                MPI_COMM_SELF);
+  loads->set_time(0.); // between the first two samples
+  EXPECT_NEAR(loads->pressure(0), 200., 1e-10);
+  loads->set_time(0.5e-3); // the middle of the second
+  EXPECT_NEAR(loads->pressure(1), 30., 1e-11);
+  loads->set_time(3e-3); // the end of the last
+  EXPECT_EQ(loads->pressure(0), 0.);
+  std::filesystem::remove(file);
+}
+
+
 TEST(RecordedLoads, WhatIsNoFileOfLoadsIsRefused)
 {
   EXPECT_THROW(read_loads("no such file.h5"), InputError);
