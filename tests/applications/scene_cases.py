@@ -11,9 +11,6 @@ import time
 import full_disk
 
 STAGES = ("anatomy", "blast", "biomechanics")
-# So that kills find something to go on from.
-CHECKPOINTS = ["--set", "Blast/Output/Checkpoint every steps=10",
-               "--set", "Biomechanics/Output/Checkpoint every steps=50"]
 
 
 def require(holds, reason):
@@ -99,9 +96,9 @@ def scene_run(case, check_bound, read_summary):
 
 def scene_ranks(case, _check_bound, _read_summary):
     """One rank and each of --ranks give the same injury table to 1e-6."""
-    expected = injury_table(case.straight(1, CHECKPOINTS))
+    expected = injury_table(case.straight(1))
     for ranks in case.options.ranks:
-        found = injury_table(case.straight(ranks, CHECKPOINTS))
+        found = injury_table(case.straight(ranks))
         require(found.keys() == expected.keys(),
                 "injury tables have different rows")
         for name, value in expected.items():
@@ -152,13 +149,13 @@ def scene_sigkill(case, _check_bound, _read_summary):
     """Killed three times in each stage and resumed, a scene goes on from the
     last checkpoint each time and ends with the same loads and injuries as
     without."""
-    straight = case.straight(1, CHECKPOINTS)
+    straight = case.straight(1)
     output = case.folder("killed")
-    extra = CHECKPOINTS
+    extra = []
     for stage in STAGES:
         for _ in range(3):
             last = kill_in(case, output, stage, extra)
-            extra = CHECKPOINTS + ["--resume"]
+            extra = ["--resume"]
         if stage == STAGES[0]:
             continue
         # What comes next finishes this stage.
