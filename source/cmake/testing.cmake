@@ -198,7 +198,13 @@ endfunction()
 #                 the summary and of what facet_loads() in load_cases.py finds
 #   domain        Domain/Size = by time makes room enough for recorded loads:
 #                 BOUNDS of what domain() in load_cases.py finds
-#   disk          a full disk: exit code 3 with MESSAGE, checkpoint intact
+#   disk, quota   a full disk, a limit to the size of files, when a run that was
+#                 stopped after STOP_AFTER steps is resumed: exit code 3 with the
+#                 reason, checkpoint intact; then resumed where there is room
+#   parallel_disk  the same on the last of RANKS
+#   disk_anew     the same for a run without steps, which then leaves the COMPARE
+#                 files
+#   other_build   a checkpoint of another build is resumed with a word, or refused
 #   main_job*     OTHER_FILE: the first lines in
 #                 tests/applications/main_job_cases.py tell
 #   study_*, scene_*, folder_*  the first lines in study_cases.py, scene_cases.py

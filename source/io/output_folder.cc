@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/gather.h>
+#include <contrecoup/base/log.h>
 #include <contrecoup/io/checked_file.h>
 #include <contrecoup/io/field_output.h>
 #include <contrecoup/io/output_folder.h>
@@ -82,7 +83,22 @@ namespace io
       throw InputError("\"" + found->folder + "\" is a checkpoint of \"" +
                        earlier.application + "\", not of \"" +
                        run_.application + "\"");
-    require_same_scene(earlier.parameters, run_.parameters, exempt);
+    const std::string builds = earlier.build == this_build()
+                                 ? ""
+                                 : "the checkpoint was written by " +
+                                     earlier.build + ", this is " +
+                                     this_build();
+    try
+    {
+      require_same_scene(earlier.parameters, run_.parameters, exempt);
+    }
+    catch (const InputError &error)
+    {
+      throw InputError(error.what() + (builds.empty() ? "" : "; " + builds));
+    }
+    if (!builds.empty())
+      log_line(builds + ": what follows may differ from what it would have "
+                        "computed");
     const auto parameters = run_.parameters;
     run_ = earlier;
     run_.parameters = parameters;

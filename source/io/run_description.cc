@@ -30,7 +30,25 @@ namespace io
       visit("probe_step", state.probe_step);
       visit("field_step", state.field_step);
     }
+
+    /// @throws InputError unless the checkpoint has the format of this build
+    void require_same_format(const Json &json, const std::string &build)
+    {
+      const Json format = json.value("format", Json());
+      if (format == checkpoint_format)
+        return;
+      throw InputError(
+        "the checkpoint was written by " + build + " in format " +
+        (format.is_null() ? "0" : format.dump()) + "; this is " + this_build() +
+        " and reads format " + std::to_string(checkpoint_format) +
+        ": go on with the former, or begin anew with --overwrite");
+    }
   } // namespace
+
+  std::string this_build()
+  {
+    return version() + " (" + git_revision() + ")";
+  }
 
   std::string to_text(const RunDescription &description)
   {
@@ -44,6 +62,7 @@ namespace io
     const Json text = {{"application", description.application},
                        {"version", version()},
                        {"git_revision", git_revision()},
+                       {"format", checkpoint_format},
                        {"state", state},
                        {"history_bytes", description.history_bytes},
                        {"probes_bytes", description.probes_bytes},
@@ -60,6 +79,9 @@ namespace io
       const Json json = Json::parse(text);
       RunDescription description;
       json.at("application").get_to(description.application);
+      description.build = json.at("version").get<std::string>() + " (" +
+                          json.at("git_revision").get<std::string>() + ")";
+      require_same_format(json, description.build);
       json.at("history_bytes").get_to(description.history_bytes);
       json.at("probes_bytes").get_to(description.probes_bytes);
       json.at("fields").get_to(description.fields);
@@ -74,7 +96,7 @@ namespace io
     }
     catch (const nlohmann::json::exception &error)
     {
-      throw InputError("the checkpoint was written by another version: " +
+      throw InputError("\"run.json\" of the checkpoint is damaged: " +
                        std::string(error.what()));
     }
   }

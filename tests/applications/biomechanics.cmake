@@ -122,9 +122,13 @@ biomechanics_verifies(free_fall bounce
 biomechanics_verifies(phantom ../quickstart
   "assumptions.energy_residual < 1.83e-7" "Time/End time=1e-3")
 
-# Peaks of tissues and fields go on, too.
-contrecoup_add_application_test(runs ranks,resume
+# Peaks of tissues and fields go on, too, after a stop, a kill, on a disk that
+# had been full, with a limit to the size of files and with a checkpoint of
+# another build.
+contrecoup_add_application_test(runs
+  ranks,resume,disk,quota,other_build,parallel_disk,parallel_sigkill
   FILE ${_folder}/plane_wave.prm SET "Output/Fields interval=2e-5"
+  "Output/Checkpoint every steps=20"
   "Peaks/Active=true" "Peaks/Every steps=3" STOP_AFTER 5 50
   COMPARE history.csv probes.csv
   TOLERANCE 1e-9 "hourglass_energy=1e-16 absolute"

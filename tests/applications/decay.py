@@ -22,6 +22,7 @@ ENTRIES = {"Time/Largest number of steps": "60",
            "Loads/Smallest overpressure": "0.0001", "Domain/Size": "given",
            "Domain/Lower corner": "0, 0, 0", "Domain/Upper corner": "1, 1, 1",
            "Domain/Coarse leaves": "1, 1, 1"}
+BUILD = "1.0.0 (decade)"
 
 
 def flawed(name):
@@ -29,7 +30,7 @@ def flawed(name):
 
 
 def refuse(message, code=1):
-    lines = [message]
+    lines = ["error: " + message]
     if flawed("wordy"):
         lines.append("a second line")
     print("\n".join(lines), file=sys.stderr)
@@ -63,11 +64,25 @@ def read(arguments):
         refuse("Step size must be positive")
 
 
+def require_known(run):
+    """Of a checkpoint of another build only format and entries matter."""
+    builds = f"of {run['version']} ({run['git_revision']}), not of {BUILD}"
+    if run["format"] != 1 and not flawed("gullible"):
+        refuse("the checkpoint has another format, it is " + builds)
+    for name in ENTRIES:
+        if name not in run["parameters"] and not flawed("lenient"):
+            refuse(f"no entry {name} in a checkpoint " + builds)
+    if BUILD not in builds.split(", not")[0] and not flawed("mute"):
+        print("checkpoint " + builds)
+
+
 def restore():
     """Step, value and updates of the last complete checkpoint."""
     markers = glob.glob(os.path.join(output, "checkpoint", "*",
                                      "complete.json"))
     folder = os.path.dirname(max(markers))
+    with open(os.path.join(folder, "run.json")) as file:
+        require_known(json.load(file))
     text = open(os.path.join(folder, "state.bin")).read()
     if not text.endswith("end\n"):
         if flawed("meddling"):
@@ -98,8 +113,12 @@ def save(step, value):
         file.write(f"{step} {value!r} {entries['Scene']} " + " " * (1 << 16)
                    + "end\n")
     with open(os.path.join(folder, "run.json"), "w") as file:
-        json.dump({"state": {"step": step, "updates": 10 * step}}, file)
-    open(os.path.join(folder, "complete.json"), "w").close()
+        json.dump({"state": {"step": step, "updates": 10 * step},
+                   "version": BUILD.split(" (")[0], "format": 1,
+                   "git_revision": BUILD.split(" (")[1][:-1],
+                   "parameters": entries}, file)
+    with open(os.path.join(folder, "complete.json"), "w") as file:
+        file.write('{"files": {}}')
 
 
 def assumptions():
@@ -140,7 +159,14 @@ def check():
     print("decay would run\nThe parameters are valid.")
 
 
+def write_manifest(status):
+    with open(os.path.join(output, "manifest.json"), "w") as file:
+        json.dump({"status": "finished" if flawed("boastful") else status},
+                  file)
+
+
 def summarise(status, step, value, first):
+    write_manifest(status)
     exact = math.exp(-step * float(entries["Step size"]))
     with open(os.path.join(output, "summary.json"), "w") as file:
         json.dump({"status": status, "errors": {"x": abs(value - exact)},
@@ -179,8 +205,12 @@ def run():
     if "--resume" in sys.argv:
         step, value = restore()
     else:
-        os.makedirs(output)
+        os.makedirs(output, exist_ok=True)
+        if flawed("changing") and os.path.exists(
+                os.path.join(output, "checkpoint")):
+            value = 1.1
         open(os.path.join(output, "history.csv"), "w").write("step,x\n0,1.\n")
+    write_manifest("started")
     size_domain()
     first = step
     last = step + int(entries["Time/Steps in this run"])
@@ -237,7 +267,11 @@ if __name__ == "__main__":
             os.makedirs(output)
         sys.exit(0)
     gather_ranks()
+    if flawed("fragile"):
+        signal.signal(signal.SIGXFSZ, signal.SIG_DFL)
     try:
         run()
     except OSError as error:
+        if flawed("messy"):
+            open(os.path.join(output, "state.partial"), "w").close()
         refuse(f"cannot write: {error.strerror}", code=3)

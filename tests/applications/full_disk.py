@@ -57,13 +57,15 @@ def nearly_full(output, checkpoint):
         shutil.rmtree(output)
         shutil.copytree(folder, output)
     finally:
-        subprocess.run(["umount", disk], check=True)
+        subprocess.run(["umount", "--lazy", disk], check=True)
 
 
-def limit_files(size):
-    """Lets writes beyond @p size bytes of a file fail instead of kill. MPI
-    must not lay its shared memory out in files then."""
-    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+def limit_files(size, ignore=True):
+    """Lets writes beyond @p size bytes of a file fail; unless @p ignore, they
+    kill who does not see to that. MPI must not lay its shared memory out in
+    files then."""
+    signal.signal(signal.SIGXFSZ,
+                  signal.SIG_IGN if ignore else signal.SIG_DFL)
     resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
     os.environ["OMPI_MCA_btl"] = "self"
     os.environ["PMIX_MCA_gds"] = "hash"
@@ -88,4 +90,4 @@ def small_disk(output, size):
                lambda: subprocess.run(["mount", "-o", "remount,size=1G", disk],
                                       check=True))
     finally:
-        subprocess.run(["umount", disk], check=True)
+        subprocess.run(["umount", "--lazy", disk], check=True)

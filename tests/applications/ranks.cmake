@@ -12,9 +12,9 @@ contrecoup_add_application_test(single_body_runs
   STOP_AFTER 10 RANKS 2 7 3 LABELS ranks)
 # The step comes from the body's highest frequency, whose sums differ by 1e-8 with
 # the order of ranks; injuries then differ by 8e-6.
-contrecoup_add_application_test(single_phantom_ranks ranks
+contrecoup_add_application_test(single_phantom_runs ranks,parallel_sigkill
   FILE biomechanics/quickstart.prm
   SET "Elements/Precision=single" "Mesh/Element size=0.02"
     "Time/Largest number of steps=120" "Output/Fields=false"
     "Injury/Every steps=3"
-  COMPARE injury.csv TOLERANCE 2e-5 RANKS 2 7 LABELS ranks)
+  COMPARE injury.csv TOLERANCE 2e-5 STOP_AFTER 20 RANKS 2 7 3 LABELS ranks)

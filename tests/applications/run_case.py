@@ -22,6 +22,7 @@ import cost_cases
 import folder_cases
 import full_disk
 import load_cases
+import machine_cases
 import main_job_cases
 import picture_cases
 import resume_cases
@@ -319,21 +320,6 @@ def foreign_checkpoint(case):
         raise Failed("the refused run changed its output folder")
 
 
-def disk(case):
-    """A disk that fills in the middle of a run: exit code 3, one line, and
-    the run goes on from its last checkpoint once there is room."""
-    straight, output = case.straight(), case.folder("full")
-    resume_cases.stop(case, output, case.options.stop_after[0])
-    before = {name: snapshot(name) for name in checkpoints(output)}
-    with full_disk.nearly_full(output, max(before)) as (folder, limits):
-        expect_refusal(case, folder, extra=["--resume"], preexec_fn=limits)
-    if snapshot(max(before)) != before[max(before)]:
-        raise Failed(f"{max(before)} is no longer intact")
-    state = resume_cases.checkpoint_state(output)
-    case.run(output, extra=["--resume"])
-    resume_cases.judge(case, straight, output, state, 1)
-
-
 def of_module(kind):
     def judged(case):
         try:
@@ -346,8 +332,9 @@ def of_module(kind):
 KINDS = {kind.__name__: kind for kind in
          (bounds, regression, ranks, same, convergence, check_files, stem,
           wedge, reflection, refusal, failure, damaged_checkpoint,
-          foreign_checkpoint, disk)}
+          foreign_checkpoint)}
 KINDS.update(resume_cases.KINDS)
+KINDS.update(machine_cases.KINDS)
 KINDS.update(picture_cases.KINDS)
 KINDS.update({name: of_module(kind)
               for name, kind in {**study_cases.KINDS, **cost_cases.KINDS,
@@ -422,7 +409,7 @@ def main(arguments):
     if missing:
         print(f"SKIPPED: there is no {', '.join(missing)}")
         return 1 if os.environ.get("CI") else 77
-    if "disk" in options.kinds:
+    if any(kind in machine_cases.ON_A_DISK for kind in options.kinds):
         full_disk.enter_namespace()
     case = Case(options)
     codes = [prove(case, kind) for kind in options.kinds]

@@ -189,10 +189,34 @@ class ResumeTest(SelfTest):
         self.accepts(*options, "--argument=--set", "--argument=Scene=growth")
         self.rejects("exit code 0", *options)
 
+    def test_other_build(self):
+        self.accepts("other_build")
+        self.rejects("exit code 0", "other_build", flaw="gullible")
+        self.rejects("exit code 0", "other_build", flaw="lenient")
+        self.rejects("does not name both", "other_build", flaw="mute")
+        self.rejects("history.csv is not the same", "other_build",
+                     flaw="forgetful")
+
     def test_disk(self):
-        options = ("disk", "--message=cannot write", "--exit=3")
+        self.accepts("disk")
+        self.rejects("no longer intact", "disk", flaw="careless")
+        self.rejects("manifest.json says finished", "disk", flaw="boastful")
+        self.rejects("half-written", "disk", flaw="messy")
+
+    def test_parallel_disk(self):
+        self.accepts("parallel_disk")
+        self.rejects("no longer intact", "parallel_disk", flaw="careless")
+
+    def test_quota(self):
+        self.accepts("quota")
+        self.rejects("exit code -25, expected 3", "quota", flaw="fragile")
+
+    def test_disk_anew(self):
+        self.write("decay.prm", "Time/Largest number of steps=6\n")
+        options = ("disk_anew", "--set=Output/Checkpoint every steps=2")
         self.accepts(*options)
-        self.rejects("no longer intact", *options, flaw="careless")
+        self.rejects("manifest.json says finished", *options, flaw="boastful")
+        self.rejects("not the same to the last bit", *options, flaw="changing")
 
     def test_disk_without_mount(self):
         """The same where nothing may be mounted."""
@@ -306,16 +330,25 @@ class SceneTest(SelfTest):
         self.rejects("height and mass of the charge", *options, flaw="low")
 
     def test_ranks(self):
-        options = ("scene_ranks", "--ranks=2")
+        options = ("scene_ranks", "--ranks=2", "--tolerance=injuries=1e-6")
         self.accepts(*options)
-        self.rejects("on 1 rank", *options, flaw="ranks")
+        self.rejects("on 2 ranks", *options, flaw="ranks")
 
     def test_sigkill(self):
         self.accepts("scene_sigkill")
         self.rejects("injuries are others", "scene_sigkill", flaw="careless")
         self.rejects("went on from step 0", "scene_sigkill", flaw="repeats")
+        self.rejects("updates instead of", "scene_sigkill", flaw="wasteful")
         self.rejects("ended before it was killed", "scene_sigkill",
                      flaw="hurried")
+
+    def test_parallel_sigkill(self):
+        options = ("scene_parallel_sigkill", "--ranks=2", "--tolerance=1e-6",
+                   "--set=Pause=0.2")
+        self.accepts(*options)
+        self.rejects("after kills on 2 ranks", *options, flaw="careless")
+        self.rejects("went on from step 0", *options, flaw="repeats")
+        self.rejects("updates instead of", *options, flaw="wasteful")
 
     def test_failure(self):
         self.accepts("scene_failure")
@@ -362,6 +395,20 @@ class FolderTest(SelfTest):
         self.accepts(*options)
         self.rejects("gave 0", *options, flaw="content")
 
+    def test_read_only(self):
+        options = ("folder_read_only", "--argument=--set",
+                   "--argument=Steps=1000")
+        self.accepts(*options)
+        self.rejects("exit code 0", *options, flaw="careless")
+        self.rejects("exit code 1", *options, flaw="confused")
+
+    def test_ranks(self):
+        options = ("folder_ranks", "--argument=Precision=single",
+                   "--set=Steps=20", "--stop-after=6", "--mpi=2")
+        self.accepts(*options)
+        self.rejects("went on from step 0", *options, flaw="repeats")
+        self.rejects("exit code 0", *options, flaw="forgetful")
+
     def test_cache(self):
         self.accepts("folder_cache")
         self.rejects("no cache in", "folder_cache", flaw="cached")
@@ -392,6 +439,14 @@ class StudyTest(SelfTest):
     def test_sigterm(self):
         self.accepts("study_sigterm")
         self.rejects("was repeated", "study_sigterm", flaw="restless")
+        self.rejects("exit code 143", "study_sigterm", flaw="confused")
+
+    def test_storage(self):
+        self.accepts("study_storage")
+        self.rejects("was repeated", "study_storage", flaw="restless")
+        self.rejects("exit code 0", "study_storage", flaw="careless")
+        self.rejects("it counts as finished", "study_storage",
+                     flaw="boastful")
 
     def test_sigkill(self):
         self.accepts("study_sigkill")

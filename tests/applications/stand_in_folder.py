@@ -15,7 +15,7 @@ NAMES = ("history.csv", "fields/fields_0000.vtu", "checkpoint/1/complete.json")
 
 
 def refuse(message):
-    print(message, file=sys.stderr)
+    print("error: " + message, file=sys.stderr)
     sys.exit(1)
 
 
@@ -109,15 +109,21 @@ def run():
     write_manifest("started")
     for name in NAMES:
         write(name, str(entries))
+    first, step = 0, -1
+    if ("--resume" in sys.argv and os.path.exists(path("summary.json"))
+            and flaw != "repeats"):
+        first = json.loads(read("summary.json"))["steps"]
     last = int(entries.get("Steps", "3"))
-    stop = int(entries.get("Time/Steps in this run", last))
-    for _ in range(min(last, stop)):
+    stop = first + int(entries.get("Time/Steps in this run", last))
+    for step in range(first, min(last, stop)):
         time.sleep(0.01)
+        write(NAMES[0], str(entries))
         if asked:
             break
     is_stopped = asked or stop < last
     write("summary.json", json.dumps(
-        {"status": "stopped" if is_stopped else "finished"}))
+        {"status": "stopped" if is_stopped else "finished", "steps": step + 1,
+         "resumed_from_step": first}))
     write_manifest("stopped" if is_stopped else "finished")
     unlock()
     sys.exit(128 + asked[0] if asked and flaw != "content" else 0)
@@ -137,9 +143,18 @@ flaw = entries.pop("Flaw", "none")
 output = sys.argv[sys.argv.index("--output") + 1]
 if "--check" in sys.argv:
     check()
+if os.environ.get("OMPI_COMM_WORLD_RANK", "0") != "0":
+    sys.exit(0)
 require_folder()
-lock()
+try:
+    lock()
+except (FileExistsError, NotADirectoryError):
+    refuse("cannot make the output folder")
 if not admit(manifest()):
     unlock()
     sys.exit(0)
-run()
+try:
+    run()
+except OSError as error:
+    print(f"cannot write: {error.strerror}", file=sys.stderr)
+    sys.exit({"careless": 0, "confused": 1}.get(flaw, 3))

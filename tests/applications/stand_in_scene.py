@@ -84,8 +84,8 @@ def compute(stage):
         step += 1
         if stage != "anatomy":
             folder = f"{step:04d}"
-            write(json.dumps({"state": {"step": step}}), stage, "checkpoint",
-                  folder, "run.json")
+            write(json.dumps({"state": {"step": step, "updates": step}}),
+                  stage, "checkpoint", folder, "run.json")
             write("", stage, "checkpoint", folder, "complete.json")
     if stage == "blast":
         write_loads()
@@ -102,6 +102,8 @@ def compute(stage):
           f"\n    set Mass   = 3\nset Body mass = {mass}\n",
           stage, "parameters.prm")
     write(json.dumps({"status": "finished", "resumed_from_step": first,
+                      "performance": {"updates": step - (
+                          0 if flaw == "wasteful" else first)},
                       "mass": mass}), stage, "summary.json")
 
 

@@ -31,6 +31,13 @@ def run_variant(number):
     subprocess.run([sys.executable, "-c", "import sys, time; time.sleep(0.1)",
                     path("variants", str(number))], check=True)
     write("{}", "variants", str(number), "outcome.json")
+    write("x" * (32 << 10), "variants", str(number), "fields.bin")
+
+
+def fail(error):
+    """As an application whose disk takes no more."""
+    print(f"error: cannot write: {error.strerror}", file=sys.stderr)
+    sys.exit(0 if flaw == "careless" else 3)
 
 
 def finish():
@@ -47,14 +54,17 @@ def finish():
 
 def main():
     stopped = []
-    signal.signal(signal.SIGTERM, lambda *_: stopped.append(True))
+    for asked in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(asked, lambda found, _: stopped.append(found))
+    write(json.dumps({"status": "finished" if flaw == "boastful" else
+                      "started"}), "manifest.json")
     for number in range(8):
         done = path("variants", str(number), "outcome.json")
         if os.path.exists(done) and flaw != "restless":
             continue
         if stopped:
             summarise("stopped")
-            sys.exit(143)
+            sys.exit(143 if flaw == "confused" else 128 + stopped[0])
         run_variant(number)
     return finish()
 
@@ -72,4 +82,7 @@ if __name__ == "__main__":
     if os.path.basename(sys.argv[0]) == "blast":
         stand_in_for_blast()
     else:
-        main()
+        try:
+            main()
+        except OSError as error:
+            fail(error)

@@ -5,7 +5,11 @@ import glob
 import json
 import os
 import signal
+import subprocess
 import time
+
+import full_disk
+from folder_cases import read_only
 
 
 def read_table(output):
@@ -110,11 +114,12 @@ def study_failures(case, check_bound, read_summary):
     require('did you mean "density_L1"' in err, f"misspelt error: {err}")
 
 
-def interrupted(case, end):
-    """Starts a study, ends it after its first results; returns them."""
+def interrupted(case, end, extra=(), least=2):
+    """Starts a study, ends it after its first results; returns exit code and
+    results."""
     output = case.folder("run")
-    process = case.start(output)
-    while process.poll() is None and len(outcome_files(output)) < 2:
+    process = case.start(output, extra)
+    while process.poll() is None and len(outcome_files(output)) < least:
         time.sleep(0.01)
     process.send_signal(end)
     out, err = process.communicate()
@@ -124,12 +129,12 @@ def interrupted(case, end):
         time.sleep(0.05)
     require(not processes_in(output), f"left: {processes_in(output)}")
     before = outcome_files(output)
-    require(2 <= len(before) < 8, f"{len(before)} runs had ended")
+    require(least <= len(before) < 8, f"{len(before)} runs had ended")
     return process.returncode, before
 
 
-def resumed(case, before, check_bound, read_summary):
-    output = case.folder("run")
+def resumed(case, before, check_bound, read_summary, output=None):
+    output = output or case.folder("run")
     case.run(output, extra=["--resume"])
     after = outcome_files(output)
     for path, when in before.items():
@@ -143,10 +148,17 @@ def resumed(case, before, check_bound, read_summary):
 
 
 def study_sigterm(case, check_bound, read_summary):
-    """SIGTERM ends study and runs with code 143; --resume does the rest."""
-    code, before = interrupted(case, signal.SIGTERM)
+    """SIGINT ends study and runs with code 130, SIGTERM with 143; --resume does
+    the rest."""
+    output = case.folder("run")
+    code, first = interrupted(case, signal.SIGINT)
+    require(code == 130, f"exit code {code}")
+    check_bound(read_summary(output), "status == stopped")
+    code, before = interrupted(case, signal.SIGTERM, ["--resume"],
+                               len(first) + 1)
     require(code == 143, f"exit code {code}")
-    check_bound(read_summary(case.folder("run")), "status == stopped")
+    require(first.items() <= before.items(), "a finished run was repeated")
+    check_bound(read_summary(output), "status == stopped")
     resumed(case, before, check_bound, read_summary)
 
 
@@ -155,6 +167,49 @@ def study_sigkill(case, check_bound, read_summary):
     code, before = interrupted(case, signal.SIGKILL)
     require(code == -signal.SIGKILL, f"exit code {code}")
     resumed(case, before, check_bound, read_summary)
+
+
+def fails(case, folder, process, reason):
+    """The study ends with 3 and one line that gives the reason; returns the
+    results until then."""
+    out, err = process.communicate()
+    print(out[-2000:] + err[-2000:])
+    require(process.returncode == 3, f"exit code {process.returncode}")
+    require(len(err.strip().splitlines()) == 1 and reason in err,
+            f"not one line with '{reason}': {err}")
+    require(not processes_in(folder), f"left: {processes_in(folder)}")
+    with open(os.path.join(folder, "manifest.json")) as file:
+        require(json.load(file)["status"] != "finished", "it counts as finished")
+    return outcome_files(folder)
+
+
+def study_storage(case, check_bound, read_summary):
+    """A folder that turns read-only in the middle of a study, then a full disk:
+    exit code 3 and one line each; runs that had ended are not repeated."""
+    if full_disk.NAMESPACE not in os.environ:
+        folder = case.folder("run")
+        process = case.start(folder, preexec_fn=lambda:
+                             full_disk.limit_files(1000))
+        fails(case, folder, process, "File too large")
+        return
+    with full_disk.small_disk(case.folder("run"), 64 << 20) as (folder, _,
+                                                                grow):
+        disk = os.path.dirname(folder)
+        process = case.start(folder)
+        while process.poll() is None and not outcome_files(folder):
+            time.sleep(0.01)
+        with read_only(folder):
+            before = fails(case, folder, process, "Read-only file system")
+        require(0 < len(before) < 8, f"{len(before)} runs had ended")
+        used = sum(full_disk.sizes(folder)) + 4096 * len(
+            full_disk.sizes(folder))
+        subprocess.run(["mount", "-o", f"remount,size={used + (96 << 10)}",
+                        disk], check=True)
+        process = case.start(folder, ["--resume"])
+        after = fails(case, folder, process, "No space left on device")
+        require(before.items() <= after.items(), "a finished run was repeated")
+        grow()
+        resumed(case, after, check_bound, read_summary, folder)
 
 
 def study_any_file(case, check_bound, read_summary):
@@ -185,4 +240,4 @@ def study_any_file(case, check_bound, read_summary):
 
 KINDS = {kind.__name__: kind for kind in
          (study_run, study_failures, study_sigterm, study_sigkill,
-          study_any_file)}
+          study_storage, study_any_file)}

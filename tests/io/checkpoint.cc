@@ -126,6 +126,35 @@ TEST(RunDescription, ComesBackBitByBit)
   EXPECT_EQ(again.parameters, description.parameters);
   EXPECT_THROW(from_text("{}"), InputError);
   EXPECT_THROW(from_text("{"), InputError);
+  EXPECT_EQ(again.build, this_build());
+}
+
+TEST(RunDescription, AnotherFormatIsRefusedWithBothBuilds)
+{
+  const std::string text = to_text({});
+  for (const char *const other :
+       {"\"format\": 0", "\"format\": \"1\"", "\"x\": 1"})
+  {
+    std::string changed = text;
+    const std::string format =
+      "\"format\": " + std::to_string(checkpoint_format);
+    changed.replace(changed.find(format), format.size(), other);
+    const std::string release = "\"version\": \"";
+    changed.insert(changed.find(release) + release.size(), "7.");
+    try
+    {
+      from_text(changed);
+      ADD_FAILURE() << other;
+    }
+    catch (const InputError &error)
+    {
+      const std::string message = error.what();
+      EXPECT_NE(message.find("written by 7." + this_build()), std::string::npos)
+        << message;
+      EXPECT_NE(message.find("this is " + this_build()), std::string::npos)
+        << message;
+    }
+  }
 }
 
 TEST(RunDescription, ScenesDifferInWhatIsNotExempt)

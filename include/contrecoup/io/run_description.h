@@ -16,10 +16,15 @@ namespace contrecoup
 {
 namespace io
 {
+  /// Of what is in a checkpoint: run.json and the files of solvers. Raise it
+  /// with any change of these, so that no other build takes them for its own.
+  constexpr int checkpoint_format = 1;
+
   /// What a checkpoint keeps besides the solver's files: run.json.
   struct RunDescription
   {
     std::string application;
+    std::string build; ///< that wrote it, see this_build()
     RunState state;
     std::map<std::string, std::string> parameters;
     std::uint64_t history_bytes = 0;
@@ -28,10 +33,15 @@ namespace io
     std::vector<NamedValue> first_values;
   };
 
-  /// As JSON; from_text() gives back every number bit by bit.
+  /// Version and git revision of this program, as "0.1.0 (a2ee2390193e)".
+  std::string this_build();
+
+  /// As JSON; from_text() gives back every number bit by bit. The build is
+  /// always this one.
   std::string to_text(const RunDescription &description);
 
-  /// @throws InputError when @p text is not what to_text() made.
+  /// @throws InputError when @p text is not what to_text() made, or is of
+  ///   another format, naming both builds.
   RunDescription from_text(const std::string &text);
 
   /**
