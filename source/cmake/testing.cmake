@@ -24,6 +24,7 @@ set(CONTRECOUP_TEST_ENVIRONMENT
   OMPI_MCA_rmaps_base_oversubscribe=1
   OMPI_MCA_btl_vader_single_copy_mechanism=none
   OMPI_MCA_hwloc_base_binding_policy=none
+  OMPI_MCA_ess_singleton_isolated=1
   OMP_NUM_THREADS=1
   CONTRECOUP_CHECK_SECONDS=0
   PYTHONDONTWRITEBYTECODE=1)

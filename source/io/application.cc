@@ -12,6 +12,7 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <cstdlib>
 #include <iostream>
 
 namespace contrecoup
@@ -118,6 +119,9 @@ namespace io
     dealii::deal_II_exceptions::disable_abort_on_exception();
     dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
 
+    // A process that no mpirun started gets no daemon of its own, which only
+    // those need that start further ranks.
+    setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
     int initialised = 0;
     MPI_Initialized(&initialised);
     std::unique_ptr<dealii::Utilities::MPI::MPI_InitFinalize> mpi;
