@@ -146,19 +146,4 @@ std::vector<Variant> make_design(const std::vector<Factor> &factors,
   return parameters.kind == "one at a time" ? one_at_a_time(factors)
                                             : full_grid(factors);
 }
-
-std::vector<Variant> cover_values(const std::vector<Factor> &factors)
-{
-  std::size_t longest = 1;
-  for (const Factor &factor : factors)
-    longest = std::max(longest, factor.values.size());
-  std::vector<Variant> variants(longest);
-  for (std::size_t i = 0; i < longest; ++i)
-    for (const Factor &factor : factors)
-      if (factor.is_range)
-        add_place(factor, 0., variants[i]);
-      else
-        add_row(factor, std::min(i, factor.values.size() - 1), variants[i]);
-  return variants;
-}
 } // namespace contrecoup::study

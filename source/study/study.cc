@@ -108,7 +108,6 @@ Study::Study(const StudyParameters &parameters,
   if (const auto &reference = parameters_.error.reference_settings())
   {
     has_reference_ = true;
-    require_known(*reference, "Error/Reference");
     Variant variant;
     variant.settings = *reference;
     tasks_.push_back(make_task(variant));
@@ -135,20 +134,32 @@ void Study::require_known(const Settings &settings,
 
 void Study::require_known_entries() const
 {
-  for (const Variant &variant : cover_values(parameters_.factors))
-    try
-    {
-      // The application itself says whether all entries and values are there.
-      application_.entries(joined(parameters_.settings, variant.settings));
-    }
-    catch (const InputError &)
-    {
-      require_known(parameters_.settings, "Study/Settings");
-      for (const Factor &factor : parameters_.factors)
-        for (std::size_t row = 0; row < factor.values.size(); ++row)
-          require_known(factor.settings(row), "Vary " + factor.name);
-      throw;
-    }
+  // Each value is looked at when it is set, whatever is set after it: one start
+  // of the application tells of all of them.
+  Settings all = parameters_.settings;
+  for (const Factor &factor : parameters_.factors)
+    if (factor.is_range)
+      for (const double end : {factor.lower, factor.upper})
+        all.emplace_back(factor.entries.front(), brief(end, 6));
+    else
+      for (std::size_t row = 0; row < factor.values.size(); ++row)
+        all = joined(all, factor.settings(row));
+  if (const auto &reference = parameters_.error.reference_settings())
+    all = joined(all, *reference);
+  try
+  {
+    application_.entries(all);
+  }
+  catch (const InputError &)
+  {
+    require_known(parameters_.settings, "Study/Settings");
+    for (const Factor &factor : parameters_.factors)
+      for (std::size_t row = 0; row < factor.values.size(); ++row)
+        require_known(factor.settings(row), "Vary " + factor.name);
+    if (const auto &reference = parameters_.error.reference_settings())
+      require_known(*reference, "Error/Reference");
+    throw;
+  }
 }
 
 Task Study::make_task(const Variant &variant) const
@@ -170,9 +181,28 @@ std::string Study::path(const std::string &name) const
   return folder_ + "/" + name;
 }
 
+std::string Study::told(const Task &task) const
+{
+  const bool is_reference = has_reference_ && &task == &tasks_.front();
+  return is_reference ? "the reference run" : join(task.variant.labels, ", ");
+}
+
+std::string Study::plan_of_first() const
+{
+  const Task &first = tasks_.front();
+  try
+  {
+    return application_.plan(first.variant.settings);
+  }
+  catch (const InputError &error)
+  {
+    throw InputError("the first run (" + told(first) + "): " + error.what());
+  }
+}
+
 void Study::check() const
 {
-  const std::string plan = application_.plan(tasks_.front().variant.settings);
+  const std::string plan = plan_of_first();
   log_line("study would run " + std::to_string(tasks_.size()) + " times " +
            application_.name() + " on " + parameters_.parameter_file + ":");
   for (const Factor &factor : parameters_.factors)
@@ -231,13 +261,12 @@ void Study::report(const Task &task)
       .count();
   const auto done_now = static_cast<double>(n_done_ - n_done_before_);
   const auto left = static_cast<double>(tasks_.size() - n_done_);
+  log_line(std::to_string(n_done_) + " of " + std::to_string(tasks_.size()) +
+           "  " + outcome.kind + "  " + duration(outcome.wall_seconds) + "  " +
+           told(task) +
+           (outcome.reason.empty() ? "" : ": " + one_line(outcome.reason)) +
+           "  (about " + duration(passed * left / done_now) + " left)");
   const bool is_reference = has_reference_ && &task == &tasks_.front();
-  log_line(
-    std::to_string(n_done_) + " of " + std::to_string(tasks_.size()) + "  " +
-    outcome.kind + "  " + duration(outcome.wall_seconds) + "  " +
-    (is_reference ? "the reference run" : join(task.variant.labels, ", ")) +
-    (outcome.reason.empty() ? "" : ": " + one_line(outcome.reason)) +
-    "  (about " + duration(passed * left / done_now) + " left)");
   if (is_reference && !outcome.is_usable())
     throw NumericsError("the reference run is " + outcome.kind + ": " +
                         outcome.reason);
@@ -303,8 +332,9 @@ void Study::conclude(const StudyResult &result)
   log_line("results in " + folder_);
   const auto counts = count_outcomes(result);
   if (counts.size() == 1 && counts.count("refused") == 1)
-    throw InputError("all variants were refused; the first: " +
-                     result.rows.front().outcome.reason);
+    throw InputError("all variants were refused; the first (" +
+                     join(result.rows.front().variant.labels, ", ") +
+                     "): " + result.rows.front().outcome.reason);
 }
 
 void Study::draw() const

@@ -35,6 +35,8 @@ study_refuses(impossible_value "Time/End time"
   SET "Vary leaves/Entry=Time/End time" "Vary leaves/Values=-1")
 study_refuses(unknown_setting "Study/Settings: blast: unknown entry"
   SET "Study/Settings=Method/Limitr=mc")
+study_refuses(first_run "the first run (finite volume, 10): blast: "
+  SET "Study/Settings=Initial state/Kind=uniform" ARGUMENTS --check)
 study_refuses(ragged_table "parts between"
   SET "Vary scheme/Values=finite volume | 1")
 study_refuses(unwritable_output "output folder" OUTPUT "@FOLDER@/a_file/run")

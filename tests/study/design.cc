@@ -57,12 +57,6 @@ TEST(Design, OneAtATimeLeavesTheOthersAtTheirFirst)
             (std::vector<std::string>{"a1 b3 ", "a2 b3 ", "a1 b4 ", "a1 b5 "}));
 }
 
-TEST(Design, CoversEachValue)
-{
-  EXPECT_EQ(told(cover_values(factors)),
-            (std::vector<std::string>{"a1 b3 ", "a2 b4 ", "a2 b5 "}));
-}
-
 TEST(Design, LatinHypercubeHitsEachPartOnce)
 {
   Factor range;

@@ -37,7 +37,4 @@ struct Variant
  */
 std::vector<Variant> make_design(const std::vector<Factor> &factors,
                                  const DesignParameters &parameters);
-
-/// So few variants that each value of each factor is in one of them.
-std::vector<Variant> cover_values(const std::vector<Factor> &factors);
 } // namespace contrecoup::study

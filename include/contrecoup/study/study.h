@@ -37,6 +37,9 @@ private:
   /// @throws InputError for the first entry or value that the application
   ///   does not know, with where it stands
   void require_known_entries() const;
+  /// How a run is called in what the study says.
+  std::string told(const Task &task) const;
+  std::string plan_of_first() const;
   void require_known(const Settings &settings, const std::string &where) const;
 
   Task make_task(const Variant &variant) const;
