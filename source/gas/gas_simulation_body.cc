@@ -5,6 +5,7 @@
 #include <contrecoup/base/timers.h>
 #include <contrecoup/gas/gas_measures.h>
 #include <contrecoup/gas/gas_simulation.h>
+#include <contrecoup/geometry/leaf_block.h>
 
 #include <cmath>
 #include <sstream>
@@ -91,23 +92,41 @@ double GasSimulation<dim>::n_leaves_in(const LeafBox<dim> &box,
 template <int dim>
 double GasSimulation<dim>::n_leaves_with_body() const
 {
-  double result = 0.;
-  const auto coarse_box = [this](unsigned int i) {
+  const int refinement = static_cast<int>(coarse_mesh_.initial_refinement());
+  LeafBlock<dim> all;
+  dealii::Tensor<1, dim> edges; // of a coarse leaf
+  for (unsigned int d = 0; d < dim; ++d)
+  {
+    all.end[d] = coarse_mesh_.coarse_cells(d);
+    edges[d] =
+      (coarse_mesh_.upper_corner()[d] - coarse_mesh_.lower_corner()[d]) /
+      all.end[d];
+  }
+  const auto box_of = [&](const LeafBlock<dim> &block) {
     LeafBox<dim> box;
     for (unsigned int d = 0; d < dim; ++d)
     {
-      const unsigned int n = coarse_mesh_.coarse_cells(d);
-      box.extents[d] =
-        (coarse_mesh_.upper_corner()[d] - coarse_mesh_.lower_corner()[d]) / n;
-      box.origin[d] = coarse_mesh_.lower_corner()[d] + (i % n) * box.extents[d];
-      i /= n;
+      box.origin[d] =
+        coarse_mesh_.lower_corner()[d] + block.begin[d] * edges[d];
+      box.extents[d] = (block.end[d] - block.begin[d]) * edges[d];
     }
     return box;
   };
-  for (unsigned int i = 0; i < coarse_mesh_.n_coarse_cells(); ++i)
-    result +=
-      n_leaves_in(coarse_box(i), -int(coarse_mesh_.initial_refinement()));
-  return result;
+  // The room that layers_to() wants between a coarse leaf and the surface, if
+  // the whole block has it: distances differ by no more than places do.
+  const double room =
+    std::ldexp(edges.norm(), -refinement - static_cast<int>(body_.levels())) *
+    RigidBody::at_body;
+  const auto is_far = [&](const LeafBlock<dim> &block) {
+    const LeafBox<dim> box = box_of(block);
+    return std::abs(body_.value_in_leaf(
+             dealii::Point<dim>(box.origin + 0.5 * box.extents))) >
+           0.5 * box.extents.norm() + room;
+  };
+  return sum_over_leaves<dim>(
+    all, is_far, std::pow(2., dim * refinement), [&](const auto &one) {
+      return n_leaves_in(box_of(one), -refinement);
+    });
 }
 
 

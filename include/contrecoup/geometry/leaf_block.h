@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <array>
+
+namespace contrecoup
+{
+/// Coarse leaves of a box, from those numbered begin to those before end along
+/// each direction.
+template <int dim>
+struct LeafBlock
+{
+  std::array<unsigned int, dim> begin{};
+  std::array<unsigned int, dim> end{};
+
+  double n_leaves() const
+  {
+    double product = 1.;
+    for (unsigned int d = 0; d < dim; ++d)
+      product *= end[d] - begin[d];
+    return product;
+  }
+};
+
+
+/**
+ * The sum of a value over the leaves of a block, without a look at each of
+ * them: a block of which @p is_even says that each of its leaves has the value
+ * @p of_each is left alone, others are halved along their longest edge, and
+ * single leaves have the value @p of_one.
+ *
+ * About a surface in n^3 leaves that takes some n^2 looks.
+ */
+template <int dim, typename IsEven, typename OfOne>
+double sum_over_leaves(const LeafBlock<dim> &block,
+                       const IsEven &is_even,
+                       const double of_each,
+                       const OfOne &of_one)
+{
+  if (block.n_leaves() == 1.)
+    return of_one(block);
+  if (is_even(block))
+    return of_each * block.n_leaves();
+  unsigned int longest = 0;
+  for (unsigned int d = 1; d < dim; ++d)
+    if (block.end[d] - block.begin[d] >
+        block.end[longest] - block.begin[longest])
+      longest = d;
+  LeafBlock<dim> first = block, second = block;
+  first.end[longest] = second.begin[longest] =
+    block.begin[longest] + (block.end[longest] - block.begin[longest]) / 2;
+  return sum_over_leaves<dim>(first, is_even, of_each, of_one) +
+         sum_over_leaves<dim>(second, is_even, of_each, of_one);
+}
+} // namespace contrecoup
