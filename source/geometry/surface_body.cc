@@ -137,7 +137,8 @@ void SurfaceBody::check_size(const dealii::BoundingBox<3> &box) const
   for (const auto &[name, length] : units())
   {
     const double other = size * length / unit_;
-    if (other >= smallest_likely && other <= largest_person)
+    if (length != unit_ && other >= std::max(smallest, smallest_likely) &&
+        other <= std::min(largest, largest_person))
       better.push_back("Body/Surface/Unit = " + name + " would make it " +
                        brief(other) + " m");
   }
