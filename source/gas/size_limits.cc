@@ -18,17 +18,17 @@ namespace
     declare_double(prm,
                    "From time",
                    "0",
-                   -unbounded,
-                   unbounded,
+                   -bounds::time,
+                   bounds::time,
                    "s",
                    "When the limit begins to hold.");
     declare_double(prm,
                    "Until time",
-                   "1e30",
-                   -unbounded,
-                   unbounded,
+                   "1e9",
+                   -bounds::time,
+                   bounds::time,
                    "s",
-                   "When it ends to hold.");
+                   "When it ends to hold; by default after every run.");
   }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/bounds.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/geometry/coarse_mesh.h>
 #include <contrecoup/geometry/mesh_file.h>
@@ -117,13 +118,14 @@ void CoarseMesh<dim>::declare_parameters(ParameterHandler &prm)
                     "Where the coarse mesh comes from: a box of equal "
                     "cells, a cone around the x axis, a deal.II "
                     "GridGenerator function, or a file.");
+  const Patterns::Double coordinate(-bounds::length, bounds::length);
   prm.declare_entry("Lower corner",
                     "0, 0, 0",
-                    Patterns::List(Patterns::Double(), 1, 3),
+                    Patterns::List(coordinate, 1, 3),
                     "Corner of the box with the smallest coordinates [m].");
   prm.declare_entry("Upper corner",
                     "1, 1, 1",
-                    Patterns::List(Patterns::Double(), 1, 3),
+                    Patterns::List(coordinate, 1, 3),
                     "Corner of the box with the largest coordinates [m].");
   prm.declare_entry(
     "Size",

@@ -131,18 +131,19 @@ void SolidProbes::declare_parameters(ParameterHandler &prm)
                  bounds::time,
                  "s",
                  "Steps before it do not count.");
+  // Of any quantity, whose bounds are smaller or the same.
   declare_double(prm,
                  "Threshold",
                  "0",
-                 -unbounded,
-                 unbounded,
+                 -bounds::energy,
+                 bounds::energy,
                  "-",
                  "Of arrival and frequency, in the unit of the quantity.");
   declare_double(prm,
                  "Expected",
                  "0",
-                 -unbounded,
-                 unbounded,
+                 -bounds::energy,
+                 bounds::energy,
                  "-",
                  "What the measure should be; errors in summary.json are "
                  "relative to it. 0: no error is given.");

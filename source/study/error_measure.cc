@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/bounds.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/base/readable_file.h>
@@ -107,11 +108,12 @@ void ErrorMeasure::declare_parameters(ParameterHandler &prm)
                     "or arrival at a probe; its whole curve, or a plane cut "
                     "at the end, each with the mean difference from that of "
                     "the reference run.");
+  // Of any quantity, whose bounds are smaller or the same.
   declare_double(prm,
                  "Known value",
                  "0",
-                 -unbounded,
-                 unbounded,
+                 -bounds::energy,
+                 bounds::energy,
                  "unit of the quantity",
                  "The value that the quantity should have; the error is "
                  "relative to it, or absolute if it is 0.");
@@ -129,7 +131,7 @@ void ErrorMeasure::declare_parameters(ParameterHandler &prm)
                  "Wanted error",
                  "0",
                  0.,
-                 unbounded,
+                 bounds::energy,
                  "unit of the error",
                  "The cheapest variant whose error is at most this is "
                  "recommended and written to recommended.prm; 0: none.");

@@ -3,7 +3,8 @@
 
 // Every entry of shipped parameter files in turn is set to values that users
 // write by mistake, and the application is asked to --check that. It must
-// accept the file or refuse it in one line, and write nothing. Arguments are
+// accept the file or refuse it in one line, and write nothing. Each number that
+// is declared must have bounds on both sides. Arguments are
 // those of fuzz::run(), and --all for all files of quickstart and verification
 // instead of quickstarts alone. With CONTRECOUP_FUZZ_MESSAGES=FILE the lines
 // of refusals are kept there, for somebody to read.
@@ -32,6 +33,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <map>
 #include <random>
 
@@ -220,6 +222,23 @@ void check(const std::string &name, const std::string &path)
   throw InputError(failure.message);
 }
 
+/// Numbers of a tree of entries that may be as large or small as a double.
+unsigned int unbounded_entries(const declared::Tree &node,
+                               const std::string &path)
+{
+  unsigned int count = 0;
+  for (const std::string &name : declared::names(node, true))
+    if (node[name]["pattern_description"].get<std::string>().find(
+          "MAX_DOUBLE") != std::string::npos)
+    {
+      std::cout << path << name << " has no bounds\n";
+      ++count;
+    }
+  for (const std::string &name : declared::names(node, false))
+    count += unbounded_entries(node[name], path + name + "/");
+  return count;
+}
+
 fuzz::Reader reader_of(const std::string &name, const std::string &file)
 {
   const auto changes = std::make_shared<std::vector<Change>>(
@@ -279,6 +298,14 @@ int main(int argc, char **argv)
       all = true;
     else
       words.push_back(argv[i]);
-  return fuzz::run(
-    static_cast<int>(words.size()), words.data(), all_readers(!all));
+  unsigned int unbounded_ones = 0;
+  for (const auto &[name, application] : applications())
+  {
+    dealii::ParameterHandler prm;
+    application.declare(prm);
+    unbounded_ones += unbounded_entries(declared::tree_of(prm), name + ": ");
+  }
+  const int failed =
+    fuzz::run(static_cast<int>(words.size()), words.data(), all_readers(!all));
+  return unbounded_ones > 0 ? 1 : failed;
 }
