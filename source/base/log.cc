@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/log.h>
+#include <contrecoup/base/log_words.h>
 
 #include <unistd.h>
 
@@ -47,10 +48,11 @@ void Log::close()
   held_.clear();
 }
 
-void Log::line(const std::string &text)
+void Log::line(const std::string &line)
 {
   if (!active_)
     return;
+  const std::string text = LogWords::of(line);
   clear_status();
   std::cout << text << std::endl;
   if (file_.is_open())

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace contrecoup::coupling
 {
@@ -19,17 +20,26 @@ namespace
   class Entries
   {
   public:
-    void set(const std::string &path, const std::string &value)
+    /// @param origin the entry of the scene that it follows from; empty: none,
+    ///   so that users who want another value write the stage's own entry
+    void set(const std::string &path,
+             const std::string &value,
+             const std::string &origin = "")
     {
       entries_.push_back(parse_override(path + "=" + value));
+      entries_.back().origin = origin;
     }
-    void set(const std::string &path, const double value)
+    void set(const std::string &path,
+             const double value,
+             const std::string &origin = "")
     {
-      set(path, exact(value));
+      set(path, exact(value), origin);
     }
-    void set(const std::string &path, const unsigned int value)
+    void set(const std::string &path,
+             const unsigned int value,
+             const std::string &origin = "")
     {
-      set(path, std::to_string(value));
+      set(path, std::to_string(value), origin);
     }
     std::vector<Assignment> take()
     {
@@ -76,18 +86,30 @@ namespace
   }
 
 
+  /// The entry that gives the charge's place.
+  std::string place_entry(const SceneParameters &scene)
+  {
+    return scene.place ? "Charge/Place" : "Charge/Distance and Height";
+  }
+
+
   void set_domain(const SceneLayout &layout, Entries &entries)
   {
+    // As far away as a wave comes until then.
+    const std::string reach = "Scene/End time";
+    const std::string symmetry = "Scene/Symmetry";
     entries.set("Domain/Dimension", 3U);
-    entries.set("Domain/Lower corner", text_of(layout.lower));
-    entries.set("Domain/Upper corner", text_of(layout.upper));
+    entries.set("Domain/Lower corner", text_of(layout.lower), reach);
+    entries.set("Domain/Upper corner", text_of(layout.upper), reach);
     entries.set("Domain/Coarse leaves",
                 std::to_string(layout.n_leaves[0]) + ", " +
                   std::to_string(layout.n_leaves[1]) + ", " +
-                  std::to_string(layout.n_leaves[2]));
+                  std::to_string(layout.n_leaves[2]),
+                reach);
     for (const std::string side : {"x low", "x high", "y high", "z high"})
       entries.set("Boundaries/" + side, "open");
-    entries.set("Boundaries/y low", layout.is_half ? "symmetry" : "open");
+    entries.set(
+      "Boundaries/y low", layout.is_half ? "symmetry" : "open", symmetry);
     entries.set("Boundaries/z low", "wall");
   }
 
@@ -122,7 +144,8 @@ namespace
         brief(layout.charge_radius + 10. * radial_cell) +
         " m or a larger Distance is needed");
     entries.set("First stage/Kind",
-                meets_ground_first ? "axisymmetric" : "spherical");
+                meets_ground_first ? "axisymmetric" : "spherical",
+                place_entry(scene));
     entries.set("First stage/Cell size",
                 meets_ground_first ? cell : radial_cell);
     if (!meets_ground_first)
@@ -140,22 +163,24 @@ namespace
     // Kingery and Bulmash's tables are of TNT; how much of it acts as a mass of
     // C-4, by peak and by impulse, on average (TM 5-855-1, 1986).
     const bool is_c4 = scene.explosive == "c-4";
+    const std::string mass = "Charge/Mass", place = place_entry(scene);
     entries.set("Material/Equation of state", "jwl in air");
-    entries.set("Material/Explosive", scene.explosive);
-    entries.set("Charges/Charge 1/Mass", scene.mass);
-    entries.set("Charges/Charge 1/Center", text_of(layout.charge));
+    entries.set("Material/Explosive", scene.explosive, "Charge/Explosive");
+    entries.set("Charges/Charge 1/Mass", scene.mass, mass);
+    entries.set("Charges/Charge 1/Center", text_of(layout.charge), place);
+    entries.set("Charges/Afterburn/Kind",
+                scene.afterburn > 0. ? "miller" : "none",
+                "Charge/Afterburn energy");
     if (scene.afterburn > 0.)
-    {
-      entries.set("Charges/Afterburn/Kind", "miller");
-      entries.set("Charges/Afterburn/Energy", scene.afterburn);
-    }
+      entries.set(
+        "Charges/Afterburn/Energy", scene.afterburn, "Charge/Afterburn energy");
     set_first_stage(scene, layout, entries);
     if (!is_c4 && scene.explosive != "tnt")
       return;
     const std::string reference = "Reference/Kingery Bulmash/";
     entries.set("Reference/Kind", "kingery bulmash");
-    entries.set(reference + "Mass", scene.mass);
-    entries.set(reference + "Center", text_of(layout.charge));
+    entries.set(reference + "Mass", scene.mass, mass);
+    entries.set(reference + "Center", text_of(layout.charge), place);
     entries.set(reference + "TNT equivalence of pressure", is_c4 ? 1.37 : 1.);
     entries.set(reference + "TNT equivalence of impulse", is_c4 ? 1.19 : 1.);
   }
@@ -172,7 +197,7 @@ namespace
     std::vector<std::string> places;
     for (const Point<3> &center : centers)
       places.push_back(text_of(center));
-    entries.set(limit + "Largest level", level);
+    entries.set(limit + "Largest level", level, "Scene/Accuracy");
     entries.set(limit + "Shape", shape);
     entries.set(limit + "Center", join(places, "; "));
     entries.set(limit + "Radius", radius);
@@ -188,6 +213,7 @@ namespace
       return front > n ? front - n : 0U;
     };
     const double spacing = 0.6;
+    const std::string accuracy = "Scene/Accuracy";
     // Not before the ground's reflection, too, has passed all of the body.
     const double later = std::max(2.8 * layout.arrival, layout.last_arrival);
     const double at_last = 1.5 * later;
@@ -201,7 +227,7 @@ namespace
     entries.set("Adaptation/Noise", 0.05);
     entries.set("Adaptation/Interval", 0U);
     entries.set("Adaptation/Buffer side", "ahead");
-    entries.set("Adaptation/Largest level", front);
+    entries.set("Adaptation/Largest level", front, accuracy);
     set_limit("not at the body",
               below(1),
               "outside of ball",
@@ -216,9 +242,9 @@ namespace
               0.5 * layout.distance + spacing,
               entries);
     entries.set("Adaptation/Limit later/From time", later);
-    entries.set("Adaptation/Limit later/Largest level", below(1));
+    entries.set("Adaptation/Limit later/Largest level", below(1), accuracy);
     entries.set("Adaptation/Limit at last/From time", at_last);
-    entries.set("Adaptation/Limit at last/Largest level", below(2));
+    entries.set("Adaptation/Limit at last/Largest level", below(2), accuracy);
     // Fronts that have left the body behind, the ground's among them, do not
     // come back.
     set_limit("gone",
@@ -246,9 +272,10 @@ namespace
                   const unsigned int n_fields,
                   Entries &entries)
   {
-    entries.set("Time/End time", end_time);
+    entries.set("Time/End time", end_time, "Scene/End time");
     entries.set("Output/History every steps", 20U);
-    entries.set("Output/Fields interval", end_time / n_fields);
+    entries.set(
+      "Output/Fields interval", end_time / n_fields, "Scene/End time");
     entries.set("Output/Checkpoint every minutes", 5.);
   }
 
@@ -263,8 +290,9 @@ namespace
 std::vector<Assignment> anatomy_entries(const SceneParameters &scene)
 {
   Entries entries;
-  entries.set("Mesh/Element size", scene.accuracy.element_size);
-  entries.set("Tissues/Set", scene.tissues);
+  entries.set(
+    "Mesh/Element size", scene.accuracy.element_size, "Scene/Element size");
+  entries.set("Tissues/Set", scene.tissues, "Tissues/Set");
   return entries.take();
 }
 
@@ -279,10 +307,10 @@ std::vector<Assignment> blast_entries(const SceneParameters &scene,
   entries.set("Method/Precision", "single");
   entries.set("Method/Subcells", SceneLayout::subcells);
   entries.set("Method/CFL number", 0.6);
-  entries.set("Rigid body/Kind", "body");
-  entries.set("Rigid body/Levels", scene.accuracy.levels);
+  entries.set("Rigid body/Kind", "body", "Body/Kind");
+  entries.set("Rigid body/Levels", scene.accuracy.levels, "Scene/Accuracy");
   entries.set("Loads/Record", "true");
-  entries.set("Loads/Interval", scene.end_time / 2400.);
+  entries.set("Loads/Interval", scene.end_time / 2400., "Scene/End time");
   entries.set("Loads/Body mass", allowed_mass(body_mass));
   set_adaptation(scene, layout, entries);
   if (layout.distance > layout.body.side_length(1))
@@ -303,13 +331,15 @@ biomechanics_entries(const SceneParameters &scene,
                      const double body_mass)
 {
   Entries entries;
-  entries.set("Mesh/Kind", "body");
-  entries.set("Mesh/Element size", scene.accuracy.element_size);
-  entries.set("Materials/Set", scene.tissues);
+  entries.set("Mesh/Kind", "body", "Body/Kind");
+  entries.set(
+    "Mesh/Element size", scene.accuracy.element_size, "Scene/Element size");
+  entries.set("Materials/Set", scene.tissues, "Tissues/Set");
   entries.set("Elements/Kinematics", "finite rotation");
   entries.set("Elements/Precision", "single");
   entries.set("Loads/Recorded/Largest distance", 0.5);
-  entries.set("Loads/Recorded/Mirror", layout.is_half ? "y" : "none");
+  entries.set(
+    "Loads/Recorded/Mirror", layout.is_half ? "y" : "none", "Scene/Symmetry");
   entries.set("Injury/Active", "true");
   entries.set("Injury/Body mass", allowed_mass(body_mass));
   for (const Landmark &landmark : body.landmarks())
@@ -326,7 +356,7 @@ biomechanics_entries(const SceneParameters &scene,
 }
 
 
-std::string
+StageText
 stage_text(const std::string &name,
            const std::vector<Assignment> &entries,
            const dealii::ParameterHandler &scene,
@@ -334,6 +364,8 @@ stage_text(const std::string &name,
            const std::function<void(dealii::ParameterHandler &)> &declare)
 {
   std::vector<Assignment> all = entries;
+  for (Assignment &assignment : all)
+    assignment.origin = name;
   for (const Assignment &assignment : assignments_of(scene))
     if (!assignment.sections.empty() && assignment.sections[0] == "Body")
       all.push_back(assignment);
@@ -343,9 +375,20 @@ stage_text(const std::string &name,
       assignment.sections.erase(assignment.sections.begin());
       all.push_back(assignment);
     }
+  // What the scene describes as a whole.
+  const std::map<std::string, std::string> sections = {{"Charges", "Charge"},
+                                                       {"Rigid body", "Body"}};
   dealii::ParameterHandler prm;
   declare(prm);
-  apply_assignments(all, prm);
-  return parameter_text(prm, false);
+  const SceneWords words(name, entries, sections, wrote, prm);
+  try
+  {
+    apply_assignments(all, prm);
+  }
+  catch (const InputError &error)
+  {
+    throw InputError(words(error.what()));
+  }
+  return {parameter_text(prm, false), words};
 }
 } // namespace contrecoup::coupling

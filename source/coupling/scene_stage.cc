@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/log.h>
+#include <contrecoup/base/log_words.h>
 #include <contrecoup/base/text.h>
 #include <contrecoup/coupling/scene_stage.h>
 #include <contrecoup/coupling/source_digest.h>
@@ -158,14 +159,25 @@ void SceneStage::take_summary(const double wall_seconds)
     Json::parse(io::read_file(folder + "/summary.json"), nullptr, false);
   if (!json.is_object())
     throw SystemError("cannot read \"" + folder + "/summary.json\"");
-  const Json &performance = json["performance"];
-  record_.status = json.value("status", "failed");
+  const Json performance = json.value("performance", Json::object());
+  const Json status = json.value("status", Json());
+  record_.status = status.is_string() ? status.get<std::string>() : "failed";
   record_.wall_seconds += wall_seconds;
   const double cores = number(performance, "core_seconds");
   record_.core_seconds += cores > 0. ? cores : wall_seconds;
   record_.peak_memory =
     std::max(record_.peak_memory, number(performance, "peak_memory_bytes"));
   record_.disk = size_of_folder(folder);
+}
+
+
+Failure SceneStage::call(const std::vector<std::string> &arguments,
+                         CostEstimate &cost) const
+{
+  const LogWords in_log(words_);
+  Failure failure = runner_(arguments, cost);
+  failure.message = words_(failure.message);
+  return failure;
 }
 
 
@@ -178,7 +190,7 @@ CostEstimate SceneStage::check(Collective &collective)
     [&]() { io::write_file(path, [&](std::ostream &out) { out << text_; }); });
   CostEstimate cost;
   const Failure failure =
-    runner_({name_, path, "--output", folder(), "--check"}, cost);
+    call({name_, path, "--output", folder(), "--check"}, cost);
   if (failure.code != ExitCode::done)
     throw_failure({failure.code, "stage " + name_ + ": " + failure.message});
   return cost;
@@ -232,7 +244,7 @@ bool SceneStage::run(const bool resume, Collective &collective)
   });
   const auto begin = std::chrono::steady_clock::now();
   CostEstimate unused;
-  const Failure failure = runner_(words, unused);
+  const Failure failure = call(words, unused);
   const double wall_seconds =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
       .count();

@@ -88,17 +88,20 @@ namespace
     SceneStage anatomy() const
     {
       const io::ToolDescription tool = anatomy_application();
-      return {"anatomy",
-              folder_,
-              stage_text("Anatomy",
-                         anatomy_entries(scene_.parameters()),
-                         prm_,
-                         wrote_,
-                         tool.declare_parameters),
-              anatomy_files(),
-              {},
-              false,
-              anatomy_runner(collective_)};
+      const StageText file = stage_text("Anatomy",
+                                        anatomy_entries(scene_.parameters()),
+                                        prm_,
+                                        wrote_,
+                                        tool.declare_parameters);
+      SceneStage stage("anatomy",
+                       folder_,
+                       file.text,
+                       anatomy_files(),
+                       {},
+                       false,
+                       anatomy_runner(collective_));
+      stage.set_words(file.words);
+      return stage;
     }
 
     SceneStage blast() const
@@ -126,6 +129,7 @@ namespace
       const std::string loads =
         std::filesystem::absolute(blast.folder() + "/loads.h5").string();
       stage.set_arguments({"--set", "Loads/Recorded/File=" + loads});
+      stage.rename("Loads/Recorded/File", "the loads of stage blast");
       return stage;
     }
 
@@ -136,19 +140,22 @@ namespace
                       const std::vector<Assignment> &entries,
                       const std::vector<std::string> &upstream) const
     {
-      const std::string text =
+      const StageText file =
         stage_text(section, entries, prm_, wrote_, [&](ParameterHandler &prm) {
           declare(application, prm);
         });
       ParameterHandler defaults;
       declare(application, defaults);
-      return {name,
-              folder_,
-              text,
-              io::OutputFolder::run_files() + application.files(defaults),
-              upstream,
-              true,
-              runner(application)};
+      SceneStage stage(name,
+                       folder_,
+                       file.text,
+                       io::OutputFolder::run_files() +
+                         application.files(defaults),
+                       upstream,
+                       true,
+                       runner(application));
+      stage.set_words(file.words);
+      return stage;
     }
 
     const PlannedScene &scene_;

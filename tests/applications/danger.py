@@ -92,7 +92,8 @@ REFUSED = {
         ("larger than allowed", "anatomy/quickstart.prm",
          ["Body/Kind=surface", "Body/Surface/File=@MAN@",
           "Body/Surface/Unit=mm", "Body/Surface/Largest size=1"],
-         ["Body/Surface/Largest size allows 1 m"]),
+         ["Body/Surface/Largest size allows 1 m; Body/Surface/Unit or "
+          "Body/Scale changes it"]),
     ],
     "scene": [
         ("charge in the body", HEAD, ["Charge/Place=0, 0, 1"], ["in the body"]),
@@ -120,7 +121,16 @@ REFUSED = {
           "Body/Surface/Organs=phantom"],
          ["Unit = mm would make it 1.756 m"]),
         ("body far away in the blast", HEAD,
-         ["Blast/Body/Shift=50, 0, 1"], ["stage blast: Rigid body"]),
+         ["Blast/Body/Shift=50, 0, 1"], ["stage blast: Body: it lies"]),
+        ("entry of the scene behind one of a stage", HEAD,
+         ["Blast/Method/Scheme=discontinuous galerkin"],
+         ["stage blast: Body/Kind: bodies need Blast/Method/Scheme ="]),
+        ("section of the scene behind one of a stage", HEAD,
+         ["Blast/Domain/Upper corner=0.605, 1.28, 1.92"],
+         ["stage blast: Charge: of Mass", "the domain would keep 0.7"]),
+        ("entry of a stage that the user wrote", HEAD,
+         ["Blast/Domain/Upper corner=1e3"],
+         ["stage blast: Blast/Domain/Upper corner = \"1e3\""]),
     ],
     "biomechanics": [
         ("body a metre away", danger_files.BALL, ["Body/Shift=1, 0, 0"],

@@ -5,6 +5,7 @@
 
 #include <contrecoup/base/parameter_file.h>
 #include <contrecoup/coupling/scene_layout.h>
+#include <contrecoup/coupling/scene_words.h>
 #include <contrecoup/coupling/tissue_places.h>
 #include <contrecoup/geometry/body.h>
 
@@ -15,7 +16,8 @@
 namespace contrecoup::coupling
 {
 /// @name What the stages of a scene are given: the entries that make the
-/// parameter file of each application, without the body itself.
+/// parameter file of each application, without the body itself. Their origins
+/// are the entries of the scene that they follow from, if they do.
 /// @{
 std::vector<Assignment> anatomy_entries(const SceneParameters &scene);
 
@@ -39,15 +41,23 @@ biomechanics_entries(const SceneParameters &scene,
                      double body_mass);
 /// @}
 
+/// A stage's parameter file.
+struct StageText
+{
+  std::string text; ///< with every entry
+  SceneWords words; ///< for what the stage says about them
+};
+
+
 /**
- * The text of a stage's parameter file, with every entry.
+ * The parameter file of a stage.
  * @param entries of the scene's choice, in the order in which they win
  * @param scene all entries of the scene's file, of which the body and those
  * under @p name, which the user @p wrote, win over these
  * @param declare declares the entries of the application
  * @throws InputError for entries that the application does not have
  */
-std::string
+StageText
 stage_text(const std::string &name,
            const std::vector<Assignment> &entries,
            const dealii::ParameterHandler &scene,

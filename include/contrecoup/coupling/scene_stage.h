@@ -5,6 +5,7 @@
 
 #include <contrecoup/base/collective.h>
 #include <contrecoup/base/simulation.h>
+#include <contrecoup/coupling/scene_words.h>
 #include <contrecoup/coupling/stage_files.h>
 
 #include <functional>
@@ -115,6 +116,18 @@ public:
     arguments_ = arguments;
   }
 
+  /// What its entries are called in what it says.
+  void set_words(const SceneWords &words)
+  {
+    words_ = words;
+  }
+
+  /// What one of them is called.
+  void rename(const std::string &entry, const std::string &name)
+  {
+    words_.rename(entry, name);
+  }
+
   /// Says what it would do and cost, and returns the latter. Collective.
   /// @throws InputError
   CostEstimate check(Collective &collective);
@@ -133,7 +146,12 @@ private:
   void take_summary(double wall_seconds);
   void end(double wall_seconds);
 
+  /// Runs the application, whose messages then have the scene's words.
+  Failure call(const std::vector<std::string> &arguments,
+               CostEstimate &cost) const;
+
   std::string name_;
+  SceneWords words_;
   StageFiles files_;
   std::string text_;
   io::FileNames names_;

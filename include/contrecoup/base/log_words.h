@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace contrecoup
+{
+/**
+ * While it lives, what the log is told is written in other words: those of a
+ * program that runs another one with entries that its user did not write.
+ * The latest one counts.
+ */
+class LogWords
+{
+public:
+  using Translation = std::function<std::string(const std::string &)>;
+
+  explicit LogWords(const Translation &translation);
+  ~LogWords();
+  LogWords(const LogWords &) = delete;
+  LogWords &operator=(const LogWords &) = delete;
+
+  /// @p text as the log is to have it.
+  static std::string of(const std::string &text);
+
+private:
+  Translation before_;
+};
+} // namespace contrecoup

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/parameter_tree.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/coupling/scene_words.h>
+
+#include <cctype>
+
+namespace contrecoup::coupling
+{
+namespace
+{
+  /// The body is the scene's own, whatever stage it is in.
+  bool is_shared(const std::string &path)
+  {
+    return path == "Body" || path.compare(0, 5, "Body/") == 0;
+  }
+
+  std::string path_of(const Assignment &assignment)
+  {
+    return join(assignment.sections, "/") + "/" + assignment.entry;
+  }
+
+  /// The sections that an entry is in.
+  std::vector<std::string> outer_sections(const std::string &path)
+  {
+    std::vector<std::string> sections;
+    for (std::size_t slash = path.find('/'); slash != std::string::npos;
+         slash = path.find('/', slash + 1))
+      sections.push_back(path.substr(0, slash));
+    return sections;
+  }
+
+  /// Whether a character may belong to a name, or to the path of a file.
+  bool is_of_word(const char letter)
+  {
+    return std::isalnum(static_cast<unsigned char>(letter)) != 0 ||
+           letter == '/' || letter == '_';
+  }
+} // namespace
+
+
+SceneWords::SceneWords(const std::string &section,
+                       const std::vector<Assignment> &entries,
+                       const std::map<std::string, std::string> &sections,
+                       const std::vector<Assignment> &wrote,
+                       const dealii::ParameterHandler &stage)
+{
+  const auto add = [&](const std::string &path,
+                       const std::string &name,
+                       const std::map<std::string, std::string> &others) {
+    rename(path, name.empty() ? section + "/" + path : name);
+    const auto whole = others.find(path.substr(0, path.find('/')));
+    for (const std::string &outer : outer_sections(path))
+      sections_[outer] =
+        whole != others.end() ? whole->second : section + "/" + outer;
+  };
+  for (const auto &value : parameter_values(stage))
+    if (!is_shared(value.first))
+      add(value.first, "", sections);
+  for (const Assignment &entry : entries)
+    add(path_of(entry), entry.origin, sections);
+  for (const Assignment &assignment : wrote)
+    if (assignment.sections.size() > 1 && assignment.sections[0] == section)
+      add(path_of(assignment).substr(section.size() + 1), "", {});
+}
+
+
+void SceneWords::rename(const std::string &entry, const std::string &name)
+{
+  entries_[entry] = name;
+}
+
+
+const std::pair<const std::string, std::string> *
+SceneWords::name_at(const std::string &text, const std::size_t place) const
+{
+  // A longer name that begins with another one stands behind it.
+  auto found = entries_.upper_bound(text.substr(place, 200));
+  while (found != entries_.begin())
+  {
+    --found;
+    const std::string &name = found->first;
+    const std::size_t end = place + name.size();
+    if (text.compare(place, name.size(), name) == 0 &&
+        (end == text.size() || !is_of_word(text[end])))
+      return &*found;
+    if (name[0] != text[place])
+      break;
+  }
+  return nullptr;
+}
+
+
+std::string SceneWords::operator()(const std::string &text) const
+{
+  std::string result;
+  std::size_t place = 0;
+  const std::size_t colon = text.find(':');
+  const auto section = sections_.find(text.substr(0, colon));
+  if (colon != std::string::npos && section != sections_.end())
+  {
+    result = section->second;
+    place = colon;
+  }
+  while (place < text.size())
+  {
+    const bool begins = place == 0 || !is_of_word(text[place - 1]);
+    const auto *const name = begins ? name_at(text, place) : nullptr;
+    if (name != nullptr)
+    {
+      result += name->second;
+      place += name->first.size();
+    }
+    else
+      result += text[place++];
+  }
+  return result;
+}
+} // namespace contrecoup::coupling
