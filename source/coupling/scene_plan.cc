@@ -4,6 +4,7 @@
 #include <contrecoup/base/text.h>
 #include <contrecoup/coupling/scene_plan.h>
 #include <contrecoup/io/checked_file.h>
+#include <contrecoup/io/history_reader.h>
 #include <contrecoup/materials/explosives.h>
 #include <contrecoup/numerics/kingery_bulmash.h>
 
@@ -11,7 +12,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <sstream>
 
 namespace contrecoup::coupling
 {
@@ -120,6 +120,16 @@ namespace
   }
 
 
+  std::string text(const Json &object,
+                   const std::string &name,
+                   const std::string &otherwise = "")
+  {
+    return object.contains(name) && object[name].is_string()
+             ? object[name].get<std::string>()
+             : otherwise;
+  }
+
+
   /// The items that a stage's summary lists, with their estimates or with
   /// what was measured.
   std::vector<Assumption> stage_items(const std::string &folder,
@@ -135,13 +145,13 @@ namespace
         continue;
       Assumption one;
       one.name = name;
-      one.decision = item.value("decision", "");
-      one.quantity = item.value("quantity", "");
-      one.unit = item.value("unit", "-");
+      one.decision = text(item, "decision");
+      one.quantity = text(item, "quantity");
+      one.unit = text(item, "unit", "-");
       one.value = number(item, value);
       one.is_least = item.contains("at_least");
       one.limit = number(item, one.is_least ? "at_least" : "at_most");
-      one.entry = "Blast/" + item.value("entry", "");
+      one.entry = "Blast/" + text(item, "entry");
       items.push_back(one);
     }
     return items;
@@ -155,24 +165,15 @@ namespace
     const std::string file = folder + "/probes.csv";
     if (!std::filesystem::exists(file))
       return unknown;
-    std::istringstream lines(io::read_file(file));
-    std::string line;
-    std::getline(lines, line);
-    const std::vector<std::string> columns = split(line, ',');
+    const io::HistoryTable table = io::read_history(file);
     double largest = unknown;
-    while (std::getline(lines, line))
-    {
-      const std::vector<std::string> words = split(line, ',');
-      for (std::size_t i = 0; i + 2 < std::min(columns.size(), words.size());
-           ++i)
-        if (columns[i].find(name + "_x") != std::string::npos)
-        {
-          const double length = std::hypot(std::stod(words[i]),
-                                           std::stod(words[i + 1]),
-                                           std::stod(words[i + 2]));
-          largest = std::fmax(largest, length);
-        }
-    }
+    for (std::size_t i = 0; i + 2 < table.names.size(); ++i)
+      if (table.names[i].find(name + "_x") != std::string::npos)
+        for (std::size_t row = 0; row < table.columns[i].size(); ++row)
+          largest = std::fmax(largest,
+                              std::hypot(table.columns[i][row],
+                                         table.columns[i + 1][row],
+                                         table.columns[i + 2][row]));
     return largest;
   }
 } // namespace

@@ -52,13 +52,14 @@ namespace io
       return files;
     }
 
-    /// A damaged manifest must not lead out of its folder.
-    void require_inside(const std::vector<std::string> &names)
+    /// A damaged manifest must not lead out of its folder, nor to itself.
+    void require_inside(const std::string &name)
     {
-      for (const std::string &name : names)
-        for (const std::string &part : split(name, '/'))
-          if (name.empty() || name[0] == '/' || part == "..")
-            throw InputError("the name \"" + name + "\" is not of this folder");
+      bool is_inside = !name.empty() && name[0] != '/' && name.size() < 4096;
+      for (const std::string &part : split(name, '/'))
+        is_inside = is_inside && part != ".." && part != ".";
+      if (!is_inside)
+        throw InputError("the name \"" + name + "\" is not of this folder");
     }
 
     /// The patterns of files.
@@ -174,8 +175,11 @@ namespace io
     json.at("entries").get_to(input_.entries);
     input_.files = digests(json.at("input_files"));
     results_ = digests(json.at("results"));
-    require_inside(names_.results);
-    require_inside(names_.others);
+    for (const auto *const names : {&names_.results, &names_.others})
+      for (const std::string &one : *names)
+        require_inside(one);
+    for (const auto &result : results_)
+      require_inside(result.first);
     // Last, for is_there() goes by it.
     json.at("application").get_to(application_);
   }

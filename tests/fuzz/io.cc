@@ -9,6 +9,7 @@
 #include <contrecoup/io/history.h>
 #include <contrecoup/io/history_reader.h>
 #include <contrecoup/io/load_reader.h>
+#include <contrecoup/io/manifest.h>
 #include <contrecoup/io/numpy.h>
 #include <contrecoup/io/run_description.h>
 
@@ -131,6 +132,41 @@ void read_run(const std::string &path)
 }
 
 
+io::FileNames names_of_run()
+{
+  return {{"loads.h5", "fields/plane_*.npy"}, {"log.txt", "inner/"}};
+}
+
+void prepare_manifest(const std::string &folder)
+{
+  for (const char *file : {"/loads.h5", "/log.txt", "/foreign.txt"})
+    io::write_file(folder + file,
+                   [](std::ostream &out) { out << "some content"; });
+  std::filesystem::create_directories(folder + "/inner");
+  io::Manifest(folder + "/inner").begin("blast", {{"a.csv"}, {}}, {});
+  io::Manifest manifest(folder);
+  manifest.begin("scene", names_of_run(), {{{"Time/End time", "1"}}, {}});
+  io::write_file(folder + "/loads.h5",
+                 [](std::ostream &out) { out << "the loads"; });
+  manifest.set_status("finished");
+}
+
+/// A damaged one must not claim what is elsewhere, where it would be removed.
+void read_manifest(const std::string &path)
+{
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  const io::Manifest manifest(folder);
+  manifest.foreign_files(names_of_run());
+  manifest.damage();
+  const std::string inside = std::filesystem::canonical(folder).string() + "/";
+  for (const std::string &file : manifest.own_files())
+    if (std::filesystem::weakly_canonical(folder + "/" + file)
+          .string()
+          .compare(0, inside.size(), inside) != 0)
+      throw std::runtime_error("it claims " + file);
+}
+
+
 /// Of the folder that the file is in, which has but this checkpoint.
 void read_checkpoint(const std::string &path)
 {
@@ -154,6 +190,7 @@ int main(int argc, char **argv)
      {"array", "plane.npy", prepare_array, read_array},
      {"cost", "cost.json", prepare_cost, read_cost},
      {"run", "run.json", prepare_run, read_run},
+     {"manifest", "manifest.json", prepare_manifest, read_manifest},
      {"checkpoint_marker",
       "0001/complete.json",
       prepare_checkpoint,

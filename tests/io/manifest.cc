@@ -182,13 +182,22 @@ TEST(Manifest, DamagedOrOfSomethingElseIsRefused)
   finished_run(folder);
   const std::string file = folder + "/manifest.json";
   const std::string good = read_file(file);
-  std::string leads_out = good;
-  leads_out.replace(leads_out.find("log.txt"), 7, "../x.md");
+  const auto with = [&](const std::string &old, const std::string &now) {
+    std::string text = good;
+    return text.replace(text.find(old), old.size(), now);
+  };
+  // Names that lead out of the folder, as that of a pattern and of a result,
+  // or to the folder itself.
+  const std::string result = "\"history.csv\": {";
+  ASSERT_NE(good.find(result), std::string::npos);
   for (const std::string &text : {std::string(),
                                   std::string("[]"),
                                   std::string("{\"name\": \"web\"}"),
                                   good.substr(0, good.size() / 2),
-                                  leads_out})
+                                  with("log.txt", "../x.md"),
+                                  with(result, "\"../x.md\": {"),
+                                  with("log.txt", "./"),
+                                  with("log.txt", "")})
   {
     write(file, text);
     EXPECT_THROW(Manifest{folder}, InputError) << text;
