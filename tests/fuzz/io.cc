@@ -99,7 +99,9 @@ void prepare_cost(const std::string &folder)
 {
   setenv("XDG_CACHE_HOME", folder.c_str(), 1);
   const io::CostCache cache("a scene");
-  cache.write({1., 2., 3., 4., 5., 6.});
+  io::ExpectedCost cost(CostEstimate{1., 2., 3., 4., 5., 6.});
+  cost.course = {{0.25, 1.5}, {0.5, 2.}, {1., 5.}};
+  cache.write(cost);
   std::filesystem::copy_file(cache.file(), folder + "/cost.json");
 }
 
