@@ -126,6 +126,15 @@ void SceneRun::require_consent() const
     if (stage.standing().is_other && !changed.empty())
       throw InputError(here + what + ": " + changed + "; --overwrite " +
                        told_stages() + ", or give another --output");
+  // To begin anew would lose what was computed until there.
+  for (const SceneStage &stage : stages_)
+    if (command_.resume && stage.standing().has_checkpoint &&
+        !stage.standing().is_begun && !stage.is_finished())
+      throw InputError(
+        here + "a checkpoint of stage " + stage.name() + " from which " +
+        (changed.empty() ? "this build or these input files cannot go on"
+                         : "this scene cannot go on: " + changed) +
+        "; --overwrite begins that stage anew");
   if (command_.resume)
     return;
   if (claim_->manifest().status() == "finished" && !changed.empty())

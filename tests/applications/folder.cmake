@@ -58,6 +58,24 @@ contrecoup_add_application_test(folder_ranks folder_ranks ${_ball} MPI 2
 contrecoup_add_application_test(folder_ranks folder_ranks ${_wave} MPI 2
   STOP_AFTER 6 ARGUMENTS "Elements/Precision=single" TIMEOUT 120)
 
+# Bodies: signals come while the cells of a fine grid are filled; a folder turns
+# read-only when it is taken and nothing is written; a disk is full.
+contrecoup_add_application_test(folder_signals folder_signals
+  FILE anatomy/quickstart.prm SET "Mesh/Element size=0.0025"
+  "Output/Pictures=false" COMPARE lock TIMEOUT 300)
+contrecoup_add_application_test(folder_read_only folder_read_only
+  FILE anatomy/quickstart.prm SET "Mesh/Element size=0.01"
+  "Output/Pictures=false" TIMEOUT 300)
+contrecoup_add_application_test(full_disk disk_anew
+  FILE anatomy/extremes/needle.prm SET "Output/Pictures=false"
+  "Output/Gmsh=true" COMPARE mesh.vtu mesh.msh surface.stl quality.csv
+  TIMEOUT 60)
+
+contrecoup_add_application_test(folder_read_only folder_read_only
+  FILE scene/verification/head.prm SET "Scene/Question=loads"
+  "Scene/Forecast=false" "Scene/Report=false" "Anatomy/Output/Pictures=false"
+  "Scene/End time=0.0005" "Blast/Output/Fields=false"
+  ARGUMENTS --set "Blast/Output/Checkpoint every steps=10" TIMEOUT 300)
 contrecoup_add_application_test(folder_signals folder_signals
   FILE scene/verification/head.prm SET "Scene/Question=loads"
   "Scene/Forecast=false" "Scene/Report=false" "Anatomy/Output/Pictures=false"

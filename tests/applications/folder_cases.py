@@ -207,7 +207,7 @@ def folder_read_only(case, _check_bound, _read_summary):
         refused(case, output, "takes no files")
         os.chmod(output, stat.S_IRWXU)
         return
-    with full_disk.small_disk(case.folder("disk"), 64 << 20) as (folder, _, _):
+    with full_disk.small_disk(case.folder("disk"), 256 << 20) as (folder, _, _):
         process = case.start(folder, case.options.argument)
         if has_steps(case):
             wait_until(process, lambda: has_checkpoint(folder), "a checkpoint")

@@ -189,7 +189,7 @@ def is_started(record, since):
 def scene_sigkill(case, _check_bound, _read_summary):
     """Killed three times in each stage and resumed, a scene goes on from the
     last checkpoint each time and ends with the same loads and injuries as
-    without."""
+    without; a checkpoint of another build is refused and kept."""
     straight = case.straight(1)
     output = case.folder("killed")
     extra = []
@@ -199,6 +199,7 @@ def scene_sigkill(case, _check_bound, _read_summary):
             extra = ["--resume"]
         if stage == STAGES[0]:
             continue
+        refuses_other_key(case, output, stage, extra)
         # What comes next finishes this stage.
         if stage == STAGES[-1]:
             case.run(output, extra)
@@ -212,6 +213,22 @@ def scene_sigkill(case, _check_bound, _read_summary):
         if os.path.exists(os.path.join(straight, name)):
             require(read_bytes(output, name) == read_bytes(straight, name),
                     f"{name} is not the same")
+
+
+def refuses_other_key(case, output, stage, extra):
+    """A checkpoint of a stage that another build has begun is not thrown away
+    without a question."""
+    path = os.path.join(output, stage + ".stage.json")
+    before, record = read_bytes(path), read_json(path)
+    with open(path, "w", encoding="utf-8") as file:
+        json.dump({**record, "key": "of another build"}, file)
+    state = newest_state(output, stage)
+    _, _, err = case.run(output, extra, codes=(1,))
+    require(len(err.strip().splitlines()) == 1 and "--overwrite" in err
+            and "checkpoint of stage " + stage in err, f"stderr is {err}")
+    require(newest_state(output, stage) == state, "the checkpoint is gone")
+    with open(path, "wb") as file:
+        file.write(before)
 
 
 def scene_parallel_sigkill(case, _check_bound, _read_summary):

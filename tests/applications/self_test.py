@@ -330,7 +330,7 @@ class SceneTest(SelfTest):
         self.rejects("height and mass of the charge", *options, flaw="low")
 
     def test_ranks(self):
-        options = ("scene_ranks", "--ranks=2", "--tolerance=injuries=1e-6")
+        options = ("scene_ranks", "--ranks=2")
         self.accepts(*options)
         self.rejects("on 2 ranks", *options, flaw="ranks")
 
@@ -339,11 +339,12 @@ class SceneTest(SelfTest):
         self.rejects("injuries are others", "scene_sigkill", flaw="careless")
         self.rejects("went on from step 0", "scene_sigkill", flaw="repeats")
         self.rejects("updates instead of", "scene_sigkill", flaw="wasteful")
+        self.rejects("exit code 0", "scene_sigkill", flaw="ruthless")
         self.rejects("ended before it was killed", "scene_sigkill",
                      flaw="hurried")
 
     def test_parallel_sigkill(self):
-        options = ("scene_parallel_sigkill", "--ranks=2", "--tolerance=1e-6",
+        options = ("scene_parallel_sigkill", "--ranks=2",
                    "--set=Pause=0.2")
         self.accepts(*options)
         self.rejects("after kills on 2 ranks", *options, flaw="careless")

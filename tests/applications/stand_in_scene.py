@@ -56,6 +56,12 @@ def run_stage(stage):
     if (record.get("status") == "finished" and record["key"] == key_of(stage)
             and flaw != "restless"):
         return "reused"
+    if (record and record["key"] != key_of(stage) and newest(stage) > 0
+            and "--overwrite" not in sys.argv and flaw != "ruthless"
+            and record["status"] == "started"):
+        print(f"a checkpoint of stage {stage} from elsewhere; --overwrite "
+              "begins that stage anew", file=sys.stderr)
+        sys.exit(1)
     try:
         write(json.dumps({"status": "started", "key": key_of(stage)}),
               stage + ".stage.json")

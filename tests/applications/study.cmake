@@ -11,9 +11,10 @@ contrecoup_add_application_test(quickstart study_run FILE ${_study}
 # Every way in which a run can end; a study survives them all.
 contrecoup_add_application_test(failures study_failures FILE ${_study})
 
-# Stopped by a signal, and killed: finished runs are not repeated.
+# Stopped by signals, and killed: finished runs are not repeated.
 contrecoup_add_application_test(sigterm study_sigterm FILE ${_study})
 contrecoup_add_application_test(sigkill study_sigkill FILE ${_study})
+contrecoup_add_application_test(storage study_storage FILE ${_study})
 
 # Files that it was not written for.
 contrecoup_add_application_test(any_file study_any_file FILE ${_study}
