@@ -26,8 +26,13 @@ contrecoup_add_application_test(runs scene_ranks,regression,scene_sigkill
   TOLERANCE 1e-8 "*.vtu:*=2e-7" "energy_residual=1e-12 absolute"
     "biomechanics/history.csv:momentum_y=1e-12 absolute"
     "probe_*_stress_xy=1e-4 absolute" "probe_*_stress_yz=1e-4 absolute")
+# In single precision, the default.
+contrecoup_add_application_test(single_runs scene_parallel_sigkill FILE ${_head}
+  RANKS 2 3 SET ${_brief} "Blast/Output/Fields=false"
+    "Biomechanics/Output/Fields=false" "Blast/Output/Checkpoint every steps=10"
+    "Biomechanics/Output/Checkpoint every steps=50" LABELS ranks)
 contrecoup_add_application_test(failing_stage scene_failure FILE ${_head}
-  SET ${_brief})
+  SET ${_brief} "Biomechanics/Output/Checkpoint every minutes=1000")
 # Elements so coarse that it is the blast that fills the disk.
 contrecoup_add_application_test(full_disk scene_full_disk FILE ${_head}
   SET ${_brief} "Scene/Element size=0.005"
