@@ -13,6 +13,9 @@ from case import (check_bound, checkpoints, compare_bytes, compare_numbers,
                   expand, read_json, read_summary, require)
 
 LIMIT = "Time/Largest number of steps"
+# Of what a summary says beside its errors, what was found on the whole way.
+PEAKS = ("probe_", "loads_", "injury_", "highest_", "lowest_", "largest_",
+         "principal_")
 
 
 def checkpoint_state(output):
@@ -69,7 +72,9 @@ def judge(case, straight, output, state, ranks):
     compare_bytes(straight, output,
                   expand(straight, case.options.compare) + fields)
     ends = [{key: summary.get(key) for key in ("conservation", "errors")}
-            for summary in (one, two)]
+            | {key: value
+               for key, value in summary.get("assumptions", {}).items()
+               if key.startswith(PEAKS)} for summary in (one, two)]
     require(ends[0] == ends[1],
             f"summaries differ: {ends[0]} and {ends[1]}")
 

@@ -141,6 +141,7 @@ class ResumeTest(SelfTest):
         self.rejects("history.csv is not the same", *options, flaw="forgetful")
         self.rejects("resumed_from_step", *options, flaw="repeats")
         self.rejects("updates were made", *options, flaw="wasteful")
+        self.rejects("summaries differ", *options, flaw="low")
 
     def test_sigterm(self):
         options = ("sigterm", "--stop-after=2")

@@ -315,9 +315,16 @@ def write_results(mutations, rows):
         file.write(INTRODUCTION)
         file.write("| name | fault | file | caught by | s |\n"
                    "|---|---|---|---|---|\n")
-        file.writelines(
-            rows.get(mutation.name) or row_of(mutation, "not tried yet", "")
-            for mutation in mutations)
+        file.writelines(kept_row(mutation, rows)
+                        or row_of(mutation, "not tried yet", "")
+                        for mutation in mutations)
+
+
+def kept_row(mutation, rows):
+    """The row of an earlier trial, unless the fault was another one then."""
+    row = rows.get(mutation.name, "")
+    is_same = f"| {mutation.fault} | `{mutation.file}` |" in row
+    return row if is_same else ""
 
 
 def row_of(mutation, outcome, seconds):
