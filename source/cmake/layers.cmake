@@ -12,6 +12,15 @@ function(contrecoup_add_layer name)
   endforeach()
 endfunction()
 
+# contrecoup_compile_together(<layer> <source>...): as one piece of text, where
+# each would compile the same templates anew (those of JSON take five seconds a
+# source); names in their unnamed namespaces must differ.
+function(contrecoup_compile_together name)
+  set_target_properties(contrecoup_${name} PROPERTIES
+    UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  set_source_files_properties(${ARGN} PROPERTIES UNITY_GROUP together)
+endfunction()
+
 # contrecoup_setup_target(<target>): includes, deal.II, flags, common header.
 # Without MPI's old C++ interface, which every source would compile anew.
 function(contrecoup_setup_target target)

@@ -17,7 +17,7 @@ namespace contrecoup::coupling
 {
 namespace
 {
-  using Json = nlohmann::json;
+  using Json = nlohmann::ordered_json;
 
   constexpr double gravity = 9.81;       // [m/s^2]
   constexpr double tnt_energy = 4.184e6; // [J/kg], by convention

@@ -19,7 +19,7 @@ namespace io
   namespace
   {
     namespace fs = std::filesystem;
-    using Json = nlohmann::json;
+    using Json = nlohmann::ordered_json;
 
     /// The processor's name, or an empty text.
     std::string processor()
