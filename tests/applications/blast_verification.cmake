@@ -113,7 +113,7 @@ set(_band "Adaptation/Fine box levels=1"
 # blast_converges(<name> <order> <coarse level> <fine level> <overrides>...)
 function(blast_converges name order coarse fine)
   set(_mesh_ "")
-  set(_mesh_hanging_ ${_band})
+  set(_mesh_hanging_ ${_band} "Time/End time=1")
   foreach(_kind "" hanging_)
     contrecoup_add_application_test(vortex_${_kind}${name} convergence
       FILE ${_folder}/vortex.prm

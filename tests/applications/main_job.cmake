@@ -14,17 +14,18 @@ set_tests_properties(scene_main_job PROPERTIES
 set_tests_properties(scene_main_job_page PROPERTIES
   FIXTURES_REQUIRED main_job_report)
 
-# A woman of an STL file.
+# A woman of an STL file, on one rank: the second would wait while the anatomy and
+# the report are made.
 contrecoup_add_application_test(main_job_surface main_job_surface
   FILE scene/quickstart.prm OTHER_FILE anatomy/quickstart.prm
-  MPI 2 TIMEOUT 1800 SET ${_first_look} "Body/Kind=surface"
+  TIMEOUT 1800 SET ${_first_look} "Body/Kind=surface"
   "Body/Surface/Organs=phantom")
 
 # A head of medical images, which Debian's mricron-data ships. Elements as coarse
 # as these bend too easily with one point of integration. It has no named places:
 # bounds are within 3 % of what the brain had.
 contrecoup_add_application_test(main_job_image main_job
-  FILE scene/showcase/colin_head.prm MPI 2 TIMEOUT 1800
+  FILE scene/showcase/colin_head.prm TIMEOUT 1800
   NEEDS /usr/share/mricron/templates/ch2.nii.gz
   SET ${_first_look} "Scene/Element size=0.006"
     "Biomechanics/Elements/Integration=full" "Blast/Output/Volume fields=true"

@@ -85,7 +85,8 @@ def scene_run(case, check_bound, read_summary):
     require(statuses(output) == dict.fromkeys(STAGES, "reused"),
             f"stages of a second run are {statuses(output)}")
     before = injury_table(output)
-    case.run(output, ["--overwrite", "--set", "Tissues/Set=physiological"])
+    case.run(output, ["--overwrite", "--set", "Tissues/Set=physiological",
+                      "--set", "Scene/Report=false"])
     require(statuses(output)["blast"] == "reused",
             "other tissues made the blast run again")
     require(statuses(output)["biomechanics"] == "finished",
