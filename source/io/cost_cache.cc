@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -79,6 +80,8 @@ namespace io
       json.at("seconds").get_to(cost.seconds);
       json.at("output").get_to(cost.output);
       json.at("course").get_to(cost.course);
+      if (!std::is_sorted(cost.course.begin(), cost.course.end()))
+        return std::nullopt;
       return cost;
     }
     catch (const std::exception &)
