@@ -338,7 +338,7 @@ namespace io
       first ? cache.read() : std::nullopt;
     if (dealii::Utilities::MPI::max(known ? 1 : 0, all) > 0)
       return known ? known->course : ExpectedCourse();
-    if (rough.seconds < least_seconds)
+    if (!description.coarsen || rough.seconds < least_seconds)
       return {};
     const double part = std::min(budget, long_run_part * rough.seconds);
     log_line("Trial runs on coarser meshes, some " + brief(part, 2) +

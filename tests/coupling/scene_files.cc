@@ -6,6 +6,7 @@
 #include <contrecoup/geometry/primitive_shapes.h>
 #include <contrecoup/materials/explosives.h>
 #include <contrecoup/numerics/expected_blast.h>
+#include <contrecoup/numerics/kingery_bulmash.h>
 
 #include <gtest/gtest.h>
 
@@ -119,6 +120,11 @@ TEST(SceneFiles, HandOnMassesPlacesAndTimesOfTheScene)
   EXPECT_EQ(std::stod(blast.at("Charges/Charge 1/Mass")), 2.268);
   const std::string &center = blast.at("Charges/Charge 1/Center");
   EXPECT_NEAR(std::stod(center), 2.487, 1e-12);
+  // The tables agree on the arrival at the body.
+  const KingeryBulmash tables_of_c4("spherical", 1.37 * scene.mass);
+  EXPECT_NEAR(layout.arrival,
+              tables_of_c4.value(BlastQuantity::arrival, 2.337),
+              0.15 * layout.arrival);
   EXPECT_EQ(center.substr(center.find(',')), ", 0, 1.27");
   EXPECT_EQ(std::stod(blast.at("Loads/Body mass")), 78.5);
   EXPECT_EQ(std::stod(blast.at("Time/End time")), 0.05);

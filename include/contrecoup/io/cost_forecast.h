@@ -56,8 +56,9 @@ namespace io
   /**
    * The course of a run for the time left: what --check or an earlier run on
    * this machine found; otherwise, of runs that @p rough says to take a minute
-   * at least, by trial runs of a hundredth of that. Empty for shorter ones, and
-   * where CONTRECOUP_CHECK_SECONDS is 0. Collective.
+   * at least, by trial runs of a hundredth of that. Empty for shorter ones, for
+   * solvers without coarser meshes, whose steps all cost the same, and where
+   * CONTRECOUP_CHECK_SECONDS is 0. Collective.
    */
   ExpectedCourse expected_course(const ApplicationDescription &description,
                                  const dealii::ParameterHandler &prm,
