@@ -31,7 +31,7 @@ def read_table():
 def seconds_of(case):
     """Of processor time where the test says it, which does not depend on what
     else the machine does, else of the clock."""
-    said = re.findall(r"^core seconds: ([0-9.]+)$",
+    said = re.findall(r"^core seconds: ([0-9]+\.[0-9]+)$",
                       case.findtext("system-out") or "", re.MULTILINE)
     return float(said[-1]) if said else float(case.get("time"))
 
