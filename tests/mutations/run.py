@@ -185,11 +185,16 @@ class Copy:
     def build_for(self, tests, targets):
         """Builds what the commands of these tests name; None does it all."""
         wanted = set(targets)
+        known = {line.partition(":")[0] for line in subprocess.run(
+            ["ninja", "-C", self.build, "-t", "targets", "all"], check=True,
+            capture_output=True, text=True).stdout.splitlines()}
         for words in tests or []:
             for word in words:
                 path = word.rpartition("=")[2]
                 if path.startswith(self.build + "/"):
                     wanted.add(os.path.relpath(path, self.build))
+        # Some words name folders of tests.
+        wanted = {name for name in wanted if name in known or name in targets}
         if tests is not None and not wanted:
             return
         command(["cmake", "--build", self.build, "-j", str(self.jobs)]
