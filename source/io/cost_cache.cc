@@ -7,7 +7,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -61,7 +60,7 @@ namespace io
               std::to_string(std::hash<std::string>()(key_)) + ".json";
   }
 
-  std::optional<ExpectedCost> CostCache::read() const
+  std::optional<CostEstimate> CostCache::read() const
   {
     // A folder that may not be read throws otherwise.
     std::error_code ignored;
@@ -72,16 +71,13 @@ namespace io
       const Json json = Json::parse(read_file(file_));
       if (json.at("key") != key_)
         return std::nullopt;
-      ExpectedCost cost;
+      CostEstimate cost;
       json.at("cells").get_to(cost.cells);
       json.at("unknowns").get_to(cost.unknowns);
       json.at("steps").get_to(cost.steps);
       json.at("memory").get_to(cost.memory);
       json.at("seconds").get_to(cost.seconds);
       json.at("output").get_to(cost.output);
-      json.at("course").get_to(cost.course);
-      if (!std::is_sorted(cost.course.begin(), cost.course.end()))
-        return std::nullopt;
       return cost;
     }
     catch (const std::exception &)
@@ -90,7 +86,7 @@ namespace io
     }
   }
 
-  void CostCache::write(const ExpectedCost &cost) const noexcept
+  void CostCache::write(const CostEstimate &cost) const noexcept
   {
     try
     {
@@ -103,8 +99,7 @@ namespace io
                          {"steps", cost.steps},
                          {"memory", cost.memory},
                          {"seconds", cost.seconds},
-                         {"output", cost.output},
-                         {"course", cost.course}};
+                         {"output", cost.output}};
       write_file(file_,
                  [&](std::ostream &out) { out << json.dump(1) << '\n'; });
     }

@@ -7,7 +7,6 @@
 #include <contrecoup/base/text.h>
 #include <contrecoup/io/cost_cache.h>
 #include <contrecoup/io/cost_forecast.h>
-#include <contrecoup/io/course_forecast.h>
 
 #include <algorithm>
 #include <cmath>
@@ -87,12 +86,11 @@ namespace io
     }
 
     /// @param known cells that the solver says the scene begins with
-    ExpectedCost
+    CostEstimate
     extrapolate(const Trial &before, const Trial &last, const double known)
     {
       const unsigned int n = last.levels, gap = before.levels - n;
-      ExpectedCost result;
-      std::vector<double> seconds;
+      CostEstimate result;
       double dimension = 1.;
       for (const TrialStage &stage : last.stages)
       {
@@ -113,10 +111,8 @@ namespace io
             : io::extrapolate(
                 cells_before, cells_last, n, dimension - 1., dimension, gap);
         result.steps += steps;
-        seconds.push_back(steps * step_seconds(earlier, stage, cells));
-        result.seconds += seconds.back();
+        result.seconds += steps * step_seconds(earlier, stage, cells);
       }
-      result.course = forecast_course(before, last, seconds);
       const auto grown = [&](double Trial::*number,
                              const double low,
                              const double high) {
@@ -163,12 +159,12 @@ namespace io
     }
 
     /// From the last two trials, or the only one; memory from the first, too.
-    ExpectedCost extrapolate(const std::vector<Trial> &trials,
+    CostEstimate extrapolate(const std::vector<Trial> &trials,
                              const double known)
     {
       Trial none;
       none.levels = trials.back().levels + 1;
-      ExpectedCost result =
+      CostEstimate result =
         extrapolate(trials.size() > 1 ? trials[trials.size() - 2] : none,
                     trials.back(),
                     known);
@@ -261,7 +257,7 @@ namespace io
     return last + (last - before) * shrinkage / (1. - shrinkage) * rest;
   }
 
-  ExpectedCost forecast_cost(const ApplicationDescription &description,
+  CostEstimate forecast_cost(const ApplicationDescription &description,
                              const dealii::ParameterHandler &prm,
                              const CostEstimate &rough,
                              const double budget,
@@ -269,7 +265,7 @@ namespace io
   {
     std::vector<Trial> trials;
     double spent = 0., expected = 0.;
-    ExpectedCost result = rough;
+    CostEstimate result = rough;
     const auto set = trial_levels();
     const auto [begin, end] = set.value_or(std::pair<int, int>(
       description.coarsen ? first_levels(rough, budget) : 0, 0));
@@ -303,50 +299,10 @@ namespace io
       expected =
         steady + (trial->seconds - steady) * std::clamp(growth, 2., most);
     }
-    return trials.empty() ? ExpectedCost(rough) : result;
+    return trials.empty() ? rough : result;
   }
 
-  namespace
-  {
-    CostCache cache_of(const ApplicationDescription &description,
-                       const dealii::ParameterHandler &prm,
-                       const double budget,
-                       const MPI_Comm all)
-    {
-      const char *levels = std::getenv(levels_variable);
-      return CostCache(
-        description.name + " on " +
-        std::to_string(dealii::Utilities::MPI::n_mpi_processes(all)) +
-        " ranks, " + brief(budget) + " s, levels " +
-        (levels ? levels : "by time") + "\n" + parameter_text(prm, false));
-    }
-  } // namespace
-
-  ExpectedCourse expected_course(const ApplicationDescription &description,
-                                 const dealii::ParameterHandler &prm,
-                                 const CostEstimate &rough,
-                                 Collective &collective)
-  {
-    constexpr double least_seconds = 60.;
-    const double budget = trial_seconds();
-    if (!(budget > 0.))
-      return {};
-    const MPI_Comm all = collective.communicator();
-    const bool first = dealii::Utilities::MPI::this_mpi_process(all) == 0;
-    const CostCache cache = cache_of(description, prm, budget, all);
-    const std::optional<ExpectedCost> known =
-      first ? cache.read() : std::nullopt;
-    if (dealii::Utilities::MPI::max(known ? 1 : 0, all) > 0)
-      return known ? known->course : ExpectedCourse();
-    if (!description.coarsen || rough.seconds < least_seconds)
-      return {};
-    const double part = std::min(budget, long_run_part * rough.seconds);
-    log_line("Trial runs on coarser meshes, some " + brief(part, 2) +
-             " s, for the time left ...");
-    return forecast_cost(description, prm, rough, part, collective).course;
-  }
-
-  ExpectedCost known_cost(const ApplicationDescription &description,
+  CostEstimate known_cost(const ApplicationDescription &description,
                           const dealii::ParameterHandler &prm,
                           const CostEstimate &rough,
                           Collective &collective)
@@ -355,19 +311,24 @@ namespace io
     if (!(budget > 0.))
       return rough;
     const MPI_Comm all = collective.communicator();
-    const CostCache cache = cache_of(description, prm, budget, all);
+    const char *levels = std::getenv(levels_variable);
+    const CostCache cache(
+      description.name + " on " +
+      std::to_string(dealii::Utilities::MPI::n_mpi_processes(all)) +
+      " ranks, " + brief(budget) + " s, levels " +
+      (levels ? levels : "by time") + "\n" + parameter_text(prm, false));
     const bool first = dealii::Utilities::MPI::this_mpi_process(all) == 0;
-    const std::optional<ExpectedCost> known =
+    const std::optional<CostEstimate> known =
       first ? cache.read() : std::nullopt;
     if (dealii::Utilities::MPI::max(known ? 1 : 0, all) > 0)
     {
       log_line("The cost is known from trial runs on this machine, kept in " +
                cache.file());
-      return known.value_or(ExpectedCost(rough));
+      return known.value_or(rough);
     }
     log_line("Calibrating by trial runs on coarser meshes, some " +
              brief(budget) + " s ...");
-    const ExpectedCost cost =
+    const CostEstimate cost =
       forecast_cost(description, prm, rough, budget, collective);
     if (first)
       cache.write(cost);

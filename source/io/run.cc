@@ -154,29 +154,15 @@ namespace io
     });
   }
 
-  ExpectedCourse Run::expected_course()
-  {
-    const CostEstimate rough = estimate();
-    const ExpectedCourse course =
-      io::expected_course(description_, prm_, rough, collective_);
-    // Trial runs are none of what is summed up.
-    Timers::instance().reset();
-    forget_peak_memory();
-    begin_ = std::chrono::steady_clock::now();
-    begin_processor_ = processor_seconds();
-    return course;
-  }
-
   void Run::execute()
   {
     if (!folder_.claim(command_))
       return;
-    const ExpectedCourse course = expected_course();
+    estimate();
     prepare();
 
     loop_begin_ = std::chrono::steady_clock::now();
     RunLoop loop(time_, simulation_, folder_, collective_);
-    loop.expect(course);
     try
     {
       const bool is_finished = loop.run(state_) == RunStatus::finished;

@@ -77,7 +77,6 @@ namespace io
         const double cells = note_size();
         stage.cell_steps += cells;
         stage.largest_cells = std::max(stage.largest_cells, cells);
-        stage.course.emplace_back(inner_.time(), stage.cell_steps);
         stage.seconds += lap();
         return report;
       }
@@ -180,7 +179,6 @@ namespace io
     /// and the field outputs that were not made.
     void complete(Trial &trial,
                   const double part,
-                  const double end_time,
                   const double outputs,
                   const MPI_Comm all)
     {
@@ -202,9 +200,6 @@ namespace io
                                &trial.stages.back().cell_steps,
                                &trial.stages.back().seconds})
           *number /= part;
-      if (part < 1. && !trial.stages.empty())
-        trial.stages.back().course.emplace_back(end_time,
-                                                trial.stages.back().cell_steps);
     }
 
     /// Makes at most a few field outputs of those at intervals; returns the
@@ -289,7 +284,7 @@ namespace io
     const Silence silence;
     Trial trial;
     trial.levels = levels;
-    double part = 0., end_time = 0., outputs = 1.;
+    double part = 0., outputs = 1.;
     forget_peak_memory();
     try
     {
@@ -308,7 +303,6 @@ namespace io
         time.checkpoint_every_minutes = 0.;
         time.checkpoint_at_the_end = false;
         outputs = thin_out(time);
-        end_time = time.end_time;
         const auto simulation = description.create(coarse, all);
         std::unique_ptr<TemporaryFolder> folder;
         std::string path;
@@ -330,7 +324,7 @@ namespace io
     }
     if (part < 0.02)
       return std::nullopt;
-    complete(trial, part, end_time, outputs, all);
+    complete(trial, part, outputs, all);
     return trial;
   }
 } // namespace io

@@ -3,8 +3,6 @@
 
 #pragma once
 
-#include <contrecoup/base/remaining_time.h>
-
 #include <chrono>
 #include <cstdint>
 
@@ -20,10 +18,7 @@ class Progress
 public:
   /// @param start_time simulated time now [s]
   /// @param end_time simulated time at the end [s]
-  /// @param course see RemainingTime; costs in seconds of wall time
-  Progress(double start_time,
-           double end_time,
-           const ExpectedCourse &course = {});
+  Progress(double start_time, double end_time);
 
   /// Call after each step; draws only when it is time to.
   /// @param updates unknowns updated in this step, all ranks [-]
@@ -35,7 +30,8 @@ private:
 
   Clock::time_point begin_;
   Clock::time_point last_;
-  RemainingTime remaining_;
+  double start_time_;
+  double end_time_;
   double recent_updates_ = 0.;
 };
 } // namespace contrecoup

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <contrecoup/base/collective.h>
-#include <contrecoup/base/remaining_time.h>
 #include <contrecoup/base/simulation.h>
 #include <contrecoup/base/time_control.h>
 
@@ -50,12 +49,6 @@ public:
           Collective &collective);
   ~RunLoop();
 
-  /// Tells what the run is expected to cost [s], for the time left.
-  void expect(const ExpectedCourse &course)
-  {
-    course_ = course;
-  }
-
   /**
    * Goes on from @p state to the end. A state of step 0 is a fresh start,
    * whose initial state is written.
@@ -91,7 +84,6 @@ private:
   std::uint64_t first_step_ = 0;
   int stop_signal_ = 0;
 
-  ExpectedCourse course_;
   std::unique_ptr<Progress> progress_;
   Clock::time_point begin_;
   Clock::time_point last_checkpoint_;

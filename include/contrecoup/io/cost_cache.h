@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include <contrecoup/base/remaining_time.h>
 #include <contrecoup/base/simulation.h>
 
 #include <optional>
@@ -13,17 +12,6 @@ namespace contrecoup
 {
 namespace io
 {
-  /// What a scene costs, and its seconds until some times; the latter empty
-  /// where no trial run told.
-  struct ExpectedCost : public CostEstimate
-  {
-    ExpectedCost() = default;
-    ExpectedCost(const CostEstimate &cost)
-      : CostEstimate(cost)
-    {}
-    ExpectedCourse course;
-  };
-
   /**
    * Keeps what scenes were found to cost for the next time that is asked, in
    * $XDG_CACHE_HOME/contrecoup or ~/.cache/contrecoup, one small file each.
@@ -37,10 +25,10 @@ namespace io
     explicit CostCache(const std::string &scene);
 
     /// What was kept for this scene, processor and build.
-    std::optional<ExpectedCost> read() const;
+    std::optional<CostEstimate> read() const;
 
     /// Keeps @p cost; never throws.
-    void write(const ExpectedCost &cost) const noexcept;
+    void write(const CostEstimate &cost) const noexcept;
 
     /// Where; empty: nowhere.
     const std::string &file() const

@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include <contrecoup/io/cost_cache.h>
 #include <contrecoup/io/trial_run.h>
 
 namespace contrecoup
@@ -38,7 +37,7 @@ namespace io
    * @param rough what the solver says without trial runs; kept where these
    *   tell nothing
    */
-  ExpectedCost forecast_cost(const ApplicationDescription &description,
+  CostEstimate forecast_cost(const ApplicationDescription &description,
                              const dealii::ParameterHandler &prm,
                              const CostEstimate &rough,
                              double budget,
@@ -48,22 +47,10 @@ namespace io
    * The same within the environment's CONTRECOUP_CHECK_SECONDS, 4 s unless
    * set, or as an earlier run on this machine found it. Says which.
    */
-  ExpectedCost known_cost(const ApplicationDescription &description,
+  CostEstimate known_cost(const ApplicationDescription &description,
                           const dealii::ParameterHandler &prm,
                           const CostEstimate &rough,
                           Collective &collective);
-
-  /**
-   * The course of a run for the time left: what --check or an earlier run on
-   * this machine found; otherwise, of runs that @p rough says to take a minute
-   * at least, by trial runs of a hundredth of that. Empty for shorter ones, for
-   * solvers without coarser meshes, whose steps all cost the same, and where
-   * CONTRECOUP_CHECK_SECONDS is 0. Collective.
-   */
-  ExpectedCourse expected_course(const ApplicationDescription &description,
-                                 const dealii::ParameterHandler &prm,
-                                 const CostEstimate &rough,
-                                 Collective &collective);
 
   /**
    * The value at @p levels levels after the last of a quantity

@@ -39,8 +39,6 @@ namespace io
 
   private:
     CostEstimate estimate();
-    /// Of this run, for the time left.
-    ExpectedCourse expected_course();
     void prepare();
     void summarise(const std::string &status, const std::string &message);
     void draw_pictures() const;

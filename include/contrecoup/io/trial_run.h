@@ -4,7 +4,6 @@
 #pragma once
 
 #include <contrecoup/base/collective.h>
-#include <contrecoup/base/remaining_time.h>
 #include <contrecoup/io/application.h>
 
 #include <optional>
@@ -22,8 +21,6 @@ namespace io
     double cell_steps = 0.;    ///< sum of the cells over the steps [-]
     double largest_cells = 0.; ///< [-]
     double seconds = 0.; ///< processor time of the slowest rank, no setup [s]
-    /// Simulated times [s] after its steps, and cell_steps until then [-].
-    ExpectedCourse course = {};
   };
 
   /// What a trial run did and cost.
