@@ -236,7 +236,10 @@ def read_only(folder):
     stay so, which a file system that is in use would not allow otherwise."""
     subprocess.run(["mount", "--bind", folder, folder], check=True)
     try:
-        subprocess.run(["mount", "-o", "remount,bind,ro", folder], check=True)
+        # Refused while a file is open that was opened after the first mount.
+        while subprocess.run(["mount", "-o", "remount,bind,ro", folder],
+                             stderr=subprocess.DEVNULL).returncode != 0:
+            time.sleep(0.001)
         yield
     finally:
         subprocess.run(["umount", folder], check=True)
