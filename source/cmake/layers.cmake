@@ -12,9 +12,9 @@ function(contrecoup_add_layer name)
   endforeach()
 endfunction()
 
-# contrecoup_compile_together(<layer> <source>...): as one piece of text, where
-# each would compile the same templates anew (those of JSON take five seconds a
-# source); names in their unnamed namespaces must differ.
+# contrecoup_compile_together(<layer> <source>...): the compiler reads these
+# sources as one, so that templates that they share are compiled once (those of
+# JSON take five seconds a source). Names in their unnamed namespaces must differ.
 function(contrecoup_compile_together name)
   set_target_properties(contrecoup_${name} PROPERTIES
     UNITY_BUILD ON UNITY_BUILD_MODE GROUP)

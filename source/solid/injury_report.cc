@@ -383,8 +383,8 @@ void InjuryReport<Real>::restore(const SolidBody<Real> &body,
       std::move(chest[0]), std::move(chest[1]), std::move(chest[2]));
     n_steps_ = static_cast<std::uint64_t>(numbers[0]);
     last_time_ = numbers[1];
-    // Each rank's part of the sums goes on at one rank: its own, so that as
-    // many ranks as before add in the same order.
+    // The sums of a rank go on at the rank of the same number, so that a run on
+    // as many ranks as before adds in the same order.
     if (rank % n_ranks == own)
     {
       cavitation_dose_ += numbers[2];

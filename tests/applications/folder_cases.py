@@ -237,9 +237,14 @@ def read_only(folder):
     subprocess.run(["mount", "--bind", folder, folder], check=True)
     try:
         # Refused while a file is open that was opened after the first mount.
-        while subprocess.run(["mount", "-o", "remount,bind,ro", folder],
-                             stderr=subprocess.DEVNULL).returncode != 0:
+        for _ in range(1000):
+            remount = subprocess.run(
+                ["mount", "-o", "remount,bind,ro", folder], text=True,
+                capture_output=True)
+            if remount.returncode == 0:
+                break
             time.sleep(0.001)
+        require(remount.returncode == 0, remount.stderr)
         yield
     finally:
         subprocess.run(["umount", folder], check=True)
