@@ -38,21 +38,36 @@ contrecoup_add_application_test(tnt_detonation_sphere_peak convergence
   VARY "Domain/Coarse leaves=38|76|152|304" ORDER 0.36
   ERROR errors.probe_4_peak_overpressure_relative LABELS verification)
 
-blast_burns(paper_1d verification/paper_1d "${_closed}")
+# Against shells that move with the gas, in which products and air do not mix
+# (tests/references/lagrangian_blast.py): most of the difference is the edge of the
+# products, smeared over some cells. Peak and arrival at 0.25 m are 10.17 MPa and
+# 0.0531 ms there. Bounds: what was found and a tenth more.
+blast_burns(paper_1d verification/paper_1d "${_closed};\
+errors.density_L1 < 0.375;errors.velocity_L1 < 33.5;errors.pressure_L1 < 1.207e5;\
+assumptions.probe_1_peak_overpressure > 9.04e6;\
+assumptions.probe_1_peak_overpressure < 10.17e6;\
+assumptions.probe_1_arrival > 5.31e-5;assumptions.probe_1_arrival < 5.348e-5")
+set(_no_table "Reference/Kind=none")
 blast_burns(paper_1d_jwl verification/paper_1d
   "conservation.mass_relative_change < 1e-12;\
-conservation.energy_relative_change < 1e-12" "Material/Equation of state=jwl")
+conservation.energy_relative_change < 1e-12" "Material/Equation of state=jwl"
+  ${_no_table})
 
 blast_burns(charge_cylindrical verification/paper_1d "${_closed}"
-  "Domain/Geometry=cylindrical" "Charges/Charge 1/Shape=cylinder")
+  "Domain/Geometry=cylindrical" "Charges/Charge 1/Shape=cylinder" ${_no_table})
 blast_burns(charge_axisymmetric verification/charge_axisymmetric "${_closed}")
 
 # Lit at the rim, the detonation runs inwards and is far stronger in the middle.
 blast_burns(extreme_implosion verification/paper_1d "${_closed}"
-  "Charges/Charge 1/Ignition points=0.05")
+  "Charges/Charge 1/Ignition points=0.05" ${_no_table})
 
-# The cone and the spherical run differ by 0.34 % of the mean density.
-blast_burns(cone verification/cone "errors.density_L1 < 0.0106;${_closed}")
+# The cone and the spherical run, whose errors test paper_1d bounds, differ by 0.34 %
+# of the mean density. Peak and arrival at 0.25 m once more against 10.17 MPa and
+# 0.0531 ms of the shells that move with the gas.
+blast_burns(cone verification/cone "errors.density_L1 < 0.0106;${_closed};\
+assumptions.probe_1_peak_overpressure > 9.22e6;\
+assumptions.probe_1_peak_overpressure < 10.17e6;\
+assumptions.probe_1_arrival > 5.31e-5;assumptions.probe_1_arrival < 5.334e-5")
 
 # Kingery and Bulmash at 0.5, 1 and 2 m; at 1 and 2 m 15 % in peak and impulse and
 # 5 % in arrival were asked for. Bounds: the differences when the test was written
