@@ -17,6 +17,12 @@ the beginning [m], END [s], AFTERBURN the energy of Miller's law [J/kg], OUTER w
 the shells end, which is beyond what the blast reaches [m]. Prints peak overpressure, impulse of the positive phase and arrival at each RADIUS [m],
 how far energy drifted, and what the peak becomes when the shock meets a wall
 head-on; writes what the shells hold at END.
+
+Results (the longest took a minute): without afterburn at 0.25 m 9.97 and 10.07 MPa
+(WIDTH 0.001, 0.0005), 0.05296 and 0.05304 ms. With 3.5e6 at 1 m 878, 900 and 899 kPa
+(0.004, 0.002, 0.001), 0.528, 0.533 and 0.536 ms; at 1.2 m 559, 577 and 578 kPa. From
+the speed of the front (arrivals within 0.06 m, to which a parabola is fitted) Rankine
+and Hugoniot's relations have 905 kPa at 1 m and 579 kPa at 1.2 m, at a wall 2717.
 """
 
 import sys
