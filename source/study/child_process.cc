@@ -31,7 +31,7 @@ namespace
   /// running job. Settings of the user are kept.
   bool belongs_to_mpi_job(const std::string &variable)
   {
-    for (const char *kept : {"OMPI_ALLOW_RUN_AS_ROOT"})
+    for (const char *kept : {"OMPI_ALLOW_RUN_AS_ROOT", "PMIX_MCA_"})
       if (begins_with(variable, kept))
         return false;
     for (const char *of_job : {"OMPI_MCA_orte",

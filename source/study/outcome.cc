@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/collective.h>
 #include <contrecoup/base/log.h>
 #include <contrecoup/io/checked_file.h>
 #include <contrecoup/study/outcome.h>
 
 #include <nlohmann/json.hpp>
 
+#include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -55,6 +57,13 @@ namespace
     return text.contains("identity");
   }
 
+  constexpr const char *no_reason = "it gave no reason";
+
+  bool contains(const std::string &text, const std::string &words)
+  {
+    return text.find(words) != std::string::npos;
+  }
+
   /// A process that left by itself with code 0.
   void judge_finished(const Json &summary, Outcome &outcome)
   {
@@ -87,7 +96,7 @@ namespace
       const std::string text((std::istreambuf_iterator<char>(input)), {});
       reason = last_line(text);
     }
-    return reason.empty() ? "it gave no reason" : reason;
+    return reason.empty() ? no_reason : reason;
   }
 } // namespace
 
@@ -124,6 +133,23 @@ Outcome judge(const ProcessEnd &end,
     outcome.reason = reason_of(summary, error_file);
   }
   return outcome;
+}
+
+bool tells_of_storage(const Outcome &outcome)
+{
+  if (outcome.exit_code == 0)
+    return false;
+  for (const int error : {ENOSPC, EDQUOT, EFBIG, EROFS, EIO})
+    if (contains(outcome.reason, std::strerror(error)))
+      return true;
+  if (outcome.exit_code != static_cast<int>(ExitCode::system_failed))
+    return false;
+  // A full disk does not take the reason either.
+  for (const char *words :
+       {no_reason, "is the disk full", "cannot write", "cannot be written"})
+    if (contains(outcome.reason, words))
+      return true;
+  return false;
 }
 
 std::string identity(const std::string &application,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/signals.h>
 #include <contrecoup/io/manifest.h>
 #include <contrecoup/io/name_patterns.h>
@@ -102,6 +103,9 @@ void VariantRunner::look_after(const std::function<void(const Task &)> &report)
                             task.folder + "/errors.txt");
     outcome.wall_seconds = seconds;
     outcome.time_limit = time_limit_;
+    if (tells_of_storage(outcome))
+      throw SystemError("the run in \"" + task.folder +
+                        "\" could not write its files: " + outcome.reason);
     write_outcome(task.outcome_file(), outcome, task.identity);
     task.outcome = outcome;
     running = running_.erase(running);

@@ -67,7 +67,7 @@ def limit_files(size, ignore=True):
     signal.signal(signal.SIGXFSZ,
                   signal.SIG_IGN if ignore else signal.SIG_DFL)
     resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
-    os.environ["OMPI_MCA_btl"] = "self"
+    os.environ["OMPI_MCA_btl"] = "self,tcp"
     os.environ["PMIX_MCA_gds"] = "hash"
 
 

@@ -450,6 +450,11 @@ class StudyTest(SelfTest):
         self.rejects("it counts as finished", "study_storage",
                      flaw="boastful")
 
+    def test_quota(self):
+        self.accepts("study_quota")
+        self.rejects("was repeated", "study_quota", flaw="restless")
+        self.rejects("exit code 0", "study_quota", flaw="careless")
+
     def test_sigkill(self):
         self.accepts("study_sigkill")
         self.rejects("was repeated", "study_sigkill", flaw="restless")

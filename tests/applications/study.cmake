@@ -15,6 +15,7 @@ contrecoup_add_application_test(failures study_failures FILE ${_study})
 contrecoup_add_application_test(sigterm study_sigterm FILE ${_study})
 contrecoup_add_application_test(sigkill study_sigkill FILE ${_study})
 contrecoup_add_application_test(storage study_storage FILE ${_study})
+contrecoup_add_application_test(quota study_quota FILE ${_study} RANKS 3)
 
 # Files that it was not written for.
 contrecoup_add_application_test(any_file study_any_file FILE ${_study}

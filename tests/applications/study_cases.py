@@ -212,6 +212,31 @@ def study_storage(case, check_bound, read_summary):
         resumed(case, after, check_bound, read_summary, folder)
 
 
+def study_quota(case, check_bound, read_summary):
+    """Runs on 1 and on each of --ranks whose files may not grow as large as
+    they must, while the small ones that the study itself writes may: this is no
+    property of a variant, so the study ends with 3 and says why; runs that had
+    ended are not repeated."""
+    two = ["--set", "Vary scheme/Values=finite volume | |", "--set",
+           "Vary scheme/Labels=finite volume", "--set",
+           "Vary leaves/Values=10; 200", "--set",
+           "Study/Settings=Output/Fields=false; Output/History every steps=1"]
+    for ranks in (1, *case.options.ranks):
+        extra = two + ["--set", f"Study/Ranks={ranks}", "--set",
+                       f"Study/Cores={ranks}"]
+        folder = case.folder(f"run_on_{ranks}")
+        # Of 200 leaves there are many steps to tell of.
+        process = case.start(folder, extra, preexec_fn=lambda:
+                             full_disk.limit_files(100 << 10, ignore=False))
+        before = fails(case, folder, process, "File too large")
+        require(len(before) == 1, f"{len(before)} runs had ended")
+        case.run(folder, extra + ["--resume"])
+        after = outcome_files(folder)
+        require(before.items() <= after.items(), "a finished run was repeated")
+        outcomes = read_summary(folder)["outcomes"]
+        require(outcomes == {"stable": 2}, f"outcomes are {outcomes}")
+
+
 def study_any_file(case, check_bound, read_summary):
     """Three files of one, two and three dimensions, as they are."""
     for name in ("toro_3", "double_mach", "sedov_3d"):
@@ -240,4 +265,4 @@ def study_any_file(case, check_bound, read_summary):
 
 KINDS = {kind.__name__: kind for kind in
          (study_run, study_failures, study_sigterm, study_sigkill,
-          study_storage, study_any_file)}
+          study_storage, study_quota, study_any_file)}

@@ -50,6 +50,33 @@ TEST(Outcome, IsJudgedByCodeAndSummary)
   EXPECT_EQ(judged({0, SIGTERM}, "", "", true).kind, "timed out");
 }
 
+// A disk without room is no property of the variant, a lack of memory may be.
+TEST(Outcome, TellsOfStorage)
+{
+  for (const char *reason :
+       {"cannot write \"run/history.csv\": No space left on device",
+        "cannot write \"run/history.csv\": File too large",
+        "cannot write \"run/history.csv\": Disk quota exceeded",
+        "cannot make the folder \"run\": Read-only file system",
+        "cannot write log.txt: is the disk full?",
+        "loads.h5 cannot be written",
+        ""})
+    EXPECT_TRUE(tells_of_storage(judged(
+      {3, 0}, "", reason[0] == 0 ? "" : "error: " + std::string(reason))))
+      << reason;
+  EXPECT_TRUE(tells_of_storage(
+    judged({1, 0},
+           "",
+           "error: cannot make the output folder: No space left on device")));
+  EXPECT_FALSE(tells_of_storage(judged({1, 0}, "")));
+  EXPECT_FALSE(tells_of_storage(judged({3, 0}, "", "error: out of memory")));
+  EXPECT_FALSE(tells_of_storage(
+    judged({2, 0}, R"({"status": "failed", "message": "negative"})")));
+  EXPECT_FALSE(tells_of_storage(judged({0, SIGKILL}, "")));
+  EXPECT_FALSE(
+    tells_of_storage(judged({}, R"({"status": "finished", "retries": 0})")));
+}
+
 TEST(Outcome, IsFoundAgainForTheSameIdentityAlone)
 {
   const contrecoup::io::TemporaryFolder folder;

@@ -42,6 +42,10 @@ Outcome judge(const ProcessEnd &end,
               const std::string &folder,
               const std::string &error_file);
 
+/// Whether what the process said tells of files that could not be written: a
+/// disk that is full or read-only, a quota. All other runs would end so, too.
+bool tells_of_storage(const Outcome &outcome);
+
 /// What tells one variant from all others: application, version, ranks and
 /// every entry. Two runs of equal identity give the same result.
 std::string identity(const std::string &application,

@@ -46,6 +46,7 @@ public:
    * @param report is called after each
    * @return false when a signal asked to stop; what was running then was
    *   ended, and has no outcome
+   * @throws SystemError when a run could not write its files, as none could
    */
   bool run(std::vector<Task> &tasks,
            const std::function<void(const Task &)> &report);
