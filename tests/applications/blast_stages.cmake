@@ -75,4 +75,4 @@ contrecoup_add_application_test(c4_above_ground bounds
   "performance.updates < 1.08e8"
   "conservation.mass_relative_change < 1.3e-6"
   "conservation.energy_relative_change < 1e-6"
-  "assumptions.probe_4_peak_overpressure > 3.4e6")
+  "assumptions.probe_4_peak_overpressure > 3.51e6")
