@@ -237,7 +237,7 @@ def run():
                      else 0)
         if step % int(entries["Output/Checkpoint every steps"]) == 0:
             save(step, value)
-        time.sleep(0.005)
+        time.sleep(0.001)
     if entries["Writes"]:
         import extra_files
         extra_files.write(output, entries)

@@ -1,14 +1,22 @@
 #!/usr/bin/env python3
 """Shows that each kind of run_case.py accepts an application that does as it
-should, and rejects one with a flaw. The application is decay.py."""
+should, and rejects one with a flaw. The application is decay.py.
 
+Stand-ins mostly sleep, so several tests run at a time. A case is a copy of this
+process, which has read all modules before."""
+
+import contextlib
+import multiprocessing
 import os
-import subprocess
 import sys
 import tempfile
+import traceback
 import unittest
 
+import run_case
+
 HERE = os.path.dirname(os.path.abspath(__file__))
+AT_ONCE = 4
 
 
 class SelfTest(unittest.TestCase):
@@ -34,14 +42,41 @@ class SelfTest(unittest.TestCase):
 
     def case(self, kind, *options, flaw="none"):
         """Runs one case; returns its exit code and output."""
-        run = subprocess.run(
-            [sys.executable, os.path.join(HERE, "run_case.py"), kind,
-             "--name=case", "--file=" + self.file, "--set=Flaw=" + flaw,
-             "--application=" + os.path.join(HERE, self.program), *options],
-            cwd=self.root, capture_output=True, text=True,
-            env=self.environment)
-        self.assertEqual(run.stderr, "")
-        return run.returncode, run.stdout
+        arguments = [kind, "--name=case", "--file=" + self.file,
+                     "--set=Flaw=" + flaw, "--application="
+                     + os.path.join(HERE, self.program), *options]
+        with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
+            child = os.fork()
+            if child == 0:
+                self.become(arguments, out, err)
+            code = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+            out.seek(0)
+            err.seek(0)
+            self.assertEqual(err.read().decode(), "")
+            return code, out.read().decode()
+
+    def become(self, arguments, out, err):
+        """Goes on as run_case.py with these arguments, in the test's folder
+        and environment, to the end of the process."""
+        code = 1
+        try:
+            os.dup2(out.fileno(), 1)
+            os.dup2(err.fileno(), 2)
+            sys.stdout, sys.stderr = open(1, "w"), open(2, "w")
+            os.chdir(self.root)
+            os.environ.clear()
+            os.environ.update(self.environment)
+            sys.argv = [os.path.join(HERE, "run_case.py"), *arguments]
+            code = run_case.main(arguments)
+        except SystemExit as end:
+            code = end.code
+        except BaseException:
+            traceback.print_exc()
+        finally:
+            with contextlib.suppress(OSError):
+                sys.stdout.flush()
+                sys.stderr.flush()
+            os._exit(code)
 
     def accepts(self, *arguments, **keywords):
         code, out = self.case(*arguments, **keywords)
@@ -460,5 +495,38 @@ class StudyTest(SelfTest):
         self.rejects("was repeated", "study_sigkill", flaw="restless")
 
 
+def names(suite):
+    """Of all tests in a suite of suites."""
+    for test in suite:
+        if isinstance(test, unittest.TestSuite):
+            yield from names(test)
+        else:
+            yield test.id()
+
+
+def prove(name):
+    """Runs one test; returns its name and what is wrong with it."""
+    result = unittest.TestResult()
+    unittest.defaultTestLoader.loadTestsFromName(name).run(result)
+    flaws = [text for _, text in result.failures + result.errors]
+    if result.testsRun != 1 or result.skipped:
+        flaws.append("it did not run")
+    return name, flaws
+
+
+def main(arguments):
+    """All tests, or those with names like JudgementTest.test_bounds."""
+    wanted = [f"{__name__}.{name}" for name in arguments] or list(names(
+        unittest.defaultTestLoader.loadTestsFromModule(sys.modules[__name__])))
+    wrong = 0
+    with multiprocessing.get_context("fork").Pool(AT_ONCE) as workers:
+        for name, flaws in workers.imap_unordered(prove, wanted):
+            print(name, "FAILED" if flaws else "ok", flush=True)
+            print("".join(flaws), end="", flush=True)
+            wrong += bool(flaws)
+    print(f"{len(wanted)} tests, {wrong} failed")
+    return 1 if wrong or not wanted else 0
+
+
 if __name__ == "__main__":
-    unittest.main()
+    sys.exit(main(sys.argv[1:]))
