@@ -25,6 +25,7 @@ set(CONTRECOUP_TEST_ENVIRONMENT
   OMPI_MCA_btl_vader_single_copy_mechanism=none
   OMPI_MCA_hwloc_base_binding_policy=none
   OMPI_MCA_ess_singleton_isolated=1
+  OMPI_MCA_mpi_yield_when_idle=1
   OMP_NUM_THREADS=1
   CONTRECOUP_CHECK_SECONDS=0
   PYTHONDONTWRITEBYTECODE=1)
@@ -139,12 +140,14 @@ endfunction()
 
 # contrecoup_add_application_test(<name> <kind>[,<kind>...]
 #   FILE <application>/<x>.prm [SET "Section/Entry=value"...] [MPI <n>]
-#   [RANKS <n>...] [NEEDS <file>] [TIMEOUT <s>] [LABELS ...] ...)
+#   [RANKS <n>...] [CORES <n>] [NEEDS <file>] [TIMEOUT <s>] [LABELS ...] ...)
 #
 # The ctest <application>_<name> runs a shipped parameter file (below
 # parameter_files/) with overrides, on MPI ranks; without a file that it NEEDS
 # it is skipped, and fails in CI (CI is set in the environment). Several kinds
-# share the runs that they have in common. What is proven depends on <kind>:
+# share the runs that they have in common. It keeps as many CORES busy as it has
+# ranks at most, unless told that it mostly waits or runs on fewer. What is proven
+# depends on <kind>:
 #   bounds        BOUNDS "errors.density_L1 < 1e-3" ...: of summary.json, with
 #                 <, > or ==; "history.x" is the last value of that column;
 #                 [EXIT <code>...] [MESSAGE <text>] on the screen
@@ -213,7 +216,7 @@ endfunction()
 # No value may contain a semicolon.
 function(contrecoup_add_application_test name kind)
   cmake_parse_arguments(ARG ""
-    "FILE;OTHER_FILE;MPI;TIMEOUT;MESSAGE;OUTPUT;CONTENT;VARY;\
+    "FILE;OTHER_FILE;MPI;CORES;TIMEOUT;MESSAGE;OUTPUT;CONTENT;VARY;\
 ERROR;ORDER;HEIGHT;ANGLE;LEVELS"
     "SET;BOUNDS;COMPARE;EXIT;ARGUMENTS;LABELS;RANKS;NEEDS;TOLERANCE;STOP_AFTER" ${ARGN})
   if(NOT ARG_FILE OR ARG_UNPARSED_ARGUMENTS)
@@ -231,6 +234,9 @@ ERROR;ORDER;HEIGHT;ANGLE;LEVELS"
   set(_ranks ${ARG_MPI} ${ARG_RANKS})
   list(SORT _ranks COMPARE NATURAL ORDER DESCENDING)
   list(GET _ranks 0 _ranks)
+  if(ARG_CORES)
+    set(_ranks ${ARG_CORES})
+  endif()
   set(_files ${PROJECT_SOURCE_DIR}/parameter_files)
   set(_options --name=${_test} --application=$<TARGET_FILE:${_application}>
     --file=${_files}/${ARG_FILE} --mpi=${ARG_MPI}

@@ -129,7 +129,7 @@ contrecoup_add_application_test(runs
   ranks,resume,disk,quota,other_build,parallel_disk,parallel_sigkill
   FILE ${_folder}/plane_wave.prm SET "Output/Fields interval=2e-5"
   "Output/Checkpoint every steps=20"
-  "Peaks/Active=true" "Peaks/Every steps=3" STOP_AFTER 5 50
+  "Peaks/Active=true" "Peaks/Every steps=3" STOP_AFTER 5 50 CORES 1
   COMPARE history.csv probes.csv
   TOLERANCE 1e-9 "hourglass_energy=1e-16 absolute"
     "energy_residual=1e-16 absolute" "momentum_y=1e-16 absolute"

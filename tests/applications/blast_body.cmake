@@ -55,7 +55,7 @@ set(_adaptive "Domain/Initial refinement=1" "Rigid body/Levels=2"
   "Time/End time=0.5")
 contrecoup_add_application_test(body_adaptive ranks,resume FILE ${_cylinder}
   SET ${_adaptive} COMPARE history.csv probes.csv TOLERANCE 1e-10
-  STOP_AFTER 100)
+  CORES 1 STOP_AFTER 100)
 
 # Against two-shock theory, on a quarter of the cells a side.
 contrecoup_add_application_test(body_wedge bounds
@@ -158,7 +158,7 @@ contrecoup_add_application_test(body_runs
   BOUNDS "first_sample > 0.0758" "first_sample < 0.101" "samples_at_rest < 3"
     "first_overpressure < 1e-3" "impulse_difference < 1e-9"
   COMPARE history.csv probes.csv load_gauges.csv gauge_injury.csv loads.h5
-    fields/*.npy TOLERANCE 1e-10 STOP_AFTER 5 20 RANKS 2 7 3)
+    fields/*.npy TOLERANCE 1e-10 STOP_AFTER 5 20 RANKS 2 7 3 CORES 1)
 
 # The man before a blast, with cells of 80 mm until the front has passed him: what
 # these cells give within 3 %.

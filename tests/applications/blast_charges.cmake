@@ -155,6 +155,6 @@ set(_short "Time/Largest number of steps=24" "Output/History every steps=1"
   "Output/Fields=false")
 contrecoup_add_application_test(charge_runs ranks,resume ${_on_ground}
   SET ${_short} COMPARE history.csv TOLERANCE 1e-9 "momentum*=1e-9 absolute"
-  STOP_AFTER 11)
+  CORES 1 STOP_AFTER 11)
 contrecoup_add_application_test(charge_conserves_on_2 bounds ${_on_ground}
   MPI 2 SET ${_short} BOUNDS ${_closed})

@@ -81,7 +81,7 @@ endforeach()
 
 contrecoup_add_application_test(mapped_ball_runs ranks,resume FILE ${_ball}
   SET ${_small} COMPARE history.csv probes.csv
-  TOLERANCE 1e-10 "momentum*=1e-12 absolute" STOP_AFTER 7)
+  TOLERANCE 1e-10 "momentum*=1e-12 absolute" CORES 1 STOP_AFTER 7)
 contrecoup_add_application_test(ranks_mapped_file ranks FILE ${_vortex}
   SET "Domain/Initial refinement=2" ${_steps_20} COMPARE history.csv
   TOLERANCE 1e-10)

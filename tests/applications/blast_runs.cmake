@@ -18,13 +18,13 @@ set(_near TOLERANCE 1e-10 "momentum*=1e-9 absolute")
 contrecoup_add_application_test(hot_ball
   regression,ranks,resume,sigterm,sigkill,disk,quota,other_build,parallel_disk
   ${_hot_ball} SET ${_short} ${_gauges} "Output/Checkpoint every steps=4"
-  ${_all} ${_near} RANKS 2 3 STOP_AFTER 4 7)
+  ${_all} ${_near} RANKS 2 3 CORES 1 STOP_AFTER 4 7)
 contrecoup_add_application_test(hot_ball_on_2
   parallel_resume,parallel_sigterm,parallel_sigkill ${_hot_ball}
   SET ${_short} ${_gauges} ${_all} ${_near} STOP_AFTER 7)
 contrecoup_add_application_test(hot_ball_galerkin ranks,resume ${_hot_ball}
   SET ${_short} "Method/Scheme=discontinuous galerkin" "Method/Degree=2"
-  COMPARE history.csv probes.csv fields/*.npy ${_near} STOP_AFTER 7)
+  COMPARE history.csv probes.csv fields/*.npy ${_near} CORES 1 STOP_AFTER 7)
 contrecoup_add_application_test(hot_ball_single
   ranks,resume,parallel_resume,parallel_sigkill ${_hot_ball}
   SET ${_short} "Method/Precision=single" ${_gauges} ${_all} RANKS 2 7 3
@@ -71,7 +71,7 @@ endforeach()
 contrecoup_add_application_test(pictures_1d pictures
   FILE blast/verification/sod.prm SET "Output/Pictures=true"
   COMPARE history.png profiles.png)
-contrecoup_add_application_test(pictures_3d pictures ${_hot_ball} MPI 2
+contrecoup_add_application_test(pictures_3d pictures ${_hot_ball} MPI 2 CORES 1
   SET ${_short} ${_gauges} "Output/Pictures=true" COMPARE history.png probes.png
   plane_y_0_pressure.png plane_y_0_density.png plane_y_0_pressure_lowest.png
   plane_y_0_maps.png gauges_line_1.png gauges_plane_1_maps.png)

@@ -26,7 +26,8 @@ foreach(_ranks 1 2)
     "assumptions.hand_over_radius > 0.59")
 endforeach()
 contrecoup_add_application_test(stages_runs ranks,resume ${_free_air}
-  SET ${_quick} "Time/Largest number of steps=230" STOP_AFTER 40 210
+  SET ${_quick} "Time/Largest number of steps=230" CORES 1
+  STOP_AFTER 40 210
   COMPARE history.csv probes.csv TOLERANCE 1e-9 "momentum*=1e-6 absolute"
   "probe_*_velocity*=1e-6 absolute")
 

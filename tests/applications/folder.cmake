@@ -15,7 +15,7 @@ set(_long_ball ARGUMENTS --set "Time/Largest number of steps=100000" --set
 contrecoup_add_application_test(folder_finished folder_finished ${_sod}
   ARGUMENTS "Time/End time=0.1" TIMEOUT 60)
 contrecoup_add_application_test(folder_finished_on_3 folder_finished ${_ball}
-  MPI 3 ARGUMENTS "Time/Largest number of steps=6" TIMEOUT 120)
+  MPI 3 CORES 1 ARGUMENTS "Time/Largest number of steps=6" TIMEOUT 120)
 contrecoup_add_application_test(folder_finished folder_finished ${_wave}
   ARGUMENTS "Time/Largest number of steps=7" TIMEOUT 60)
 contrecoup_add_application_test(folder_finished folder_finished
@@ -38,24 +38,25 @@ contrecoup_add_application_test(folder_foreign folder_foreign
   FILE scene/verification/head.prm COMPARE scene.json report.html
   blast/history.csv anatomy/mesh.vtu blast.prm TIMEOUT 120)
 
+# Here mpirun and signals are waited for, most of the time.
 foreach(_ranks 1 2 3)
   contrecoup_add_application_test(folder_lock_on_${_ranks} folder_lock ${_ball}
-    MPI ${_ranks} ${_long_ball} TIMEOUT 120)
+    MPI ${_ranks} CORES 1 ${_long_ball} TIMEOUT 120)
   contrecoup_add_application_test(folder_signals_on_${_ranks} folder_signals
-    ${_ball} MPI ${_ranks} ${_long_ball} COMPARE history.csv TIMEOUT 120)
+    ${_ball} MPI ${_ranks} CORES 1 ${_long_ball} COMPARE history.csv TIMEOUT 120)
   contrecoup_add_application_test(folder_read_only_on_${_ranks} folder_read_only
-    ${_ball} MPI ${_ranks} ${_long_ball} TIMEOUT 120)
+    ${_ball} MPI ${_ranks} CORES 1 ${_long_ball} TIMEOUT 120)
   contrecoup_add_application_test(folder_lock_on_${_ranks} folder_lock ${_wave}
-    MPI ${_ranks} ${_long} TIMEOUT 120)
+    MPI ${_ranks} CORES 1 ${_long} TIMEOUT 120)
   contrecoup_add_application_test(folder_signals_on_${_ranks} folder_signals
-    ${_wave} MPI ${_ranks} ${_long} COMPARE history.csv TIMEOUT 120)
+    ${_wave} MPI ${_ranks} CORES 1 ${_long} COMPARE history.csv TIMEOUT 120)
   contrecoup_add_application_test(folder_read_only_on_${_ranks} folder_read_only
-    ${_wave} MPI ${_ranks} ${_long} TIMEOUT 120)
+    ${_wave} MPI ${_ranks} CORES 1 ${_long} TIMEOUT 120)
 endforeach()
 contrecoup_add_application_test(folder_cache folder_cache ${_ball} TIMEOUT 60)
-contrecoup_add_application_test(folder_ranks folder_ranks ${_ball} MPI 2
+contrecoup_add_application_test(folder_ranks folder_ranks ${_ball} MPI 2 CORES 1
   STOP_AFTER 6 ARGUMENTS "Method/Precision=single" TIMEOUT 120)
-contrecoup_add_application_test(folder_ranks folder_ranks ${_wave} MPI 2
+contrecoup_add_application_test(folder_ranks folder_ranks ${_wave} MPI 2 CORES 1
   STOP_AFTER 6 ARGUMENTS "Elements/Precision=single" TIMEOUT 120)
 
 # Bodies: signals come while the cells of a fine grid are filled; a folder turns
@@ -71,17 +72,16 @@ contrecoup_add_application_test(full_disk disk_anew
   "Output/Gmsh=true" COMPARE mesh.vtu mesh.msh surface.stl quality.csv
   TIMEOUT 60)
 
+set(_head_loads FILE scene/verification/head.prm SET "Scene/Question=loads"
+  "Scene/Accuracy=first look" "Scene/Forecast=false" "Scene/Report=false"
+  "Anatomy/Output/Pictures=false" "Blast/Output/Fields=false")
 contrecoup_add_application_test(folder_read_only folder_read_only
-  FILE scene/verification/head.prm SET "Scene/Question=loads"
-  "Scene/Forecast=false" "Scene/Report=false" "Anatomy/Output/Pictures=false"
-  "Scene/End time=0.0005" "Blast/Output/Fields=false"
+  ${_head_loads} "Scene/End time=0.0005"
   ARGUMENTS --set "Blast/Output/Checkpoint every steps=10" TIMEOUT 300)
 contrecoup_add_application_test(folder_signals folder_signals
-  FILE scene/verification/head.prm SET "Scene/Question=loads"
-  "Scene/Forecast=false" "Scene/Report=false" "Anatomy/Output/Pictures=false"
+  ${_head_loads}
   ARGUMENTS --set "Blast/Output/Checkpoint every steps=10"
   COMPARE blast/history.csv TIMEOUT 300)
 contrecoup_add_application_test(folder_stages folder_stages
-  FILE scene/verification/head.prm SET "Scene/Question=loads"
-  "Scene/Forecast=false" "Scene/Report=false" "Anatomy/Output/Pictures=false"
+  ${_head_loads}
   TIMEOUT 600)

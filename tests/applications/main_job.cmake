@@ -4,7 +4,7 @@ set(_first_look "Scene/Accuracy=first look" "Scene/End time=0.0026"
   "Scene/Forecast=false")
 
 contrecoup_add_application_test(main_job main_job FILE scene/quickstart.prm
-  MPI 2 TIMEOUT 1800 SET ${_first_look})
+  MPI 2 CORES 1 TIMEOUT 1800 SET ${_first_look})
 # Its report in a browser without a window.
 _contrecoup_register_test(scene_main_job_page TIMEOUT 900 LABELS main_job
   COMMAND ${PROJECT_SOURCE_DIR}/tests/plot/page_checks.py
