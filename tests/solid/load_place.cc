@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/geometry/primitive_shapes.h>
 #include <contrecoup/solid/load_place.h>
+#include <contrecoup/solid/mesh_description.h>
+#include <contrecoup/solid/surface_loads.h>
 
 #include <gtest/gtest.h>
 
@@ -73,6 +77,37 @@ TEST(LoadPlace, FacetsThatFaceInwardsDisagree)
   const solid::LoadPlace place =
     solid::measure_load_place(facets, Sphere(Point<3>(), radius), {});
   EXPECT_NEAR(place.agreement, -1., 1e-12);
+}
+
+
+// Loads of the ball are taken; those that lie on it but face inwards, as on the
+// wall of a cavity, are those of another body.
+TEST(LoadPlace, LoadsOnTheSurfaceOfAnotherBodyAreRefused)
+{
+  const std::string file = "load_place.h5";
+  for (const double sign : {1., -1.})
+  {
+    auto facets = facets_of_ball(false);
+    for (double &number : facets.normals)
+      number *= sign;
+    {
+      io::LoadFile loads(file);
+      loads.create(facets, {{"application", "test"}});
+    }
+    ParameterHandler prm;
+    solid::MeshDescription::declare_parameters(prm);
+    solid::SurfaceLoads::declare_parameters(prm);
+    apply_assignments({{{"Mesh"}, "Kind", "body", "test"},
+                       {{"Body"}, "Kind", "shape", "test"},
+                       {{"Body", "Shape"}, "Shape", "sphere", "test"},
+                       {{"Body", "Shape"}, "Size", "0.1", "test"},
+                       {{"Loads", "Recorded"}, "File", file, "test"}},
+                      prm);
+    if (sign > 0.)
+      EXPECT_NO_THROW(solid::check_load_place(prm));
+    else
+      EXPECT_THROW(solid::check_load_place(prm), InputError);
+  }
 }
 
 
