@@ -81,7 +81,7 @@ def scene_run(case, check_bound, read_summary):
     require(max(masses) < 1.05 * min(masses), f"body masses are {masses} kg")
     require_charge(output)
     loads = os.stat(os.path.join(output, "blast", "loads.h5")).st_mtime_ns
-    case.run(output, ["--resume"])
+    case.run(output, ["--resume", "--set", "Scene/Report=false"])
     require(statuses(output) == dict.fromkeys(STAGES, "reused"),
             f"stages of a second run are {statuses(output)}")
     before = injury_table(output)
