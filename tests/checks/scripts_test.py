@@ -72,7 +72,7 @@ class ScriptsTest(unittest.TestCase):
         calls, output = self.run_script("tests/run", "-R", "gas", **variables)
         self.assertRegex(self.call_of("cmake", calls), f"-j {CORES} .*all")
         tests = self.call_of("ctest", calls)
-        self.assertRegex(tests, f"-j {CORES} .*-R gas")
+        self.assertRegex(tests, f"-j {CORES + 1} .*-R gas")
         self.assertTrue(tests.endswith("threads: 1"), tests)
         self.assertIn(f"running the tests on {CORES} core(s)", output)
 
