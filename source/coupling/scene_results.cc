@@ -97,6 +97,26 @@ namespace
   }
 
 
+  /// Calls the entries that decided what a stage took for granted as the scene
+  /// does: those of @p items begin with the stage's section.
+  std::vector<Assumption> named(std::vector<Assumption> items,
+                                const std::vector<SceneStage> &stages)
+  {
+    const std::string section = "Blast/";
+    for (const SceneStage &stage : stages)
+      if (stage.name() == "blast")
+        for (Assumption &item : items)
+          if (item.entry.compare(0, section.size(), section) == 0)
+          {
+            const std::string entry = item.entry.substr(section.size());
+            const std::string name = stage.named(entry);
+            if (name != entry)
+              item.entry = name;
+          }
+    return items;
+  }
+
+
   Json place_rows(const std::vector<TissuePlace> &places)
   {
     Json rows = Json::array();
@@ -144,7 +164,9 @@ void write_scene(const PlannedScene &scene,
                  const unsigned int n_ranks)
 {
   const SceneLayout &layout = scene.layout();
-  const auto plan = whole_plan(scene, command.output_folder);
+  const auto plan = named(whole_plan(scene, command.output_folder), stages);
+  const auto audit = named(
+    scene_audit(scene.parameters(), layout, command.output_folder), stages);
   const Json json = {
     {"application", "scene"},
     {"version", version()},
@@ -171,9 +193,7 @@ void write_scene(const PlannedScene &scene,
     {"ranks", n_ranks},
     {"stages", stage_rows(stages, reused)},
     {"plan", plan_rows(plan)},
-    {"audit",
-     audit_rows(
-       plan, scene_audit(scene.parameters(), layout, command.output_folder))},
+    {"audit", audit_rows(plan, audit)},
     {"remarks", scene.body().remarks()}};
   io::write_file(command.output_folder + "/scene.json",
                  [&](std::ostream &out) { out << json.dump(2) << "\n"; });

@@ -150,6 +150,12 @@ void SceneRun::require_consent() const
 }
 
 
+bool SceneRun::is_of_scene() const
+{
+  return claim_->manifest().application() == "scene";
+}
+
+
 bool SceneRun::admits() const
 {
   if (command_.resume)
@@ -164,6 +170,10 @@ bool SceneRun::admits() const
   const io::Manifest &manifest = claim_->manifest();
   if (!manifest.is_there() || command_.overwrite)
     return true;
+  if (!is_of_scene())
+    throw InputError("\"" + command_.output_folder + "\" holds a run of \"" +
+                     manifest.application() + "\" (" + manifest.status() +
+                     "); --overwrite replaces it, or give another --output");
   require_consent();
   if (manifest.status() != "finished" || !claim_->difference().empty() ||
       !manifest.damage().empty())
@@ -201,10 +211,16 @@ void SceneRun::start()
   collective_.run([&]() {
     if (!is_first_rank_)
       return;
-    if (command_.overwrite && claim_->manifest().is_there())
-      log_line("--overwrite " + told_stages() +
-               "; what was there before goes when the new is complete");
-    claim_->go_on();
+    if (claim_->manifest().is_there() && !is_of_scene())
+      // None of its files is a stage's.
+      claim_->begin();
+    else
+    {
+      if (command_.overwrite && claim_->manifest().is_there())
+        log_line("--overwrite " + told_stages() +
+                 "; what was there before goes when the new is complete");
+      claim_->go_on();
+    }
     io::write_file(path("parameters.prm"), [&](std::ostream &out) {
       out << "# scene " << version() << " (" << git_revision()
           << "): every entry as used\n\n"

@@ -93,25 +93,55 @@ SceneWords::name_at(const std::string &text, const std::size_t place) const
 }
 
 
+SceneWords::Head SceneWords::head_of(const std::string &text) const
+{
+  constexpr std::size_t longest = 200;
+  Head head;
+  for (std::size_t end = text.find_first_of(" :"); end <= longest;
+       end = text.find_first_of(" :", end + 1))
+    read_head(text.substr(0, end), head);
+  read_head(text.substr(0, longest), head);
+  return head;
+}
+
+
+void SceneWords::read_head(const std::string &begin, Head &head) const
+{
+  if (const auto section = sections_.find(begin); section != sections_.end())
+    head = {begin, section->second, begin.size()};
+  else if (entries_.count(begin) != 0)
+  {
+    const std::string outer = begin.substr(0, begin.rfind('/'));
+    const auto known = sections_.find(outer);
+    head = {outer, known != sections_.end() ? known->second : "", 0};
+  }
+}
+
+
 std::string SceneWords::operator()(const std::string &text) const
 {
-  std::string result;
-  std::size_t place = 0;
-  const std::size_t colon = text.find(':');
-  const auto section = sections_.find(text.substr(0, colon));
-  if (colon != std::string::npos && section != sections_.end())
-  {
-    result = section->second;
-    place = colon;
-  }
+  const Head head = head_of(text);
+  const std::string inner = head.section + "/";
+  std::string result = head.length > 0 ? head.name : "";
+  std::size_t place = head.length;
   while (place < text.size())
   {
     const bool begins = place == 0 || !is_of_word(text[place - 1]);
-    const auto *const name = begins ? name_at(text, place) : nullptr;
+    const auto *name = begins ? name_at(text, place) : nullptr;
+    std::size_t length = name != nullptr ? name->first.size() : 0;
+    if (name == nullptr && begins && !head.section.empty())
+    {
+      // One of the section that the message begins with.
+      name = name_at(inner + text.substr(place, 200), 0);
+      length = name != nullptr ? name->first.size() - inner.size() : 0;
+      if (name != nullptr &&
+          name->second == head.name + "/" + text.substr(place, length))
+        name = nullptr;
+    }
     if (name != nullptr)
     {
       result += name->second;
-      place += name->first.size();
+      place += length;
     }
     else
       result += text[place++];

@@ -94,8 +94,9 @@ void ChargeSet<dim>::parse_parameters(ParameterHandler &prm,
   if (names_.empty())
     return;
   if (!(material.reference_density() > 0.))
-    throw InputError("Charges need Material/Equation of state = jwl in air or "
-                     "jwl, with an explosive that holds energy");
+    throw InputError(
+      "Charges: they need Material/Equation of state = jwl in air or "
+      "jwl, with an explosive that holds energy");
   density_ = material.reference_density();
   energy_density_ = density_ * material.reference_energy();
   description_ = describe_detonation(read_explosive(prm, material.explosive()));
@@ -127,14 +128,16 @@ void ChargeSet<dim>::check(const Scheme &scheme,
         throw InputError("Charges/Charge " + names_[i] + " and Charge " +
                          names_[j] + " overlap");
   if (scheme.kind != Scheme::Kind::finite_volume)
-    throw InputError("Charges burn with Method/Scheme = finite volume only");
+    throw InputError(
+      "Charges: they burn with Method/Scheme = finite volume only");
   const dealii::Point<dim> origin;
   const GasState<dim> ambient = initial_state.value(origin);
   if (initial_state.distance_to_feature(origin) <
         std::numeric_limits<double>::max() ||
       ambient.velocity.norm() > 0.)
-    throw InputError("Charges need a gas that is uniform and at rest around "
-                     "them: Initial state/Kind = uniform without Velocity");
+    throw InputError(
+      "Charges: they need a gas that is uniform and at rest around "
+      "them: Initial state/Kind = uniform without Velocity");
   ambient_pressure_ =
     material_.pressure(ambient.density,
                        material_.internal_energy_density(
@@ -215,7 +218,7 @@ std::vector<std::string> ChargeSet<dim>::fill(const LeafMesh<dim> &mesh,
   });
   fullest = dealii::Utilities::MPI::max(fullest, mesh.communicator());
   if (fullest > 1. + 1e-6)
-    throw InputError("Charges overlap: together they need more than the "
+    throw InputError("Charges: they overlap; together they need more than the "
                      "volume of a cell that they share");
   return report;
 }

@@ -9,6 +9,7 @@ import signal
 import stat
 import subprocess
 import time
+import zlib
 
 import full_disk
 
@@ -289,13 +290,33 @@ def folder_ranks(case, _check_bound, read_summary):
     require(read_summary(output)["status"] == "finished", "it did not finish")
 
 
+def put_other_run(output):
+    """A folder of a blast that has finished."""
+    put(output, "history.csv", "log.txt")
+    content = read_bytes(output, "history.csv")
+    with open(os.path.join(output, "manifest.json"), "w",
+              encoding="utf-8") as file:
+        json.dump({"application": "blast", "status": "finished",
+                   "names": {"results": ["history.csv", "probes.csv"],
+                             "others": ["log.txt", "blast/"]},
+                   "results": {"history.csv": {
+                       "bytes": len(content), "crc32": zlib.crc32(content)}},
+                   "input_files": {}, "entries": {}}, file)
+
+
 def folder_stages(case, _check_bound, _read_summary):
-    """A stage whose results were cut, changed or deleted is made anew, and the
+    """What another application left goes with --overwrite only. A stage whose results were cut, changed or deleted is made anew, and the
     log says why; other entries replace a stage only with --overwrite and only
     when the new one is complete; files of the user stay."""
     output = case.folder("run")
     put(output, *FOREIGN)
-    case.run(output)
+    put_other_run(output)
+    refused(case, output, 'holds a run of "blast" (finished)')
+    refused(case, output, "holds no stage of a scene", ["--resume"])
+    _, out, _ = case.run(output, ["--overwrite"])
+    require("removing what the earlier run (blast, finished) left" in out
+            and not os.path.exists(os.path.join(output, "history.csv")),
+            f"the results of a blast are left in a scene: {out}")
     has_foreign(output)
     before = snapshot(output)
     _, out, _ = case.run(output)

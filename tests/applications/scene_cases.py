@@ -66,6 +66,21 @@ def require_charge(output):
             f"{expected} in the blast")
 
 
+def require_own_names(output):
+    """What was taken for granted is decided by entries as the scene calls
+    them, of a stage only where the scene has none."""
+    wanted = {"symmetry": "Scene/Symmetry", "rigid_body": "Scene/Accuracy",
+              "viscosity": "Scene/End time", "gravity": "Scene/End time",
+              "first_stage": "Blast/First stage/Hand over at",
+              "quiet_leaves": "Blast/Method/Skip quiet leaves",
+              "strain": "Biomechanics/Elements/Kinematics"}
+    facts = read_json(output, "scene.json")
+    for rows in (facts["plan"], facts["audit"]):
+        found = {row["item"]: row["entry"] for row in rows}
+        require({item: found.get(item) for item in wanted} == wanted,
+                f"entries of what was taken for granted: {found}")
+
+
 def scene_run(case, check_bound, read_summary):
     """Every stage runs and keeps the bounds of the biomechanics summary; with
     other entries, stages whose inputs are the same are taken as they are."""
@@ -80,6 +95,7 @@ def scene_run(case, check_bound, read_summary):
     masses = body_masses(output)
     require(max(masses) < 1.05 * min(masses), f"body masses are {masses} kg")
     require_charge(output)
+    require_own_names(output)
     loads = os.stat(os.path.join(output, "blast", "loads.h5")).st_mtime_ns
     case.run(output, ["--resume", "--set", "Scene/Report=false"])
     require(statuses(output) == dict.fromkeys(STAGES, "reused"),

@@ -87,6 +87,25 @@ TEST(SceneWords, SectionsThatAMessageBeginsWithAreNamedAsWell)
 }
 
 
+TEST(SceneWords, NamesWithoutASectionAreOfTheOneThatAMessageBeginsWith)
+{
+  const SceneWords words = blast_words();
+  EXPECT_EQ(words("Charges/Charge 1: of Mass = 1 kg; its Center must be 1"),
+            "Charge: of Mass = 1 kg; its Charge/Place must be 1");
+  EXPECT_EQ(words("Charges/Charge 1/Mass: Center is missing"),
+            "Charge/Mass: Charge/Place is missing");
+  EXPECT_EQ(words("Domain needs Size = 1 or Coarse leaves, for Levels"),
+            "Blast/Domain needs Size = 1 or Scene/End time, for Levels");
+  EXPECT_EQ(words("Rigid body: raise Levels, not Levels/x or BigLevels"),
+            "Body: raise Scene/Accuracy, not Levels/x or BigLevels");
+  EXPECT_EQ(words("Charges/Charge 2: its Mass"),
+            "Blast/Charges/Charge 2: its Mass");
+  EXPECT_EQ(words("a word of Domain: Size"), "a word of Domain: Size");
+  EXPECT_EQ(words("Rigid body"), "Body");
+  EXPECT_EQ(words("Domain"), "Blast/Domain");
+}
+
+
 TEST(SceneWords, WhatIsNoNameStaysAsItIs)
 {
   const SceneWords words = blast_words();

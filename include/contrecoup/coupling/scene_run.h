@@ -37,6 +37,8 @@ private:
   void tell_costs();
   /// The same before a run.
   void forecast();
+  /// Whether what is in the folder is a scene's, and no other run's.
+  bool is_of_scene() const;
   /// Takes the folder; returns false when there is nothing to do in it.
   bool claim();
   bool admits() const;

@@ -128,6 +128,12 @@ public:
     words_.rename(entry, name);
   }
 
+  /// What an entry of it is called in the scene.
+  std::string named(const std::string &entry) const
+  {
+    return words_(entry);
+  }
+
   /// Says what it would do and cost, and returns the latter. Collective.
   /// @throws InputError
   CostEstimate check(Collective &collective);

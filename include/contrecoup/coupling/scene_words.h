@@ -41,10 +41,21 @@ public:
   /// Names an entry of the stage by itself.
   void rename(const std::string &entry, const std::string &name);
 
-  /// A message or line of the stage with these names in it.
+  /// A message or line of the stage with these names in it. Where it begins
+  /// with a section or an entry, names without a section are of that one.
   std::string operator()(const std::string &text) const;
 
 private:
+  /// What a message begins with.
+  struct Head
+  {
+    std::string section;    ///< of the stage; empty without one
+    std::string name;       ///< what the scene has for that
+    std::size_t length = 0; ///< that it takes; 0 where an entry begins
+  };
+  Head head_of(const std::string &text) const;
+  void read_head(const std::string &begin, Head &head) const;
+
   /// The longest of the names that stands at this place, and how it is called.
   const std::pair<const std::string, std::string> *
   name_at(const std::string &text, std::size_t place) const;
