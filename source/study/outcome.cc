@@ -131,6 +131,9 @@ Outcome judge(const ProcessEnd &end,
                    : end.exit_code == 2 ? "unstable"
                                         : "failed";
     outcome.reason = reason_of(summary, error_file);
+    // A full disk does not take the reason either.
+    if (outcome.kind == "failed" && outcome.reason == no_reason)
+      outcome.reason += "; is the disk full?";
   }
   return outcome;
 }
@@ -144,9 +147,8 @@ bool tells_of_storage(const Outcome &outcome)
       return true;
   if (outcome.exit_code != static_cast<int>(ExitCode::system_failed))
     return false;
-  // A full disk does not take the reason either.
   for (const char *words :
-       {no_reason, "is the disk full", "cannot write", "cannot be written"})
+       {"is the disk full", "cannot write", "cannot be written"})
     if (contains(outcome.reason, words))
       return true;
   return false;
