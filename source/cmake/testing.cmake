@@ -206,8 +206,8 @@ endfunction()
 #                 stopped after STOP_AFTER steps is resumed: exit code 3 with the
 #                 reason, checkpoint intact; then resumed where there is room
 #   parallel_disk  the same on the last of RANKS
-#   disk_anew     the same for a run without steps, which then leaves the COMPARE
-#                 files
+#   disk_anew     both for a run without steps, on 1 and each of RANKS, which then
+#                 leaves the COMPARE files
 #   other_build   a checkpoint of another build is resumed with a word, or refused
 #   main_job*     OTHER_FILE: the first lines in
 #                 tests/applications/main_job_cases.py tell

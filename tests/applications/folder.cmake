@@ -68,20 +68,22 @@ contrecoup_add_application_test(folder_read_only folder_read_only
   FILE anatomy/quickstart.prm SET "Mesh/Element size=0.01"
   "Output/Pictures=false" TIMEOUT 300)
 contrecoup_add_application_test(full_disk disk_anew
-  FILE anatomy/extremes/needle.prm SET "Output/Pictures=false"
+  FILE anatomy/extremes/needle.prm RANKS 2 3 CORES 1 SET "Output/Pictures=false"
   "Output/Gmsh=true" COMPARE mesh.vtu mesh.msh surface.stl quality.csv
-  TIMEOUT 60)
+  TIMEOUT 120)
 
 set(_head_loads FILE scene/verification/head.prm SET "Scene/Question=loads"
   "Scene/Accuracy=first look" "Scene/Forecast=false" "Scene/Report=false"
   "Anatomy/Output/Pictures=false" "Blast/Output/Fields=false")
-contrecoup_add_application_test(folder_read_only folder_read_only
-  ${_head_loads} "Scene/End time=0.0005"
-  ARGUMENTS --set "Blast/Output/Checkpoint every steps=10" TIMEOUT 300)
-contrecoup_add_application_test(folder_signals folder_signals
-  ${_head_loads}
-  ARGUMENTS --set "Blast/Output/Checkpoint every steps=10"
-  COMPARE blast/history.csv TIMEOUT 300)
+foreach(_ranks 1 3)
+  contrecoup_add_application_test(folder_read_only_on_${_ranks} folder_read_only
+    ${_head_loads} "Scene/End time=0.0005" MPI ${_ranks} CORES 1
+    ARGUMENTS --set "Blast/Output/Checkpoint every steps=10" TIMEOUT 300)
+  contrecoup_add_application_test(folder_signals_on_${_ranks} folder_signals
+    ${_head_loads} MPI ${_ranks} CORES 1
+    ARGUMENTS --set "Blast/Output/Checkpoint every steps=10"
+    COMPARE blast/history.csv TIMEOUT 300)
+endforeach()
 contrecoup_add_application_test(folder_stages folder_stages
   ${_head_loads}
   TIMEOUT 600)

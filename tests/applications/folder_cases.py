@@ -12,6 +12,7 @@ import time
 import zlib
 
 import full_disk
+import resume_cases
 
 # Of a user, in places where no application writes.
 FOREIGN = ("thesis.txt", "fields/x.txt", "blast/thesis.txt", "anatomy/data.csv",
@@ -167,29 +168,74 @@ def folder_lock(case, _check_bound, _read_summary):
     require(manifest(output)["status"] == "finished", "it did not finish")
 
 
+def a_rank(process):
+    """The number of the last rank of a run under mpirun."""
+    ranks = [pid for pid in resume_cases.descendants(process.pid)
+             if "OMPI_COMM_WORLD_RANK=" in environment_of(pid)]
+    require(ranks, "mpirun has started no rank")
+    return ranks[-1]
+
+
+def environment_of(pid):
+    try:
+        return read_bytes("/proc", str(pid), "environ").decode(errors="replace")
+    except OSError:
+        return ""
+
+
 def folder_signals(case, check_bound, read_summary):
-    """SIGINT ends with 130, SIGTERM with 143, SIGUSR1 with 138 (which is the one
-    that mpirun gives its ranks time for), so that what comes after && does not
-    begin; what is left is neither lost without a question nor taken for
-    finished. --argument makes a long run."""
+    """SIGINT ends with 130, SIGTERM with 143, SIGUSR1 with 138, so that what
+    comes after && does not begin; what is left is neither lost without a question
+    nor taken for finished, and --resume goes on from the checkpoint. Under mpirun
+    one of the ranks gets the signal, or mpirun SIGUSR1, which is the one that it
+    gives them time for. --argument makes a long run."""
     extra = case.options.argument
-    signals = (signal.SIGINT, signal.SIGTERM, signal.SIGUSR1)
-    for asked in signals if case.options.mpi == 1 else signals[2:]:
+    for asked in (signal.SIGINT, signal.SIGTERM, signal.SIGUSR1):
         output = case.folder(f"run_{int(asked)}")
         process = case.start(output, extra)
         wait_until(process, lambda: os.path.exists(
             os.path.join(output, case.options.compare[0])), "its first output")
         time.sleep(0.1)
-        process.send_signal(asked)
+        if case.options.mpi == 1 or asked == signal.SIGUSR1:
+            process.send_signal(asked)
+        else:
+            os.kill(a_rank(process), asked)
         out, err = process.communicate()
         require(process.returncode == 128 + asked,
                 f"{asked!r} gave {process.returncode}: {out[-999:]}{err[-999:]}")
         if case.options.mpi == 1:
             require(err == "", f"stderr is {err}")
+        require("error: " not in err, f"stderr is {err}")
         if not has_checkpoint(output):
+            require(not has_steps(case), "it left no checkpoint")
             continue
         require(manifest(output)["status"] == "stopped", "it did not stop")
         refused(case, output, "--resume goes on with it", extra)
+        if asked == signal.SIGTERM:
+            goes_on(case, output, read_summary)
+
+
+def goes_on(case, output, read_summary):
+    """--resume begins with the step of the newest checkpoint, a scene's on one
+    rank, and after another precision was refused."""
+    newest = max(glob.glob(os.path.join(output, "**", "checkpoint", "*",
+                                        "complete.json"), recursive=True))
+    with open(os.path.join(os.path.dirname(newest), "run.json"),
+              encoding="utf-8") as file:
+        step = json.load(file)["state"]["step"]
+    require(step > 0, "the checkpoint is of the beginning")
+    few = ["--set", "Time/Steps in this run=2"] if is_solver(case) else []
+    # Other numbers of ranks and precisions of solvers: see folder_ranks().
+    if not is_solver(case):
+        refused(case, output, "--overwrite begins that stage anew",
+                case.options.argument + ["--resume", "--set",
+                                         "Blast/Method/Precision=double"],
+                ranks=1)
+    case.run(output, case.options.argument + few + ["--resume"],
+             ranks=None if is_solver(case) else 1)
+    stage = os.path.dirname(os.path.dirname(os.path.dirname(newest)))
+    begin = read_summary(stage)["resumed_from_step"]
+    require(begin == step, f"it went on from step {begin}, not from {step}")
 
 
 def folder_read_only(case, _check_bound, _read_summary):

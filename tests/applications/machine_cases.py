@@ -102,22 +102,33 @@ def quota(case):
 
 
 def disk_anew(case):
-    """A disk with half the room that an application without steps needs: exit
-    code 3, one line, nothing that counts as finished; with room the same
-    command makes the --compare files."""
-    straight, output = case.straight(), case.folder("full")
-    size = sum(full_disk.sizes(straight)) // 2
-    with full_disk.small_disk(output, size) as (folder, limits, grow):
-        _, _, err = case.run(folder, codes=(3,), preexec_fn=limits)
-        told_once(err, "No space left on device"
-                  if full_disk.NAMESPACE in os.environ else "File too large")
-        unfinished(folder)
-        grow()
-        case.run(folder, preexec_fn=limits)
-        require(read_summary(folder)["status"] == "finished",
-                "it did not finish")
-        compare_bytes(straight, os.path.abspath(folder),
-                      expand(straight, case.options.compare))
+    """On 1 and on each of --ranks, files that may not grow as large as an
+    application without steps makes them, then a disk with half the room that it
+    needs: exit code 3, one line, nothing that counts as finished; with room the
+    same command makes the --compare files."""
+    straight = case.straight()
+    sizes = full_disk.sizes(straight)
+    on_a_disk = full_disk.NAMESPACE in os.environ
+    for ranks in (1, *case.options.ranks):
+        output = case.folder(f"full_on_{ranks}")
+        with full_disk.small_disk(output, sum(sizes) // 2) as (folder, limits,
+                                                               grow):
+            for limited, reason in (
+                    (lambda: full_disk.limit_files(max(sizes) // 2,
+                                                   ignore=False),
+                     "File too large"),
+                    (limits, "No space left on device" if on_a_disk
+                     else "File too large")):
+                _, _, err = case.run(folder, ranks=ranks, codes=(3,),
+                                     preexec_fn=limited)
+                told_once(err, reason, ranks=ranks)
+                unfinished(folder)
+            grow()
+            case.run(folder, ranks=ranks, preexec_fn=limits)
+            require(read_summary(folder)["status"] == "finished",
+                    "it did not finish")
+            compare_bytes(straight, os.path.abspath(folder),
+                          expand(straight, case.options.compare))
 
 
 def change_run(output, change):

@@ -8,8 +8,11 @@ import re
 import signal
 import time
 
+import numpy
+
 import full_disk
 import resume_cases
+import samples
 
 STAGES = ("anatomy", "blast", "biomechanics")
 
@@ -112,28 +115,55 @@ def scene_run(case, check_bound, read_summary):
             == loads, "the loads of a blast that was reused are new")
 
 
-def compare_injuries(case, found, expected, where):
-    """Two injury tables agree to 1e-6, or to --tolerance "injuries=...", each
-    row to a part of itself."""
-    tolerance = float(next((text.split("=")[1] for text in
-                            case.options.tolerance
-                            if text.startswith("injuries=")), 1e-6))
-    require(found.keys() == expected.keys(),
-            "injury tables have different rows")
-    parts = {name: abs(found[name] - value) / max(abs(value), 1e-12)
-             for name, value in expected.items()}
-    worst = max(parts, key=parts.get)
-    print(f"{where}: {worst} differs by {parts[worst]:.3g}")
-    require(parts[worst] <= tolerance,
-            f"{worst} is {expected[worst]}, but {found[worst]} {where}")
+# Parts of each value.
+TOLERANCES = ["injuries:*=1e-6", "loads:*=1e-6", "peaks:*=1e-6"]
+
+
+def compare(kind, found, expected, where, own=()):
+    """Two tables of numbers by name agree; a test's own tolerances, see
+    samples.py, come after the others."""
+    tolerances = TOLERANCES + [text for text in own
+                               if text.startswith(kind + ":")]
+    worst, reasons = samples.compare(tolerances, kind, expected, found)
+    print(f"{kind} {where}: {worst:.3g} of the tolerance")
+    require(not reasons, f"{kind} {where}: " + "; ".join(reasons))
+
+
+def compare_injuries(found, expected, where, own=()):
+    found, expected = ({name: numpy.array([value])
+                        for name, value in table.items()}
+                       for table in (found, expected))
+    compare("injuries", found, expected, where, own)
+
+
+def loads(output):
+    """Peak and impulse of the load on each facet of the body."""
+    values = samples.read(os.path.join(output, "blast", "loads.h5"))
+    return {name: values[name] for name in ("peak", "impulse")}
+
+
+def peaks(output):
+    """The largest pressure at each probe, of the air and of the body."""
+    found = {}
+    for stage in STAGES[1:]:
+        path = os.path.join(output, stage, "probes.csv")
+        for name, values in samples.read(path).items():
+            if "pressure" in name:
+                found[f"{stage} {name}"] = values.max(keepdims=True)
+    require(found, "no probe has a pressure")
+    return found
 
 
 def scene_ranks(case, _check_bound, _read_summary):
-    """One rank and each of --ranks give the same injury table."""
-    expected = injury_table(case.straight(1))
+    """One rank and each of --ranks give the same injuries, the same loads on
+    the body and the same peaks at probes."""
+    expected, own = case.straight(1), case.options.tolerance
     for ranks in case.options.ranks:
-        compare_injuries(case, injury_table(case.straight(ranks)),
-                         expected, f"on {ranks} ranks")
+        output, where = case.straight(ranks), f"on {ranks} ranks"
+        compare_injuries(injury_table(output), injury_table(expected), where,
+                         own)
+        compare("loads", loads(output), loads(expected), where, own)
+        compare("peaks", peaks(output), peaks(expected), where, own)
 
 
 def newest_state(output, stage):
@@ -261,7 +291,7 @@ def scene_parallel_sigkill(case, _check_bound, _read_summary):
         went_on(output, straight, "blast", blast)
         case.run(output, resumed, ranks=ranks)
         went_on(output, straight, "biomechanics", body)
-        compare_injuries(case, injury_table(output), injury_table(straight),
+        compare_injuries(injury_table(output), injury_table(straight),
                          f"after kills on {ranks} ranks")
 
 
@@ -281,22 +311,41 @@ def scene_failure(case, _check_bound, _read_summary):
             "the finished blast was not kept")
 
 
+def no_room(case, folder, extra, ranks, limits, reason):
+    """The scene ends in the blast with exit code 3 and one line that gives the
+    reason; what is finished stays."""
+    _, _, err = case.run(folder, extra, ranks=ranks, codes=(3,),
+                         preexec_fn=limits)
+    print(err)
+    lines = [line for line in err.splitlines() if line.strip()
+             and (ranks == 1 or line.startswith("error: "))]
+    require(len(lines) == 1 and "stage blast" in lines[0]
+            and reason in lines[0], f"stderr on {ranks} ranks is {err}")
+    require(read_json(folder, "anatomy.stage.json")["status"] == "finished",
+            "the finished anatomy is lost")
+    require(read_json(folder, "blast.stage.json")["status"] != "finished",
+            "the blast counts as finished")
+
+
 def scene_full_disk(case, _check_bound, _read_summary):
-    """A disk that fills: exit code 3 and one line; what is finished stays, and
+    """Files that may not grow as large as they must, on the last of --ranks, then
+    a disk that fills, on 1 and each of --ranks: exit code 3 and one line each;
     the scene goes on once there is room."""
     full_disk.enter_namespace()
-    output = case.folder("run")
-    with full_disk.small_disk(output, 8 << 20) as (folder, limits, grow):
-        _, _, err = case.run(folder, codes=(3,), preexec_fn=limits)
-        require(len(err.strip().splitlines()) == 1 and "stage blast" in err,
-                f"stderr is {err}")
-        require(read_json(folder, "anatomy.stage.json")["status"]
-                == "finished", "the finished anatomy is lost")
+    full = "No space left on device" if full_disk.NAMESPACE in os.environ \
+        else "File too large"
+    with full_disk.small_disk(case.folder("run"), 8 << 20) as (folder, limits,
+                                                               grow):
+        no_room(case, folder, [], case.options.ranks[-1],
+                lambda: full_disk.limit_files(1 << 20, ignore=False),
+                "File too large")
+        for ranks in (1, *case.options.ranks):
+            no_room(case, folder, ["--resume"], ranks, limits, full)
         grow()
         case.run(folder, ["--resume"])
-        require(statuses(folder) == {"anatomy": "reused", "blast": "finished",
-                                     "biomechanics": "finished"},
-                f"stages are {statuses(folder)}")
+        found = statuses(folder)
+        require(found == {**dict.fromkeys(found, "finished"),
+                          "anatomy": "reused"}, f"stages are {found}")
 
 
 KINDS = {"scene_run": scene_run,

@@ -366,9 +366,12 @@ class SceneTest(SelfTest):
         self.rejects("height and mass of the charge", *options, flaw="low")
 
     def test_ranks(self):
-        options = ("scene_ranks", "--ranks=2")
+        options = ("scene_ranks", "--ranks=2", "--set=Pause=0")
         self.accepts(*options)
-        self.rejects("on 2 ranks", *options, flaw="ranks")
+        for flaw in ("injuries", "loads", "peaks"):
+            self.rejects(flaw + " on 2 ranks", *options, flaw=flaw)
+        self.accepts(*options, "--tolerance=injuries:str*=2e-5",
+                     flaw="injuries")
 
     def test_sigkill(self):
         self.accepts("scene_sigkill")
@@ -393,10 +396,11 @@ class SceneTest(SelfTest):
         self.rejects("blast was not kept", "scene_failure", flaw="lossy")
 
     def test_full_disk(self):
-        self.accepts("scene_full_disk", "--set=Large=true")
-        self.rejects("stage.json", "scene_full_disk", "--set=Large=true",
-                     flaw="destructive")
-        self.rejects("exit code 0", "scene_full_disk")
+        options = ("scene_full_disk", "--set=Large=true", "--set=Pause=0")
+        self.accepts(*options)
+        self.rejects("stage.json", *options, flaw="destructive")
+        self.rejects("stderr on 1 ranks", *options, flaw="wordy")
+        self.rejects("exit code 0", *options, "--set=Large=")
 
 
 class FolderTest(SelfTest):
@@ -431,6 +435,7 @@ class FolderTest(SelfTest):
                    "--argument=--set", "--argument=Steps=1000")
         self.accepts(*options)
         self.rejects("gave 0", *options, flaw="content")
+        self.rejects("went on from step 0", *options, flaw="repeats")
 
     def test_read_only(self):
         options = ("folder_read_only", "--argument=--set",

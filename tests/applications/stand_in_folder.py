@@ -124,6 +124,7 @@ def run():
     write("summary.json", json.dumps(
         {"status": "stopped" if is_stopped else "finished", "steps": step + 1,
          "resumed_from_step": first}))
+    write("checkpoint/1/run.json", json.dumps({"state": {"step": step + 1}}))
     write_manifest("stopped" if is_stopped else "finished")
     unlock()
     sys.exit(128 + asked[0] if asked and flaw != "content" else 0)
