@@ -14,6 +14,8 @@ VIEWS = [("front", (1, 1), (2, 1), (0, 1)), ("left", (0, -1), (2, 1), (1, 1)),
          ("back", (1, -1), (2, 1), (0, -1)),
          ("right", (0, 1), (2, 1), (1, -1))]
 GAP = 0.06  # between two views, over the height
+# Pixels in the width of the largest facet, at most: more show its edge alone.
+FINEST = 40.
 
 
 def read_parameters(path):
@@ -67,8 +69,9 @@ class BodyViews:
             facets = np.concatenate([facets, facets])
         self.low = centroids.min(axis=0)
         self.high = centroids.max(axis=0)
-        self.pixel = (self.high - self.low)[2] / pixels
         spacing = _spacings(centroids, areas[facets])
+        self.pixel = max((self.high - self.low)[2] / pixels,
+                         spacing.max() / FINEST)
         self.sides = [
             _Side(view, self.low, self.high, self.pixel, centroids, normals,
                   spacing, facets) for view in VIEWS]
