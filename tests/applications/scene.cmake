@@ -28,22 +28,23 @@ contrecoup_add_application_test(runs scene_ranks,regression,scene_sigkill
   TOLERANCE 1e-8 "*.vtu:*=2e-7" "energy_residual=1e-12 absolute"
     "biomechanics/history.csv:momentum_y=1e-12 absolute"
     "probe_*_stress_xy=1e-4 absolute" "probe_*_stress_yz=1e-4 absolute")
-# In single precision, the default. Loads differ between ranks by round-off, 8e-8,
-# and so do stresses. Three measures need bounds of their own: an element of 1250
-# in the brain more or less passes the limit of cavitation, which dose and
-# percentiles feel as well; and the head turns so little (1 is the scale of that
-# measure) that round-off of the loads, 6e-9 of the scale, is what can be seen.
-# Elements of 6 mm are too large for the energy audit, which is not asked here.
+# In single precision, the default. Loads differ between ranks by round-off, 1.3e-7.
+# Pressures in water do by that of its bulk modulus, some ten pascals, and what
+# follows from them by 5e-6. Three measures need bounds of their own: an element of
+# 1250 in the brain more or less passes the limit of cavitation, which its dose feels
+# as well; and the head turns so little (1 is the scale of that measure) that
+# round-off of the loads, 1e-8 of the scale, is what can be seen. Elements of 6 mm
+# are too large for the energy audit, which is not asked here.
 contrecoup_add_application_test(single_runs scene_ranks,scene_parallel_sigkill
-  FILE ${_head} RANKS 2 3 7 CORES 3 SET ${_brief} "Scene/Accuracy=fast"
-    "Scene/Element size=0.006" "Scene/End time=0.001" "Blast/Output/Fields=false"
+  FILE ${_head} RANKS 2 3 7 CORES 3 SET ${_brief} "Scene/Element size=0.006"
+    "Scene/End time=0.001" "Blast/Output/Fields=false"
     "Biomechanics/Output/Fields=false" "Blast/Output/Checkpoint every steps=10"
     "Biomechanics/Output/Checkpoint every steps=50"
     "Biomechanics/Energy audit/Largest hourglass part=0.3"
-  TOLERANCE "injuries:injury_strain_95=1e-5"
+  TOLERANCE "injuries:*=1e-5"
     "injuries:injury_cavitating_fraction=4e-4 absolute"
     "injuries:injury_cavitation_dose=1e-8 absolute"
-    "injuries:injury_bric=2e-8 absolute" "loads:*=2e-7" "peaks:*=5e-5"
+    "injuries:injury_bric=2e-8 absolute" "loads:*=3e-7" "peaks:*=1e-4"
   LABELS ranks)
 contrecoup_add_application_test(failing_stage scene_failure FILE ${_head}
   SET ${_brief} "Blast/Output/Fields=false" "Biomechanics/Output/Fields=false"
