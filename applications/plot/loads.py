@@ -26,6 +26,22 @@ class Loads:
         self.normals = self.file["normal"][:]
         self.areas = self.file["area"][:]
         self.times = self.file["time"][:]
+        self._check()
+
+    def _check(self):
+        """Raises ValueError where data sets are missing or do not fit."""
+        facets, times = len(self.areas), len(self.times)
+        directions = self.centroids.shape[-1]
+        wanted = {"centroid": (facets, directions),
+                  "normal": (facets, directions), "area": (facets,),
+                  "time": (times,), "overpressure": (facets, times),
+                  "peak": (facets,), "arrival": (facets,),
+                  "impulse": (facets,)}
+        for name, shape in wanted.items():
+            data = self.file.get(name)
+            if data is None or data.shape != shape or data.dtype.kind != "f":
+                raise ValueError(f'the data set "{name}" is missing or not '
+                                 f"of {' x '.join(map(str, shape))} numbers")
 
     def __contains__(self, name):
         return name in self.file

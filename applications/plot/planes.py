@@ -3,7 +3,6 @@
 """Plane cuts through fields, NAME.npy with NAME.json, and their pictures."""
 
 import glob
-import json
 import os
 import re
 
@@ -12,6 +11,7 @@ import numpy as np
 from matplotlib.colors import PowerNorm
 from matplotlib.ticker import MaxNLocator
 
+import json_shape
 import look
 
 MOST_PANELS = 6
@@ -21,6 +21,10 @@ class Plane:
     """One quantity on a regular grid: values[second axis, first axis]."""
 
     def __init__(self, description, path):
+        json_shape.check(description, json_shape.PLANE)
+        for name in json_shape.PLANE:
+            if description.get(name) is None:
+                raise ValueError(f'"{name}" is missing')
         self.quantity = description["quantity"]
         self.unit = description["unit"]
         self.time = description["time"]
@@ -28,6 +32,9 @@ class Plane:
         self.lower = description["lower"]
         self.upper = description["upper"]
         self.values = np.load(path)
+        if self.values.ndim != 2 or self.values.dtype.kind != "f" \
+                or not np.isfinite(self.values).any():
+            raise ValueError("no grid of numbers")
 
     def extent(self):
         """Left, right, bottom, top for imshow, whose pixels are centred on
@@ -56,8 +63,11 @@ def open_planes(folder):
         array = path[:-len(".json")] + ".npy"
         if not os.path.exists(array):
             continue
-        with open(path, encoding="utf-8") as file:
-            plane = Plane(json.load(file), array)
+        try:
+            with open(path, encoding="utf-8") as file:
+                plane = Plane(json_shape.parse(file.read()), array)
+        except (ValueError, EOFError) as problem:
+            raise ValueError(f"{array} with .json: {problem}") from problem
         stem = re.sub(r"_\d{4,}$", "", os.path.basename(array)[:-4])
         found.setdefault(stem, []).append(plane)
     for planes in found.values():

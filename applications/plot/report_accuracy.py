@@ -306,7 +306,7 @@ def _cost_row(name, told, stage):
                          for file in files))
     sizes = [f"{page.count(summary[key])} {word}" for key, word in
              (("cells", "cells"), ("unknowns", "unknowns"),
-              ("steps", "steps")) if key in summary]
+              ("steps", "steps")) if summary.get(key) is not None]
     return (name, str(told.get("status") or summary.get("status") or "–"),
             _duration(value("wall_seconds", "wall_seconds")),
             _duration(value("core_seconds", "core_seconds")),

@@ -3,7 +3,6 @@
 """What happens inside of the body: stress waves, histories in the tissue, the
 audit of the energy, the mesh."""
 
-import csv
 import os
 
 import numpy as np
@@ -331,7 +330,7 @@ def mesh(scene):
         return [page.missing("anatomy/quality.csv")]
     with report_data.reading(path), open(path, newline="",
                                          encoding="utf-8") as file:
-        kinds = [row for row in csv.DictReader(file)]
+        kinds = list(report_data.rows_of(file))
         kinds = [row for row in kinds if row["kind"] == "tissue"] or kinds
         rows = [(row["name"], page.count(int(row["elements"])),
                  page.number(1e3 * float(row["volume [m^3]"])),

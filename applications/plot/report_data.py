@@ -5,7 +5,6 @@ is there and cannot be read is a BrokenInput."""
 
 import contextlib
 import csv
-import json
 import os
 import re
 import zlib
@@ -13,6 +12,7 @@ import zlib
 import numpy as np
 
 import body_views
+import json_shape
 import loads
 import planes
 import plot_solid
@@ -20,6 +20,9 @@ import tables
 import vtk_file
 
 STAGES = ("anatomy", "blast", "biomechanics")
+# What blast finds of the loads on a place.
+HARM = ("peak", "positive phase", "chest wall velocity", "lung exposure",
+        "eardrum rupture")
 
 
 class BrokenInput(Exception):
@@ -32,20 +35,31 @@ def reading(path):
     try:
         yield
     except (OSError, ValueError, KeyError, IndexError, TypeError, zlib.error,
-            StopIteration, AttributeError) as problem:
+            StopIteration, AttributeError, EOFError) as problem:
         words = " ".join(str(problem).split()) or type(problem).__name__
         raise BrokenInput(f"{path}: cannot be read: {words}") from problem
 
 
-def read_json(path):
-    """An object, {} without a file."""
+def read_json(path, shape):
+    """An object of this shape, see json_shape; {} without a file."""
     if not os.path.exists(path):
         return {}
     with reading(path), open(path, encoding="utf-8") as file:
-        content = json.load(file)
-        if not isinstance(content, dict):
-            raise ValueError("not an object in braces")
+        content = json_shape.parse(file.read())
+        json_shape.check(content, shape)
     return content
+
+
+def rows_of(file):
+    """The rows of a CSV file with a header, by its names."""
+    reader = csv.DictReader(file)
+    if not reader.fieldnames:
+        raise ValueError("it is empty")
+    for row in reader:
+        if None in row or None in row.values():
+            raise ValueError(f"line {reader.line_num} is not as long as the "
+                             "header")
+        yield row
 
 
 def as_number(value):
@@ -63,13 +77,29 @@ class Measure:
         self.threshold, self.limits = threshold, limits
 
 
+class StageTable(tables.Table):
+    """A table all of whose numbers are finite."""
+
+    def __init__(self, path):
+        super().__init__(path)
+        self.path = path
+        if not np.isfinite(self.values).all():
+            raise ValueError("it has values that are no numbers")
+
+    def __getitem__(self, name):
+        if name not in self:
+            raise BrokenInput(f'{self.path}: there is no column "{name}"')
+        return super().__getitem__(name)
+
+
 class Stage:
     """The folder of one stage."""
 
     def __init__(self, folder):
         self.folder = folder
         self.exists = os.path.isdir(folder)
-        self.summary = read_json(self.path("summary.json"))
+        self.summary = read_json(self.path("summary.json"),
+                                 json_shape.SUMMARY)
         self.parameters = {}
         if os.path.exists(self.path("parameters.prm")):
             with reading(self.path("parameters.prm")):
@@ -84,7 +114,7 @@ class Stage:
         if not os.path.exists(self.path(name)):
             return None
         with reading(self.path(name)):
-            table = tables.Table(self.path(name))
+            table = StageTable(self.path(name))
             return table if len(table.values) else None
 
     def found(self, group, name):
@@ -111,7 +141,8 @@ class Scene:
 
     def __init__(self, folder):
         self.folder = folder
-        self.facts = read_json(os.path.join(folder, "scene.json"))
+        self.facts = read_json(os.path.join(folder, "scene.json"),
+                               json_shape.SCENE)
         self.anatomy, self.blast, self.biomechanics = (
             Stage(os.path.join(folder, self._folder_of(name)))
             for name in STAGES)
@@ -234,10 +265,15 @@ class Scene:
         if not os.path.exists(path):
             return {}
         with reading(path), open(path, newline="", encoding="utf-8") as file:
-            return {row.pop("place"): {
+            found = {row.pop("place"): {
                 name.split(" [")[0]: float(value)
                 for name, value in row.items()}
-                for row in csv.DictReader(file)}
+                for row in rows_of(file)}
+            for harm in found.values():
+                for name in HARM:
+                    if not np.isfinite(harm[name]):
+                        raise ValueError(f"{name}: no number")
+        return found
 
     def measures(self):
         """Measures of injury by name."""
@@ -246,7 +282,7 @@ class Scene:
         if os.path.exists(path):
             with reading(path), open(path, newline="",
                                      encoding="utf-8") as file:
-                for row in csv.DictReader(file):
+                for row in rows_of(file):
                     measures[row["measure"]] = Measure(
                         row["measure"], float(row["value"]), row["unit"],
                         row["threshold"], row["limits"])
