@@ -5,40 +5,82 @@
 #include <contrecoup/base/progress.h>
 #include <contrecoup/base/text.h>
 
+#include <cmath>
+#include <utility>
+
 namespace contrecoup
 {
-Progress::Progress(const double start_time, const double end_time)
-  : begin_(Clock::now())
-  , last_(begin_)
-  , start_time_(start_time)
+namespace
+{
+  using Clock = std::chrono::steady_clock;
+
+  /// Between two lines of a log, and of a terminal [s].
+  constexpr double log_interval = 10., terminal_interval = 0.2;
+
+  /// After a line of a log, the solver is asked for the next one [s].
+  constexpr double log_forecast = 9.;
+  /// Between two forecasts, at least [s].
+  constexpr double forecast_interval = 2.;
+
+  double seconds(const Clock::duration duration)
+  {
+    return std::chrono::duration<double>(duration).count();
+  }
+} // namespace
+
+Progress::Progress(const double end_time)
+  : last_step_(Clock::now())
+  , last_line_(last_step_)
+  , last_forecast_(last_step_)
   , end_time_(end_time)
 {}
+
+bool Progress::wants_forecast() const
+{
+  const auto now = Clock::now();
+  return seconds(now - last_forecast_) >= forecast_interval &&
+         (Log::instance().on_terminal() ||
+          seconds(now - last_line_) >= log_forecast);
+}
+
+void Progress::expect(WorkForecast forecast)
+{
+  remaining_.expect(std::move(forecast));
+  last_forecast_ = Clock::now();
+}
+
+void Progress::restart()
+{
+  remaining_.restart();
+  last_forecast_ = Clock::time_point();
+  last_step_ = Clock::now();
+}
 
 void Progress::step(const std::uint64_t number,
                     const double time,
                     const double step_size,
                     const double updates)
 {
+  const auto now = Clock::now();
+  remaining_.add(step_size, updates, seconds(now - last_step_));
+  last_step_ = now;
   recent_updates_ += updates;
   const bool terminal = Log::instance().on_terminal();
-  const auto now = Clock::now();
-  const double waited = std::chrono::duration<double>(now - last_).count();
-  if (waited < (terminal ? 0.2 : 10.))
+  const double waited = seconds(now - last_line_);
+  if (waited < (terminal ? terminal_interval : log_interval))
     return;
 
-  const double wall = std::chrono::duration<double>(now - begin_).count();
-  const double done = time - start_time_;
-  const double left = done > 0. ? wall * (end_time_ - time) / done : 1e300;
-  const std::string text = "step " + std::to_string(number) + "  time " +
-                           brief(time, 5) + " s  step size " +
-                           brief(step_size, 3) + " s  " +
-                           brief(recent_updates_ / waited / 1e6, 3) +
-                           " million updates/s  " + duration(left) + " left";
+  const double left = remaining_.left(time, end_time_);
+  const std::string text =
+    "step " + std::to_string(number) + "  time " + brief(time, 5) +
+    " s  step size " + brief(step_size, 3) + " s  " +
+    brief(recent_updates_ / waited / 1e6, 3) + " million updates/s  " +
+    (std::isnan(left) ? "time left not known yet" : duration(left) + " left");
   if (terminal)
     Log::instance().status(text);
   else
     log_line(text);
-  last_ = now;
+  last_line_ = now;
   recent_updates_ = 0.;
 }
 } // namespace contrecoup

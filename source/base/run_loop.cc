@@ -21,6 +21,7 @@ namespace
   // Bits that the ranks agree on after each step.
   constexpr unsigned int stop_bit = 1;
   constexpr unsigned int checkpoint_bit = 2;
+  constexpr unsigned int forecast_bit = 32;
   // Of several signals the first of these counts.
   constexpr std::array<std::pair<int, unsigned int>, 3> signal_bits = {
     {{SIGINT, 4}, {SIGTERM, 8}, {SIGUSR1, 16}}};
@@ -69,7 +70,7 @@ RunStatus RunLoop::loop(RunState &state)
   begin_ = Clock::now();
   last_checkpoint_ = begin_;
   const auto &parameters = control_.parameters();
-  progress_ = std::make_unique<Progress>(state.time, parameters.end_time);
+  progress_ = std::make_unique<Progress>(parameters.end_time);
   if (state.step == 0)
     collective_.run([&]() { write_all(state); });
 
@@ -77,6 +78,10 @@ RunStatus RunLoop::loop(RunState &state)
   {
     const unsigned int flags = collective_.run_with_flags(
       [&]() { return step(state); }, ExitCode::numerics_failed);
+    if ((flags & forecast_bit) != 0)
+      collective_.run([&]() {
+        progress_->expect(simulation_.expected_work(parameters.end_time));
+      });
     const bool enough =
       parameters.steps_in_this_run > 0 &&
       state.step - first_step_ >= parameters.steps_in_this_run;
@@ -116,6 +121,8 @@ unsigned int RunLoop::step(RunState &state)
   for (const auto &[signal, bit] : signal_bits)
     if (SignalGuard::stop_signal() == signal)
       flags |= stop_bit | bit;
+  if (progress_->wants_forecast())
+    flags |= forecast_bit;
   if (passed(begin_, parameters.minutes_in_this_run))
     flags |= stop_bit;
   if ((parameters.checkpoint_every_steps > 0 &&
@@ -143,7 +150,10 @@ void RunLoop::advance(RunState &state)
   state.updates += report.updates;
   {
     const TimerScope timer("adaptation");
+    const unsigned int dimension = simulation_.dimension();
     simulation_.adapt();
+    if (simulation_.dimension() != dimension)
+      progress_->restart();
   }
   progress_->step(state.step, state.time, state.step_size, report.updates);
 }

@@ -9,6 +9,7 @@
 #include <contrecoup/coupling/staged_simulation.h>
 #include <contrecoup/io/checked_file.h>
 
+#include <limits>
 #include <sstream>
 
 namespace contrecoup::coupling
@@ -233,6 +234,16 @@ bool StagedSimulation<dim>::adapt()
     return changed;
   hand_over();
   return true;
+}
+
+
+template <int dim>
+WorkForecast StagedSimulation<dim>::expected_work(const double end_time)
+{
+  // The mesh of the second stage, which takes nearly all, is not known yet.
+  if (first_)
+    return {{end_time, std::numeric_limits<double>::quiet_NaN()}};
+  return scene_.expected_work(end_time);
 }
 
 

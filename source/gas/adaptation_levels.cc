@@ -70,6 +70,41 @@ std::vector<double> Adaptation<dim>::front_shares(const double time) const
 
 
 template <int dim>
+unsigned int Adaptation<dim>::most_level(const unsigned int leaf,
+                                         const double time) const
+{
+  return narrowed(leaf, {parameters_.least_level, parameters_.most_level}, time)
+    .most;
+}
+
+
+template <int dim>
+unsigned int
+Adaptation<dim>::least_level_near_body(const unsigned int leaf) const
+{
+  if (body_ == nullptr)
+    return 0;
+  const int finest = body_level(leaf);
+  CellIterator cell = mesh_.cell(leaf);
+  for (; cell->level() > 0; cell = cell->parent())
+  {
+    const auto &parent = cell->parent();
+    const int coarser = finest - parent->level();
+    const double layers =
+      body_->layers_to(parent->vertex(0),
+                       parent->vertex((1U << dim) - 1),
+                       parent->level() - int(initial_level_));
+    // Leaves get twice as large at most from one layer to the next: between
+    // those at the body and the parent each larger size has one layer.
+    if (layers <= RigidBody::at_body ||
+        layers < (std::ldexp(1., coarser) - 2.) / std::sqrt(dim))
+      break;
+  }
+  return cell->level();
+}
+
+
+template <int dim>
 unsigned int Adaptation<dim>::body_level(const unsigned int leaf) const
 {
   const auto &cell = mesh_.cell(leaf);

@@ -229,11 +229,14 @@ StepReport GasSimulation<dim>::advance(const double largest_step)
 {
   const auto rates = stepper_->largest_rates();
   const double stable = stepper_->stable_step(rates);
+  const double n_before = stepper_->quiet_leaves().n_possible();
   const auto result =
     stepper_->advance(field_, time_, std::min(stable, largest_step));
   if (result.failed)
     give_up(result);
   time_ += result.step;
+  count_work(stepper_->quiet_leaves().n_possible() - n_before,
+             result.step / stable);
   n_careful_steps_ += result.careful ? 1. : 0.;
   ++n_steps_;
   adaptation_pace_.add_step(rates.fronts / rates.all);

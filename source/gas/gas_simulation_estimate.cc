@@ -3,6 +3,7 @@
 
 #include <contrecoup/gas/gas_measures.h>
 #include <contrecoup/gas/gas_simulation.h>
+#include <contrecoup/gas/work_forecast.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -137,7 +138,50 @@ CostEstimate GasSimulation<dim>::estimate()
 }
 
 
-template CostEstimate GasSimulation<1>::estimate();
-template CostEstimate GasSimulation<2>::estimate();
-template CostEstimate GasSimulation<3>::estimate();
+template <int dim>
+void GasSimulation<dim>::count_work(const double n_made, const double part)
+{
+  constexpr double memory = 0.99;
+  const double n_stages = scheme_.time_stepping.stages.size();
+  n_made_ = memory * n_made_ + n_made;
+  n_needed_ = memory * n_needed_ + part * n_stages * mesh_.n_owned();
+}
+
+
+template <int dim>
+WorkForecast GasSimulation<dim>::expected_work(const double end_time)
+{
+  const GasState<dim> rest = ambient();
+  const WorkForecaster<dim> forecaster(
+    mesh_,
+    *stepper_,
+    *adaptation_,
+    modelling_plan_.centre,
+    [this](const double time) { return modelling_plan_.expected_front(time); },
+    signal_speed(rest, material_));
+  const double made =
+    dealii::Utilities::MPI::sum(n_made_, mesh_.communicator());
+  const double needed =
+    dealii::Utilities::MPI::sum(n_needed_, mesh_.communicator());
+  // A leaf's unknowns in all Runge-Kutta stages of a step of stable size.
+  const double updates = (needed > 0. ? made / needed : 1.) * layout_.n_points *
+                         layout_.n_components *
+                         scheme_.time_stepping.stages.size() /
+                         (scheme_.cfl * scheme_.stability_limit());
+  WorkForecast result = forecaster.forecast(time_, end_time);
+  for (auto &[until, work] : result)
+    work *= updates;
+  return result;
+}
+
+
+#define CONTRECOUP_INSTANTIATE(dim)                             \
+  template CostEstimate GasSimulation<dim>::estimate();         \
+  template void GasSimulation<dim>::count_work(double, double); \
+  template WorkForecast GasSimulation<dim>::expected_work(const double)
+
+CONTRECOUP_INSTANTIATE(1);
+CONTRECOUP_INSTANTIATE(2);
+CONTRECOUP_INSTANTIATE(3);
+#undef CONTRECOUP_INSTANTIATE
 } // namespace contrecoup::gas

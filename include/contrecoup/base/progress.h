@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <contrecoup/base/remaining_time.h>
+
 #include <chrono>
 #include <cstdint>
 
@@ -16,21 +18,30 @@ namespace contrecoup
 class Progress
 {
 public:
-  /// @param start_time simulated time now [s]
   /// @param end_time simulated time at the end [s]
-  Progress(double start_time, double end_time);
+  explicit Progress(double end_time);
 
   /// Call after each step; draws only when it is time to.
   /// @param updates unknowns updated in this step, all ranks [-]
   void
   step(std::uint64_t number, double time, double step_size, double updates);
 
+  /// Whether the solver should be asked anew for the work that is left.
+  bool wants_forecast() const;
+
+  /// Takes what the solver foresees, see RemainingTime.
+  void expect(WorkForecast forecast);
+
+  /// Says that another solver is at work from now on.
+  void restart();
+
 private:
   using Clock = std::chrono::steady_clock;
 
-  Clock::time_point begin_;
-  Clock::time_point last_;
-  double start_time_;
+  RemainingTime remaining_;
+  Clock::time_point last_step_;
+  Clock::time_point last_line_;
+  Clock::time_point last_forecast_;
   double end_time_;
   double recent_updates_ = 0.;
 };

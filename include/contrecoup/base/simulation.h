@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <contrecoup/base/remaining_time.h>
+
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -133,6 +135,14 @@ public:
   /// The same with the numbers that the run found, in the same order; only
   /// for what it could measure.
   virtual std::vector<Assumption> audit()
+  {
+    return {};
+  }
+
+  /// The work that is left until @p end_time [s], as the state of the run and
+  /// its parameters let expect it, NaN where they do not; empty: as much in a
+  /// second of simulated time as lately.
+  virtual WorkForecast expected_work(const double /*end_time*/)
   {
     return {};
   }

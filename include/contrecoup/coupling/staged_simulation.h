@@ -46,6 +46,7 @@ public:
   std::vector<NamedValue> assumptions() override;
   std::vector<Assumption> plan() override;
   std::vector<Assumption> audit() override;
+  WorkForecast expected_work(const double end_time) override;
   unsigned int dimension() const override
   {
     return active().dimension();

@@ -126,6 +126,20 @@ public:
   /// front in it has so much less of the buffer behind it [-].
   std::vector<double> front_shares(const double time) const;
 
+  /// When it adapted last [s].
+  double time() const
+  {
+    return time_;
+  }
+
+  /// The finest level that fine box and limits of size let an owned leaf have
+  /// at time @p time [s].
+  unsigned int most_level(const unsigned int leaf, const double time) const;
+
+  /// The coarsest level that an owned leaf can have beside the leaves at the
+  /// body.
+  unsigned int least_level_near_body(const unsigned int leaf) const;
+
   /// Sensor of each owned leaf, from 0 (smooth) to 1 (a jump). The field's
   /// ghosts must be up to date.
   std::vector<double> sensors(const GasField &field) const;

@@ -65,6 +65,7 @@ public:
   std::vector<NamedValue> assumptions() override;
   std::vector<Assumption> plan() override;
   std::vector<Assumption> audit() override;
+  WorkForecast expected_work(const double end_time) override;
   unsigned int dimension() const override
   {
     return dim;
@@ -164,6 +165,8 @@ private:
   /// Tells the stepper where leaves are smaller than fronts may have.
   void update_front_shares();
   void update_burn();
+  /// Notes that a step computed @p n_made leaves for @p part of a stable step.
+  void count_work(const double n_made, const double part);
   void parse_profile_file(dealii::ParameterHandler &prm);
   std::vector<std::string> mapping_report(const ProfileMapping &mapping) const;
   /// Takes over the afterburn of the profile.
@@ -222,5 +225,8 @@ private:
   double n_careful_steps_ = 0.; ///< in this run, see Stage::careful
   /// Leaves computed by all stages of this run on all ranks.
   double n_computed_ = 0.;
+  /// Leaves of this rank that the last hundred steps or so computed, and those
+  /// that as much simulated time takes without retries; quiet ones count.
+  double n_made_ = 0., n_needed_ = 0.;
 };
 } // namespace contrecoup::gas
