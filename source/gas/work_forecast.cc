@@ -36,6 +36,7 @@ WorkForecaster<dim>::WorkForecaster(const LeafMesh<dim> &mesh,
     const auto &cell = mesh.cell(i);
     Leaf &leaf = leaves_[i];
     leaf.reached_at = cell->center().distance(centre) - 0.5 * cell->diameter();
+    leaf.diameter = cell->diameter();
     leaf.rate = stepper.signal_rate(i);
     leaf.is_active = quiet.is_active(i / mesh.width());
     leaf.level = cell->level();
@@ -88,17 +89,24 @@ WorkForecast WorkForecaster<dim>::forecast(const double time,
     for (unsigned int i = 0; i < leaves_.size(); ++i)
     {
       const Leaf &leaf = leaves_[i];
-      const bool is_reached = leaf.is_active || leaf.reached_at < front;
-      const unsigned int more =
-        std::max(merges(i, then), leaf.merges_now) - leaf.merges_now;
-      const double size = std::ldexp(1., int(more));
-      if (is_reached)
-        counts[k] += std::pow(size, -dim);
-      rates[k] = std::max(rates[k],
-                          leaf.rate / size *
-                            (leaf.is_active ? factor / factor_now
-                             : is_reached   ? factor
-                                            : 1.));
+      if (leaf.is_active || !(leaf.reached_at < front))
+      {
+        const unsigned int more =
+          std::max(merges(i, then), leaf.merges_now) - leaf.merges_now;
+        const double size = std::ldexp(1., int(more));
+        counts[k] += leaf.is_active ? std::pow(size, -dim) : 0.;
+        rates[k] = std::max(rates[k],
+                            leaf.rate / size *
+                              (leaf.is_active ? factor / factor_now : 1.));
+        continue;
+      }
+      // The front halves leaves as far as it may, and those behind it stay.
+      const unsigned int most = adaptation_.most_level(i, then);
+      const double size =
+        std::ldexp(1., int(std::max(most, leaf.level) - leaf.level));
+      const bool is_at_front = front - leaf.reached_at < leaf.diameter;
+      counts[k] += is_at_front ? std::pow(size, dim - 1) : 1.;
+      rates[k] = std::max(rates[k], leaf.rate * factor * size);
     }
   }
   dealii::Utilities::MPI::sum(counts, communicator, counts);

@@ -101,6 +101,7 @@ def folder_finished(case, _check_bound, _read_summary):
     other = ["--set", case.options.argument[0]]
     refused(case, output, case.options.argument[0].split("=")[0], other)
     _, out, _ = case.run(output, other + ["--overwrite"])
+    require("removing" in out, f"it does not say what it removes: {out}")
     has_foreign(output)
     require(manifest(output)["status"] == "finished", "it did not finish")
     entry, value = case.options.argument[0].split("=")
@@ -120,6 +121,12 @@ def folder_foreign(case, _check_bound, _read_summary):
     put(home, "letter.txt")
     os.environ["HOME"] = os.path.abspath(home)
     refused(case, home, "home", ["--overwrite"])
+    if is_solver(case):
+        output = case.folder("parameter_files")
+        shipped = ("sod.prm", "quickstart.png")
+        put(output, *shipped)
+        case.run(output)
+        require(set(shipped) <= set(os.listdir(output)), "files are gone")
     output = case.folder("locked")
     put(output, "lock")
     refused(case, output, "lock")

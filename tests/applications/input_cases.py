@@ -18,6 +18,7 @@ import sys
 FOLDER = "input_cases"
 SCENE = "scene/quickstart.prm"
 SOD = "blast/verification/sod.prm"
+CONE = "blast/verification/cone.prm"
 BAR = "biomechanics/verification/bar_wave.prm"
 ANATOMY = "anatomy/quickstart.prm"
 REST = "blast/extremes/rest_100000_steps.prm"
@@ -147,6 +148,9 @@ def accepted():
                    entry("time/END TIME", "0.1"),
                    entry("output/checkpoint at the end", "Yes")),
            "to time 0.1 s")
+    yield ("C-4 without its hyphen", "blast",
+           shipped(CONE, entry("Material/Explosive", "C4")),
+           "The parameters are valid.")
     yield ("an entry twice", "blast",
            shipped(SOD, "subsection Time", "set End time = 1",
                    "set end time = 0.1", "end"),

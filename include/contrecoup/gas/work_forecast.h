@@ -16,9 +16,9 @@ namespace contrecoup::gas
 /**
  * The work that steps of a gas run will take, from its present octree and
  * state. Three things change it: the front of the blast wakes leaves that are
- * quiet now, limits of size merge leaves at times that are known, and signals
- * slow down with the front. Leaves that fronts halve where they get to, and
- * those that are merged behind fronts, are taken to be equally many.
+ * quiet now and halves them as far as limits of size allow, these limits merge
+ * leaves at times that are known, and signals slow down with the front. Other
+ * leaves that are halved or merged are taken to be equally many.
  */
 template <int dim>
 class WorkForecaster
@@ -43,6 +43,7 @@ private:
   struct Leaf
   {
     double reached_at = 0.; ///< distance of the front that reaches it [m]
+    double diameter = 0.;   ///< [m]
     double rate = 0.;       ///< of signals, see Stage::signal_rate [1/s]
     bool is_active = false; ///< whether steps compute it
     unsigned int level = 0;
