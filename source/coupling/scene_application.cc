@@ -6,7 +6,6 @@
 #include <contrecoup/coupling/scene_run.h>
 #include <contrecoup/io/command_line.h>
 
-#include <iostream>
 
 namespace contrecoup::coupling
 {
@@ -44,8 +43,10 @@ namespace
       ExitCode::bad_input);
     if (!told.empty())
     {
-      if (is_first_rank)
-        std::cout << told << std::endl;
+      collective.run([&]() {
+        if (is_first_rank)
+          io::print_requested(told);
+      });
       return;
     }
     SceneRun run(command, prm, collective);

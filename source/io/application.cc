@@ -70,8 +70,10 @@ namespace io
         ExitCode::bad_input);
       if (!told.empty())
       {
-        if (first_rank)
-          std::cout << told << std::endl;
+        collective.run([&]() {
+          if (first_rank)
+            print_requested(told);
+        });
         return;
       }
       collective.run([&]() { simulation = description.create(prm, all); },

@@ -10,6 +10,7 @@
 #include <contrecoup/io/command_line.h>
 
 #include <filesystem>
+#include <iostream>
 
 namespace contrecoup
 {
@@ -165,6 +166,14 @@ namespace io
     for (const std::string &line : assign(command, prm))
       text += "# " + line + "\n";
     return text + "\n" + parameter_text(prm, true);
+  }
+
+  void print_requested(const std::string &text)
+  {
+    std::cout << text << std::endl;
+    if (!std::cout)
+      throw SystemError(
+        "cannot write to the standard output: is the disk full?");
   }
 
   void read_parameters(const CommandLine &command,

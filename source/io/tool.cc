@@ -39,7 +39,7 @@ namespace io
                        description.declare_parameters);
       if (!told.empty())
       {
-        std::cout << told << std::endl;
+        print_requested(told);
         return;
       }
       dealii::ParameterHandler prm;

@@ -197,6 +197,17 @@ def judge_acceptance(end, text):
     return "" if text in end.stdout else f"'{text}' is not said: {end.stdout}"
 
 
+def judge_full_output(program):
+    """What is wrong with the answer of a program whose output has no room."""
+    with open("/dev/full", "w", encoding="utf-8") as full:
+        end = subprocess.run([program, "--print-parameters"], stdout=full,
+                             stderr=subprocess.PIPE, text=True, timeout=300)
+    said = end.stderr.splitlines()
+    return "" if end.returncode == 3 and len(said) == 1 and \
+        "the standard output" in said[0] else \
+        f"exit code {end.returncode}: {end.stderr}"
+
+
 def main(programs, repository):
     make_files()
     before = sorted(os.listdir(FOLDER)) + ["case.prm"]
@@ -225,6 +236,11 @@ def main(programs, repository):
         end = run(os.path.join(programs, "scene"), [name])
         judge(name, end, judge_refusal(
             end, f'cannot read the parameter file "{name}": {reason}'))
+    for application in ("blast", "anatomy", "biomechanics", "scene", "study"):
+        verdict = judge_full_output(os.path.join(programs, application))
+        count += 1
+        if verdict:
+            problems.append(f"{application} > /dev/full: {verdict}")
     print("\n".join(problems) or f"all {count} cases are as wanted")
     return 1 if problems else 0
 

@@ -81,6 +81,8 @@ def admit(before):
                 leave(f"{name} is foreign")
         return True
     if "--overwrite" in sys.argv or flaw == "forgetful":
+        if flaw != "silent":
+            print("removing what it wrote")
         return True
     changed = [name for name in entries
                if before["entries"].get(name) != entries[name]]

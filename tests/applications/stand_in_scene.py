@@ -16,6 +16,20 @@ ENTRIES = {"Flaw": "none", "Tissues/Set": "first", "Pause": "0.4", "Large": "",
            "Biomechanics/Energy audit/Largest hourglass part": "1"}
 
 
+# Of what it takes for granted, and the entries that decide otherwise.
+OWN_NAMES = {"symmetry": "Scene/Symmetry", "rigid_body": "Scene/Accuracy",
+             "viscosity": "Scene/End time", "gravity": "Scene/End time",
+             "first_stage": "Blast/First stage/Hand over at",
+             "quiet_leaves": "Blast/Method/Skip quiet leaves",
+             "strain": "Biomechanics/Elements/Kinematics"}
+
+
+def rows_of(names):
+    return [{"item": item,
+             "entry": "Time/End time" if flaw == "foreign" else entry}
+            for item, entry in names.items()]
+
+
 def path(*names):
     return os.path.join(output, *names)
 
@@ -148,6 +162,7 @@ def main():
                            "wall_seconds": time.time() - begin}
     write(json.dumps({"stages": list(statuses.values()), "charge_mass": 3.,
                       "charge_place": [1., 0., 2.],
+                      "plan": rows_of(OWN_NAMES), "audit": rows_of(OWN_NAMES),
                       "height": 1. if flaw == "low" else 2.}), "scene.json")
     if flaw != "silent":
         write("<html></html>", "report.html")

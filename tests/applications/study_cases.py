@@ -24,16 +24,20 @@ def outcome_files(output):
 
 
 def processes_in(folder):
-    """Command lines of processes that name a folder, besides this one's."""
+    """Command lines of processes below this working folder that name a folder,
+    besides this one's."""
     found = []
+    here = os.getcwd()
     for path in glob.glob("/proc/[0-9]*/cmdline"):
         try:
             with open(path, "rb") as file:
                 words = file.read().split(b"\0")
+            place = os.readlink(os.path.join(os.path.dirname(path), "cwd"))
         except OSError:
             continue
         if any(os.path.join(folder, "variants").encode() in word
-               for word in words) and str(os.getpid()) not in path:
+               for word in words) and place.startswith(here) and \
+                str(os.getpid()) not in path:
             found.append(b" ".join(words).decode())
     return found
 

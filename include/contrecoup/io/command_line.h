@@ -59,6 +59,10 @@ namespace io
     const std::string &parallel,
     const std::function<void(dealii::ParameterHandler &)> &declare_parameters);
 
+  /// Writes such a text to the standard output.
+  /// @throws SystemError when that cannot take all of it.
+  void print_requested(const std::string &text);
+
   /// What the user wrote in the parameter file and the overrides, with the
   /// names that @p prm declares. @throws InputError for what cannot be read
   std::vector<Assignment> assignments_of(const CommandLine &command,
