@@ -55,13 +55,21 @@ TEST(ChildProcess, IsEndedWithItsChildren)
 TEST(ChildProcess, DoesNotInheritAnMpiJob)
 {
   setenv("PMIX_RANK", "1", 1);
+  setenv("PMIX_NAMESPACE", "job", 1);
+  setenv("PMIX_MCA_gds", "hash", 1);
   setenv("OMPI_COMM_WORLD_RANK", "1", 1);
   setenv("OMPI_MCA_btl_vader_single_copy_mechanism", "none", 1);
   const contrecoup::io::TemporaryFolder folder;
   const std::string variables = run_process({"env"}, folder.path()).output;
-  EXPECT_EQ(variables.find("PMIX_"), std::string::npos);
+  // Of PMIx settings alone are kept.
+  for (auto at = variables.find("PMIX_"); at != std::string::npos;
+       at = variables.find("PMIX_", at + 1))
+    EXPECT_EQ(variables.substr(at, 9), "PMIX_MCA_") << variables.substr(at, 30);
+  EXPECT_NE(variables.find("PMIX_MCA_gds=hash"), std::string::npos);
   EXPECT_EQ(variables.find("OMPI_COMM"), std::string::npos);
   EXPECT_NE(variables.find("OMPI_MCA_btl_vader"), std::string::npos);
   unsetenv("PMIX_RANK");
+  unsetenv("PMIX_NAMESPACE");
+  unsetenv("PMIX_MCA_gds");
   unsetenv("OMPI_COMM_WORLD_RANK");
 }
