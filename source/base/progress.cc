@@ -31,7 +31,6 @@ namespace
 Progress::Progress(const double end_time)
   : last_step_(Clock::now())
   , last_line_(last_step_)
-  , last_forecast_(last_step_)
   , end_time_(end_time)
 {}
 

@@ -14,7 +14,8 @@ namespace
   /// Time over which the cost of a step fades [s]: some outputs of fields.
   constexpr double memory = 30.;
 
-  /// Before the first interval and after the last they go on as these.
+  /// Work from @p begin to @p end: the first interval also holds before it
+  /// begins, the last one after it ends.
   double work_between(const WorkForecast &forecast,
                       const double begin,
                       const double end)
@@ -43,7 +44,7 @@ void RemainingTime::add(const double step_size,
 
 void RemainingTime::restart()
 {
-  *this = RemainingTime();
+  time_ = updates_ = cost_ = 0.;
 }
 
 double RemainingTime::left(const double time, const double end) const

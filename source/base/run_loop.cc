@@ -135,6 +135,7 @@ unsigned int RunLoop::step(RunState &state)
 void RunLoop::advance(RunState &state)
 {
   const double bound = control_.bound(state);
+  const unsigned int dimension = simulation_.dimension();
   StepReport report;
   {
     const TimerScope timer("advance");
@@ -150,12 +151,11 @@ void RunLoop::advance(RunState &state)
   state.updates += report.updates;
   {
     const TimerScope timer("adaptation");
-    const unsigned int dimension = simulation_.dimension();
     simulation_.adapt();
-    if (simulation_.dimension() != dimension)
-      progress_->restart();
   }
   progress_->step(state.step, state.time, state.step_size, report.updates);
+  if (simulation_.dimension() != dimension)
+    progress_->restart();
 }
 
 void RunLoop::write_due(RunState &state)

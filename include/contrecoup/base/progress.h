@@ -41,7 +41,7 @@ private:
   RemainingTime remaining_;
   Clock::time_point last_step_;
   Clock::time_point last_line_;
-  Clock::time_point last_forecast_;
+  Clock::time_point last_forecast_; ///< at first long ago
   double end_time_;
   double recent_updates_ = 0.;
 };

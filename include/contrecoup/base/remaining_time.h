@@ -32,7 +32,8 @@ public:
     forecast_ = std::move(forecast);
   }
 
-  /// Forgets what steps have cost, because another solver is at work.
+  /// Forgets what steps have cost, because another solver is at work; the
+  /// forecast counts until the next one.
   void restart();
 
   /// Time that the run takes from @p time to @p end [s]; NaN if it is not
