@@ -77,15 +77,24 @@ contrecoup_add_application_test(full_disk disk_anew
 set(_head_loads FILE scene/verification/head.prm SET "Scene/Question=loads"
   "Scene/Accuracy=first look" "Scene/Forecast=false" "Scene/Report=false"
   "Anatomy/Output/Pictures=false" "Blast/Output/Fields=false")
-foreach(_ranks 1 3)
+set(_codes_on_1 130 138)
+set(_codes_on_2 130 143)
+set(_codes_on_3 138 143)
+foreach(_ranks 1 2 3)
   contrecoup_add_application_test(folder_read_only_on_${_ranks} folder_read_only
     ${_head_loads} "Scene/End time=0.0005" MPI ${_ranks} CORES 1
     ARGUMENTS --set "Blast/Output/Checkpoint every steps=10" TIMEOUT 300)
   contrecoup_add_application_test(folder_signals_on_${_ranks} folder_signals
-    ${_head_loads} MPI ${_ranks} CORES 1
+    ${_head_loads} MPI ${_ranks} CORES 1 EXIT ${_codes_on_${_ranks}}
     ARGUMENTS --set "Blast/Output/Checkpoint every steps=10"
     COMPARE blast/history.csv TIMEOUT 300)
 endforeach()
+contrecoup_add_application_test(folder_cache folder_cache ${_head_loads}
+  "Scene/End time=0.0005" "Scene/Report=true" COMPARE report.html TIMEOUT 300)
+contrecoup_add_application_test(folder_cache folder_cache
+  FILE study/quickstart.prm SET "Vary scheme/Values=finite volume | |"
+  "Vary scheme/Labels=finite volume" "Vary leaves/Values=10"
+  COMPARE study.md pictures/work_precision.svg TIMEOUT 300)
 contrecoup_add_application_test(folder_stages folder_stages
   ${_head_loads}
   TIMEOUT 600)

@@ -195,9 +195,11 @@ def folder_signals(case, check_bound, read_summary):
     comes after && does not begin; what is left is neither lost without a question
     nor taken for finished, and --resume goes on from the checkpoint. Under mpirun
     one of the ranks gets the signal, or mpirun SIGUSR1, which is the one that it
-    gives them time for. --argument makes a long run."""
+    gives them time for. --argument makes a long run; of several --exit codes, these
+    are tried, the last with --resume."""
     extra = case.options.argument
-    for asked in (signal.SIGINT, signal.SIGTERM, signal.SIGUSR1):
+    codes = case.options.exit or [130, 138, 143]
+    for asked in (signal.Signals(code - 128) for code in codes):
         output = case.folder(f"run_{int(asked)}")
         process = case.start(output, extra)
         wait_until(process, lambda: os.path.exists(
@@ -218,7 +220,7 @@ def folder_signals(case, check_bound, read_summary):
             continue
         require(manifest(output)["status"] == "stopped", "it did not stop")
         refused(case, output, "--resume goes on with it", extra)
-        if asked == signal.SIGTERM:
+        if 128 + asked == codes[-1]:
             goes_on(case, output, read_summary)
 
 
@@ -253,7 +255,6 @@ def folder_read_only(case, _check_bound, _read_summary):
     put(output, "a_file")
     refused(case, os.path.join(output, "a_file"), "output folder")
     refused(case, os.path.join(output, "a_file", "below"), "output folder")
-    full_disk.enter_namespace()
     if full_disk.NAMESPACE not in os.environ:
         # No mounts here: a folder without the right to write, unless root.
         require(os.geteuid() != 0, "neither mounts nor rights can be tried")
@@ -306,7 +307,9 @@ def read_only(folder):
 
 def folder_cache(case, _check_bound, _read_summary):
     """--check does without its cache where none can be kept: the place is a
-    file, a folder that takes no files, or one that is not there."""
+    file, a folder that takes no files, or one that is not there. With the last,
+    which is the home as well, whoever starts others and draws makes the --compare
+    files."""
     put(case.folder(""), "a_file")
     closed = case.folder("closed")
     os.makedirs(closed)
@@ -320,6 +323,15 @@ def folder_cache(case, _check_bound, _read_summary):
         require(not os.path.exists(case.folder("run")), "--check wrote results")
     os.chmod(closed, stat.S_IRWXU)
     require(not os.listdir(closed) or os.geteuid() == 0, "it was not closed")
+    if is_solver(case):
+        return
+    os.environ["HOME"] = os.environ["XDG_CONFIG_HOME"] = "/proc/nowhere"
+    output = case.folder("run")
+    _, _, err = case.run(output)
+    require(err == "", f"stderr is {err}")
+    for name in case.options.compare:
+        require(os.path.getsize(os.path.join(output, name)) > 0,
+                f"{name} is empty")
 
 
 def folder_ranks(case, _check_bound, read_summary):

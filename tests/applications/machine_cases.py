@@ -186,4 +186,5 @@ def other_build(case):
 KINDS = {kind.__name__: kind for kind in
          (disk, parallel_disk, quota, disk_anew, other_build)}
 # Those that need a disk of their own.
-ON_A_DISK = ("disk", "parallel_disk", "disk_anew", "study_storage")
+ON_A_DISK = ("disk", "parallel_disk", "disk_anew", "study_storage",
+             "folder_read_only")
