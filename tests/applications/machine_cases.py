@@ -187,4 +187,4 @@ KINDS = {kind.__name__: kind for kind in
          (disk, parallel_disk, quota, disk_anew, other_build)}
 # Those that need a disk of their own.
 ON_A_DISK = ("disk", "parallel_disk", "disk_anew", "study_storage",
-             "folder_read_only")
+             "study_quota", "folder_read_only")
