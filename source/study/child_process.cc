@@ -159,7 +159,9 @@ ChildProcess::ChildProcess(const std::vector<std::string> &command,
     return;
   if (id_ > 0)
     waitpid(id_, nullptr, 0);
+  // More often than the program it is its output that cannot be opened.
   throw SystemError("cannot start \"" + command.front() +
+                    "\" with its output in \"" + output_file +
                     "\": " + std::strerror(reason));
 }
 
