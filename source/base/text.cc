@@ -146,6 +146,11 @@ std::string exact(const double value)
 
 std::string brief(const double value, const int digits)
 {
+  // The C library says "-nan" of sqrt(-1).
+  if (std::isnan(value))
+    return "not a number";
+  if (std::isinf(value))
+    return value > 0. ? "infinite" : "negative and infinite";
   char buffer[64];
   std::snprintf(buffer, sizeof(buffer), "%.*g", digits, value);
   return buffer;

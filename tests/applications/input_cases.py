@@ -86,7 +86,8 @@ def refused_entries():
            shipped(SOD, entry("Initial state/Kind", "expression"),
                    entry("Reference/Kind", "none"),
                    entry("Initial state/Expression/Density", "sqrt(-1)")),
-           "Initial state/Expression: Density = \"sqrt(-1)\" is")
+           "Initial state/Expression: Density = \"sqrt(-1)\" is not a "
+           "number")
     for value in ("sqrt(-1)", "1/t"):
         path = "Loads/Load end/Pressure"
         yield (f"load {value}", "biomechanics",
