@@ -99,6 +99,7 @@ namespace
     const std::string reach = "Scene/End time";
     const std::string symmetry = "Scene/Symmetry";
     entries.set("Domain/Dimension", 3U);
+    entries.set("Domain/Size", "given", reach);
     entries.set("Domain/Lower corner", text_of(layout.lower), reach);
     entries.set("Domain/Upper corner", text_of(layout.upper), reach);
     entries.set("Domain/Coarse leaves",

@@ -74,6 +74,7 @@ def require_own_names(output):
     them, of a stage only where the scene has none."""
     wanted = {"symmetry": "Scene/Symmetry", "rigid_body": "Scene/Accuracy",
               "viscosity": "Scene/End time", "gravity": "Scene/End time",
+              "reflection": "Scene/End time",
               "first_stage": "Blast/First stage/Hand over at",
               "quiet_leaves": "Blast/Method/Skip quiet leaves",
               "strain": "Biomechanics/Elements/Kinematics"}
