@@ -1,12 +1,54 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
 #include <contrecoup/geometry/body_description.h>
 #include <contrecoup/geometry/borrowed_organs.h>
 
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
 namespace contrecoup
 {
+namespace
+{
+  /// Of what is in a file, and in the one of voxels beside a header.
+  std::string fingerprint(const std::filesystem::path &file)
+  {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(file, ignored))
+      return "none";
+    std::ostringstream text;
+    text << std::ifstream(file, std::ios::binary).rdbuf();
+    const std::string own =
+      std::to_string(text.str().size()) + " " +
+      std::to_string(std::hash<std::string>()(text.str()));
+    if (file.extension() != ".hdr")
+      return own;
+    return own + " " +
+           fingerprint(std::filesystem::path(file).replace_extension(".img"));
+  }
+
+  /// The entries that say what a body is before it is placed, with their
+  /// subsections.
+  std::vector<std::vector<std::string>> names_of_origin()
+  {
+    dealii::ParameterHandler prm;
+    BodyDescription::declare_parameters(prm);
+    std::vector<std::vector<std::string>> names;
+    for (const auto &entry : parameter_values(prm))
+    {
+      const std::vector<std::string> words = split(entry.first, '/');
+      if (words.size() > 1 || words[0] == "Kind" || words[0] == "Scale")
+        names.push_back(words);
+    }
+    return names;
+  }
+} // namespace
+
 void BodyDescription::declare_parameters(dealii::ParameterHandler &prm)
 {
   declare_selection(prm,
@@ -43,6 +85,17 @@ void BodyDescription::declare_parameters(dealii::ParameterHandler &prm)
 
 void BodyDescription::parse_parameters(dealii::ParameterHandler &prm)
 {
+  static const auto names = names_of_origin();
+  text_.clear();
+  files_.clear();
+  for (std::vector<std::string> path : names)
+  {
+    const std::string entry = path.back();
+    path.pop_back();
+    text_ += prm.get(path, entry) + "\n";
+    if (entry == "File" || entry == "Brain mask")
+      files_.push_back(prm.get(path, entry));
+  }
   kind_ = prm.get("Kind");
   origin_ = prm.get("Origin");
   placement_.parse_parameters(prm);
@@ -93,7 +146,20 @@ BodyPointer BodyDescription::create_unplaced() const
 
 BodyPointer BodyDescription::create() const
 {
-  BodyPointer body = create_unplaced();
+  // Plans, stages and trial runs of one scene all ask for the same body, whose
+  // images may take seconds to read.
+  static std::string last_text;
+  static BodyPointer last;
+  std::string text = text_;
+  for (const std::string &file : files_)
+    text += fingerprint(file) + "\n";
+  if (!last || last_text != text)
+  {
+    last.reset();
+    last = create_unplaced();
+    last_text = text;
+  }
+  BodyPointer body = last;
   if (!placement_.is_identity())
     body = body->placed(placement_);
   if (origin_ == "as given")

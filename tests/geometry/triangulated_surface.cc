@@ -318,6 +318,23 @@ TEST_F(SurfaceFile, AllFormatsGiveTheSameBody)
 }
 
 
+TEST_F(SurfaceFile, IsReadAgainOnceItIsAnother)
+{
+  const TriangleMesh sphere = make_sphere(16, Point<3>(), 0.5);
+  const std::string file = write("a.stl", sphere, write_binary_stl);
+  const BodyPointer body = create(file);
+  EXPECT_EQ(create(file), body);
+  EXPECT_EQ(create(file, {"Shift=1, 0, 0"})->parts().size(), 1U);
+  EXPECT_EQ(create(file), body);
+  EXPECT_NEAR(
+    create(file, {"Scale=2"})->surface()->value(Point<3>()), -1., 0.02);
+  EXPECT_NE(create(file, {"Surface/Tissue=gelatin"})->parts()[0].tissue,
+            body->parts()[0].tissue);
+  write("a.stl", make_sphere(16, Point<3>(1., 0., 0.), 0.5), write_binary_stl);
+  EXPECT_NEAR(create(file)->surface()->value(Point<3>(1., 0., 0.)), -0.5, 0.01);
+}
+
+
 TEST_F(SurfaceFile, UnitsScaleRotationAndOriginPlaceIt)
 {
   const TriangleMesh sphere = make_sphere(16, Point<3>(100., 20., 30.), 50.);

@@ -32,7 +32,9 @@ public:
   /// @throws InputError when they do not go together
   void parse_parameters(dealii::ParameterHandler &prm);
 
-  /// @throws InputError when a file cannot be used
+  /// The body; the last one is kept, so that it is there at once when it is
+  /// asked for again, wherever it is placed. @throws InputError when a file
+  /// cannot be used
   BodyPointer create() const;
 
   /// What the literature says of its parts; only of an unscaled phantom.
@@ -52,6 +54,8 @@ public:
 private:
   BodyPointer create_unplaced() const;
 
+  std::string text_; ///< what it is before it is placed, as it was read
+  std::vector<std::string> files_; ///< and those that may say more
   std::string kind_;
   Phantom phantom_;
   SimpleBody simple_;
