@@ -67,14 +67,7 @@ ApplicationUnderStudy::ApplicationUnderStudy(const std::string &name,
   , program_(find_program(name))
   , parameter_file_(parameter_file)
   , ranks_(ranks)
-{
-  const io::TemporaryFolder folder;
-  const ProcessText text = run_process({program_, "--version"}, folder.path());
-  if (text.end.exit_code != 0 || text.end.signal != 0)
-    throw InputError("Study/Application: \"" + program_ +
-                     " --version\" failed: " + text.errors);
-  version_ = one_line(text.output) + " " + fingerprint(io::read_file(program_));
-}
+{}
 
 std::string ApplicationUnderStudy::ask(const Settings &settings,
                                        const std::string &option) const
@@ -141,9 +134,14 @@ const std::string &ApplicationUnderStudy::name() const
   return name_;
 }
 
-const std::string &ApplicationUnderStudy::version() const
+std::string ApplicationUnderStudy::version() const
 {
-  return version_;
+  const io::TemporaryFolder folder;
+  const ProcessText text = run_process({program_, "--version"}, folder.path());
+  if (text.end.exit_code != 0 || text.end.signal != 0)
+    throw InputError("Study/Application: \"" + program_ +
+                     " --version\" failed: " + text.errors);
+  return one_line(text.output) + " " + fingerprint(io::read_file(program_));
 }
 
 unsigned int ApplicationUnderStudy::ranks() const

@@ -101,7 +101,6 @@ Study::Study(const StudyParameters &parameters,
   , application_(parameters.application,
                  parameters.parameter_file,
                  parameters.ranks)
-  , base_entries_(application_.entries({}))
   , begin_(std::chrono::steady_clock::now())
 {
   require_known_entries();
@@ -111,7 +110,6 @@ Study::Study(const StudyParameters &parameters,
     Variant variant;
     variant.settings = *reference;
     tasks_.push_back(make_task(variant));
-    parameters_.error.set_reference_folder(tasks_.front().run_folder());
   }
   for (const Variant &variant :
        make_design(parameters_.factors, parameters_.design))
@@ -152,6 +150,7 @@ void Study::require_known_entries() const
   }
   catch (const InputError &)
   {
+    application_.entries({});
     require_known(parameters_.settings, "Study/Settings");
     for (const Factor &factor : parameters_.factors)
       for (std::size_t row = 0; row < factor.values.size(); ++row)
@@ -167,13 +166,24 @@ Task Study::make_task(const Variant &variant) const
   Task task;
   task.variant = variant;
   task.variant.settings = joined(parameters_.settings, variant.settings);
-  std::map<std::string, std::string> entries = base_entries_;
-  for (const auto &[entry, value] : task.variant.settings)
-    entries[entry] = value;
-  task.identity = identity(
-    application_.name(), application_.version(), application_.ranks(), entries);
-  task.folder = path("variants/" + fingerprint(task.identity));
   return task;
+}
+
+void Study::identify_tasks()
+{
+  base_entries_ = application_.entries({});
+  const std::string version = application_.version();
+  for (Task &task : tasks_)
+  {
+    std::map<std::string, std::string> entries = base_entries_;
+    for (const auto &[entry, value] : task.variant.settings)
+      entries[entry] = value;
+    task.identity =
+      identity(application_.name(), version, application_.ranks(), entries);
+    task.folder = path("variants/" + fingerprint(task.identity));
+  }
+  if (has_reference_)
+    parameters_.error.set_reference_folder(tasks_.front().run_folder());
 }
 
 std::string Study::path(const std::string &name) const
@@ -358,6 +368,7 @@ void Study::execute(const io::CommandLine &command,
                     const std::string &parameter_text,
                     const std::map<std::string, std::string> &entries)
 {
+  identify_tasks();
   io::FolderClaim claim(
     folder_, "study", file_names(folder_, tasks_), io::make_run_input(entries));
   if (!claim.admits(command, [&]() { return has_outcomes(); }))

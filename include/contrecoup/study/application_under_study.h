@@ -15,7 +15,7 @@ class ApplicationUnderStudy
 public:
   /**
    * Finds the application beside this program's own file, or at @p name if
-   * that has a "/", and asks for its version.
+   * that has a "/".
    * @throws InputError, with the names that there are, if there is none
    */
   ApplicationUnderStudy(const std::string &name,
@@ -36,8 +36,8 @@ public:
 
   const std::string &name() const;
 
-  /// Version, git revision and a fingerprint of the program's file.
-  const std::string &version() const;
+  /// Version, git revision and a fingerprint of the program's file; starts it.
+  std::string version() const;
 
   unsigned int ranks() const;
 
@@ -47,7 +47,6 @@ private:
   std::string name_;
   std::string program_;
   std::string parameter_file_;
-  std::string version_;
   unsigned int ranks_;
 };
 

@@ -43,6 +43,8 @@ private:
   void require_known(const Settings &settings, const std::string &where) const;
 
   Task make_task(const Variant &variant) const;
+  /// What runs are called in the study's folder, and the file of the reference.
+  void identify_tasks();
   bool has_outcomes() const;
   void prepare(const std::string &parameter_text,
                bool resume,
@@ -57,7 +59,7 @@ private:
   StudyParameters parameters_;
   std::string folder_;
   ApplicationUnderStudy application_;
-  std::map<std::string, std::string> base_entries_;
+  std::map<std::string, std::string> base_entries_; ///< see identify_tasks()
   std::vector<Task> tasks_; ///< the reference run first, if there is one
   bool has_reference_ = false;
   std::size_t n_done_before_ = 0;
