@@ -6,7 +6,6 @@
 
 int main(int argc, char **argv)
 {
-  const std::vector<std::string> arguments(argv, argv + argc);
   return contrecoup::io::run_with_mpi(
-    argc, argv, [&]() { return contrecoup::coupling::run_scene(arguments); });
+    argc, argv, contrecoup::coupling::run_scene);
 }

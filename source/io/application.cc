@@ -13,7 +13,6 @@
 #include <deal.II/base/exceptions.h>
 
 #include <cstdlib>
-#include <iostream>
 
 namespace contrecoup
 {
@@ -116,11 +115,15 @@ namespace io
     return failure;
   }
 
-  int run_with_mpi(int argc, char **argv, const std::function<Failure()> &work)
+  int run_with_mpi(
+    int argc,
+    char **argv,
+    const std::function<Failure(const std::vector<std::string> &)> &work)
   {
     dealii::deal_II_exceptions::disable_abort_on_exception();
     dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
 
+    const std::vector<std::string> arguments(argv, argv + argc);
     // A process that no mpirun started gets no daemon of its own, which only
     // those need that start further ranks.
     setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
@@ -131,20 +134,20 @@ namespace io
       mpi = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(
         argc, argv, 1);
     const SignalGuard signals;
-    const Failure failure = work();
-    if (failure.code != ExitCode::done && !is_stop(failure) &&
-        dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-      std::cerr << "error: " << failure.message << std::endl;
-    return static_cast<int>(failure.code);
+    return run_each(arguments,
+                    work,
+                    dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) ==
+                      0);
   }
 
   int run_application(int argc,
                       char **argv,
                       const ApplicationDescription &description)
   {
-    const std::vector<std::string> arguments(argv, argv + argc);
     return run_with_mpi(
-      argc, argv, [&]() { return run_within(arguments, description); });
+      argc, argv, [&](const std::vector<std::string> &arguments) {
+        return run_within(arguments, description);
+      });
   }
 } // namespace io
 } // namespace contrecoup

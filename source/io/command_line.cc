@@ -9,6 +9,7 @@
 #include <contrecoup/base/version.h>
 #include <contrecoup/io/command_line.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 
@@ -62,7 +63,7 @@ namespace io
       if (!command.parameter_file.empty())
         throw InputError("two parameter files are given, \"" +
                          command.parameter_file + "\" and \"" + file +
-                         "\"; one is allowed");
+                         "\"; only --check takes several");
       command.parameter_file = file;
     }
 
@@ -75,6 +76,58 @@ namespace io
       return oversights(command.parameter_file, assignments);
     }
   } // namespace
+
+  std::vector<std::vector<std::string>>
+  single_commands(const std::vector<std::string> &arguments)
+  {
+    std::vector<std::string> files, options;
+    bool checks = false, only_tells = false;
+    for (std::size_t i = 0; i < arguments.size(); ++i)
+    {
+      const std::string &word = arguments[i];
+      const bool is_option = !word.empty() && word[0] == '-';
+      (i > 0 && !is_option ? files : options).push_back(word);
+      if (takes_value(word) && i + 1 < arguments.size())
+        options.push_back(arguments[++i]);
+      checks = checks || word == "--check";
+      only_tells = only_tells || word == "--help" || word == "-h" ||
+                   word == "--version" || word == "--print-parameters";
+    }
+    if (!checks || only_tells || files.size() < 2)
+      return {arguments};
+    std::vector<std::vector<std::string>> commands;
+    for (const std::string &file : files)
+    {
+      commands.push_back(options);
+      commands.back().push_back(file);
+    }
+    return commands;
+  }
+
+  int run_each(
+    const std::vector<std::string> &arguments,
+    const std::function<Failure(const std::vector<std::string> &)> &work,
+    const bool tells)
+  {
+    const auto commands = single_commands(arguments);
+    int code = 0;
+    for (const std::vector<std::string> &command : commands)
+    {
+      const std::string file = commands.size() > 1 ? command.back() : "";
+      if (tells && !file.empty())
+        std::cout << file << ":" << std::endl;
+      const Failure failure = work(command);
+      if (is_stop(failure))
+        return static_cast<int>(failure.code);
+      code = std::max(code, static_cast<int>(failure.code));
+      if (!tells || failure.code == ExitCode::done)
+        continue;
+      const bool names_it = failure.message.find(file) != std::string::npos;
+      std::cerr << "error: " << (names_it ? "" : file + ": ") << failure.message
+                << std::endl;
+    }
+    return code;
+  }
 
   CommandLine parse_command_line(const int argc,
                                  const char *const *argv,
@@ -123,7 +176,8 @@ namespace io
                         const std::string &parallel)
   {
     return application + ": " + purpose + "\n\n  " + application +
-           " FILE.prm [options]\n\n"
+           " FILE.prm [options]\n  " + application +
+           " --check FILE.prm FILE.prm ... [options]\n\n"
            "  --set \"Section/Subsection/Entry=value\"\n"
            "                      overrides one entry of the file; any "
            "number of times\n"

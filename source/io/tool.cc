@@ -9,7 +9,6 @@
 #include <deal.II/base/exceptions.h>
 
 #include <cstdlib>
-#include <iostream>
 
 namespace contrecoup
 {
@@ -76,11 +75,12 @@ namespace io
     dealii::deal_II_exceptions::disable_abort_on_exception();
     dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
     const SignalGuard signals;
-    const Failure failure =
-      run_within(std::vector<std::string>(argv, argv + argc), description);
-    if (failure.code != ExitCode::done && !is_stop(failure))
-      std::cerr << "error: " << failure.message << std::endl;
-    return static_cast<int>(failure.code);
+    return run_each(
+      std::vector<std::string>(argv, argv + argc),
+      [&](const std::vector<std::string> &arguments) {
+        return run_within(arguments, description);
+      },
+      true);
   }
 } // namespace io
 } // namespace contrecoup

@@ -56,12 +56,27 @@ def read(arguments):
             continue
         name, value = line.split("=", 1)
         if name not in ENTRIES:
-            refuse(f"unknown entry '{name}'")
+            refuse(("" if flawed("nameless") else f"{arguments[0]}: ")
+                   + f"unknown entry '{name}'")
         entries[name] = value
     if float(entries["Step size"]) <= 0.:
         if flawed("hasty"):
             os.makedirs(output)
         refuse("Step size must be positive")
+
+
+def check_each(files):
+    """--check of one file, or of several with their names; the exit code."""
+    code = 0
+    for file in files:
+        if len(files) > 1 and not flawed("nameless"):
+            print(file + ":", flush=True)
+        try:
+            read([file, *sys.argv[1:]])
+            check()
+        except SystemExit as end:
+            code = max(code, end.code)
+    return code
 
 
 def require_known(run):
@@ -262,12 +277,14 @@ if __name__ == "__main__":
     output = "output"
     if "--output" in sys.argv:
         output = sys.argv[sys.argv.index("--output") + 1]
-    read(sys.argv[1:])
     if "--check" in sys.argv:
-        check()
+        code = check_each([word for at, word in enumerate(sys.argv)
+                           if at > 0 and not word.startswith("--")
+                           and sys.argv[at - 1] not in ("--set", "--output")])
         if flawed("hasty"):
             os.makedirs(output)
-        sys.exit(0)
+        sys.exit(code)
+    read(sys.argv[1:])
     gather_ranks()
     if flawed("fragile"):
         signal.signal(signal.SIGXFSZ, signal.SIG_DFL)

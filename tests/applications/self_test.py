@@ -150,6 +150,7 @@ class JudgementTest(SelfTest):
         self.accepts("check_files")
         self.rejects("--check wrote", "check_files", flaw="hasty")
         self.rejects("printed no plan", "check_files", flaw="silent")
+        self.rejects("0 reports are of", "check_files", flaw="nameless")
         self.write("scenes/more/second.prm", "Scenery=second\n")
         self.rejects("1 of 2 files: more/second.prm", "check_files")
         skip = "--needs=more/second.prm=/no/such/file"

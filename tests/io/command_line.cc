@@ -2,9 +2,13 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/signals.h>
 #include <contrecoup/io/command_line.h>
 
 #include <gtest/gtest.h>
+
+#include <csignal>
+#include <iostream>
 
 using namespace contrecoup;
 using namespace contrecoup::io;
@@ -46,6 +50,68 @@ TEST(CommandLine, ResumeAndOverwriteExcludeEachOther)
   EXPECT_TRUE(parse({"a.prm", "--overwrite"}).overwrite);
   EXPECT_FALSE(parse({"a.prm", "--resume"}).overwrite);
   EXPECT_THROW(parse({"a.prm", "--resume", "--overwrite"}), InputError);
+}
+
+TEST(CommandLine, SeveralFilesAreForCheckAlone)
+{
+  using Words = std::vector<std::string>;
+  EXPECT_EQ(
+    single_commands({"program",
+                     "a.prm",
+                     "--set",
+                     "A=1",
+                     "--check",
+                     "b.prm",
+                     "--output=here"}),
+    (std::vector<Words>{
+      {"program", "--set", "A=1", "--check", "--output=here", "a.prm"},
+      {"program", "--set", "A=1", "--check", "--output=here", "b.prm"}}));
+  for (const Words &words :
+       {Words{"program", "a.prm", "b.prm"},
+        Words{"program", "a.prm", "--check", "--output", "b.prm"},
+        Words{"program", "a.prm", "b.prm", "--check", "--print-parameters"}})
+    EXPECT_EQ(single_commands(words), std::vector<Words>{words});
+}
+
+TEST(CommandLine, EachFileThatIsCheckedIsNamedAndTheWorstCodeCounts)
+{
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  const int code = run_each(
+    {"program", "--check", "a.prm", "b.prm", "c.prm", "d.prm"},
+    [](const std::vector<std::string> &words) -> Failure {
+      const std::string &file = words.back();
+      std::cout << "told of " << file << std::endl;
+      if (file == "b.prm")
+        return {ExitCode::system_failed, "no room"};
+      if (file == "c.prm")
+        return {ExitCode::bad_input, "c.prm:3: unknown entry"};
+      return {};
+    },
+    true);
+  EXPECT_EQ(code, 3);
+  EXPECT_EQ(testing::internal::GetCapturedStdout(),
+            "a.prm:\ntold of a.prm\nb.prm:\ntold of b.prm\n"
+            "c.prm:\ntold of c.prm\nd.prm:\ntold of d.prm\n");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "error: b.prm: no room\nerror: c.prm:3: unknown entry\n");
+}
+
+TEST(CommandLine, ASignalEndsTheChecksOfAllFiles)
+{
+  unsigned int n_checked = 0;
+  testing::internal::CaptureStdout();
+  const int code = run_each(
+    {"program", "--check", "a.prm", "b.prm"},
+    [&](const std::vector<std::string> &) {
+      ++n_checked;
+      return to_failure(std::make_exception_ptr(Stopped(SIGTERM)),
+                        ExitCode::system_failed);
+    },
+    true);
+  testing::internal::GetCapturedStdout();
+  EXPECT_EQ(code, 143);
+  EXPECT_EQ(n_checked, 1U);
 }
 
 TEST(CommandLine, RefusesWhatItDoesNotKnow)

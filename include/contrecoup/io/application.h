@@ -73,8 +73,11 @@ namespace io
   Failure run_within(const std::vector<std::string> &arguments,
                      const ApplicationDescription &description);
 
-  /// Starts MPI unless that was done, does the @p work on all ranks, and
-  /// returns its exit code; writes one line to stderr unless that is 0.
-  int run_with_mpi(int argc, char **argv, const std::function<Failure()> &work);
+  /// Starts MPI unless that was done and does the @p work of the command line
+  /// on all ranks, see run_each().
+  int run_with_mpi(
+    int argc,
+    char **argv,
+    const std::function<Failure(const std::vector<std::string> &)> &work);
 } // namespace io
 } // namespace contrecoup

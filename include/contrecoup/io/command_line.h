@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <contrecoup/base/collective.h>
 #include <contrecoup/base/parameter_file.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -40,6 +41,24 @@ namespace io
   CommandLine parse_command_line(int argc,
                                  const char *const *argv,
                                  const std::string &application);
+
+  /// The command lines that one of `--check` and several parameter files stands
+  /// for, one a file with all options; any other one as it is.
+  /// @param arguments as main() gets them, the program's name first
+  std::vector<std::vector<std::string>>
+  single_commands(const std::vector<std::string> &arguments);
+
+  /**
+   * Does the @p work of each of these, one after the other, with the file's
+   * name before what is said of it where there are several; writes one line to
+   * stderr for each that fails. A signal that asks to stop ends all of it.
+   * @return the exit code, of several the largest
+   * @param tells whether this process is the one that writes
+   */
+  int run_each(
+    const std::vector<std::string> &arguments,
+    const std::function<Failure(const std::vector<std::string> &)> &work,
+    bool tells);
 
   /// What --help prints; @p parallel says how several cores are used.
   std::string help_text(const std::string &application,
