@@ -47,10 +47,9 @@ TEST(Expression, SaysWhatCannotBeRead)
 
 TEST(Expression, IsRefusedWhereItIsNotFinite)
 {
-  EXPECT_EQ(
-    refusal("1/t"),
-    "Load/Pressure = \"1/t\" is infinite at (0.5, 0, -1) m and 0 s; a "
-    "finite number is wanted");
+  EXPECT_EQ(refusal("1/t"),
+            "Load/Pressure = \"1/t\" is infinite at (0.5, 0, -1) m and 0 s; a "
+            "finite number is wanted");
   EXPECT_NE(refusal("sqrt(z)").find("is not a number at (0.5, 0, -1) m"),
             std::string::npos);
   EXPECT_NO_THROW(Expression("Load/Pressure", "1/t").value({0., 0., 0.}, 1.));
