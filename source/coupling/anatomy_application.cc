@@ -82,6 +82,12 @@ namespace coupling
         if (parameters_.smoothing.iterations > 0)
           smoothing = smooth(mesh_, parameters_.smoothing);
         const double meshed = seconds();
+        const BodyReport report = make_report(mesh_,
+                                              grid,
+                                              *surface_,
+                                              parameters_.body.references(),
+                                              parameters_.tissue_set);
+        // From here on nothing but a disk can fail: what was there before may go.
         SignalGuard::require_no_stop();
         claim.begin();
         start(parameter_text);
@@ -100,14 +106,8 @@ namespace coupling
                    brief(1e3 * smoothing.largest_displacement, 3) + " mm; " +
                    std::to_string(smoothing.n_held_back) +
                    " nodes were held back for the shape of elements");
-        const BodyReport report = make_report(mesh_,
-                                              grid,
-                                              *surface_,
-                                              parameters_.body.references(),
-                                              parameters_.tissue_set);
         for (const std::string &line : to_lines(report))
           log_line(line);
-        SignalGuard::require_no_stop();
         write(report);
         claim.set_status("finished");
       }

@@ -6,16 +6,19 @@ be is not: danger.py APPLICATION PROGRAM BLAST, the last being that program.
 
 Each row of REFUSED is refused with exit code 1 by --check, the first ones also
 by a run, in one line that has the words given, before a mesh is made and
-without a file. Each
+without a file. They and each row of FAULTS leave the results of an earlier run
+as they are when --overwrite is given. Each
 row of ACCEPTED is accepted by --check, which says the words given, and not
 those after "without".
 """
 
+import json
 import os
 import shutil
 import subprocess
 import sys
 import tempfile
+import zlib
 
 import danger_files
 
@@ -147,6 +150,34 @@ REFUSED = {
     ],
 }
 
+NO_SURFACE = ["Body/Kind=surface", "Body/Surface/File=/nowhere/man.stl"]
+
+# Application: rows of a name, a parameter file, overrides.
+FAULTS = {
+    "blast": [
+        ("no such surface", NEAR, NO_SURFACE),
+        ("no such value", NEAR, ["Time/End time=-1"]),
+        ("no such entry", NEAR, ["Time/Last time=1"]),
+    ],
+    "anatomy": [
+        ("no such surface", "anatomy/quickstart.prm", NO_SURFACE),
+        ("no such value", "anatomy/extremes/needle.prm",
+         ["Mesh/Element size=-1"]),
+        ("no element", "anatomy/extremes/needle.prm", ["Mesh/Element size=1"]),
+    ],
+    "scene": [
+        ("no such surface", HEAD, NO_SURFACE),
+        ("no such value", HEAD, ["Scene/End time=-1"]),
+        ("no such value of a stage", HEAD, ["Blast/Method/CFL number=-1"]),
+    ],
+    "biomechanics": [
+        ("no such surface", danger_files.BALL, NO_SURFACE),
+        ("no such loads", danger_files.BALL,
+         ["Loads/Recorded/File=/nowhere/loads.h5"]),
+        ("no such value", danger_files.BALL, ["Time/End time=-1"]),
+    ],
+}
+
 ACCEPTED = {
     "blast": [
         ("a quarter of a charge", NEAR, [], ["valid"], ["WARNING"]),
@@ -230,6 +261,35 @@ def judge_refusal(run, words):
     return f"without {missing}" if missing else ""
 
 
+def put_earlier_run(application, folder):
+    """Results that --overwrite would remove; returns their content."""
+    content = {name: f"of an earlier run: {name}\n".encode() for name in
+               ("summary.json", "history.csv", "mesh.vtu", "scene.json")}
+    record = {"application": application, "status": "finished",
+              "names": {"results": list(content), "others": []},
+              "results": {name: {"bytes": len(text), "crc32": zlib.crc32(text)}
+                          for name, text in content.items()},
+              "input_files": {}, "entries": {}}
+    content["manifest.json"] = json.dumps(record).encode()
+    shutil.rmtree(folder, ignore_errors=True)
+    os.makedirs(folder)
+    for name, text in content.items():
+        with open(os.path.join(folder, name), "wb") as file:
+            file.write(text)
+    return content
+
+
+def judge_loss(run, folder, before):
+    """What is wrong with a run that was refused in a folder with results."""
+    if run.returncode != 1 or len(run.stderr.strip().splitlines()) != 1:
+        return f"exit code {run.returncode}"
+    after = {}
+    for name in os.listdir(folder):
+        with open(os.path.join(folder, name), "rb") as file:
+            after[name] = file.read()
+    return "" if after == before else f"left are {sorted(after)}"
+
+
 def judge_acceptance(run, words, others):
     """What is wrong with what --check said, or nothing."""
     if run.returncode != 0:
@@ -269,6 +329,13 @@ def main(application, program, blast):
         for extra in extras:
             run = call(program, file, fill(overrides), extra)
             tell(f"refuses {name} ({extra[0]})", judge_refusal(run, words), run)
+    for name, file, overrides, *_ in (FAULTS[application]
+                                      + REFUSED[application][:2]):
+        before = put_earlier_run(application, "earlier")
+        run = call(program, file, fill(overrides),
+                   ["--overwrite", "--output", "earlier"])
+        tell(f"keeps results despite {name}",
+             judge_loss(run, "earlier", before), run)
     for name, file, overrides, words, others in ACCEPTED[application]:
         run = call(program, file, fill(overrides),
                    ["--check", "--output", "output"])
