@@ -95,6 +95,8 @@ contrecoup_add_application_test(folder_cache folder_cache
   FILE study/quickstart.prm SET "Vary scheme/Values=finite volume | |"
   "Vary scheme/Labels=finite volume" "Vary leaves/Values=10"
   COMPARE study.md pictures/work_precision.svg TIMEOUT 300)
+contrecoup_add_application_test(folder_default folder_default
+  FILE scene/verification/head.prm TIMEOUT 300)
 contrecoup_add_application_test(folder_stages folder_stages
   ${_head_loads}
   TIMEOUT 600)

@@ -5,6 +5,7 @@ import contextlib
 import glob
 import json
 import os
+import shutil
 import signal
 import stat
 import subprocess
@@ -355,6 +356,53 @@ def folder_ranks(case, _check_bound, read_summary):
     require(read_summary(output)["status"] == "finished", "it did not finish")
 
 
+# Of each application a file that is soon done, and what makes it so.
+BRIEF = {
+    "anatomy": ("anatomy/extremes/needle.prm", ["Output/Pictures=false"]),
+    "blast": ("blast/verification/sod.prm", ["Output/Fields=false"]),
+    "biomechanics": ("biomechanics/verification/plane_wave.prm", []),
+    "study": ("study/quickstart.prm",
+              ["Study/Parameter file=@FILES@/blast/verification/sod.prm",
+               "Vary scheme/Values=finite volume | |",
+               "Vary scheme/Labels=finite volume", "Vary leaves/Values=10"]),
+    "scene": ("scene/verification/head.prm",
+              ["Scene/Question=loads", "Scene/Accuracy=first look",
+               "Scene/Forecast=false", "Scene/Report=false",
+               "Scene/End time=0.0005", "Anatomy/Output/Pictures=false"])}
+
+
+def folder_default(case, _check_bound, _read_summary):
+    """Without --output each application takes output/APPLICATION/NAME, below
+    where it is started, for files of the same name a folder each, and finds its
+    results there when it is started once more. FILE tells where the parameter
+    files are."""
+    here = os.path.abspath(case.folder("work"))
+    files = os.path.abspath(os.path.join(os.path.dirname(case.options.file),
+                                         "../.."))
+    before = {}
+    for application, (file, entries) in BRIEF.items():
+        os.makedirs(here, exist_ok=True)
+        shutil.copy(os.path.join(files, file), os.path.join(here, "same.prm"))
+        extra = [word for entry in entries
+                 for word in ("--set", entry.replace("@FILES@", files))]
+        folder = os.path.join("output", application, "same")
+        for words in ("results in " + folder, "finished before"):
+            _, out, _ = case.run(None, extra, file="same.prm", cwd=here,
+                                 program=os.path.join(os.path.dirname(
+                                     case.options.application), application))
+            require(words in out, f"{application} does not say '{words}': {out}")
+        for name, content in before.items():
+            require(snapshot(name) == content,
+                    f"{application} changed the results of {name}")
+        require(manifest(os.path.join(here, folder))["application"]
+                == application, f"the results are not of {application}")
+        before[os.path.join(here, folder)] = snapshot(
+            os.path.join(here, folder))
+    require(sorted(os.listdir(here)) == ["output", "same.prm"]
+            and sorted(os.listdir(os.path.join(here, "output")))
+            == sorted(BRIEF), "there is more than results")
+
+
 def put_other_run(output):
     """A folder of a blast that has finished."""
     put(output, "history.csv", "log.txt")
@@ -427,4 +475,5 @@ def flip_byte(path):
 
 KINDS = {kind.__name__: kind for kind in
          (folder_finished, folder_foreign, folder_lock, folder_signals,
-          folder_read_only, folder_cache, folder_ranks, folder_stages)}
+          folder_read_only, folder_cache, folder_default, folder_ranks,
+          folder_stages)}
