@@ -12,6 +12,7 @@
 #include <chrono>
 #include <iostream>
 #include <new>
+#include <optional>
 #include <sstream>
 #include <thread>
 
@@ -20,6 +21,65 @@ namespace contrecoup
 namespace
 {
   constexpr int first_stop = 128;
+
+  using Clock = std::chrono::steady_clock;
+
+  Clock::time_point seconds_from_now(const double seconds)
+  {
+    return Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                            std::chrono::duration<double>(seconds));
+  }
+
+  void sleep_a_little()
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+
+  constexpr int giving_up = 1; ///< tag of messages
+
+  /// The rank of a message of one that gives up, if there is one.
+  std::optional<int> heard_from(const MPI_Comm communicator)
+  {
+    int there = 0;
+    MPI_Status status;
+    MPI_Iprobe(MPI_ANY_SOURCE, giving_up, communicator, &there, &status);
+    if (there == 0)
+      return std::nullopt;
+    MPI_Recv(nullptr,
+             0,
+             MPI_INT,
+             status.MPI_SOURCE,
+             giving_up,
+             communicator,
+             MPI_STATUS_IGNORE);
+    return status.MPI_SOURCE;
+  }
+
+  /// Whether another rank that gives up says why: one that told so before, or
+  /// at the same time a lower one.
+  bool
+  another_speaks(const MPI_Comm communicator, const int rank, const int n_ranks)
+  {
+    if (heard_from(communicator))
+      return true;
+    for (int other = 0; other < n_ranks; ++other)
+      if (other != rank)
+      {
+        MPI_Request request;
+        MPI_Isend(
+          nullptr, 0, MPI_INT, other, giving_up, communicator, &request);
+        MPI_Request_free(&request);
+      }
+    constexpr double delay = 0.5; // of messages at most [s]
+    for (const auto end = seconds_from_now(delay); Clock::now() < end;)
+    {
+      if (const auto other = heard_from(communicator); !other)
+        sleep_a_little();
+      else if (*other < rank)
+        return true;
+    }
+    return false;
+  }
 
   std::string deal_ii_message(const dealii::ExceptionBase &exception)
   {
@@ -165,19 +225,14 @@ unsigned int Collective::agree(const Failure &own, const unsigned int flags)
     MPI_Wait(&request, MPI_STATUS_IGNORE);
   else
   {
-    using Clock = std::chrono::steady_clock;
-    const auto give_up =
-      Clock::now() + std::chrono::duration<double>(patience_);
+    const auto give_up = seconds_from_now(patience_);
     int finished = 0;
     MPI_Test(&request, &finished, MPI_STATUS_IGNORE);
     while (finished == 0)
     {
       if (Clock::now() > give_up)
-      {
-        std::cerr << "error: " << own.message << std::endl;
-        MPI_Abort(MPI_COMM_WORLD, code);
-      }
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        abandon(own);
+      sleep_a_little();
       MPI_Test(&request, &finished, MPI_STATUS_IGNORE);
     }
   }
@@ -192,5 +247,17 @@ unsigned int Collective::agree(const Failure &own, const unsigned int flags)
   for (int i = 0; i < n_flags; ++i)
     all |= static_cast<unsigned int>(received[1 + i]) << i;
   return all;
+}
+
+void Collective::abandon(const Failure &own) const
+{
+  if (another_speaks(agreement_, rank_, n_ranks_))
+    // It ends this rank as well.
+    for (const auto end = seconds_from_now(10. * patience_);
+         Clock::now() < end;)
+      sleep_a_little();
+  if (!is_stop(own))
+    std::cerr << "error: " << own.message << std::endl;
+  MPI_Abort(MPI_COMM_WORLD, static_cast<int>(own.code));
 }
 } // namespace contrecoup

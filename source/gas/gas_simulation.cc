@@ -398,10 +398,11 @@ std::pair<std::uint64_t, std::uint64_t> GasSimulation<dim>::size() const
 template <int dim>
 void GasSimulation<dim>::save(const std::string &folder)
 {
-  save_leaves(mesh_, field_, folder, &maps_);
+  // After what the ranks do together: one that cannot write lets none wait.
   gauges_.share();
   open_sides_.share(mesh_.communicator());
   loads_.flush();
+  save_leaves(mesh_, field_, folder, &maps_);
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
     return;
   loads_.save_file(folder);

@@ -56,6 +56,8 @@ endforeach()
 contrecoup_add_application_test(folder_cache folder_cache ${_ball} TIMEOUT 60)
 contrecoup_add_application_test(folder_cache_on_3 folder_cache ${_wave} MPI 3
   CORES 1 TIMEOUT 600)
+contrecoup_add_application_test(folder_ranks_fail folder_ranks_fail ${_ball}
+  MPI 3 CORES 1 ${_long_ball} TIMEOUT 120)
 contrecoup_add_application_test(folder_ranks folder_ranks ${_ball} MPI 2 CORES 1
   STOP_AFTER 6 ARGUMENTS "Method/Precision=single" TIMEOUT 120)
 contrecoup_add_application_test(folder_ranks folder_ranks ${_wave} MPI 2 CORES 1

@@ -5,6 +5,8 @@ import contextlib
 import glob
 import json
 import os
+import re
+import resource
 import shutil
 import signal
 import stat
@@ -14,6 +16,7 @@ import zlib
 
 import full_disk
 import resume_cases
+from machine_cases import told_once
 
 # Of a user, in places where no application writes.
 FOREIGN = ("thesis.txt", "fields/x.txt", "blast/thesis.txt", "anatomy/data.csv",
@@ -176,12 +179,15 @@ def folder_lock(case, _check_bound, _read_summary):
     require(manifest(output)["status"] == "finished", "it did not finish")
 
 
-def a_rank(process):
-    """The number of the last rank of a run under mpirun."""
-    ranks = [pid for pid in resume_cases.descendants(process.pid)
-             if "OMPI_COMM_WORLD_RANK=" in environment_of(pid)]
+def ranks_of(process):
+    """The numbers of the ranks of a run under mpirun, in their order."""
+    ranks = {}
+    for pid in resume_cases.descendants(process.pid):
+        word = re.search(r"OMPI_COMM_WORLD_RANK=(\d+)", environment_of(pid))
+        if word:
+            ranks.setdefault(int(word[1]), pid)
     require(ranks, "mpirun has started no rank")
-    return ranks[-1]
+    return [ranks[rank] for rank in sorted(ranks)]
 
 
 def environment_of(pid):
@@ -209,7 +215,7 @@ def folder_signals(case, check_bound, read_summary):
         if case.options.mpi == 1 or asked == signal.SIGUSR1:
             process.send_signal(asked)
         else:
-            os.kill(a_rank(process), asked)
+            os.kill(ranks_of(process)[-1], asked)
         out, err = process.communicate()
         require(process.returncode == 128 + asked,
                 f"{asked!r} gave {process.returncode}: {out[-999:]}{err[-999:]}")
@@ -274,9 +280,7 @@ def folder_read_only(case, _check_bound, _read_summary):
             out, err = process.communicate()
         require(process.returncode == 3,
                 f"exit code {process.returncode}: {out[-999:]}{err[-999:]}")
-        if case.options.mpi == 1:
-            require(len(err.strip().splitlines()) == 1, f"stderr is {err}")
-            require("Read-only file system" in err, f"stderr is {err}")
+        told_once(err, "Read-only file system", ranks=case.options.mpi)
         if not os.path.exists(os.path.join(folder, "manifest.json")):
             return
         require(manifest(folder)["status"] != "finished", "it is finished")
@@ -304,6 +308,23 @@ def read_only(folder):
         yield
     finally:
         subprocess.run(["umount", folder], check=True)
+
+
+def folder_ranks_fail(case, _check_bound, _read_summary):
+    """All ranks but the first cannot write their part of a checkpoint: exit code
+    3, one line, and the run goes on from the checkpoint before. --argument makes
+    a long run with checkpoints."""
+    output = case.folder("run")
+    process = case.start(output, case.options.argument)
+    wait_until(process, lambda: has_checkpoint(output), "a checkpoint")
+    for rank in ranks_of(process)[1:]:
+        resource.prlimit(rank, resource.RLIMIT_FSIZE, (1000, 1000))
+    _, err = process.communicate()
+    require(process.returncode == 3, f"exit code {process.returncode}: {err}")
+    told_once(err, "checkpoint", "File too large", ranks=case.options.mpi)
+    require(manifest(output)["status"] == "failed", "it has not failed")
+    case.run(output, case.options.argument
+             + ["--resume", "--set", "Time/Steps in this run=1"], ranks=1)
 
 
 def folder_cache(case, _check_bound, _read_summary):
@@ -476,4 +497,4 @@ def flip_byte(path):
 KINDS = {kind.__name__: kind for kind in
          (folder_finished, folder_foreign, folder_lock, folder_signals,
           folder_read_only, folder_cache, folder_default, folder_ranks,
-          folder_stages)}
+          folder_ranks_fail, folder_stages)}

@@ -15,14 +15,12 @@ from case import (checkpoints, compare_bytes, expand, read_json, read_summary,
 
 
 def told_once(err, *words, ranks=1):
-    """The one line on stderr, which has all the words. mpirun adds its own, and
-    ranks that wait too long for others on a busy machine say it each."""
+    """The one line on stderr, which has all the words. mpirun adds its own."""
     lines = [line for line in err.splitlines() if line.strip()]
     if ranks > 1:
         lines = [line for line in lines if line.startswith("error: ")]
     print(err)
-    require(0 < len(lines) <= (1 if ranks == 1 else ranks),
-            f"{len(lines)} lines on stderr instead of one")
+    require(len(lines) == 1, f"{len(lines)} lines on stderr instead of one")
     for word in words:
         require(all(word in line for line in lines),
                 f"the message lacks '{word}'")

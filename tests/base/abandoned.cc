@@ -4,15 +4,24 @@
 #include <contrecoup/base/collective.h>
 #include <contrecoup/base/exceptions.h>
 
-/// The second rank fails while the first waits for it: both must end, with
-/// the message of the second.
+#include <chrono>
+#include <thread>
+
+/// All but the first rank fail, one after the other, while that one waits for
+/// them: all must end, with the message of one of them.
 int main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  contrecoup::Collective collective(MPI_COMM_WORLD, 0.5);
+  contrecoup::Collective collective(MPI_COMM_WORLD, 1.);
   collective.run([]() {
-    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 1)
-      throw contrecoup::SystemError("the other waits for me");
+    const unsigned int rank =
+      dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
+    if (rank > 0)
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(100 * rank));
+      throw contrecoup::SystemError("rank 0 waits for rank " +
+                                    std::to_string(rank));
+    }
     MPI_Barrier(MPI_COMM_WORLD);
   });
 }

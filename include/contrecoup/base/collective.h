@@ -44,14 +44,14 @@ Failure to_failure(const std::exception_ptr &exception, ExitCode otherwise);
 /**
  * Runs functions on all ranks so that an exception on one of them becomes
  * the same exception on all, without a deadlock. Uses a communicator of its
- * own. When the others are stuck in communication with the rank that
- * failed, that rank prints its line and ends all of them after a while.
+ * own. When the others are stuck in communication with ranks that failed,
+ * one of these prints its line and ends all of them after a while.
  */
 class Collective
 {
 public:
   /// @param patience seconds that a failed rank waits for the others
-  explicit Collective(MPI_Comm communicator, double patience = 20.);
+  explicit Collective(MPI_Comm communicator, double patience = 5.);
   ~Collective();
   Collective(const Collective &) = delete;
   Collective &operator=(const Collective &) = delete;
@@ -74,6 +74,7 @@ public:
 
 private:
   unsigned int agree(const Failure &own, unsigned int flags);
+  void abandon(const Failure &own) const;
 
   MPI_Comm communicator_;
   MPI_Comm agreement_;
