@@ -87,7 +87,7 @@ namespace coupling
                                               *surface_,
                                               parameters_.body.references(),
                                               parameters_.tissue_set);
-        // From here on nothing but a disk can fail: what was there before may go.
+        // From here on only a disk can fail: what was there before may go.
         SignalGuard::require_no_stop();
         claim.begin();
         start(parameter_text);

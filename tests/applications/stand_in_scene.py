@@ -19,6 +19,7 @@ ENTRIES = {"Flaw": "none", "Tissues/Set": "first", "Pause": "0.4", "Large": "",
 # Of what it takes for granted, and the entries that decide otherwise.
 OWN_NAMES = {"symmetry": "Scene/Symmetry", "rigid_body": "Scene/Accuracy",
              "viscosity": "Scene/End time", "gravity": "Scene/End time",
+             "reflection": "Scene/End time",
              "first_stage": "Blast/First stage/Hand over at",
              "quiet_leaves": "Blast/Method/Skip quiet leaves",
              "strain": "Biomechanics/Elements/Kinematics"}

@@ -82,7 +82,7 @@ if __name__ == "__main__":
     output = sys.argv[sys.argv.index("--output") + 1]
     flaw = next((word[len("Flaw="):] for word in sys.argv
                  if word.startswith("Flaw=")), "none")
-    n_runs = 2 if "Vary leaves/Values=10; 200" in sys.argv else 8
+    n_runs = 2 if "Vary leaves/Values=10; 100" in sys.argv else 8
     if os.path.basename(sys.argv[0]) == "blast":
         stand_in_for_blast()
     else:
