@@ -5,18 +5,21 @@
 # and one with a body that records its loads. The trial runs are those that
 # --check makes in its four seconds on a processor of 2021.
 contrecoup_add_application_test(forecast_stages forecast
-  FILE blast/quickstart.prm TOLERANCE 1.5 LEVELS "3 1" SET "Time/End time=0.0012"
+  FILE blast/quickstart.prm TOLERANCE 1.5 LEVELS "3 1" SET "Time/End time=0.0009"
   "First stage/Cell size=0.002" "Output/Fields interval=0")
 contrecoup_add_application_test(forecast_adaptive forecast
   FILE blast/verification/height_of_burst.prm TOLERANCE 1.5 LEVELS "3 1"
-  SET "Time/End time=0.0015" "Adaptation/Largest level=3"
+  SET "Time/End time=0.001" "Adaptation/Largest level=3"
   "Output/Fields interval=0.0003")
 contrecoup_add_application_test(forecast_uniform forecast
   FILE blast/verification/noh_3d.prm TOLERANCE 1.5 LEVELS "5 2"
-  SET "Time/End time=0.3")
+  SET "Time/End time=0.15")
 contrecoup_add_application_test(forecast_body forecast
   FILE blast/quickstart_human.prm TOLERANCE 1.5 LEVELS "3 1"
-  SET "Time/End time=0.003"
+  SET "Time/End time=0.0028" "Domain/Lower corner=-0.64, 0, 0"
+  "Domain/Upper corner=5.12, 2.56, 3.84" "Domain/Coarse leaves=9, 4, 6"
+  "Adaptation/Limit fireball/Largest level=0"
+  "Adaptation/Limit far away/Largest level=0"
   "Rigid body/Levels=2" "First stage/Cell size=0.02" "Pictures/Planes="
   "First stage/Spherical cell size=0.002" "Output/Fields=false"
   "Output/Pictures=false")
@@ -55,11 +58,12 @@ contrecoup_add_application_test(domain_by_time_body domain
   FILE blast/quickstart_human.prm SET "Rigid body/Levels=1"
   "Adaptation/Largest level=1"
   "Adaptation/Limit not at the body/Largest level=1"
-  "Adaptation/Limit fireball/Largest level=1" "First stage/Cell size=0.04"
+  "Adaptation/Limit fireball/Largest level=0" "Adaptation/Limit far away/Largest level=0" "First stage/Cell size=0.04"
   "First stage/Levels=1" "First stage/Spherical cell size=0.004"
   "Domain/Lower corner=-0.64, 0, 0" "Domain/Upper corner=5.12, 1.92, 1.92"
   "Domain/Coarse leaves=9, 3, 3" "Probes/Points=" "Reference/Kind=none"
-  "Pictures/Planes=" "Output/Fields=false" "Time/End time=0.0032"
+  "Pictures/Planes=" "Output/Fields=false" "Output/Pictures=false"
+  "Time/End time=0.0032"
   BOUNDS "difference < 0.0163" "short_difference > 0.235")
 contrecoup_add_application_test(audit_of_stages bounds
   FILE blast/presets/height_of_burst.prm
