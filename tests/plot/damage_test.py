@@ -28,6 +28,7 @@ import look  # noqa: E402 (after the path of the module)
 import report  # noqa: E402
 import report_body  # noqa: E402
 import report_data  # noqa: E402
+import report_page  # noqa: E402
 
 JSON_FILES = ("scene.json", "blast/summary.json", "biomechanics/summary.json")
 TABLES = {
@@ -55,6 +56,16 @@ def draw_nothing(figure, path):
     look.plt.close(figure)
     if not isinstance(path, str):
         path.write(b"picture")
+
+
+def paint_roughly(figure, _kind):
+    """Instead of report_page.render(): all is painted, in few dots and without a
+    search for the best places."""
+    stream = io.BytesIO()
+    figure.set_layout_engine("none")
+    figure.savefig(stream, format="png", dpi=20)
+    look.plt.close(figure)
+    return stream.getvalue()
 
 
 def read_arrays(scene):
@@ -127,6 +138,8 @@ class DamageTest(unittest.TestCase):
         if os.path.exists(page):
             os.remove(page)
         with unittest.mock.patch.object(look, "save", draw_nothing), \
+                unittest.mock.patch.object(report_page, "render",
+                                           paint_roughly), \
                 contextlib.redirect_stdout(io.StringIO()), \
                 contextlib.redirect_stderr(io.StringIO()) as errors:
             code = report.main([folder])

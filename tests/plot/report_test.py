@@ -19,6 +19,7 @@ import unittest.mock
 
 import numpy as np
 
+import damage_test
 import tiny_scene
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(
@@ -36,9 +37,14 @@ import report_signals  # noqa: E402
 class Made:
     """What a call of report.py on a folder gave."""
 
-    def __init__(self, folder):
+    def __init__(self, folder, paints=False):
+        """Where words alone are looked at, figures are painted roughly."""
+        save, render = (look.save, report_page.render) if paints else (
+            damage_test.draw_nothing, damage_test.paint_roughly)
         with contextlib.redirect_stdout(io.StringIO()), \
-                contextlib.redirect_stderr(io.StringIO()) as errors:
+                contextlib.redirect_stderr(io.StringIO()) as errors, \
+                unittest.mock.patch.object(look, "save", save), \
+                unittest.mock.patch.object(report_page, "render", render):
             self.code = report.main([folder])
         self.errors = errors.getvalue()
         path = os.path.join(folder, "report.html")
@@ -61,7 +67,7 @@ class ReportTest(unittest.TestCase):
         cls.home = tempfile.TemporaryDirectory()
         cls.whole = os.path.join(cls.home.name, "whole")
         tiny_scene.write_all(cls.whole)
-        cls.made = Made(cls.whole)
+        cls.made = Made(cls.whole, paints=True)
         cls.page = cls.made.page or ""
         cls.text = text_of(cls.page)
 
@@ -264,7 +270,7 @@ class ReportTest(unittest.TestCase):
             tiny_scene.write_mesh(os.path.join(
                 folder, f"biomechanics/fields/solid_{number:04d}.vtu"),
                 2e3 * number, 0.2, 4)
-        made = Made(folder)
+        made = Made(folder, paints=True)
         self.assertEqual(made.code, 0, made.errors)
         words = text_of(made.page)
         self.expect(words, "parasagittal plane, y = 0.04 m, through brain.",
