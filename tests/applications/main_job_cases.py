@@ -23,7 +23,8 @@ PEAKS = {
     "scene_main_job_surface": {"chest": (794364., 805168., -0.013),
                                "forehead": (705324., 659336., 0.070)}}
 # A person of another stature and mass than the phantom's.
-OTHER_PERSON = ["Body/Phantom/Stature=1.62", "Body/Phantom/Mass=58"]
+OTHER_PERSON = ["Body/Phantom/Stature=1.62", "Body/Phantom/Mass=58",
+                "Output/Pictures=false"]
 
 
 def main_job(case, check_bound, read_summary):
