@@ -13,6 +13,7 @@ import tempfile
 import traceback
 import unittest
 
+import folder_cases
 import run_case
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -408,8 +409,11 @@ class SceneTest(SelfTest):
 class FolderTest(SelfTest):
     def setUp(self):
         super().setUp()
+        self.add_program("blast")
+
+    def add_program(self, name):
         os.symlink(os.path.join(HERE, "stand_in_folder.py"),
-                   os.path.join(self.root, "blast"))
+                   os.path.join(self.root, name))
 
     def case(self, kind, *options, flaw="none"):
         return super().case(kind, "--application=./blast", *options, flaw=flaw)
@@ -457,6 +461,22 @@ class FolderTest(SelfTest):
     def test_cache(self):
         self.accepts("folder_cache")
         self.rejects("no cache in", "folder_cache", flaw="cached")
+        self.add_program("study")
+        options = ("folder_cache", "--application=./study",
+                   "--compare=history.csv")
+        self.accepts(*options)
+        self.rejects("stderr is there is no home", *options, flaw="homesick")
+        self.rejects("report.html", *options, "--compare=report.html")
+
+    def test_default(self):
+        for name, (file, _) in folder_cases.BRIEF.items():
+            self.write("files/" + file, "")
+            if name != "blast":
+                self.add_program(name)
+        options = ("folder_default", "--file=files/scene/verification/head.prm",
+                   "--application=" + os.path.join(self.root, "blast"))
+        self.accepts(*options)
+        self.rejects("does not say 'results in", *options, flaw="shared")
 
 
 class StudyTest(SelfTest):

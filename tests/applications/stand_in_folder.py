@@ -35,7 +35,8 @@ def write(name, text):
 
 
 def write_manifest(status):
-    write("manifest.json", json.dumps({"status": status, "entries": entries}))
+    write("manifest.json", json.dumps({"status": status, "entries": entries,
+                                       "application": application}))
 
 
 def manifest():
@@ -128,6 +129,9 @@ def run():
          "resumed_from_step": first}))
     write("checkpoint/1/run.json", json.dumps({"state": {"step": step + 1}}))
     write_manifest("stopped" if is_stopped else "finished")
+    print("results in " + output)
+    if flaw == "homesick" and not os.path.isdir(os.environ["HOME"]):
+        print("there is no home", file=sys.stderr)
     unlock()
     sys.exit(128 + asked[0] if asked and flaw != "content" else 0)
 
@@ -143,7 +147,11 @@ def check():
 entries = dict(sys.argv[at + 1].split("=", 1)
                for at, word in enumerate(sys.argv) if word == "--set")
 flaw = entries.pop("Flaw", "none")
-output = sys.argv[sys.argv.index("--output") + 1]
+application = os.path.basename(sys.argv[0])
+output = os.path.join("output", "" if flaw == "shared" else application,
+                      os.path.splitext(os.path.basename(sys.argv[1]))[0])
+if "--output" in sys.argv:
+    output = sys.argv[sys.argv.index("--output") + 1]
 if "--check" in sys.argv:
     check()
 if os.environ.get("OMPI_COMM_WORLD_RANK", "0") != "0":
