@@ -16,7 +16,7 @@ contrecoup_add_application_test(forecast_uniform forecast
   SET "Time/End time=0.15")
 contrecoup_add_application_test(forecast_body forecast
   FILE blast/quickstart_human.prm TOLERANCE 1.5 LEVELS "3 1"
-  SET "Time/End time=0.0028" "Domain/Lower corner=-0.64, 0, 0"
+  SET "Time/End time=0.0024" "Domain/Lower corner=-0.64, 0, 0"
   "Domain/Upper corner=5.12, 2.56, 3.84" "Domain/Coarse leaves=9, 4, 6"
   "Adaptation/Limit fireball/Largest level=0"
   "Adaptation/Limit far away/Largest level=0"
