@@ -3,7 +3,8 @@
 # Copyright (C) 2026 by the Contrecoup authors
 """Input that users get wrong: input_cases.py PROGRAMS_FOLDER REPOSITORY
 
-Each case below starts an application with --check on a file of its own. What
+Each case below is a file of its own, and one start of an application with --check
+takes all of its kind. What
 is refused must be so with exit code 1 and one line on stderr that has the
 message; what is accepted must say what the case expects on the screen. Nothing
 may be written. One process for all, since each start costs little but a test
@@ -11,6 +12,7 @@ of each would cost more. Exit code 0: all as wanted; 1: not, with the cases.
 """
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -182,6 +184,27 @@ def run(program, arguments):
         return subprocess.CompletedProcess(command, -9, "", "it hangs")
 
 
+def run_each(program, names):
+    """The answer to each of several files, of one start: what stands between
+    their headings, and the lines of stderr that name them."""
+    end = run(program, names)
+    if len(names) == 1:
+        return [end]
+    answers = []
+    for name in names:
+        _, _, rest = end.stdout.partition(name + ":\n")
+        said = re.split(r"^case_[0-9]+\.prm:\n", rest, flags=re.M)[0]
+        lines = [line for line in end.stderr.splitlines() if name in line]
+        answers.append(subprocess.CompletedProcess(
+            end.args, 1 if lines else 0, said, "\n".join(lines)))
+    others = [line for line in end.stderr.splitlines()
+              if not any(name in line for name in names)]
+    worst = max(answer.returncode for answer in answers)
+    if others or end.returncode != worst:
+        return [end] * len(names)
+    return answers
+
+
 def judge_refusal(end, message):
     """What is wrong with an answer that should be a refusal."""
     lines = end.stderr.splitlines()
@@ -211,14 +234,14 @@ def judge_full_output(program):
 
 def main(programs, repository):
     make_files()
-    before = sorted(os.listdir(FOLDER)) + ["case.prm"]
+    before = sorted(os.listdir(FOLDER))
     files = os.path.join(repository, "parameter_files")
     count, problems = 0, []
 
     def judge(name, end, verdict):
         nonlocal count
         count += 1
-        if sorted(set(os.listdir(FOLDER)) | {"case.prm"}) != sorted(before):
+        if sorted(os.listdir(FOLDER)) != before:
             verdict = f"wrote {sorted(os.listdir(FOLDER))}"
         if verdict:
             problems.append(f"{name}: {verdict}")
@@ -227,11 +250,19 @@ def main(programs, repository):
                               (refused_entries, judge_refusal),
                               (refused_other_files, judge_refusal),
                               (accepted, judge_acceptance)]:
-        for name, application, content, text in cases():
-            with open(os.path.join(FOLDER, "case.prm"), "wb") as file:
-                file.write(content.replace(b"@FILES@", files.encode()))
-            end = run(os.path.join(programs, application), ["case.prm"])
-            judge(name, end, verdict_of(end, text))
+        of_application = {}
+        for case in cases():
+            of_application.setdefault(case[1], []).append(case)
+        for application, group in of_application.items():
+            names = [f"case_{number:03d}.prm" for number in range(len(group))]
+            for name, (_, _, content, _) in zip(names, group):
+                with open(os.path.join(FOLDER, name), "wb") as file:
+                    file.write(content.replace(b"@FILES@", files.encode()))
+            ends = run_each(os.path.join(programs, application), names)
+            for name in names:
+                os.remove(os.path.join(FOLDER, name))
+            for (name, _, _, text), end in zip(group, ends):
+                judge(name, end, verdict_of(end, text))
     for name, reason in [(MISSING, "there is no such file"),
                          (A_FOLDER, "it is a folder")]:
         end = run(os.path.join(programs, "scene"), [name])
