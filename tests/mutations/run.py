@@ -30,6 +30,9 @@ ROOT = os.path.dirname(os.path.dirname(HERE))
 LIST = os.path.join(HERE, "mutations.toml")
 RESULTS = os.path.join(HERE, "results.md")
 
+# Is in every copy.
+MARK = ".copy_for_mutations"
+
 REQUIRED = {"name", "fault", "file", "old", "new", "tests"}
 OPTIONAL = {"targets"}
 
@@ -138,6 +141,14 @@ class Copy:
         self.build = os.path.join(self.folder, "build")
         if os.path.realpath(self.folder) == os.path.realpath(ROOT):
             raise Problem("--folder must not be the tree itself")
+        # Whatever is not in the tree is removed from the copy.
+        if (os.path.isdir(self.folder) and os.listdir(self.folder)
+                and not os.path.exists(self.path(MARK))):
+            raise Problem(f"--folder {folder}: holds files, none of which is "
+                          f"{MARK}; name an empty or new folder")
+        os.makedirs(self.folder, exist_ok=True)
+        with open(self.path(MARK), "w", encoding="utf-8"):
+            pass
 
     def path(self, name):
         return os.path.join(self.folder, name)
@@ -162,7 +173,7 @@ class Copy:
                 folders.remove("build")
             for file in files:
                 path = os.path.join(here, file)
-                if os.path.relpath(path, self.folder) not in names:
+                if os.path.relpath(path, self.folder) not in names | {MARK}:
                     os.remove(path)
                     configures |= not file.endswith(".pyc")
         for name in names:
