@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/lane_math.h>
+#include <contrecoup/numerics/hex8_geometry.h>
+
+namespace contrecoup
+{
+/// The symmetric part of a velocity gradient, and how much it compresses in
+/// the direction in which it does so most.
+template <typename Number>
+struct Compression
+{
+  Matrix3<Number> rate; ///< symmetric [1/s]
+  Number least;         ///< smallest eigenvalue of `rate` [1/s]
+  /// Projector on the directions of that eigenvalue, of trace one.
+  Matrix3<Number> direction;
+};
+
+/**
+ * The smallest eigenvalue l of a symmetric matrix from its invariants: the
+ * least root of 4 f^3 - 3 f = r, f in [-1, -1/2], by Newton's method from
+ * below, which never passes the root. Where the two smallest eigenvalues are
+ * almost the same, f has an error of up to 0.01, and the projector is that on
+ * both: enough for artificial viscosity.
+ */
+template <typename Number>
+inline DEAL_II_ALWAYS_INLINE Compression<Number>
+find_compression(const Matrix3<Number> &gradient)
+{
+  using std::max;
+  using std::min;
+  using std::sqrt;
+  Compression<Number> result;
+  Matrix3<Number> &e = result.rate;
+  for (unsigned int i = 0; i < 3; ++i)
+    for (unsigned int j = 0; j < 3; ++j)
+      e[i][j] = Number(0.5) * (gradient[i][j] + gradient[j][i]);
+  const Number mean = Number(1. / 3.) * (e[0][0] + e[1][1] + e[2][2]);
+  const Number a = e[0][0] - mean, b = e[1][1] - mean, c = e[2][2] - mean;
+  const Number xy = e[0][1], yz = e[1][2], zx = e[2][0];
+  const Number tiny(1e-200);
+  const Number square = Number(1. / 6.) * (a * a + b * b + c * c) +
+                        Number(1. / 3.) * (xy * xy + yz * yz + zx * zx);
+  const Number determinant =
+    a * (b * c - yz * yz) - xy * (xy * c - yz * zx) + zx * (xy * yz - b * zx);
+  const Number size = sqrt(square);
+  const Number r =
+    max(Number(-1.),
+        min(Number(1.), Number(0.5) * determinant / (square * size + tiny)));
+  Number f(-1.);
+  for (unsigned int i = 0; i < 6; ++i)
+    f -= ((Number(4.) * f * f - Number(3.)) * f - r) /
+         (Number(12.) * f * f - Number(3.) + Number(1e-3));
+  result.least = mean + Number(2.) * size * f;
+
+  Matrix3<Number> rest = e;
+  for (unsigned int i = 0; i < 3; ++i)
+    rest[i][i] -= result.least;
+  result.direction = cofactor(rest);
+  // A little of all directions, for where all eigenvalues are the same.
+  const Number all = Number(1e-12) * square + tiny;
+  for (unsigned int i = 0; i < 3; ++i)
+    result.direction[i][i] += Number(1. / 3.) * all;
+  const Number scale =
+    Number(1.) /
+    (result.direction[0][0] + result.direction[1][1] + result.direction[2][2]);
+  for (auto &row : result.direction)
+    for (Number &value : row)
+      value *= scale;
+  return result;
+}
+} // namespace contrecoup

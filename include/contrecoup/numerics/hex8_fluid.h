@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/numerics/compression.h>
+#include <contrecoup/numerics/hex8_one_point.h>
+
+/**
+ * @file
+ * The hexahedron of a fluid, at the present positions of its corners. Pressure
+ * and artificial viscosity act in one point; a damper resists the hourglass
+ * modes, which the point does not see. All forces are those of the corners, so
+ * that their work is the change of the energy (Caramana, Burton, Shashkov and
+ * Whalen 1998).
+ */
+
+namespace contrecoup
+{
+/// Coefficients of what a fluid has besides its pressure [-].
+struct FluidViscosity
+{
+  double linear = 0.5;    ///< times rho l c
+  double quadratic = 2.;  ///< times rho l^2 |rate of compression|
+  double hourglass = 0.1; ///< of a damper on hourglass modes
+};
+
+/// An element of a fluid: what it has, and what was found of it.
+template <typename Number>
+struct FluidElement
+{
+  Number mass;     ///< [kg]
+  Number energy;   ///< internal [J]
+  Number products; ///< mass fraction of explosive products [-]
+
+  Number volume;      ///< [m^3]
+  Number pressure;    ///< [Pa]
+  Number signal_rate; ///< inverse of the step that it allows [1/s]
+};
+
+/**
+ * Viscous stress mu e, e the symmetric velocity gradient, where the element is
+ * compressed in some direction s, with the viscosity
+ * mu = rho l (q_2 l |s e s| + q_1 c) of its length l along s: Dobrev, Kolev
+ * and Rieben (2012), equations 6.12 to 6.15, without their measure of
+ * vorticity. Zero in expansion.
+ * @param x modes of the corners
+ * @param gradient of the velocity [1/s]
+ * @param viscosity the mu that was used [Pa s]
+ */
+template <typename Number>
+inline DEAL_II_ALWAYS_INLINE Matrix3<Number>
+viscous_stress(const FluidViscosity &coefficients,
+               const HexVectors<Number> &x,
+               const Matrix3<Number> &gradient,
+               const Number &density,
+               const Number &sound_speed,
+               Number &viscosity)
+{
+  using std::sqrt;
+  const Compression<Number> compression = find_compression(gradient);
+  // The inverse of the mean edges gives lengths: l = 1 / |A^-1 s|.
+  Matrix3<Number> edges;
+  for (unsigned int i = 0; i < 3; ++i)
+    for (unsigned int e = 0; e < 3; ++e)
+      edges[i][e] = Number(0.25) * x[e + 1][i];
+  const Matrix3<Number> c = cofactor(edges);
+  const Number determinant =
+    edges[0][0] * c[0][0] + edges[0][1] * c[0][1] + edges[0][2] * c[0][2];
+  Number square{};
+  for (unsigned int i = 0; i < 3; ++i)
+    for (unsigned int j = 0; j < 3; ++j)
+      square += compression.direction[i][j] *
+                (c[i][0] * c[j][0] + c[i][1] * c[j][1] + c[i][2] * c[j][2]);
+  const Number length = determinant / sqrt(square);
+  const Number rate = Number() - compression.least;
+  const Number mu = density * length *
+                    (rate * length * coefficients.quadratic +
+                     sound_speed * coefficients.linear);
+  viscosity = select_less(rate, Number(), Number(), mu);
+  Matrix3<Number> stress = compression.rate;
+  for (auto &row : stress)
+    for (Number &value : row)
+      value *= viscosity;
+  return stress;
+}
+
+/**
+ * Forces with which an element resists the motion of its corners [N].
+ * @param law equation of state, see IdealGas
+ * @param x_corners present positions [m]
+ * @param v_corners velocities [m/s]
+ * @param element what it has is used, what is found is set
+ */
+template <typename Law, typename Number>
+inline DEAL_II_ALWAYS_INLINE HexVectors<Number>
+fluid_forces(const Law &law,
+             const FluidViscosity &coefficients,
+             const HexVectors<Number> &x_corners,
+             const HexVectors<Number> &v_corners,
+             FluidElement<Number> &element)
+{
+  using std::max;
+  using std::sqrt;
+  const HexVectors<Number> x = to_modes(x_corners), v = to_modes(v_corners);
+  const HexGeometry<Number> g = hex_geometry(x);
+  const Matrix3<Number> gradient = mean_gradient(g, v);
+  const Number density = element.mass * g.inverse_volume;
+  Number square;
+  law.pressure_and_sound_speed(density,
+                               element.energy * g.inverse_volume,
+                               element.products,
+                               element.pressure,
+                               square);
+  const Number sound_speed = sqrt(max(square, Number()));
+  Number viscosity;
+  Matrix3<Number> stress =
+    viscous_stress(coefficients, x, gradient, density, sound_speed, viscosity);
+  for (unsigned int i = 0; i < 3; ++i)
+    stress[i][i] -= element.pressure;
+
+  std::array<Vector3<Number>, 4> damping = hourglass_modes(g, v, gradient);
+  const Number damper =
+    density * sound_speed * g.damping_area() * (coefficients.hourglass / 8.);
+  for (auto &mode : damping)
+    for (Number &value : mode)
+      value *= damper * Number(1. / 8.);
+
+  const Number length = g.wave_length();
+  element.volume = g.volume;
+  element.signal_rate =
+    (sound_speed + Number(2.) * viscosity / (density * length)) / length;
+  return to_corners(mode_forces(g, stress, damping));
+}
+} // namespace contrecoup
