@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <deal.II/base/aligned_vector.h>
+
+namespace contrecoup::ale
+{
+/// What nodes and cells of a rank carry, copies of those of other ranks behind
+/// the own ones.
+struct AleState
+{
+  /// Numbers at each node.
+  static constexpr unsigned int width = 4;
+
+  dealii::AlignedVector<double> position; ///< x, y, z, 0 [m]
+  dealii::AlignedVector<double> velocity; ///< three [m/s], 1 / mass [1/kg]
+
+  dealii::AlignedVector<double> mass;     ///< of each cell [kg]
+  dealii::AlignedVector<double> energy;   ///< internal, of each cell [J]
+  dealii::AlignedVector<double> products; ///< mass fraction in each cell [-]
+
+  double time = 0.; ///< [s]
+};
+} // namespace contrecoup::ale

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/ale/ale_state.h>
+#include <contrecoup/ale/cell_batches.h>
+#include <contrecoup/ale/field_exchange.h>
+#include <contrecoup/ale/region.h>
+#include <contrecoup/ale/slip_walls.h>
+
+#include <deal.II/base/tensor.h>
+
+namespace contrecoup::ale
+{
+/// Sums over all ranks.
+struct AleTotals
+{
+  double mass = 0.;
+  dealii::Tensor<1, 3> momentum;
+  double internal_energy = 0.;
+  double kinetic_energy = 0.;
+};
+
+/**
+ * A step in which the mesh moves with the matter, by the compatible staggered
+ * scheme: velocities at the nodes, everything else in the cells, and the energy
+ * of a cell changes by the work of its own forces on its corners (Caramana,
+ * Burton, Shashkov and Whalen 1998). Two stages make it of second order: the
+ * forces of the middle of the step act on the mean of the velocities before and
+ * after it, so that the total energy changes by the work of walls and body
+ * forces alone, to round-off.
+ */
+class LagrangeStep
+{
+public:
+  /// Acceleration of everything over time [m/s^2].
+  using Acceleration = std::function<dealii::Tensor<1, 3>(double)>;
+
+  /// @param regions by material id of the mesh
+  void
+  reinit(const HexSpace &space,
+         const std::vector<Region> &regions,
+         const std::map<dealii::types::boundary_id, SlipWalls::Motion> &walls,
+         const Acceleration &acceleration);
+
+  /// Sets masses of nodes from those of cells, and makes velocities obey walls.
+  void start(AleState &state) const;
+
+  /**
+   * One step of at most this size, and of at most @p courant of what signals
+   * allow; it is halved where a cell would be inverted or numbers would not be
+   * finite.
+   * @return its size [s]
+   * @throws NumericsError, naming the cell, after @p largest_retries; the state
+   *   is then that before the step
+   */
+  double advance(AleState &state,
+                 const double largest_step,
+                 const double courant,
+                 const unsigned int largest_retries = 10);
+
+  /// Work that walls and body forces have done since reinit(), all ranks [J].
+  double external_work() const;
+
+  /// Collective.
+  AleTotals totals(const AleState &state) const;
+
+  /// Pressure, volume and what else a cell has now.
+  FluidElement<double> values(const AleState &state,
+                              const std::size_t cell) const;
+
+private:
+  using Lane = CellBatches::Lane;
+
+  /// What a step starts from.
+  struct Start
+  {
+    dealii::AlignedVector<double> position, velocity, energy;
+  };
+
+  void add_forces(const AleState &state);
+  template <typename Law>
+  void add_range(const CellBatches::Range &range,
+                 const Law &law,
+                 const FluidViscosity &viscosity,
+                 const AleState &state);
+  void accelerate(AleState &state, const Start &start, const double step) const;
+  void move(AleState &state,
+            const Start &start,
+            const dealii::AlignedVector<double> &velocity,
+            const double step) const;
+  void do_work(AleState &state,
+               const Start &start,
+               const dealii::AlignedVector<double> &velocity,
+               const double step);
+  bool try_step(AleState &state, const Start &start, const double step);
+  bool is_physical(const AleState &state) const;
+  void book_work(const AleState &state,
+                 const Start &start,
+                 const dealii::AlignedVector<double> &mean,
+                 const double step);
+  [[noreturn]] void give_up(const AleState &state, const double step) const;
+
+  const HexSpace *space_ = nullptr;
+  std::vector<Region> regions_;
+  SlipWalls walls_;
+  Acceleration acceleration_;
+  CellBatches batches_;
+  FieldExchange node_exchange_;
+
+  dealii::AlignedVector<double> force_;       ///< on nodes, four each [N]
+  dealii::AlignedVector<Lane> corner_forces_; ///< 24 of each batch [N]
+  double signal_rate_ = 0.;                   ///< largest of this rank [1/s]
+  double least_volume_ = 0.;                  ///< of this rank [m^3]
+  double work_ = 0.;                          ///< of this rank [J]
+};
+} // namespace contrecoup::ale

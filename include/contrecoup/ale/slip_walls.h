@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/ale/hex_space.h>
+
+#include <deal.II/base/tensor.h>
+
+#include <functional>
+#include <map>
+#include <vector>
+
+namespace contrecoup::ale
+{
+/**
+ * Walls along which nodes slide without friction: the velocity normal to a
+ * wall is that of the wall. Nodes on two walls slide along their edge, and on
+ * three they go with them.
+ */
+class SlipWalls
+{
+public:
+  /// Normal velocity of a wall, outwards, over time [m/s].
+  using Motion = std::function<double(double)>;
+
+  /**
+   * @param walls by boundary id; boundaries that are not among them are free
+   * @param position of the nodes, by which the normals of curved walls are the
+   *   means of those of the faces
+   */
+  void reinit(const HexSpace &space,
+              const dealii::AlignedVector<double> &position,
+              const std::map<dealii::types::boundary_id, Motion> &walls);
+
+  /// Sets the normal velocities of the nodes on walls at @p time [s].
+  void apply(dealii::AlignedVector<double> &velocity, const double time) const;
+
+private:
+  struct WallNode
+  {
+    std::uint32_t node;
+    dealii::Tensor<1, 3> normal;
+    unsigned int wall;
+  };
+
+  void add_wall(const HexSpace &space,
+                const dealii::AlignedVector<double> &position,
+                const dealii::types::boundary_id boundary,
+                const unsigned int wall,
+                std::map<std::uint32_t, std::vector<WallNode>> &of_node) const;
+
+  std::vector<Motion> motions_;
+  /// Those of a node follow each other.
+  std::vector<WallNode> wall_nodes_;
+};
+} // namespace contrecoup::ale

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/ale/lagrange_step.h>
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/numerics/hex8_moments.h>
+
+#include <deal.II/base/mpi.h>
+
+namespace contrecoup::ale
+{
+namespace
+{
+  constexpr unsigned int width = AleState::width;
+
+  HexVectors<double> corners_of(const HexSpace::Cell &cell,
+                                const dealii::AlignedVector<double> &field)
+  {
+    HexVectors<double> result;
+    for (unsigned int i = 0; i < 8; ++i)
+      for (unsigned int d = 0; d < 3; ++d)
+        result[i][d] = field[width * cell[i] + d];
+    return result;
+  }
+} // namespace
+
+
+double LagrangeStep::external_work() const
+{
+  return dealii::Utilities::MPI::sum(work_, space_->communicator());
+}
+
+
+AleTotals LagrangeStep::totals(const AleState &state) const
+{
+  std::vector<double> sums(6, 0.);
+  for (std::size_t c = 0; c < space_->n_own_cells(); ++c)
+  {
+    sums[0] += state.mass[c];
+    sums[1] += state.energy[c];
+  }
+  for (std::size_t n = 0; n < space_->n_own_nodes(); ++n)
+  {
+    const double *v = &state.velocity[width * n];
+    const double mass = 1. / v[3];
+    sums[2] += 0.5 * mass * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    for (unsigned int d = 0; d < 3; ++d)
+      sums[3 + d] += mass * v[d];
+  }
+  dealii::Utilities::MPI::sum(sums, space_->communicator(), sums);
+  AleTotals result;
+  result.mass = sums[0];
+  result.internal_energy = sums[1];
+  result.kinetic_energy = sums[2];
+  for (unsigned int d = 0; d < 3; ++d)
+    result.momentum[d] = sums[3 + d];
+  return result;
+}
+
+
+FluidElement<double> LagrangeStep::values(const AleState &state,
+                                          const std::size_t cell) const
+{
+  FluidElement<double> element{};
+  element.mass = state.mass[cell];
+  element.energy = state.energy[cell];
+  element.products = state.products[cell];
+  const Region &region = regions_[space_->region(cell)];
+  std::visit(
+    [&](const auto &law) {
+      fluid_forces(law,
+                   region.viscosity,
+                   corners_of(space_->cell(cell), state.position),
+                   corners_of(space_->cell(cell), state.velocity),
+                   element);
+    },
+    region.law);
+  return element;
+}
+
+
+void LagrangeStep::give_up(const AleState &state, const double step) const
+{
+  // The cell with the least volume, of all ranks.
+  double least = std::numeric_limits<double>::max();
+  std::size_t worst = 0;
+  for (std::size_t c = 0; c < space_->n_own_cells(); ++c)
+  {
+    const double volume =
+      hex_moments(corners_of(space_->cell(c), state.position)).volume;
+    if (!(volume >= least))
+    {
+      least = volume;
+      worst = c;
+    }
+  }
+  const double all = dealii::Utilities::MPI::min(least, space_->communicator());
+  std::string text = "the mesh tangles";
+  if (least == all && space_->n_own_cells() > 0)
+  {
+    const auto x = corners_of(space_->cell(worst), state.position)[0];
+    text = "cell " + std::to_string(space_->cell_number(worst)) + " near (" +
+           brief(x[0]) + ", " + brief(x[1]) + ", " + brief(x[2]) +
+           ") m would have a volume of " + brief(least) +
+           " m^3 and an energy of " + brief(state.energy[worst]) + " J";
+  }
+  throw NumericsError("time " + exact(state.time) + " s: with a step of " +
+                      brief(step) + " s " + text);
+}
+} // namespace contrecoup::ale

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/ale/ale_state.h>
+#include <contrecoup/ale/slip_walls.h>
+
+#include <array>
+
+namespace contrecoup::ale
+{
+namespace
+{
+  /// Normal times area of a bilinear face [m^2].
+  dealii::Tensor<1, 3>
+  area_vector(const HexSpace::Face &face,
+              const dealii::AlignedVector<double> &position)
+  {
+    dealii::Tensor<1, 3> first, second;
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      const auto x = [&](const unsigned int i) {
+        return position[AleState::width * face.nodes[i] + d];
+      };
+      first[d] = x(2) - x(0);
+      second[d] = x(3) - x(1);
+    }
+    return 0.5 * dealii::cross_product_3d(first, second);
+  }
+} // namespace
+
+
+void SlipWalls::reinit(
+  const HexSpace &space,
+  const dealii::AlignedVector<double> &position,
+  const std::map<dealii::types::boundary_id, Motion> &walls)
+{
+  motions_.clear();
+  wall_nodes_.clear();
+  std::map<std::uint32_t, std::vector<WallNode>> of_node;
+  for (const auto &[boundary, motion] : walls)
+  {
+    add_wall(space, position, boundary, motions_.size(), of_node);
+    motions_.push_back(motion);
+  }
+  for (const auto &[node, list] : of_node)
+    wall_nodes_.insert(wall_nodes_.end(), list.begin(), list.end());
+}
+
+
+void SlipWalls::add_wall(
+  const HexSpace &space,
+  const dealii::AlignedVector<double> &position,
+  const dealii::types::boundary_id boundary,
+  const unsigned int wall,
+  std::map<std::uint32_t, std::vector<WallNode>> &of_node) const
+{
+  FieldExchange exchange;
+  exchange.reinit(space.nodes(), 3);
+  dealii::AlignedVector<double> areas(exchange.size());
+  for (const HexSpace::Face &face : space.faces())
+  {
+    if (face.outside != HexSpace::no_cell || face.boundary != boundary)
+      continue;
+    const auto area = area_vector(face, position);
+    for (const std::uint32_t node : face.nodes)
+      for (unsigned int d = 0; d < 3; ++d)
+        areas[3 * node + d] += area[d];
+  }
+  exchange.add_copies(areas);
+  exchange.update_copies(areas);
+  for (std::uint32_t node = 0; node < space.n_nodes(); ++node)
+  {
+    dealii::Tensor<1, 3> area;
+    for (unsigned int d = 0; d < 3; ++d)
+      area[d] = areas[3 * node + d];
+    if (area.norm() > 0.)
+      of_node[node].push_back({node, area / area.norm(), wall});
+  }
+}
+
+
+void SlipWalls::apply(dealii::AlignedVector<double> &velocity,
+                      const double time) const
+{
+  std::vector<double> speed(motions_.size());
+  for (std::size_t i = 0; i < motions_.size(); ++i)
+    speed[i] = motions_[i](time);
+  std::size_t begin = 0;
+  while (begin < wall_nodes_.size())
+  {
+    const std::uint32_t node = wall_nodes_[begin].node;
+    // Gram and Schmidt: each direction that the walls before leave free.
+    std::array<dealii::Tensor<1, 3>, 3> fixed;
+    std::array<double, 3> value{};
+    unsigned int n_fixed = 0;
+    std::size_t i = begin;
+    for (; i < wall_nodes_.size() && wall_nodes_[i].node == node; ++i)
+    {
+      dealii::Tensor<1, 3> normal = wall_nodes_[i].normal;
+      double normal_speed = speed[wall_nodes_[i].wall];
+      for (unsigned int k = 0; k < n_fixed; ++k)
+      {
+        const double part = wall_nodes_[i].normal * fixed[k];
+        normal -= part * fixed[k];
+        normal_speed -= part * value[k];
+      }
+      const double size = normal.norm();
+      if (n_fixed == 3 || size < 1e-6)
+        continue;
+      fixed[n_fixed] = normal / size;
+      value[n_fixed] = normal_speed / size;
+      ++n_fixed;
+    }
+    double *v = &velocity[AleState::width * node];
+    for (unsigned int k = 0; k < n_fixed; ++k)
+    {
+      double difference = value[k];
+      for (unsigned int d = 0; d < 3; ++d)
+        difference -= v[d] * fixed[k][d];
+      for (unsigned int d = 0; d < 3; ++d)
+        v[d] += difference * fixed[k][d];
+    }
+    begin = i;
+  }
+}
+} // namespace contrecoup::ale

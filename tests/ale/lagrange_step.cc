@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/ale/lagrange_step.h>
+#include <contrecoup/base/exceptions.h>
+
+#include "slab.h"
+#include <gtest/gtest.h>
+
+using namespace contrecoup;
+using namespace contrecoup::ale;
+
+// Both ends and all sides are walls: the total energy stays to round-off while
+// a shock, a contact and a rarefaction go through the gas.
+TEST(LagrangeStep, keeps_mass_and_energy_of_a_shock_tube)
+{
+  Slab slab({40, 1, 1}, 1.);
+  slab.fill([](const dealii::Point<3> &x) {
+    return x[0] < 0.5 ? SlabGas{1., 1.} : SlabGas{0.125, 0.1};
+  });
+  const auto before = slab.totals();
+  slab.run(0.2);
+  const auto after = slab.totals();
+  EXPECT_NEAR(after.mass, before.mass, 1e-15 * before.mass);
+  EXPECT_GT(after.kinetic_energy, 0.03 * before.internal_energy);
+  EXPECT_NEAR(after.internal_energy + after.kinetic_energy,
+              before.internal_energy,
+              1e-13 * before.internal_energy);
+}
+
+TEST(LagrangeStep, converges_to_the_exact_shock_tube)
+{
+  std::vector<double> errors;
+  for (const unsigned int n : {50, 100})
+  {
+    Slab slab({n, 1, 1}, 1.);
+    slab.fill([](const dealii::Point<3> &x) {
+      return x[0] < 0.5 ? SlabGas{1., 1.} : SlabGas{0.125, 0.1};
+    });
+    slab.run(0.2);
+    errors.push_back(slab.sod_error(0.2));
+  }
+  EXPECT_LT(errors[1], 0.0135);
+  EXPECT_GT(std::log2(errors[0] / errors[1]), 0.63);
+}
+
+// Gas that is pushed at constant speed: the wall does work, and the energy is
+// that at the start plus this work.
+TEST(LagrangeStep, books_the_work_of_moving_walls_and_body_forces)
+{
+  Slab slab({20, 1, 1}, 1., {{0, [](double) { return -0.5; }}}, 3.);
+  slab.fill([](const dealii::Point<3> &) { return SlabGas{1., 0.1}; });
+  const auto before = slab.totals();
+  slab.run(0.3);
+  const auto after = slab.totals();
+  const double work = slab.step.external_work();
+  EXPECT_GT(work, 9e-4);
+  const double start = before.internal_energy + before.kinetic_energy;
+  EXPECT_NEAR(after.internal_energy + after.kinetic_energy,
+              start + work,
+              1e-13 * (start + work));
+}
+
+TEST(LagrangeStep, names_the_cell_that_tangles_and_keeps_the_state)
+{
+  Slab slab({4, 1, 1}, 1.);
+  slab.fill([](const dealii::Point<3> &) { return SlabGas{1., 1.}; });
+  slab.state.energy[0] = std::numeric_limits<double>::quiet_NaN();
+  const double x = slab.state.position[4];
+  EXPECT_THROW(slab.step.advance(slab.state, 1e-3, 0.3, 2), NumericsError);
+  EXPECT_EQ(slab.state.position[4], x);
+  EXPECT_EQ(slab.state.time, 0.);
+}
