@@ -66,6 +66,11 @@ public:
   /// Collective.
   AleTotals totals(const AleState &state) const;
 
+  const SlipWalls &walls() const
+  {
+    return walls_;
+  }
+
   /// Pressure, volume and what else a cell has now.
   FluidElement<double> values(const AleState &state,
                               const std::size_t cell) const;

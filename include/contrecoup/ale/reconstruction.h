@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/ale/cell_stencil.h>
+
+#include <deal.II/base/aligned_vector.h>
+#include <deal.II/base/point.h>
+
+namespace contrecoup::ale
+{
+/**
+ * Linear functions in the cells, of several fields that are given by their
+ * means: gradients by least squares over the cells around, limited so that at
+ * the corners inside of a region, and at the centres of the faces, no value is
+ * beyond those of the cells around the corner or face (Kuzmin 2010; Barth and
+ * Jespersen 1989). Towards a boundary or another region, no corner is beyond
+ * what the cell and that across the opposite face say of it. Extrema whose
+ * second differences are alike in the cells around are smooth and not limited.
+ * Linear functions are found exactly.
+ */
+class Reconstruction
+{
+public:
+  /// @param n_fields numbers at each cell
+  void reinit(const HexSpace &space, const unsigned int n_fields);
+
+  /**
+   * @param position of the nodes, AleState::width numbers each
+   * @param fields of all cells, copies included
+   */
+  void compute(const dealii::AlignedVector<double> &position,
+               const dealii::AlignedVector<double> &fields);
+
+  /// Three numbers for each field of a cell, copies included.
+  const double *gradient(const std::size_t cell, const unsigned int field) const
+  {
+    return &gradients_[3 * (n_fields_ * cell + field)];
+  }
+
+  /// [m^3]
+  double volume(const std::size_t cell) const
+  {
+    return volumes_[cell];
+  }
+
+  const dealii::Point<3> &centre(const std::size_t cell) const
+  {
+    return centres_[cell];
+  }
+
+private:
+  void find_centres(const dealii::AlignedVector<double> &position);
+  void find_gradients(const dealii::AlignedVector<double> &fields,
+                      const std::size_t cell);
+  void find_curvatures(const dealii::AlignedVector<double> &fields,
+                       const std::size_t cell);
+  void limit_inside(const dealii::AlignedVector<double> &fields,
+                    const std::size_t cell);
+  void limit_towards_walls(const dealii::AlignedVector<double> &fields,
+                           const std::size_t cell);
+  void limit_at(const dealii::AlignedVector<double> &fields,
+                const std::size_t cell,
+                const dealii::ArrayView<const std::uint32_t> &nodes);
+  void apply_factors(const std::size_t cell);
+  bool is_smooth(const std::size_t cell, const unsigned int field) const;
+  double change(const std::size_t cell,
+                const unsigned int field,
+                const dealii::Tensor<1, 3> &way) const;
+  dealii::Point<3> place(const std::size_t node) const;
+
+  const HexSpace *space_ = nullptr;
+  unsigned int n_fields_ = 0;
+  FieldExchange gradient_exchange_, curvature_exchange_;
+  dealii::AlignedVector<double> gradients_;
+  dealii::AlignedVector<double> curvatures_; ///< second differences
+  std::vector<double> volumes_;
+  std::vector<dealii::Point<3>> centres_;
+  const dealii::AlignedVector<double> *position_ = nullptr;
+  CellStencil stencil_;
+  /// Of one cell, by field: bounds, and by what its gradient is multiplied.
+  std::vector<double> least_, most_, factor_;
+};
+} // namespace contrecoup::ale

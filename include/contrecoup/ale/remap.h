@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/ale/ale_state.h>
+#include <contrecoup/ale/reconstruction.h>
+#include <contrecoup/ale/slip_walls.h>
+
+namespace contrecoup::ale
+{
+/**
+ * Carries what a mesh has over to the same mesh with nodes elsewhere, by what
+ * each face sweeps. Mass, momentum and total energy stay to round-off:
+ * - momentum goes with the mass as eight velocities of a cell, those at its
+ *   corners, and each node collects the eighths of its cells (Benson 1992, half
+ *   index shift): nodes that do not move keep their velocity to round-off;
+ * - kinetic energy is carried likewise, and what the mean velocity of a node
+ *   lacks of it becomes internal energy of its cells (DeBar 1974).
+ */
+class Remap
+{
+public:
+  void reinit(const HexSpace &space);
+
+  /**
+   * @param walls that the new velocities obey
+   * @param position of the nodes afterwards; those between regions, and those
+   *   of boundaries but along them, must not move
+   * @throws NumericsError, naming the cell, when one loses more mass than it
+   *   has
+   */
+  void apply(AleState &state,
+             const SlipWalls &walls,
+             const dealii::AlignedVector<double> &position);
+
+private:
+  /// What is carried for each cell: density, internal energy per mass, mass
+  /// fraction of products, velocities at the corners, half their squares.
+  static constexpr unsigned int density = 0, energy = 1, products = 2,
+                                velocity = 3, kinetic = 27, n_fields = 35;
+
+  void fill_fields(const AleState &state);
+  void carry_over(const AleState &state,
+                  const dealii::AlignedVector<double> &position);
+  void carry_face(const AleState &state,
+                  const dealii::AlignedVector<double> &position,
+                  const HexSpace::Face &face);
+  void check_masses(const AleState &state) const;
+  void collect(AleState &state, const SlipWalls &walls) const;
+
+  const HexSpace *space_ = nullptr;
+  Reconstruction reconstruction_;
+  FieldExchange node_exchange_, cell_exchange_;
+  dealii::AlignedVector<double> fields_; ///< of all cells
+  /// Of own cells afterwards, times mass; the first one is the mass.
+  std::vector<double> contents_;
+};
+} // namespace contrecoup::ale

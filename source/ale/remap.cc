@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/ale/remap.h>
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/numerics/hex8_moments.h>
+
+#include <deal.II/base/mpi.h>
+
+namespace contrecoup::ale
+{
+namespace
+{
+  constexpr unsigned int width = AleState::width;
+} // namespace
+
+
+void Remap::reinit(const HexSpace &space)
+{
+  space_ = &space;
+  reconstruction_.reinit(space, n_fields);
+  node_exchange_.reinit(space.nodes(), width + 1);
+  cell_exchange_.reinit(space.cells(), 1);
+  fields_.resize(n_fields * space.n_cells());
+  contents_.resize(n_fields * space.n_own_cells());
+}
+
+
+void Remap::fill_fields(const AleState &state)
+{
+  for (std::size_t c = 0; c < space_->n_cells(); ++c)
+  {
+    double *field = &fields_[n_fields * c];
+    HexVectors<double> corners;
+    for (unsigned int i = 0; i < 8; ++i)
+    {
+      const double *v = &state.velocity[width * space_->cell(c)[i]];
+      field[kinetic + i] = 0.;
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        field[velocity + 3 * i + d] = v[d];
+        field[kinetic + i] += 0.5 * v[d] * v[d];
+        corners[i][d] = state.position[width * space_->cell(c)[i] + d];
+      }
+    }
+    field[density] = state.mass[c] / hex_geometry(to_modes(corners)).volume;
+    field[energy] = state.energy[c] / state.mass[c];
+    field[products] = state.products[c];
+  }
+}
+
+
+void Remap::carry_face(const AleState &state,
+                       const dealii::AlignedVector<double> &position,
+                       const HexSpace::Face &face)
+{
+  std::array<Vector3<double>, 4> before, after;
+  bool moves = false;
+  for (unsigned int i = 0; i < 4; ++i)
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      const std::size_t place = width * face.nodes[i] + d;
+      before[i][d] = state.position[place];
+      after[i][d] = position[place];
+      moves = moves || before[i][d] != after[i][d];
+    }
+  if (!moves)
+    return;
+  // What `inside` gains comes out of `outside`.
+  const auto swept = swept_moments(before, after);
+  if (swept.volume == 0.)
+    return;
+  const std::uint32_t donor = swept.volume > 0. ? face.outside : face.inside;
+  const auto &centre = reconstruction_.centre(donor);
+  const double *field = &fields_[n_fields * donor];
+  double mass = swept.volume * field[density];
+  Vector3<double> way;
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    const double moment = swept.first[d] - swept.volume * centre[d];
+    mass += reconstruction_.gradient(donor, density)[d] * moment;
+    way[d] = moment / swept.volume;
+  }
+  const auto add = [&](const std::uint32_t cell, const double sign) {
+    if (cell >= space_->n_own_cells())
+      return;
+    double *content = &contents_[n_fields * cell];
+    content[0] += sign * mass;
+    for (unsigned int f = 1; f < n_fields; ++f)
+    {
+      const double *g = reconstruction_.gradient(donor, f);
+      content[f] += sign * mass *
+                    (field[f] + g[0] * way[0] + g[1] * way[1] + g[2] * way[2]);
+    }
+  };
+  add(face.inside, 1.);
+  add(face.outside, -1.);
+}
+
+
+void Remap::carry_over(const AleState &state,
+                       const dealii::AlignedVector<double> &position)
+{
+  for (std::size_t c = 0; c < space_->n_own_cells(); ++c)
+  {
+    contents_[n_fields * c] = state.mass[c];
+    for (unsigned int f = 1; f < n_fields; ++f)
+      contents_[n_fields * c + f] = state.mass[c] * fields_[n_fields * c + f];
+  }
+  for (const HexSpace::Face &face : space_->faces())
+    if (face.outside != HexSpace::no_cell &&
+        space_->region(face.inside) == space_->region(face.outside))
+      carry_face(state, position, face);
+}
+
+
+void Remap::check_masses(const AleState &state) const
+{
+  std::string text;
+  for (std::size_t c = 0; c < space_->n_own_cells() && text.empty(); ++c)
+    if (!(contents_[n_fields * c] > 0.))
+      text = "cell " + std::to_string(space_->cell_number(c)) +
+             " would lose more mass than it has";
+  const int failed =
+    dealii::Utilities::MPI::max(text.empty() ? 0 : 1, space_->communicator());
+  if (failed == 1)
+    throw NumericsError("time " + exact(state.time) + " s: in the remap " +
+                        (text.empty() ? "a cell of another rank fails" : text));
+}
+
+
+void Remap::collect(AleState &state, const SlipWalls &walls) const
+{
+  // Momentum, mass and kinetic energy of the nodes.
+  constexpr unsigned int n = width + 1;
+  dealii::AlignedVector<double> sums(node_exchange_.size());
+  for (std::size_t c = 0; c < space_->n_own_cells(); ++c)
+  {
+    const double *content = &contents_[n_fields * c];
+    for (unsigned int i = 0; i < 8; ++i)
+    {
+      double *sum = &sums[n * space_->cell(c)[i]];
+      for (unsigned int d = 0; d < 3; ++d)
+        sum[d] += 0.125 * content[velocity + 3 * i + d];
+      sum[3] += 0.125 * content[0];
+      sum[4] += 0.125 * content[kinetic + i];
+    }
+  }
+  node_exchange_.add_copies(sums);
+  node_exchange_.update_copies(sums);
+  for (std::size_t node = 0; node < space_->n_nodes(); ++node)
+  {
+    for (unsigned int d = 0; d < 3; ++d)
+      state.velocity[width * node + d] =
+        sums[n * node + d] / sums[n * node + 3];
+    state.velocity[width * node + 3] = 1. / sums[n * node + 3];
+  }
+  walls.apply(state.velocity, state.time);
+  for (std::size_t c = 0; c < space_->n_own_cells(); ++c)
+  {
+    const double *content = &contents_[n_fields * c];
+    state.mass[c] = content[0];
+    state.products[c] = content[products] / content[0];
+    double heat = 0.;
+    for (const std::uint32_t node : space_->cell(c))
+    {
+      const double *v = &state.velocity[width * node];
+      const double square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+      heat += sums[n * node + 4] / sums[n * node + 3] - 0.5 * square;
+    }
+    state.energy[c] = content[energy] + 0.125 * content[0] * heat;
+  }
+}
+
+
+void Remap::apply(AleState &state,
+                  const SlipWalls &walls,
+                  const dealii::AlignedVector<double> &position)
+{
+  cell_exchange_.update_copies(state.mass);
+  cell_exchange_.update_copies(state.energy);
+  cell_exchange_.update_copies(state.products);
+  fill_fields(state);
+  reconstruction_.compute(state.position, fields_);
+  carry_over(state, position);
+  check_masses(state);
+  collect(state, walls);
+  cell_exchange_.update_copies(state.mass);
+  cell_exchange_.update_copies(state.energy);
+  cell_exchange_.update_copies(state.products);
+  state.position = position;
+}
+} // namespace contrecoup::ale
