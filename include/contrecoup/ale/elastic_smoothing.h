@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/ale/hex_space.h>
+
+#include <array>
+#include <memory>
+
+namespace contrecoup::ale
+{
+/// How a mesh is smoothed.
+struct ElasticOptions
+{
+  double poisson_ratio = 0.3; ///< of the matter that the mesh is taken for [-]
+  /// Young's modulus grows with the inverse volume of a cell to this power:
+  /// small cells keep their shape.
+  double stiffening = 1.;
+  double tolerance = 1e-6; ///< of the residual, relative [-]
+  unsigned int largest_iterations = 1000;
+  /// The multigrid hierarchy is made anew when a solution takes this many times
+  /// the iterations of the first one with it.
+  double renewal = 1.5;
+};
+
+/**
+ * Displacements of the nodes of a mesh, as if it were elastic matter at rest:
+ * div sigma = 0 with displacements that are prescribed at some of the nodes
+ * (Tan, Saunders and Bagchi 2017, section 2.2). Continuous trilinear elements,
+ * conjugate gradients and algebraic multigrid, which is kept from one solution
+ * to the next, as is the solution to start from.
+ */
+class ElasticSmoothing
+{
+public:
+  ElasticSmoothing();
+  ~ElasticSmoothing();
+
+  /// @param space the mesh; it must live as long
+  /// @param is_prescribed the three components at each node, copies included
+  void reinit(HexSpace &space,
+              const std::vector<std::array<bool, 3>> &is_prescribed,
+              const ElasticOptions &options);
+
+  /**
+   * @param position of the nodes before, AleState::width numbers each [m]
+   * @param displacement prescribed where it is; the others are set [m]
+   * @return iterations that it took
+   * @throws NumericsError when the solver does not converge
+   */
+  unsigned int solve(const dealii::AlignedVector<double> &position,
+                     dealii::AlignedVector<double> &displacement);
+
+private:
+  class System;
+  std::unique_ptr<System> system_;
+};
+} // namespace contrecoup::ale

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+// Before all of deal.II, as the precompiled header is not used here.
+#include <contrecoup/base/lanes.h>
+
+#include <contrecoup/ale/ale_state.h>
+#include <contrecoup/ale/elastic_smoothing.h>
+#include <contrecoup/base/exceptions.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/solver_cg.h>
+#include <deal.II/lac/sparsity_tools.h>
+#include <deal.II/lac/trilinos_precondition.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+#include <deal.II/lac/trilinos_vector.h>
+
+namespace contrecoup::ale
+{
+namespace
+{
+  constexpr unsigned int width = AleState::width;
+  using TrilinosVector = dealii::TrilinosWrappers::MPI::Vector;
+} // namespace
+
+
+/// Matrix, constraints and preconditioner.
+class ElasticSmoothing::System
+{
+public:
+  System(HexSpace &space,
+         const std::vector<std::array<bool, 3>> &is_prescribed,
+         const ElasticOptions &options);
+
+  void assemble(const dealii::AlignedVector<double> &position,
+                const dealii::AlignedVector<double> &displacement);
+  unsigned int solve();
+  void read(dealii::AlignedVector<double> &displacement) const;
+
+private:
+  dealii::types::global_dof_index dof(const std::size_t node,
+                                      const unsigned int d) const
+  {
+    return 3 * space_.nodes().local_to_global(node) + d;
+  }
+  void move_mesh(const dealii::AlignedVector<double> &position);
+  void constrain(const dealii::AlignedVector<double> &displacement);
+  void add_cell(const dealii::FEValues<3> &values,
+                dealii::FullMatrix<double> &matrix) const;
+  void renew_preconditioner();
+
+  HexSpace &space_;
+  std::vector<std::array<bool, 3>> is_prescribed_;
+  ElasticOptions options_;
+  dealii::IndexSet own_, relevant_;
+  dealii::AffineConstraints<double> constraints_;
+  dealii::TrilinosWrappers::SparseMatrix matrix_;
+  TrilinosVector right_side_, solution_;
+  dealii::TrilinosWrappers::PreconditionAMG preconditioner_;
+  unsigned int first_iterations_ = 0; ///< with this preconditioner; 0: none
+};
+
+
+ElasticSmoothing::System::System(
+  HexSpace &space,
+  const std::vector<std::array<bool, 3>> &is_prescribed,
+  const ElasticOptions &options)
+  : space_(space)
+  , is_prescribed_(is_prescribed)
+  , options_(options)
+  , own_(space.node_dofs().locally_owned_dofs())
+{
+  dealii::DoFTools::extract_locally_relevant_dofs(space.node_dofs(), relevant_);
+  dealii::AlignedVector<double> none(width * space.n_nodes());
+  constrain(none);
+  dealii::DynamicSparsityPattern pattern(relevant_);
+  dealii::DoFTools::make_sparsity_pattern(
+    space.node_dofs(), pattern, constraints_, false);
+  dealii::SparsityTools::distribute_sparsity_pattern(
+    pattern, own_, space.communicator(), relevant_);
+  matrix_.reinit(own_, own_, pattern, space.communicator());
+  right_side_.reinit(own_, space.communicator());
+  solution_.reinit(own_, space.communicator());
+}
+
+
+void ElasticSmoothing::System::move_mesh(
+  const dealii::AlignedVector<double> &position)
+{
+  std::vector<dealii::types::global_dof_index> dofs(24);
+  for (const auto &cell : space_.node_dofs().active_cell_iterators())
+  {
+    if (cell->is_artificial())
+      continue;
+    cell->get_dof_indices(dofs);
+    for (const unsigned int v : cell->vertex_indices())
+    {
+      const auto node = space_.nodes().global_to_local(dofs[3 * v] / 3);
+      for (unsigned int d = 0; d < 3; ++d)
+        cell->vertex(v)[d] = position[width * node + d];
+    }
+  }
+}
+
+
+void ElasticSmoothing::System::constrain(
+  const dealii::AlignedVector<double> &displacement)
+{
+  constraints_.clear();
+  constraints_.reinit(relevant_);
+  for (std::size_t n = 0; n < space_.n_nodes(); ++n)
+    for (unsigned int d = 0; d < 3; ++d)
+      if (is_prescribed_[n][d])
+      {
+        constraints_.add_line(dof(n, d));
+        constraints_.set_inhomogeneity(dof(n, d), displacement[width * n + d]);
+      }
+  constraints_.close();
+}
+
+
+void ElasticSmoothing::System::add_cell(
+  const dealii::FEValues<3> &values,
+  dealii::FullMatrix<double> &matrix) const
+{
+  const double nu = options_.poisson_ratio;
+  const double lambda = nu / ((1. + nu) * (1. - 2. * nu));
+  const double mu = 0.5 / (1. + nu);
+  matrix = 0.;
+  double volume = 0.;
+  for (const unsigned int q : values.quadrature_point_indices())
+    volume += values.JxW(q);
+  const double stiffness = std::pow(volume, -options_.stiffening);
+  for (const unsigned int q : values.quadrature_point_indices())
+    for (const unsigned int i : values.dof_indices())
+      for (const unsigned int j : values.dof_indices())
+      {
+        const unsigned int a = i % 3, b = j % 3;
+        const auto &gi = values.shape_grad(i, q), &gj = values.shape_grad(j, q);
+        double sum = lambda * gi[a] * gj[b] + mu * gi[b] * gj[a];
+        if (a == b)
+          sum += mu * (gi * gj);
+        matrix(i, j) += stiffness * sum * values.JxW(q);
+      }
+}
+
+
+void ElasticSmoothing::System::assemble(
+  const dealii::AlignedVector<double> &position,
+  const dealii::AlignedVector<double> &displacement)
+{
+  move_mesh(position);
+  constrain(displacement);
+  matrix_ = 0.;
+  right_side_ = 0.;
+  const auto &dof_handler = space_.node_dofs();
+  dealii::FEValues<3> values(dof_handler.get_fe(),
+                             dealii::QGauss<3>(2),
+                             dealii::update_gradients |
+                               dealii::update_JxW_values);
+  dealii::FullMatrix<double> local(24, 24);
+  const dealii::Vector<double> none(24);
+  std::vector<dealii::types::global_dof_index> dofs(24);
+  for (const auto &cell : dof_handler.active_cell_iterators())
+  {
+    if (!cell->is_locally_owned())
+      continue;
+    values.reinit(cell);
+    add_cell(values, local);
+    cell->get_dof_indices(dofs);
+    constraints_.distribute_local_to_global(
+      local, none, dofs, matrix_, right_side_);
+  }
+  matrix_.compress(dealii::VectorOperation::add);
+  right_side_.compress(dealii::VectorOperation::add);
+}
+
+
+void ElasticSmoothing::System::renew_preconditioner()
+{
+  dealii::TrilinosWrappers::PreconditionAMG::AdditionalData data;
+  data.elliptic = true;
+  data.higher_order_elements = false;
+  data.smoother_sweeps = 2;
+  data.aggregation_threshold = 0.02;
+  dealii::DoFTools::extract_constant_modes(
+    space_.node_dofs(), dealii::ComponentMask(), data.constant_modes);
+  preconditioner_.initialize(matrix_, data);
+  first_iterations_ = 0;
+}
+
+
+unsigned int ElasticSmoothing::System::solve()
+{
+  if (first_iterations_ == 0)
+    renew_preconditioner();
+  constraints_.set_zero(solution_);
+  const double size = right_side_.l2_norm();
+  dealii::SolverControl control(options_.largest_iterations,
+                                options_.tolerance * size + 1e-300);
+  dealii::SolverCG<TrilinosVector> solver(control);
+  try
+  {
+    solver.solve(matrix_, solution_, right_side_, preconditioner_);
+  }
+  catch (const dealii::SolverControl::NoConvergence &)
+  {
+    throw NumericsError(
+      "mesh smoothing: the residual is still " +
+      std::to_string(control.last_value() / size) + " of its first one after " +
+      std::to_string(options_.largest_iterations) + " iterations");
+  }
+  constraints_.distribute(solution_);
+  const unsigned int n = std::max(control.last_step(), 1U);
+  if (first_iterations_ == 0)
+    first_iterations_ = n;
+  else if (n > options_.renewal * first_iterations_ + 5.)
+    first_iterations_ = 0;
+  return control.last_step();
+}
+
+
+void ElasticSmoothing::System::read(
+  dealii::AlignedVector<double> &displacement) const
+{
+  TrilinosVector all(own_, relevant_, space_.communicator());
+  all = solution_;
+  for (std::size_t n = 0; n < space_.n_nodes(); ++n)
+    for (unsigned int d = 0; d < 3; ++d)
+      displacement[width * n + d] = all[dof(n, d)];
+}
+
+
+ElasticSmoothing::ElasticSmoothing() = default;
+ElasticSmoothing::~ElasticSmoothing() = default;
+
+
+void ElasticSmoothing::reinit(
+  HexSpace &space,
+  const std::vector<std::array<bool, 3>> &is_prescribed,
+  const ElasticOptions &options)
+{
+  system_ = std::make_unique<System>(space, is_prescribed, options);
+}
+
+
+unsigned int
+ElasticSmoothing::solve(const dealii::AlignedVector<double> &position,
+                        dealii::AlignedVector<double> &displacement)
+{
+  system_->assemble(position, displacement);
+  const unsigned int n = system_->solve();
+  system_->read(displacement);
+  return n;
+}
+} // namespace contrecoup::ale
