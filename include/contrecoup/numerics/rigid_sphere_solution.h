@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <deal.II/base/point.h>
+
+#include <vector>
+
+namespace contrecoup
+{
+/// A fluid at rest in a rigid sphere that is decelerated for half a period of a
+/// sine.
+struct RigidSphere
+{
+  double radius = 0.09;        ///< R [m]
+  double density = 1000.;      ///< [kg/m^3]
+  double sound_speed = 1483.;  ///< c [m/s]
+  double deceleration = 1000.; ///< largest, A [m/s^2]
+  double duration = 1e-3;      ///< T [s]
+};
+
+/**
+ * Pressure of linear acoustics in that sphere, by the modes that move with its
+ * centre (Anzelius 1943 and Guettinger 1950 derived the like):
+ *
+ *   p = rho c cos(theta) sum 2 a_n / (a_n^2 - 2) j_1(a_n r / R) / j_1(a_n)
+ *         integral_0^t A(s) sin(a_n c (t - s) / R) ds,   j_1'(a_n) = 0,
+ *
+ * theta from the direction in which the sphere moved. Slow decelerations give
+ * rho A r cos(theta). The series converges like 1 / a_n^2 at the wall.
+ */
+class RigidSphereSolution
+{
+public:
+  /// @param n_modes terms of the series
+  explicit RigidSphereSolution(const RigidSphere &sphere,
+                               const unsigned int n_modes = 200);
+
+  /// Pressure [Pa] at @p distance [m] from the centre in a direction with this
+  /// @p cosine of theta, at @p time [s].
+  double
+  pressure(const double distance, const double cosine, const double time) const;
+
+  /// a_n, see above [-].
+  const std::vector<double> &roots() const
+  {
+    return roots_;
+  }
+
+private:
+  double response(const double root, const double time) const;
+
+  RigidSphere sphere_;
+  std::vector<double> roots_;
+};
+} // namespace contrecoup
