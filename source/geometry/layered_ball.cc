@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/geometry/layered_ball.h>
+
+#include <deal.II/base/numbers.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace contrecoup
+{
+namespace
+{
+  using dealii::Point;
+  using dealii::Tensor;
+
+  /// Part of the core's axes that the corners of the inner cube reach, in each
+  /// direction, and how round the cube is: 0 flat, 1 a sphere.
+  constexpr double cube_size = 0.5, cube_roundness = 0.6;
+
+  /// Makes and numbers nodes; (i, j, k) is a place of the cube's grid, and
+  /// `layer` counts surfaces from that of the cube outwards.
+  class Nodes
+  {
+  public:
+    explicit Nodes(const LayeredBall &ball)
+      : ball_(ball)
+    {}
+
+    unsigned int number(const std::array<unsigned int, 3> &place,
+                        const unsigned int layer)
+    {
+      const std::array<unsigned int, 4> key{
+        {place[0], place[1], place[2], layer}};
+      const auto found = numbers_.find(key);
+      if (found != numbers_.end())
+        return found->second;
+      numbers_[key] = static_cast<unsigned int>(points_.size());
+      points_.push_back(position(place, layer));
+      return numbers_[key];
+    }
+
+    const std::vector<Point<3>> &points() const
+    {
+      return points_;
+    }
+
+  private:
+    /// Of a place on the cube's surface or inside, in [-1, 1]^3.
+    Tensor<1, 3> in_cube(const std::array<unsigned int, 3> &place) const
+    {
+      Tensor<1, 3> result;
+      for (unsigned int d = 0; d < 3; ++d)
+        result[d] = 2. * place[d] / ball_.cells_along_cube - 1.;
+      return result;
+    }
+
+    /// Towards a place of the cube, by equal angles.
+    static Tensor<1, 3> direction(const Tensor<1, 3> &cube)
+    {
+      Tensor<1, 3> result;
+      for (unsigned int d = 0; d < 3; ++d)
+        result[d] = std::tan(0.25 * dealii::numbers::PI * cube[d]);
+      return result / result.norm();
+    }
+
+    static Point<3> scaled(const Tensor<1, 3> &unit,
+                           const std::array<double, 3> &axes)
+    {
+      return {unit[0] * axes[0], unit[1] * axes[1], unit[2] * axes[2]};
+    }
+
+    Point<3> position(const std::array<unsigned int, 3> &place,
+                      const unsigned int layer) const
+    {
+      const Tensor<1, 3> cube = in_cube(place);
+      const double size =
+        std::max({std::abs(cube[0]), std::abs(cube[1]), std::abs(cube[2])});
+      if (size == 0.)
+        return {};
+      const Tensor<1, 3> way = direction(cube / size);
+      // The cube is the rounder, the nearer to its surface.
+      const double round = cube_roundness * size;
+      const auto &core = ball_.semi_axes.front();
+      const Point<3> inside = scaled(
+        cube_size * ((1. - round) * cube / 1.3 + round * size * way), core);
+      if (layer == 0)
+        return inside;
+      unsigned int left = layer;
+      for (std::size_t i = 0; i < ball_.cells_across.size(); ++i)
+      {
+        const unsigned int n = ball_.cells_across[i];
+        if (left <= n)
+        {
+          const Point<3> below =
+            i == 0 ? inside : scaled(way, ball_.semi_axes[i - 1]);
+          const Point<3> above = scaled(way, ball_.semi_axes[i]);
+          return below + (above - below) * (double(left) / n);
+        }
+        left -= n;
+      }
+      return {};
+    }
+
+    const LayeredBall &ball_;
+    std::map<std::array<unsigned int, 4>, unsigned int> numbers_;
+    std::vector<Point<3>> points_;
+  };
+
+  void check(const LayeredBall &ball)
+  {
+    const auto require = [](const bool holds, const std::string &what) {
+      if (!holds)
+        throw InputError("Layered ball: " + what);
+    };
+    require(!ball.semi_axes.empty() &&
+              ball.semi_axes.size() == ball.cells_across.size(),
+            "each layer needs its semi-axes and its number of cells");
+    require(ball.cells_along_cube >= 2 && ball.cells_along_cube % 2 == 0,
+            "the cells along the inner cube must be even and at least 2");
+    for (std::size_t i = 0; i < ball.semi_axes.size(); ++i)
+    {
+      require(ball.cells_across[i] > 0, "each layer needs a cell across it");
+      for (unsigned int d = 0; d < 3; ++d)
+        require(ball.semi_axes[i][d] > (i == 0 ? 0. : ball.semi_axes[i - 1][d]),
+                "semi-axes must be above 0 and grow from layer to layer");
+    }
+  }
+
+  using Cells = std::vector<dealii::CellData<3>>;
+
+  void add_cube(const LayeredBall &ball, Nodes &nodes, Cells &cells)
+  {
+    const unsigned int n = ball.cells_along_cube;
+    std::array<unsigned int, 3> first;
+    for (unsigned int d = 0; d < 3; ++d)
+      first[d] = ball.is_halved[d] ? n / 2 : 0;
+    for (unsigned int k = first[2]; k < n; ++k)
+      for (unsigned int j = first[1]; j < n; ++j)
+        for (unsigned int i = first[0]; i < n; ++i)
+        {
+          dealii::CellData<3> cell;
+          for (unsigned int v = 0; v < 8; ++v)
+            cell.vertices[v] = nodes.number(
+              {{i + (v & 1U), j + (v >> 1U & 1U), k + (v >> 2U)}}, 0);
+          cell.material_id = 0;
+          cells.push_back(cell);
+        }
+  }
+
+  /// The block through all layers at the side of the cube that is normal to
+  /// @p axis.
+  void add_block(const LayeredBall &ball,
+                 const unsigned int axis,
+                 const bool is_upper,
+                 Nodes &nodes,
+                 Cells &cells)
+  {
+    const unsigned int n = ball.cells_along_cube;
+    // Turned so that cells are not inverted.
+    const unsigned int a = (axis + 1) % 3, b = (axis + 2) % 3;
+    unsigned int layer = 0;
+    for (std::size_t part = 0; part < ball.cells_across.size(); ++part)
+      for (unsigned int m = 0; m < ball.cells_across[part]; ++m, ++layer)
+        for (unsigned int j = ball.is_halved[b] ? n / 2 : 0; j < n; ++j)
+          for (unsigned int i = ball.is_halved[a] ? n / 2 : 0; i < n; ++i)
+          {
+            dealii::CellData<3> cell;
+            for (unsigned int v = 0; v < 8; ++v)
+            {
+              std::array<unsigned int, 3> place;
+              place[axis] = is_upper ? n : 0;
+              place[a] = i + (is_upper ? v & 1U : 1U - (v & 1U));
+              place[b] = j + (v >> 1U & 1U);
+              cell.vertices[v] = nodes.number(place, layer + (v >> 2U));
+            }
+            cell.material_id = static_cast<dealii::types::material_id>(part);
+            cells.push_back(cell);
+          }
+  }
+
+  void set_boundaries(const LayeredBall &ball, dealii::Triangulation<3> &mesh)
+  {
+    for (const auto &face : mesh.active_face_iterators())
+    {
+      if (!face->at_boundary())
+        continue;
+      face->set_boundary_id(0);
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        double farthest = 0.;
+        for (const unsigned int v : face->vertex_indices())
+          farthest = std::max(farthest, std::abs(face->vertex(v)[d]));
+        if (ball.is_halved[d] && farthest < 1e-9 * ball.semi_axes.front()[d])
+          face->set_boundary_id(d + 1);
+      }
+    }
+  }
+} // namespace
+
+
+void make_layered_ball(const LayeredBall &ball, dealii::Triangulation<3> &mesh)
+{
+  check(ball);
+  Nodes nodes(ball);
+  Cells cells;
+  add_cube(ball, nodes, cells);
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    add_block(ball, axis, true, nodes, cells);
+    if (!ball.is_halved[axis])
+      add_block(ball, axis, false, nodes, cells);
+  }
+  mesh.create_triangulation(nodes.points(), cells, dealii::SubCellData());
+  set_boundaries(ball, mesh);
+}
+} // namespace contrecoup
