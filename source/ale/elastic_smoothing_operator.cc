@@ -39,8 +39,14 @@ public:
 
   void assemble(const dealii::AlignedVector<double> &position,
                 const dealii::AlignedVector<double> &displacement);
-  unsigned int solve();
-  void read(dealii::AlignedVector<double> &displacement) const;
+  unsigned int solve(const dealii::AlignedVector<double> &position);
+  void read(dealii::AlignedVector<double> &displacement);
+  void resume(const SmoothingMemory &memory);
+
+  const SmoothingMemory &memory() const
+  {
+    return memory_;
+  }
 
 private:
   dealii::types::global_dof_index dof(const std::size_t node,
@@ -62,7 +68,7 @@ private:
   dealii::TrilinosWrappers::SparseMatrix matrix_;
   TrilinosVector right_side_, solution_;
   dealii::TrilinosWrappers::PreconditionAMG preconditioner_;
-  unsigned int first_iterations_ = 0; ///< with this preconditioner; 0: none
+  SmoothingMemory memory_;
 };
 
 
@@ -74,6 +80,7 @@ ElasticSmoothing::System::System(
   , is_prescribed_(is_prescribed)
   , options_(options)
   , own_(space.node_dofs().locally_owned_dofs())
+  , memory_(space)
 {
   dealii::DoFTools::extract_locally_relevant_dofs(space.node_dofs(), relevant_);
   dealii::AlignedVector<double> none(width * space.n_nodes());
@@ -191,14 +198,17 @@ void ElasticSmoothing::System::renew_preconditioner()
   dealii::DoFTools::extract_constant_modes(
     space_.node_dofs(), dealii::ComponentMask(), data.constant_modes);
   preconditioner_.initialize(matrix_, data);
-  first_iterations_ = 0;
 }
 
 
-unsigned int ElasticSmoothing::System::solve()
+unsigned int
+ElasticSmoothing::System::solve(const dealii::AlignedVector<double> &position)
 {
-  if (first_iterations_ == 0)
+  if (memory_.first_iterations == 0)
+  {
     renew_preconditioner();
+    memory_.hierarchy_position = position;
+  }
   constraints_.set_zero(solution_);
   const double size = right_side_.l2_norm();
   dealii::SolverControl control(options_.largest_iterations,
@@ -217,23 +227,43 @@ unsigned int ElasticSmoothing::System::solve()
   }
   constraints_.distribute(solution_);
   const unsigned int n = std::max(control.last_step(), 1U);
-  if (first_iterations_ == 0)
-    first_iterations_ = n;
-  else if (n > options_.renewal * first_iterations_ + 5.)
-    first_iterations_ = 0;
+  if (memory_.first_iterations == 0)
+    memory_.first_iterations = n;
+  else if (n > options_.renewal * memory_.first_iterations + 5.)
+    memory_.first_iterations = 0;
   return control.last_step();
 }
 
 
-void ElasticSmoothing::System::read(
-  dealii::AlignedVector<double> &displacement) const
+void ElasticSmoothing::System::read(dealii::AlignedVector<double> &displacement)
 {
   TrilinosVector all(own_, relevant_, space_.communicator());
   all = solution_;
   for (std::size_t n = 0; n < space_.n_nodes(); ++n)
     for (unsigned int d = 0; d < 3; ++d)
       displacement[width * n + d] = all[dof(n, d)];
+  memory_.displacement = displacement;
 }
+
+
+void ElasticSmoothing::System::resume(const SmoothingMemory &memory)
+{
+  memory_ = memory;
+  for (std::size_t n = 0; n < space_.n_own_nodes(); ++n)
+    for (unsigned int d = 0; d < 3; ++d)
+      solution_[dof(n, d)] = memory_.displacement[width * n + d];
+  solution_.compress(dealii::VectorOperation::insert);
+  if (memory_.first_iterations == 0)
+    return;
+  assemble(memory_.hierarchy_position, memory_.displacement);
+  renew_preconditioner();
+}
+
+
+SmoothingMemory::SmoothingMemory(const HexSpace &space)
+  : displacement(width * space.n_nodes())
+  , hierarchy_position(width * space.n_nodes())
+{}
 
 
 ElasticSmoothing::ElasticSmoothing() = default;
@@ -254,8 +284,20 @@ ElasticSmoothing::solve(const dealii::AlignedVector<double> &position,
                         dealii::AlignedVector<double> &displacement)
 {
   system_->assemble(position, displacement);
-  const unsigned int n = system_->solve();
+  const unsigned int n = system_->solve(position);
   system_->read(displacement);
   return n;
+}
+
+
+const SmoothingMemory &ElasticSmoothing::memory() const
+{
+  return system_->memory();
+}
+
+
+void ElasticSmoothing::resume(const SmoothingMemory &memory)
+{
+  system_->resume(memory);
 }
 } // namespace contrecoup::ale

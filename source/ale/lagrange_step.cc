@@ -73,6 +73,7 @@ void LagrangeStep::start(AleState &state) const
       masses[width * node + 3] += 0.125 * state.mass[c];
   node_exchange_.add_copies(masses);
   node_exchange_.update_copies(masses);
+  node_exchange_.update_copies(state.velocity);
   for (std::size_t n = 0; n < space_->n_nodes(); ++n)
     state.velocity[width * n + 3] = 1. / masses[width * n + 3];
   walls_.apply(state.velocity, state.time);

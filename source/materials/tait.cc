@@ -35,8 +35,7 @@ Tait::Tait(const double density,
   require(least_pressure > -factor_,
           "the least pressure must be above " + brief(-factor_) +
             " Pa, that of no density at all");
-  cavitation_density_ =
-    density_ * std::pow(1. + least_pressure_ / factor_, 1. / exponent_);
+  cavitation_density_ = density_at(least_pressure_);
 }
 
 

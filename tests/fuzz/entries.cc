@@ -9,6 +9,7 @@
 // instead of quickstarts alone. With CONTRECOUP_FUZZ_MESSAGES=FILE the lines
 // of refusals are kept there, for somebody to read.
 
+#include <contrecoup/ale/head_impact_application.h>
 #include <contrecoup/base/declared_tree.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameter_tree.h>
@@ -89,6 +90,7 @@ const std::map<std::string, Application> &applications()
       }}},
     {"biomechanics", of_solver(coupling::biomechanics_application())},
     {"blast", of_solver(coupling::blast_application())},
+    {"head_impact", of_solver(ale::head_impact_application())},
     {"scene",
      {coupling::SceneParameters::declare_parameters, coupling::run_scene}},
     {"study", of_study()}};

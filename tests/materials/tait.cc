@@ -60,6 +60,7 @@ TEST(Tait, pressure_stays_at_its_least_in_cavitation)
   EXPECT_NEAR(
     water.void_fraction(0.5 * water.cavitation_density()), 0.5, 1e-15);
   EXPECT_EQ(water.void_fraction(rest_density), 0.);
+  EXPECT_NEAR(pressure(water, water.density_at(3e7)), 3e7, 1e-4);
   const Tait whole(rest_density, bulk_modulus);
   EXPECT_LT(pressure(whole, 0.9 * rest_density), -1.6e8);
 }

@@ -24,6 +24,19 @@ struct ElasticOptions
   double renewal = 1.5;
 };
 
+/// What a solution takes over from those before it, AleState::width numbers at
+/// each node: with it a resumed run finds the same bits.
+struct SmoothingMemory
+{
+  SmoothingMemory() = default;
+  explicit SmoothingMemory(const HexSpace &space);
+
+  dealii::AlignedVector<double> displacement; ///< of the last solution [m]
+  /// Of the mesh that the multigrid hierarchy was made for [m].
+  dealii::AlignedVector<double> hierarchy_position;
+  unsigned int first_iterations = 0; ///< with this hierarchy; 0: there is none
+};
+
 /**
  * Displacements of the nodes of a mesh, as if it were elastic matter at rest:
  * div sigma = 0 with displacements that are prescribed at some of the nodes
@@ -51,6 +64,11 @@ public:
    */
   unsigned int solve(const dealii::AlignedVector<double> &position,
                      dealii::AlignedVector<double> &displacement);
+
+  const SmoothingMemory &memory() const;
+
+  /// Takes up what another object had.
+  void resume(const SmoothingMemory &memory);
 
 private:
   class System;

@@ -60,8 +60,11 @@ public:
                  const double courant,
                  const unsigned int largest_retries = 10);
 
-  /// Work that walls and body forces have done since reinit(), all ranks [J].
+  /// Work that walls and body forces have done, all ranks [J]. Collective.
   double external_work() const;
+
+  /// Sets what they had done before a restart [J]. Collective.
+  void set_external_work(const double work);
 
   /// Collective.
   AleTotals totals(const AleState &state) const;

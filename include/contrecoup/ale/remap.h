@@ -46,6 +46,11 @@ private:
   void carry_face(const AleState &state,
                   const dealii::AlignedVector<double> &position,
                   const HexSpace::Face &face);
+  /// Whether nothing is carried through a face.
+  bool is_closed(const HexSpace::Face &face) const;
+  void check_boundary(const AleState &state,
+                      const HexSpace::Face &face,
+                      const double swept) const;
   void check_masses(const AleState &state) const;
   void collect(AleState &state, const SlipWalls &walls) const;
 

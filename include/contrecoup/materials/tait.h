@@ -98,6 +98,12 @@ public:
     return liquid + select_less(density, floor, void_energy, Number(0.));
   }
 
+  /// Density at which the liquid has this pressure [kg/m^3].
+  double density_at(const double pressure) const
+  {
+    return density_ * std::pow(1. + pressure / factor_, 1. / exponent_);
+  }
+
   /// Part of the volume that is void [-].
   double void_fraction(double density) const;
 

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/ale/head_impact_application.h>
+#include <contrecoup/io/application.h>
+
+int main(int argc, char **argv)
+{
+  return contrecoup::io::run_application(
+    argc, argv, contrecoup::ale::head_impact_application());
+}

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/ale/lagrange_step.h>
+#include <contrecoup/ale/mesh_description.h>
+#include <contrecoup/ale/reference.h>
+#include <contrecoup/ale/region_descriptions.h>
+#include <contrecoup/ale/rezone.h>
+#include <contrecoup/base/simulation.h>
+
+#include <unordered_map>
+
+namespace contrecoup::ale
+{
+/**
+ * Fluids on a mesh that goes with the matter, and is rezoned now and then:
+ * mesh, materials, steps, energy ledger, output.
+ */
+class AleSimulation : public Simulation
+{
+public:
+  explicit AleSimulation(MPI_Comm communicator)
+    : communicator_(communicator)
+  {}
+
+  /// Declares every entry.
+  static void declare_parameters(dealii::ParameterHandler &prm);
+
+  /// Reads every entry. @throws InputError
+  void parse_parameters(dealii::ParameterHandler &prm);
+
+  CostEstimate estimate() override;
+  void setup() override;
+  void restore(const std::string &folder) override;
+  void save(const std::string &folder) override;
+  double time() const override
+  {
+    return state_.time;
+  }
+  StepReport advance(double largest_step) override;
+  bool adapt() override;
+  std::vector<NamedValue> history() override;
+  std::vector<NamedValue> probes() override;
+  std::string write_fields(const std::string &folder,
+                           unsigned int index) override;
+  std::vector<NamedValue> errors() override;
+  std::vector<NamedValue> assumptions() override;
+  std::pair<std::uint64_t, std::uint64_t> size() const override;
+
+private:
+  /// Energy of all, what was added, and what is missing.
+  struct Ledger
+  {
+    AleTotals totals;
+    double external_work;
+    double residual; ///< [J]
+  };
+
+  void build();
+  void find_probe_cells();
+  Ledger ledger() const;
+  void restore_peaks(std::istream &in, const std::size_t n_peaks);
+  /// @param cells those of this rank by their number in the mesh
+  void
+  restore_cells(std::istream &in,
+                const std::uint64_t n,
+                const std::unordered_map<std::uint32_t, std::size_t> &cells);
+
+  MPI_Comm communicator_;
+  MeshDescription mesh_description_;
+  RegionDescriptions regions_;
+  Rezone rezone_;
+  Reference reference_;
+  std::array<Expression, 3> acceleration_{{{"", "0"}, {"", "0"}, {"", "0"}}};
+  std::vector<dealii::Point<3>> probe_places_;
+  double courant_ = 0.3;
+  double growth_ = 1.2;
+  unsigned int largest_retries_ = 10;
+  double end_time_ = 0.;
+
+  HexSpace space_;
+  LagrangeStep lagrange_;
+  AleState state_;
+  std::uint64_t n_cells_ = 0;
+  std::uint64_t n_nodes_ = 0;
+  double initial_energy_ = 0.;
+  double energy_scale_ = 0.;
+  double last_step_ = 0.; ///< 0: none was made [s]
+  /// The rank with the cell of a probe has its number, others no_cell.
+  std::vector<std::uint32_t> probe_cells_;
+};
+} // namespace contrecoup::ale

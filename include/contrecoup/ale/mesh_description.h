@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/ale/slip_walls.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/grid/tria.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace contrecoup::ale
+{
+/**
+ * The mesh of a scene, and what is at its sides: subsections "Mesh" and
+ * "Side *". Sides have names: x-, x+, y-, y+, z-, z+ of a box, sphere and plane
+ * of a half ball, which lies at x >= 0.
+ */
+class MeshDescription
+{
+public:
+  static void declare_parameters(dealii::ParameterHandler &prm);
+
+  /// @throws InputError when entries do not go together
+  void parse_parameters(dealii::ParameterHandler &prm);
+
+  /// Builds the mesh, all cells on one level.
+  void create(dealii::Triangulation<3> &mesh) const;
+
+  /// How many cells create() makes.
+  double n_cells() const;
+
+  /// About the shortest edge of a cell [m].
+  double cell_size() const;
+
+  /// Sides along which matter slides; all others are free.
+  const std::map<dealii::types::boundary_id, SlipWalls::Motion> &walls() const
+  {
+    return walls_;
+  }
+
+private:
+  const std::vector<std::string> &side_names() const;
+  void parse_sides(dealii::ParameterHandler &prm);
+
+  std::string kind_;
+  dealii::Point<3> lower_, upper_;
+  std::vector<unsigned int> elements_;
+  double radius_ = 0.;
+  unsigned int refinements_ = 0;
+  std::map<dealii::types::boundary_id, SlipWalls::Motion> walls_;
+};
+} // namespace contrecoup::ale

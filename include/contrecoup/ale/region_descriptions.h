@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/ale/ale_state.h>
+#include <contrecoup/ale/hex_space.h>
+#include <contrecoup/ale/region.h>
+#include <contrecoup/base/expression.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <array>
+#include <vector>
+
+namespace contrecoup::ale
+{
+/**
+ * What fills the mesh at the start: subsections "Region *", each with where it
+ * is, its material and its state. Later ones win.
+ */
+class RegionDescriptions
+{
+public:
+  static void declare_parameters(dealii::ParameterHandler &prm);
+
+  /// @throws InputError for constants without a physical meaning
+  void parse_parameters(dealii::ParameterHandler &prm);
+
+  /// Sets the material ids of the cells.
+  /// @throws InputError for a cell in no region, or a region without cells
+  void set_regions(dealii::Triangulation<3> &mesh) const;
+
+  /// Masses, energies and velocities at the present positions.
+  void fill(const HexSpace &space, AleState &state) const;
+
+  std::vector<Region> regions() const;
+
+  /// The fastest signal at the start, at the places of @p points [m/s].
+  double largest_speed(const dealii::Triangulation<3> &mesh) const;
+
+private:
+  struct Description
+  {
+    Region region;
+    Expression where;
+    Expression density, pressure, products;
+    std::array<Expression, 3> velocity;
+  };
+
+  static Region parse_region(dealii::ParameterHandler &prm,
+                             const std::string &name);
+  const Description &at(const HexSpace &space, const std::size_t cell) const
+  {
+    return descriptions_[space.region(cell)];
+  }
+  void fill_cell(const HexSpace &space,
+                 const std::size_t cell,
+                 AleState &state) const;
+
+  std::vector<Description> descriptions_;
+};
+} // namespace contrecoup::ale

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/ale/elastic_smoothing.h>
+#include <contrecoup/ale/remap.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <map>
+
+namespace contrecoup::ale
+{
+/// What the mesh does besides going with the matter.
+enum class RezoneKind
+{
+  none,    ///< nothing: Lagrange
+  elastic, ///< nodes inside follow the boundary as if the mesh were elastic
+  back     ///< all nodes go back to where they began: Euler
+};
+
+/**
+ * Moves the nodes of the mesh now and then, and carries the matter over:
+ * subsection "Rezone".
+ */
+class Rezone
+{
+public:
+  static void declare_parameters(dealii::ParameterHandler &prm);
+  void parse_parameters(dealii::ParameterHandler &prm);
+
+  /// @param walls sides along which matter slides, by boundary id
+  /// @throws InputError for kind `back` with several regions
+  void
+  reinit(HexSpace &space,
+         const AleState &state,
+         const std::map<dealii::types::boundary_id, SlipWalls::Motion> &walls);
+
+  /**
+   * Rezones if it is due at the time of @p state.
+   * @return whether it did
+   * @throws NumericsError when no part of the motion keeps the cells valid
+   */
+  bool apply(AleState &state, const SlipWalls &walls);
+
+  /// Goes on from the state of a checkpoint, before which there were so many
+  /// rezones.
+  void resume(const AleState &state,
+              const unsigned int n_rezones,
+              const SmoothingMemory &memory);
+
+  /// For checkpoints; zeros where nothing is smoothed.
+  SmoothingMemory memory() const;
+
+  unsigned int n_rezones() const
+  {
+    return n_rezones_;
+  }
+
+  /// Where the mesh was after the last rezone, for checkpoints.
+  dealii::AlignedVector<double> &reference()
+  {
+    return reference_;
+  }
+
+private:
+  /// Whether regions meet anywhere.
+  bool has_interfaces() const;
+
+  /// The axis that a face is normal to; -1: none.
+  int axis_normal_to(const HexSpace::Face &face) const;
+
+  /// Along walls that are normal to an axis nodes may slide; at other sides,
+  /// and where regions meet, they go with the matter.
+  void find_prescribed(
+    const std::map<dealii::types::boundary_id, SlipWalls::Motion> &walls);
+  dealii::AlignedVector<double> smoothed(const AleState &state);
+  bool is_valid(const dealii::AlignedVector<double> &position) const;
+
+  RezoneKind kind_ = RezoneKind::none;
+  double interval_ = 0.; ///< 0: every step [s]
+  ElasticOptions options_;
+
+  HexSpace *space_ = nullptr;
+  Remap remap_;
+  ElasticSmoothing smoothing_;
+  std::vector<std::array<bool, 3>> is_prescribed_;
+  dealii::AlignedVector<double> start_, reference_;
+  double due_ = 0.;
+  unsigned int n_rezones_ = 0;
+};
+} // namespace contrecoup::ale

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/ale/ale_output.h>
+#include <contrecoup/ale/ale_simulation.h>
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/timers.h>
+
+#include <deal.II/base/mpi.h>
+
+namespace contrecoup::ale
+{
+namespace
+{
+  constexpr unsigned int width = AleState::width;
+
+  /// Element updates per second and core, for estimates only.
+  constexpr double typical_speed = 4e6;
+
+  /// Bytes of a cell with its nodes, a remap's numbers among them.
+  constexpr double typical_memory = 2500.;
+} // namespace
+
+
+void AleSimulation::declare_parameters(ParameterHandler &prm)
+{
+  MeshDescription::declare_parameters(prm);
+  RegionDescriptions::declare_parameters(prm);
+  Rezone::declare_parameters(prm);
+  Reference::declare_parameters(prm);
+  {
+    const Section section(prm, "Body force");
+    for (const char *const name : {"x", "y", "z"})
+      declare_string(prm,
+                     name,
+                     "0",
+                     "Acceleration of everything [m/s^2], a muParser "
+                     "expression of t.");
+  }
+  {
+    const Section section(prm, "Scheme");
+    declare_double(prm,
+                   "Courant number",
+                   "0.3",
+                   0.01,
+                   1.,
+                   "-",
+                   "Step size over what signals take to cross a cell.");
+    declare_double(prm,
+                   "Largest growth",
+                   "1.2",
+                   1.001,
+                   10.,
+                   "-",
+                   "Of the step size, from one step to the next.");
+    declare_integer(prm,
+                    "Largest number of retries",
+                    "10",
+                    0,
+                    50,
+                    "Times that a step is halved where a cell would be "
+                    "inverted, 0 to 50.");
+  }
+  const Section section(prm, "Probes");
+  declare_points(prm,
+                 "Points",
+                 "",
+                 "m",
+                 "Places whose nearest cells at the start are followed.");
+}
+
+
+void AleSimulation::parse_parameters(ParameterHandler &prm)
+{
+  mesh_description_.parse_parameters(prm);
+  regions_.parse_parameters(prm);
+  rezone_.parse_parameters(prm);
+  reference_.parse_parameters(prm);
+  {
+    const Section section(prm, "Body force");
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      const std::string name(1, "xyz"[d]);
+      acceleration_[d] = Expression("Body force/" + name, prm.get(name));
+      if (acceleration_[d].depends_on_place())
+        throw InputError("Body force/" + name +
+                         " must not depend on x, y or z");
+    }
+  }
+  {
+    const Section section(prm, "Scheme");
+    courant_ = read_double(prm, "Courant number");
+    growth_ = read_double(prm, "Largest growth");
+    largest_retries_ = read_unsigned(prm, "Largest number of retries");
+  }
+  {
+    const Section section(prm, "Probes");
+    probe_places_ = read_points<3>(prm, "Points");
+  }
+  const Section section(prm, "Time");
+  end_time_ = read_double(prm, "End time");
+}
+
+
+CostEstimate AleSimulation::estimate()
+{
+  dealii::Triangulation<3> mesh;
+  mesh_description_.create(mesh);
+  regions_.set_regions(mesh);
+  CostEstimate cost;
+  cost.cells = mesh_description_.n_cells();
+  cost.unknowns = 5. * cost.cells;
+  cost.memory = typical_memory * cost.cells;
+  cost.steps = std::ceil(end_time_ * regions_.largest_speed(mesh) /
+                         (courant_ * mesh_description_.cell_size()));
+  cost.seconds = cost.steps * cost.cells / typical_speed /
+                 dealii::Utilities::MPI::n_mpi_processes(communicator_);
+  return cost;
+}
+
+
+void AleSimulation::build()
+{
+  const TimerScope timer("mesh");
+  dealii::Triangulation<3> mesh;
+  mesh_description_.create(mesh);
+  regions_.set_regions(mesh);
+  space_.reinit(mesh, communicator_);
+  n_cells_ = mesh.n_active_cells();
+  n_nodes_ = mesh.n_used_vertices();
+  lagrange_.reinit(space_,
+                   regions_.regions(),
+                   mesh_description_.walls(),
+                   [this](const double time) {
+                     dealii::Tensor<1, 3> result;
+                     for (unsigned int d = 0; d < 3; ++d)
+                       result[d] = acceleration_[d].value({}, time);
+                     return result;
+                   });
+  state_ = AleState();
+  state_.position = space_.positions(width);
+  regions_.fill(space_, state_);
+  rezone_.reinit(space_, state_, mesh_description_.walls());
+  find_probe_cells();
+}
+
+
+void AleSimulation::setup()
+{
+  build();
+  lagrange_.start(state_);
+  const AleTotals totals = lagrange_.totals(state_);
+  initial_energy_ = totals.internal_energy + totals.kinetic_energy;
+  energy_scale_ = initial_energy_;
+}
+
+
+void AleSimulation::find_probe_cells()
+{
+  probe_cells_.assign(probe_places_.size(), HexSpace::no_cell);
+  for (std::size_t i = 0; i < probe_places_.size(); ++i)
+  {
+    double nearest = std::numeric_limits<double>::max();
+    std::uint32_t cell = HexSpace::no_cell;
+    for (std::uint32_t c = 0; c < space_.n_own_cells(); ++c)
+    {
+      dealii::Point<3> centre;
+      for (const std::uint32_t node : space_.cell(c))
+        for (unsigned int d = 0; d < 3; ++d)
+          centre[d] += 0.125 * state_.position[width * node + d];
+      const double distance = centre.distance(probe_places_[i]);
+      if (distance < nearest * (1. - 1e-12))
+      {
+        nearest = distance;
+        cell = c;
+      }
+    }
+    // Of several as near, the cell of the smallest number.
+    const double all = dealii::Utilities::MPI::min(nearest, communicator_);
+    const bool is_here = nearest <= all * (1. + 1e-12);
+    const unsigned int number =
+      is_here ? space_.cell_number(cell) : HexSpace::no_cell;
+    if (dealii::Utilities::MPI::min(number, communicator_) == number && is_here)
+      probe_cells_[i] = cell;
+  }
+}
+
+
+StepReport AleSimulation::advance(const double largest_step)
+{
+  StepReport report;
+  double largest = largest_step;
+  if (last_step_ > 0.)
+    largest = std::min(largest, growth_ * last_step_);
+  const auto made =
+    lagrange_.advance(state_, largest, courant_, largest_retries_);
+  // A step that was cut to end at a time of output says nothing of the next.
+  if (made < largest_step || last_step_ == 0. || made > last_step_)
+    last_step_ = made;
+  reference_.follow(space_, lagrange_, state_, probe_cells_);
+  report.step_size = made;
+  report.updates = static_cast<double>(n_cells_);
+  return report;
+}
+
+
+bool AleSimulation::adapt()
+{
+  const TimerScope timer("rezone");
+  return rezone_.apply(state_, lagrange_.walls());
+}
+
+
+AleSimulation::Ledger AleSimulation::ledger() const
+{
+  Ledger result;
+  result.totals = lagrange_.totals(state_);
+  result.external_work = lagrange_.external_work();
+  result.residual = result.totals.internal_energy +
+                    result.totals.kinetic_energy - initial_energy_ -
+                    result.external_work;
+  return result;
+}
+
+
+std::vector<NamedValue> AleSimulation::history()
+{
+  const Ledger now = ledger();
+  const AleTotals &totals = now.totals;
+  energy_scale_ = std::max(
+    {energy_scale_, std::abs(totals.internal_energy), totals.kinetic_energy});
+  return {{"mass", "kg", totals.mass, true},
+          {"kinetic_energy", "J", totals.kinetic_energy},
+          {"internal_energy", "J", totals.internal_energy},
+          {"external_work", "J", now.external_work},
+          {"energy_residual", "J", now.residual},
+          {"momentum_x", "N s", totals.momentum[0]},
+          {"momentum_y", "N s", totals.momentum[1]},
+          {"momentum_z", "N s", totals.momentum[2]}};
+}
+
+
+std::vector<NamedValue> AleSimulation::probes()
+{
+  std::vector<NamedValue> values;
+  for (std::size_t i = 0; i < probe_cells_.size(); ++i)
+  {
+    std::vector<double> found(2, 0.);
+    if (probe_cells_[i] != HexSpace::no_cell)
+    {
+      const auto element = lagrange_.values(state_, probe_cells_[i]);
+      found = {element.pressure, element.mass / element.volume};
+    }
+    dealii::Utilities::MPI::sum(found, communicator_, found);
+    const std::string name = "_" + std::to_string(i + 1);
+    values.push_back({"pressure" + name, "Pa", found[0]});
+    values.push_back({"density" + name, "kg/m^3", found[1]});
+  }
+  return values;
+}
+
+
+std::string AleSimulation::write_fields(const std::string &folder,
+                                        const unsigned int index)
+{
+  return write_ale(space_, lagrange_, state_, folder, index);
+}
+
+
+std::vector<NamedValue> AleSimulation::errors()
+{
+  return reference_.errors(space_, lagrange_, state_);
+}
+
+
+std::vector<NamedValue> AleSimulation::assumptions()
+{
+  return {{"energy_residual",
+           "-",
+           ledger().residual / std::max(energy_scale_, 1e-300)},
+          {"rezones", "-", static_cast<double>(rezone_.n_rezones())}};
+}
+
+
+std::pair<std::uint64_t, std::uint64_t> AleSimulation::size() const
+{
+  return {n_cells_, 3 * n_nodes_ + 2 * n_cells_};
+}
+} // namespace contrecoup::ale

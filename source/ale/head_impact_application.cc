@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/ale/ale_simulation.h>
+#include <contrecoup/ale/head_impact_application.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
+
+#include <cmath>
+
+namespace contrecoup::ale
+{
+namespace
+{
+  std::unique_ptr<Simulation> create(ParameterHandler &prm,
+                                     const MPI_Comm communicator)
+  {
+    auto simulation = std::make_unique<AleSimulation>(communicator);
+    simulation->parse_parameters(prm);
+    return simulation;
+  }
+
+  /// Halves the cells of a box along each direction, or those of a ball.
+  bool coarsen(ParameterHandler &prm, const unsigned int levels)
+  {
+    const Section section(prm, "Mesh");
+    if (prm.get("Kind") == "half ball")
+    {
+      const unsigned int refinements = read_unsigned(prm, "Refinements");
+      if (refinements < levels)
+        return false;
+      prm.set("Refinements", static_cast<long int>(refinements - levels));
+      return true;
+    }
+    const double factor = std::pow(2., levels);
+    bool changed = levels == 0;
+    std::vector<std::string> words;
+    for (const double n : read_list(prm, "Elements"))
+    {
+      const double coarse = std::ceil(n / factor);
+      changed = changed || coarse < std::ceil(2. * n / factor);
+      words.push_back(std::to_string(static_cast<long int>(coarse)));
+    }
+    prm.set("Elements", join(words, ", "));
+    return changed;
+  }
+
+  io::FileNames files(const ParameterHandler &)
+  {
+    return io::field_files("ale") +
+           io::picture_files({"history.png", "probes.png"});
+  }
+} // namespace
+
+
+io::ApplicationDescription head_impact_application()
+{
+  return {"head_impact",
+          "Follows fluids through an impact on a mesh that goes with the "
+          "matter and is smoothed (ALE), with an energy ledger.",
+          AleSimulation::declare_parameters,
+          create,
+          {"Scheme/Largest number of retries"},
+          coarsen,
+          {},
+          files};
+}
+} // namespace contrecoup::ale

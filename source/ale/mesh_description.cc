@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/ale/mesh_description.h>
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/expression.h>
+#include <contrecoup/base/parameter_tree.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
+
+#include <deal.II/grid/grid_generator.h>
+
+#include <algorithm>
+
+namespace contrecoup::ale
+{
+namespace
+{
+  const std::vector<std::string> kinds{"box", "half ball"};
+} // namespace
+
+
+void MeshDescription::declare_parameters(ParameterHandler &prm)
+{
+  {
+    const Section section(prm, "Mesh");
+    declare_selection(prm,
+                      "Kind",
+                      "box",
+                      kinds,
+                      "A box of bricks, or the half at x >= 0 of a ball around "
+                      "the origin.");
+    declare_list(
+      prm, "Lower corner", "0, 0, 0", 3, 3, -1e6, 1e6, "m", "Of the box.");
+    declare_list(
+      prm, "Upper corner", "1, 1, 1", 3, 3, -1e6, 1e6, "m", "Of the box.");
+    declare_list(prm,
+                 "Elements",
+                 "10, 10, 10",
+                 3,
+                 3,
+                 1.,
+                 1e5,
+                 "-",
+                 "Cells of the box along x, y and z.");
+    declare_double(prm, "Radius", "0.09", 1e-6, 1e6, "m", "Of the half ball.");
+    declare_integer(prm,
+                    "Refinements",
+                    "3",
+                    0,
+                    8,
+                    "Halvings of the six cells of the half ball, 0 to 8.");
+  }
+  const Section section(prm, "Side *");
+  declare_selection(prm,
+                    "Kind",
+                    "wall",
+                    {"wall", "free"},
+                    "Matter slides along a wall without friction; at a free "
+                    "side nothing presses. Sides that are not named are "
+                    "walls.");
+  declare_string(prm,
+                 "Velocity",
+                 "0",
+                 "Of the wall along its outward normal [m/s], a muParser "
+                 "expression of t.");
+}
+
+
+void MeshDescription::parse_parameters(ParameterHandler &prm)
+{
+  {
+    const Section section(prm, "Mesh");
+    kind_ = prm.get("Kind");
+    lower_ = read_point<3>(prm, "Lower corner");
+    upper_ = read_point<3>(prm, "Upper corner");
+    for (const double n : read_list(prm, "Elements"))
+      elements_.push_back(static_cast<unsigned int>(n));
+    radius_ = read_double(prm, "Radius");
+    refinements_ = read_unsigned(prm, "Refinements");
+  }
+  for (unsigned int d = 0; d < 3; ++d)
+    if (kind_ == "box" && !(lower_[d] < upper_[d]))
+      throw InputError("Mesh/Upper corner must be above Mesh/Lower corner in "
+                       "every direction");
+  parse_sides(prm);
+}
+
+
+const std::vector<std::string> &MeshDescription::side_names() const
+{
+  // In the order of deal.II's boundary ids.
+  static const std::vector<std::string> box{"x-", "x+", "y-", "y+", "z-", "z+"},
+    half_ball{"sphere", "plane"};
+  return kind_ == "box" ? box : half_ball;
+}
+
+
+void MeshDescription::parse_sides(ParameterHandler &prm)
+{
+  const auto &names = side_names();
+  for (unsigned int i = 0; i < names.size(); ++i)
+    walls_[i] = [](double) { return 0.; };
+  for (const std::string &name : item_names(prm, "Side"))
+  {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+      throw InputError("Side " + name + ": a mesh of kind " + kind_ +
+                       " has no such side, but " + join(names, ", "));
+    const auto id =
+      static_cast<dealii::types::boundary_id>(found - names.begin());
+    const Section section(prm, "Side " + name);
+    if (prm.get("Kind") == "free")
+    {
+      walls_.erase(id);
+      continue;
+    }
+    const Expression velocity("Side " + name + "/Velocity",
+                              prm.get("Velocity"));
+    if (velocity.depends_on_place())
+      throw InputError("Side " + name +
+                       "/Velocity: a wall is rigid; its velocity must not "
+                       "depend on x, y or z");
+    walls_[id] = [velocity](const double time) {
+      return velocity.value(dealii::Point<3>(), time);
+    };
+  }
+}
+
+
+double MeshDescription::n_cells() const
+{
+  if (kind_ == "box")
+    return double(elements_[0]) * elements_[1] * elements_[2];
+  return 6. * std::pow(8., refinements_);
+}
+
+
+double MeshDescription::cell_size() const
+{
+  if (kind_ != "box")
+    return 0.3 * radius_ * std::pow(0.5, refinements_);
+  double size = std::numeric_limits<double>::max();
+  for (unsigned int d = 0; d < 3; ++d)
+    size = std::min(size, (upper_[d] - lower_[d]) / elements_[d]);
+  return size;
+}
+
+
+void MeshDescription::create(dealii::Triangulation<3> &mesh) const
+{
+  if (kind_ == "box")
+    dealii::GridGenerator::subdivided_hyper_rectangle(
+      mesh, elements_, lower_, upper_, true);
+  else
+  {
+    dealii::Triangulation<3> coarse;
+    dealii::GridGenerator::half_hyper_ball(coarse, dealii::Point<3>(), radius_);
+    coarse.refine_global(refinements_);
+    dealii::GridGenerator::flatten_triangulation(coarse, mesh);
+  }
+  // Regions are set by their expressions, not by octants.
+  for (const auto &cell : mesh.active_cell_iterators())
+    cell->set_material_id(0);
+}
+} // namespace contrecoup::ale

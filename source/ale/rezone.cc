@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/ale/rezone.h>
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/numerics/hex8_moments.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+
+namespace contrecoup::ale
+{
+namespace
+{
+  constexpr unsigned int width = AleState::width;
+
+  /// In the order of the enumeration.
+  const std::vector<std::string> names{"none", "elastic", "back"};
+} // namespace
+
+
+void Rezone::declare_parameters(ParameterHandler &prm)
+{
+  const Section section(prm, "Rezone");
+  declare_selection(prm,
+                    "Kind",
+                    "none",
+                    names,
+                    "none: the mesh goes with the matter (Lagrange); elastic: "
+                    "nodes inside follow the boundary as if the mesh were "
+                    "elastic; back: all nodes go back to where they began "
+                    "(Euler).");
+  declare_double(prm,
+                 "Interval",
+                 "0",
+                 0.,
+                 1e6,
+                 "s",
+                 "Simulated time between two rezones; 0: each step.");
+  declare_double(prm,
+                 "Stiffening",
+                 "1",
+                 0.,
+                 4.,
+                 "-",
+                 "The elastic mesh is stiff in proportion to the inverse "
+                 "volume of its cells to this power; larger ones keep small "
+                 "cells in shape.");
+  declare_double(
+    prm, "Poisson's ratio", "0.3", 0., 0.49, "-", "Of the elastic mesh.");
+  declare_double(prm,
+                 "Tolerance",
+                 "1e-6",
+                 1e-14,
+                 0.1,
+                 "-",
+                 "Relative residual of the elastic problem.");
+}
+
+
+void Rezone::parse_parameters(ParameterHandler &prm)
+{
+  const Section section(prm, "Rezone");
+  const std::string name = prm.get("Kind");
+  kind_ = static_cast<RezoneKind>(std::find(names.begin(), names.end(), name) -
+                                  names.begin());
+  interval_ = read_double(prm, "Interval");
+  options_.stiffening = read_double(prm, "Stiffening");
+  options_.poisson_ratio = read_double(prm, "Poisson's ratio");
+  options_.tolerance = read_double(prm, "Tolerance");
+}
+
+
+void Rezone::reinit(
+  HexSpace &space,
+  const AleState &state,
+  const std::map<dealii::types::boundary_id, SlipWalls::Motion> &walls)
+{
+  space_ = &space;
+  start_ = state.position;
+  reference_ = state.position;
+  due_ = state.time + interval_;
+  if (kind_ == RezoneKind::back && has_interfaces())
+    throw InputError("Rezone/Kind = back needs a single region, as regions are "
+                     "not mixed; let Density and Pressure of one depend on x, "
+                     "y, z, or use elastic");
+  if (kind_ == RezoneKind::none)
+    return;
+  remap_.reinit(space);
+  if (kind_ != RezoneKind::elastic)
+    return;
+  find_prescribed(walls);
+  smoothing_.reinit(space, is_prescribed_, options_);
+}
+
+
+SmoothingMemory Rezone::memory() const
+{
+  return kind_ == RezoneKind::elastic ? smoothing_.memory()
+                                      : SmoothingMemory(*space_);
+}
+
+
+void Rezone::resume(const AleState &state,
+                    const unsigned int n_rezones,
+                    const SmoothingMemory &memory)
+{
+  if (kind_ == RezoneKind::elastic)
+    smoothing_.resume(memory);
+  n_rezones_ = n_rezones;
+  due_ = interval_;
+  while (interval_ > 0. && due_ <= state.time * (1. + 1e-12))
+    due_ += interval_;
+}
+
+
+bool Rezone::has_interfaces() const
+{
+  int has = 0;
+  for (std::size_t c = 1; c < space_->n_cells(); ++c)
+    if (space_->region(c) != space_->region(0))
+      has = 1;
+  return dealii::Utilities::MPI::max(has, space_->communicator()) == 1;
+}
+
+
+int Rezone::axis_normal_to(const HexSpace::Face &face) const
+{
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    double lowest = std::numeric_limits<double>::max(), highest = -lowest;
+    double size = 0.;
+    for (const std::uint32_t node : face.nodes)
+    {
+      lowest = std::min(lowest, start_[width * node + d]);
+      highest = std::max(highest, start_[width * node + d]);
+      for (unsigned int e = 0; e < 3; ++e)
+        size = std::max(size,
+                        std::abs(start_[width * node + e] -
+                                 start_[width * face.nodes[0] + e]));
+    }
+    if (highest - lowest < 1e-9 * size)
+      return static_cast<int>(d);
+  }
+  return -1;
+}
+
+
+void Rezone::find_prescribed(
+  const std::map<dealii::types::boundary_id, SlipWalls::Motion> &walls)
+{
+  // Three directions, and all of them.
+  constexpr unsigned int n = 4, all = 3;
+  FieldExchange exchange;
+  exchange.reinit(space_->nodes(), n);
+  dealii::AlignedVector<double> count(exchange.size());
+  for (const HexSpace::Face &face : space_->faces())
+  {
+    if (face.outside != HexSpace::no_cell &&
+        space_->region(face.inside) == space_->region(face.outside))
+      continue;
+    const bool is_wall =
+      face.outside == HexSpace::no_cell && walls.count(face.boundary) > 0;
+    const int axis = is_wall ? axis_normal_to(face) : -1;
+    for (const std::uint32_t node : face.nodes)
+      count[n * node + (axis < 0 ? all : static_cast<unsigned int>(axis))] +=
+        1.;
+  }
+  exchange.add_copies(count);
+  exchange.update_copies(count);
+  is_prescribed_.clear();
+  for (std::size_t node = 0; node < space_->n_nodes(); ++node)
+  {
+    const double *c = &count[n * node];
+    is_prescribed_.push_back({{c[0] > 0. || c[all] > 0.,
+                               c[1] > 0. || c[all] > 0.,
+                               c[2] > 0. || c[all] > 0.}});
+  }
+}
+
+
+bool Rezone::is_valid(const dealii::AlignedVector<double> &position) const
+{
+  int valid = 1;
+  for (std::size_t c = 0; c < space_->n_own_cells() && valid == 1; ++c)
+  {
+    HexVectors<double> corners;
+    for (unsigned int i = 0; i < 8; ++i)
+      for (unsigned int d = 0; d < 3; ++d)
+        corners[i][d] = position[width * space_->cell(c)[i] + d];
+    valid = smallest_corner_jacobian(corners) > 0. ? 1 : 0;
+  }
+  return dealii::Utilities::MPI::min(valid, space_->communicator()) == 1;
+}
+
+
+dealii::AlignedVector<double> Rezone::smoothed(const AleState &state)
+{
+  dealii::AlignedVector<double> displacement = state.position;
+  for (std::size_t i = 0; i < displacement.size(); ++i)
+    displacement[i] -= reference_[i];
+  smoothing_.solve(reference_, displacement);
+  for (std::size_t n = 0; n < space_->n_nodes(); ++n)
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      const std::size_t i = width * n + d;
+      // To the last bit where nothing may be carried over.
+      displacement[i] = is_prescribed_[n][d] ? state.position[i]
+                                             : reference_[i] + displacement[i];
+    }
+  return displacement;
+}
+
+
+bool Rezone::apply(AleState &state, const SlipWalls &walls)
+{
+  if (kind_ == RezoneKind::none || state.time < due_ * (1. - 1e-12))
+    return false;
+  while (interval_ > 0. && due_ <= state.time * (1. + 1e-12))
+    due_ += interval_;
+  dealii::AlignedVector<double> position =
+    kind_ == RezoneKind::back ? start_ : smoothed(state);
+  // Back off where a cell would be inverted.
+  for (unsigned int i = 0; i < 6 && !is_valid(position); ++i)
+    for (std::size_t k = 0; k < position.size(); ++k)
+      position[k] = 0.5 * (position[k] + state.position[k]);
+  if (!is_valid(position))
+    throw NumericsError("time " + exact(state.time) +
+                        " s: no part of the mesh's motion in the rezone keeps "
+                        "all cells valid");
+  remap_.apply(state, walls, position);
+  reference_ = position;
+  ++n_rezones_;
+  return true;
+}
+} // namespace contrecoup::ale

@@ -1,0 +1,45 @@
+# Runs of the arbitrary Lagrangian-Eulerian solver: exact solutions, ranks,
+# resume, bad input.
+set(_folder head_impact/verification)
+set(_ledger "status == finished;assumptions.energy_residual < 1e-10;\
+assumptions.energy_residual > -1e-10")
+
+# Sod's shock tube with the mesh at rest, going with the gas, and smoothed.
+contrecoup_add_application_test(sod_euler bounds,resume,ranks
+  FILE ${_folder}/sod.prm SET "Output/Fields=false"
+  BOUNDS ${_ledger} "errors.density_L1 < 1.48e-2"
+  COMPARE history.csv probes.csv STOP_AFTER 40
+  TOLERANCE "1e-10" "energy_residual*=1e-15 absolute" LABELS verification)
+contrecoup_add_application_test(sod_lagrange bounds
+  FILE ${_folder}/sod.prm SET "Output/Fields=false" "Rezone/Kind=none"
+  BOUNDS ${_ledger} "errors.density_L1 < 1.38e-2" LABELS verification)
+contrecoup_add_application_test(sod_elastic bounds,resume,ranks
+  FILE ${_folder}/sod.prm SET "Output/Fields=false" "Rezone/Kind=elastic"
+  "Rezone/Interval=0.01"
+  BOUNDS ${_ledger} "errors.density_L1 < 1.39e-2"
+  COMPARE history.csv probes.csv STOP_AFTER 40
+  TOLERANCE "1e-6" "energy_residual*=1e-15 absolute" LABELS verification)
+
+# The first gives a peak of 1.590 times rho A R at the wall, the second 1.084.
+contrecoup_add_application_test(sphere bounds,ranks
+  FILE ${_folder}/fluid_in_rigid_sphere.prm SET "Output/Fields=false"
+  BOUNDS ${_ledger} "errors.peak < 1.07e-2" COMPARE probes.csv TOLERANCE "1e-5"
+  LABELS verification)
+contrecoup_add_application_test(sphere_slow bounds
+  FILE ${_folder}/fluid_in_rigid_sphere.prm SET "Output/Fields=false"
+  "Time/End time=1.2e-3" "Reference/Duration=1e-3"
+  "Body force/y=if(t < 1e-3, 1000 * sin(pi * t / 1e-3), 0)"
+  BOUNDS ${_ledger} "errors.peak < 1.2e-2" LABELS verification)
+
+contrecoup_add_application_test(refuses_unknown_side refusal
+  FILE ${_folder}/sod.prm SET "Side top/Kind=free"
+  MESSAGE "a mesh of kind box has no such side, but x-, x+, y-, y+, z-, z+")
+contrecoup_add_application_test(refuses_place_without_region refusal
+  FILE ${_folder}/sod.prm SET "Region gas/Where=x > 0.6"
+  MESSAGE "m is in none")
+contrecoup_add_application_test(refuses_empty_region refusal
+  FILE ${_folder}/sod.prm SET "Region third/Where=x > 2"
+  MESSAGE "Region third: no cell has its centre there")
+contrecoup_add_application_test(refuses_to_put_regions_back refusal
+  FILE ${_folder}/sod.prm SET "Region other/Where=x > 0.5"
+  MESSAGE "back needs a single region")
