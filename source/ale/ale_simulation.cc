@@ -5,6 +5,7 @@
 #include <contrecoup/ale/ale_simulation.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
 #include <contrecoup/base/timers.h>
 
 #include <deal.II/base/mpi.h>
@@ -156,6 +157,35 @@ void AleSimulation::setup()
 }
 
 
+void AleSimulation::require_probe_inside(const std::size_t probe,
+                                         const double distance,
+                                         const std::uint32_t cell) const
+{
+  // From the centre of the largest of the cells that were found by the ranks.
+  double diagonal = 0.;
+  if (cell != HexSpace::no_cell)
+    for (unsigned int i = 0; i < 4; ++i)
+    {
+      constexpr unsigned int opposite[] = {6, 7, 4, 5};
+      double square = 0.;
+      for (unsigned int d = 0; d < 3; ++d)
+        square += std::pow(
+          state_.position[width * space_.cell(cell)[i] + d] -
+            state_.position[width * space_.cell(cell)[opposite[i]] + d],
+          2);
+      diagonal = std::max(diagonal, std::sqrt(square));
+    }
+  diagonal = dealii::Utilities::MPI::max(diagonal, communicator_);
+  const auto &place = probe_places_[probe];
+  if (distance > 0.6 * diagonal)
+    throw InputError("Probes/Points: (" + brief(place[0]) + ", " +
+                     brief(place[1]) + ", " + brief(place[2]) +
+                     ") m is outside of the mesh; the centre of the nearest "
+                     "cell is " +
+                     brief(distance) + " m away");
+}
+
+
 void AleSimulation::find_probe_cells()
 {
   probe_cells_.assign(probe_places_.size(), HexSpace::no_cell);
@@ -178,6 +208,7 @@ void AleSimulation::find_probe_cells()
     }
     // Of several as near, the cell of the smallest number.
     const double all = dealii::Utilities::MPI::min(nearest, communicator_);
+    require_probe_inside(i, all, cell);
     const bool is_here = nearest <= all * (1. + 1e-12);
     const unsigned int number =
       is_here ? space_.cell_number(cell) : HexSpace::no_cell;

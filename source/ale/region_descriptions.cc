@@ -5,6 +5,7 @@
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
 #include <contrecoup/materials/explosives.h>
 #include <contrecoup/numerics/hex8_moments.h>
 
@@ -216,6 +217,37 @@ void RegionDescriptions::set_regions(dealii::Triangulation<3> &mesh) const
 }
 
 
+void RegionDescriptions::check_state(const Description &description,
+                                     const dealii::Point<3> &centre,
+                                     const double density,
+                                     const double pressure,
+                                     const double products) const
+{
+  const auto require = [&](const bool holds, const std::string &what) {
+    if (!holds)
+      throw InputError("Region " + description.region.name + "/" + what +
+                       " in the cell at (" + brief(centre[0]) + ", " +
+                       brief(centre[1]) + ", " + brief(centre[2]) + ") m");
+  };
+  require(density > 0.,
+          "Density must be above 0, and is " + brief(density) + " kg/m^3");
+  require(products >= 0. && products <= 1.,
+          "Products must be from 0 to 1, and is " + brief(products));
+  double square = 1.;
+  if (const auto *const liquid = std::get_if<Tait>(&description.region.law))
+    square = liquid->density_at(pressure) > 0. ? 1. : 0.;
+  else if (const auto *const gas =
+             std::get_if<IdealGas>(&description.region.law))
+    square = gas->sound_speed_squared(density, pressure, products);
+  else if (const auto *const other =
+             std::get_if<MieGrueneisen>(&description.region.law))
+    square = other->sound_speed_squared(density, pressure, products);
+  require(square > 0.,
+          "Pressure must leave the sound speed real and above 0, and is " +
+            brief(pressure) + " Pa");
+}
+
+
 void RegionDescriptions::fill_cell(const HexSpace &space,
                                    const std::size_t cell,
                                    AleState &state) const
@@ -232,6 +264,7 @@ void RegionDescriptions::fill_cell(const HexSpace &space,
   const double pressure = description.pressure.value(centre);
   const double products = description.products.value(centre);
   double density = description.density.value(centre);
+  check_state(description, centre, density, pressure, products);
   double energy = 0.; // per volume
   if (const auto *const liquid = std::get_if<Tait>(&description.region.law))
   {
@@ -244,9 +277,6 @@ void RegionDescriptions::fill_cell(const HexSpace &space,
   else
     energy = std::get<MieGrueneisen>(description.region.law)
                .internal_energy_density(density, pressure, products);
-  if (!(density > 0.))
-    throw InputError("Region " + description.region.name +
-                     "/Density must be above 0 in all of its cells");
   state.mass[cell] = density * moments.volume;
   state.energy[cell] = energy * moments.volume;
   state.products[cell] = products;
@@ -291,6 +321,11 @@ RegionDescriptions::largest_speed(const dealii::Triangulation<3> &mesh) const
     const auto centre = cell->center();
     const double pressure = description.pressure.value(centre);
     const double products = description.products.value(centre);
+    check_state(description,
+                centre,
+                description.density.value(centre),
+                pressure,
+                products);
     double square = 0.;
     std::visit(
       [&](const auto &law) {

@@ -42,4 +42,14 @@ contrecoup_add_application_test(refuses_empty_region refusal
   MESSAGE "Region third: no cell has its centre there")
 contrecoup_add_application_test(refuses_to_put_regions_back refusal
   FILE ${_folder}/sod.prm SET "Region other/Where=x > 0.5"
+  "Region other/Pressure=1"
   MESSAGE "back needs a single region")
+contrecoup_add_application_test(refuses_probe_outside refusal
+  FILE ${_folder}/sod.prm SET "Probes/Points=3, 0, 0"
+  MESSAGE "m is outside of the mesh")
+contrecoup_add_application_test(refuses_negative_pressure refusal
+  FILE ${_folder}/sod.prm SET "Region gas/Pressure=0.4 - x"
+  MESSAGE "Pressure must leave the sound speed real and above 0")
+contrecoup_add_application_test(refuses_products_above_one refusal
+  FILE ${_folder}/sod.prm SET "Region gas/Products=1.5"
+  MESSAGE "Products must be from 0 to 1, and is 1.5")

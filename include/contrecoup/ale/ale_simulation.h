@@ -60,6 +60,11 @@ private:
 
   void build();
   void find_probe_cells();
+  /// @param distance to the centre of the nearest @p cell [m]
+  /// @throws InputError for a probe outside of the mesh
+  void require_probe_inside(const std::size_t probe,
+                            const double distance,
+                            const std::uint32_t cell) const;
   Ledger ledger() const;
   void restore_peaks(std::istream &in, const std::size_t n_peaks);
   /// @param cells those of this rank by their number in the mesh

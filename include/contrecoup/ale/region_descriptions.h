@@ -32,11 +32,13 @@ public:
   void set_regions(dealii::Triangulation<3> &mesh) const;
 
   /// Masses, energies and velocities at the present positions.
+  /// @throws InputError for a state without a physical meaning
   void fill(const HexSpace &space, AleState &state) const;
 
   std::vector<Region> regions() const;
 
-  /// The fastest signal at the start, at the places of @p points [m/s].
+  /// The fastest signal at the start, in the centres of the cells [m/s].
+  /// @throws InputError for a state without a physical meaning
   double largest_speed(const dealii::Triangulation<3> &mesh) const;
 
 private:
@@ -54,6 +56,12 @@ private:
   {
     return descriptions_[space.region(cell)];
   }
+  /// @throws InputError for a state without a physical meaning
+  void check_state(const Description &description,
+                   const dealii::Point<3> &centre,
+                   const double density,
+                   const double pressure,
+                   const double products) const;
   void fill_cell(const HexSpace &space,
                  const std::size_t cell,
                  AleState &state) const;
