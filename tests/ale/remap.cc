@@ -215,6 +215,6 @@ TEST(Remap, keeps_a_shock_tube_on_a_mesh_at_rest)
     EXPECT_NEAR(after.mass, before.mass, 1e-13 * before.mass);
     errors.push_back(slab.sod_error(0.2));
   }
-  EXPECT_LT(errors[1], 0.0148);
-  EXPECT_GT(std::log2(errors[0] / errors[1]), 0.58);
+  EXPECT_LT(errors[1], 0.00623);
+  EXPECT_GT(std::log2(errors[0] / errors[1]), 0.7);
 }

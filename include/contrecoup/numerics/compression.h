@@ -15,16 +15,16 @@ struct Compression
 {
   Matrix3<Number> rate; ///< symmetric [1/s]
   Number least;         ///< smallest eigenvalue of `rate` [1/s]
+  Number size;          ///< root of the sum of its squares [1/s]
   /// Projector on the directions of that eigenvalue, of trace one.
   Matrix3<Number> direction;
 };
 
 /**
- * The smallest eigenvalue l of a symmetric matrix from its invariants: the
- * least root of 4 f^3 - 3 f = r, f in [-1, -1/2], by Newton's method from
- * below, which never passes the root. Where the two smallest eigenvalues are
- * almost the same, f has an error of up to 0.01, and the projector is that on
- * both: enough for artificial viscosity.
+ * The smallest eigenvalue of a symmetric matrix from its invariants: with
+ * f = -1/2 - d it is the least root of 4 f^3 - 3 f = r, hence d that of
+ * d^2 (6 + 4 d) = 1 - r in [0, 1/2], by Newton's method. Where the two smallest
+ * eigenvalues are almost the same, the projector is that on both.
  */
 template <typename Number>
 inline DEAL_II_ALWAYS_INLINE Compression<Number>
@@ -50,11 +50,14 @@ find_compression(const Matrix3<Number> &gradient)
   const Number r =
     max(Number(-1.),
         min(Number(1.), Number(0.5) * determinant / (square * size + tiny)));
-  Number f(-1.);
-  for (unsigned int i = 0; i < 6; ++i)
-    f -= ((Number(4.) * f * f - Number(3.)) * f - r) /
-         (Number(12.) * f * f - Number(3.) + Number(1e-3));
+  const Number right = Number(1.) - r;
+  Number d = sqrt(Number(1. / 6.) * right);
+  for (unsigned int i = 0; i < 4; ++i)
+    d -= (d * d * (Number(6.) + Number(4.) * d) - right) /
+         (Number(12.) * d * (Number(1.) + d) + tiny);
+  const Number f = Number(-0.5) - d;
   result.least = mean + Number(2.) * size * f;
+  result.size = sqrt(Number(3.) * mean * mean + Number(6.) * square);
 
   Matrix3<Number> rest = e;
   for (unsigned int i = 0; i < 3; ++i)

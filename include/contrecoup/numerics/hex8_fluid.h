@@ -57,6 +57,7 @@ viscous_stress(const FluidViscosity &coefficients,
                const Number &sound_speed,
                Number &viscosity)
 {
+  using std::min;
   using std::sqrt;
   const Compression<Number> compression = find_compression(gradient);
   // The inverse of the mean edges gives lengths: l = 1 / |A^-1 s|.
@@ -74,7 +75,11 @@ viscous_stress(const FluidViscosity &coefficients,
                 (c[i][0] * c[j][0] + c[i][1] * c[j][1] + c[i][2] * c[j][2]);
   const Number length = determinant / sqrt(square);
   const Number rate = Number() - compression.least;
-  const Number mu = density * length *
+  // Round-off of the eigenvalue is no compression: the least compressions count
+  // in part.
+  const Number part =
+    min(Number(1.), rate / (Number(0.01) * compression.size + Number(1e-200)));
+  const Number mu = part * density * length *
                     (rate * length * coefficients.quadratic +
                      sound_speed * coefficients.linear);
   viscosity = select_less(rate, Number(), Number(), mu);
