@@ -20,7 +20,7 @@ contrecoup_add_application_test(sod_elastic bounds,resume,ranks
   COMPARE history.csv probes.csv STOP_AFTER 40
   TOLERANCE "1e-6" "energy_residual*=1e-15 absolute" LABELS verification)
 
-# The first gives a peak of 1.590 times rho A R at the wall, the second 1.084.
+# The first gives a peak of 1.593 times rho A R at the wall, the second 1.088.
 contrecoup_add_application_test(sphere bounds,ranks
   FILE ${_folder}/fluid_in_rigid_sphere.prm SET "Output/Fields=false"
   BOUNDS ${_ledger} "errors.peak < 1.07e-2" COMPARE probes.csv TOLERANCE "1e-5"
