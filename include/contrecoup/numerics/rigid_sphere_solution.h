@@ -21,8 +21,8 @@ struct RigidSphere
 };
 
 /**
- * Pressure of linear acoustics in that sphere, by the modes that move with its
- * centre (Anzelius 1943 and Guettinger 1950 derived the like):
+ * Pressure of linear acoustics in that sphere, the problem of Anzelius and
+ * Guettinger, by the modes that are odd along the deceleration:
  *
  *   p = rho c cos(theta) sum 2 a_n / (a_n^2 - 2) j_1(a_n r / R) / j_1(a_n)
  *         integral_0^t A(s) sin(a_n c (t - s) / R) ds,   j_1'(a_n) = 0,
