@@ -17,28 +17,27 @@ namespace
 {
   /// Where deal.II has the corners of HexMesh.
   constexpr unsigned int corner_of[8] = {0, 1, 3, 2, 4, 5, 7, 6};
-
-  /// Refuses what has no positive volume at a corner.
-  void check_cells(const dealii::Triangulation<3> &mesh)
-  {
-    for (const auto &cell : mesh.active_cell_iterators())
-    {
-      HexVectors<double> corners;
-      for (unsigned int i = 0; i < 8; ++i)
-        for (unsigned int d = 0; d < 3; ++d)
-          corners[i][d] = cell->vertex(corner_of[i])[d];
-      if (smallest_corner_jacobian(corners) > 0.)
-        continue;
-      const auto x = cell->center();
-      throw InputError("Mesh: cell " +
-                       std::to_string(cell->active_cell_index()) + " at (" +
-                       std::to_string(x[0]) + ", " + std::to_string(x[1]) +
-                       ", " + std::to_string(x[2]) +
-                       ") m is inverted: at one of its corners the volume is "
-                       "not positive");
-    }
-  }
 } // namespace
+
+
+void require_valid_cells(const dealii::Triangulation<3> &mesh)
+{
+  for (const auto &cell : mesh.active_cell_iterators())
+  {
+    HexVectors<double> corners;
+    for (unsigned int i = 0; i < 8; ++i)
+      for (unsigned int d = 0; d < 3; ++d)
+        corners[i][d] = cell->vertex(corner_of[i])[d];
+    if (smallest_corner_jacobian(corners) > 0.)
+      continue;
+    const auto x = cell->center();
+    throw InputError("Mesh: cell " + std::to_string(cell->active_cell_index()) +
+                     " at (" + std::to_string(x[0]) + ", " +
+                     std::to_string(x[1]) + ", " + std::to_string(x[2]) +
+                     ") m is inverted: at one of its corners the volume is "
+                     "not positive");
+  }
+}
 
 
 void HexSpace::reinit(const dealii::Triangulation<3> &mesh,
@@ -46,7 +45,7 @@ void HexSpace::reinit(const dealii::Triangulation<3> &mesh,
 {
   if (mesh.n_levels() > 1)
     throw InputError("Mesh: it has cells of different levels; flatten it");
-  check_cells(mesh);
+  require_valid_cells(mesh);
   distribute(mesh, communicator);
   number_nodes();
   number_cells(mesh);

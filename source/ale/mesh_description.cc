@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/ale/hex_space.h>
 #include <contrecoup/ale/mesh_description.h>
 #include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/expression.h>
 #include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/base/text.h>
 
 #include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
 
@@ -50,6 +51,14 @@ void MeshDescription::declare_parameters(ParameterHandler &prm)
                     0,
                     8,
                     "Halvings of the six cells of the half ball, 0 to 8.");
+    for (const char *const name : {"x", "y", "z"})
+      declare_string(prm,
+                     std::string("Position ") + name,
+                     name,
+                     "Where the mesh's node at x, y, z goes before the start "
+                     "[m], a muParser expression of x, y, z: a box becomes a "
+                     "wedge, a cone, or skewed. Places elsewhere are those "
+                     "after it.");
   }
   const Section section(prm, "Side *");
   declare_selection(prm,
@@ -78,6 +87,16 @@ void MeshDescription::parse_parameters(ParameterHandler &prm)
       elements_.push_back(static_cast<unsigned int>(n));
     radius_ = read_double(prm, "Radius");
     refinements_ = read_unsigned(prm, "Refinements");
+    const std::vector<std::string> axes{"x", "y", "z"};
+    bool moves = false;
+    for (const std::string &axis : axes)
+    {
+      const std::string name = "Position " + axis;
+      position_.emplace_back("Mesh/" + name, prm.get(name));
+      moves = moves || position_.back().text() != axis;
+    }
+    if (!moves)
+      position_.clear();
   }
   for (unsigned int d = 0; d < 3; ++d)
     if (kind_ == "box" && !(lower_[d] < upper_[d]))
@@ -138,12 +157,36 @@ double MeshDescription::n_cells() const
 
 double MeshDescription::cell_size() const
 {
+  if (!position_.empty())
+  {
+    dealii::Triangulation<3> mesh;
+    create(mesh);
+    double shortest = std::numeric_limits<double>::max();
+    for (const auto &cell : mesh.active_cell_iterators())
+      shortest = std::min(shortest, cell->minimum_vertex_distance());
+    return shortest;
+  }
   if (kind_ != "box")
     return 0.3 * radius_ * std::pow(0.5, refinements_);
   double size = std::numeric_limits<double>::max();
   for (unsigned int d = 0; d < 3; ++d)
     size = std::min(size, (upper_[d] - lower_[d]) / elements_[d]);
   return size;
+}
+
+
+void MeshDescription::move_nodes(dealii::Triangulation<3> &mesh) const
+{
+  if (position_.empty())
+    return;
+  dealii::GridTools::transform(
+    [this](const dealii::Point<3> &place) {
+      return dealii::Point<3>(position_[0].value(place),
+                              position_[1].value(place),
+                              position_[2].value(place));
+    },
+    mesh);
+  require_valid_cells(mesh);
 }
 
 
@@ -159,6 +202,7 @@ void MeshDescription::create(dealii::Triangulation<3> &mesh) const
     coarse.refine_global(refinements_);
     dealii::GridGenerator::flatten_triangulation(coarse, mesh);
   }
+  move_nodes(mesh);
   // Regions are set by their expressions, not by octants.
   for (const auto &cell : mesh.active_cell_iterators())
     cell->set_material_id(0);

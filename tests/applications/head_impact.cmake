@@ -27,7 +27,7 @@ contrecoup_add_application_test(sphere bounds,ranks
   LABELS verification)
 contrecoup_add_application_test(sphere_slow bounds
   FILE ${_folder}/fluid_in_rigid_sphere.prm SET "Output/Fields=false"
-  "Time/End time=1.2e-3" "Reference/Duration=1e-3"
+  "Time/End time=1.2e-3" "Reference/Rigid sphere/Duration=1e-3"
   "Body force/y=if(t < 1e-3, 1000 * sin(pi * t / 1e-3), 0)"
   BOUNDS ${_ledger} "errors.peak < 1.2e-2" LABELS verification)
 
@@ -53,3 +53,6 @@ contrecoup_add_application_test(refuses_negative_pressure refusal
 contrecoup_add_application_test(refuses_products_above_one refusal
   FILE ${_folder}/sod.prm SET "Region gas/Products=1.5"
   MESSAGE "Products must be from 0 to 1, and is 1.5")
+contrecoup_add_application_test(refuses_inverted_mesh refusal
+  FILE ${_folder}/sod.prm SET "Mesh/Position x=if(x > 0.5, 1 - x, x)"
+  MESSAGE "is inverted: at one of its corners the volume is not positive")

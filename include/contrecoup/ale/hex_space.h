@@ -15,6 +15,9 @@
 
 namespace contrecoup::ale
 {
+/// @throws InputError for an inverted cell, naming it
+void require_valid_cells(const dealii::Triangulation<3> &mesh);
+
 /**
  * A conforming mesh of hexahedra on the ranks, by deal.II's fully distributed
  * triangulation, with the numbers that loops over elements need. Each rank owns

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/ale/slip_walls.h>
+#include <contrecoup/base/expression.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/grid/tria.h>
@@ -17,7 +18,8 @@ namespace contrecoup::ale
 /**
  * The mesh of a scene, and what is at its sides: subsections "Mesh" and
  * "Side *". Sides have names: x-, x+, y-, y+, z-, z+ of a box, sphere and plane
- * of a half ball, which lies at x >= 0.
+ * of a half ball, which lies at x >= 0. Expressions move the nodes: a box
+ * becomes a wedge, a cone, or skewed.
  */
 class MeshDescription
 {
@@ -28,12 +30,14 @@ public:
   void parse_parameters(dealii::ParameterHandler &prm);
 
   /// Builds the mesh, all cells on one level.
+  /// @throws InputError for cells that the moved nodes invert
   void create(dealii::Triangulation<3> &mesh) const;
 
   /// How many cells create() makes.
   double n_cells() const;
 
   /// About the shortest edge of a cell [m].
+  /// @throws InputError for cells that the moved nodes invert
   double cell_size() const;
 
   /// Sides along which matter slides; all others are free.
@@ -45,12 +49,14 @@ public:
 private:
   const std::vector<std::string> &side_names() const;
   void parse_sides(dealii::ParameterHandler &prm);
+  void move_nodes(dealii::Triangulation<3> &mesh) const;
 
   std::string kind_;
   dealii::Point<3> lower_, upper_;
   std::vector<unsigned int> elements_;
   double radius_ = 0.;
   unsigned int refinements_ = 0;
+  std::vector<Expression> position_; ///< x, y, z; none: nodes stay
   std::map<dealii::types::boundary_id, SlipWalls::Motion> walls_;
 };
 } // namespace contrecoup::ale
