@@ -42,17 +42,28 @@ bool Progress::wants_forecast() const
           seconds(now - last_line_) >= log_forecast);
 }
 
-void Progress::expect(WorkForecast forecast)
+void Progress::expect(WorkForecast forecast,
+                      const std::optional<double> hand_over)
 {
   remaining_.expect(std::move(forecast));
+  hand_over_ = hand_over;
   last_forecast_ = Clock::now();
 }
 
 void Progress::restart()
 {
   remaining_.restart();
+  hand_over_.reset();
   last_forecast_ = Clock::time_point();
   last_step_ = Clock::now();
+}
+
+std::string Progress::time_left(const double time) const
+{
+  const double left = remaining_.left(time, hand_over_.value_or(end_time_));
+  const std::string what = hand_over_ ? " left of this stage" : " left";
+  return std::isnan(left) ? "time" + what + " not known yet"
+                          : duration(left) + what;
 }
 
 void Progress::step(const std::uint64_t number,
@@ -69,12 +80,11 @@ void Progress::step(const std::uint64_t number,
   if (waited < (terminal ? terminal_interval : log_interval))
     return;
 
-  const double left = remaining_.left(time, end_time_);
-  const std::string text =
-    "step " + std::to_string(number) + "  time " + brief(time, 5) +
-    " s  step size " + brief(step_size, 3) + " s  " +
-    brief(recent_updates_ / waited / 1e6, 3) + " million updates/s  " +
-    (std::isnan(left) ? "time left not known yet" : duration(left) + " left");
+  const std::string text = "step " + std::to_string(number) + "  time " +
+                           brief(time, 5) + " s  step size " +
+                           brief(step_size, 3) + " s  " +
+                           brief(recent_updates_ / waited / 1e6, 3) +
+                           " million updates/s  " + time_left(time);
   if (terminal)
     Log::instance().status(text);
   else

@@ -80,7 +80,10 @@ RunStatus RunLoop::loop(RunState &state)
       [&]() { return step(state); }, ExitCode::numerics_failed);
     if ((flags & forecast_bit) != 0)
       collective_.run([&]() {
-        progress_->expect(simulation_.expected_work(parameters.end_time));
+        const auto hand_over = simulation_.expected_hand_over();
+        progress_->expect(
+          simulation_.expected_work(hand_over.value_or(parameters.end_time)),
+          hand_over);
       });
     const bool enough =
       parameters.steps_in_this_run > 0 &&

@@ -9,7 +9,6 @@
 #include <contrecoup/coupling/staged_simulation.h>
 #include <contrecoup/io/checked_file.h>
 
-#include <limits>
 #include <sstream>
 
 namespace contrecoup::coupling
@@ -179,9 +178,15 @@ bool StagedSimulation<dim>::is_due()
   }
   if (parameters_.criterion == "time")
     return time() >= parameters_.time * (1. - 1e-13);
-  if (parameters_.criterion == "radius")
-    return first_->front() >= parameters_.radius;
-  return first_->front() >= plan_.nearest - margin();
+  return first_->front() >= hand_over_distance();
+}
+
+
+template <int dim>
+double StagedSimulation<dim>::hand_over_distance() const
+{
+  return parameters_.criterion == "radius" ? parameters_.radius
+                                           : plan_.nearest - margin();
 }
 
 
@@ -230,7 +235,10 @@ template <int dim>
 bool StagedSimulation<dim>::adapt()
 {
   const bool changed = active().adapt();
-  if (!first_ || !is_due())
+  if (!first_)
+    return changed;
+  front_course_.add(time(), first_->front());
+  if (!is_due())
     return changed;
   hand_over();
   return true;
@@ -240,10 +248,20 @@ bool StagedSimulation<dim>::adapt()
 template <int dim>
 WorkForecast StagedSimulation<dim>::expected_work(const double end_time)
 {
-  // The mesh of the second stage, which takes nearly all, is not known yet.
-  if (first_)
-    return {{end_time, std::numeric_limits<double>::quiet_NaN()}};
-  return scene_.expected_work(end_time);
+  return active().expected_work(end_time);
+}
+
+
+template <int dim>
+std::optional<double> StagedSimulation<dim>::expected_hand_over()
+{
+  if (!first_)
+    return std::nullopt;
+  if (const auto earlier = first_->simulation().expected_hand_over())
+    return earlier;
+  if (parameters_.criterion == "time")
+    return parameters_.time;
+  return front_course_.arrival(hand_over_distance());
 }
 
 
@@ -320,9 +338,7 @@ Assumption StagedSimulation<dim>::hand_over_item(const double radius) const
 template <int dim>
 std::vector<Assumption> StagedSimulation<dim>::plan()
 {
-  double radius = plan_.nearest - margin();
-  if (parameters_.criterion == "radius")
-    radius = parameters_.radius;
+  double radius = hand_over_distance();
   if (first_)
   {
     const auto blast = first_->blast();

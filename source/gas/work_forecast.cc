@@ -79,7 +79,6 @@ WorkForecast WorkForecaster<dim>::forecast(const double time,
                                            const double end_time) const
 {
   const auto &communicator = mesh_.communicator();
-  const double factor_now = signal_factor(time);
   std::vector<double> counts(n_intervals, 0.), rates(n_intervals, 0.);
   for (unsigned int k = 0; k < n_intervals; ++k)
   {
@@ -95,9 +94,8 @@ WorkForecast WorkForecaster<dim>::forecast(const double time,
           std::max(merges(i, then), leaf.merges_now) - leaf.merges_now;
         const double size = std::ldexp(1., int(more));
         counts[k] += leaf.is_active ? std::pow(size, -dim) : 0.;
-        rates[k] = std::max(rates[k],
-                            leaf.rate / size *
-                              (leaf.is_active ? factor / factor_now : 1.));
+        // Hot products keep their speed of sound when the front slows down.
+        rates[k] = std::max(rates[k], leaf.rate / size);
         continue;
       }
       // The front halves leaves as far as it may, and those behind it stay.

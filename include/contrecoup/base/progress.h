@@ -7,6 +7,8 @@
 
 #include <chrono>
 #include <cstdint>
+#include <optional>
+#include <string>
 
 namespace contrecoup
 {
@@ -29,13 +31,16 @@ public:
   /// Whether the solver should be asked anew for the work that is left.
   bool wants_forecast() const;
 
-  /// Takes what the solver foresees, see RemainingTime.
-  void expect(WorkForecast forecast);
+  /// Takes what the solver foresees, see RemainingTime: until the end, or until
+  /// the first stage is expected to end @p hand_over [s].
+  void expect(WorkForecast forecast, std::optional<double> hand_over);
 
   /// Says that another solver is at work from now on.
   void restart();
 
 private:
+  std::string time_left(double time) const;
+
   using Clock = std::chrono::steady_clock;
 
   RemainingTime remaining_;
@@ -43,6 +48,7 @@ private:
   Clock::time_point last_line_;
   Clock::time_point last_forecast_; ///< at first long ago
   double end_time_;
+  std::optional<double> hand_over_; ///< of a first stage that is at work [s]
   double recent_updates_ = 0.;
 };
 } // namespace contrecoup

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -145,6 +146,13 @@ public:
   virtual WorkForecast expected_work(const double /*end_time*/)
   {
     return {};
+  }
+
+  /// When the stage at work is expected to hand over to one whose work cannot
+  /// be known before it begins [s], NaN: not known; nullopt: no stage does.
+  virtual std::optional<double> expected_hand_over()
+  {
+    return std::nullopt;
   }
 
   /// Space dimensions of the mesh that is at work [-]: the cost of its cells

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/coupling/first_stage.h>
+#include <contrecoup/coupling/front_course.h>
 
 #include <optional>
 
@@ -46,7 +47,9 @@ public:
   std::vector<NamedValue> assumptions() override;
   std::vector<Assumption> plan() override;
   std::vector<Assumption> audit() override;
+  /// In the first stage, @p end_time is that of its hand-over.
   WorkForecast expected_work(const double end_time) override;
+  std::optional<double> expected_hand_over() override;
   unsigned int dimension() const override
   {
     return active().dimension();
@@ -79,6 +82,9 @@ private:
   void read_gauges();
   /// Distance before the nearest side at which "auto" hands over [m].
   double margin() const;
+  /// Of the front from the charge at the hand-over, unless its time is
+  /// given [m].
+  double hand_over_distance() const;
   /// The front at the hand-over, for plan and audit.
   Assumption hand_over_item(const double radius) const;
   bool is_due();
@@ -90,6 +96,7 @@ private:
   /// The second stage, without mesh and state before the hand-over.
   mutable gas::GasSimulation<dim> scene_;
   std::unique_ptr<FirstStage<dim>> first_; ///< nullptr after it
+  FrontCourse front_course_;               ///< of the first stage
   double hand_over_time_ = 0.;             ///< [s]
   double hand_over_radius_ = 0.;           ///< [m]
   /// In the domain, once it was asked for [m^dim].

@@ -15,10 +15,11 @@ namespace contrecoup::gas
 {
 /**
  * The work that steps of a gas run will take, from its present octree and
- * state. Three things change it: the front of the blast wakes leaves that are
- * quiet now and halves them as far as limits of size allow, these limits merge
- * leaves at times that are known, and signals slow down with the front. Other
- * leaves that are halved or merged are taken to be equally many.
+ * state. Two things change it: the front of the blast wakes leaves that are
+ * quiet now and halves them as far as limits of size allow, and these limits
+ * merge leaves at times that are known. Other leaves that are halved or merged
+ * are taken to be equally many, and signals in leaves that are at work now to
+ * be as fast as now.
  */
 template <int dim>
 class WorkForecaster
