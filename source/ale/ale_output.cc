@@ -26,6 +26,7 @@ std::string write_ale(const HexSpace &space,
                              {"pressure", "Pa"},
                              {"specific_internal_energy", "J/kg"},
                              {"products", "-"},
+                             {"shear_strain", "-"},
                              {"region", "-"}});
   for (std::size_t c = 0; c < space.n_own_cells(); ++c)
   {
@@ -43,8 +44,9 @@ std::string write_ale(const HexSpace &space,
       patch.data(3, v) = static_cast<float>(element.mass / element.volume);
       patch.data(4, v) = static_cast<float>(element.pressure);
       patch.data(5, v) = static_cast<float>(element.energy / element.mass);
-      patch.data(6, v) = static_cast<float>(element.products);
-      patch.data(7, v) = static_cast<float>(space.region(c));
+      patch.data(6, v) = static_cast<float>(state.products[c]);
+      patch.data(7, v) = static_cast<float>(element.shear_strain);
+      patch.data(8, v) = static_cast<float>(space.region(c));
     }
     output.add_patch(std::move(patch));
   }

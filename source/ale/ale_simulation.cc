@@ -30,6 +30,7 @@ void AleSimulation::declare_parameters(ParameterHandler &prm)
   MeshDescription::declare_parameters(prm);
   RegionDescriptions::declare_parameters(prm);
   Rezone::declare_parameters(prm);
+  ContactPlanes::declare_parameters(prm);
   Reference::declare_parameters(prm);
   {
     const Section section(prm, "Body force");
@@ -78,6 +79,7 @@ void AleSimulation::parse_parameters(ParameterHandler &prm)
   mesh_description_.parse_parameters(prm);
   regions_.parse_parameters(prm);
   rezone_.parse_parameters(prm);
+  planes_.parse_parameters(prm);
   reference_.parse_parameters(prm);
   {
     const Section section(prm, "Body force");
@@ -109,7 +111,7 @@ CostEstimate AleSimulation::estimate()
 {
   dealii::Triangulation<3> mesh;
   mesh_description_.create(mesh);
-  regions_.set_regions(mesh);
+  regions_.set_regions(mesh, mesh_description_.layers());
   CostEstimate cost;
   cost.cells = mesh_description_.n_cells();
   cost.unknowns = 5. * cost.cells;
@@ -127,23 +129,25 @@ void AleSimulation::build()
   const TimerScope timer("mesh");
   dealii::Triangulation<3> mesh;
   mesh_description_.create(mesh);
-  regions_.set_regions(mesh);
+  regions_.set_regions(mesh, mesh_description_.layers());
   space_.reinit(mesh, communicator_);
   n_cells_ = mesh.n_active_cells();
   n_nodes_ = mesh.n_used_vertices();
-  lagrange_.reinit(space_,
-                   regions_.regions(),
-                   mesh_description_.walls(),
-                   [this](const double time) {
-                     dealii::Tensor<1, 3> result;
-                     for (unsigned int d = 0; d < 3; ++d)
-                       result[d] = acceleration_[d].value({}, time);
-                     return result;
-                   });
+  lagrange_.reinit(
+    space_,
+    regions_.regions(),
+    mesh_description_.walls(),
+    [this](const double time) {
+      dealii::Tensor<1, 3> result;
+      for (unsigned int d = 0; d < 3; ++d)
+        result[d] = acceleration_[d].value({}, time);
+      return result;
+    },
+    planes_);
   state_ = AleState();
   state_.position = space_.positions(width);
   regions_.fill(space_, state_);
-  rezone_.reinit(space_, state_, mesh_description_.walls());
+  rezone_.reinit(space_, state_, regions_.regions(), mesh_description_.walls());
   find_probe_cells();
 }
 
@@ -262,14 +266,24 @@ std::vector<NamedValue> AleSimulation::history()
   const AleTotals &totals = now.totals;
   energy_scale_ = std::max(
     {energy_scale_, std::abs(totals.internal_energy), totals.kinetic_energy});
-  return {{"mass", "kg", totals.mass, true},
-          {"kinetic_energy", "J", totals.kinetic_energy},
-          {"internal_energy", "J", totals.internal_energy},
-          {"external_work", "J", now.external_work},
-          {"energy_residual", "J", now.residual},
-          {"momentum_x", "N s", totals.momentum[0]},
-          {"momentum_y", "N s", totals.momentum[1]},
-          {"momentum_z", "N s", totals.momentum[2]}};
+  std::vector<NamedValue> values = {
+    {"mass", "kg", totals.mass, true},
+    {"kinetic_energy", "J", totals.kinetic_energy},
+    {"internal_energy", "J", totals.internal_energy},
+    {"external_work", "J", now.external_work},
+    {"energy_residual", "J", now.residual},
+    {"momentum_x", "N s", totals.momentum[0]},
+    {"momentum_y", "N s", totals.momentum[1]},
+    {"momentum_z", "N s", totals.momentum[2]}};
+  if (planes_.empty())
+    return values;
+  const ContactMeasures contact = lagrange_.contact();
+  values.insert(values.end(),
+                {{"contact_force", "N", contact.force},
+                 {"contact_area", "m^2", contact.area},
+                 {"contact_work", "J", contact.work},
+                 {"friction_work", "J", contact.friction_work}});
+  return values;
 }
 
 

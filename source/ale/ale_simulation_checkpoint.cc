@@ -32,6 +32,7 @@ namespace
     double last_step;
     std::uint64_t n_peaks;
     std::uint64_t first_iterations;
+    ContactMeasures contact;
   };
 
   struct NodeRecord
@@ -45,7 +46,8 @@ namespace
   struct CellRecord
   {
     std::uint32_t cell;
-    std::array<double, 3> values;
+    /// Mass, energy, products, and the strain of the relaxing branch.
+    std::array<double, 9> values;
   };
 
   template <typename Value>
@@ -70,6 +72,7 @@ namespace
 void AleSimulation::save(const std::string &folder)
 {
   const double work = lagrange_.external_work();
+  const ContactMeasures contact = lagrange_.contact();
   const SmoothingMemory memory = rezone_.memory();
   const auto rank = dealii::Utilities::MPI::this_mpi_process(communicator_);
   io::write_file(file_of(folder, rank), [&](std::ostream &out) {
@@ -85,7 +88,8 @@ void AleSimulation::save(const std::string &folder)
                 energy_scale_,
                 last_step_,
                 reference_.peaks().size(),
-                memory.first_iterations});
+                memory.first_iterations,
+                contact});
     for (const auto &peak : reference_.peaks())
       put(out, peak);
     for (std::size_t n = 0; n < space_.n_own_nodes(); ++n)
@@ -106,9 +110,14 @@ void AleSimulation::save(const std::string &folder)
       put(out, record);
     }
     for (std::size_t c = 0; c < space_.n_own_cells(); ++c)
-      put(out,
-          CellRecord{space_.cell_number(c),
-                     {{state_.mass[c], state_.energy[c], state_.products[c]}}});
+    {
+      CellRecord record{
+        space_.cell_number(c),
+        {{state_.mass[c], state_.energy[c], state_.products[c]}}};
+      for (std::size_t k = 0; k < 6 && !state_.relaxed.empty(); ++k)
+        record.values[3 + k] = state_.relaxed[k * space_.n_cells() + c];
+      put(out, record);
+    }
   });
 }
 
@@ -143,6 +152,9 @@ void AleSimulation::restore_cells(
     state_.mass[found->second] = record.values[0];
     state_.energy[found->second] = record.values[1];
     state_.products[found->second] = record.values[2];
+    for (std::size_t k = 0; k < 6 && !state_.relaxed.empty(); ++k)
+      state_.relaxed[k * space_.n_cells() + found->second] =
+        record.values[3 + k];
   }
 }
 
@@ -195,6 +207,7 @@ void AleSimulation::restore(const std::string &folder)
   state_.time = numbers.time;
   initial_energy_ = numbers.initial_energy;
   lagrange_.set_external_work(numbers.external_work);
+  lagrange_.set_contact(numbers.contact);
   energy_scale_ = numbers.energy_scale;
   last_step_ = numbers.last_step;
   memory.first_iterations = static_cast<unsigned int>(numbers.first_iterations);

@@ -58,6 +58,10 @@ private:
   void constrain(const dealii::AlignedVector<double> &displacement);
   void add_cell(const dealii::FEValues<3> &values,
                 dealii::FullMatrix<double> &matrix) const;
+  /// Rows of a cell that is prescribed as a whole, in the size of others.
+  void
+  add_prescribed_cell(const dealii::DoFHandler<3>::active_cell_iterator &cell,
+                      dealii::FullMatrix<double> &matrix) const;
   void renew_preconditioner();
 
   HexSpace &space_;
@@ -143,17 +147,39 @@ void ElasticSmoothing::System::add_cell(
   for (const unsigned int q : values.quadrature_point_indices())
     volume += values.JxW(q);
   const double stiffness = std::pow(volume, -options_.stiffening);
+  // Three components have the same gradients at a corner.
+  std::array<dealii::Tensor<1, 3>, 8> g;
   for (const unsigned int q : values.quadrature_point_indices())
-    for (const unsigned int i : values.dof_indices())
-      for (const unsigned int j : values.dof_indices())
+  {
+    const double weight = stiffness * values.JxW(q);
+    for (unsigned int v = 0; v < 8; ++v)
+      g[v] = values.shape_grad(3 * v, q);
+    for (unsigned int v = 0; v < 8; ++v)
+      for (unsigned int w = 0; w <= v; ++w)
       {
-        const unsigned int a = i % 3, b = j % 3;
-        const auto &gi = values.shape_grad(i, q), &gj = values.shape_grad(j, q);
-        double sum = lambda * gi[a] * gj[b] + mu * gi[b] * gj[a];
-        if (a == b)
-          sum += mu * (gi * gj);
-        matrix(i, j) += stiffness * sum * values.JxW(q);
+        const double trace = g[v] * g[w];
+        for (unsigned int a = 0; a < 3; ++a)
+          for (unsigned int b = 0; b < 3; ++b)
+            matrix(3 * v + a, 3 * w + b) +=
+              weight * (lambda * g[v][a] * g[w][b] + mu * g[v][b] * g[w][a] +
+                        (a == b ? mu * trace : 0.));
       }
+  }
+  for (unsigned int i = 0; i < 24; ++i)
+    for (unsigned int j = i + 1; j < 24; ++j)
+      matrix(i, j) = matrix(j, i);
+}
+
+
+void ElasticSmoothing::System::add_prescribed_cell(
+  const dealii::DoFHandler<3>::active_cell_iterator &cell,
+  dealii::FullMatrix<double> &matrix) const
+{
+  matrix = 0.;
+  const double stiffness =
+    std::pow(cell->measure(), 1. / 3. - options_.stiffening);
+  for (unsigned int i = 0; i < 24; ++i)
+    matrix(i, i) = stiffness;
 }
 
 
@@ -177,9 +203,18 @@ void ElasticSmoothing::System::assemble(
   {
     if (!cell->is_locally_owned())
       continue;
-    values.reinit(cell);
-    add_cell(values, local);
     cell->get_dof_indices(dofs);
+    const bool is_fixed =
+      std::all_of(dofs.begin(), dofs.end(), [&](const auto dof) {
+        return constraints_.is_constrained(dof);
+      });
+    if (is_fixed)
+      add_prescribed_cell(cell, local);
+    else
+    {
+      values.reinit(cell);
+      add_cell(values, local);
+    }
     constraints_.distribute_local_to_global(
       local, none, dofs, matrix_, right_side_);
   }

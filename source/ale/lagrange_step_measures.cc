@@ -41,6 +41,23 @@ void LagrangeStep::set_external_work(const double work)
 }
 
 
+ContactMeasures LagrangeStep::contact() const
+{
+  std::vector<double> sums{
+    contact_.force, contact_.area, contact_.work, contact_.friction_work};
+  dealii::Utilities::MPI::sum(sums, space_->communicator(), sums);
+  return {sums[0], sums[1], sums[2], sums[3]};
+}
+
+
+void LagrangeStep::set_contact(const ContactMeasures &contact)
+{
+  const auto rank =
+    dealii::Utilities::MPI::this_mpi_process(space_->communicator());
+  contact_ = rank == 0 ? contact : ContactMeasures();
+}
+
+
 AleTotals LagrangeStep::totals(const AleState &state) const
 {
   std::vector<double> sums(6, 0.);
@@ -65,27 +82,6 @@ AleTotals LagrangeStep::totals(const AleState &state) const
   for (unsigned int d = 0; d < 3; ++d)
     result.momentum[d] = sums[3 + d];
   return result;
-}
-
-
-FluidElement<double> LagrangeStep::values(const AleState &state,
-                                          const std::size_t cell) const
-{
-  FluidElement<double> element{};
-  element.mass = state.mass[cell];
-  element.energy = state.energy[cell];
-  element.products = state.products[cell];
-  const Region &region = regions_[space_->region(cell)];
-  std::visit(
-    [&](const auto &law) {
-      fluid_forces(law,
-                   region.viscosity,
-                   corners_of(space_->cell(cell), state.position),
-                   corners_of(space_->cell(cell), state.velocity),
-                   element);
-    },
-    region.law);
-  return element;
 }
 
 

@@ -17,7 +17,7 @@ namespace contrecoup::ale
 {
 namespace
 {
-  const std::vector<std::string> kinds{"box", "half ball"};
+  const std::vector<std::string> kinds{"box", "half ball", "layered head"};
 } // namespace
 
 
@@ -29,8 +29,9 @@ void MeshDescription::declare_parameters(ParameterHandler &prm)
                       "Kind",
                       "box",
                       kinds,
-                      "A box of bricks, or the half at x >= 0 of a ball around "
-                      "the origin.");
+                      "A box of bricks, the half at x >= 0 of a ball around "
+                      "the origin, or a head of brain, CSF, skull and scalp "
+                      "around the origin.");
     declare_list(
       prm, "Lower corner", "0, 0, 0", 3, 3, -1e6, 1e6, "m", "Of the box.");
     declare_list(
@@ -59,6 +60,7 @@ void MeshDescription::declare_parameters(ParameterHandler &prm)
                      "[m], a muParser expression of x, y, z: a box becomes a "
                      "wedge, a cone, or skewed. Places elsewhere are those "
                      "after it.");
+    LayeredHead::declare_parameters(prm);
   }
   const Section section(prm, "Side *");
   declare_selection(prm,
@@ -67,7 +69,7 @@ void MeshDescription::declare_parameters(ParameterHandler &prm)
                     {"wall", "free"},
                     "Matter slides along a wall without friction; at a free "
                     "side nothing presses. Sides that are not named are "
-                    "walls.");
+                    "walls, but for the surface of a head, which is free.");
   declare_string(prm,
                  "Velocity",
                  "0",
@@ -97,6 +99,8 @@ void MeshDescription::parse_parameters(ParameterHandler &prm)
     }
     if (!moves)
       position_.clear();
+    if (kind_ == "layered head")
+      head_.parse_parameters(prm);
   }
   for (unsigned int d = 0; d < 3; ++d)
     if (kind_ == "box" && !(lower_[d] < upper_[d]))
@@ -110,7 +114,10 @@ const std::vector<std::string> &MeshDescription::side_names() const
 {
   // In the order of deal.II's boundary ids.
   static const std::vector<std::string> box{"x-", "x+", "y-", "y+", "z-", "z+"},
-    half_ball{"sphere", "plane"};
+    half_ball{"sphere", "plane"},
+    head{"surface", "plane x", "plane y", "plane z"};
+  if (kind_ == "layered head")
+    return head;
   return kind_ == "box" ? box : half_ball;
 }
 
@@ -119,7 +126,8 @@ void MeshDescription::parse_sides(ParameterHandler &prm)
 {
   const auto &names = side_names();
   for (unsigned int i = 0; i < names.size(); ++i)
-    walls_[i] = [](double) { return 0.; };
+    if (names[i] != "surface")
+      walls_[i] = [](double) { return 0.; };
   for (const std::string &name : item_names(prm, "Side"))
   {
     const auto found = std::find(names.begin(), names.end(), name);
@@ -151,6 +159,8 @@ double MeshDescription::n_cells() const
 {
   if (kind_ == "box")
     return double(elements_[0]) * elements_[1] * elements_[2];
+  if (kind_ == "layered head")
+    return head_.n_cells();
   return 6. * std::pow(8., refinements_);
 }
 
@@ -166,6 +176,8 @@ double MeshDescription::cell_size() const
       shortest = std::min(shortest, cell->minimum_vertex_distance());
     return shortest;
   }
+  if (kind_ == "layered head")
+    return head_.cell_size();
   if (kind_ != "box")
     return 0.3 * radius_ * std::pow(0.5, refinements_);
   double size = std::numeric_limits<double>::max();
@@ -192,6 +204,11 @@ void MeshDescription::move_nodes(dealii::Triangulation<3> &mesh) const
 
 void MeshDescription::create(dealii::Triangulation<3> &mesh) const
 {
+  if (kind_ == "layered head")
+  {
+    head_.create(mesh);
+    return move_nodes(mesh);
+  }
   if (kind_ == "box")
     dealii::GridGenerator::subdivided_hyper_rectangle(
       mesh, elements_, lower_, upper_, true);

@@ -44,9 +44,15 @@ namespace
 } // namespace
 
 
-void Reconstruction::reinit(const HexSpace &space, const unsigned int n_fields)
+void Reconstruction::reinit(const HexSpace &space,
+                            const unsigned int n_fields,
+                            const std::vector<bool> &is_left_out)
 {
   space_ = &space;
+  cells_.clear();
+  for (std::uint32_t c = 0; c < space.n_own_cells(); ++c)
+    if (is_left_out.empty() || !is_left_out[space.region(c)])
+      cells_.push_back(c);
   n_fields_ = n_fields;
   gradient_exchange_.reinit(space.cells(), 3 * n_fields);
   curvature_exchange_.reinit(space.cells(), n_fields);
@@ -65,19 +71,19 @@ void Reconstruction::compute(const dealii::AlignedVector<double> &position,
 {
   position_ = &position;
   find_centres(position);
-  for (std::size_t c = 0; c < space_->n_own_cells(); ++c)
+  for (const std::uint32_t c : cells_)
     find_gradients(fields, c);
-  for (std::size_t c = 0; c < space_->n_own_cells(); ++c)
+  for (const std::uint32_t c : cells_)
     find_curvatures(fields, c);
   curvature_exchange_.update_copies(curvatures_);
-  for (std::size_t c = 0; c < space_->n_own_cells(); ++c)
+  for (const std::uint32_t c : cells_)
     limit_inside(fields, c);
   // A cell at an edge takes counsel of cells at a side, and those of cells
   // inside.
   for (unsigned int n_walls = 1; n_walls <= 3; ++n_walls)
   {
     gradient_exchange_.update_copies(gradients_);
-    for (std::size_t c = 0; c < space_->n_own_cells(); ++c)
+    for (const std::uint32_t c : cells_)
       if (stencil_.cells_opposite_to_walls(c).size() == n_walls)
         limit_towards_walls(fields, c);
   }

@@ -16,10 +16,16 @@ namespace
 } // namespace
 
 
-void Remap::reinit(const HexSpace &space)
+void Remap::reinit(const HexSpace &space, const std::vector<bool> &is_at_rest)
 {
   space_ = &space;
-  reconstruction_.reinit(space, n_fields);
+  cells_.clear();
+  cells_at_rest_.clear();
+  for (std::uint32_t c = 0; c < space.n_own_cells(); ++c)
+    (is_at_rest.empty() || !is_at_rest[space.region(c)] ? cells_
+                                                        : cells_at_rest_)
+      .push_back(c);
+  reconstruction_.reinit(space, n_fields, is_at_rest);
   node_exchange_.reinit(space.nodes(), width + 1);
   cell_exchange_.reinit(space.cells(), 1);
   fields_.resize(n_fields * space.n_cells());
@@ -126,7 +132,7 @@ void Remap::check_boundary(const AleState &state,
 void Remap::carry_over(const AleState &state,
                        const dealii::AlignedVector<double> &position)
 {
-  for (std::size_t c = 0; c < space_->n_own_cells(); ++c)
+  for (const std::uint32_t c : cells_)
   {
     contents_[n_fields * c] = state.mass[c];
     for (unsigned int f = 1; f < n_fields; ++f)
@@ -140,8 +146,8 @@ void Remap::carry_over(const AleState &state,
 void Remap::check_masses(const AleState &state) const
 {
   std::string text;
-  for (std::size_t c = 0; c < space_->n_own_cells() && text.empty(); ++c)
-    if (!(contents_[n_fields * c] > 0.))
+  for (const std::uint32_t c : cells_)
+    if (text.empty() && !(contents_[n_fields * c] > 0.))
       text = "cell " + std::to_string(space_->cell_number(c)) +
              " would lose more mass than it has";
   const int failed =
@@ -157,7 +163,7 @@ void Remap::collect(AleState &state, const SlipWalls &walls) const
   // Momentum, mass and kinetic energy of the nodes.
   constexpr unsigned int n = width + 1;
   dealii::AlignedVector<double> sums(node_exchange_.size());
-  for (std::size_t c = 0; c < space_->n_own_cells(); ++c)
+  for (const std::uint32_t c : cells_)
   {
     const double *content = &contents_[n_fields * c];
     for (unsigned int i = 0; i < 8; ++i)
@@ -169,6 +175,17 @@ void Remap::collect(AleState &state, const SlipWalls &walls) const
       sum[4] += 0.125 * content[kinetic + i];
     }
   }
+  for (const std::uint32_t c : cells_at_rest_)
+    for (const std::uint32_t node : space_->cell(c))
+    {
+      const double *v = &state.velocity[width * node];
+      const double mass = 0.125 * state.mass[c];
+      double *sum = &sums[n * node];
+      for (unsigned int d = 0; d < 3; ++d)
+        sum[d] += mass * v[d];
+      sum[3] += mass;
+      sum[4] += 0.5 * mass * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    }
   node_exchange_.add_copies(sums);
   node_exchange_.update_copies(sums);
   for (std::size_t node = 0; node < space_->n_nodes(); ++node)
@@ -179,20 +196,26 @@ void Remap::collect(AleState &state, const SlipWalls &walls) const
     state.velocity[width * node + 3] = 1. / sums[n * node + 3];
   }
   walls.apply(state.velocity, state.time);
-  for (std::size_t c = 0; c < space_->n_own_cells(); ++c)
-  {
-    const double *content = &contents_[n_fields * c];
-    state.mass[c] = content[0];
-    state.products[c] = content[products] / content[0];
-    double heat = 0.;
+  // What the velocity of a node lacks of its kinetic energy, by mass.
+  const auto heat = [&](const std::uint32_t c) {
+    double result = 0.;
     for (const std::uint32_t node : space_->cell(c))
     {
       const double *v = &state.velocity[width * node];
       const double square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-      heat += sums[n * node + 4] / sums[n * node + 3] - 0.5 * square;
+      result += sums[n * node + 4] / sums[n * node + 3] - 0.5 * square;
     }
-    state.energy[c] = content[energy] + 0.125 * content[0] * heat;
+    return 0.125 * result;
+  };
+  for (const std::uint32_t c : cells_)
+  {
+    const double *content = &contents_[n_fields * c];
+    state.mass[c] = content[0];
+    state.products[c] = content[products] / content[0];
+    state.energy[c] = content[energy] + content[0] * heat(c);
   }
+  for (const std::uint32_t c : cells_at_rest_)
+    state.energy[c] += state.mass[c] * heat(c);
 }
 
 

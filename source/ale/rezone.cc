@@ -77,9 +77,13 @@ void Rezone::parse_parameters(ParameterHandler &prm)
 void Rezone::reinit(
   HexSpace &space,
   const AleState &state,
+  const std::vector<Region> &regions,
   const std::map<dealii::types::boundary_id, SlipWalls::Motion> &walls)
 {
   space_ = &space;
+  is_solid_.clear();
+  for (const Region &region : regions)
+    is_solid_.push_back(region.solid() != nullptr);
   start_ = state.position;
   reference_ = state.position;
   due_ = state.time + interval_;
@@ -89,7 +93,10 @@ void Rezone::reinit(
                      "y, z, or use elastic");
   if (kind_ == RezoneKind::none)
     return;
-  remap_.reinit(space);
+  if (std::find(is_solid_.begin(), is_solid_.end(), false) == is_solid_.end())
+    throw InputError("Rezone/Kind must be none where all regions are solids, "
+                     "whose mesh goes with them");
+  remap_.reinit(space, is_solid_);
   if (kind_ != RezoneKind::elastic)
     return;
   find_prescribed(walls);
@@ -169,6 +176,10 @@ void Rezone::find_prescribed(
       count[n * node + (axis < 0 ? all : static_cast<unsigned int>(axis))] +=
         1.;
   }
+  for (std::size_t c = 0; c < space_->n_own_cells(); ++c)
+    if (is_solid_[space_->region(c)])
+      for (const std::uint32_t node : space_->cell(c))
+        count[n * node + all] += 1.;
   exchange.add_copies(count);
   exchange.update_copies(count);
   is_prescribed_.clear();

@@ -2,33 +2,13 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/ale/ale_state.h>
+#include <contrecoup/ale/boundary_areas.h>
 #include <contrecoup/ale/slip_walls.h>
 
 #include <array>
 
 namespace contrecoup::ale
 {
-namespace
-{
-  /// Normal times area of a bilinear face [m^2].
-  dealii::Tensor<1, 3>
-  area_vector(const HexSpace::Face &face,
-              const dealii::AlignedVector<double> &position)
-  {
-    dealii::Tensor<1, 3> first, second;
-    for (unsigned int d = 0; d < 3; ++d)
-    {
-      const auto x = [&](const unsigned int i) {
-        return position[AleState::width * face.nodes[i] + d];
-      };
-      first[d] = x(2) - x(0);
-      second[d] = x(3) - x(1);
-    }
-    return 0.5 * dealii::cross_product_3d(first, second);
-  }
-} // namespace
-
-
 void SlipWalls::reinit(
   const HexSpace &space,
   const dealii::AlignedVector<double> &position,
@@ -54,28 +34,13 @@ void SlipWalls::add_wall(
   const unsigned int wall,
   std::map<std::uint32_t, std::vector<WallNode>> &of_node) const
 {
-  FieldExchange exchange;
-  exchange.reinit(space.nodes(), 3);
-  dealii::AlignedVector<double> areas(exchange.size());
-  for (const HexSpace::Face &face : space.faces())
-  {
-    if (face.outside != HexSpace::no_cell || face.boundary != boundary)
-      continue;
-    const auto area = area_vector(face, position);
-    for (const std::uint32_t node : face.nodes)
-      for (unsigned int d = 0; d < 3; ++d)
-        areas[3 * node + d] += area[d];
-  }
-  exchange.add_copies(areas);
-  exchange.update_copies(areas);
-  for (std::uint32_t node = 0; node < space.n_nodes(); ++node)
-  {
-    dealii::Tensor<1, 3> area;
-    for (unsigned int d = 0; d < 3; ++d)
-      area[d] = areas[3 * node + d];
-    if (area.norm() > 0.)
-      of_node[node].push_back({node, area / area.norm(), wall});
-  }
+  const auto areas = boundary_areas(
+    space, position, [&](const dealii::types::boundary_id other) {
+      return other == boundary;
+    });
+  for (std::uint32_t node = 0; node < areas.size(); ++node)
+    if (areas[node].norm() > 0.)
+      of_node[node].push_back({node, areas[node] / areas[node].norm(), wall});
 }
 
 

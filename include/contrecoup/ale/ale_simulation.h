@@ -77,6 +77,7 @@ private:
   MeshDescription mesh_description_;
   RegionDescriptions regions_;
   Rezone rezone_;
+  ContactPlanes planes_;
   Reference reference_;
   std::array<Expression, 3> acceleration_{{{"", "0"}, {"", "0"}, {"", "0"}}};
   std::vector<dealii::Point<3>> probe_places_;

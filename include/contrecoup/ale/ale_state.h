@@ -21,6 +21,10 @@ struct AleState
   dealii::AlignedVector<double> energy;   ///< internal, of each cell [J]
   dealii::AlignedVector<double> products; ///< mass fraction in each cell [-]
 
+  /// Strains of the relaxing branches of solids in each cell: six numbers, each
+  /// of all cells after the other; empty where nothing relaxes [-].
+  dealii::AlignedVector<double> relaxed;
+
   double time = 0.; ///< [s]
 };
 } // namespace contrecoup::ale

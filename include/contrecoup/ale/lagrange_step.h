@@ -3,10 +3,9 @@
 
 #pragma once
 
-#include <contrecoup/ale/ale_state.h>
-#include <contrecoup/ale/cell_batches.h>
+#include <contrecoup/ale/contact_planes.h>
+#include <contrecoup/ale/corner_forces.h>
 #include <contrecoup/ale/field_exchange.h>
-#include <contrecoup/ale/region.h>
 #include <contrecoup/ale/slip_walls.h>
 
 #include <deal.II/base/tensor.h>
@@ -38,11 +37,14 @@ public:
   using Acceleration = std::function<dealii::Tensor<1, 3>(double)>;
 
   /// @param regions by material id of the mesh
+  /// @param walls along which boundaries slide; all others are free surfaces
+  /// @throws InputError for a plane that cuts the mesh
   void
   reinit(const HexSpace &space,
          const std::vector<Region> &regions,
          const std::map<dealii::types::boundary_id, SlipWalls::Motion> &walls,
-         const Acceleration &acceleration);
+         const Acceleration &acceleration,
+         const ContactPlanes &planes = {});
 
   /// Sets masses of nodes from those of cells, and makes velocities obey walls.
   void start(AleState &state) const;
@@ -66,6 +68,13 @@ public:
   /// Sets what they had done before a restart [J]. Collective.
   void set_external_work(const double work);
 
+  /// What planes did: force and area in the last step, work of all steps, all
+  /// ranks. Collective.
+  ContactMeasures contact() const;
+
+  /// Sets what they had done before a restart. Collective.
+  void set_contact(const ContactMeasures &contact);
+
   /// Collective.
   AleTotals totals(const AleState &state) const;
 
@@ -74,53 +83,52 @@ public:
     return walls_;
   }
 
-  /// Pressure, volume and what else a cell has now.
-  FluidElement<double> values(const AleState &state,
-                              const std::size_t cell) const;
+  /// What own cell @p cell has now.
+  CellValues values(const AleState &state, const std::size_t cell) const
+  {
+    return forces_.values(state, cell);
+  }
 
 private:
-  using Lane = CellBatches::Lane;
-
   /// What a step starts from.
   struct Start
   {
-    dealii::AlignedVector<double> position, velocity, energy;
+    dealii::AlignedVector<double> position, velocity, energy, relaxed;
+
+    void give_back(AleState &state) const
+    {
+      state.position = position;
+      state.velocity = velocity;
+      state.energy = energy;
+      state.relaxed = relaxed;
+    }
   };
 
-  void add_forces(const AleState &state);
-  template <typename Law>
-  void add_range(const CellBatches::Range &range,
-                 const Law &law,
-                 const FluidViscosity &viscosity,
-                 const AleState &state);
+  /// @param step see CornerForces::compute()
+  void add_forces(AleState &state, const double step);
   void accelerate(AleState &state, const Start &start, const double step) const;
   void move(AleState &state,
             const Start &start,
             const dealii::AlignedVector<double> &velocity,
             const double step) const;
-  void do_work(AleState &state,
-               const Start &start,
-               const dealii::AlignedVector<double> &velocity,
-               const double step);
   bool try_step(AleState &state, const Start &start, const double step);
   bool is_physical(const AleState &state) const;
   void book_work(const AleState &state,
                  const Start &start,
                  const dealii::AlignedVector<double> &mean,
                  const double step);
+  void book_contact(const ContactMeasures &now);
   [[noreturn]] void give_up(const AleState &state, const double step) const;
 
   const HexSpace *space_ = nullptr;
-  std::vector<Region> regions_;
   SlipWalls walls_;
+  ContactPlanes planes_;
   Acceleration acceleration_;
-  CellBatches batches_;
+  CornerForces forces_;
   FieldExchange node_exchange_;
 
-  dealii::AlignedVector<double> force_;       ///< on nodes, four each [N]
-  dealii::AlignedVector<Lane> corner_forces_; ///< 24 of each batch [N]
-  double signal_rate_ = 0.;                   ///< largest of this rank [1/s]
-  double least_volume_ = 0.;                  ///< of this rank [m^3]
-  double work_ = 0.;                          ///< of this rank [J]
+  dealii::AlignedVector<double> force_; ///< on nodes, four each [N]
+  double work_ = 0.;                    ///< of this rank [J]
+  ContactMeasures contact_;             ///< of this rank
 };
 } // namespace contrecoup::ale

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <contrecoup/ale/layered_head.h>
 #include <contrecoup/ale/slip_walls.h>
 #include <contrecoup/base/expression.h>
 
@@ -18,8 +19,9 @@ namespace contrecoup::ale
 /**
  * The mesh of a scene, and what is at its sides: subsections "Mesh" and
  * "Side *". Sides have names: x-, x+, y-, y+, z-, z+ of a box, sphere and plane
- * of a half ball, which lies at x >= 0. Expressions move the nodes: a box
- * becomes a wedge, a cone, or skewed.
+ * of a half ball, which lies at x >= 0; surface, plane x, plane y, plane z of a
+ * layered head. Expressions move the nodes: a box becomes a wedge, a cone, or
+ * skewed.
  */
 class MeshDescription
 {
@@ -29,9 +31,16 @@ public:
   /// @throws InputError when entries do not go together
   void parse_parameters(dealii::ParameterHandler &prm);
 
-  /// Builds the mesh, all cells on one level.
+  /// Builds the mesh, all cells on one level. Material ids are those of
+  /// layers(), if there are any.
   /// @throws InputError for cells that the moved nodes invert
   void create(dealii::Triangulation<3> &mesh) const;
+
+  /// Layers of a layered head; none of other meshes.
+  const std::vector<std::string> &layers() const
+  {
+    return head_.layers();
+  }
 
   /// How many cells create() makes.
   double n_cells() const;
@@ -55,6 +64,7 @@ private:
   dealii::Point<3> lower_, upper_;
   std::vector<unsigned int> elements_;
   double radius_ = 0.;
+  LayeredHead head_;
   unsigned int refinements_ = 0;
   std::vector<Expression> position_; ///< x, y, z; none: nodes stay
   std::map<dealii::types::boundary_id, SlipWalls::Motion> walls_;

@@ -24,7 +24,11 @@ class Reconstruction
 {
 public:
   /// @param n_fields numbers at each cell
-  void reinit(const HexSpace &space, const unsigned int n_fields);
+  /// @param is_left_out whether cells of a region get no functions; may be
+  ///   empty
+  void reinit(const HexSpace &space,
+              const unsigned int n_fields,
+              const std::vector<bool> &is_left_out = {});
 
   /**
    * @param position of the nodes, AleState::width numbers each
@@ -79,6 +83,7 @@ private:
   std::vector<dealii::Point<3>> centres_;
   const dealii::AlignedVector<double> *position_ = nullptr;
   CellStencil stencil_;
+  std::vector<std::uint32_t> cells_; ///< own ones that get functions
   /// Of one cell, by field: bounds, and by what its gradient is multiplied.
   std::vector<double> least_, most_, factor_;
 };

@@ -5,6 +5,7 @@
 
 #include <contrecoup/materials/ideal_gas.h>
 #include <contrecoup/materials/mie_grueneisen.h>
+#include <contrecoup/materials/solid_material.h>
 #include <contrecoup/materials/tait.h>
 #include <contrecoup/numerics/hex8_fluid.h>
 
@@ -13,14 +14,30 @@
 
 namespace contrecoup::ale
 {
-/// Equations of state of fluids.
-using FluidLaw = std::variant<IdealGas, MieGrueneisen, Tait>;
+/// Equations of state of fluids, and solids.
+using RegionLaw = std::variant<IdealGas, MieGrueneisen, Tait, SolidMaterial>;
 
 /// A part of the mesh with one material.
 struct Region
 {
   std::string name;
-  FluidLaw law = IdealGas();
+  RegionLaw law = IdealGas();
   FluidViscosity viscosity;
+  /// Of solids: their strains, and springs against hourglass modes over those
+  /// that give a cube the energy of its shear [-].
+  SolidKinematics kinematics = SolidKinematics::finite_rotation;
+  double hourglass_stiffness = 1.;
+
+  /// The solid; null for fluids.
+  const SolidMaterial *solid() const
+  {
+    return std::get_if<SolidMaterial>(&law);
+  }
+
+  /// Whether its cells have to remember strains.
+  bool is_viscoelastic() const
+  {
+    return solid() != nullptr && solid()->is_viscoelastic();
+  }
 };
 } // namespace contrecoup::ale

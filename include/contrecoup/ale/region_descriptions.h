@@ -5,7 +5,7 @@
 
 #include <contrecoup/ale/ale_state.h>
 #include <contrecoup/ale/hex_space.h>
-#include <contrecoup/ale/region.h>
+#include <contrecoup/ale/region_material.h>
 #include <contrecoup/base/expression.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -28,8 +28,10 @@ public:
   void parse_parameters(dealii::ParameterHandler &prm);
 
   /// Sets the material ids of the cells.
+  /// @param layers by the material ids that they have now; may be empty
   /// @throws InputError for a cell in no region, or a region without cells
-  void set_regions(dealii::Triangulation<3> &mesh) const;
+  void set_regions(dealii::Triangulation<3> &mesh,
+                   const std::vector<std::string> &layers) const;
 
   /// Masses, energies and velocities at the present positions.
   /// @throws InputError for a state without a physical meaning
@@ -45,23 +47,20 @@ private:
   struct Description
   {
     Region region;
+    std::string layer;
     Expression where;
     Expression density, pressure, products;
     std::array<Expression, 3> velocity;
   };
 
-  static Region parse_region(dealii::ParameterHandler &prm,
-                             const std::string &name);
+  void check_layers(const std::vector<std::string> &layers) const;
   const Description &at(const HexSpace &space, const std::size_t cell) const
   {
     return descriptions_[space.region(cell)];
   }
   /// @throws InputError for a state without a physical meaning
-  void check_state(const Description &description,
-                   const dealii::Point<3> &centre,
-                   const double density,
-                   const double pressure,
-                   const double products) const;
+  InitialMatter check_state(const Description &description,
+                            const dealii::Point<3> &centre) const;
   void fill_cell(const HexSpace &space,
                  const std::size_t cell,
                  AleState &state) const;

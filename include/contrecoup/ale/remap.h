@@ -21,7 +21,9 @@ namespace contrecoup::ale
 class Remap
 {
 public:
-  void reinit(const HexSpace &space);
+  /// @param is_at_rest whether a region's nodes never move, by material id;
+  ///   may be empty
+  void reinit(const HexSpace &space, const std::vector<bool> &is_at_rest = {});
 
   /**
    * @param walls that the new velocities obey
@@ -55,6 +57,8 @@ private:
   void collect(AleState &state, const SlipWalls &walls) const;
 
   const HexSpace *space_ = nullptr;
+  std::vector<std::uint32_t> cells_;         ///< own ones, carried over
+  std::vector<std::uint32_t> cells_at_rest_; ///< the other own ones
   Reconstruction reconstruction_;
   FieldExchange node_exchange_, cell_exchange_;
   dealii::AlignedVector<double> fields_; ///< of all cells

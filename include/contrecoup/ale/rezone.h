@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/ale/elastic_smoothing.h>
+#include <contrecoup/ale/region.h>
 #include <contrecoup/ale/remap.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -31,10 +32,13 @@ public:
   void parse_parameters(dealii::ParameterHandler &prm);
 
   /// @param walls sides along which matter slides, by boundary id
-  /// @throws InputError for kind `back` with several regions
+  /// @param regions by material id; solids are not rezoned
+  /// @throws InputError for kind `back` with several regions, and for solids
+  /// alone
   void
   reinit(HexSpace &space,
          const AleState &state,
+         const std::vector<Region> &regions,
          const std::map<dealii::types::boundary_id, SlipWalls::Motion> &walls);
 
   /**
@@ -72,7 +76,7 @@ private:
   int axis_normal_to(const HexSpace::Face &face) const;
 
   /// Along walls that are normal to an axis nodes may slide; at other sides,
-  /// and where regions meet, they go with the matter.
+  /// in solids, and where regions meet, they go with the matter.
   void find_prescribed(
     const std::map<dealii::types::boundary_id, SlipWalls::Motion> &walls);
   dealii::AlignedVector<double> smoothed(const AleState &state);
@@ -83,6 +87,7 @@ private:
   ElasticOptions options_;
 
   HexSpace *space_ = nullptr;
+  std::vector<bool> is_solid_; ///< by region
   Remap remap_;
   ElasticSmoothing smoothing_;
   std::vector<std::array<bool, 3>> is_prescribed_;

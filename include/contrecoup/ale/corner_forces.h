@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/ale/ale_state.h>
+#include <contrecoup/ale/cell_batches.h>
+#include <contrecoup/ale/region.h>
+#include <contrecoup/numerics/hex8_moving_solid.h>
+
+namespace contrecoup::ale
+{
+/// What a cell has.
+struct CellValues
+{
+  double mass = 0.;         ///< [kg]
+  double energy = 0.;       ///< internal [J]
+  double volume = 0.;       ///< [m^3]
+  double pressure = 0.;     ///< without artificial viscosity [Pa]
+  double shear_strain = 0.; ///< largest engineering one; 0 in fluids [-]
+};
+
+/**
+ * Forces of the own cells of a rank on their corners, and their work, which is
+ * the change of the cells' energy.
+ */
+class CornerForces
+{
+public:
+  /// @param regions by material id of the mesh, whose positions are those of
+  /// the undeformed solids
+  void reinit(const HexSpace &space, const std::vector<Region> &regions);
+
+  /**
+   * Finds the forces.
+   * @param step that these are the middle of, over which solids relax; 0: of
+   *   none [s]
+   * @param force on the nodes, AleState::width numbers each, to which the
+   *   forces of own cells are added [N]
+   */
+  void compute(AleState &state,
+               const double step,
+               dealii::AlignedVector<double> &force);
+
+  /// Inverse of the step that the cells of this rank allow [1/s].
+  double signal_rate() const
+  {
+    return signal_rate_;
+  }
+
+  /**
+   * Adds the work of the forces to energies.
+   * @param before energies [J]
+   * @param velocity of the nodes [m/s]
+   * @param step [s]
+   * @param after energies [J]
+   */
+  void do_work(const dealii::AlignedVector<double> &before,
+               const dealii::AlignedVector<double> &velocity,
+               const double step,
+               dealii::AlignedVector<double> &after) const;
+
+  /// Whether all own cells have a volume above 0 and a finite energy.
+  bool is_physical(const AleState &state) const;
+
+  /// What own cell @p cell has now.
+  CellValues values(const AleState &state, const std::size_t cell) const;
+
+private:
+  using Lane = CellBatches::Lane;
+
+  template <typename Law>
+  void add_fluid(const CellBatches::Range &range,
+                 const Law &law,
+                 const AleState &state,
+                 dealii::AlignedVector<double> &force);
+  template <SolidKinematics kinematics>
+  void add_solid(const CellBatches::Range &range,
+                 const double step,
+                 AleState &state,
+                 dealii::AlignedVector<double> &force);
+  template <SolidKinematics kinematics, bool viscoelastic>
+  void add_solid(const CellBatches::Range &range,
+                 const MovingSolidModel<Lane> &model,
+                 AleState &state,
+                 dealii::AlignedVector<double> &force);
+  /// Keeps the forces of a batch, and takes them from those on the nodes.
+  void store(const unsigned int batch,
+             const HexVectors<Lane> &forces,
+             dealii::AlignedVector<double> &force);
+  CellValues solid_values(const AleState &state, const std::size_t cell) const;
+
+  const HexSpace *space_ = nullptr;
+  std::vector<Region> regions_;
+  CellBatches batches_;
+  dealii::AlignedVector<double> undeformed_; ///< positions of the nodes [m]
+  dealii::AlignedVector<Lane> forces_;       ///< 24 of each batch [N]
+  double signal_rate_ = 0.;                  ///< largest of this rank [1/s]
+};
+} // namespace contrecoup::ale

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/geometry/layered_ball.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+#include <vector>
+
+namespace contrecoup::ale
+{
+/**
+ * A head of ellipsoids, one in the other: brain, cerebrospinal fluid (CSF),
+ * skull, and scalp if it has a thickness. Entries of subsection "Mesh".
+ */
+class LayeredHead
+{
+public:
+  static void declare_parameters(dealii::ParameterHandler &prm);
+
+  /// @throws InputError when entries do not go together
+  void parse_parameters(dealii::ParameterHandler &prm);
+
+  /// Material ids count the layers, boundary ids are those of
+  /// make_layered_ball().
+  void create(dealii::Triangulation<3> &mesh) const
+  {
+    make_layered_ball(ball_, mesh);
+  }
+
+  /// Their names, from inside.
+  const std::vector<std::string> &layers() const
+  {
+    return layers_;
+  }
+
+  double n_cells() const;
+
+  /// About the shortest edge of a cell [m].
+  double cell_size() const;
+
+private:
+  void add_layer(const std::string &name,
+                 const double thickness,
+                 const unsigned int cells);
+
+  LayeredBall ball_;
+  std::vector<std::string> layers_;
+};
+} // namespace contrecoup::ale

@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/ale/corner_forces.h>
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/numerics/hex8_moments.h>
+
+#include <cmath>
+
+namespace contrecoup::ale
+{
+namespace
+{
+  constexpr unsigned int width = AleState::width;
+  using Lane = CellBatches::Lane;
+
+  /// Least modulus against hourglass modes over the bulk modulus.
+  constexpr double least_hourglass = 1e-6;
+
+  /// Three numbers of the corners of a batch.
+  HexVectors<Lane> gather(const dealii::AlignedVector<double> &field,
+                          const unsigned int *offsets)
+  {
+    HexVectors<Lane> result;
+    for (unsigned int corner = 0; corner < 8; ++corner)
+    {
+      Lane values[width];
+      dealii::vectorized_load_and_transpose(
+        width, field.data(), offsets + CellBatches::n * corner, values);
+      for (unsigned int d = 0; d < 3; ++d)
+        result[corner][d] = values[d];
+    }
+    return result;
+  }
+
+  Lane gather_cells(const double *field, const unsigned int *cells)
+  {
+    Lane result;
+    result.gather(field, cells);
+    return result;
+  }
+
+  HexVectors<double> corners_of(const HexSpace::Cell &cell,
+                                const dealii::AlignedVector<double> &field)
+  {
+    HexVectors<double> result;
+    for (unsigned int i = 0; i < 8; ++i)
+      for (unsigned int d = 0; d < 3; ++d)
+        result[i][d] = field[width * cell[i] + d];
+    return result;
+  }
+
+  template <typename Number>
+  MovingSolidModel<Number> solid_model(const Region &region, const double step)
+  {
+    const SolidMaterial &material = *region.solid();
+    const double shear = material.instantaneous_shear;
+    MovingSolidModel<Number> model;
+    model.law.bulk = material.bulk_modulus;
+    model.law.twice_shear = 2. * shear;
+    model.law.twice_relaxing = 2. * material.relaxing_shear;
+    model.law.decay_before = model.law.decay_after =
+      std::exp(-0.5 * step / material.relaxation_time);
+    model.law.dissipation_per_strain = 0.;
+    model.density = material.density;
+    model.sound_speed = material.dilatational_speed();
+    model.linear_viscosity = region.viscosity.linear;
+    model.quadratic_viscosity = region.viscosity.quadratic;
+    model.hourglass_spring =
+      region.hourglass_stiffness * hourglass_spring *
+      std::max(shear, least_hourglass * material.bulk_modulus);
+    if (material.bulk_modulus > nearly_incompressible * shear)
+      model.hourglass_damper =
+        region.viscosity.hourglass / 64. * material.density * model.sound_speed;
+    return model;
+  }
+} // namespace
+
+
+void CornerForces::reinit(const HexSpace &space,
+                          const std::vector<Region> &regions)
+{
+  space_ = &space;
+  regions_ = regions;
+  batches_.reinit(space, width);
+  for (const CellBatches::Range &range : batches_.ranges())
+    if (range.region >= regions.size())
+      throw InputError("Mesh: material id " + std::to_string(range.region) +
+                       " is none of the " + std::to_string(regions.size()) +
+                       " regions");
+  undeformed_ = space.positions(width);
+  forces_.resize(24 * batches_.n_batches());
+}
+
+
+void CornerForces::store(const unsigned int batch,
+                         const HexVectors<Lane> &forces,
+                         dealii::AlignedVector<double> &force)
+{
+  const Lane weight = batches_.weight(batch);
+  Lane *stored = &forces_[24 * batch];
+  for (unsigned int corner = 0; corner < 8; ++corner)
+  {
+    Lane values[width];
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      stored[3 * corner + d] = forces[corner][d];
+      values[d] = -weight * forces[corner][d];
+    }
+    values[3] = Lane(0.);
+    // One lane after the other: lanes may share a node.
+    dealii::vectorized_transpose_and_store(
+      true, width, values, batches_.offsets(batch, corner), force.data());
+  }
+}
+
+
+template <typename Law>
+void CornerForces::add_fluid(const CellBatches::Range &range,
+                             const Law &law,
+                             const AleState &state,
+                             dealii::AlignedVector<double> &force)
+{
+  const FluidViscosity &viscosity = regions_[range.region].viscosity;
+  Lane rate(0.);
+  for (unsigned int batch = range.begin; batch < range.end; ++batch)
+  {
+    const unsigned int *offsets = batches_.offsets(batch, 0);
+    const unsigned int *cells = batches_.cells(batch);
+    FluidElement<Lane> element;
+    element.mass = gather_cells(state.mass.data(), cells);
+    element.energy = gather_cells(state.energy.data(), cells);
+    element.products = gather_cells(state.products.data(), cells);
+    store(batch,
+          fluid_forces(law,
+                       viscosity,
+                       gather(state.position, offsets),
+                       gather(state.velocity, offsets),
+                       element),
+          force);
+    rate = std::max(rate, element.signal_rate);
+  }
+  signal_rate_ = std::max(signal_rate_, largest_lane(rate));
+}
+
+
+template <SolidKinematics kinematics, bool viscoelastic>
+void CornerForces::add_solid(const CellBatches::Range &range,
+                             const MovingSolidModel<Lane> &model,
+                             AleState &state,
+                             dealii::AlignedVector<double> &force)
+{
+  const std::size_t n_cells = space_->n_cells();
+  Lane rate(0.);
+  for (unsigned int batch = range.begin; batch < range.end; ++batch)
+  {
+    const unsigned int *offsets = batches_.offsets(batch, 0);
+    const unsigned int *cells = batches_.cells(batch);
+    MovingSolid<Lane> element;
+    if constexpr (viscoelastic)
+      for (unsigned int k = 0; k < 6; ++k)
+        element.relaxed[k] = gather_cells(&state.relaxed[k * n_cells], cells);
+    store(batch,
+          moving_solid_forces<kinematics, viscoelastic>(
+            model,
+            gather(undeformed_, offsets),
+            gather(state.position, offsets),
+            gather(state.velocity, offsets),
+            element),
+          force);
+    rate = std::max(rate, element.signal_rate);
+    if constexpr (viscoelastic)
+      for (unsigned int k = 0; k < 6; ++k)
+        element.relaxed[k].scatter(cells, &state.relaxed[k * n_cells]);
+  }
+  signal_rate_ = std::max(signal_rate_, largest_lane(rate));
+}
+
+
+template <SolidKinematics kinematics>
+void CornerForces::add_solid(const CellBatches::Range &range,
+                             const double step,
+                             AleState &state,
+                             dealii::AlignedVector<double> &force)
+{
+  const Region &region = regions_[range.region];
+  const auto model = solid_model<Lane>(region, step);
+  if (region.is_viscoelastic())
+    add_solid<kinematics, true>(range, model, state, force);
+  else
+    add_solid<kinematics, false>(range, model, state, force);
+}
+
+
+void CornerForces::compute(AleState &state,
+                           const double step,
+                           dealii::AlignedVector<double> &force)
+{
+  signal_rate_ = 0.;
+  for (const CellBatches::Range &range : batches_.ranges())
+  {
+    const SolidKinematics kinematics = regions_[range.region].kinematics;
+    std::visit(
+      [&](const auto &law) {
+        using Law = std::decay_t<decltype(law)>;
+        if constexpr (!std::is_same_v<Law, SolidMaterial>)
+          add_fluid(range, law, state, force);
+        else if (kinematics == SolidKinematics::small_strain)
+          add_solid<SolidKinematics::small_strain>(range, step, state, force);
+        else if (kinematics == SolidKinematics::finite_rotation)
+          add_solid<SolidKinematics::finite_rotation>(
+            range, step, state, force);
+        else
+          add_solid<SolidKinematics::neo_hookean>(range, step, state, force);
+      },
+      regions_[range.region].law);
+  }
+}
+
+
+void CornerForces::do_work(const dealii::AlignedVector<double> &before,
+                           const dealii::AlignedVector<double> &velocity,
+                           const double step,
+                           dealii::AlignedVector<double> &after) const
+{
+  for (unsigned int batch = 0; batch < batches_.n_batches(); ++batch)
+  {
+    const HexVectors<Lane> v = gather(velocity, batches_.offsets(batch, 0));
+    const Lane *forces = &forces_[24 * batch];
+    Lane power(0.);
+    for (unsigned int corner = 0; corner < 8; ++corner)
+      for (unsigned int d = 0; d < 3; ++d)
+        power += forces[3 * corner + d] * v[corner][d];
+    const unsigned int *cells = batches_.cells(batch);
+    const Lane energy = gather_cells(before.data(), cells) + step * power;
+    energy.scatter(cells, after.data());
+  }
+}
+
+
+bool CornerForces::is_physical(const AleState &state) const
+{
+  bool good = true;
+  for (unsigned int batch = 0; batch < batches_.n_batches(); ++batch)
+  {
+    const auto x = gather(state.position, batches_.offsets(batch, 0));
+    const Lane volume = hex_geometry(to_modes(x)).volume;
+    const Lane energy =
+      gather_cells(state.energy.data(), batches_.cells(batch));
+    // A NaN is not greater.
+    good = good && all_greater(volume, Lane(0.)) &&
+           all_greater(Lane(std::numeric_limits<double>::max()), energy);
+  }
+  return good;
+}
+
+
+CellValues CornerForces::solid_values(const AleState &state,
+                                      const std::size_t cell) const
+{
+  const auto undeformed = corners_of(space_->cell(cell), undeformed_);
+  auto displacement = corners_of(space_->cell(cell), state.position);
+  for (unsigned int i = 0; i < 8; ++i)
+    for (unsigned int d = 0; d < 3; ++d)
+      displacement[i][d] -= undeformed[i][d];
+  const Matrix3<double> h =
+    mean_gradient(hex_geometry(to_modes(undeformed)), to_modes(displacement));
+  const auto strain =
+    solid_strain<SolidKinematics::finite_rotation>(h, cofactor(h));
+  dealii::SymmetricTensor<2, 3> green;
+  for (unsigned int k = 0; k < 6; ++k)
+    green[k % 3][k < 3 ? k : (k + 1) % 3] = strain.total[k];
+  const auto principal = dealii::eigenvalues(green);
+  const Region &region = regions_[space_->region(cell)];
+  CellValues values;
+  values.pressure =
+    -region.solid()->bulk_modulus *
+    (region.kinematics == SolidKinematics::small_strain ? dealii::trace(green)
+                                                        : strain.dilatation);
+  values.shear_strain = principal[0] - principal[2];
+  return values;
+}
+
+
+CellValues CornerForces::values(const AleState &state,
+                                const std::size_t cell) const
+{
+  const auto corners = corners_of(space_->cell(cell), state.position);
+  const double volume = hex_geometry(to_modes(corners)).volume;
+  CellValues values = std::visit(
+    [&](const auto &law) {
+      using Law = std::decay_t<decltype(law)>;
+      CellValues result;
+      if constexpr (std::is_same_v<Law, SolidMaterial>)
+        result = solid_values(state, cell);
+      else
+        result.pressure = law.pressure(state.mass[cell] / volume,
+                                       state.energy[cell] / volume,
+                                       state.products[cell]);
+      return result;
+    },
+    regions_[space_->region(cell)].law);
+  values.mass = state.mass[cell];
+  values.energy = state.energy[cell];
+  values.volume = volume;
+  return values;
+}
+} // namespace contrecoup::ale

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/ale/layered_head.h>
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameters.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace contrecoup::ale
+{
+namespace
+{
+  const std::vector<std::string> axes{"x", "y", "z"};
+
+  /// Edges of the cells of the inner cube over those at the brain's surface.
+  constexpr double cube_part = 0.5;
+} // namespace
+
+
+void LayeredHead::declare_parameters(ParameterHandler &prm)
+{
+  declare_list(prm,
+               "Semi-axes",
+               "0.07, 0.07, 0.07",
+               3,
+               3,
+               1e-6,
+               1e3,
+               "m",
+               "Of the brain of a layered head.");
+  for (const auto &[name, value] :
+       {std::pair<std::string, std::string>("CSF", "0.004"),
+        {"Skull", "0.007"},
+        {"Scalp", "0"}})
+  {
+    declare_double(prm,
+                   name + " thickness",
+                   value,
+                   0.,
+                   1e3,
+                   "m",
+                   name == "Scalp" ? "0: there is none."
+                                   : "Above 0, of a layered head.");
+    declare_integer(
+      prm, name + " cells", "2", 1, 1000, "Across this layer, 1 to 1000.");
+  }
+  declare_double(prm,
+                 "Cell size",
+                 "0.004",
+                 1e-6,
+                 1e3,
+                 "m",
+                 "At the brain's surface, about; cells within are smaller.");
+  declare_string(prm,
+                 "Symmetry planes",
+                 "",
+                 "Axes to which planes through the centre are normal, of which "
+                 "only the positive side is computed: x, y, z, or none.");
+}
+
+
+void LayeredHead::add_layer(const std::string &name,
+                            const double thickness,
+                            const unsigned int cells)
+{
+  auto axes_of_layer = ball_.semi_axes.back();
+  for (double &axis : axes_of_layer)
+    axis += thickness;
+  ball_.semi_axes.push_back(axes_of_layer);
+  ball_.cells_across.push_back(cells);
+  layers_.push_back(name);
+}
+
+
+void LayeredHead::parse_parameters(ParameterHandler &prm)
+{
+  const auto brain = read_point<3>(prm, "Semi-axes");
+  ball_ = LayeredBall();
+  ball_.semi_axes = {{{brain[0], brain[1], brain[2]}}};
+  layers_ = {"brain"};
+  const double size = read_double(prm, "Cell size");
+  const double smallest = std::min({brain[0], brain[1], brain[2]}),
+               largest = std::max({brain[0], brain[1], brain[2]});
+  if (size > smallest)
+    throw InputError("Mesh/Cell size must be below Mesh/Semi-axes");
+  // A quarter of the circumference has the cells of the cube's edge.
+  ball_.cells_along_cube =
+    2 * static_cast<unsigned int>(std::max(
+          1., std::round(0.25 * dealii::numbers::PI * largest / size)));
+  ball_.cells_across = {static_cast<unsigned int>(
+    std::max(1., std::round(0.55 * smallest / size)))};
+  for (const char *const name : {"CSF", "Skull", "Scalp"})
+  {
+    const double thickness = read_double(prm, std::string(name) + " thickness");
+    if (thickness > 0.)
+      add_layer(
+        name, thickness, read_unsigned(prm, std::string(name) + " cells"));
+    else if (std::string(name) != "Scalp")
+      throw InputError("Mesh/" + std::string(name) +
+                       " thickness must be above 0");
+  }
+  for (const std::string &name :
+       dealii::Utilities::split_string_list(prm.get("Symmetry planes")))
+  {
+    const auto found = std::find(axes.begin(), axes.end(), name);
+    if (found == axes.end())
+      throw InputError("Mesh/Symmetry planes: \"" + name +
+                       "\" is none of x, y, z");
+    ball_.is_halved[found - axes.begin()] = true;
+  }
+}
+
+
+double LayeredHead::n_cells() const
+{
+  const double n = ball_.cells_along_cube;
+  double across = 0.;
+  for (const unsigned int cells : ball_.cells_across)
+    across += cells;
+  double part = 1.;
+  for (const bool is_halved : ball_.is_halved)
+    part *= is_halved ? 0.5 : 1.;
+  return part * (n * n * n + 6. * n * n * across);
+}
+
+
+double LayeredHead::cell_size() const
+{
+  const auto &brain = ball_.semi_axes.front();
+  double size = cube_part * 0.5 * dealii::numbers::PI *
+                std::min({brain[0], brain[1], brain[2]}) /
+                ball_.cells_along_cube;
+  for (std::size_t i = 1; i < ball_.semi_axes.size(); ++i)
+    size = std::min(size,
+                    (ball_.semi_axes[i][0] - ball_.semi_axes[i - 1][0]) /
+                      ball_.cells_across[i]);
+  return size;
+}
+} // namespace contrecoup::ale

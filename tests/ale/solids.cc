@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+
+#include <deal.II/base/mpi.h>
+
+#include "solid_bar.h"
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace contrecoup;
+using namespace contrecoup::ale;
+
+namespace
+{
+constexpr double pi = 3.14159265358979323846;
+
+using Vector = SolidBar::Vector;
+
+/// How far a standing wave is from its start after one period, over it.
+double error_after_a_period(const unsigned int n)
+{
+  constexpr double amplitude = 1e-3;
+  const auto exact = [](const dealii::Point<3> &x) {
+    return Vector({amplitude * std::sin(pi * x[0]), 0., 0.});
+  };
+  SolidBar bar({n, 1, 1}, 1., {elastic_region(), {}, {}, {}}, exact);
+  bar.run(2e-3);
+  double largest = 0.;
+  for (std::size_t node = 0; node < bar.space.n_nodes(); ++node)
+    largest =
+      std::max(largest, (bar.velocity(node) - exact(bar.place(node))).norm());
+  return dealii::Utilities::MPI::max(largest, MPI_COMM_WORLD) / amplitude;
+}
+} // namespace
+
+// A bar of 1 m between walls, waves of 1000 m/s.
+TEST(Solids, ReturnAfterThePeriodOfAStandingWave)
+{
+  const double coarse = error_after_a_period(8),
+               fine = error_after_a_period(16);
+  EXPECT_LT(fine, 1e-2);
+  EXPECT_GT(std::log2(coarse / fine), 1.9);
+}
+
+TEST(Solids, KeepTheirEnergyWhateverTheyDo)
+{
+  SolidBar::Options options{elastic_region(), {0, 1, 2, 3, 4, 5}, {}, {}};
+  options.region.viscosity = {0.06, 1.2, 0.1};
+  SolidBar bar({4, 4, 4}, 1., options, [](const dealii::Point<3> &x) {
+    return Vector({30. * x[1] * x[1], -20. * x[2] * x[0], 40. * x[0]});
+  });
+  const double before = bar.energy();
+  bar.run(2e-3);
+  EXPECT_GT(bar.step.totals(bar.state).internal_energy, 0.05 * before);
+  EXPECT_NEAR(bar.energy(), before, 1e-13 * before);
+}
+
+// A cube that spins by half a turn is as it was, but for what centrifugal
+// forces stretch.
+TEST(Solids, SpinWithoutStress)
+{
+  constexpr double spin = 10.;
+  const SolidBar::Options options{elastic_region(), {0, 1, 2, 3, 4, 5}, {}, {}};
+  SolidBar cube({2, 2, 2}, 0.02, options, [](const dealii::Point<3> &x) {
+    return Vector({-spin * (x[1] - 0.01), spin * (x[0] - 0.01), 0.});
+  });
+  const double kinetic = cube.step.totals(cube.state).kinetic_energy;
+  cube.run(0.1 * pi / spin);
+  const double angle = 0.1 * pi;
+  for (std::size_t node = 0; node < cube.space.n_nodes(); ++node)
+  {
+    const auto start = cube.space.positions(AleState::width);
+    const double *x = &start[AleState::width * node];
+    const double dx = x[0] - 0.01, dy = x[1] - 0.01;
+    const auto now = cube.place(node);
+    EXPECT_NEAR(
+      now[0], 0.01 + std::cos(angle) * dx - std::sin(angle) * dy, 1e-7);
+    EXPECT_NEAR(
+      now[1], 0.01 + std::sin(angle) * dx + std::cos(angle) * dy, 1e-7);
+  }
+  EXPECT_LT(cube.step.totals(cube.state).internal_energy, 1e-5 * kinetic);
+}
+
+// A cell that is sheared at once and held: its force goes with G(t).
+TEST(Solids, RelaxAsTheirShearModulus)
+{
+  SolidMaterial material;
+  material.density = 1000.;
+  material.bulk_modulus = 1e6;
+  material.instantaneous_shear = 49e3;
+  material.relaxing_shear = 33e3;
+  material.relaxation_time = 6e-3;
+  Region region;
+  region.law = material;
+  region.kinematics = SolidKinematics::small_strain;
+  region.hourglass_stiffness = 0.;
+  SolidBar cube({2, 1, 1},
+                2.,
+                {region, {0, 1, 2, 3, 4, 5}, {}, {}},
+                [](const dealii::Point<3> &) { return Vector(); });
+  AleState &state = cube.state;
+  for (std::size_t node = 0; node < cube.space.n_nodes(); ++node)
+    state.position[AleState::width * node] +=
+      1e-3 * state.position[AleState::width * node + 1];
+  CornerForces forces;
+  forces.reinit(cube.space, {region});
+  dealii::AlignedVector<double> force(state.position.size());
+  constexpr double step = 1e-3;
+  for (unsigned int i = 0; i < 20; ++i)
+  {
+    force.fill(0.);
+    forces.compute(state, step, force);
+    // The shear stress acts on sides of 1 m^2, on each corner with a quarter.
+    const double expected =
+      0.25e-3 * material.relaxation_modulus((i + 0.5) * step);
+    const auto nodes = cube.space.cell(0);
+    double largest = 0.;
+    for (const std::uint32_t node : nodes)
+      if (state.position[AleState::width * node + 1] > 0.5)
+        largest = std::max(largest,
+                           std::abs(force[AleState::width * node] /
+                                    cube.space.cells_around(node).size()));
+    EXPECT_NEAR(largest, expected, 1e-9 * expected) << i;
+  }
+}
+
+// A bar of 1 m flies against a plane: it is pressed by rho c v for
+// the time in which a wave goes through it and back, and leaves as it came, but
+// for what the half cell at its end loses when it stops.
+TEST(Contact, OfABarAgainstAPlaneIsThatOfAWave)
+{
+  std::vector<double> losses;
+  for (const unsigned int n : {50, 100, 200})
+  {
+    SolidBar::Options options{elastic_region(), {0, 1}, {}, {}};
+    options.region.viscosity = {0.06, 1.2, 0.};
+    options.planes = {
+      {"wall", dealii::Point<3>(-5e-5, 0., 0.), Vector({1., 0., 0.}), 0.}};
+    SolidBar bar({n, 1, 1}, 1., options, [](const dealii::Point<3> &) {
+      return Vector({-1., 0., 0.});
+    });
+    const double section = 1. / n / n;
+    bar.run(1e-3);
+    EXPECT_NEAR(bar.step.contact().force / section, 1e6, 1e4) << n;
+    EXPECT_NEAR(bar.step.contact().area, section, 1e-12 * section);
+    bar.run(3e-3);
+    const auto totals = bar.step.totals(bar.state);
+    const double energy = 0.5 * totals.mass;
+    EXPECT_EQ(bar.step.contact().force, 0.);
+    EXPECT_NEAR(bar.step.external_work(), bar.step.contact().work, 1e-12);
+    EXPECT_NEAR(bar.energy(), energy, 1e-12 * energy);
+    losses.push_back(-bar.step.contact().work / energy);
+    // A shock leaves waves behind in the bar, by artificial viscosity heat.
+    if (n == 200)
+      EXPECT_GT(totals.momentum[0] / totals.mass, 0.984);
+  }
+  EXPECT_NEAR(losses[0] / losses[1], 2., 0.1);
+  EXPECT_NEAR(losses[1] / losses[2], 2., 0.1);
+  EXPECT_LT(losses[2], 3e-3);
+}
+
+// A block slides along a plane on which it is pressed: v = v_0 - mu g t.
+TEST(Contact, SlowsABlockByFriction)
+{
+  constexpr double friction = 0.3, gravity = 1000.;
+  SolidBar::Options options{elastic_region(), {0, 1, 2, 3, 4, 5}, {}, {}};
+  options.region.viscosity = {0.5, 2., 0.1};
+  options.acceleration = Vector({0., 0., -gravity});
+  options.planes = {
+    {"floor", dealii::Point<3>(), Vector({0., 0., 1.}), friction}};
+  SolidBar block({4, 4, 1}, 0.02, options, [](const dealii::Point<3> &) {
+    return Vector({10., 0., 0.});
+  });
+  const double mass = block.step.totals(block.state).mass,
+               before = block.energy();
+  constexpr double time = 2e-3;
+  block.run(time);
+  const auto totals = block.step.totals(block.state);
+  EXPECT_NEAR(totals.momentum[0] / mass, 10. - friction * gravity * time, 0.01);
+  EXPECT_LT(block.step.contact().friction_work, 0.);
+  EXPECT_NEAR(block.energy(), before, 1e-12 * before);
+}
+
+TEST(Contact, RefusesAPlaneThatCutsTheMesh)
+{
+  SolidBar::Options options{elastic_region(), {0}, {}, {}};
+  options.planes = {
+    {"wall", dealii::Point<3>(0.25, 0., 0.), Vector({1., 0., 0.}), 0.}};
+  EXPECT_THROW(SolidBar({4, 1, 1},
+                        1.,
+                        options,
+                        [](const dealii::Point<3> &) { return Vector(); }),
+               InputError);
+}
