@@ -3,6 +3,7 @@
 
 #include <contrecoup/ale/ale_output.h>
 #include <contrecoup/ale/ale_simulation.h>
+#include <contrecoup/ale/region_measures.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/base/text.h>
@@ -275,14 +276,18 @@ std::vector<NamedValue> AleSimulation::history()
     {"momentum_x", "N s", totals.momentum[0]},
     {"momentum_y", "N s", totals.momentum[1]},
     {"momentum_z", "N s", totals.momentum[2]}};
-  if (planes_.empty())
-    return values;
-  const ContactMeasures contact = lagrange_.contact();
-  values.insert(values.end(),
-                {{"contact_force", "N", contact.force},
-                 {"contact_area", "m^2", contact.area},
-                 {"contact_work", "J", contact.work},
-                 {"friction_work", "J", contact.friction_work}});
+  if (!planes_.empty())
+  {
+    const ContactMeasures contact = lagrange_.contact();
+    values.insert(values.end(),
+                  {{"contact_force", "N", contact.force},
+                   {"contact_area", "m^2", contact.area},
+                   {"contact_work", "J", contact.work},
+                   {"friction_work", "J", contact.friction_work}});
+  }
+  for (NamedValue &measure :
+       region_measures(space_, lagrange_, state_, regions_.regions()))
+    values.push_back(std::move(measure));
   return values;
 }
 
