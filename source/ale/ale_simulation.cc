@@ -236,6 +236,8 @@ StepReport AleSimulation::advance(const double largest_step)
   if (made < largest_step || last_step_ == 0. || made > last_step_)
     last_step_ = made;
   reference_.follow(space_, lagrange_, state_, probe_cells_);
+  if (!planes_.empty())
+    contact_.add(lagrange_.contact(), state_.time, made);
   report.step_size = made;
   report.updates = static_cast<double>(n_cells_);
   return report;
@@ -327,10 +329,15 @@ std::vector<NamedValue> AleSimulation::errors()
 
 std::vector<NamedValue> AleSimulation::assumptions()
 {
-  return {{"energy_residual",
-           "-",
-           ledger().residual / std::max(energy_scale_, 1e-300)},
-          {"rezones", "-", static_cast<double>(rezone_.n_rezones())}};
+  std::vector<NamedValue> values = {
+    {"energy_residual",
+     "-",
+     ledger().residual / std::max(energy_scale_, 1e-300)},
+    {"rezones", "-", static_cast<double>(rezone_.n_rezones())}};
+  if (!planes_.empty())
+    for (NamedValue &value : contact_.values())
+      values.push_back(std::move(value));
+  return values;
 }
 
 

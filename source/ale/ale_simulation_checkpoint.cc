@@ -33,6 +33,7 @@ namespace
     std::uint64_t n_peaks;
     std::uint64_t first_iterations;
     ContactMeasures contact;
+    ContactRecord record;
   };
 
   struct NodeRecord
@@ -89,7 +90,8 @@ void AleSimulation::save(const std::string &folder)
                 last_step_,
                 reference_.peaks().size(),
                 memory.first_iterations,
-                contact});
+                contact,
+                contact_});
     for (const auto &peak : reference_.peaks())
       put(out, peak);
     for (std::size_t n = 0; n < space_.n_own_nodes(); ++n)
@@ -208,6 +210,7 @@ void AleSimulation::restore(const std::string &folder)
   initial_energy_ = numbers.initial_energy;
   lagrange_.set_external_work(numbers.external_work);
   lagrange_.set_contact(numbers.contact);
+  contact_ = numbers.record;
   energy_scale_ = numbers.energy_scale;
   last_step_ = numbers.last_step;
   memory.first_iterations = static_cast<unsigned int>(numbers.first_iterations);

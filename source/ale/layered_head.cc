@@ -93,15 +93,16 @@ void LayeredHead::parse_parameters(ParameterHandler &prm)
           1., std::round(0.25 * dealii::numbers::PI * largest / size)));
   ball_.cells_across = {static_cast<unsigned int>(
     std::max(1., std::round(0.55 * smallest / size)))};
-  for (const char *const name : {"CSF", "Skull", "Scalp"})
+  for (const auto &[layer, name] :
+       {std::pair<std::string, std::string>("csf", "CSF"),
+        {"skull", "Skull"},
+        {"scalp", "Scalp"}})
   {
-    const double thickness = read_double(prm, std::string(name) + " thickness");
+    const double thickness = read_double(prm, name + " thickness");
     if (thickness > 0.)
-      add_layer(
-        name, thickness, read_unsigned(prm, std::string(name) + " cells"));
-    else if (std::string(name) != "Scalp")
-      throw InputError("Mesh/" + std::string(name) +
-                       " thickness must be above 0");
+      add_layer(layer, thickness, read_unsigned(prm, name + " cells"));
+    else if (layer != "scalp")
+      throw InputError("Mesh/" + name + " thickness must be above 0");
   }
   for (const std::string &name :
        dealii::Utilities::split_string_list(prm.get("Symmetry planes")))

@@ -23,11 +23,11 @@ namespace
                    "1",
                    "muParser expression of x, y, z that is true at the "
                    "centres of the region's cells; later regions win.");
-    declare_string(prm,
-                   "Layer",
-                   "",
-                   "Of a layered head, where the region is: brain, CSF, skull "
-                   "or scalp; empty: anywhere.");
+    declare_selection(prm,
+                      "Layer",
+                      "any",
+                      {"any", "brain", "csf", "skull", "scalp"},
+                      "Of a layered head, where the region is.");
     declare_string(prm,
                    "Density",
                    "1.2",
@@ -96,7 +96,7 @@ void RegionDescriptions::check_layers(
   const std::vector<std::string> &layers) const
 {
   for (const Description &description : descriptions_)
-    if (!description.layer.empty() &&
+    if (description.layer != "any" &&
         std::find(layers.begin(), layers.end(), description.layer) ==
           layers.end())
       throw InputError("Region " + description.region.name +
@@ -118,7 +118,7 @@ void RegionDescriptions::set_regions(
     const auto centre = cell->center();
     std::size_t region = descriptions_.size();
     for (std::size_t i = 0; i < descriptions_.size(); ++i)
-      if ((descriptions_[i].layer.empty() ||
+      if ((descriptions_[i].layer == "any" ||
            descriptions_[i].layer == layers[cell->material_id()]) &&
           descriptions_[i].where.value(centre) != 0.)
         region = i;

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <contrecoup/ale/contact_record.h>
 #include <contrecoup/ale/lagrange_step.h>
 #include <contrecoup/ale/mesh_description.h>
 #include <contrecoup/ale/reference.h>
@@ -78,6 +79,7 @@ private:
   RegionDescriptions regions_;
   Rezone rezone_;
   ContactPlanes planes_;
+  ContactRecord contact_;
   Reference reference_;
   std::array<Expression, 3> acceleration_{{{"", "0"}, {"", "0"}, {"", "0"}}};
   std::vector<dealii::Point<3>> probe_places_;
