@@ -26,6 +26,7 @@ std::string write_ale(const HexSpace &space,
                              {"pressure", "Pa"},
                              {"specific_internal_energy", "J/kg"},
                              {"products", "-"},
+                             {"void_fraction", "-"},
                              {"shear_strain", "-"},
                              {"region", "-"}});
   for (std::size_t c = 0; c < space.n_own_cells(); ++c)
@@ -45,8 +46,9 @@ std::string write_ale(const HexSpace &space,
       patch.data(4, v) = static_cast<float>(element.pressure);
       patch.data(5, v) = static_cast<float>(element.energy / element.mass);
       patch.data(6, v) = static_cast<float>(state.products[c]);
-      patch.data(7, v) = static_cast<float>(element.shear_strain);
-      patch.data(8, v) = static_cast<float>(space.region(c));
+      patch.data(7, v) = static_cast<float>(element.void_fraction);
+      patch.data(8, v) = static_cast<float>(element.shear_strain);
+      patch.data(9, v) = static_cast<float>(space.region(c));
     }
     output.add_patch(std::move(patch));
   }

@@ -297,6 +297,8 @@ CellValues CornerForces::values(const AleState &state,
         result.pressure = law.pressure(state.mass[cell] / volume,
                                        state.energy[cell] / volume,
                                        state.products[cell]);
+      if constexpr (std::is_same_v<Law, Tait>)
+        result.void_fraction = law.void_fraction(state.mass[cell] / volume);
       return result;
     },
     regions_[space_->region(cell)].law);

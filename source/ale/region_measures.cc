@@ -25,6 +25,7 @@ namespace
   struct Sums
   {
     double mass = 0.;
+    double void_volume = 0.;
     std::array<double, 3> momentum{};
   };
 
@@ -40,6 +41,7 @@ namespace
     extrema.pressure = std::max(extrema.pressure, values.pressure);
     extrema.shear_strain = std::max(extrema.shear_strain, values.shear_strain);
     sums.mass += values.mass;
+    sums.void_volume += values.void_fraction * values.volume;
     for (const std::uint32_t node : space.cell(cell))
     {
       const double *v = &state.velocity[width * node];
@@ -78,7 +80,8 @@ std::vector<NamedValue> region_measures(const HexSpace &space,
     std::vector<double> sum{sums[i].mass,
                             sums[i].momentum[0],
                             sums[i].momentum[1],
-                            sums[i].momentum[2]};
+                            sums[i].momentum[2],
+                            sums[i].void_volume};
     dealii::Utilities::MPI::sum(sum, communicator, sum);
     const std::string name = "_" + regions[i].name;
     result.push_back({"least_pressure" + name, "Pa", -most[0]});
@@ -86,6 +89,8 @@ std::vector<NamedValue> region_measures(const HexSpace &space,
     if (regions[i].solid() == nullptr)
     {
       result.push_back({"largest_speed" + name, "m/s", std::sqrt(most[3])});
+      if (std::holds_alternative<Tait>(regions[i].law))
+        result.push_back({"void_volume" + name, "m^3", sum[4]});
       continue;
     }
     result.push_back({"largest_shear_strain" + name, "-", most[2]});

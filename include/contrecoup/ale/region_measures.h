@@ -11,7 +11,8 @@ namespace contrecoup::ale
 /**
  * What is found in each region, for history.csv: least and largest pressure,
  * the largest shear strain and the mean velocity of a solid, the largest speed
- * in a fluid; names end with that of the region. Collective.
+ * in a fluid and the volume that a liquid has cavitated; names end with that of
+ * the region. Collective.
  * @param regions by material id
  */
 std::vector<NamedValue> region_measures(const HexSpace &space,
