@@ -49,6 +49,8 @@ public:
   }
 
 private:
+  using Cell = dealii::DoFHandler<3>::active_cell_iterator;
+
   dealii::types::global_dof_index dof(const std::size_t node,
                                       const unsigned int d) const
   {
@@ -58,11 +60,11 @@ private:
   void constrain(const dealii::AlignedVector<double> &displacement);
   void add_cell(const dealii::FEValues<3> &values,
                 dealii::FullMatrix<double> &matrix) const;
-  /// Rows of a cell that is prescribed as a whole, in the size of others.
-  void
-  add_prescribed_cell(const dealii::DoFHandler<3>::active_cell_iterator &cell,
-                      dealii::FullMatrix<double> &matrix) const;
   void renew_preconditioner();
+  /// Whether all nodes of a cell are prescribed.
+  bool is_prescribed(const Cell &cell) const;
+  /// Finds cells_ and empty_rows_. Collective.
+  void find_cells();
 
   HexSpace &space_;
   std::vector<std::array<bool, 3>> is_prescribed_;
@@ -71,6 +73,8 @@ private:
   dealii::AffineConstraints<double> constraints_;
   dealii::TrilinosWrappers::SparseMatrix matrix_;
   TrilinosVector right_side_, solution_;
+  std::vector<Cell> cells_; ///< own ones that are not prescribed as a whole
+  std::vector<dealii::types::global_dof_index> empty_rows_; ///< of the matrix
   dealii::TrilinosWrappers::PreconditionAMG preconditioner_;
   SmoothingMemory memory_;
 };
@@ -97,6 +101,7 @@ ElasticSmoothing::System::System(
   matrix_.reinit(own_, own_, pattern, space.communicator());
   right_side_.reinit(own_, space.communicator());
   solution_.reinit(own_, space.communicator());
+  find_cells();
 }
 
 
@@ -104,10 +109,8 @@ void ElasticSmoothing::System::move_mesh(
   const dealii::AlignedVector<double> &position)
 {
   std::vector<dealii::types::global_dof_index> dofs(24);
-  for (const auto &cell : space_.node_dofs().active_cell_iterators())
+  for (const Cell &cell : cells_)
   {
-    if (cell->is_artificial())
-      continue;
     cell->get_dof_indices(dofs);
     for (const unsigned int v : cell->vertex_indices())
     {
@@ -171,15 +174,33 @@ void ElasticSmoothing::System::add_cell(
 }
 
 
-void ElasticSmoothing::System::add_prescribed_cell(
-  const dealii::DoFHandler<3>::active_cell_iterator &cell,
-  dealii::FullMatrix<double> &matrix) const
+bool ElasticSmoothing::System::is_prescribed(const Cell &cell) const
 {
-  matrix = 0.;
-  const double stiffness =
-    std::pow(cell->measure(), 1. / 3. - options_.stiffening);
-  for (unsigned int i = 0; i < 24; ++i)
-    matrix(i, i) = stiffness;
+  std::vector<dealii::types::global_dof_index> dofs(24);
+  cell->get_dof_indices(dofs);
+  return std::all_of(dofs.begin(), dofs.end(), [&](const auto dof) {
+    return constraints_.is_constrained(dof);
+  });
+}
+
+
+void ElasticSmoothing::System::find_cells()
+{
+  // Rows that no cell adds to belong to nodes amid prescribed ones.
+  std::vector<dealii::types::global_dof_index> dofs(24);
+  TrilinosVector touched(own_, space_.communicator());
+  for (const auto &cell : space_.node_dofs().active_cell_iterators())
+    if (cell->is_locally_owned() && !is_prescribed(cell))
+    {
+      cells_.push_back(cell);
+      cell->get_dof_indices(dofs);
+      for (const auto dof : dofs)
+        touched(dof) += 1.;
+    }
+  touched.compress(dealii::VectorOperation::add);
+  for (const auto dof : own_)
+    if (touched(dof) == 0.)
+      empty_rows_.push_back(dof);
 }
 
 
@@ -199,26 +220,18 @@ void ElasticSmoothing::System::assemble(
   dealii::FullMatrix<double> local(24, 24);
   const dealii::Vector<double> none(24);
   std::vector<dealii::types::global_dof_index> dofs(24);
-  for (const auto &cell : dof_handler.active_cell_iterators())
+  for (const Cell &cell : cells_)
   {
-    if (!cell->is_locally_owned())
-      continue;
+    values.reinit(cell);
+    add_cell(values, local);
     cell->get_dof_indices(dofs);
-    const bool is_fixed =
-      std::all_of(dofs.begin(), dofs.end(), [&](const auto dof) {
-        return constraints_.is_constrained(dof);
-      });
-    if (is_fixed)
-      add_prescribed_cell(cell, local);
-    else
-    {
-      values.reinit(cell);
-      add_cell(values, local);
-    }
     constraints_.distribute_local_to_global(
       local, none, dofs, matrix_, right_side_);
   }
   matrix_.compress(dealii::VectorOperation::add);
+  for (const auto row : empty_rows_)
+    matrix_.set(row, row, 1.);
+  matrix_.compress(dealii::VectorOperation::insert);
   right_side_.compress(dealii::VectorOperation::add);
 }
 
