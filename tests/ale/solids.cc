@@ -133,7 +133,7 @@ TEST(Solids, RelaxAsTheirShearModulus)
 TEST(Contact, OfABarAgainstAPlaneIsThatOfAWave)
 {
   std::vector<double> losses;
-  for (const unsigned int n : {50, 100, 200})
+  for (const unsigned int n : {25, 50, 100})
   {
     SolidBar::Options options{elastic_region(), {0, 1}, {}, {}};
     options.region.viscosity = {0.06, 1.2, 0.};
@@ -154,12 +154,12 @@ TEST(Contact, OfABarAgainstAPlaneIsThatOfAWave)
     EXPECT_NEAR(bar.energy(), energy, 1e-12 * energy);
     losses.push_back(-bar.step.contact().work / energy);
     // A shock leaves waves behind in the bar, by artificial viscosity heat.
-    if (n == 200)
-      EXPECT_GT(totals.momentum[0] / totals.mass, 0.984);
+    if (n == 100)
+      EXPECT_GT(totals.momentum[0] / totals.mass, 0.9757);
   }
   EXPECT_NEAR(losses[0] / losses[1], 2., 0.1);
   EXPECT_NEAR(losses[1] / losses[2], 2., 0.1);
-  EXPECT_LT(losses[2], 3e-3);
+  EXPECT_LT(losses[2], 6e-3);
 }
 
 // A block slides along a plane on which it is pressed: v = v_0 - mu g t.

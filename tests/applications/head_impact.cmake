@@ -56,3 +56,47 @@ contrecoup_add_application_test(refuses_products_above_one refusal
 contrecoup_add_application_test(refuses_inverted_mesh refusal
   FILE ${_folder}/sod.prm SET "Mesh/Position x=if(x > 0.5, 1 - x, x)"
   MESSAGE "is inverted: at one of its corners the volume is not positive")
+
+# Young (2003): contact of 1.86 ms with at most 4.06 kN on the quarter.
+contrecoup_add_application_test(shell bounds
+  FILE ${_folder}/fluid_filled_shell.prm
+  BOUNDS ${_ledger} "assumptions.contact_end > 1.7e-3"
+  "assumptions.contact_end < 2.03e-3" "assumptions.peak_contact_force > 3.66e3"
+  "assumptions.peak_contact_force < 4.45e3" LABELS verification)
+
+# A coarse head: impact, smoothing, brain that relaxes. The step size follows the
+# direction of the largest compression, which round-off turns where two are alike.
+set(_coarse "Output/Fields=false" "Mesh/Cell size=0.02" "Time/End time=1.5e-4"
+  "Output/History every steps=1")
+contrecoup_add_application_test(head bounds,resume,ranks
+  FILE head_impact/quickstart.prm SET ${_coarse} "Rezone/Tolerance=1e-12"
+  BOUNDS ${_ledger} COMPARE history.csv probes.csv STOP_AFTER 100
+  TOLERANCE 1e-6 "energy_residual*=1e-13 absolute"
+  "momentum_x*=1e-8 absolute" "momentum_y*=1e-8 absolute" "step size*=1e-4")
+# At 30 m/s, at 45 degrees with friction, and before a gap of half a cell.
+contrecoup_add_application_test(head_30_m_s bounds
+  FILE head_impact/quickstart.prm SET ${_coarse} "Region brain/Velocity z=-30"
+  "Region CSF/Velocity z=-30" "Region skull/Velocity z=-30"
+  BOUNDS ${_ledger} "assumptions.peak_contact_force > 1e3")
+contrecoup_add_application_test(head_oblique bounds
+  FILE head_impact/quickstart.prm SET ${_coarse} "Mesh/Symmetry planes=y"
+  "Plane wall/Normal=1, 0, 1" "Plane wall/Point=-0.06434672, 0, -0.06434672"
+  "Plane wall/Friction=0.3"
+  BOUNDS ${_ledger} "assumptions.peak_contact_force > 1e2")
+contrecoup_add_application_test(head_gap bounds
+  FILE head_impact/quickstart.prm SET ${_coarse} "Plane wall/Point=0, 0, -0.0911"
+  BOUNDS ${_ledger} "assumptions.contact_begin > 3e-5"
+  "assumptions.contact_begin < 3.7e-5")
+
+contrecoup_add_application_test(refuses_wall_in_head refusal
+  FILE head_impact/quickstart.prm SET "Plane wall/Point=0, 0, -0.09"
+  MESSAGE "Plane wall: it cuts the mesh at the start, which reaches 0.001 m")
+contrecoup_add_application_test(refuses_pressed_solid refusal
+  FILE head_impact/quickstart.prm SET "Region skull/Pressure=1e5"
+  MESSAGE "Pressure must be 0 in a solid")
+contrecoup_add_application_test(refuses_missing_layer refusal
+  FILE head_impact/quickstart.prm SET "Region skull/Layer=scalp"
+  MESSAGE "the mesh has no \"scalp\", but brain, csf, skull")
+contrecoup_add_application_test(refuses_to_smooth_solids refusal
+  FILE head_impact/quickstart.prm SET "Region CSF/Material=elastic"
+  MESSAGE "Rezone/Kind must be none where all regions are solids")

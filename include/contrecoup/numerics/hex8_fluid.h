@@ -75,10 +75,12 @@ viscous_stress(const FluidViscosity &coefficients,
                 (c[i][0] * c[j][0] + c[i][1] * c[j][1] + c[i][2] * c[j][2]);
   const Number length = determinant / sqrt(square);
   const Number rate = Number() - compression.least;
-  // Round-off of the eigenvalue is no compression: the least compressions count
-  // in part.
+  // Round-off of the eigenvalue, or of velocities in matter that rests, is no
+  // compression: the least compressions count in part.
   const Number part =
-    min(Number(1.), rate / (Number(0.01) * compression.size + Number(1e-200)));
+    min(Number(1.),
+        rate / (Number(0.01) * compression.size +
+                Number(1e-8) * sound_speed / length + Number(1e-200)));
   const Number mu = part * density * length *
                     (rate * length * coefficients.quadratic +
                      sound_speed * coefficients.linear);
