@@ -72,6 +72,38 @@ TEST(Compression, finds_the_least_eigenvalue_and_its_direction)
   }
 }
 
+// As where a flow converges upon a point: all directions but one are compressed
+// almost alike. The projector has no negative eigenvalue then.
+TEST(Compression, finds_a_projector_for_almost_double_eigenvalues)
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> value(-1., 1.);
+  for (const double gap : {0., 1e-12, 1e-9, 1e-8, 1e-7})
+    for (unsigned int n = 0; n < 1000; ++n)
+    {
+      Vector3<double> axis{{value(random), value(random), value(random)}};
+      const double length = std::sqrt(dot(axis, axis));
+      for (double &component : axis)
+        component /= length;
+      Matrix3<double> gradient;
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = 0; j < 3; ++j)
+          gradient[i][j] = (i == j ? -1. : 0.) + 0.97 * axis[i] * axis[j];
+      gradient[0][0] += gap;
+      const auto found = find_compression(gradient);
+      EXPECT_NEAR(found.least, -1., 1e-6);
+      double trace = 0., norm_square = 0.;
+      for (unsigned int i = 0; i < 3; ++i)
+      {
+        trace += found.direction[i][i];
+        for (unsigned int j = 0; j < 3; ++j)
+          norm_square += found.direction[i][j] * found.direction[i][j];
+      }
+      EXPECT_NEAR(trace, 1., 1e-9);
+      EXPECT_LT(norm_square, 1. + 2e-6);
+    }
+}
+
 TEST(Hex8Fluid, forces_of_the_pressure_do_the_work_of_the_volume)
 {
   const Corners x = random_hexahedron(4), u = random_field(9, 1e-5);

@@ -59,14 +59,30 @@ find_compression(const Matrix3<Number> &gradient)
   result.least = mean + Number(2.) * size * f;
   result.size = sqrt(Number(3.) * mean * mean + Number(6.) * square);
 
-  Matrix3<Number> rest = e;
-  for (unsigned int i = 0; i < 3; ++i)
-    rest[i][i] -= result.least;
-  result.direction = cofactor(rest);
   // A little of all directions, for where all eigenvalues are the same.
   const Number all = Number(1e-12) * square + tiny;
+  const auto find_direction = [&](const Number &root) {
+    Matrix3<Number> rest = e;
+    for (unsigned int i = 0; i < 3; ++i)
+      rest[i][i] -= root;
+    result.direction = cofactor(rest);
+    for (unsigned int i = 0; i < 3; ++i)
+      result.direction[i][i] += Number(1. / 3.) * all;
+  };
+  find_direction(result.least);
+  // Of a double root no more than half of the digits are right: between the
+  // two, it gives no projector. A little below them it does.
+  Number trace{}, norm_square{};
   for (unsigned int i = 0; i < 3; ++i)
-    result.direction[i][i] += Number(1. / 3.) * all;
+  {
+    trace += result.direction[i][i];
+    for (unsigned int j = 0; j < 3; ++j)
+      norm_square += result.direction[i][j] * result.direction[i][j];
+  }
+  find_direction(result.least - select_less(Number(1. + 1e-6) * trace * trace,
+                                            norm_square,
+                                            Number(1e-6) * result.size,
+                                            Number()));
   const Number scale =
     Number(1.) /
     (result.direction[0][0] + result.direction[1][1] + result.direction[2][2]);

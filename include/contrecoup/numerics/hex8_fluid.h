@@ -57,6 +57,7 @@ viscous_stress(const FluidViscosity &coefficients,
                const Number &sound_speed,
                Number &viscosity)
 {
+  using std::max;
   using std::min;
   using std::sqrt;
   const Compression<Number> compression = find_compression(gradient);
@@ -73,7 +74,13 @@ viscous_stress(const FluidViscosity &coefficients,
     for (unsigned int j = 0; j < 3; ++j)
       square += compression.direction[i][j] *
                 (c[i][0] * c[j][0] + c[i][1] * c[j][1] + c[i][2] * c[j][2]);
-  const Number length = determinant / sqrt(square);
+  // No length is beyond the root of the sum of the edges' squares; where the
+  // projector of an element like a needle is off a little, it might be.
+  Number edge_square{};
+  for (unsigned int i = 0; i < 3; ++i)
+    edge_square += dot(edges[i], edges[i]);
+  const Number length =
+    determinant / sqrt(max(square, determinant * determinant / edge_square));
   const Number rate = Number() - compression.least;
   // Round-off of the eigenvalue, or of velocities in matter that rests, is no
   // compression: the least compressions count in part.
