@@ -13,6 +13,12 @@ namespace contrecoup::ale
 namespace
 {
   constexpr unsigned int width = AleState::width;
+
+  /// Half of the square of a velocity.
+  double half_square(const double *v)
+  {
+    return 0.5 * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+  }
 } // namespace
 
 
@@ -29,7 +35,7 @@ void Remap::reinit(const HexSpace &space, const std::vector<bool> &is_at_rest)
   node_exchange_.reinit(space.nodes(), width + 1);
   cell_exchange_.reinit(space.cells(), 1);
   fields_.resize(n_fields * space.n_cells());
-  contents_.resize(n_fields * space.n_own_cells());
+  contents_.resize(n_contents * space.n_own_cells());
 }
 
 
@@ -42,11 +48,9 @@ void Remap::fill_fields(const AleState &state)
     for (unsigned int i = 0; i < 8; ++i)
     {
       const double *v = &state.velocity[width * space_->cell(c)[i]];
-      field[kinetic + i] = 0.;
       for (unsigned int d = 0; d < 3; ++d)
       {
         field[velocity + 3 * i + d] = v[d];
-        field[kinetic + i] += 0.5 * v[d] * v[d];
         corners[i][d] = state.position[width * space_->cell(c)[i] + d];
       }
     }
@@ -90,17 +94,21 @@ void Remap::carry_face(const AleState &state,
     mass += reconstruction_.gradient(donor, density)[d] * moment;
     way[d] = moment / swept.volume;
   }
+  std::array<double, n_contents> carried;
+  carried[0] = mass;
+  for (unsigned int f = 1; f < n_fields; ++f)
+  {
+    const double *g = reconstruction_.gradient(donor, f);
+    carried[f] = field[f] + g[0] * way[0] + g[1] * way[1] + g[2] * way[2];
+  }
+  for (unsigned int i = 0; i < 8; ++i)
+    carried[kinetic + i] = half_square(&carried[velocity + 3 * i]);
+  for (unsigned int f = 1; f < n_contents; ++f)
+    carried[f] *= mass;
   const auto add = [&](const std::uint32_t cell, const double sign) {
-    if (cell >= space_->n_own_cells())
-      return;
-    double *content = &contents_[n_fields * cell];
-    content[0] += sign * mass;
-    for (unsigned int f = 1; f < n_fields; ++f)
-    {
-      const double *g = reconstruction_.gradient(donor, f);
-      content[f] += sign * mass *
-                    (field[f] + g[0] * way[0] + g[1] * way[1] + g[2] * way[2]);
-    }
+    if (cell < space_->n_own_cells())
+      for (unsigned int f = 0; f < n_contents; ++f)
+        contents_[n_contents * cell + f] += sign * carried[f];
   };
   add(face.inside, 1.);
   add(face.outside, -1.);
@@ -134,9 +142,14 @@ void Remap::carry_over(const AleState &state,
 {
   for (const std::uint32_t c : cells_)
   {
-    contents_[n_fields * c] = state.mass[c];
+    double *content = &contents_[n_contents * c];
+    const double *field = &fields_[n_fields * c];
+    content[0] = state.mass[c];
     for (unsigned int f = 1; f < n_fields; ++f)
-      contents_[n_fields * c + f] = state.mass[c] * fields_[n_fields * c + f];
+      content[f] = state.mass[c] * field[f];
+    for (unsigned int i = 0; i < 8; ++i)
+      content[kinetic + i] =
+        state.mass[c] * half_square(&field[velocity + 3 * i]);
   }
   for (const HexSpace::Face &face : space_->faces())
     carry_face(state, position, face);
@@ -147,7 +160,7 @@ void Remap::check_masses(const AleState &state) const
 {
   std::string text;
   for (const std::uint32_t c : cells_)
-    if (text.empty() && !(contents_[n_fields * c] > 0.))
+    if (text.empty() && !(contents_[n_contents * c] > 0.))
       text = "cell " + std::to_string(space_->cell_number(c)) +
              " would lose more mass than it has";
   const int failed =
@@ -165,7 +178,7 @@ void Remap::collect(AleState &state, const SlipWalls &walls) const
   dealii::AlignedVector<double> sums(node_exchange_.size());
   for (const std::uint32_t c : cells_)
   {
-    const double *content = &contents_[n_fields * c];
+    const double *content = &contents_[n_contents * c];
     for (unsigned int i = 0; i < 8; ++i)
     {
       double *sum = &sums[n * space_->cell(c)[i]];
@@ -184,7 +197,7 @@ void Remap::collect(AleState &state, const SlipWalls &walls) const
       for (unsigned int d = 0; d < 3; ++d)
         sum[d] += mass * v[d];
       sum[3] += mass;
-      sum[4] += 0.5 * mass * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+      sum[4] += mass * half_square(v);
     }
   node_exchange_.add_copies(sums);
   node_exchange_.update_copies(sums);
@@ -200,16 +213,13 @@ void Remap::collect(AleState &state, const SlipWalls &walls) const
   const auto heat = [&](const std::uint32_t c) {
     double result = 0.;
     for (const std::uint32_t node : space_->cell(c))
-    {
-      const double *v = &state.velocity[width * node];
-      const double square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-      result += sums[n * node + 4] / sums[n * node + 3] - 0.5 * square;
-    }
+      result += sums[n * node + 4] / sums[n * node + 3] -
+                half_square(&state.velocity[width * node]);
     return 0.125 * result;
   };
   for (const std::uint32_t c : cells_)
   {
-    const double *content = &contents_[n_fields * c];
+    const double *content = &contents_[n_contents * c];
     state.mass[c] = content[0];
     state.products[c] = content[products] / content[0];
     state.energy[c] = content[energy] + content[0] * heat(c);

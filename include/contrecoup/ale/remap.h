@@ -15,8 +15,9 @@ namespace contrecoup::ale
  * - momentum goes with the mass as eight velocities of a cell, those at its
  *   corners, and each node collects the eighths of its cells (Benson 1992, half
  *   index shift): nodes that do not move keep their velocity to round-off;
- * - kinetic energy is carried likewise, and what the mean velocity of a node
- *   lacks of it becomes internal energy of its cells (DeBar 1974).
+ * - kinetic energy is carried as that of the momentum that a face passes, and
+ *   what the mean velocity of a node lacks of it becomes internal energy of its
+ *   cells (DeBar 1974): the same from whatever moving frame it is seen.
  */
 class Remap
 {
@@ -37,10 +38,13 @@ public:
              const dealii::AlignedVector<double> &position);
 
 private:
-  /// What is carried for each cell: density, internal energy per mass, mass
-  /// fraction of products, velocities at the corners, half their squares.
+  /// Linear functions in each cell: density, internal energy per mass, mass
+  /// fraction of products, velocities at the corners.
   static constexpr unsigned int density = 0, energy = 1, products = 2,
-                                velocity = 3, kinetic = 27, n_fields = 35;
+                                velocity = 3, n_fields = 27;
+  /// What is carried of each: the same times mass, which comes first, and
+  /// kinetic energies of the corners.
+  static constexpr unsigned int kinetic = n_fields, n_contents = n_fields + 8;
 
   void fill_fields(const AleState &state);
   void carry_over(const AleState &state,
@@ -62,7 +66,6 @@ private:
   Reconstruction reconstruction_;
   FieldExchange node_exchange_, cell_exchange_;
   dealii::AlignedVector<double> fields_; ///< of all cells
-  /// Of own cells afterwards, times mass; the first one is the mass.
-  std::vector<double> contents_;
+  std::vector<double> contents_;         ///< of own cells afterwards
 };
 } // namespace contrecoup::ale
