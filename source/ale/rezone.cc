@@ -19,6 +19,15 @@ namespace
 
   /// In the order of the enumeration.
   const std::vector<std::string> names{"none", "elastic", "back"};
+
+  double cell_volume(const HexSpace::Cell &cell, const AleState &state)
+  {
+    HexVectors<double> corners;
+    for (unsigned int i = 0; i < 8; ++i)
+      for (unsigned int d = 0; d < 3; ++d)
+        corners[i][d] = state.position[width * cell[i] + d];
+    return hex_geometry(to_modes(corners)).volume;
+  }
 } // namespace
 
 
@@ -226,6 +235,55 @@ dealii::AlignedVector<double> Rezone::smoothed(const AleState &state)
 }
 
 
+double
+Rezone::largest_outflow(const AleState &state,
+                        const dealii::AlignedVector<double> &position) const
+{
+  std::vector<double> outflow(space_->n_own_cells(), 0.);
+  for (const HexSpace::Face &face : space_->faces())
+  {
+    std::array<Vector3<double>, 4> before, after;
+    for (unsigned int i = 0; i < 4; ++i)
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        before[i][d] = state.position[width * face.nodes[i] + d];
+        after[i][d] = position[width * face.nodes[i] + d];
+      }
+    const double swept = swept_moments(before, after).volume;
+    const std::uint32_t donor = swept > 0. ? face.outside : face.inside;
+    if (donor < space_->n_own_cells())
+      outflow[donor] += std::abs(swept);
+  }
+  double largest = 0.;
+  for (std::size_t c = 0; c < space_->n_own_cells(); ++c)
+    largest =
+      std::max(largest, outflow[c] / cell_volume(space_->cell(c), state));
+  return dealii::Utilities::MPI::max(largest, space_->communicator());
+}
+
+
+void Rezone::carry_over(AleState &state,
+                        const SlipWalls &walls,
+                        const dealii::AlignedVector<double> &position)
+{
+  // What leaves a cell is what its linear function says is there.
+  constexpr double largest_part = 0.5;
+  const double outflow = largest_outflow(state, position);
+  const auto n =
+    static_cast<unsigned int>(std::max(1., std::ceil(outflow / largest_part)));
+  const dealii::AlignedVector<double> before = state.position;
+  for (unsigned int i = 1; i < n; ++i)
+  {
+    dealii::AlignedVector<double> between = position;
+    for (std::size_t k = 0; k < between.size(); ++k)
+      if (between[k] != before[k])
+        between[k] = before[k] + (between[k] - before[k]) * i / n;
+    remap_.apply(state, walls, between);
+  }
+  remap_.apply(state, walls, position);
+}
+
+
 bool Rezone::apply(AleState &state, const SlipWalls &walls)
 {
   if (kind_ == RezoneKind::none || state.time < due_ * (1. - 1e-12))
@@ -242,7 +300,7 @@ bool Rezone::apply(AleState &state, const SlipWalls &walls)
     throw NumericsError("time " + exact(state.time) +
                         " s: no part of the mesh's motion in the rezone keeps "
                         "all cells valid");
-  remap_.apply(state, walls, position);
+  carry_over(state, walls, position);
   reference_ = position;
   ++n_rezones_;
   return true;

@@ -20,6 +20,38 @@ contrecoup_add_application_test(sod_elastic bounds,resume,ranks
   COMPARE history.csv probes.csv STOP_AFTER 40
   TOLERANCE "1e-6" "energy_residual*=1e-15 absolute" LABELS verification)
 
+# Noh's implosion onto a wall: with the gas, smoothed, at rest. The smoothed mesh
+# moves by several cells at once, which is carried over in parts.
+contrecoup_add_application_test(noh_lagrange bounds,convergence
+  FILE ${_folder}/noh.prm SET "Output/Fields=false" BOUNDS ${_ledger}
+  "errors.density_L1 < 0.0471" "errors.velocity_L1 < 0.0183" "errors.pressure_L1 < 4.54e-3"
+  VARY "Mesh/Elements=50, 1, 1|100, 1, 1" ERROR errors.density_L1 ORDER 0.95
+  LABELS verification)
+contrecoup_add_application_test(noh_elastic bounds,convergence
+  FILE ${_folder}/noh.prm SET "Output/Fields=false" "Rezone/Kind=elastic"
+  "Rezone/Interval=0.01" "Rezone/Tolerance=1e-10" BOUNDS ${_ledger}
+  "errors.density_L1 < 0.0785" "errors.velocity_L1 < 0.0107" "errors.pressure_L1 < 8.3e-3"
+  VARY "Mesh/Elements=50, 1, 1|100, 1, 1|200, 1, 1" ERROR errors.density_L1 ORDER 0.95
+  LABELS verification)
+contrecoup_add_application_test(noh_euler bounds,convergence
+  FILE ${_folder}/noh.prm SET "Output/Fields=false" "Rezone/Kind=back"
+  "Mesh/Elements=120, 1, 1" "Mesh/Upper corner=1.2, 0.01, 0.01" "Side x+/Kind=wall"
+  BOUNDS ${_ledger}
+  "errors.density_L1 < 0.1137" "errors.velocity_L1 < 0.0389" "errors.pressure_L1 < 0.0232"
+  VARY "Mesh/Elements=60, 1, 1|120, 1, 1" ERROR errors.density_L1 ORDER 0.95
+  LABELS verification)
+contrecoup_add_application_test(noh_quarter_lagrange bounds,convergence
+  FILE ${_folder}/noh_quarter.prm SET "Output/Fields=false" BOUNDS ${_ledger}
+  "errors.density_L1 < 0.92" "errors.velocity_L1 < 0.0717" "errors.pressure_L1 < 0.238"
+  VARY "Mesh/Elements=25, 25, 1|50, 50, 1" ERROR errors.density_L1 ORDER 0.95
+  LABELS verification)
+contrecoup_add_application_test(noh_quarter_euler bounds
+  FILE ${_folder}/noh_quarter.prm SET "Output/Fields=false" "Rezone/Kind=back"
+  "Mesh/Elements=30, 30, 1" "Mesh/Upper corner=1.2, 1.2, 0.04"
+  "Side x+/Kind=wall" "Side y+/Kind=wall" BOUNDS ${_ledger}
+  "errors.density_L1 < 3.02" "errors.velocity_L1 < 0.322" "errors.pressure_L1 < 0.875"
+  LABELS verification)
+
 # The first gives a peak of 1.593 times rho A R at the wall, the second 1.088.
 contrecoup_add_application_test(sphere bounds,ranks
   FILE ${_folder}/fluid_in_rigid_sphere.prm SET "Output/Fields=false"

@@ -80,6 +80,17 @@ private:
   void find_prescribed(
     const std::map<dealii::types::boundary_id, SlipWalls::Motion> &walls);
   dealii::AlignedVector<double> smoothed(const AleState &state);
+
+  /// The largest part of its volume that a cell loses through all its faces, on
+  /// the way to @p position. Collective.
+  double
+  largest_outflow(const AleState &state,
+                  const dealii::AlignedVector<double> &position) const;
+
+  /// Carries over in as many steps as no cell loses too much in.
+  void carry_over(AleState &state,
+                  const SlipWalls &walls,
+                  const dealii::AlignedVector<double> &position);
   bool is_valid(const dealii::AlignedVector<double> &position) const;
 
   RezoneKind kind_ = RezoneKind::none;
