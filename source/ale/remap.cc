@@ -86,25 +86,27 @@ void Remap::carry_face(const AleState &state,
   const std::uint32_t donor = swept.volume > 0. ? face.outside : face.inside;
   const auto &centre = reconstruction_.centre(donor);
   const double *field = &fields_[n_fields * donor];
-  double mass = swept.volume * field[density];
-  Vector3<double> way;
+  Vector3<double> moment;
   for (unsigned int d = 0; d < 3; ++d)
-  {
-    const double moment = swept.first[d] - swept.volume * centre[d];
-    mass += reconstruction_.gradient(donor, density)[d] * moment;
-    way[d] = moment / swept.volume;
-  }
-  std::array<double, n_contents> carried;
-  carried[0] = mass;
-  for (unsigned int f = 1; f < n_fields; ++f)
-  {
+    moment[d] = swept.first[d] - swept.volume * centre[d];
+  const auto change = [&](const unsigned int f) {
     const double *g = reconstruction_.gradient(donor, f);
-    carried[f] = field[f] + g[0] * way[0] + g[1] * way[1] + g[2] * way[2];
-  }
+    return g[0] * moment[0] + g[1] * moment[1] + g[2] * moment[2];
+  };
+  // Of the linear functions and the moment, not of a place where it would be: a
+  // face that turns has a moment without a volume.
+  std::array<double, n_contents> carried;
+  carried[0] = swept.volume * field[density] + change(density);
+  for (unsigned int f = 1; f < n_fields; ++f)
+    carried[f] = carried[0] * field[f] + field[density] * change(f);
   for (unsigned int i = 0; i < 8; ++i)
-    carried[kinetic + i] = half_square(&carried[velocity + 3 * i]);
-  for (unsigned int f = 1; f < n_contents; ++f)
-    carried[f] *= mass;
+  {
+    const double *v = &field[velocity + 3 * i];
+    double &sum = carried[kinetic + i];
+    sum = -carried[0] * half_square(v);
+    for (unsigned int d = 0; d < 3; ++d)
+      sum += v[d] * carried[velocity + 3 * i + d];
+  }
   const auto add = [&](const std::uint32_t cell, const double sign) {
     if (cell < space_->n_own_cells())
       for (unsigned int f = 0; f < n_contents; ++f)
