@@ -52,6 +52,37 @@ contrecoup_add_application_test(noh_quarter_euler bounds
   "errors.density_L1 < 3.02" "errors.velocity_L1 < 0.322" "errors.pressure_L1 < 0.875"
   LABELS verification)
 
+# Sedov's blast, the mesh with the gas and at rest, and Saltzmann's piston, at
+# last as gas that runs onto a wall, as the mesh is at rest.
+contrecoup_add_application_test(sedov_lagrange bounds,convergence
+  FILE ${_folder}/sedov.prm SET "Output/Fields=false" BOUNDS ${_ledger}
+  "errors.density_L1 < 0.156" "errors.velocity_L1 < 0.0266" "errors.pressure_L1 < 3.91e-3"
+  VARY "Mesh/Elements=12, 12, 12|24, 24, 24" ERROR errors.velocity_L1 ORDER 0.75
+  LABELS verification)
+contrecoup_add_application_test(sedov_euler bounds
+  FILE ${_folder}/sedov.prm SET "Output/Fields=false" "Rezone/Kind=back"
+  "Mesh/Elements=12, 12, 12" "Time/End time=0.3" BOUNDS ${_ledger}
+  "errors.density_L1 < 0.0932" "errors.velocity_L1 < 0.0426" "errors.pressure_L1 < 0.0185"
+  LABELS verification)
+contrecoup_add_application_test(saltzmann_lagrange bounds,convergence
+  FILE ${_folder}/saltzmann.prm SET "Output/Fields=false" BOUNDS ${_ledger}
+  "errors.density_L1 < 0.1016" "errors.velocity_L1 < 0.0188" "errors.pressure_L1 < 7.62e-3"
+  VARY "Mesh/Elements=50, 5, 1|100, 10, 1" ERROR errors.density_L1 ORDER 0.85
+  LABELS verification)
+contrecoup_add_application_test(saltzmann_elastic bounds
+  FILE ${_folder}/saltzmann.prm SET "Output/Fields=false" "Mesh/Elements=50, 5, 1"
+  "Rezone/Kind=elastic" "Rezone/Interval=0.02" BOUNDS ${_ledger}
+  "errors.density_L1 < 0.165" "errors.velocity_L1 < 0.0242" "errors.pressure_L1 < 0.0121"
+  LABELS verification)
+contrecoup_add_application_test(saltzmann_euler bounds
+  FILE ${_folder}/saltzmann.prm SET "Output/Fields=false" "Mesh/Elements=60, 5, 1"
+  "Mesh/Upper corner=1.2, 0.1, 0.01" "Rezone/Kind=back" "Side x-/Velocity=0"
+  "Region gas/Velocity x=-1" "Reference/Shock tube/Left=1, 1, 1e-6"
+  "Reference/Shock tube/Right=1, -1, 1e-6" "Reference/Largest radius=0.4"
+  BOUNDS ${_ledger}
+  "errors.density_L1 < 0.281" "errors.velocity_L1 < 0.0947" "errors.pressure_L1 < 0.0406"
+  LABELS verification)
+
 # The first gives a peak of 1.593 times rho A R at the wall, the second 1.088.
 contrecoup_add_application_test(sphere bounds,ranks
   FILE ${_folder}/fluid_in_rigid_sphere.prm SET "Output/Fields=false"

@@ -83,9 +83,8 @@ private:
 
   /// The largest part of its volume that a cell loses through all its faces, on
   /// the way to @p position. Collective.
-  double
-  largest_outflow(const AleState &state,
-                  const dealii::AlignedVector<double> &position) const;
+  double largest_outflow(const AleState &state,
+                         const dealii::AlignedVector<double> &position) const;
 
   /// Carries over in as many steps as no cell loses too much in.
   void carry_over(AleState &state,

@@ -72,13 +72,11 @@ find_compression(const Matrix3<Number> &gradient)
   find_direction(result.least);
   // Of a double root no more than half of the digits are right: between the
   // two, it gives no projector. A little below them it does.
-  Number trace{}, norm_square{};
-  for (unsigned int i = 0; i < 3; ++i)
-  {
-    trace += result.direction[i][i];
-    for (unsigned int j = 0; j < 3; ++j)
-      norm_square += result.direction[i][j] * result.direction[i][j];
-  }
+  const auto &found = result.direction;
+  const Number trace = found[0][0] + found[1][1] + found[2][2];
+  Number norm_square{};
+  for (const auto &row : found)
+    norm_square += dot(row, row);
   find_direction(result.least - select_less(Number(1. + 1e-6) * trace * trace,
                                             norm_square,
                                             Number(1e-6) * result.size,
