@@ -148,6 +148,7 @@ void AleSimulation::build()
   state_ = AleState();
   state_.position = space_.positions(width);
   regions_.fill(space_, state_);
+  least_pressures_.assign(regions_.regions().size(), 0.);
   rezone_.reinit(space_, state_, regions_.regions(), mesh_description_.walls());
   find_probe_cells();
 }
@@ -159,6 +160,7 @@ void AleSimulation::setup()
   lagrange_.start(state_);
   const AleTotals totals = lagrange_.totals(state_);
   initial_energy_ = totals.internal_energy + totals.kinetic_energy;
+  initial_kinetic_energy_ = totals.kinetic_energy;
   energy_scale_ = initial_energy_;
 }
 
@@ -287,9 +289,18 @@ std::vector<NamedValue> AleSimulation::history()
                    {"contact_work", "J", contact.work},
                    {"friction_work", "J", contact.friction_work}});
   }
+  std::size_t region = 0;
   for (NamedValue &measure :
        region_measures(space_, lagrange_, state_, regions_.regions()))
+  {
+    if (measure.name.rfind("least_pressure_", 0) == 0)
+    {
+      least_pressures_[region] =
+        std::min(least_pressures_[region], measure.value);
+      ++region;
+    }
     values.push_back(std::move(measure));
+  }
   return values;
 }
 
@@ -338,6 +349,37 @@ std::vector<NamedValue> AleSimulation::assumptions()
     for (NamedValue &value : contact_.values())
       values.push_back(std::move(value));
   return values;
+}
+
+
+ImpactPlan AleSimulation::impact_plan() const
+{
+  ImpactPlan plan;
+  plan.regions = regions_.regions();
+  plan.end_time = end_time_;
+  plan.largest_speed = regions_.largest_velocity();
+  plan.cell_size = mesh_description_.cell_size();
+  plan.part = mesh_description_.part();
+  plan.has_planes = !planes_.empty();
+  plan.has_body_force =
+    std::any_of(acceleration_.begin(),
+                acceleration_.end(),
+                [](const Expression &e) { return e.text() != "0"; });
+  return plan;
+}
+
+
+std::vector<Assumption> AleSimulation::plan()
+{
+  return impact_plan().plan();
+}
+
+
+std::vector<Assumption> AleSimulation::audit()
+{
+  return impact_plan().audit({least_pressures_,
+                              lagrange_.contact().friction_work,
+                              initial_kinetic_energy_});
 }
 
 

@@ -34,6 +34,7 @@ namespace
     std::uint64_t first_iterations;
     ContactMeasures contact;
     ContactRecord record;
+    double initial_kinetic_energy;
   };
 
   struct NodeRecord
@@ -91,7 +92,10 @@ void AleSimulation::save(const std::string &folder)
                 reference_.peaks().size(),
                 memory.first_iterations,
                 contact,
-                contact_});
+                contact_,
+                initial_kinetic_energy_});
+    for (const double pressure : least_pressures_)
+      put(out, pressure);
     for (const auto &peak : reference_.peaks())
       put(out, peak);
     for (std::size_t n = 0; n < space_.n_own_nodes(); ++n)
@@ -180,6 +184,8 @@ void AleSimulation::restore(const std::string &folder)
         numbers.n_global_cells != n_cells_)
       throw InputError("Checkpoint file " + file_of(folder, rank) +
                        " belongs to another mesh");
+    for (double &pressure : least_pressures_)
+      take(in, pressure);
     restore_peaks(in, numbers.n_peaks);
     for (std::uint64_t i = 0; i < numbers.n_nodes; ++i)
     {
@@ -211,6 +217,7 @@ void AleSimulation::restore(const std::string &folder)
   lagrange_.set_external_work(numbers.external_work);
   lagrange_.set_contact(numbers.contact);
   contact_ = numbers.record;
+  initial_kinetic_energy_ = numbers.initial_kinetic_energy;
   energy_scale_ = numbers.energy_scale;
   last_step_ = numbers.last_step;
   memory.first_iterations = static_cast<unsigned int>(numbers.first_iterations);

@@ -116,16 +116,22 @@ void LayeredHead::parse_parameters(ParameterHandler &prm)
 }
 
 
+double LayeredHead::part() const
+{
+  double part = 1.;
+  for (const bool is_halved : ball_.is_halved)
+    part *= is_halved ? 0.5 : 1.;
+  return part;
+}
+
+
 double LayeredHead::n_cells() const
 {
   const double n = ball_.cells_along_cube;
   double across = 0.;
   for (const unsigned int cells : ball_.cells_across)
     across += cells;
-  double part = 1.;
-  for (const bool is_halved : ball_.is_halved)
-    part *= is_halved ? 0.5 : 1.;
-  return part * (n * n * n + 6. * n * n * across);
+  return part() * (n * n * n + 6. * n * n * across);
 }
 
 

@@ -220,6 +220,20 @@ void RegionDescriptions::fill(const HexSpace &space, AleState &state) const
 }
 
 
+double RegionDescriptions::largest_velocity() const
+{
+  double largest = 0.;
+  for (const Description &description : descriptions_)
+  {
+    double square = 0.;
+    for (const Expression &velocity : description.velocity)
+      square += std::pow(velocity.value({}), 2);
+    largest = std::max(largest, std::sqrt(square));
+  }
+  return largest;
+}
+
+
 double
 RegionDescriptions::largest_speed(const dealii::Triangulation<3> &mesh) const
 {

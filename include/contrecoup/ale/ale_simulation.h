@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/ale/contact_record.h>
+#include <contrecoup/ale/impact_plan.h>
 #include <contrecoup/ale/lagrange_step.h>
 #include <contrecoup/ale/mesh_description.h>
 #include <contrecoup/ale/reference.h>
@@ -48,6 +49,8 @@ public:
                            unsigned int index) override;
   std::vector<NamedValue> errors() override;
   std::vector<NamedValue> assumptions() override;
+  std::vector<Assumption> plan() override;
+  std::vector<Assumption> audit() override;
   std::pair<std::uint64_t, std::uint64_t> size() const override;
 
 private:
@@ -67,6 +70,7 @@ private:
                             const double distance,
                             const std::uint32_t cell) const;
   Ledger ledger() const;
+  ImpactPlan impact_plan() const;
   void restore_peaks(std::istream &in, const std::size_t n_peaks);
   /// @param cells those of this rank by their number in the mesh
   void
@@ -95,6 +99,9 @@ private:
   std::uint64_t n_nodes_ = 0;
   double initial_energy_ = 0.;
   double energy_scale_ = 0.;
+  double initial_kinetic_energy_ = 0.;
+  /// In the rows of the history so far, by region [Pa].
+  std::vector<double> least_pressures_;
   double last_step_ = 0.; ///< 0: none was made [s]
   /// The rank with the cell of a probe has its number, others no_cell.
   std::vector<std::uint32_t> probe_cells_;

@@ -37,6 +37,9 @@ public:
     return layers_;
   }
 
+  /// Part of the head that is computed; 1 without one [-].
+  double part() const;
+
   double n_cells() const;
 
   /// About the shortest edge of a cell [m].

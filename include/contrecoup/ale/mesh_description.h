@@ -42,6 +42,12 @@ public:
     return head_.layers();
   }
 
+  /// Part of the body that is computed, by planes of symmetry [-].
+  double part() const
+  {
+    return head_.part();
+  }
+
   /// How many cells create() makes.
   double n_cells() const;
 

@@ -43,6 +43,10 @@ public:
   /// @throws InputError for a state without a physical meaning
   double largest_speed(const dealii::Triangulation<3> &mesh) const;
 
+  /// The fastest matter at the start, at the origin if velocities depend on the
+  /// place [m/s].
+  double largest_velocity() const;
+
 private:
   struct Description
   {
