@@ -17,9 +17,9 @@ namespace
 {
   constexpr unsigned int width = AleState::width;
 
-  /// Cell updates per second and core, for estimates only: that of water in a
-  /// sphere that is smoothed 125 times, on a processor of 2021.
-  constexpr double typical_speed = 6e5;
+  /// Cell updates per second and core, for estimates only: that of the
+  /// quickstart's head, on a processor of 2021.
+  constexpr double typical_speed = 2.5e6;
 
   /// Bytes of a cell with its nodes, a remap's numbers among them.
   constexpr double typical_memory = 2500.;
