@@ -5,7 +5,9 @@
 #include <contrecoup/ale/reference.h>
 #include <contrecoup/ale/sedov_flow.h>
 #include <contrecoup/ale/shock_tube_flow.h>
+#include <contrecoup/ale/table_flow.h>
 #include <contrecoup/ale/taylor_green_flow.h>
+#include <contrecoup/ale/water_hammer_flow.h>
 #include <contrecoup/base/parameters.h>
 
 namespace contrecoup::ale
@@ -30,7 +32,12 @@ namespace
     {"taylor green",
      "Taylor Green",
      TaylorGreenFlow::declare_parameters,
-     TaylorGreenFlow::create}};
+     TaylorGreenFlow::create},
+    {"water hammer",
+     "Water hammer",
+     WaterHammerFlow::declare_parameters,
+     WaterHammerFlow::create},
+    {"table", "Table", TableFlow::declare_parameters, TableFlow::create}};
 } // namespace
 
 
@@ -40,15 +47,15 @@ void Reference::declare_parameters(ParameterHandler &prm)
   std::vector<std::string> names{"none", "rigid sphere"};
   for (const Kind &kind : flows)
     names.push_back(kind.name);
-  declare_selection(prm,
-                    "Kind",
-                    "none",
-                    names,
-                    "Exact solution that the run is compared with: at the "
-                    "probes, of a liquid in a rigid sphere that is "
-                    "decelerated; everywhere, of gases that meet, an "
-                    "implosion, a blast, or vortices. Only the entries of its "
-                    "subsection count.");
+  declare_selection(
+    prm,
+    "Kind",
+    "none",
+    names,
+    "Solution that the run is compared with: at the probes, of a liquid in a "
+    "rigid sphere that is decelerated; everywhere, of gases that meet, an "
+    "implosion, a blast, vortices, a liquid that a wall stops, or of a table. "
+    "Only the entries of its subsection count.");
   declare_double(prm,
                  "Largest radius",
                  "1e6",

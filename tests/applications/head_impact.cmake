@@ -83,6 +83,28 @@ contrecoup_add_application_test(saltzmann_euler bounds
   "errors.density_L1 < 0.281" "errors.velocity_L1 < 0.0947" "errors.pressure_L1 < 0.0406"
   LABELS verification)
 
+# Within 0.1 % of the isentropic pressure of the water that a wall has stopped.
+contrecoup_add_application_test(water_hammer bounds
+  FILE ${_folder}/water_hammer.prm SET "Output/Fields=false" BOUNDS ${_ledger}
+  "errors.pressure_L1 < 3040" "errors.density_L1 < 1.37e-3" "errors.velocity_L1 < 1.26e-3"
+  LABELS verification)
+
+# The charge of the paper, cells of 2 mm: in a wider cone on a mesh at rest, and
+# with a rezone each microsecond.
+contrecoup_add_application_test(paper_cone_euler bounds
+  FILE ${_folder}/paper_cone.prm SET "Output/Fields=false" "Mesh/Elements=248, 1, 1"
+  "Mesh/Position x=x / sqrt(1 + 0.01 * (y^2 + z^2))"
+  "Mesh/Position y=x * 0.1 * y / sqrt(1 + 0.01 * (y^2 + z^2))"
+  "Mesh/Position z=x * 0.1 * z / sqrt(1 + 0.01 * (y^2 + z^2))"
+  BOUNDS ${_ledger}
+  "errors.density_L1 < 0.231" "errors.velocity_L1 < 26.1" "errors.pressure_L1 < 37.9e3"
+  LABELS verification)
+contrecoup_add_application_test(paper_cone_ale bounds
+  FILE ${_folder}/paper_cone.prm SET "Output/Fields=false" "Mesh/Elements=248, 1, 1"
+  "Rezone/Interval=1e-6" BOUNDS ${_ledger}
+  "errors.density_L1 < 0.183" "errors.velocity_L1 < 23.5" "errors.pressure_L1 < 47.1e3"
+  LABELS verification)
+
 # The first gives a peak of 1.593 times rho A R at the wall, the second 1.088.
 contrecoup_add_application_test(sphere bounds,ranks
   FILE ${_folder}/fluid_in_rigid_sphere.prm SET "Output/Fields=false"

@@ -3,7 +3,7 @@
 # Copyright (C) 2026 by the Contrecoup authors
 """A sphere of TNT in free air, in shells that move with the gas.
 
-    lagrangian_blast.py WIDTH END AFTERBURN OUTER [RADIUS]... [FILE.csv]
+    lagrangian_blast.py WIDTH END AFTERBURN OUTER [at-once] [RADIUS]... [FILE.csv]
 
 A reference for the tests of charges that shares nothing with the program but the
 Euler equations, the constants of TNT and Miller's law: the staggered scheme of
@@ -14,7 +14,8 @@ Wilkins (UCRL-7322, 1963).
 
 Charge: radius 0.05 m, lit in its centre; WIDTH is that of the shells in the air at
 the beginning [m], END [s], AFTERBURN the energy of Miller's law [J/kg], OUTER where
-the shells end, which is beyond what the blast reaches [m]. Prints peak overpressure, impulse of the positive phase and arrival at each RADIUS [m],
+the shells end, which is beyond what the blast reaches [m]; at-once: all of the
+charge is burned at the start, without a detonation. Prints peak overpressure, impulse of the positive phase and arrival at each RADIUS [m],
 how far energy drifted, and what the peak becomes when the shock meets a wall
 head-on; writes what the shells hold at END.
 
@@ -157,9 +158,12 @@ def met_by_wall(peak):
 
 
 def main(width, end, afterburn, outer, *others):
-    places = [float(word) for word in others if not word.endswith(".csv")]
+    places = [float(word) for word in others
+              if word != "at-once" and not word.endswith(".csv")]
     width, end, afterburn = float(width), float(end), float(afterburn)
     blast = Blast(width, float(outer))
+    if "at-once" in others:
+        blast.burned[:] = 1.
     peaks, arrivals, impulses = ([0.] * len(places) for _ in range(3))
     ended = [False] * len(places)
     steps = 0
@@ -186,7 +190,9 @@ def main(width, end, afterburn, outer, *others):
               f"{arrival * 1e3:.5f} ms; at a wall {met_by_wall(peak) / 1e3:.1f}"
               " kPa")
     if others and others[-1].endswith(".csv"):
-        write(blast, others[-1], f"{width:g} {end:g} {afterburn:g} {outer}")
+        burn = " at-once" if "at-once" in others else ""
+        write(blast, others[-1],
+              f"{width:g} {end:g} {afterburn:g} {outer}{burn}")
 
 
 def write(blast, file, arguments):
