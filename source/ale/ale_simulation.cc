@@ -5,6 +5,7 @@
 #include <contrecoup/ale/ale_simulation.h>
 #include <contrecoup/ale/region_measures.h>
 #include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/memory.h>
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/base/text.h>
 #include <contrecoup/base/timers.h>
@@ -110,13 +111,17 @@ void AleSimulation::parse_parameters(ParameterHandler &prm)
 
 CostEstimate AleSimulation::estimate()
 {
-  dealii::Triangulation<3> mesh;
-  mesh_description_.create(mesh);
-  regions_.set_regions(mesh, mesh_description_.layers());
   CostEstimate cost;
   cost.cells = mesh_description_.n_cells();
   cost.unknowns = 5. * cost.cells;
   cost.memory = typical_memory * cost.cells;
+  // The run loop refuses such a mesh, which must not be made before.
+  const double available = available_memory(communicator_);
+  if (available > 0. && cost.memory > available)
+    return cost;
+  dealii::Triangulation<3> mesh;
+  mesh_description_.create(mesh);
+  regions_.set_regions(mesh, mesh_description_.layers());
   cost.steps = std::ceil(end_time_ * regions_.largest_speed(mesh) /
                          (courant_ * mesh_description_.cell_size()));
   cost.seconds = cost.steps * cost.cells / typical_speed /

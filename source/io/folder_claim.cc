@@ -119,7 +119,8 @@ namespace io
   }
 
   bool FolderClaim::admits(const CommandLine &command,
-                           const std::function<bool()> &can_go_on) const
+                           const std::function<bool()> &can_go_on,
+                           const std::string &more) const
   {
     if (!manifest_.is_there() || command.overwrite || command.resume)
       return true;
@@ -138,9 +139,9 @@ namespace io
                          "; --overwrite computes it anew");
       log_line("finished before, nothing is done: \"" + folder_ +
                "\" holds the results; " +
-               (can_go_on ? "--resume goes on from the last checkpoint (with a "
-                            "later end), "
-                          : "") +
+               (can_go_on && can_go_on()
+                  ? "--resume goes on from there (with " + more + "), "
+                  : "") +
                "--overwrite computes all anew");
       return false;
     }

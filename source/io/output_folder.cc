@@ -4,6 +4,7 @@
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/gather.h>
 #include <contrecoup/base/log.h>
+#include <contrecoup/base/text.h>
 #include <contrecoup/io/checked_file.h>
 #include <contrecoup/io/field_output.h>
 #include <contrecoup/io/output_folder.h>
@@ -72,7 +73,8 @@ namespace io
   }
 
   std::string
-  OutputFolder::find_checkpoint(const std::vector<std::string> &exempt)
+  OutputFolder::find_checkpoint(const std::vector<std::string> &exempt,
+                                const double end_time)
   {
     const auto found = checkpoints_.newest();
     if (!found)
@@ -96,6 +98,12 @@ namespace io
     {
       throw InputError(error.what() + (builds.empty() ? "" : "; " + builds));
     }
+    if (earlier.state.time > (1. + 1e-9) * end_time)
+      throw InputError("Time/End time = " + brief(end_time, 6) + " s: \"" +
+                       found->folder + "\" is of " +
+                       brief(earlier.state.time, 6) +
+                       " s already; --resume needs a later end, --overwrite "
+                       "begins anew");
     if (!builds.empty())
       log_line(builds + ": what follows may differ from what it would have "
                         "computed");

@@ -126,7 +126,8 @@ namespace io
       exempt.insert(exempt.end(),
                     description_.free_on_resume.begin(),
                     description_.free_on_resume.end());
-      const std::string checkpoint = folder_.find_checkpoint(exempt);
+      const std::string checkpoint =
+        folder_.find_checkpoint(exempt, time_.end_time);
       collective_.run([&]() { simulation_.restore(checkpoint); },
                       ExitCode::bad_input);
       state_ = folder_.resume();

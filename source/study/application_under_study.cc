@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/collective.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameter_file.h>
 #include <contrecoup/base/text.h>
@@ -81,6 +82,8 @@ std::string ApplicationUnderStudy::ask(const Settings &settings,
   if (text.end.signal != 0)
     throw SystemError(name_ + " " + option + " was ended by signal " +
                       std::to_string(text.end.signal));
+  if (text.end.exit_code == static_cast<int>(ExitCode::system_failed))
+    throw SystemError(name_ + ": " + text.errors);
   if (text.end.exit_code != 0)
   {
     // The user of a study wrote no --set.

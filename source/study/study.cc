@@ -371,7 +371,8 @@ void Study::execute(const io::CommandLine &command,
   identify_tasks();
   io::FolderClaim claim(
     folder_, "study", file_names(folder_, tasks_), io::make_run_input(entries));
-  if (!claim.admits(command, [&]() { return has_outcomes(); }))
+  if (!claim.admits(
+        command, [&]() { return has_outcomes(); }, "more values"))
     return;
   prepare(parameter_text, command.resume, claim);
   begin_ = std::chrono::steady_clock::now();

@@ -185,3 +185,6 @@ contrecoup_add_application_test(refuses_missing_layer refusal
 contrecoup_add_application_test(refuses_to_smooth_solids refusal
   FILE head_impact/quickstart.prm SET "Region CSF/Material=elastic"
   MESSAGE "Rezone/Kind must be none where all regions are solids")
+contrecoup_add_application_test(refuses_mesh_beyond_memory refusal
+  FILE ${_folder}/sod.prm SET "Mesh/Elements=100000, 100000, 100000"
+  MESSAGE "of memory, this machine has")

@@ -10,6 +10,7 @@ import time
 
 import full_disk
 from folder_cases import read_only
+from machine_cases import told_once
 
 
 def read_table(output):
@@ -217,11 +218,15 @@ def study_storage(case, check_bound, read_summary):
 
 
 def study_quota(case, check_bound, read_summary):
-    """Runs on 1 and on each of --ranks whose files may not grow as large as
+    """Where not even the entries of a run can be asked for, the study ends with 3.
+    Runs on 1 and on each of --ranks whose files may not grow as large as
     they must, while the small ones that the study itself writes may, then runs
     on the last of --ranks whose disk is full: this is no property of a variant,
     so the study ends with 3 and says why; runs that had ended are not
     repeated."""
+    _, _, err = case.run(case.folder("entries"), codes=(3,), preexec_fn=lambda:
+                         full_disk.limit_files(4 << 10, ignore=False))
+    told_once(err, "standard output")
     for ranks in (1, *case.options.ranks):
         folder = case.folder(f"run_on_{ranks}")
         # Of 100 leaves there are many steps to tell of.

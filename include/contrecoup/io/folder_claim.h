@@ -41,11 +41,13 @@ namespace io
      * finished here before, says so in the log and returns false.
      * @param can_go_on tells whether an earlier run left something from which
      *   --resume goes on; empty for an application that has no --resume
+     * @param more with which --resume has something to do here
      * @throws InputError when the command would take away what an earlier run
      *   left, and neither --resume nor --overwrite asks for that
      */
     bool admits(const CommandLine &command,
-                const std::function<bool()> &can_go_on) const;
+                const std::function<bool()> &can_go_on,
+                const std::string &more = "a later end") const;
 
     const Manifest &manifest() const
     {

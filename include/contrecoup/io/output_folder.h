@@ -45,11 +45,13 @@ namespace io
     /**
      * Finds the newest checkpoint and what it says of its run.
      * @param exempt entries that may differ, see require_same_scene()
+     * @param end_time of the run that goes on [s], not before the checkpoint
      * @return the folder with the solver's files
      * @throws InputError when there is none, all are damaged, or it belongs
      *   to another application or scene.
      */
-    std::string find_checkpoint(const std::vector<std::string> &exempt);
+    std::string find_checkpoint(const std::vector<std::string> &exempt,
+                                double end_time);
 
     /// Puts histories and collections back to where the checkpoint was
     /// written that find_checkpoint() found. Returns the state of the run.
