@@ -6,10 +6,14 @@ set(_sod FILE blast/verification/sod.prm SET "Output/Fields=true"
 set(_ball FILE blast/showcase/hot_ball.prm SET "Adaptation/Largest level=2"
   "Output/History every steps=1" "Time/Largest number of steps=12")
 set(_wave FILE biomechanics/verification/plane_wave.prm)
+set(_shock FILE head_impact/verification/sod.prm SET
+  "Output/Checkpoint at the end=true")
 set(_long ARGUMENTS --set "Time/End time=1e3" --set
   "Output/Checkpoint every steps=100")
 set(_long_ball ARGUMENTS --set "Time/Largest number of steps=100000" --set
   "Output/Checkpoint every steps=5" --set "Output/Fields=false")
+set(_long_shock ARGUMENTS --set "Time/End time=1e3" --set
+  "Output/Checkpoint every steps=20")
 
 # Twice to the end, once more with another value, in a folder of a user.
 contrecoup_add_application_test(folder_finished folder_finished ${_sod}
@@ -21,6 +25,8 @@ contrecoup_add_application_test(folder_finished folder_finished ${_wave}
 contrecoup_add_application_test(folder_finished folder_finished
   FILE anatomy/extremes/needle.prm SET "Output/Pictures=false"
   ARGUMENTS "Output/Gmsh=true" TIMEOUT 60)
+contrecoup_add_application_test(folder_finished folder_finished ${_shock}
+  ARGUMENTS "Time/End time=0.1" TIMEOUT 60)
 
 # Files of a user where results would be.
 contrecoup_add_application_test(folder_foreign folder_foreign ${_sod}
@@ -28,6 +34,8 @@ contrecoup_add_application_test(folder_foreign folder_foreign ${_sod}
   checkpoint/0001/run.json TIMEOUT 60)
 contrecoup_add_application_test(folder_foreign folder_foreign ${_wave}
   COMPARE history.csv fields/solid_0000.vtu injury.csv TIMEOUT 60)
+contrecoup_add_application_test(folder_foreign folder_foreign ${_shock}
+  COMPARE history.csv fields/ale_0000.vtu checkpoint/0001/run.json TIMEOUT 60)
 contrecoup_add_application_test(folder_foreign folder_foreign
   FILE anatomy/extremes/needle.prm COMPARE mesh.vtu quality.csv
   pictures/cuts.png TIMEOUT 60)
@@ -52,6 +60,13 @@ foreach(_ranks 1 2 3)
     ${_wave} MPI ${_ranks} CORES 1 ${_long} COMPARE history.csv TIMEOUT 120)
   contrecoup_add_application_test(folder_read_only_on_${_ranks} folder_read_only
     ${_wave} MPI ${_ranks} CORES 1 ${_long} TIMEOUT 120)
+  contrecoup_add_application_test(folder_lock_on_${_ranks} folder_lock ${_shock}
+    MPI ${_ranks} CORES 1 ${_long_shock} TIMEOUT 120)
+  contrecoup_add_application_test(folder_signals_on_${_ranks} folder_signals
+    ${_shock} MPI ${_ranks} CORES 1 ${_long_shock} COMPARE history.csv
+    TIMEOUT 120)
+  contrecoup_add_application_test(folder_read_only_on_${_ranks} folder_read_only
+    ${_shock} MPI ${_ranks} CORES 1 ${_long_shock} TIMEOUT 120)
 endforeach()
 contrecoup_add_application_test(folder_cache folder_cache ${_ball} TIMEOUT 60)
 contrecoup_add_application_test(folder_cache_on_3 folder_cache ${_wave} MPI 3
@@ -62,6 +77,19 @@ contrecoup_add_application_test(folder_ranks folder_ranks ${_ball} MPI 2 CORES 1
   STOP_AFTER 6 ARGUMENTS "Method/Precision=single" TIMEOUT 120)
 contrecoup_add_application_test(folder_ranks folder_ranks ${_wave} MPI 2 CORES 1
   STOP_AFTER 6 ARGUMENTS "Elements/Precision=single" TIMEOUT 120)
+# head_impact has one precision; another scheme is refused as well.
+contrecoup_add_application_test(folder_cache folder_cache ${_shock} TIMEOUT 60)
+contrecoup_add_application_test(folder_ranks_fail folder_ranks_fail ${_shock}
+  MPI 3 CORES 1 ${_long_shock} TIMEOUT 120)
+contrecoup_add_application_test(folder_ranks folder_ranks ${_shock} MPI 2 CORES 1
+  STOP_AFTER 6 ARGUMENTS "Scheme/Courant number=0.2" TIMEOUT 120)
+contrecoup_add_application_test(folder_runs
+  sigkill,disk,quota,other_build,parallel_disk,parallel_sigkill
+  FILE head_impact/verification/sod.prm SET "Rezone/Kind=elastic"
+  "Rezone/Interval=0.01" "Time/End time=10" "Time/Largest number of steps=60"
+  "Output/Checkpoint every steps=30" "Output/History every steps=1"
+  "Output/Fields=false" COMPARE history.csv probes.csv STOP_AFTER 20 RANKS 2 3
+  TOLERANCE "1e-6" "energy_residual*=1e-15 absolute" TIMEOUT 300)
 
 # Bodies: signals come while the cells of a fine grid are filled; a folder turns
 # read-only when it is taken and nothing is written; a disk is full.

@@ -61,8 +61,8 @@ def has_foreign(folder):
 
 
 def is_solver(case):
-    return os.path.basename(case.options.application) in ("blast",
-                                                          "biomechanics")
+    return os.path.basename(case.options.application) in (
+        "blast", "biomechanics", "head_impact")
 
 
 def has_steps(case):
@@ -91,7 +91,8 @@ def refused(case, output, message, extra=(), code=1, **keywords):
 def folder_finished(case, _check_bound, _read_summary):
     """Files of a user survive every command; a finished run stays as it is
     until --overwrite; what was changed is refused, and other entries are
-    named. The first --argument is an entry with another value."""
+    named. The first --argument is an entry with another value, an earlier end
+    where there are checkpoints, which --resume refuses."""
     output = case.folder("run")
     put(output, *FOREIGN)
     case.run(output)
@@ -100,10 +101,13 @@ def folder_finished(case, _check_bound, _read_summary):
     require(not os.path.exists(os.path.join(output, "lock")), "a lock is left")
     before = snapshot(output)
     _, out, _ = case.run(output)
-    require("--overwrite" in out and "finished" in out, f"it says: {out}")
+    require("--overwrite" in out and "finished" in out
+            and ("--resume" in out) == has_checkpoint(output), f"it says: {out}")
     require(snapshot(output) == before, "a finished folder was changed")
     other = ["--set", case.options.argument[0]]
     refused(case, output, case.options.argument[0].split("=")[0], other)
+    if has_checkpoint(output):
+        refused(case, output, "s already", other + ["--resume"])
     _, out, _ = case.run(output, other + ["--overwrite"])
     require("removing" in out, f"it does not say what it removes: {out}")
     has_foreign(output)
@@ -382,6 +386,7 @@ BRIEF = {
     "anatomy": ("anatomy/extremes/needle.prm", ["Output/Pictures=false"]),
     "blast": ("blast/verification/sod.prm", ["Output/Fields=false"]),
     "biomechanics": ("biomechanics/verification/plane_wave.prm", []),
+    "head_impact": ("head_impact/verification/sod.prm", []),
     "study": ("study/quickstart.prm",
               ["Study/Parameter file=@FILES@/blast/verification/sod.prm",
                "Vary scheme/Values=finite volume | |",

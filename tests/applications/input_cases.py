@@ -268,7 +268,8 @@ def main(programs, repository):
         end = run(os.path.join(programs, "scene"), [name])
         judge(name, end, judge_refusal(
             end, f'cannot read the parameter file "{name}": {reason}'))
-    for application in ("blast", "anatomy", "biomechanics", "scene", "study"):
+    for application in ("blast", "anatomy", "biomechanics", "head_impact",
+                        "scene", "study"):
         verdict = judge_full_output(os.path.join(programs, application))
         count += 1
         if verdict:

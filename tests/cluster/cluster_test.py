@@ -19,9 +19,11 @@ CLUSTER = os.path.join(ROOT, "applications", "cluster")
 # Where a job before leaves what can be gone on from.
 TRACES = {"blast": "checkpoint/0001/complete.json", "study": "study.json",
           "biomechanics": "checkpoint/0001/complete.json",
+          "head_impact": "checkpoint/0001/complete.json",
           "scene": "blast.stage.json"}
 # Where those that are queued again have their checkpoints.
-REQUEUED = {"blast": "", "biomechanics": "", "scene": "blast/"}
+REQUEUED = {"blast": "", "biomechanics": "", "head_impact": "",
+            "scene": "blast/"}
 
 # Exit codes of SIGINT, SIGUSR1 and SIGTERM.
 STOPPED = (130, 138, 143)
@@ -98,11 +100,19 @@ class ClusterTest(unittest.TestCase):
             self.assertIn("--resume", self.call(name))
 
     def test_starts_again_without_a_complete_checkpoint(self):
-        for name in ("blast", "biomechanics"):
+        for name in ("blast", "biomechanics", "head_impact"):
             self.leave(os.path.join(name, "checkpoint", "0001", "gas.bin"))
             self.assertNotIn("--resume", self.call(name))
         os.makedirs(os.path.join(self.root, "output", "study"))
         self.assertNotIn("--resume", self.call("study"))
+
+    def test_each_that_is_queued_again_is_tried(self):
+        texts = {name: open(os.path.join(CLUSTER, name + ".sbatch"),
+                            encoding="utf-8").read() for name in self.names()}
+        self.assertEqual(set(TRACES), {name for name, text in texts.items()
+                                       if "--resume" in text})
+        self.assertEqual(set(REQUEUED), {name for name, text in texts.items()
+                                         if "run_or_requeue" in text})
 
     def test_is_queued_again_after_a_new_checkpoint(self):
         for name, below in REQUEUED.items():
