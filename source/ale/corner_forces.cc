@@ -103,10 +103,10 @@ void CornerForces::store(const unsigned int batch,
   {
     Lane values[width];
     for (unsigned int d = 0; d < 3; ++d)
-    {
-      stored[3 * corner + d] = forces[corner][d];
       values[d] = -weight * forces[corner][d];
-    }
+    if (keeps_forces_)
+      for (unsigned int d = 0; d < 3; ++d)
+        stored[3 * corner + d] = forces[corner][d];
     values[3] = Lane(0.);
     // One lane after the other: lanes may share a node.
     dealii::vectorized_transpose_and_store(
@@ -122,7 +122,7 @@ void CornerForces::add_fluid(const CellBatches::Range &range,
                              dealii::AlignedVector<double> &force)
 {
   const FluidViscosity &viscosity = regions_[range.region].viscosity;
-  Lane rate(0.);
+  Lane rate(0.), least(std::numeric_limits<double>::max());
   for (unsigned int batch = range.begin; batch < range.end; ++batch)
   {
     const unsigned int *offsets = batches_.offsets(batch, 0);
@@ -139,8 +139,10 @@ void CornerForces::add_fluid(const CellBatches::Range &range,
                        element),
           force);
     rate = std::max(rate, element.signal_rate);
+    least = std::min(least, element.volume);
   }
   signal_rate_ = std::max(signal_rate_, largest_lane(rate));
+  least_volume_ = std::min(least_volume_, smallest_lane(least));
 }
 
 
@@ -151,7 +153,7 @@ void CornerForces::add_solid(const CellBatches::Range &range,
                              dealii::AlignedVector<double> &force)
 {
   const std::size_t n_cells = space_->n_cells();
-  Lane rate(0.);
+  Lane rate(0.), least(std::numeric_limits<double>::max());
   for (unsigned int batch = range.begin; batch < range.end; ++batch)
   {
     const unsigned int *offsets = batches_.offsets(batch, 0);
@@ -169,11 +171,13 @@ void CornerForces::add_solid(const CellBatches::Range &range,
             element),
           force);
     rate = std::max(rate, element.signal_rate);
+    least = std::min(least, element.dilatation);
     if constexpr (viscoelastic)
       for (unsigned int k = 0; k < 6; ++k)
         element.relaxed[k].scatter(cells, &state.relaxed[k * n_cells]);
   }
   signal_rate_ = std::max(signal_rate_, largest_lane(rate));
+  least_volume_ = std::min(least_volume_, 1. + smallest_lane(least));
 }
 
 
@@ -197,8 +201,10 @@ void CornerForces::compute(AleState &state,
                            dealii::AlignedVector<double> &force)
 {
   signal_rate_ = 0.;
+  least_volume_ = std::numeric_limits<double>::max();
   for (const CellBatches::Range &range : batches_.ranges())
   {
+    keeps_forces_ = step > 0. || uses_energy(range.region);
     const SolidKinematics kinematics = regions_[range.region].kinematics;
     std::visit(
       [&](const auto &law) {
@@ -218,22 +224,36 @@ void CornerForces::compute(AleState &state,
 }
 
 
+bool CornerForces::uses_energy(const unsigned int region) const
+{
+  const RegionLaw &law = regions_[region].law;
+  return !std::holds_alternative<Tait>(law) &&
+         !std::holds_alternative<SolidMaterial>(law);
+}
+
+
 void CornerForces::do_work(const dealii::AlignedVector<double> &before,
                            const dealii::AlignedVector<double> &velocity,
                            const double step,
-                           dealii::AlignedVector<double> &after) const
+                           dealii::AlignedVector<double> &after,
+                           const bool is_first_half) const
 {
-  for (unsigned int batch = 0; batch < batches_.n_batches(); ++batch)
+  for (const CellBatches::Range &range : batches_.ranges())
   {
-    const HexVectors<Lane> v = gather(velocity, batches_.offsets(batch, 0));
-    const Lane *forces = &forces_[24 * batch];
-    Lane power(0.);
-    for (unsigned int corner = 0; corner < 8; ++corner)
-      for (unsigned int d = 0; d < 3; ++d)
-        power += forces[3 * corner + d] * v[corner][d];
-    const unsigned int *cells = batches_.cells(batch);
-    const Lane energy = gather_cells(before.data(), cells) + step * power;
-    energy.scatter(cells, after.data());
+    if (is_first_half && !uses_energy(range.region))
+      continue;
+    for (unsigned int batch = range.begin; batch < range.end; ++batch)
+    {
+      const HexVectors<Lane> v = gather(velocity, batches_.offsets(batch, 0));
+      const Lane *forces = &forces_[24 * batch];
+      Lane power(0.);
+      for (unsigned int corner = 0; corner < 8; ++corner)
+        for (unsigned int d = 0; d < 3; ++d)
+          power += forces[3 * corner + d] * v[corner][d];
+      const unsigned int *cells = batches_.cells(batch);
+      const Lane energy = gather_cells(before.data(), cells) + step * power;
+      energy.scatter(cells, after.data());
+    }
   }
 }
 

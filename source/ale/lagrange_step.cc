@@ -93,10 +93,9 @@ void LagrangeStep::move(AleState &state,
 }
 
 
-bool LagrangeStep::is_physical(const AleState &state) const
+bool LagrangeStep::all(const bool good) const
 {
-  return dealii::Utilities::MPI::min(forces_.is_physical(state) ? 1 : 0,
-                                     space_->communicator()) == 1;
+  return dealii::Utilities::MPI::min(good ? 1 : 0, space_->communicator()) == 1;
 }
 
 
@@ -137,21 +136,22 @@ bool LagrangeStep::try_step(AleState &state,
   walls_.apply(state.velocity, begin + 0.5 * step);
   planes_.apply(state.velocity, start.position);
   move(state, start, state.velocity, 0.5 * step);
-  forces_.do_work(start.energy, state.velocity, 0.5 * step, state.energy);
-  if (!is_physical(state))
-    return false;
+  forces_.do_work(start.energy, state.velocity, 0.5 * step, state.energy, true);
 
   state.time = begin + 0.5 * step;
   add_forces(state, step);
+  if (!all(forces_.has_volumes()))
+    return false;
   accelerate(state, start, step);
   walls_.apply(state.velocity, begin + step);
   planes_.apply(state.velocity, start.position);
-  dealii::AlignedVector<double> mean = state.velocity;
-  for (std::size_t i = 0; i < mean.size(); ++i)
-    mean[i] = 0.5 * (mean[i] + start.velocity[i]);
+  mean_.resize_fast(state.velocity.size());
+  for (std::size_t i = 0; i < mean_.size(); ++i)
+    mean_[i] = 0.5 * (state.velocity[i] + start.velocity[i]);
+  const auto &mean = mean_;
   move(state, start, mean, step);
-  forces_.do_work(start.energy, mean, step, state.energy);
-  if (!is_physical(state))
+  forces_.do_work(start.energy, mean, step, state.energy, false);
+  if (!all(forces_.is_physical(state)))
     return false;
   book_work(state, start, mean, step);
   if (!planes_.empty())
@@ -166,8 +166,8 @@ double LagrangeStep::advance(AleState &state,
                              const double courant,
                              const unsigned int largest_retries)
 {
-  const Start start{
-    state.position, state.velocity, state.energy, state.relaxed};
+  Start &start = start_;
+  start.take(state);
   const double begin = state.time;
   double step = largest_step;
   for (unsigned int retry = 0; retry <= largest_retries; ++retry)

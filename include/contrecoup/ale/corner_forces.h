@@ -34,14 +34,20 @@ public:
 
   /**
    * Finds the forces.
-   * @param step that these are the middle of, over which solids relax; 0: of
-   *   none [s]
+   * @param step that these are the middle of, over which solids relax; 0: at
+   *   the start of one [s]
    * @param force on the nodes, AleState::width numbers each, to which the
    *   forces of own cells are added [N]
    */
   void compute(AleState &state,
                const double step,
                dealii::AlignedVector<double> &force);
+
+  /// Whether all own cells had a volume above 0 when forces were found.
+  bool has_volumes() const
+  {
+    return least_volume_ > 0.;
+  }
 
   /// Inverse of the step that the cells of this rank allow [1/s].
   double signal_rate() const
@@ -50,7 +56,8 @@ public:
   }
 
   /**
-   * Adds the work of the forces to energies.
+   * Adds the work of the forces to energies. In the first half of a step this
+   * is done, and forces are kept for it, only where forces depend on energies.
    * @param before energies [J]
    * @param velocity of the nodes [m/s]
    * @param step [s]
@@ -59,7 +66,8 @@ public:
   void do_work(const dealii::AlignedVector<double> &before,
                const dealii::AlignedVector<double> &velocity,
                const double step,
-               dealii::AlignedVector<double> &after) const;
+               dealii::AlignedVector<double> &after,
+               const bool is_first_half) const;
 
   /// Whether all own cells have a volume above 0 and a finite energy.
   bool is_physical(const AleState &state) const;
@@ -89,6 +97,8 @@ private:
   void store(const unsigned int batch,
              const HexVectors<Lane> &forces,
              dealii::AlignedVector<double> &force);
+  /// Whether forces of a region depend on its energies.
+  bool uses_energy(const unsigned int region) const;
   CellValues solid_values(const AleState &state, const std::size_t cell) const;
 
   const HexSpace *space_ = nullptr;
@@ -96,6 +106,9 @@ private:
   CellBatches batches_;
   dealii::AlignedVector<double> undeformed_; ///< positions of the nodes [m]
   dealii::AlignedVector<Lane> forces_;       ///< 24 of each batch [N]
-  double signal_rate_ = 0.;                  ///< largest of this rank [1/s]
+  bool keeps_forces_ = true;
+  double signal_rate_ = 0.; ///< largest of this rank [1/s]
+  /// Of this rank: of fluids [m^3], of solids over that undeformed [-].
+  double least_volume_ = 0.;
 };
 } // namespace contrecoup::ale

@@ -95,6 +95,13 @@ private:
   {
     dealii::AlignedVector<double> position, velocity, energy, relaxed;
 
+    void take(const AleState &state)
+    {
+      position = state.position;
+      velocity = state.velocity;
+      energy = state.energy;
+      relaxed = state.relaxed;
+    }
     void give_back(AleState &state) const
     {
       state.position = position;
@@ -112,7 +119,8 @@ private:
             const dealii::AlignedVector<double> &velocity,
             const double step) const;
   bool try_step(AleState &state, const Start &start, const double step);
-  bool is_physical(const AleState &state) const;
+  /// Whether all ranks have it good.
+  bool all(const bool good) const;
   void book_work(const AleState &state,
                  const Start &start,
                  const dealii::AlignedVector<double> &mean,
@@ -127,6 +135,8 @@ private:
   CornerForces forces_;
   FieldExchange node_exchange_;
 
+  Start start_;                         ///< of the present step
+  dealii::AlignedVector<double> mean_;  ///< velocity of the present step [m/s]
   dealii::AlignedVector<double> force_; ///< on nodes, four each [N]
   double work_ = 0.;                    ///< of this rank [J]
   ContactMeasures contact_;             ///< of this rank
