@@ -32,6 +32,7 @@ void AleSimulation::declare_parameters(ParameterHandler &prm)
   MeshDescription::declare_parameters(prm);
   RegionDescriptions::declare_parameters(prm);
   Rezone::declare_parameters(prm);
+  HeatSource::declare_parameters(prm);
   ContactPlanes::declare_parameters(prm);
   Reference::declare_parameters(prm);
   {
@@ -81,6 +82,7 @@ void AleSimulation::parse_parameters(ParameterHandler &prm)
   mesh_description_.parse_parameters(prm);
   regions_.parse_parameters(prm);
   rezone_.parse_parameters(prm);
+  heat_source_.parse_parameters(prm);
   planes_.parse_parameters(prm);
   reference_.parse_parameters(prm);
   {
@@ -124,6 +126,7 @@ CostEstimate AleSimulation::estimate()
   regions_.set_regions(mesh, mesh_description_.layers());
   cost.steps = std::ceil(end_time_ * regions_.largest_speed(mesh) /
                          (courant_ * mesh_description_.cell_size()));
+  rezone_.check_interval(end_time_ / cost.steps);
   cost.seconds = cost.steps * cost.cells / typical_speed /
                  dealii::Utilities::MPI::n_mpi_processes(communicator_);
   return cost;
@@ -231,14 +234,26 @@ void AleSimulation::find_probe_cells()
 }
 
 
+void AleSimulation::heat(const double begin, const double duration)
+{
+  lagrange_.add_external_work(
+    heat_source_.add(space_, state_, begin, duration));
+}
+
+
 StepReport AleSimulation::advance(const double largest_step)
 {
   StepReport report;
   double largest = largest_step;
   if (last_step_ > 0.)
     largest = std::min(largest, growth_ * last_step_);
+  // About half of the heat before the step, the rest after it: of second order.
+  const double begin = state_.time;
+  const double first = 0.5 * std::min(largest, last_step_);
+  heat(begin, first);
   const auto made =
     lagrange_.advance(state_, largest, courant_, largest_retries_);
+  heat(begin + first, made - first);
   // A step that was cut to end at a time of output says nothing of the next.
   if (made < largest_step || last_step_ == 0. || made > last_step_)
     last_step_ = made;

@@ -83,6 +83,16 @@ void Rezone::parse_parameters(ParameterHandler &prm)
 }
 
 
+void Rezone::check_interval(const double step) const
+{
+  // Steps become shorter where cells are compressed.
+  if (kind_ != RezoneKind::none && interval_ > 0. && interval_ < 0.1 * step)
+    throw InputError("Rezone/Interval = " + brief(interval_) +
+                     " s is far below the step, about " + brief(step) +
+                     " s; 0 rezones after each step");
+}
+
+
 void Rezone::reinit(
   HexSpace &space,
   const AleState &state,

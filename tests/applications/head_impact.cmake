@@ -83,6 +83,26 @@ contrecoup_add_application_test(saltzmann_euler bounds
   "errors.density_L1 < 0.281" "errors.velocity_L1 < 0.0947" "errors.pressure_L1 < 0.0406"
   LABELS verification)
 
+# A smooth flow: of second order.
+contrecoup_add_application_test(taylor_green_lagrange bounds,convergence
+  FILE ${_folder}/taylor_green.prm SET "Output/Fields=false" BOUNDS ${_ledger}
+  "errors.density_L1 < 1.31e-3" "errors.velocity_L1 < 4.28e-3" "errors.pressure_L1 < 3.73e-3"
+  VARY "Mesh/Elements=16, 16, 1|32, 32, 1" ERROR errors.velocity_L1 ORDER 1.9
+  LABELS verification)
+contrecoup_add_application_test(taylor_green_elastic bounds,resume,convergence
+  FILE ${_folder}/taylor_green.prm SET "Output/Fields=false" "Rezone/Kind=elastic"
+  "Rezone/Interval=0.05" "Mesh/Elements=16, 16, 1" BOUNDS ${_ledger}
+  "errors.density_L1 < 8.31e-3" "errors.velocity_L1 < 0.0126" "errors.pressure_L1 < 8.23e-3"
+  COMPARE history.csv STOP_AFTER 20
+  VARY "Mesh/Elements=8, 8, 1|16, 16, 1" ERROR errors.velocity_L1 ORDER 1.8
+  LABELS verification)
+contrecoup_add_application_test(taylor_green_euler bounds,convergence
+  FILE ${_folder}/taylor_green.prm SET "Output/Fields=false" "Rezone/Kind=back"
+  "Mesh/Elements=16, 16, 1" BOUNDS ${_ledger}
+  "errors.density_L1 < 0.0107" "errors.velocity_L1 < 0.0158" "errors.pressure_L1 < 9.12e-3"
+  VARY "Mesh/Elements=8, 8, 1|16, 16, 1" ERROR errors.velocity_L1 ORDER 1.8
+  LABELS verification)
+
 # Within 0.1 % of the isentropic pressure of the water that a wall has stopped.
 contrecoup_add_application_test(water_hammer bounds
   FILE ${_folder}/water_hammer.prm SET "Output/Fields=false" BOUNDS ${_ledger}
@@ -188,3 +208,6 @@ contrecoup_add_application_test(refuses_to_smooth_solids refusal
 contrecoup_add_application_test(refuses_mesh_beyond_memory refusal
   FILE ${_folder}/sod.prm SET "Mesh/Elements=100000, 100000, 100000"
   MESSAGE "of memory, this machine has")
+contrecoup_add_application_test(refuses_interval_below_step refusal
+  FILE ${_folder}/sod.prm SET "Rezone/Interval=1e-9"
+  MESSAGE "is far below the step, about")

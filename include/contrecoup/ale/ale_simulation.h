@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/ale/contact_record.h>
+#include <contrecoup/ale/heat_source.h>
 #include <contrecoup/ale/impact_plan.h>
 #include <contrecoup/ale/lagrange_step.h>
 #include <contrecoup/ale/mesh_description.h>
@@ -70,6 +71,7 @@ private:
                             const double distance,
                             const std::uint32_t cell) const;
   Ledger ledger() const;
+  void heat(const double begin, const double duration);
   ImpactPlan impact_plan() const;
   void restore_peaks(std::istream &in, const std::size_t n_peaks);
   /// @param cells those of this rank by their number in the mesh
@@ -82,6 +84,7 @@ private:
   MeshDescription mesh_description_;
   RegionDescriptions regions_;
   Rezone rezone_;
+  HeatSource heat_source_;
   ContactPlanes planes_;
   ContactRecord contact_;
   Reference reference_;

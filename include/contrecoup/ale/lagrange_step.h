@@ -68,6 +68,12 @@ public:
   /// Sets what they had done before a restart [J]. Collective.
   void set_external_work(const double work);
 
+  /// Adds what this rank's matter got otherwise [J].
+  void add_external_work(const double work)
+  {
+    work_ += work;
+  }
+
   /// What planes did: force and area in the last step, work of all steps, all
   /// ranks. Collective.
   ContactMeasures contact() const;

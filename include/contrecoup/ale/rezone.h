@@ -31,6 +31,10 @@ public:
   static void declare_parameters(dealii::ParameterHandler &prm);
   void parse_parameters(dealii::ParameterHandler &prm);
 
+  /// @param step about that of the run [s]
+  /// @throws InputError for an interval that is far below it
+  void check_interval(const double step) const;
+
   /// @param walls sides along which matter slides, by boundary id
   /// @param regions by material id; solids are not rezoned
   /// @throws InputError for kind `back` with several regions, and for solids
