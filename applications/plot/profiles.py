@@ -2,35 +2,17 @@
 # Copyright (C) 2026 by the Contrecoup authors
 """Profiles of one-dimensional runs, from their VTU files."""
 
-import base64
 import os
 import xml.etree.ElementTree as xml
-import zlib
 
 import matplotlib.pyplot as plt
 import numpy as np
 
 import look
+import vtk_file
 
 QUANTITIES = ("density", "velocity", "pressure", "products")
 MOST_TIMES = 6
-_TYPES = {"Float32": np.float32, "Float64": np.float64}
-
-
-def _decode(element):
-    """The numbers of a compressed VTU array: a header of four-byte counts
-    (blocks, sizes), then the blocks, each half coded by itself."""
-    text = element.text.strip()
-    blocks = np.frombuffer(base64.b64decode(text[:8])[:4], np.uint32)[0]
-    header = 4 * -(-4 * (3 + int(blocks)) // 3)
-    sizes = np.frombuffer(base64.b64decode(text[:header]), np.uint32)
-    data = base64.b64decode(text[header:])
-    content, begin = b"", 0
-    for size in sizes[3:3 + blocks]:
-        content += zlib.decompress(data[begin:begin + size])
-        begin += size
-    numbers = np.frombuffer(content, _TYPES[element.get("type")])
-    return numbers.reshape(-1, int(element.get("NumberOfComponents", 1)))
 
 
 class Profile:
@@ -38,7 +20,7 @@ class Profile:
 
     def __init__(self, path, time):
         piece = xml.parse(path).find("UnstructuredGrid/Piece")
-        points = _decode(piece.find("Points/DataArray"))
+        points = vtk_file.decode(piece.find("Points/DataArray"))
         self.is_line = not np.any(points[:, 1:])
         order = np.argsort(points[:, 0], kind="stable")
         self.time = time
@@ -47,7 +29,7 @@ class Profile:
         for array in piece.findall("PointData/DataArray"):
             name = array.get("Name")
             if name in QUANTITIES:
-                self.values[name] = _decode(array)[order, 0]
+                self.values[name] = vtk_file.decode(array)[order, 0]
                 self.units[name] = array.get("units", "-")
 
 

@@ -89,12 +89,7 @@ def main(arguments):
     except report_data.BrokenInput as problem:
         print(f"report.py: {problem}", file=sys.stderr)
         return 1
-    path = os.path.join(folder, "report.html")
-    # The old report stays until the new one is whole.
-    with open(path + ".new", "w", encoding="utf-8") as file:
-        file.write(text)
-    os.replace(path + ".new", path)
-    print(path)
+    print(report_data.write_page(folder, text))
     return 0
 
 

@@ -83,18 +83,23 @@ def plan(scene):
               row.get("estimate", ""), page.tag("code", row.get("entry", "")))
              for row in scene.list_of("plan")]))
     told = {row.get("item") for row in audited}
-    blast = [(name, entry) for name, entry in
-             (scene.blast.summary.get("assumptions") or {}).items()
-             if isinstance(entry, dict) and name not in told]
-    if blast:
-        parts.append(page.tag("h3", "What the blast took for granted"))
-        parts.append(page.table(
-            ("item", "decision", "what was estimated and measured",
-             "estimate", "measured", "limit", "holds", "decided otherwise by"),
-            [_audit_row(name, entry) for name, entry in blast],
-            numbers=(3, 4)))
+    known = audit_table(scene.blast, told)
+    if known:
+        parts += [page.tag("h3", "What the blast took for granted"), known]
     return parts or [page.missing("plan and audit in scene.json and the "
                                   "blast's summary.json")]
+
+
+def audit_table(stage, told=()):
+    """What a stage took for granted and whether it held, besides what is told
+    already; None without any."""
+    rows = [_audit_row(name, entry) for name, entry in
+            (stage.summary.get("assumptions") or {}).items()
+            if isinstance(entry, dict) and name not in told]
+    return page.table(
+        ("item", "decision", "what was estimated and measured",
+         "estimate", "measured", "limit", "holds", "decided otherwise by"),
+        rows, numbers=(3, 4)) if rows else None
 
 
 def _planned(row):
@@ -279,18 +284,24 @@ def cost(scene):
         told = listed.pop(name, {})
         if not told and not stage.exists:
             continue
-        rows.append(_cost_row(name, told, stage))
-    rows += [_cost_row(str(name), told, None)
+        rows.append(cost_row(name, told, stage))
+    rows += [cost_row(str(name), told, None)
              for name, told in listed.items()]
     if not rows:
         return [page.missing("stages in scene.json")]
-    return [page.table(
+    return [cost_table(rows)]
+
+
+def cost_table(rows):
+    """Of cost_row()s."""
+    return page.table(
         ("stage", "status", "wall time", "core time", "memory", "disk",
          "size"), rows, "Wall time depends on what else the machine does, "
-        "core time less.", numbers=(2, 3, 4, 5))]
+        "core time less.", numbers=(2, 3, 4, 5))
 
 
-def _cost_row(name, told, stage):
+def cost_row(name, told, stage):
+    """What a stage took."""
     summary = stage.summary if stage else {}
     performance = summary.get("performance") or {}
 

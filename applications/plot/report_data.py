@@ -277,16 +277,29 @@ class Scene:
 
     def measures(self):
         """Measures of injury by name."""
-        path = self.biomechanics.path("injury.csv")
-        measures = {}
-        if os.path.exists(path):
-            with reading(path), open(path, newline="",
-                                     encoding="utf-8") as file:
-                for row in rows_of(file):
-                    measures[row["measure"]] = Measure(
-                        row["measure"], float(row["value"]), row["unit"],
-                        row["threshold"], row["limits"])
-        return measures
+        return read_measures(self.biomechanics.path("injury.csv"))
+
+
+def read_measures(path):
+    """Measures of an injury.csv by name; none without the file."""
+    measures = {}
+    if os.path.exists(path):
+        with reading(path), open(path, newline="", encoding="utf-8") as file:
+            for row in rows_of(file):
+                measures[row["measure"]] = Measure(
+                    row["measure"], float(row["value"]), row["unit"],
+                    row["threshold"], row["limits"])
+    return measures
+
+
+def write_page(folder, text):
+    """Writes report.html; the old one stays until the new one is whole.
+    Returns its path."""
+    path = os.path.join(folder, "report.html")
+    with open(path + ".new", "w", encoding="utf-8") as file:
+        file.write(text)
+    os.replace(path + ".new", path)
+    return path
 
 
 def points_of(text):

@@ -115,12 +115,7 @@ def table(scene, judged):
         left = [entry for entry in left if entry not in group]
         if group:
             parts.append(page.tag("h3", title))
-            parts.append(page.table(
-                ("measure", "value and its estimated error",
-                 "thresholds and their source", "verdict",
-                 "what the measure does not say"),
-                [_row(entry) for entry in group],
-                widths=(20, 14, 29, 15, 22)))
+            parts.append(table_of(group))
     parts.append(_disagreement(scene, judged))
     parts.append(page.paragraph(
         "Errors are parts of the value (a probability ends at 1 all the same) "
@@ -130,6 +125,15 @@ def table(scene, judged):
         "are given as they are commonly cited; tissue properties and "
         "thresholds are less certain than the numerics.", kind="note"))
     return [part for part in parts if part]
+
+
+def table_of(group):
+    """A table of some judged measures."""
+    return page.table(
+        ("measure", "value and its estimated error",
+         "thresholds and their source", "verdict",
+         "what the measure does not say"),
+        [_row(entry) for entry in group], widths=(20, 14, 29, 15, 22))
 
 
 def _row(entry):

@@ -50,23 +50,33 @@ def section(scene):
         statements += _body(scene, probes) + _brain(scene, probes)
     if not statements:
         return [page.missing("histories of blast and biomechanics")]
-    kinds = {AGREES: "good", PARTLY: "mid", DIFFERS: "bad", OPEN: "note"}
-    count = {verdict: sum(entry.verdict == verdict for entry in statements)
-             for verdict in kinds}
     return [
         page.paragraph(
-            f"This is the scene of {SOURCE}. Of {len(statements)} statements "
-            f"of its sections 3.2 and 3.3, {count[AGREES]} agree with this "
-            f"run, {count[PARTLY]} in part, {count[DIFFERS]} do not, and "
-            f"{count[OPEN]} cannot be told from it. What was found is "
-            "computed from this run's tables."),
-        page.table(
-            ("as published", "as found here", "verdict",
-             "likely reason of the difference"),
-            [(f"“{entry.quote}”", entry.found,
-              page.tag("span", entry.verdict, kind=kinds[entry.verdict]),
-              entry.reason or "–") for entry in statements],
-            widths=(27, 32, 9, 32))]
+            f"This is the scene of {SOURCE}. "
+            f"{counted(statements, 'sections 3.2 and 3.3')}"),
+        table(statements)]
+
+
+def counted(statements, where):
+    """How many statements agree, in a sentence."""
+    count = {verdict: sum(entry.verdict == verdict for entry in statements)
+             for verdict in (AGREES, PARTLY, DIFFERS, OPEN)}
+    return (f"Of {len(statements)} statements of its {where}, "
+            f"{count[AGREES]} agree with this run, {count[PARTLY]} in part, "
+            f"{count[DIFFERS]} do not, and {count[OPEN]} cannot be told from "
+            "it. What was found is computed from this run's tables.")
+
+
+def table(statements):
+    """Each statement beside what was found."""
+    kinds = {AGREES: "good", PARTLY: "mid", DIFFERS: "bad", OPEN: "note"}
+    return page.table(
+        ("as published", "as found here", "verdict",
+         "likely reason of the difference"),
+        [(f"“{entry.quote}”", entry.found,
+          page.tag("span", entry.verdict, kind=kinds[entry.verdict]),
+          entry.reason or "–") for entry in statements],
+        widths=(27, 32, 9, 32))
 
 
 def _steps(scene):

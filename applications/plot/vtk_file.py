@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""Reads the VTK XML files that anatomy writes."""
+"""Reads the VTK XML files that solvers write."""
 
+import base64
 import re
+import xml.etree.ElementTree as xml
 import zlib
 
 import numpy as np
@@ -51,3 +53,37 @@ def _arrays(content):
             values = values.reshape(-1, int(components))
         arrays[name] = values
     return arrays
+
+
+def decode(element):
+    """The numbers of an array that deal.II wrote into its element: a header of
+    four-byte counts (blocks, sizes), then the blocks, each half coded by
+    itself."""
+    text = element.text.strip()
+    blocks = np.frombuffer(base64.b64decode(text[:8])[:4], np.uint32)[0]
+    header = 4 * -(-4 * (3 + int(blocks)) // 3)
+    sizes = np.frombuffer(base64.b64decode(text[:header]), np.uint32)
+    data = base64.b64decode(text[header:])
+    content, begin = b"", 0
+    for size in sizes[3:3 + blocks]:
+        content += zlib.decompress(data[begin:begin + size])
+        begin += size
+    numbers = np.frombuffer(content, _TYPES[element.get("type")])
+    return numbers.reshape(-1, int(element.get("NumberOfComponents", 1)))
+
+
+def read_cells(path):
+    """Of a file by deal.II whose cells have eight points each, which follow
+    each other: "points" and fields by name, as cells x 8 x components. A
+    ValueError names a file that is no such one."""
+    try:
+        piece = xml.parse(path).find("UnstructuredGrid/Piece")
+        found = {"points": decode(piece.find("Points/DataArray"))}
+        for array in piece.findall("PointData/DataArray"):
+            found[array.get("Name")] = decode(array)
+        return {name: values.reshape(-1, 8, values.shape[1])
+                for name, values in found.items()}
+    except (ValueError, IndexError, KeyError, AttributeError, TypeError,
+            xml.ParseError, zlib.error) as problem:
+        raise ValueError(f"{path}: no file of cells with eight points, or cut "
+                         "off") from problem

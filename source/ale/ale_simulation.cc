@@ -9,6 +9,7 @@
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/base/text.h>
 #include <contrecoup/base/timers.h>
+#include <contrecoup/io/checked_file.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -35,6 +36,7 @@ void AleSimulation::declare_parameters(ParameterHandler &prm)
   HeatSource::declare_parameters(prm);
   ContactPlanes::declare_parameters(prm);
   Reference::declare_parameters(prm);
+  HeadMeasures::declare_parameters(prm);
   {
     const Section section(prm, "Body force");
     for (const char *const name : {"x", "y", "z"})
@@ -68,6 +70,14 @@ void AleSimulation::declare_parameters(ParameterHandler &prm)
                     "Times that a step is halved where a cell would be "
                     "inverted, 0 to 50.");
   }
+  {
+    const Section section(prm, "Output");
+    declare_bool(prm,
+                 "Pictures",
+                 "false",
+                 "Whether a finished run draws its history and probes into the "
+                 "folder pictures, and of a layered head a report.");
+  }
   const Section section(prm, "Probes");
   declare_points(prm,
                  "Points",
@@ -85,6 +95,7 @@ void AleSimulation::parse_parameters(ParameterHandler &prm)
   heat_source_.parse_parameters(prm);
   planes_.parse_parameters(prm);
   reference_.parse_parameters(prm);
+  head_.parse_parameters(prm);
   {
     const Section section(prm, "Body force");
     for (unsigned int d = 0; d < 3; ++d)
@@ -158,6 +169,7 @@ void AleSimulation::build()
   regions_.fill(space_, state_);
   least_pressures_.assign(regions_.regions().size(), 0.);
   rezone_.reinit(space_, state_, regions_.regions(), mesh_description_.walls());
+  head_.reinit(space_, lagrange_, state_, regions_.regions());
   find_probe_cells();
 }
 
@@ -166,6 +178,7 @@ void AleSimulation::setup()
 {
   build();
   lagrange_.start(state_);
+  head_.follow(space_, lagrange_, state_);
   const AleTotals totals = lagrange_.totals(state_);
   initial_energy_ = totals.internal_energy + totals.kinetic_energy;
   initial_kinetic_energy_ = totals.kinetic_energy;
@@ -260,6 +273,7 @@ StepReport AleSimulation::advance(const double largest_step)
   reference_.follow(space_, lagrange_, state_, probe_cells_);
   if (!planes_.empty())
     contact_.add(lagrange_.contact(), state_.time, made);
+  head_.follow(space_, lagrange_, state_);
   report.step_size = made;
   report.updates = static_cast<double>(n_cells_);
   return report;
@@ -368,6 +382,8 @@ std::vector<NamedValue> AleSimulation::assumptions()
   if (!planes_.empty())
     for (NamedValue &value : contact_.values())
       values.push_back(std::move(value));
+  for (const solid::InjuryMeasure &measure : head_.measures(communicator_))
+    values.push_back(measure.value);
   return values;
 }
 
@@ -400,6 +416,17 @@ std::vector<Assumption> AleSimulation::audit()
   return impact_plan().audit({least_pressures_,
                               lagrange_.contact().friction_work,
                               initial_kinetic_energy_});
+}
+
+
+void AleSimulation::finish(const std::string &folder)
+{
+  if (!head_.active())
+    return;
+  const auto measures = head_.measures(communicator_);
+  if (dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
+    io::write_file(folder + "/injury.csv",
+                   [&](std::ostream &out) { out << solid::to_csv(measures); });
 }
 
 

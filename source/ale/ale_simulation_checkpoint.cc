@@ -125,6 +125,7 @@ void AleSimulation::save(const std::string &folder)
       put(out, record);
     }
   });
+  head_.save(folder, communicator_);
 }
 
 
@@ -222,5 +223,6 @@ void AleSimulation::restore(const std::string &folder)
   last_step_ = numbers.last_step;
   memory.first_iterations = static_cast<unsigned int>(numbers.first_iterations);
   rezone_.resume(state_, static_cast<unsigned int>(numbers.n_rezones), memory);
+  head_.restore(folder, communicator_);
 }
 } // namespace contrecoup::ale

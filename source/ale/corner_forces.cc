@@ -298,6 +298,7 @@ CellValues CornerForces::solid_values(const AleState &state,
     (region.kinematics == SolidKinematics::small_strain ? dealii::trace(green)
                                                         : strain.dilatation);
   values.shear_strain = principal[0] - principal[2];
+  values.principal_strain = principal[0];
   return values;
 }
 

@@ -47,8 +47,19 @@ namespace
 
   io::FileNames files(const ParameterHandler &)
   {
-    return io::field_files("ale") +
-           io::picture_files({"history.png", "probes.png"});
+    return io::FileNames{{"injury.csv"}, {"report.html"}} +
+           io::field_files("ale") +
+           io::picture_files({"history.png",
+                              "probes.png",
+                              "head_pressure.png",
+                              "head_shear_strain.png",
+                              "head_speed.png",
+                              "contact.png",
+                              "momentum.png",
+                              "pressures.png",
+                              "shear_strain.png",
+                              "head_probes.png",
+                              "energy.png"});
   }
 } // namespace
 
@@ -62,7 +73,7 @@ io::ApplicationDescription head_impact_application()
           create,
           {"Scheme/Largest number of retries"},
           coarsen,
-          {},
+          "plot_head.py",
           files};
 }
 } // namespace contrecoup::ale

@@ -26,9 +26,6 @@ namespace
 
   constexpr std::uint32_t none = -1;
 
-  /// Pressure below which fluid may cavitate [Pa].
-  constexpr double cavitation = -100e3;
-
   template <typename Value>
   void put(std::ostream &out, const std::vector<Value> &values)
   {
@@ -107,7 +104,7 @@ void InjuryReport<Real>::reinit(const SolidBody<Real> &body)
   for (const std::uint32_t cell : average_.cells())
   {
     piece_of_cell_[cell] = static_cast<std::uint32_t>(pieces_.size());
-    Piece piece;
+    BrainPiece piece;
     piece.cell = mesh.global_cell[cell];
     piece.volume = average_.volumes()[pieces_.size()];
     pieces_.push_back(piece);
@@ -150,15 +147,14 @@ void InjuryReport<Real>::follow_brain(const SolidBody<Real> &body,
   const std::vector<double> averages = average_.average(pressures);
   for (std::size_t i = 0; i < pieces_.size(); ++i)
   {
-    Piece &piece = pieces_[i];
+    BrainPiece &piece = pieces_[i];
     const double weight = span * piece.volume;
     const double pressure = averaged_ ? averages[i] : pressures[i];
-    piece.peak_pressure = std::max(piece.peak_pressure, pressure);
-    piece.lowest_pressure = std::min(piece.lowest_pressure, pressure);
-    cavitation_dose_ += pressure < cavitation ? weight : 0.;
+    piece.take_pressure(pressure);
+    sums_.cavitation_dose += pressure < cavitation_pressure ? weight : 0.;
     const double rest = pressures[i] - averages[i];
-    rough_ += weight * rest * rest;
-    smooth_ += weight * averages[i] * averages[i];
+    sums_.rough += weight * rest * rest;
+    sums_.smooth += weight * averages[i] * averages[i];
   }
 }
 
@@ -240,60 +236,9 @@ template <typename Real>
 void InjuryReport<Real>::add_brain(const SolidBody<Real> &body,
                                    std::vector<InjuryMeasure> &list) const
 {
-  namespace mpi = dealii::Utilities::MPI;
-  const MPI_Comm communicator = body.communicator();
-  std::vector<double> strains, volumes;
-  double peak = 0., lowest = 0.;
-  // Volumes, of all and with more than 15 and 25 % strain, and that cavitated.
-  std::vector<double> sums{0., 0., 0., 0., cavitation_dose_, rough_, smooth_};
-  for (const Piece &piece : pieces_)
-  {
-    strains.push_back(piece.peak_strain);
-    volumes.push_back(piece.volume);
-    sums[0] += piece.volume;
-    sums[1] += piece.peak_strain > 0.15 ? piece.volume : 0.;
-    sums[2] += piece.peak_strain > 0.25 ? piece.volume : 0.;
-    sums[3] += piece.lowest_pressure < cavitation ? piece.volume : 0.;
-    peak = std::max(peak, piece.peak_pressure);
-    lowest = std::min(lowest, piece.lowest_pressure);
-  }
-  mpi::sum(sums, communicator, sums);
-  const double volume = sums[0];
-  if (!(volume > 0.))
-    return;
-  peak = mpi::max(peak, communicator);
-  lowest = mpi::min(lowest, communicator);
-  const std::string model =
-    "thresholds were found with other models of the head";
-  list.push_back({{"injury_intracranial_pressure_peak", "Pa", peak},
-                  "173 kPa minor, 235 kPa serious (Ward et al. 1980, recalled)",
-                  "of impacts; blasts that are survived exceed it"});
-  list.push_back({{"injury_intracranial_pressure_lowest", "Pa", lowest},
-                  "-100 kPa: cavitation",
-                  "elements do not cavitate: tension goes on"});
-  list.push_back({{"injury_cavitating_fraction", "-", sums[3] / volume},
-                  "0.072 (DDM, recalled)",
-                  "part of the brain that was ever below -100 kPa"});
-  list.push_back({{"injury_cavitation_dose", "s", sums[4] / volume},
-                  "none published",
-                  "mean time below -100 kPa"});
-  if (sums[6] > 0.)
-    list.push_back(
-      {{"injury_pressure_roughness", "-", std::sqrt(sums[5] / sums[6])},
-       "well below 1",
-       "pressures of elements less their averages, over the "
-       "averages: what alternates and is no pressure"});
-  list.push_back({{"injury_strain_95",
-                   "-",
-                   percentile(strains, volumes, 0.95, communicator)},
-                  "0.19: half of mild injuries (Zhang et al. 2004, recalled)",
-                  model});
-  list.push_back({{"injury_csdm_15", "-", sums[1] / volume},
-                  "0.55 (SIMon 2003, recalled)",
-                  model});
-  list.push_back({{"injury_csdm_25", "-", sums[2] / volume},
-                  "0.54 (SIMon 2008, recalled)",
-                  model});
+  for (const InjuryMeasure &measure :
+       brain_measures(pieces_, sums_, body.communicator()))
+    list.push_back(measure);
 }
 
 
@@ -303,25 +248,13 @@ void InjuryReport<Real>::add_head(std::vector<InjuryMeasure> &list) const
   if (times_.size() < 2)
     return;
   list.push_back(
-    {{"injury_hic15", "-", head_injury_criterion(times_, speeds_, 0.015).value},
-     "700 (road traffic), 250 (NATO AEP-55)",
-     "of the mean motion of the brain; made for impacts, not blasts"});
+    head_motion_measure(times_,
+                        speeds_,
+                        "the mean motion of the brain; made for impacts, not "
+                        "blasts"));
   list.push_back({{"injury_bric", "-", brain_injury_criterion(largest_spin_)},
                   "1.0: half of injuries of degree 4 (Takhounts et al. 2013)",
                   "of the mean turning of the brain"});
-}
-
-
-template <typename Real>
-std::string
-InjuryReport<Real>::to_csv(const std::vector<InjuryMeasure> &measures)
-{
-  std::string text = "measure,value,unit,threshold,limits\n";
-  for (const InjuryMeasure &measure : measures)
-    text += measure.value.name + "," + exact(measure.value.value) + "," +
-            measure.value.unit + ",\"" + measure.threshold + "\",\"" +
-            measure.limits + "\"\n";
-  return text;
 }
 
 
@@ -335,9 +268,9 @@ void InjuryReport<Real>::save(const SolidBody<Real> &body,
     put(out,
         std::vector<double>{double(n_steps_),
                             last_time_,
-                            cavitation_dose_,
-                            rough_,
-                            smooth_,
+                            sums_.cavitation_dose,
+                            sums_.rough,
+                            sums_.smooth,
                             largest_spin_[0],
                             largest_spin_[1],
                             largest_spin_[2]});
@@ -368,7 +301,7 @@ void InjuryReport<Real>::restore(const SolidBody<Real> &body,
   {
     std::istringstream in(io::read_file(file_of(folder, rank)));
     std::vector<double> numbers;
-    std::vector<Piece> pieces;
+    std::vector<BrainPiece> pieces;
     take(in, numbers);
     take(in, pieces);
     take(in, times_);
@@ -387,12 +320,12 @@ void InjuryReport<Real>::restore(const SolidBody<Real> &body,
     // as many ranks as before adds in the same order.
     if (rank % n_ranks == own)
     {
-      cavitation_dose_ += numbers[2];
-      rough_ += numbers[3];
-      smooth_ += numbers[4];
+      sums_.cavitation_dose += numbers[2];
+      sums_.rough += numbers[3];
+      sums_.smooth += numbers[4];
     }
     largest_spin_ = {{numbers[5], numbers[6], numbers[7]}};
-    for (const Piece &piece : pieces)
+    for (const BrainPiece &piece : pieces)
       if (here.count(piece.cell) > 0)
         pieces_[here[piece.cell]] = piece;
   }

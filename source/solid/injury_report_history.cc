@@ -24,7 +24,7 @@ InjuryReport<Real>::history(const SolidBody<Real> &body) const
   if (averaged_)
     pressures = average_.average(pressures);
   std::vector<double> volumes;
-  for (const Piece &piece : pieces_)
+  for (const BrainPiece &piece : pieces_)
     volumes.push_back(piece.volume);
   const MPI_Comm communicator = body.communicator();
   if (dealii::Utilities::MPI::sum(volumes.size(), communicator) == 0)

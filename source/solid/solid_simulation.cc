@@ -404,9 +404,8 @@ void SolidSimulation<Real>::report_injury(const std::string &folder)
     log_line("  " + measure.value.name + " = " + brief(measure.value.value) +
              " " + measure.value.unit + " (" + measure.threshold + ")");
   if (dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
-    io::write_file(folder + "/injury.csv", [&](std::ostream &out) {
-      out << InjuryReport<Real>::to_csv(measures);
-    });
+    io::write_file(folder + "/injury.csv",
+                   [&](std::ostream &out) { out << to_csv(measures); });
 }
 
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/ale/contact_record.h>
+#include <contrecoup/ale/head_measures.h>
 #include <contrecoup/ale/heat_source.h>
 #include <contrecoup/ale/impact_plan.h>
 #include <contrecoup/ale/lagrange_step.h>
@@ -53,6 +54,7 @@ public:
   std::vector<Assumption> plan() override;
   std::vector<Assumption> audit() override;
   std::pair<std::uint64_t, std::uint64_t> size() const override;
+  void finish(const std::string &folder) override;
 
 private:
   /// Energy of all, what was added, and what is missing.
@@ -88,6 +90,7 @@ private:
   ContactPlanes planes_;
   ContactRecord contact_;
   Reference reference_;
+  HeadMeasures head_;
   std::array<Expression, 3> acceleration_{{{"", "0"}, {"", "0"}, {"", "0"}}};
   std::vector<dealii::Point<3>> probe_places_;
   double courant_ = 0.3;

@@ -13,12 +13,13 @@ namespace contrecoup::ale
 /// What a cell has.
 struct CellValues
 {
-  double mass = 0.;          ///< [kg]
-  double energy = 0.;        ///< internal [J]
-  double volume = 0.;        ///< [m^3]
-  double pressure = 0.;      ///< without artificial viscosity [Pa]
-  double void_fraction = 0.; ///< part of the volume that cavitated [-]
-  double shear_strain = 0.;  ///< largest engineering one; 0 in fluids [-]
+  double mass = 0.;             ///< [kg]
+  double energy = 0.;           ///< internal [J]
+  double volume = 0.;           ///< [m^3]
+  double pressure = 0.;         ///< without artificial viscosity [Pa]
+  double void_fraction = 0.;    ///< part of the volume that cavitated [-]
+  double shear_strain = 0.;     ///< largest engineering one; 0 in fluids [-]
+  double principal_strain = 0.; ///< largest one; 0 in fluids [-]
 };
 
 /**

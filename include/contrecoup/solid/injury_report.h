@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/base/simulation.h>
+#include <contrecoup/solid/brain_measures.h>
 #include <contrecoup/solid/chest_injury.h>
 #include <contrecoup/solid/solid_body.h>
 #include <contrecoup/solid/surface_patch.h>
@@ -46,24 +47,11 @@ public:
   /// What was found so far. Collective.
   std::vector<InjuryMeasure> measures(const SolidBody<Real> &body) const;
 
-  /// The same as a table, for injury.csv.
-  static std::string to_csv(const std::vector<InjuryMeasure> &measures);
-
   /// Of this rank, into and from @p folder.
   void save(const SolidBody<Real> &body, const std::string &folder) const;
   void restore(const SolidBody<Real> &body, const std::string &folder);
 
 private:
-  /// A part of the brain.
-  struct Piece
-  {
-    std::uint32_t cell = 0; ///< in the whole mesh
-    double volume = 0.;     ///< [m^3]
-    double peak_strain = 0.;
-    double peak_pressure = 0.;
-    double lowest_pressure = 0.;
-  };
-
   void follow_brain(const SolidBody<Real> &body, const double span);
   void follow_head(const SolidBody<Real> &body);
   void add_brain(const SolidBody<Real> &body,
@@ -78,14 +66,10 @@ private:
   unsigned int brain_ = 0; ///< index of the tissue; number of tissues: none
   TissueAverage average_;  ///< over the brain
   std::vector<std::uint32_t> piece_of_cell_;
-  std::vector<Piece> pieces_;
+  std::vector<BrainPiece> pieces_;
   std::uint64_t n_steps_ = 0;
   double last_time_ = 0.;
-  double cavitation_dose_ = 0.; ///< volume times time of this rank [m^3 s]
-  /// Squares of pressures less their averages, and of the latter, by volume
-  /// and time, of this rank [Pa^2 m^3 s].
-  double rough_ = 0.;
-  double smooth_ = 0.;
+  BrainSums sums_; ///< of this rank
   std::vector<double> times_;
   std::vector<std::array<double, 3>> speeds_; ///< of the head [m/s]
   std::array<double, 3> largest_spin_{};      ///< [rad/s]

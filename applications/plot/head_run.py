@@ -1,0 +1,222 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""What a run of head_impact with a layered head left on the disk: its layers,
+the plane that it hits, its histories, cuts through its fields."""
+
+import numpy as np
+
+import plot_solid
+import report_data
+import vtk_file
+
+# Times of the published pictures of a head against a wall [s].
+PUBLISHED_TIMES = (1e-4, 5e-4, 1e-3, 5e-3)
+LEAST_PANELS = 4
+# Six tetrahedra around a diagonal of a hexahedron.
+TETRAHEDRA = np.array([(0, 1, 2, 6), (0, 2, 3, 6), (0, 3, 7, 6),
+                       (0, 7, 4, 6), (0, 4, 5, 6), (0, 5, 1, 6)])
+# Beside a plane of symmetry, where cells have a face, over the head's size.
+BESIDE = 1e-4
+
+
+class Plane:
+    """A rigid plane."""
+
+    def __init__(self, stage, name):
+        self.name = name
+        self.point = np.array(stage.parameter(f"Plane {name}/Point"))
+        normal = np.array(stage.parameter(f"Plane {name}/Normal"))
+        self.normal = normal / np.linalg.norm(normal)
+        self.friction = (stage.parameter(f"Plane {name}/Friction") or [0.])[0]
+
+
+class Cut:
+    """What a plane cuts of the cells at one time: polygons in the plane, cells
+    that they belong to, and the fields in these cells."""
+
+    def __init__(self, time, polygons, values, centres):
+        self.time, self.polygons = time, polygons
+        self.values, self.centres = values, centres
+
+
+class HeadRun(report_data.Stage):
+    """The folder of a run."""
+
+    def __init__(self, folder):
+        super().__init__(folder)
+        self.history = self.table("history.csv")
+        self.probes = self.table("probes.csv")
+        names = [key[len("Region "):-len("/Layer")] for key in self.parameters
+                 if key.startswith("Region ") and key.endswith("/Layer")]
+        self.regions = names
+        self.layer_of = {name: self.parameters[f"Region {name}/Layer"].lower()
+                         or name.lower() for name in names}
+        with report_data.reading(self.path("parameters.prm")):
+            self.planes = [
+                Plane(self, key[len("Plane "):-len("/Normal")])
+                for key in self.parameters
+                if key.startswith("Plane ") and key.endswith("/Normal")]
+        self.mirrors = [axis for axis, name in enumerate("xyz") if name in
+                        self.parameters.get("Mesh/Symmetry planes", "")]
+        self._fields = None
+
+    def is_head(self):
+        """Whether there is anything that this can tell of."""
+        return self.parameters.get("Mesh/Kind") == "layered head" \
+            and self.history is not None
+
+    def region(self, layer):
+        """The name of the region of a layer, "brain", "csf", "skull" or
+        "scalp"; None if there is none."""
+        for name, known in self.layer_of.items():
+            if known == layer:
+                return name
+        return None
+
+    def is_solid(self, name):
+        return f"largest_shear_strain_{name}" in self.history
+
+    def factor(self):
+        """How many times the computed part is the whole."""
+        return 2 ** len(self.mirrors)
+
+    def impact(self):
+        """The plane that is hit: the first one; None without any."""
+        return self.planes[0] if self.planes else None
+
+    def column(self, quantity, layer):
+        """A column of history.csv, or None."""
+        name = f"{quantity}_{self.region(layer)}"
+        return self.history[name] if name in self.history else None
+
+    def normal_velocity(self):
+        """Mean velocity of everything away from the plane over time
+        [m/s]."""
+        momentum = np.stack([self.history[f"momentum_{axis}"]
+                             for axis in "xyz"], axis=1)
+        momentum[:, self.mirrors] = 0.
+        return momentum @ self.impact().normal / self.history["mass"]
+
+    def rebound(self):
+        """When the momentum along the plane's normal changes its sign, straight
+        between rows; None if it does not."""
+        return first_crossing(self.history["time"], self.normal_velocity())
+
+    def fields(self):
+        """Times and files of the outputs."""
+        if self._fields is None:
+            with report_data.reading(self.path("fields.pvd")):
+                self._fields = plot_solid.list_fields(self.folder)
+        return self._fields
+
+    def picked(self):
+        """The outputs to show: at the times of the published pictures, and
+        others where these are few."""
+        later = [entry for entry in self.fields() if entry[0] > 0.]
+        chosen = {entry[0]: entry for time in PUBLISHED_TIMES
+                  for entry in later if abs(entry[0] - time) <= 0.02 * time}
+        others = [entry for entry in later if entry[0] not in chosen]
+        missing = min(LEAST_PANELS - len(chosen), len(others))
+        if missing > 0:
+            for number in np.linspace(len(others) - 1, 0, missing):
+                entry = others[int(round(number))]
+                chosen[entry[0]] = entry
+        return [chosen[time] for time in sorted(chosen)]
+
+    def cut_axes(self):
+        """The axis normal to the cut, and those to the right and up: the cut
+        holds the plane's normal, and is a plane of symmetry if one is."""
+        normal = np.abs(self.impact().normal) if self.planes \
+            else np.array([0., 0., 1.])
+        along = [axis for axis in (1, 0, 2) if normal[axis] < 0.5]
+        through = next((axis for axis in along if axis in self.mirrors),
+                       along[0])
+        right, up = (axis for axis in range(3) if axis != through)
+        return through, right, up
+
+    def cells(self, pieces):
+        """Arrays of one output, of all its pieces."""
+        parts = []
+        for piece in pieces:
+            with report_data.reading(piece):
+                parts.append(vtk_file.read_cells(piece))
+        return {name: np.concatenate([part[name] for part in parts])
+                for name in parts[0]}
+
+    def cut(self, entry):
+        """The Cut of an output, mirrored to the whole head."""
+        time, pieces = entry
+        cells = self.cells(pieces)
+        through, right, up = self.cut_axes()
+        place = BESIDE * np.ptp(cells["points"])
+        polygons, owners = cut_hexahedra(cells["points"], through, place,
+                                         (right, up))
+        shown = np.unique(owners)
+        values = {name: found[:, :, 0].mean(axis=1)[owners]
+                  for name, found in cells.items()
+                  if name not in ("points", "velocity")}
+        velocity = cells["velocity"].mean(axis=1)
+        values["velocity"] = velocity[owners][:, [right, up]]
+        centres = {
+            "place": cells["points"].mean(axis=1)[shown][:, [right, up]],
+            "velocity": velocity[shown][:, [right, up]],
+            "region": cells["region"][shown, 0, 0]}
+        for number, axis in enumerate((right, up)):
+            if axis in self.mirrors:
+                polygons, values, centres = _mirrored(number, polygons, values,
+                                                      centres)
+        return Cut(time, polygons, values, centres)
+
+
+def first_crossing(time, values):
+    """When values first rise from below zero to above, or None."""
+    after = np.flatnonzero((values[1:] > 0.) & (values[:-1] <= 0.))
+    if not after.size or values[after[0]] == values[after[0] + 1]:
+        return None
+    i = after[0]
+    part = values[i] / (values[i] - values[i + 1])
+    return float(time[i] + part * (time[i + 1] - time[i]))
+
+
+def _mirrored(number, polygons, values, centres):
+    """Everything and its image, whose coordinate of that @p number is
+    opposite."""
+    sign = np.ones(2)
+    sign[number] = -1.
+    values = {name: np.concatenate([found, found * sign if found.ndim > 1
+                                    else found])
+              for name, found in values.items()}
+    centres = {name: np.concatenate([found, found * sign if found.ndim > 1
+                                     else found])
+               for name, found in centres.items()}
+    return np.concatenate([polygons, polygons * sign]), values, centres
+
+
+def cut_hexahedra(corners, axis, place, shown):
+    """Quadrangles, triangles with their last corner twice, in which a plane
+    normal to @p axis cuts hexahedra, and the hexahedra that they belong to;
+    @p corners are hexahedra x 8 x 3, @p shown the two axes that are kept."""
+    distance = corners[:, :, axis] - place
+    near = np.flatnonzero((distance.min(axis=1) <= 0.)
+                          & (distance.max(axis=1) > 0.))
+    points = corners[near][:, TETRAHEDRA].reshape(-1, 4, 3)
+    side = distance[near][:, TETRAHEDRA].reshape(-1, 4)
+    owners = np.repeat(near, len(TETRAHEDRA))
+    # Corners behind the plane first.
+    order = np.argsort(side > 0., axis=1, kind="stable")
+    side = np.take_along_axis(side, order, axis=1)
+    points = np.take_along_axis(points, order[:, :, None], axis=1)
+    count = (side > 0.).sum(axis=1)
+    found, owned = [], []
+    for number, edges in ((1, ((0, 3), (1, 3), (2, 3), (2, 3))),
+                          (2, ((0, 2), (0, 3), (1, 3), (1, 2))),
+                          (3, ((0, 1), (0, 2), (0, 3), (0, 3)))):
+        here = count == number
+        ends = []
+        for a, b in edges:
+            part = side[here, a] / (side[here, a] - side[here, b])
+            ends.append(points[here, a]
+                        + part[:, None] * (points[here, b] - points[here, a]))
+        found.append(np.stack(ends, axis=1)[:, :, list(shown)])
+        owned.append(owners[here])
+    return np.concatenate(found), np.concatenate(owned)
