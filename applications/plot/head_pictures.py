@@ -72,6 +72,8 @@ def draw_pressure(run, cuts):
     inside = np.concatenate([
         cut.values["pressure"][of_layers(run, cut.values, ("brain", "csf"))]
         for cut in cuts])
+    if not inside.size:
+        inside = np.concatenate([cut.values["pressure"] for cut in cuts])
     largest = float(np.percentile(np.abs(inside), 99.8)) or 1.
     factor, unit = look.scale_unit("Pa", largest)
     figure, axes = _panels(run, cuts)

@@ -3,6 +3,8 @@
 """What a run of head_impact with a layered head left on the disk: its layers,
 the plane that it hits, its histories, cuts through its fields."""
 
+import os
+
 import numpy as np
 
 import plot_solid
@@ -24,8 +26,12 @@ class Plane:
 
     def __init__(self, stage, name):
         self.name = name
-        self.point = np.array(stage.parameter(f"Plane {name}/Point"))
-        normal = np.array(stage.parameter(f"Plane {name}/Normal"))
+        point, normal = (stage.parameter(f"Plane {name}/{entry}")
+                         for entry in ("Point", "Normal"))
+        if point is None or normal is None or len(point) != 3 \
+                or len(normal) != 3:
+            raise ValueError(f"Plane {name} has no point and normal")
+        self.point = np.array(point)
         self.normal = normal / np.linalg.norm(normal)
         self.friction = (stage.parameter(f"Plane {name}/Friction") or [0.])[0]
 
@@ -97,13 +103,29 @@ class HeadRun(report_data.Stage):
         momentum[:, self.mirrors] = 0.
         return momentum @ self.impact().normal / self.history["mass"]
 
+    def contact(self, name):
+        """What the summary says of the contact, of every step; None if nothing
+        touched the planes."""
+        begin = self.found("assumptions", "contact_begin")
+        if begin is None or begin < 0.:
+            return None
+        return self.found("assumptions", name)
+
+    def last_contact(self):
+        """When the planes last pushed; None if never, or at the end."""
+        end = self.contact("contact_end")
+        return end if end is not None and end < self.history["time"][-1] \
+            else None
+
     def rebound(self):
         """When the momentum along the plane's normal changes its sign, straight
         between rows; None if it does not."""
         return first_crossing(self.history["time"], self.normal_velocity())
 
     def fields(self):
-        """Times and files of the outputs."""
+        """Times and files of the outputs; [] without."""
+        if not os.path.exists(self.path("fields.pvd")):
+            return []
         if self._fields is None:
             with report_data.reading(self.path("fields.pvd")):
                 self._fields = plot_solid.list_fields(self.folder)

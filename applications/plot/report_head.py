@@ -80,14 +80,6 @@ def extreme(run, quantity, layer, take):
     return float(column[index]), float(run.history["time"][index])
 
 
-def last_contact(run):
-    """When the plane last pushed; None if never, or until the end."""
-    pushed = np.flatnonzero(run.history["contact_force"] > 0.)
-    if not pushed.size or pushed[-1] == len(run.history["time"]) - 1:
-        return None
-    return float(run.history["time"][pushed[-1] + 1])
-
-
 def largest_force(run):
     """Of the whole head, of running means; and when."""
     force = run.factor() * pictures.smoothed(run,
@@ -103,7 +95,7 @@ def answer(run, judged):
     if run.planes:
         speed = -float(run.normal_velocity()[0])
         text[0] += (f" hits a rigid plane at {page.quantity(speed, 'm/s')}.")
-        rebound, end = run.rebound(), last_contact(run)
+        rebound, end = run.rebound(), run.last_contact()
         force, when = largest_force(run)
         text.append(
             f"The plane pushes with {page.quantity(force, 'N')} at most, after "
@@ -210,14 +202,15 @@ def cuts(run, folder):
         f"pressure after {times}.",
         f"Pressure in a cut {where}, one scale for all times with square-root "
         "colours: red is compression, blue tension. The scale is that of brain "
-        "and CSF, which the skull's pressure goes beyond."),
-        _figure(
+        "and CSF, which the skull's pressure goes beyond.")]
+    if any(run.is_solid(name) for name in run.regions):
+        parts.append(_figure(
             folder, "head_shear_strain", pictures.draw_shear(run, found),
             "The head cut along its middle, coloured by the shear strain of "
             f"its solids after {times}.",
             "Largest engineering shear strain of brain and skull in the same "
             "cut, one scale for all times with square-root colours; the CSF "
-            "bears no shear and is pale.")]
+            "bears no shear and is pale."))
     if run.region("csf"):
         flow = [cut for cut in found if any(
             abs(cut.time - time) <= 0.02 * time for time in FLOW_TIMES)] \
@@ -236,18 +229,25 @@ def cuts(run, folder):
 def contact(run, folder):
     """Force, area and momentum."""
     force, when = largest_force(run)
-    area = run.factor() * run.history["contact_area"]
-    impulse = run.factor() * float(np.trapz(run.history["contact_force"],
-                                            run.history["time"]))
+    factor = run.factor()
     velocity = run.normal_velocity()
-    rebound, end = run.rebound(), last_contact(run)
-    rows = [
-        ("largest contact force, mean over "
-         f"{page.quantity(pictures.SPAN, 's')}", page.quantity(force, "N"),
-         page.milliseconds(when)),
-        ("largest contact area", f"{page.number(1e4 * float(area.max()))} cm²",
-         page.milliseconds(float(run.history["time"][int(area.argmax())]))),
-        ("impulse of the contact force", page.quantity(impulse, "N s"), "–"),
+    rebound, end = run.rebound(), run.last_contact()
+    rows = []
+    if run.contact("contact_begin") is not None:
+        rows = [
+            ("contact begins", "–",
+             page.milliseconds(run.contact("contact_begin"))),
+            ("largest contact force of a step", page.quantity(
+                factor * run.contact("peak_contact_force"), "N"),
+             page.milliseconds(run.contact("peak_contact_force_time"))),
+            (f"largest mean over {page.quantity(pictures.SPAN, 's')}",
+             page.quantity(force, "N"), page.milliseconds(when)),
+            ("largest contact area", page.number(
+                1e4 * factor * run.contact("peak_contact_area")) + " cm²",
+             "–"),
+            ("impulse of the contact force", page.quantity(
+                factor * run.contact("contact_impulse"), "N s"), "–")]
+    rows += [
         ("velocity towards the plane at the start",
          page.quantity(-float(velocity[0]), "m/s"), page.milliseconds(0.)),
         ("momentum along the normal changes its sign", "–",
@@ -322,16 +322,22 @@ def _extrema(run):
                 ("least_pressure", np.argmin, "Pa"),
                 ("largest_pressure", np.argmax, "Pa"),
                 ("largest_shear_strain", np.argmax, "%"),
-                ("largest_speed", np.argmax, "m/s")):
+                ("largest_speed", np.argmax, "m/s"),
+                ("void_volume", np.argmax, "m^3")):
             column = f"{quantity}_{name}"
             if column not in run.history:
                 continue
             index = int(take(run.history[column]))
             value = float(run.history[column][index])
+            if unit == "%":
+                shown = page.number(100. * value) + " %"
+            elif unit == "m^3":
+                shown = page.number(1e6 * run.factor() * value) + " cm³"
+            else:
+                shown = page.quantity(value, unit)
             rows.append((
-                name, quantity.replace("_", " "),
-                page.number(100. * value) + " %" if unit == "%"
-                else page.quantity(value, unit),
+                name, "largest void of the whole layer" if unit == "m^3"
+                else quantity.replace("_", " "), shown,
                 page.milliseconds(float(run.history["time"][index]))))
     return page.table(("layer", "what", "value", "when"), rows,
                       numbers=(2, 3))
@@ -443,8 +449,7 @@ def assumptions(run):
     parts.append(page.table(("what", "value"), settings + rows, numbers=(1,)))
     parts.append(page.paragraph(
         "The head has neither neck nor membranes nor vessels, its layers are "
-        "bonded (they share nodes), and the plane is rigid. Gravity is left "
-        "out unless Body force has it."))
+        "bonded (they share nodes), and planes are rigid."))
     return parts
 
 

@@ -83,11 +83,18 @@ def _rebound(run):
     rebound = run.rebound()
     if rebound is None and _ends_before(run, 4.36e-3):
         return [_too_short(quote, run)]
-    verdict = _judge(rebound, 4.36e-3)
-    return [Statement(
-        quote, "the head does not rebound" if rebound is None else
-        f"its momentum changes sign at {page.milliseconds(rebound)}", verdict,
-        _reason(verdict))]
+    verdict, reason = _judge(rebound, 4.36e-3), NO_SIZES
+    end = run.last_contact()
+    found = "the head does not rebound" if rebound is None else \
+        f"its momentum changes sign at {page.milliseconds(rebound)}"
+    if end is not None:
+        found += f", and it has left the wall at {page.milliseconds(end)}"
+        if verdict != AGREES and _judge(end, 4.36e-3) == AGREES:
+            verdict, reason = PARTLY, (
+                "it agrees if the paper means that the head leaves the wall; "
+                "it does not say by what it tells a rebound")
+    return [Statement(quote, found, verdict,
+                      "" if verdict == AGREES else reason)]
 
 
 def _pressure(run):

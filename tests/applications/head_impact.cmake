@@ -171,8 +171,8 @@ contrecoup_add_application_test(shell bounds
 
 # A coarse head: impact, smoothing, brain that relaxes. The step size follows the
 # direction of the largest compression, which round-off turns where two are alike.
-set(_coarse "Output/Fields=false" "Mesh/Cell size=0.02" "Time/End time=1.5e-4"
-  "Output/History every steps=1")
+set(_coarse "Output/Fields=false" "Output/Pictures=false" "Mesh/Cell size=0.02"
+  "Time/End time=1.5e-4" "Output/History every steps=1")
 contrecoup_add_application_test(head bounds,resume,ranks
   FILE head_impact/quickstart.prm SET ${_coarse} "Rezone/Tolerance=1e-12"
   BOUNDS ${_ledger} COMPARE history.csv probes.csv STOP_AFTER 100
@@ -192,6 +192,24 @@ contrecoup_add_application_test(head_gap bounds
   FILE head_impact/quickstart.prm SET ${_coarse} "Plane wall/Point=0, 0, -0.0911"
   BOUNDS ${_ledger} "assumptions.contact_begin > 3e-5"
   "assumptions.contact_begin < 3.7e-5")
+
+# What its report says: figures, each with another digit, damaged files, and the
+# page in a browser without a window.
+contrecoup_add_application_test(report bounds,pictures
+  FILE head_impact/quickstart.prm SET "Mesh/Cell size=0.016"
+  "Time/End time=4e-4" "Output/History every steps=1" "Injury/Every steps=1"
+  BOUNDS ${_ledger} COMPARE head_pressure.png head_shear_strain.png
+  head_speed.png contact.png momentum.png pressures.png shear_strain.png
+  head_probes.png energy.png)
+set_tests_properties(head_impact_report PROPERTIES FIXTURES_SETUP head_report)
+_contrecoup_register_test(head_impact_report_figures LABELS head_report
+  COMMAND ${PROJECT_SOURCE_DIR}/tests/plot/head_report_test.py
+    head_impact_report/straight_1)
+_contrecoup_register_test(head_impact_report_page LABELS head_report
+  COMMAND ${PROJECT_SOURCE_DIR}/tests/plot/page_checks.py
+    head_impact_report/straight_1/report.html)
+set_tests_properties(head_impact_report_figures head_impact_report_page
+  PROPERTIES FIXTURES_REQUIRED head_report)
 
 contrecoup_add_application_test(refuses_wall_in_head refusal
   FILE head_impact/quickstart.prm SET "Plane wall/Point=0, 0, -0.09"

@@ -1,0 +1,235 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""Compares the figures of the report on a head with the files of its run, to
+the digits that are shown. The figures are worked out here anew, from the files
+alone, and each measure of injury from the history as well."""
+
+import csv
+import json
+import os
+import re
+
+import report_figures
+import report_reader
+from report_figures import require
+from report_reader import require_same
+
+GRAVITY = 9.80665
+
+
+class Files:
+    """What a run left."""
+
+    def __init__(self, output):
+        self.output = output
+        with open(os.path.join(output, "summary.json"),
+                  encoding="utf-8") as file:
+            self.summary = json.load(file)
+        self.found = self.summary["assumptions"]
+        self.history = _columns(output, "history.csv")
+        self.probes = _columns(output, "probes.csv")
+        self.injury = {row["measure"]: float(row["value"]) for row in
+                       report_figures.read_rows(output, "injury.csv")}
+        with open(os.path.join(output, "parameters.prm"),
+                  encoding="utf-8") as file:
+            planes = re.search(r"set Symmetry planes = *(.*)", file.read())[1]
+        self.criterion = head_injury_criterion(
+            self.history["time"], self.history["velocity_z_skull"], 0.015)
+        self.factor = 2 ** sum(axis in planes for axis in "xyz")
+
+
+def _columns(*names):
+    with open(os.path.join(*names), newline="", encoding="utf-8") as file:
+        rows = list(csv.reader(file))
+    return {name.split(" [")[0]: [float(row[number]) for row in rows[1:]]
+            for number, name in enumerate(rows[0])}
+
+
+def crossing(time, values):
+    """When values first rise from below zero to above, or None."""
+    for i in range(len(values) - 1):
+        if values[i] <= 0. < values[i + 1]:
+            part = values[i] / (values[i] - values[i + 1])
+            return time[i] + part * (time[i + 1] - time[i])
+    return None
+
+
+def head_injury_criterion(time, velocity, longest):
+    """Of a velocity along one line: the largest over all pairs of times."""
+    largest = 0.
+    for i, begin in enumerate(time):
+        for j in range(i + 1, len(time)):
+            span = time[j] - begin
+            if span <= longest:
+                gained = abs(velocity[j] - velocity[i])
+                largest = max(largest, span * (gained / span
+                                               / GRAVITY) ** 2.5)
+    return largest
+
+
+def check_report(page, files):
+    """Every figure that the files have; the number of those compared."""
+    checks = (check_headline, check_contact, check_extrema, check_probes,
+              check_energy, check_injury, check_paper)
+    return sum(check(page, files) for check in checks)
+
+
+def check_headline(page, files):
+    """Numbers of the answer."""
+    history, number = files.history, report_reader.NUMBER
+    wanted = [
+        (rf"A head of ({number} \w*)", files.factor * history["mass"][0]),
+        (rf"plane at ({number} m/s)",
+         -history["momentum_z"][0] / history["mass"][0]),
+        (rf"The run ends after ({number} ms)", history["time"][-1]),
+        (rf"strained by less than ({number} %)",
+         files.injury["injury_strain_95"])]
+    for layer, words in (("CSF", "The CSF's pressure"),
+                         ("brain", "The brain's")):
+        wanted += [
+            (rf"{words} reaches from ({number} \w+)",
+             min(history[f"least_pressure_{layer}"])),
+            (rf"{words} reaches from [^.]*?(?:\.\d+[^.]*?)* to ({number} \w+)",
+             max(history[f"largest_pressure_{layer}"]))]
+    for pattern, value in wanted:
+        match = re.search(pattern, page.answer)
+        require(match, f"the answer does not say /{pattern}/: {page.answer}")
+        require_same(match[1], value, f"the answer, /{pattern}/")
+    return len(wanted)
+
+
+def check_contact(page, files):
+    """The table of the contact: of the whole head, from the summary, which is
+    that of all steps."""
+    rows = {row["what"]: row for row in
+            page.table("Contact and rebound").records()}
+    found, factor, history = files.found, files.factor, files.history
+    count = 0
+    for name, value, when in (
+            ("contact begins", None, found["contact_begin"]),
+            ("largest contact force of a step",
+             factor * found["peak_contact_force"],
+             found["peak_contact_force_time"]),
+            ("impulse of the contact force",
+             factor * found["contact_impulse"], None),
+            ("velocity towards the plane at the start",
+             -history["momentum_z"][0] / history["mass"][0], 0.),
+            ("momentum along the normal changes its sign", None,
+             crossing(history["time"], history["momentum_z"])),
+            ("velocity from the plane at the end",
+             history["momentum_z"][-1] / history["mass"][-1],
+             history["time"][-1])):
+        for cell, known in (("whole head", value), ("when", when)):
+            if known is not None:
+                require_same(rows[name][cell], known, f"{name}, {cell}")
+                count += 1
+    require_same(rows["largest contact area"]["whole head"].replace(
+        " cm²", "·10⁻⁴"), factor * found["peak_contact_area"], "area")
+    # Momentum changes by the impulse.
+    change = factor * (history["momentum_z"][-1] - history["momentum_z"][0])
+    require(abs(change / (factor * found["contact_impulse"]) - 1.) < 1e-6,
+            "the impulse is not the change of momentum")
+    return count + 2
+
+
+def check_extrema(page, files):
+    """Extrema of the layers, of whole columns."""
+    rows = page.table("Pressure and strain over time", column="layer").records()
+    require(len(rows) >= 9, f"{len(rows)} extrema")
+    for row in rows:
+        quantity = "void_volume" if "void" in row["what"] \
+            else row["what"].replace(" ", "_")
+        column = files.history[f"{quantity}_{row['layer']}"]
+        value = (min if quantity.startswith("least") else max)(column)
+        when = files.history["time"][column.index(value)]
+        shown = row["value"]
+        if quantity == "void_volume":
+            value *= files.factor
+            shown = shown.replace(" cm³", "·10⁻⁶")
+        require_same(shown, value, f"{quantity} of {row['layer']}")
+        require_same(row["when"], when, f"time of {quantity}")
+    return 2 * len(rows)
+
+
+def check_probes(page, files):
+    rows = page.table("Pressure and strain over time",
+                      column="probe").records()
+    require(len(rows) == sum(name.startswith("pressure_")
+                             for name in files.probes), "probes are missing")
+    for number, row in enumerate(rows, 1):
+        column = files.probes[f"pressure_{number}"]
+        for name, value in (("highest", max(column)), ("lowest", min(column))):
+            require_same(row[f"{name} pressure"], value, row["probe"])
+            require_same(row[f"when it is {name}"],
+                         files.probes["time"][column.index(value)],
+                         row["probe"])
+    return 4 * len(rows)
+
+
+def check_energy(page, files):
+    """The ledger at the start and at the end."""
+    history = files.history
+    names = {"kinetic": "kinetic_energy", "internal": "internal_energy",
+             "work of planes and body forces": "external_work",
+             "thereof planes, along their normals": "contact_work",
+             "thereof friction": "friction_work", "missing": "energy_residual"}
+    rows = page.table("Energy").records()
+    require(len(rows) == 7, "energies are missing")
+    for row in rows:
+        name = row["energy of the whole head"]
+        column = history[names[name]] if name in names else [
+            sum(pair) for pair in zip(history["kinetic_energy"],
+                                      history["internal_energy"])]
+        for moment, index in (("at the start", 0), ("at the end", -1)):
+            require_same(row[moment], files.factor * column[index], name)
+    return 2 * len(rows)
+
+
+def check_injury(page, files):
+    """The table holds what injury.csv does, and this is what the rows of the
+    history have, which are of the same steps."""
+    rows = {row["measure"]: row for row in page.table("Injury").records()}
+    titles = report_figures.TITLES
+    require(sorted(rows) == sorted(titles[name] for name in files.injury),
+            f"the injury table has {list(rows)}")
+    for name, value in files.injury.items():
+        shown = rows[titles[name]]["value and its estimated error"]
+        require_same(shown.split("\n")[0], value, name)
+    history = files.history
+    for name, value in (
+            ("injury_intracranial_pressure_peak",
+             max(history["largest_pressure_brain"])),
+            ("injury_intracranial_pressure_lowest",
+             min(history["least_pressure_brain"])),
+            ("injury_hic15", files.criterion)):
+        require(abs(files.injury[name] / value - 1.) < 1e-6,
+                f"{name} is {files.injury[name]}, the history has {value}")
+    # No principal strain is larger than the shear strain, but by what volumes
+    # grow.
+    strain = files.injury["injury_strain_95"]
+    require(0. < strain < max(history["largest_shear_strain_brain"]),
+            f"strain {strain}")
+    return len(files.injury) + 4
+
+
+def check_paper(page, files):
+    """Statements beside what was found: figures that the history has."""
+    rows = {row["as published"]: row for row in
+            page.table("Against the paper").records()}
+    history = files.history
+    flow = rows["“the flow speed in CSF is in the same level of initial impact "
+                "speed”"]
+    fastest = max(history["largest_speed_CSF"])
+    require_same(flow["as found here"], fastest, "speed of the CSF")
+    initial = -history["momentum_z"][0] / history["mass"][0]
+    require((flow["verdict"] == "agrees")
+            == (0.5 <= fastest / initial <= 2.), "verdict on the CSF's speed")
+    end = history["time"][-1]
+    late = [row for name, row in rows.items() if re.search(
+        r"4\.36 ms|2\.18 ms|-236KPa|end of 5ms", name)]
+    require(len(late) == 4, f"{len(late)} statements on later times")
+    for row in late:
+        if end < 0.92e-3:
+            require(row["verdict"] == "not told", str(row))
+            require_same(row["as found here"], end, "end of the run")
+    return 2 + len(late)

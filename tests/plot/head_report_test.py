@@ -1,0 +1,193 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""Shows that the report on a head says what the files of its run say, that
+figures with another last digit are found, and that damaged files are refused in
+one line: head_report_test.py OUTPUT_FOLDER of a run with Output/Pictures."""
+
+import contextlib
+import io
+import os
+import re
+import shutil
+import sys
+import tempfile
+import unittest
+import unittest.mock
+
+import numpy as np
+
+import damage_test
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path += [os.path.join(HERE, "..", "applications"),
+             os.path.join(HERE, "..", "..", "applications", "plot")]
+
+import head_figures  # noqa: E402 (after the paths of the modules)
+import head_run  # noqa: E402
+import plot_head  # noqa: E402
+import report_page  # noqa: E402
+import report_reader  # noqa: E402
+
+OUTPUT = None
+# Columns of tables whose figures are all checked, by section.
+CHECKED = {"Contact and rebound": ("whole head", "when"),
+           "Pressure and strain over time": (
+               "value", "when", "highest pressure", "when it is highest",
+               "lowest pressure", "when it is lowest"),
+           "Energy": ("at the start", "at the end"),
+           "Injury": ("value and its estimated error",)}
+# A mean that only the picture shows, and what the summary has no time of.
+UNCHECKED = "largest mean over"
+
+
+class Made:
+    """What plot_head.py made of a folder, with figures painted roughly."""
+
+    def __init__(self, folder):
+        with contextlib.redirect_stdout(io.StringIO()), \
+                contextlib.redirect_stderr(io.StringIO()) as errors, \
+                unittest.mock.patch.object(report_page, "render",
+                                           damage_test.paint_roughly):
+            self.code = plot_head.main([folder])
+        self.errors = errors.getvalue()
+
+
+class FiguresTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.files = head_figures.Files(OUTPUT)
+        with open(os.path.join(OUTPUT, "report.html"),
+                  encoding="utf-8") as file:
+            # Pictures take long to read again and again.
+            cls.page = re.sub("base64,[^\"]*", "", file.read())
+
+    def judge(self, text):
+        return head_figures.check_report(report_reader.Page(text), self.files)
+
+    def test_accepts(self):
+        self.assertGreater(self.judge(self.page), 80)
+
+    def test_rejects_another_digit(self):
+        count = 0
+        for section, columns in CHECKED.items():
+            begin = self.page.index(f"{section}</h2>")
+            end = self.page.index("</section>", begin)
+            for row in re.finditer("<tr>.*?</tr>", self.page[begin:end]):
+                if UNCHECKED in row[0]:
+                    continue
+                for column in columns:
+                    count += self.reject(begin + row.start(), row[0], column)
+        self.assertGreaterEqual(count, 50)
+
+    def reject(self, place, row, column):
+        """Whether there was a digit to change in the cell of a column."""
+        cell = re.search(f'data-label="{column}">(.*?)</td>', row)
+        number = cell and re.search(report_reader.NUMBER, cell[1])
+        # A zero has no digit that counts.
+        if not number or not re.search("[1-9]", number[0]):
+            return 0
+        digits = re.match(r"[−\d\u202f.]*", number[0])[0]
+        last = place + cell.start(1) + number.start() + len(digits) - 1
+        digit = int(self.page[last])
+        changed = (self.page[:last] + str(digit - 1 if digit else 1)
+                   + self.page[last + 1:])
+        with self.assertRaises(AssertionError, msg=row):
+            self.judge(changed)
+        return 1
+
+
+class DamageTest(unittest.TestCase):
+    """Files of the run in a folder of its own, which may be damaged."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = os.path.join(folder.name, "run")
+        shutil.copytree(OUTPUT, self.folder, ignore=shutil.ignore_patterns(
+            "checkpoint*", "pictures", "report.*"))
+
+    def path(self, *names):
+        return os.path.join(self.folder, *names)
+
+    def refuses(self, name):
+        made = Made(self.folder)
+        self.assertEqual(made.code, 1)
+        self.assertRegex(made.errors, rf"^plot_head.py: .*{name}: .*\n$")
+        self.assertFalse(os.path.exists(self.path("report.html")))
+
+    def test_cut_files(self):
+        for name in ("fields/ale_0001.vtu", "history.csv", "summary.json"):
+            whole = self.path(name)
+            shutil.copy(whole, whole + ".whole")
+            os.truncate(whole, os.path.getsize(whole) // 2 + 7)
+            with self.subTest(name):
+                self.refuses(name)
+            os.replace(whole + ".whole", whole)
+
+    def test_missing_plane(self):
+        with open(self.path("parameters.prm"), encoding="utf-8") as file:
+            text = file.read()
+        with open(self.path("parameters.prm"), "w", encoding="utf-8") as file:
+            file.write(re.sub(r"set Point += .*", "set Point = 1, x", text))
+        self.refuses("parameters.prm")
+
+    def test_missing_fields(self):
+        os.remove(self.path("fields.pvd"))
+        os.remove(self.path("injury.csv"))
+        made = Made(self.folder)
+        self.assertEqual((made.code, made.errors), (0, ""))
+        with open(self.path("report.html"), encoding="utf-8") as file:
+            text = file.read()
+        self.assertIn("Missing: fields", text)
+        self.assertIn("Missing: injury.csv", text)
+
+
+class CutTest(unittest.TestCase):
+    """Where a plane cuts hexahedra."""
+
+    CUBE = np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0),
+                     (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)], dtype=float)
+
+    @staticmethod
+    def area(polygons):
+        x, y = polygons[..., 0], polygons[..., 1]
+        following = np.roll(polygons, -1, axis=1)
+        return 0.5 * np.abs(np.sum(x * following[..., 1]
+                                   - y * following[..., 0], axis=1)).sum()
+
+    def test_cube(self):
+        for axis, shown in ((0, (1, 2)), (1, (0, 2)), (2, (0, 1))):
+            for place in (0., 0.3, 0.999):
+                polygons, owners = head_run.cut_hexahedra(
+                    np.stack([self.CUBE + 2., self.CUBE]), axis, place, shown)
+                self.assertAlmostEqual(self.area(polygons), 1.)
+                self.assertEqual(set(owners), {1})
+
+    def test_turned(self):
+        """A cube on its tip, cut through its middle: a regular hexagon."""
+        up = np.ones(3) / np.sqrt(3.)
+        right = np.array([1., -1., 0.]) / np.sqrt(2.)
+        turn = np.stack([right, np.cross(up, right), up])
+        polygons, _ = head_run.cut_hexahedra(
+            ((self.CUBE - 0.5) @ turn.T)[None], 2, 0., (0, 1))
+        self.assertAlmostEqual(self.area(polygons), 0.75 * np.sqrt(3.))
+
+    def test_beside(self):
+        polygons, owners = head_run.cut_hexahedra(self.CUBE[None], 0, 1.5,
+                                                  (1, 2))
+        self.assertEqual((len(polygons), len(owners)), (0, 0))
+
+
+class CrossingTest(unittest.TestCase):
+    def test_crossing(self):
+        time = np.array([0., 1., 2., 3.])
+        self.assertEqual(head_run.first_crossing(
+            time, np.array([-3., -1., 3., -1.])), 1.25)
+        self.assertIsNone(head_run.first_crossing(
+            time, np.array([3., -1., -3., 0.])))
+
+
+if __name__ == "__main__":
+    OUTPUT = sys.argv.pop()
+    unittest.main()
