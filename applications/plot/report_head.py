@@ -432,7 +432,7 @@ def assumptions(run):
     rows = [(name.replace("_", " "), page.number(float(value)))
             for name, value in (run.summary.get("assumptions") or {}).items()
             if report_data.as_number(value) is not None
-            and not name.startswith("injury_")]
+            and not name.startswith(("injury_", "contact_", "peak_contact_"))]
     settings = [
         ("cells in all", page.count(run.summary.get("cells") or 0)),
         ("cell size at the brain's surface, about",
