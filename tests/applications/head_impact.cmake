@@ -103,6 +103,16 @@ contrecoup_add_application_test(taylor_green_euler bounds,convergence
   VARY "Mesh/Elements=8, 8, 1|16, 16, 1" ERROR errors.velocity_L1 ORDER 1.8
   LABELS verification)
 
+# Three gases whose common edge rolls up: nothing is lost.
+set(_mass "history.mass > 1.3124999999999;history.mass < 1.3125000000001")
+contrecoup_add_application_test(triple_point_lagrange bounds
+  FILE ${_folder}/triple_point.prm SET "Output/Fields=false"
+  BOUNDS ${_ledger} ${_mass} LABELS verification)
+contrecoup_add_application_test(triple_point_elastic bounds
+  FILE ${_folder}/triple_point.prm SET "Output/Fields=false" "Time/End time=1"
+  "Rezone/Kind=elastic" "Rezone/Interval=0.02"
+  BOUNDS ${_ledger} ${_mass} "assumptions.rezones > 45" LABELS verification)
+
 # Within 0.1 % of the isentropic pressure of the water that a wall has stopped.
 contrecoup_add_application_test(water_hammer bounds
   FILE ${_folder}/water_hammer.prm SET "Output/Fields=false" BOUNDS ${_ledger}
