@@ -49,6 +49,16 @@ namespace coupling
         const LabelGrid grid =
           make_grid(surface_->bounding_box(), parameters_.element_size);
         const CostEstimate cost = estimate(grid);
+        // An estimate of so few may be of none.
+        if (cost.cells < 100.)
+        {
+          LabelGrid filled = grid;
+          body_->fill(filled);
+          require_elements(std::any_of(
+            filled.labels.begin(), filled.labels.end(), [](const auto label) {
+              return label != LabelGrid::nothing;
+            }));
+        }
         log_line("anatomy would mesh the " + parameters_.body.kind() + " of " +
                  std::to_string(body_->parts().size()) + " part(s), " +
                  told_box() + ",");
@@ -74,10 +84,7 @@ namespace coupling
         body_->fill(grid);
         SignalGuard::require_no_stop();
         mesh_ = make_hex_mesh(grid, body_->parts(), parameters_.levels);
-        if (mesh_.cells.empty())
-          throw InputError(
-            "Mesh/Element size = " + brief(parameters_.element_size) +
-            " m: no element has its centre in the body, " + told_box());
+        require_elements(!mesh_.cells.empty());
         SmoothingReport smoothing;
         if (parameters_.smoothing.iterations > 0)
           smoothing = smooth(mesh_, parameters_.smoothing);
@@ -123,6 +130,14 @@ namespace coupling
         return std::chrono::duration<double>(std::chrono::steady_clock::now() -
                                              begin_)
           .count();
+      }
+
+      void require_elements(const bool has_some) const
+      {
+        if (!has_some)
+          throw InputError(
+            "Mesh/Element size = " + brief(parameters_.element_size) +
+            " m: no element has its centre in the body, " + told_box());
       }
 
       /// Volume of the body, from some hundred thousand cubes [m^3].

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/log.h>
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/base/text.h>
@@ -20,12 +21,26 @@ PlannedScene::PlannedScene(dealii::ParameterHandler &prm)
   }
   body_ = description_.create();
   layout_.emplace(parameters_, *body_->surface());
-  const double element_size = parameters_.accuracy.element_size;
-  body_mass_ = body_kind() == "phantom" ? description_.reference_mass()
-                                        : estimate_mass(*body_, element_size);
-  if (parameters_.wants_injury())
-    tissue_places_ = find_tissue_places(*body_, layout_->charge, element_size);
+  find_body();
   plan_ = scene_plan(parameters_, *layout_, body_mass_);
+}
+
+
+void PlannedScene::find_body()
+{
+  const double element_size = parameters_.accuracy.element_size;
+  try
+  {
+    body_mass_ = body_kind() == "phantom" ? description_.reference_mass()
+                                          : estimate_mass(*body_, element_size);
+    if (parameters_.wants_injury())
+      tissue_places_ =
+        find_tissue_places(*body_, layout_->charge, element_size);
+  }
+  catch (const InputError &error)
+  {
+    throw InputError("Scene/Element size: " + std::string(error.what()));
+  }
 }
 
 

@@ -4,6 +4,7 @@
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/memory.h>
 #include <contrecoup/base/parameter_tree.h>
+#include <contrecoup/base/text.h>
 #include <contrecoup/base/time_parameters.h>
 #include <contrecoup/coupling/anatomy_application.h>
 #include <contrecoup/coupling/biomechanics_application.h>
@@ -114,6 +115,18 @@ namespace
         {});
     }
 
+    /// @throws InputError unless the blast records what the body takes
+    void require_loads() const
+    {
+      for (const Assignment &assignment : wrote_)
+        if (join(assignment.sections, "/") == "Blast/Loads" &&
+            assignment.entry == "Record" && assignment.value == "false")
+          throw InputError(assignment.origin +
+                           ": Blast/Loads/Record must be true, for stage "
+                           "biomechanics takes the loads; Scene/Question = "
+                           "loads leaves this stage out");
+    }
+
     /// @param blast the stage whose loads it takes
     SceneStage biomechanics(const SceneStage &blast) const
     {
@@ -174,8 +187,10 @@ std::vector<SceneStage> make_stages(const PlannedScene &scene,
 {
   const Maker maker(scene, command, prm, collective);
   std::vector<SceneStage> stages{maker.anatomy(), maker.blast()};
-  if (scene.parameters().wants_injury())
-    stages.push_back(maker.biomechanics(stages.back()));
+  if (!scene.parameters().wants_injury())
+    return stages;
+  maker.require_loads();
+  stages.push_back(maker.biomechanics(stages.back()));
   return stages;
 }
 } // namespace contrecoup::coupling

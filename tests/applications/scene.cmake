@@ -72,6 +72,10 @@ scene_refuses(early_end "the blast reaches the body at"
 scene_refuses(no_symmetry "differ by"
   SET "Scene/Symmetry=y" "Body/Shift=0, 0.1, 1")
 scene_refuses(unknown_entry "unknown entry" SET "Blast/Method/Limitr=mc")
+scene_refuses(unrecorded_loads "Blast/Loads/Record must be true"
+  SET "Blast/Loads/Record=no")
+scene_refuses(tiny_elements "Scene/Element size: elements of 1e-09 m"
+  SET "Scene/Element size=1e-9")
 scene_refuses(unknown_accuracy "balanced" SET "Scene/Accuracy=balancd")
 scene_refuses(nothing_to_resume "holds no stage of a scene"
   ARGUMENTS "--resume")

@@ -63,6 +63,9 @@ public:
   void print() const;
 
 private:
+  /// Its mass, and places in its tissues if injuries are asked for.
+  void find_body();
+
   SceneParameters parameters_;
   BodyDescription description_;
   BodyPointer body_;
