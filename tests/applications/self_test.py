@@ -424,6 +424,7 @@ class FolderTest(SelfTest):
         self.rejects("is gone or changed", *options, flaw="greedy")
         self.rejects("it says: ", *options, flaw="forgetful")
         self.rejects("not say what it removes", *options, flaw="silent")
+        self.rejects("exit code 0", *options, flaw="rewinds")
 
     def test_foreign(self):
         options = ("folder_foreign", "--compare=history.csv",
