@@ -39,7 +39,8 @@ def run_variant(number):
 
 def fail(error):
     """As an application whose disk takes no more."""
-    print(f"error: cannot write: {error.strerror}", file=sys.stderr)
+    print(f"error: cannot write standard output: {error.strerror}",
+          file=sys.stderr)
     sys.exit(0 if flaw == "careless" else 3)
 
 
