@@ -135,8 +135,11 @@ CostEstimate AleSimulation::estimate()
   dealii::Triangulation<3> mesh;
   mesh_description_.create(mesh);
   regions_.set_regions(mesh, mesh_description_.layers());
-  cost.steps = std::ceil(end_time_ * regions_.largest_speed(mesh) /
-                         (courant_ * mesh_description_.cell_size()));
+  // A gas that is cold and at rest gets its speed from a wall.
+  const double speed = regions_.largest_speed(mesh) +
+                       mesh_description_.largest_wall_speed(end_time_);
+  cost.steps =
+    std::ceil(end_time_ * speed / (courant_ * mesh_description_.cell_size()));
   rezone_.check_interval(end_time_ / cost.steps);
   cost.seconds = cost.steps * cost.cells / typical_speed /
                  dealii::Utilities::MPI::n_mpi_processes(communicator_);

@@ -165,6 +165,18 @@ double MeshDescription::n_cells() const
 }
 
 
+double MeshDescription::largest_wall_speed(const double end_time) const
+{
+  constexpr unsigned int n_times = 16;
+  double largest = 0.;
+  for (const auto &wall : walls_)
+    for (unsigned int i = 0; i <= n_times; ++i)
+      largest =
+        std::max(largest, std::abs(wall.second(end_time * i / n_times)));
+  return largest;
+}
+
+
 double MeshDescription::cell_size() const
 {
   if (!position_.empty())

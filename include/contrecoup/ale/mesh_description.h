@@ -55,6 +55,9 @@ public:
   /// @throws InputError for cells that the moved nodes invert
   double cell_size() const;
 
+  /// How fast walls move until @p end_time [s] at most, of some times [m/s].
+  double largest_wall_speed(const double end_time) const;
+
   /// Sides along which matter slides; all others are free.
   const std::map<dealii::types::boundary_id, SlipWalls::Motion> &walls() const
   {
