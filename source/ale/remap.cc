@@ -25,12 +25,11 @@ namespace
 void Remap::reinit(const HexSpace &space, const std::vector<bool> &is_at_rest)
 {
   space_ = &space;
+  is_at_rest_ = is_at_rest;
   cells_.clear();
   cells_at_rest_.clear();
   for (std::uint32_t c = 0; c < space.n_own_cells(); ++c)
-    (is_at_rest.empty() || !is_at_rest[space.region(c)] ? cells_
-                                                        : cells_at_rest_)
-      .push_back(c);
+    (rests(c) ? cells_at_rest_ : cells_).push_back(c);
   reconstruction_.reinit(space, n_fields, is_at_rest);
   node_exchange_.reinit(space.nodes(), width + 1);
   cell_exchange_.reinit(space.cells(), 1);
@@ -77,6 +76,10 @@ void Remap::carry_face(const AleState &state,
     }
   if (!moves)
     return;
+  if (rests(face.inside) || rests(face.outside))
+    throw NumericsError("time " + exact(state.time) +
+                        " s: the rezone would move a solid's node, at cell " +
+                        std::to_string(space_->cell_number(face.inside)));
   // What `inside` gains comes out of `outside`.
   const auto swept = swept_moments(before, after);
   if (is_closed(face))
@@ -121,6 +124,13 @@ bool Remap::is_closed(const HexSpace::Face &face) const
 {
   return face.outside == HexSpace::no_cell ||
          space_->region(face.inside) != space_->region(face.outside);
+}
+
+
+bool Remap::rests(const std::uint32_t cell) const
+{
+  return cell != HexSpace::no_cell && !is_at_rest_.empty() &&
+         is_at_rest_[space_->region(cell)];
 }
 
 

@@ -30,7 +30,8 @@ public:
    * @param walls that the new velocities obey
    * @param position of the nodes afterwards; those between regions, and those
    *   of boundaries but along them, must not move
-   * @throws NumericsError, naming the cell, when one loses more mass than it
+   * @throws NumericsError, naming the cell, when a node of a region at rest
+   *   would move, or when a cell loses more mass than it
    *   has
    */
   void apply(AleState &state,
@@ -54,6 +55,8 @@ private:
                   const HexSpace::Face &face);
   /// Whether nothing is carried through a face.
   bool is_closed(const HexSpace::Face &face) const;
+  /// Whether the nodes of a cell never move; not those of no cell.
+  bool rests(const std::uint32_t cell) const;
   void check_boundary(const AleState &state,
                       const HexSpace::Face &face,
                       const double swept) const;
@@ -61,6 +64,7 @@ private:
   void collect(AleState &state, const SlipWalls &walls) const;
 
   const HexSpace *space_ = nullptr;
+  std::vector<bool> is_at_rest_;             ///< by region
   std::vector<std::uint32_t> cells_;         ///< own ones, carried over
   std::vector<std::uint32_t> cells_at_rest_; ///< the other own ones
   Reconstruction reconstruction_;
