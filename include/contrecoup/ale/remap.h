@@ -31,8 +31,7 @@ public:
    * @param position of the nodes afterwards; those between regions, and those
    *   of boundaries but along them, must not move
    * @throws NumericsError, naming the cell, when a node of a region at rest
-   *   would move, or when a cell loses more mass than it
-   *   has
+   *   would move, or when a cell loses more mass than it has
    */
   void apply(AleState &state,
              const SlipWalls &walls,
