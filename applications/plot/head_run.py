@@ -106,9 +106,6 @@ class HeadRun(report_data.Stage):
     def contact(self, name):
         """What the summary says of the contact, of every step; None if nothing
         touched the planes."""
-        begin = self.found("assumptions", "contact_begin")
-        if begin is None or begin < 0.:
-            return None
         return self.found("assumptions", name)
 
     def last_contact(self):

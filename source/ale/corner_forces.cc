@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/ale/cell_corners.h>
 #include <contrecoup/ale/corner_forces.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/numerics/hex8_moments.h>
@@ -37,16 +38,6 @@ namespace
   {
     Lane result;
     result.gather(field, cells);
-    return result;
-  }
-
-  HexVectors<double> corners_of(const HexSpace::Cell &cell,
-                                const dealii::AlignedVector<double> &field)
-  {
-    HexVectors<double> result;
-    for (unsigned int i = 0; i < 8; ++i)
-      for (unsigned int d = 0; d < 3; ++d)
-        result[i][d] = field[width * cell[i] + d];
     return result;
   }
 

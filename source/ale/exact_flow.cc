@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/ale/cell_corners.h>
 #include <contrecoup/ale/exact_flow.h>
 #include <contrecoup/numerics/hex8_moments.h>
 
@@ -10,16 +11,6 @@ namespace contrecoup::ale
 {
 namespace
 {
-  HexVectors<double> corners_of(const HexSpace::Cell &cell,
-                                const dealii::AlignedVector<double> &field)
-  {
-    HexVectors<double> corners;
-    for (unsigned int i = 0; i < 8; ++i)
-      for (unsigned int d = 0; d < 3; ++d)
-        corners[i][d] = field[AleState::width * cell[i] + d];
-    return corners;
-  }
-
   /// Sums over the points of a cell, by volume.
   struct CellSums
   {

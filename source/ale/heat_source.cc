@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/ale/cell_corners.h>
 #include <contrecoup/ale/heat_source.h>
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/numerics/hex8_moments.h>
@@ -35,10 +36,7 @@ double HeatSource::add(const HexSpace &space,
   double sum = 0.;
   for (std::size_t c = 0; c < space.n_own_cells(); ++c)
   {
-    HexVectors<double> corners;
-    for (unsigned int i = 0; i < 8; ++i)
-      for (unsigned int d = 0; d < 3; ++d)
-        corners[i][d] = state.position[AleState::width * space.cell(c)[i] + d];
+    const auto corners = corners_of(space.cell(c), state.position);
     const auto moments = hex_moments(corners);
     const dealii::Point<3> centre(moments.first[0] / moments.volume,
                                   moments.first[1] / moments.volume,

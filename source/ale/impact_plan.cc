@@ -4,6 +4,7 @@
 #include <contrecoup/ale/impact_plan.h>
 #include <contrecoup/base/text.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -35,6 +36,14 @@ namespace
     return result;
   }
 
+  bool has_liquid(const std::vector<Region> &regions)
+  {
+    return std::any_of(
+      regions.begin(), regions.end(), [](const Region &region) {
+        return std::holds_alternative<Tait>(region.law);
+      });
+  }
+
   Assumption cavitation(const Region &region, const double least_pressure)
   {
     return {"cavitation_" + region.name,
@@ -64,14 +73,15 @@ std::vector<Assumption> ImpactPlan::plan() const
        0.05,
        false,
        "Body force/z"});
-  items.push_back({"viscosity",
-                   "left out",
-                   "its layer in water over a cell",
-                   "-",
-                   std::sqrt(kinematic_viscosity * end_time) / cell_size,
-                   1.,
-                   false,
-                   "Mesh"});
+  if (has_liquid(regions))
+    items.push_back({"viscosity",
+                     "left out",
+                     "its layer in water over a cell",
+                     "-",
+                     std::sqrt(kinematic_viscosity * end_time) / cell_size,
+                     1.,
+                     false,
+                     "Mesh"});
   if (has_planes)
     items.push_back({"friction",
                      "as asked for",

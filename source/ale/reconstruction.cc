@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/ale/ale_state.h>
+#include <contrecoup/ale/cell_corners.h>
 #include <contrecoup/ale/reconstruction.h>
 #include <contrecoup/numerics/hex8_moments.h>
 
@@ -12,17 +13,6 @@ namespace contrecoup::ale
 {
 namespace
 {
-  /// Corner positions.
-  HexVectors<double> corners_of(const HexSpace::Cell &cell,
-                                const dealii::AlignedVector<double> &position)
-  {
-    HexVectors<double> result;
-    for (unsigned int i = 0; i < 8; ++i)
-      for (unsigned int d = 0; d < 3; ++d)
-        result[i][d] = position[AleState::width * cell[i] + d];
-    return result;
-  }
-
   /// Whether the second differences @p a and @p b are those of one smooth
   /// function.
   bool alike(const double a, const double b)

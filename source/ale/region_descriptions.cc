@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/ale/cell_corners.h>
 #include <contrecoup/ale/region_descriptions.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameter_tree.h>
@@ -171,10 +172,7 @@ void RegionDescriptions::fill_cell(const HexSpace &space,
                                    AleState &state) const
 {
   const Description &description = at(space, cell);
-  HexVectors<double> corners;
-  for (unsigned int i = 0; i < 8; ++i)
-    for (unsigned int d = 0; d < 3; ++d)
-      corners[i][d] = state.position[width * space.cell(cell)[i] + d];
+  const auto corners = corners_of(space.cell(cell), state.position);
   const auto moments = hex_moments(corners);
   const dealii::Point<3> centre(moments.first[0] / moments.volume,
                                 moments.first[1] / moments.volume,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/ale/cell_corners.h>
 #include <contrecoup/ale/remap.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/text.h>
@@ -43,16 +44,11 @@ void Remap::fill_fields(const AleState &state)
   for (std::size_t c = 0; c < space_->n_cells(); ++c)
   {
     double *field = &fields_[n_fields * c];
-    HexVectors<double> corners;
+    const auto corners = corners_of(space_->cell(c), state.position);
+    const auto velocities = corners_of(space_->cell(c), state.velocity);
     for (unsigned int i = 0; i < 8; ++i)
-    {
-      const double *v = &state.velocity[width * space_->cell(c)[i]];
       for (unsigned int d = 0; d < 3; ++d)
-      {
-        field[velocity + 3 * i + d] = v[d];
-        corners[i][d] = state.position[width * space_->cell(c)[i] + d];
-      }
-    }
+        field[velocity + 3 * i + d] = velocities[i][d];
     field[density] = state.mass[c] / hex_geometry(to_modes(corners)).volume;
     field[energy] = state.energy[c] / state.mass[c];
     field[products] = state.products[c];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/ale/cell_corners.h>
 #include <contrecoup/ale/rezone.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameters.h>
@@ -22,10 +23,7 @@ namespace
 
   double cell_volume(const HexSpace::Cell &cell, const AleState &state)
   {
-    HexVectors<double> corners;
-    for (unsigned int i = 0; i < 8; ++i)
-      for (unsigned int d = 0; d < 3; ++d)
-        corners[i][d] = state.position[width * cell[i] + d];
+    const auto corners = corners_of(cell, state.position);
     return hex_geometry(to_modes(corners)).volume;
   }
 } // namespace
@@ -217,10 +215,7 @@ bool Rezone::is_valid(const dealii::AlignedVector<double> &position) const
   int valid = 1;
   for (std::size_t c = 0; c < space_->n_own_cells() && valid == 1; ++c)
   {
-    HexVectors<double> corners;
-    for (unsigned int i = 0; i < 8; ++i)
-      for (unsigned int d = 0; d < 3; ++d)
-        corners[i][d] = position[width * space_->cell(c)[i] + d];
+    const auto corners = corners_of(space_->cell(c), position);
     valid = smallest_corner_jacobian(corners) > 0. ? 1 : 0;
   }
   return dealii::Utilities::MPI::min(valid, space_->communicator()) == 1;

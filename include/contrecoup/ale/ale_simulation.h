@@ -19,7 +19,8 @@
 namespace contrecoup::ale
 {
 /**
- * Fluids on a mesh that goes with the matter, and is rezoned now and then:
+ * Solids and fluids on a mesh that goes with the matter, and that of fluids is
+ * rezoned now and then:
  * mesh, materials, steps, energy ledger, output.
  */
 class AleSimulation : public Simulation

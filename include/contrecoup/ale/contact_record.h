@@ -36,9 +36,11 @@ struct ContactRecord
     }
   }
 
-  /// For the summary.
+  /// For the summary; empty without a contact.
   std::vector<NamedValue> values() const
   {
+    if (begin < 0.)
+      return {};
     return {{"contact_begin", "s", begin},
             {"contact_end", "s", end},
             {"contact_impulse", "N s", impulse},

@@ -7,7 +7,7 @@
 
 namespace contrecoup::ale
 {
-/// The application "head_impact": fluids on a mesh that goes
-/// with the matter and is smoothed.
+/// The application "head_impact": solids and fluids, such as a head,
+/// on a mesh that goes with the matter and whose fluids are smoothed.
 io::ApplicationDescription head_impact_application();
 } // namespace contrecoup::ale

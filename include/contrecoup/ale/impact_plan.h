@@ -16,8 +16,8 @@ namespace contrecoup::ale
  *
  *   cavitation     least pressure of each liquid that bears any tension
  *   gravity        its speed over that of the impact
- *   viscosity      the layer that it makes at walls in the time of the run is
- *                  thinner than a cell
+ *   viscosity      of liquids: the layer that that of water makes at walls in
+ *                  the time of the run is thinner than a cell
  *   friction       work of planes along themselves over the kinetic energy
  *   symmetry       part of the body that is computed
  */
