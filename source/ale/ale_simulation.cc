@@ -153,9 +153,19 @@ void AleSimulation::build()
   dealii::Triangulation<3> mesh;
   mesh_description_.create(mesh);
   regions_.set_regions(mesh, mesh_description_.layers());
-  space_.reinit(mesh, communicator_);
+  std::vector<bool> slides;
+  for (const Region &region : regions_.regions())
+    slides.push_back(region.slides);
+  space_.reinit(mesh, communicator_, slides);
+  const bool has_pairs =
+    dealii::Utilities::MPI::max(space_.sliding_pairs().empty() ? 0 : 1,
+                                communicator_) == 1;
+  for (const Region &region : regions_.regions())
+    if (region.slides && !has_pairs)
+      throw InputError("Region " + region.name +
+                       "/Interface = slip: it meets no region that sticks");
   n_cells_ = mesh.n_active_cells();
-  n_nodes_ = mesh.n_used_vertices();
+  n_nodes_ = space_.nodes().size();
   lagrange_.reinit(
     space_,
     regions_.regions(),
@@ -326,6 +336,11 @@ std::vector<NamedValue> AleSimulation::history()
                    {"contact_work", "J", contact.work},
                    {"friction_work", "J", contact.friction_work}});
   }
+  if (lagrange_.slips())
+    values.insert(
+      values.end(),
+      {{"slip_work", "J", lagrange_.slip_work()},
+       {"largest_slip_speed", "m/s", lagrange_.largest_slip_speed(state_)}});
   std::size_t region = 0;
   for (NamedValue &measure :
        region_measures(space_, lagrange_, state_, regions_.regions()))

@@ -28,6 +28,7 @@ namespace
     double time;
     double initial_energy;
     double external_work;
+    double slip_work;
     double energy_scale;
     double last_step;
     std::uint64_t n_peaks;
@@ -74,6 +75,7 @@ namespace
 void AleSimulation::save(const std::string &folder)
 {
   const double work = lagrange_.external_work();
+  const double slip_work = lagrange_.slip_work();
   const ContactMeasures contact = lagrange_.contact();
   const SmoothingMemory memory = rezone_.memory();
   const auto rank = dealii::Utilities::MPI::this_mpi_process(communicator_);
@@ -87,6 +89,7 @@ void AleSimulation::save(const std::string &folder)
                 state_.time,
                 initial_energy_,
                 work,
+                slip_work,
                 energy_scale_,
                 last_step_,
                 reference_.peaks().size(),
@@ -216,6 +219,7 @@ void AleSimulation::restore(const std::string &folder)
   state_.time = numbers.time;
   initial_energy_ = numbers.initial_energy;
   lagrange_.set_external_work(numbers.external_work);
+  lagrange_.set_slip_work(numbers.slip_work);
   lagrange_.set_contact(numbers.contact);
   contact_ = numbers.record;
   initial_kinetic_energy_ = numbers.initial_kinetic_energy;

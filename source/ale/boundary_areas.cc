@@ -6,25 +6,20 @@
 
 namespace contrecoup::ale
 {
-namespace
+dealii::Tensor<1, 3> area_vector(const std::array<std::uint32_t, 4> &nodes,
+                                 const dealii::AlignedVector<double> &position)
 {
-  /// Normal times area of a bilinear face [m^2].
-  dealii::Tensor<1, 3>
-  area_vector(const HexSpace::Face &face,
-              const dealii::AlignedVector<double> &position)
+  dealii::Tensor<1, 3> first, second;
+  for (unsigned int d = 0; d < 3; ++d)
   {
-    dealii::Tensor<1, 3> first, second;
-    for (unsigned int d = 0; d < 3; ++d)
-    {
-      const auto x = [&](const unsigned int i) {
-        return position[AleState::width * face.nodes[i] + d];
-      };
-      first[d] = x(2) - x(0);
-      second[d] = x(3) - x(1);
-    }
-    return 0.5 * dealii::cross_product_3d(first, second);
+    const auto x = [&](const unsigned int i) {
+      return position[AleState::width * nodes[i] + d];
+    };
+    first[d] = x(2) - x(0);
+    second[d] = x(3) - x(1);
   }
-} // namespace
+  return 0.5 * dealii::cross_product_3d(first, second);
+}
 
 
 std::vector<dealii::Tensor<1, 3>>
@@ -39,7 +34,7 @@ boundary_areas(const HexSpace &space,
   {
     if (face.outside != HexSpace::no_cell || !is_meant(face.boundary))
       continue;
-    const auto area = area_vector(face, position);
+    const auto area = area_vector(face.nodes, position);
     for (const std::uint32_t node : face.nodes)
       for (unsigned int d = 0; d < 3; ++d)
         areas[3 * node + d] += 0.25 * area[d];

@@ -81,6 +81,8 @@ void CellStencil::find_inside(const HexSpace &space)
         n_walls[node] += 1.;
   exchange.add_copies(n_walls);
   exchange.update_copies(n_walls);
+  for (const auto &[sliding, held] : space.sliding_pairs())
+    n_walls[sliding] = n_walls[held] = n_walls[sliding] + n_walls[held];
   is_inside_.clear();
   for (const double n : n_walls)
     is_inside_.push_back(n == 0. ? 1 : 0);

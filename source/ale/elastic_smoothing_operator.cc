@@ -54,7 +54,7 @@ private:
   dealii::types::global_dof_index dof(const std::size_t node,
                                       const unsigned int d) const
   {
-    return 3 * space_.nodes().local_to_global(node) + d;
+    return space_.first_dof(node) + d;
   }
   void move_mesh(const dealii::AlignedVector<double> &position);
   void constrain(const dealii::AlignedVector<double> &displacement);
@@ -114,7 +114,7 @@ void ElasticSmoothing::System::move_mesh(
     cell->get_dof_indices(dofs);
     for (const unsigned int v : cell->vertex_indices())
     {
-      const auto node = space_.nodes().global_to_local(dofs[3 * v] / 3);
+      const auto node = space_.node_of(dofs[3 * v]);
       for (unsigned int d = 0; d < 3; ++d)
         cell->vertex(v)[d] = position[width * node + d];
     }
@@ -128,7 +128,7 @@ void ElasticSmoothing::System::constrain(
   constraints_.clear();
   constraints_.reinit(relevant_);
   for (std::size_t n = 0; n < space_.n_nodes(); ++n)
-    for (unsigned int d = 0; d < 3; ++d)
+    for (unsigned int d = 0; d < 3 && !space_.is_sliding(n); ++d)
       if (is_prescribed_[n][d])
       {
         constraints_.add_line(dof(n, d));
@@ -288,7 +288,7 @@ void ElasticSmoothing::System::read(dealii::AlignedVector<double> &displacement)
   TrilinosVector all(own_, relevant_, space_.communicator());
   all = solution_;
   for (std::size_t n = 0; n < space_.n_nodes(); ++n)
-    for (unsigned int d = 0; d < 3; ++d)
+    for (unsigned int d = 0; d < 3 && !space_.is_sliding(n); ++d)
       displacement[width * n + d] = all[dof(n, d)];
   memory_.displacement = displacement;
 }
@@ -298,7 +298,7 @@ void ElasticSmoothing::System::resume(const SmoothingMemory &memory)
 {
   memory_ = memory;
   for (std::size_t n = 0; n < space_.n_own_nodes(); ++n)
-    for (unsigned int d = 0; d < 3; ++d)
+    for (unsigned int d = 0; d < 3 && !space_.is_sliding(n); ++d)
       solution_[dof(n, d)] = memory_.displacement[width * n + d];
   solution_.compress(dealii::VectorOperation::insert);
   if (memory_.first_iterations == 0)

@@ -11,6 +11,8 @@
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria_description.h>
 
+#include <algorithm>
+
 namespace contrecoup::ale
 {
 namespace
@@ -41,8 +43,10 @@ void require_valid_cells(const dealii::Triangulation<3> &mesh)
 
 
 void HexSpace::reinit(const dealii::Triangulation<3> &mesh,
-                      const MPI_Comm communicator)
+                      const MPI_Comm communicator,
+                      const std::vector<bool> &slides)
 {
+  slides_ = slides;
   if (mesh.n_levels() > 1)
     throw InputError("Mesh: it has cells of different levels; flatten it");
   require_valid_cells(mesh);
@@ -74,21 +78,111 @@ void HexSpace::distribute(const dealii::Triangulation<3> &mesh,
 }
 
 
+std::vector<bool> HexSpace::find_double_vertices() const
+{
+  std::vector<bool> result(vertices_->locally_owned_size() +
+                           vertices_->n_ghost_indices());
+  if (std::find(slides_.begin(), slides_.end(), true) == slides_.end())
+    return result;
+  // Cells of regions that slide, and others, around a vertex.
+  FieldExchange exchange;
+  exchange.reinit(*vertices_, 2);
+  dealii::AlignedVector<double> count(exchange.size());
+  std::vector<dealii::types::global_dof_index> dofs(24);
+  for (const auto &cell : dofs_->active_cell_iterators())
+  {
+    if (!cell->is_locally_owned())
+      continue;
+    cell->get_dof_indices(dofs);
+    for (unsigned int v = 0; v < 8; ++v)
+      count[2 * vertices_->global_to_local(dofs[3 * v] / 3) +
+            (slides_[cell->material_id()] ? 1 : 0)] += 1.;
+  }
+  exchange.add_copies(count);
+  exchange.update_copies(count);
+  for (std::size_t v = 0; v < result.size(); ++v)
+    result[v] = count[2 * v] > 0. && count[2 * v + 1] > 0.;
+  return result;
+}
+
+
 void HexSpace::number_nodes()
 {
   const auto &own = dofs_->locally_owned_dofs();
   dealii::IndexSet relevant;
   dealii::DoFTools::extract_locally_relevant_dofs(*dofs_, relevant);
-  dealii::IndexSet own_nodes(own.size() / 3), other_nodes(own.size() / 3);
+  dealii::IndexSet own_vertices(own.size() / 3), other_vertices(own.size() / 3);
   for (const auto dof : relevant)
     if (dof % 3 == 0)
-      (own.is_element(dof) ? own_nodes : other_nodes).add_index(dof / 3);
+      (own.is_element(dof) ? own_vertices : other_vertices).add_index(dof / 3);
+  vertices_ = std::make_shared<const dealii::Utilities::MPI::Partitioner>(
+    own_vertices, other_vertices, communicator());
+  number_nodes(find_double_vertices());
+}
+
+
+std::vector<HexSpace::VertexNodes>
+HexSpace::numbers_of_nodes(const std::vector<bool> &is_double) const
+{
+  const std::size_t n_own = vertices_->locally_owned_size();
+  const std::uint64_t n_pairs =
+    std::count(is_double.begin(), is_double.begin() + n_own, true);
+  std::uint64_t n_pairs_before = 0;
+  const int error = MPI_Exscan(
+    &n_pairs, &n_pairs_before, 1, MPI_UINT64_T, MPI_SUM, communicator());
+  AssertThrowMPI(error);
+  // Doubles hold them exactly.
+  FieldExchange exchange;
+  exchange.reinit(*vertices_, 2);
+  dealii::AlignedVector<double> numbers(exchange.size());
+  const std::uint64_t first = vertices_->local_range().first + n_pairs_before;
+  std::uint64_t next = first + n_own;
+  for (std::size_t v = 0; v < n_own; ++v)
+  {
+    numbers[2 * v] = static_cast<double>(first + v);
+    numbers[2 * v + 1] =
+      is_double[v] ? static_cast<double>(next++) : numbers[2 * v];
+  }
+  exchange.update_copies(numbers);
+  std::vector<VertexNodes> result(is_double.size());
+  for (std::size_t v = 0; v < result.size(); ++v)
+    for (unsigned int i = 0; i < 2; ++i)
+      result[v][i] =
+        static_cast<dealii::types::global_dof_index>(numbers[2 * v + i]);
+  return result;
+}
+
+
+void HexSpace::number_nodes(const std::vector<bool> &is_double)
+{
+  const std::size_t n_own = vertices_->locally_owned_size();
+  const auto numbers = numbers_of_nodes(is_double);
+  const std::uint64_t n_pairs =
+    std::count(is_double.begin(), is_double.begin() + n_own, true);
+  const auto n =
+    vertices_->size() + dealii::Utilities::MPI::sum(n_pairs, communicator());
+  dealii::IndexSet own_nodes(n), other_nodes(n);
+  for (std::size_t v = 0; v < numbers.size(); ++v)
+    for (const auto number : numbers[v])
+      (v < n_own ? own_nodes : other_nodes).add_index(number);
   nodes_ = std::make_shared<const dealii::Utilities::MPI::Partitioner>(
     own_nodes, other_nodes, communicator());
+
   n_own_nodes_ = own_nodes.n_elements();
-  const std::size_t n = n_own_nodes_ + other_nodes.n_elements();
-  node_numbers_.assign(n, 0);
-  positions_.assign(n, dealii::Point<3>());
+  const std::size_t n_here = n_own_nodes_ + other_nodes.n_elements();
+  node_numbers_.assign(n_here, 0);
+  positions_.assign(n_here, dealii::Point<3>());
+  first_dofs_.assign(n_here, dealii::numbers::invalid_dof_index);
+  node_of_vertex_.resize(numbers.size());
+  pairs_.clear();
+  for (std::size_t v = 0; v < numbers.size(); ++v)
+  {
+    const auto node = nodes_->global_to_local(numbers[v][0]);
+    node_of_vertex_[v] = node;
+    first_dofs_[node] = 3 * vertices_->local_to_global(v);
+    if (is_double[v])
+      pairs_.push_back({nodes_->global_to_local(numbers[v][1]), node});
+  }
 }
 
 
@@ -106,6 +200,9 @@ void HexSpace::number_cells(const dealii::Triangulation<3> &mesh)
   cells_.assign(n, Cell());
   regions_.assign(n, 0);
   cell_numbers_.assign(n, 0);
+  std::vector<std::uint32_t> sliding_node(n_nodes(), no_cell);
+  for (const SlidingPair &pair : pairs_)
+    sliding_node[pair.held] = pair.sliding;
   std::vector<dealii::types::global_dof_index> dofs(24);
   for (const auto &cell : dofs_->active_cell_iterators())
   {
@@ -119,10 +216,17 @@ void HexSpace::number_cells(const dealii::Triangulation<3> &mesh)
     for (unsigned int i = 0; i < 8; ++i)
     {
       const unsigned int v = corner_of[i];
-      const auto node = nodes_->global_to_local(dofs[3 * v] / 3);
-      cells_[c][i] = node;
-      node_numbers_[node] = vertices[cell_numbers_[c]][v];
+      const std::uint32_t node = node_of(dofs[3 * v]),
+                          sliding = sliding_node[node],
+                          number = vertices[cell_numbers_[c]][v];
+      cells_[c][i] = slides(c) && sliding != no_cell ? sliding : node;
+      node_numbers_[node] = number;
       positions_[node] = cell->vertex(v);
+      if (sliding == no_cell)
+        continue;
+      // Of copies of both the cells of one side may be elsewhere.
+      node_numbers_[sliding] = number + mesh.n_vertices();
+      positions_[sliding] = cell->vertex(v);
     }
   }
 }

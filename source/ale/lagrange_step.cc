@@ -27,6 +27,7 @@ void LagrangeStep::reinit(
   space_ = &space;
   acceleration_ = acceleration;
   walls_.reinit(space, space.positions(width), walls);
+  ties_.reinit(space);
   forces_.reinit(space, regions);
   node_exchange_.reinit(space.nodes(), width);
   planes_ = planes;
@@ -37,11 +38,11 @@ void LagrangeStep::reinit(
                  });
   contact_ = ContactMeasures();
   force_.resize(node_exchange_.size());
-  work_ = 0.;
+  work_ = slip_work_ = 0.;
 }
 
 
-void LagrangeStep::start(AleState &state) const
+void LagrangeStep::start(AleState &state)
 {
   dealii::AlignedVector<double> masses(node_exchange_.size());
   for (std::size_t c = 0; c < space_->n_own_cells(); ++c)
@@ -53,6 +54,8 @@ void LagrangeStep::start(AleState &state) const
   for (std::size_t n = 0; n < space_->n_nodes(); ++n)
     state.velocity[width * n + 3] = 1. / masses[width * n + 3];
   walls_.apply(state.velocity, state.time);
+  ties_.find_normals(state.position, walls_);
+  ties_.apply(state.velocity);
 }
 
 
@@ -134,6 +137,7 @@ bool LagrangeStep::try_step(AleState &state,
   state.time = begin + 0.25 * step;
   accelerate(state, start, 0.5 * step);
   walls_.apply(state.velocity, begin + 0.5 * step);
+  ties_.apply(state.velocity);
   planes_.apply(state.velocity, start.position);
   move(state, start, state.velocity, 0.5 * step);
   forces_.do_work(start.energy, state.velocity, 0.5 * step, state.energy, true);
@@ -144,6 +148,7 @@ bool LagrangeStep::try_step(AleState &state,
     return false;
   accelerate(state, start, step);
   walls_.apply(state.velocity, begin + step);
+  ties_.apply(state.velocity);
   planes_.apply(state.velocity, start.position);
   mean_.resize_fast(state.velocity.size());
   for (std::size_t i = 0; i < mean_.size(); ++i)
@@ -154,6 +159,7 @@ bool LagrangeStep::try_step(AleState &state,
   if (!all(forces_.is_physical(state)))
     return false;
   book_work(state, start, mean, step);
+  slip_work_ += ties_.work(mean);
   if (!planes_.empty())
     book_contact(planes_.measures(mean, state.velocity, step));
   state.time = begin + step;
@@ -168,6 +174,7 @@ double LagrangeStep::advance(AleState &state,
 {
   Start &start = start_;
   start.take(state);
+  ties_.find_normals(state.position, walls_);
   const double begin = state.time;
   double step = largest_step;
   for (unsigned int retry = 0; retry <= largest_retries; ++retry)

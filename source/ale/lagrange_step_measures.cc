@@ -33,6 +33,20 @@ void LagrangeStep::set_external_work(const double work)
 }
 
 
+double LagrangeStep::slip_work() const
+{
+  return dealii::Utilities::MPI::sum(slip_work_, space_->communicator());
+}
+
+
+void LagrangeStep::set_slip_work(const double work)
+{
+  const auto rank =
+    dealii::Utilities::MPI::this_mpi_process(space_->communicator());
+  slip_work_ = rank == 0 ? work : 0.;
+}
+
+
 ContactMeasures LagrangeStep::contact() const
 {
   std::vector<double> sums{

@@ -40,9 +40,14 @@ void Reconstruction::reinit(const HexSpace &space,
 {
   space_ = &space;
   cells_.clear();
-  for (std::uint32_t c = 0; c < space.n_own_cells(); ++c)
+  all_cells_.clear();
+  for (std::uint32_t c = 0; c < space.n_cells(); ++c)
     if (is_left_out.empty() || !is_left_out[space.region(c)])
-      cells_.push_back(c);
+    {
+      all_cells_.push_back(c);
+      if (c < space.n_own_cells())
+        cells_.push_back(c);
+    }
   n_fields_ = n_fields;
   gradient_exchange_.reinit(space.cells(), 3 * n_fields);
   curvature_exchange_.reinit(space.cells(), n_fields);
@@ -85,7 +90,7 @@ void Reconstruction::find_centres(const dealii::AlignedVector<double> &position)
 {
   volumes_.resize(space_->n_cells());
   centres_.resize(space_->n_cells());
-  for (std::size_t c = 0; c < space_->n_cells(); ++c)
+  for (const std::uint32_t c : all_cells_)
   {
     const auto moments = hex_moments(corners_of(space_->cell(c), position));
     volumes_[c] = moments.volume;

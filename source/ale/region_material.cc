@@ -248,6 +248,14 @@ void declare_region_material(ParameterHandler &prm)
   declare_fluid(prm);
   declare_solid(prm);
   declare_viscosity(prm);
+  declare_selection(prm,
+                    "Interface",
+                    "stick",
+                    {"stick", "slip"},
+                    "Of fluids, at other regions. stick: both share their "
+                    "nodes; slip: the fluid slides along them without "
+                    "friction, and never parts from them. Regions that slip "
+                    "stick to each other.");
 }
 
 
@@ -261,6 +269,11 @@ Region parse_region_material(ParameterHandler &prm, const std::string &name)
                       read_double(prm, "Hourglass coefficient")};
   region.kinematics = find_solid_kinematics(prm.get("Kinematics"));
   region.hourglass_stiffness = read_double(prm, "Hourglass stiffness");
+  region.slides = prm.get("Interface") == "slip";
+  if (region.slides && region.solid() != nullptr)
+    throw InputError("Region " + name +
+                     "/Interface = slip is for fluids; give it to the fluid "
+                     "at this solid");
   return region;
 }
 

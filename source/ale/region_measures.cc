@@ -26,6 +26,7 @@ namespace
   {
     double mass = 0.;
     double void_volume = 0.;
+    double kinetic_energy = 0.;
     std::array<double, 3> momentum{};
   };
 
@@ -45,8 +46,9 @@ namespace
     for (const std::uint32_t node : space.cell(cell))
     {
       const double *v = &state.velocity[width * node];
-      extrema.speed_squared = std::max(extrema.speed_squared,
-                                       v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+      const double square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+      extrema.speed_squared = std::max(extrema.speed_squared, square);
+      sums.kinetic_energy += 0.0625 * values.mass * square;
       for (unsigned int d = 0; d < 3; ++d)
         sums.momentum[d] += 0.125 * values.mass * v[d];
     }
@@ -81,11 +83,13 @@ std::vector<NamedValue> region_measures(const HexSpace &space,
                             sums[i].momentum[0],
                             sums[i].momentum[1],
                             sums[i].momentum[2],
-                            sums[i].void_volume};
+                            sums[i].void_volume,
+                            sums[i].kinetic_energy};
     dealii::Utilities::MPI::sum(sum, communicator, sum);
     const std::string name = "_" + regions[i].name;
     result.push_back({"least_pressure" + name, "Pa", -most[0]});
     result.push_back({"largest_pressure" + name, "Pa", most[1]});
+    result.push_back({"kinetic_energy" + name, "J", sum[5]});
     if (regions[i].solid() == nullptr)
     {
       result.push_back({"largest_speed" + name, "m/s", std::sqrt(most[3])});

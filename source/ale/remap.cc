@@ -31,6 +31,7 @@ void Remap::reinit(const HexSpace &space, const std::vector<bool> &is_at_rest)
   cells_at_rest_.clear();
   for (std::uint32_t c = 0; c < space.n_own_cells(); ++c)
     (rests(c) ? cells_at_rest_ : cells_).push_back(c);
+  ties_.reinit(space);
   reconstruction_.reinit(space, n_fields, is_at_rest);
   node_exchange_.reinit(space.nodes(), width + 1);
   cell_exchange_.reinit(space.cells(), 1);
@@ -41,8 +42,10 @@ void Remap::reinit(const HexSpace &space, const std::vector<bool> &is_at_rest)
 
 void Remap::fill_fields(const AleState &state)
 {
-  for (std::size_t c = 0; c < space_->n_cells(); ++c)
+  for (std::uint32_t c = 0; c < space_->n_cells(); ++c)
   {
+    if (rests(c))
+      continue;
     double *field = &fields_[n_fields * c];
     const auto corners = corners_of(space_->cell(c), state.position);
     const auto velocities = corners_of(space_->cell(c), state.velocity);
@@ -72,7 +75,8 @@ void Remap::carry_face(const AleState &state,
     }
   if (!moves)
     return;
-  if (rests(face.inside) || rests(face.outside))
+  // The nodes are those of `inside`.
+  if (rests(face.inside) || (rests(face.outside) && !space_->is_sliding(face)))
     throw NumericsError("time " + exact(state.time) +
                         " s: the rezone would move a solid's node, at cell " +
                         std::to_string(space_->cell_number(face.inside)));
@@ -179,7 +183,9 @@ void Remap::check_masses(const AleState &state) const
 }
 
 
-void Remap::collect(AleState &state, const SlipWalls &walls) const
+void Remap::collect(AleState &state,
+                    const SlipWalls &walls,
+                    const dealii::AlignedVector<double> &position)
 {
   // Momentum, mass and kinetic energy of the nodes.
   constexpr unsigned int n = width + 1;
@@ -217,6 +223,8 @@ void Remap::collect(AleState &state, const SlipWalls &walls) const
     state.velocity[width * node + 3] = 1. / sums[n * node + 3];
   }
   walls.apply(state.velocity, state.time);
+  ties_.find_normals(position, walls);
+  ties_.apply(state.velocity);
   // What the velocity of a node lacks of its kinetic energy, by mass.
   const auto heat = [&](const std::uint32_t c) {
     double result = 0.;
@@ -248,7 +256,7 @@ void Remap::apply(AleState &state,
   reconstruction_.compute(state.position, fields_);
   carry_over(state, position);
   check_masses(state);
-  collect(state, walls);
+  collect(state, walls, position);
   cell_exchange_.update_copies(state.mass);
   cell_exchange_.update_copies(state.energy);
   cell_exchange_.update_copies(state.products);

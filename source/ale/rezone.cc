@@ -100,7 +100,13 @@ void Rezone::reinit(
   space_ = &space;
   is_solid_.clear();
   for (const Region &region : regions)
+  {
     is_solid_.push_back(region.solid() != nullptr);
+    if (region.slides && kind_ != RezoneKind::elastic)
+      throw InputError("Region " + region.name +
+                       "/Interface = slip needs Rezone/Kind = elastic, which "
+                       "puts nodes that slid back to those of the other side");
+  }
   start_ = state.position;
   reference_ = state.position;
   due_ = state.time + interval_;
@@ -199,6 +205,9 @@ void Rezone::find_prescribed(
         count[n * node + all] += 1.;
   exchange.add_copies(count);
   exchange.update_copies(count);
+  // Both nodes of a place are where regions meet.
+  for (const auto &[sliding, held] : space_->sliding_pairs())
+    count[n * sliding + all] = count[n * held + all] = 1.;
   is_prescribed_.clear();
   for (std::size_t node = 0; node < space_->n_nodes(); ++node)
   {
@@ -236,6 +245,9 @@ dealii::AlignedVector<double> Rezone::smoothed(const AleState &state)
       displacement[i] = is_prescribed_[n][d] ? state.position[i]
                                              : reference_[i] + displacement[i];
     }
+  for (const auto &[sliding, held] : space_->sliding_pairs())
+    for (unsigned int d = 0; d < 3; ++d)
+      displacement[width * sliding + d] = state.position[width * held + d];
   return displacement;
 }
 
@@ -261,8 +273,9 @@ Rezone::largest_outflow(const AleState &state,
   }
   double largest = 0.;
   for (std::size_t c = 0; c < space_->n_own_cells(); ++c)
-    largest =
-      std::max(largest, outflow[c] / cell_volume(space_->cell(c), state));
+    if (outflow[c] > 0.)
+      largest =
+        std::max(largest, outflow[c] / cell_volume(space_->cell(c), state));
   return dealii::Utilities::MPI::max(largest, space_->communicator());
 }
 

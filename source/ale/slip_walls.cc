@@ -50,6 +50,19 @@ void SlipWalls::apply(dealii::AlignedVector<double> &velocity,
   std::vector<double> speed(motions_.size());
   for (std::size_t i = 0; i < motions_.size(); ++i)
     speed[i] = motions_[i](time);
+  set_normal_parts(velocity, speed);
+}
+
+
+void SlipWalls::remove_normal_parts(dealii::AlignedVector<double> &field) const
+{
+  set_normal_parts(field, std::vector<double>(motions_.size(), 0.));
+}
+
+
+void SlipWalls::set_normal_parts(dealii::AlignedVector<double> &velocity,
+                                 const std::vector<double> &speed) const
+{
   std::size_t begin = 0;
   while (begin < wall_nodes_.size())
   {

@@ -210,6 +210,37 @@ contrecoup_add_application_test(head_gap bounds
   BOUNDS ${_ledger} "assumptions.contact_begin > 3e-5"
   "assumptions.contact_begin < 3.7e-5")
 
+# A fluid that slides along its neighbours.
+contrecoup_add_application_test(head_slip bounds,resume,ranks
+  FILE head_impact/quickstart.prm SET ${_coarse} "Rezone/Tolerance=1e-12"
+  "Region CSF/Interface=slip"
+  BOUNDS ${_ledger} COMPARE history.csv probes.csv STOP_AFTER 100
+  TOLERANCE 5e-6 "energy_residual*=1e-13 absolute"
+  "momentum_x*=1e-8 absolute" "momentum_y*=1e-8 absolute" "step size*=1e-4")
+# A skull that spins around fluid at rest loses 3e-5 of its 1.17962 J, and half
+# where fluid sticks to it.
+contrecoup_add_application_test(spinning_skull bounds,ranks
+  FILE ${_folder}/spinning_skull.prm SET "Time/End time=1e-4"
+  BOUNDS ${_ledger} "history.kinetic_energy_skull > 1.17956"
+  "history.kinetic_energy_CSF < 1.15e-5" "history.kinetic_energy_brain < 1.7e-6"
+  "history.slip_work < 1e-6" "history.slip_work > -1e-6"
+  COMPARE history.csv TOLERANCE "1e-5" "energy_residual*=1e-13 absolute"
+  "momentum_*=1e-8 absolute" "velocity_*=1e-8 absolute" LABELS verification)
+contrecoup_add_application_test(spinning_skull_that_sticks bounds
+  FILE ${_folder}/spinning_skull.prm SET "Time/End time=1e-4"
+  "Region CSF/Interface=stick"
+  BOUNDS ${_ledger} "history.kinetic_energy_skull < 0.6"
+  "history.kinetic_energy_CSF > 0.12" LABELS verification)
+contrecoup_add_application_test(refuses_slip_without_smoothing refusal
+  FILE head_impact/quickstart.prm SET "Region CSF/Interface=slip" "Rezone/Kind=none"
+  MESSAGE "Interface = slip needs Rezone/Kind = elastic")
+contrecoup_add_application_test(refuses_solid_that_slips refusal
+  FILE head_impact/quickstart.prm SET "Region skull/Interface=slip"
+  MESSAGE "Interface = slip is for fluids")
+contrecoup_add_application_test(refuses_slip_along_nothing refusal
+  FILE ${_folder}/sod.prm SET "Region gas/Interface=slip" "Rezone/Kind=elastic"
+  MESSAGE "Interface = slip: it meets no region that sticks")
+
 # What its report says: figures, each with another digit, damaged files, and the
 # page in a browser without a window.
 contrecoup_add_application_test(report bounds,pictures

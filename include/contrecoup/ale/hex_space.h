@@ -41,24 +41,71 @@ public:
   /// Corners as in HexMesh.
   using Cell = std::array<std::uint32_t, 8>;
 
+  /// Two nodes at one place of an interface along which a region slides: that
+  /// of the region, and that of what it slides along.
+  struct SlidingPair
+  {
+    std::uint32_t sliding;
+    std::uint32_t held;
+  };
+
   /**
    * Distributes @p mesh, which every rank must have alike, along the order of
    * its cells. Material ids say to which region a cell belongs. Collective.
+   * @param slides by material id: whether the region has nodes of its own where
+   *   it meets regions that do not slide; may be empty
    * @throws InputError for an inverted cell, naming it, and for a mesh with
    * cells of different levels
    */
-  void reinit(const dealii::Triangulation<3> &mesh, MPI_Comm communicator);
+  void reinit(const dealii::Triangulation<3> &mesh,
+              MPI_Comm communicator,
+              const std::vector<bool> &slides = {});
 
   MPI_Comm communicator() const
   {
     return triangulation_->get_communicator();
   }
 
-  /// Three continuous trilinear components at the nodes: those of node n are
-  /// the local degrees of freedom 3 n to 3 n + 2.
+  /// Three continuous trilinear components at the nodes that do not slide.
   const dealii::DoFHandler<3> &node_dofs() const
   {
     return *dofs_;
+  }
+
+  /// The first of the three degrees of freedom of a node, which follow each
+  /// other; not of sliding nodes.
+  dealii::types::global_dof_index first_dof(const std::size_t node) const
+  {
+    return first_dofs_[node];
+  }
+
+  /// The node of a degree of freedom that this rank knows.
+  std::uint32_t node_of(const dealii::types::global_dof_index dof) const
+  {
+    return node_of_vertex_[vertices_->global_to_local(dof / 3)];
+  }
+
+  /// Of the nodes that this rank owns or has copies of.
+  const std::vector<SlidingPair> &sliding_pairs() const
+  {
+    return pairs_;
+  }
+  bool is_sliding(const std::size_t node) const
+  {
+    return first_dofs_[node] == dealii::numbers::invalid_dof_index;
+  }
+
+  /// Whether the cells of a face have nodes of their own there.
+  bool is_sliding(const Face &face) const
+  {
+    return face.outside != no_cell &&
+           slides(face.inside) != slides(face.outside);
+  }
+
+  /// Whether the region of a cell slides along others.
+  bool slides(const std::size_t cell) const
+  {
+    return !slides_.empty() && slides_[regions_[cell]];
   }
   dealii::Triangulation<3> &triangulation()
   {
@@ -134,6 +181,14 @@ public:
 private:
   void distribute(const dealii::Triangulation<3> &mesh, MPI_Comm communicator);
   void number_nodes();
+  /// Numbers of the nodes of a vertex on all ranks; twice the same where it has
+  /// but one.
+  using VertexNodes = std::array<dealii::types::global_dof_index, 2>;
+
+  std::vector<bool> find_double_vertices() const;
+  std::vector<VertexNodes>
+  numbers_of_nodes(const std::vector<bool> &is_double) const;
+  void number_nodes(const std::vector<bool> &is_double);
   void number_cells(const dealii::Triangulation<3> &mesh);
   void find_faces();
   void find_cells_around();
@@ -141,7 +196,14 @@ private:
   std::unique_ptr<dealii::parallel::fullydistributed::Triangulation<3>>
     triangulation_;
   std::unique_ptr<dealii::DoFHandler<3>> dofs_;
+  std::vector<bool> slides_; ///< by region; may be empty
+  /// Vertices of the mesh, one for three degrees of freedom, and nodes, of
+  /// which some are at the same vertex.
+  std::shared_ptr<const dealii::Utilities::MPI::Partitioner> vertices_;
   std::shared_ptr<const dealii::Utilities::MPI::Partitioner> nodes_;
+  std::vector<std::uint32_t> node_of_vertex_;
+  std::vector<dealii::types::global_dof_index> first_dofs_;
+  std::vector<SlidingPair> pairs_;
   std::shared_ptr<const dealii::Utilities::MPI::Partitioner> cells_partitioner_;
   std::size_t n_own_cells_ = 0;
   std::size_t n_own_nodes_ = 0;

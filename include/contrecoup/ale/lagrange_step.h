@@ -6,7 +6,7 @@
 #include <contrecoup/ale/contact_planes.h>
 #include <contrecoup/ale/corner_forces.h>
 #include <contrecoup/ale/field_exchange.h>
-#include <contrecoup/ale/slip_walls.h>
+#include <contrecoup/ale/slip_ties.h>
 
 #include <deal.II/base/tensor.h>
 
@@ -47,7 +47,7 @@ public:
          const ContactPlanes &planes = {});
 
   /// Sets masses of nodes from those of cells, and makes velocities obey walls.
-  void start(AleState &state) const;
+  void start(AleState &state);
 
   /**
    * One step of at most this size, and of at most @p courant of what signals
@@ -80,6 +80,25 @@ public:
 
   /// Sets what they had done before a restart. Collective.
   void set_contact(const ContactMeasures &contact);
+
+  /// Whether regions slide along each other.
+  bool slips() const
+  {
+    return !ties_.empty();
+  }
+
+  /// The fastest of any two nodes along each other [m/s]. Collective.
+  double largest_slip_speed(const AleState &state) const
+  {
+    return ties_.largest_slip_speed(state.velocity);
+  }
+
+  /// Work of the ties between regions that slide along each other, part of
+  /// external_work(), all ranks [J]. Collective.
+  double slip_work() const;
+
+  /// Sets what it was before a restart. Collective.
+  void set_slip_work(const double work);
 
   /// Collective.
   AleTotals totals(const AleState &state) const;
@@ -136,6 +155,7 @@ private:
 
   const HexSpace *space_ = nullptr;
   SlipWalls walls_;
+  SlipTies ties_;
   ContactPlanes planes_;
   Acceleration acceleration_;
   CornerForces forces_;
@@ -145,6 +165,7 @@ private:
   dealii::AlignedVector<double> mean_;  ///< velocity of the present step [m/s]
   dealii::AlignedVector<double> force_; ///< on nodes, four each [N]
   double work_ = 0.;                    ///< of this rank [J]
+  double slip_work_ = 0.;               ///< of this rank [J]
   ContactMeasures contact_;             ///< of this rank
 };
 } // namespace contrecoup::ale

@@ -83,7 +83,8 @@ private:
   std::vector<dealii::Point<3>> centres_;
   const dealii::AlignedVector<double> *position_ = nullptr;
   CellStencil stencil_;
-  std::vector<std::uint32_t> cells_; ///< own ones that get functions
+  std::vector<std::uint32_t> cells_;     ///< own ones that get functions
+  std::vector<std::uint32_t> all_cells_; ///< the same, and copies
   /// Of one cell, by field: bounds, and by what its gradient is multiplied.
   std::vector<double> least_, most_, factor_;
 };

@@ -27,6 +27,8 @@ struct Region
   /// that give a cube the energy of its shear [-].
   SolidKinematics kinematics = SolidKinematics::finite_rotation;
   double hourglass_stiffness = 1.;
+  /// Whether it slides along other regions; fluids only.
+  bool slides = false;
 
   /// The solid; null for fluids.
   const SolidMaterial *solid() const

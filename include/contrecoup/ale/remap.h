@@ -5,7 +5,7 @@
 
 #include <contrecoup/ale/ale_state.h>
 #include <contrecoup/ale/reconstruction.h>
-#include <contrecoup/ale/slip_walls.h>
+#include <contrecoup/ale/slip_ties.h>
 
 namespace contrecoup::ale
 {
@@ -28,8 +28,8 @@ public:
 
   /**
    * @param walls that the new velocities obey
-   * @param position of the nodes afterwards; those between regions, and those
-   *   of boundaries but along them, must not move
+   * @param position of the nodes afterwards; those between regions but sliding
+   *   ones, and those of boundaries but along them, must not move
    * @throws NumericsError, naming the cell, when a node of a region at rest
    *   would move, or when a cell loses more mass than it has
    */
@@ -60,12 +60,15 @@ private:
                       const HexSpace::Face &face,
                       const double swept) const;
   void check_masses(const AleState &state) const;
-  void collect(AleState &state, const SlipWalls &walls) const;
+  void collect(AleState &state,
+               const SlipWalls &walls,
+               const dealii::AlignedVector<double> &position);
 
   const HexSpace *space_ = nullptr;
   std::vector<bool> is_at_rest_;             ///< by region
   std::vector<std::uint32_t> cells_;         ///< own ones, carried over
   std::vector<std::uint32_t> cells_at_rest_; ///< the other own ones
+  SlipTies ties_;
   Reconstruction reconstruction_;
   FieldExchange node_exchange_, cell_exchange_;
   dealii::AlignedVector<double> fields_; ///< of all cells

@@ -36,6 +36,10 @@ public:
   /// Sets the normal velocities of the nodes on walls at @p time [s].
   void apply(dealii::AlignedVector<double> &velocity, const double time) const;
 
+  /// Makes vectors at the nodes on walls, AleState::width numbers each, lie
+  /// along them.
+  void remove_normal_parts(dealii::AlignedVector<double> &field) const;
+
 private:
   struct WallNode
   {
@@ -44,6 +48,9 @@ private:
     unsigned int wall;
   };
 
+  /// @param speed of the walls
+  void set_normal_parts(dealii::AlignedVector<double> &velocity,
+                        const std::vector<double> &speed) const;
   void add_wall(const HexSpace &space,
                 const dealii::AlignedVector<double> &position,
                 const dealii::types::boundary_id boundary,
