@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace contrecoup::ale
 {
@@ -58,6 +59,58 @@ void Reconstruction::reinit(const HexSpace &space,
   factor_.resize(n_fields);
 
   stencil_.reinit(space);
+  find_slots(is_left_out);
+}
+
+
+void Reconstruction::find_slots(const std::vector<bool> &is_left_out)
+{
+  is_left_out_ = is_left_out;
+  slots_.assign(space_->n_nodes(), no_slot);
+  slot_nodes_.clear();
+  std::vector<bool> is_seen(space_->n_nodes());
+  for (const std::uint32_t cell : cells_)
+    for (const std::uint32_t node : space_->cell(cell))
+    {
+      if (is_seen[node])
+        continue;
+      is_seen[node] = true;
+      const auto around = space_->cells_around(node);
+      if (std::all_of(
+            around.begin(), around.end(), [&](const std::uint32_t other) {
+              const unsigned int region = space_->region(other);
+              return region == space_->region(cell) ||
+                     (!is_left_out.empty() && is_left_out[region]);
+            }))
+      {
+        slots_[node] = slot_nodes_.size();
+        slot_nodes_.push_back(node);
+      }
+    }
+  extrema_.resize(2 * n_fields_ * slot_nodes_.size());
+}
+
+
+void Reconstruction::find_extrema(const dealii::AlignedVector<double> &fields)
+{
+  for (std::size_t slot = 0; slot < slot_nodes_.size(); ++slot)
+  {
+    double *const least = &extrema_[2 * n_fields_ * slot];
+    double *const most = least + n_fields_;
+    std::fill(least, most, std::numeric_limits<double>::max());
+    std::fill(most, most + n_fields_, -std::numeric_limits<double>::max());
+    for (const std::uint32_t cell : space_->cells_around(slot_nodes_[slot]))
+    {
+      if (!is_left_out_.empty() && is_left_out_[space_->region(cell)])
+        continue;
+      const double *const values = &fields[n_fields_ * cell];
+      for (unsigned int f = 0; f < n_fields_; ++f)
+      {
+        least[f] = std::min(least[f], values[f]);
+        most[f] = std::max(most[f], values[f]);
+      }
+    }
+  }
 }
 
 
@@ -66,6 +119,7 @@ void Reconstruction::compute(const dealii::AlignedVector<double> &position,
 {
   position_ = &position;
   find_centres(position);
+  find_extrema(fields);
   for (const std::uint32_t c : cells_)
     find_gradients(fields, c);
   for (const std::uint32_t c : cells_)
@@ -180,6 +234,28 @@ bool Reconstruction::is_smooth(const std::size_t cell,
 }
 
 
+void Reconstruction::widen(const dealii::AlignedVector<double> &fields,
+                           const std::size_t cell,
+                           const std::uint32_t node)
+{
+  const auto add = [&](const double *const least, const double *const most) {
+    for (unsigned int f = 0; f < n_fields_; ++f)
+    {
+      least_[f] = std::min(least_[f], least[f]);
+      most_[f] = std::max(most_[f], most[f]);
+    }
+  };
+  if (slots_[node] != no_slot)
+  {
+    const double *const least = &extrema_[2 * n_fields_ * slots_[node]];
+    return add(least, least + n_fields_);
+  }
+  for (const std::uint32_t other : space_->cells_around(node))
+    if (space_->region(other) == space_->region(cell))
+      add(&fields[n_fields_ * other], &fields[n_fields_ * other]);
+}
+
+
 void Reconstruction::limit_at(
   const dealii::AlignedVector<double> &fields,
   const std::size_t cell,
@@ -192,17 +268,7 @@ void Reconstruction::limit_at(
   for (const std::uint32_t node : nodes)
   {
     centre += place(node) / static_cast<double>(nodes.size());
-    for (const std::uint32_t other : space_->cells_around(node))
-    {
-      if (space_->region(other) != space_->region(cell))
-        continue;
-      const double *values = &fields[n_fields_ * other];
-      for (unsigned int f = 0; f < n_fields_; ++f)
-      {
-        least_[f] = std::min(least_[f], values[f]);
-        most_[f] = std::max(most_[f], values[f]);
-      }
-    }
+    widen(fields, cell, node);
   }
   const auto way = centre - centres_[cell];
   for (unsigned int f = 0; f < n_fields_; ++f)

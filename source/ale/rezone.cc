@@ -6,6 +6,7 @@
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/base/text.h>
+#include <contrecoup/base/timers.h>
 #include <contrecoup/numerics/hex8_moments.h>
 
 #include <deal.II/base/mpi.h>
@@ -233,6 +234,7 @@ bool Rezone::is_valid(const dealii::AlignedVector<double> &position) const
 
 dealii::AlignedVector<double> Rezone::smoothed(const AleState &state)
 {
+  const TimerScope timer("rezone: smoothing");
   dealii::AlignedVector<double> displacement = state.position;
   for (std::size_t i = 0; i < displacement.size(); ++i)
     displacement[i] -= reference_[i];
@@ -284,6 +286,7 @@ void Rezone::carry_over(AleState &state,
                         const SlipWalls &walls,
                         const dealii::AlignedVector<double> &position)
 {
+  const TimerScope timer("rezone: remap");
   // What leaves a cell is what its linear function says is there.
   constexpr double largest_part = 0.5;
   const double outflow = largest_outflow(state, position);

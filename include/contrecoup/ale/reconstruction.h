@@ -55,6 +55,14 @@ public:
   }
 
 private:
+  /// Finds the nodes whose cells that get functions are of one region.
+  void find_slots(const std::vector<bool> &is_left_out);
+  void find_extrema(const dealii::AlignedVector<double> &fields);
+  /// Widens least_ and most_ by what cells of the region of @p cell around a
+  /// node have.
+  void widen(const dealii::AlignedVector<double> &fields,
+             const std::size_t cell,
+             const std::uint32_t node);
   void find_centres(const dealii::AlignedVector<double> &position);
   void find_gradients(const dealii::AlignedVector<double> &fields,
                       const std::size_t cell);
@@ -85,6 +93,12 @@ private:
   CellStencil stencil_;
   std::vector<std::uint32_t> cells_;     ///< own ones that get functions
   std::vector<std::uint32_t> all_cells_; ///< the same, and copies
+  /// Nodes whose bounds all their cells share: where in extrema_, or no_slot.
+  static constexpr std::uint32_t no_slot = -1;
+  std::vector<std::uint32_t> slots_;
+  std::vector<std::uint32_t> slot_nodes_;
+  std::vector<bool> is_left_out_;         ///< by region; may be empty
+  dealii::AlignedVector<double> extrema_; ///< least and most, by slot and field
   /// Of one cell, by field: bounds, and by what its gradient is multiplied.
   std::vector<double> least_, most_, factor_;
 };
