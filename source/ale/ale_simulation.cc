@@ -262,8 +262,9 @@ void AleSimulation::find_probe_cells()
 
 void AleSimulation::heat(const double begin, const double duration)
 {
-  lagrange_.add_external_work(
-    heat_source_.add(space_, state_, begin, duration));
+  const double heat = heat_source_.add(space_, state_, begin, duration);
+  is_as_left_ = is_as_left_ && !heat_source_.is_active();
+  lagrange_.add_external_work(heat);
 }
 
 
@@ -278,7 +279,8 @@ StepReport AleSimulation::advance(const double largest_step)
   const double first = 0.5 * std::min(largest, last_step_);
   heat(begin, first);
   const auto made =
-    lagrange_.advance(state_, largest, courant_, largest_retries_);
+    lagrange_.advance(state_, largest, courant_, largest_retries_, is_as_left_);
+  is_as_left_ = true;
   heat(begin + first, made - first);
   // A step that was cut to end at a time of output says nothing of the next.
   if (made < largest_step || last_step_ == 0. || made > last_step_)
@@ -296,7 +298,9 @@ StepReport AleSimulation::advance(const double largest_step)
 bool AleSimulation::adapt()
 {
   const TimerScope timer("rezone");
-  return rezone_.apply(state_, lagrange_.walls());
+  const bool is_rezoned = rezone_.apply(state_, lagrange_.walls());
+  is_as_left_ = is_as_left_ && !is_rezoned;
+  return is_rezoned;
 }
 
 

@@ -163,7 +163,7 @@ void CornerForces::add_solid(const CellBatches::Range &range,
           force);
     rate = std::max(rate, element.signal_rate);
     least = std::min(least, element.dilatation);
-    if constexpr (viscoelastic)
+    if (viscoelastic && keeps_forces_)
       for (unsigned int k = 0; k < 6; ++k)
         element.relaxed[k].scatter(cells, &state.relaxed[k * n_cells]);
   }
@@ -223,12 +223,13 @@ bool CornerForces::uses_energy(const unsigned int region) const
 }
 
 
-void CornerForces::do_work(const dealii::AlignedVector<double> &before,
+bool CornerForces::do_work(const dealii::AlignedVector<double> &before,
                            const dealii::AlignedVector<double> &velocity,
                            const double step,
                            dealii::AlignedVector<double> &after,
                            const bool is_first_half) const
 {
+  bool is_finite = true;
   for (const CellBatches::Range &range : batches_.ranges())
   {
     if (is_first_half && !uses_energy(range.region))
@@ -244,25 +245,14 @@ void CornerForces::do_work(const dealii::AlignedVector<double> &before,
       const unsigned int *cells = batches_.cells(batch);
       const Lane energy = gather_cells(before.data(), cells) + step * power;
       energy.scatter(cells, after.data());
+      // A NaN is not greater.
+      is_finite =
+        is_finite &&
+        all_greater(energy, Lane(-std::numeric_limits<double>::max())) &&
+        all_greater(Lane(std::numeric_limits<double>::max()), energy);
     }
   }
-}
-
-
-bool CornerForces::is_physical(const AleState &state) const
-{
-  bool good = true;
-  for (unsigned int batch = 0; batch < batches_.n_batches(); ++batch)
-  {
-    const auto x = gather(state.position, batches_.offsets(batch, 0));
-    const Lane volume = hex_geometry(to_modes(x)).volume;
-    const Lane energy =
-      gather_cells(state.energy.data(), batches_.cells(batch));
-    // A NaN is not greater.
-    good = good && all_greater(volume, Lane(0.)) &&
-           all_greater(Lane(std::numeric_limits<double>::max()), energy);
-  }
-  return good;
+  return is_finite;
 }
 
 

@@ -31,7 +31,7 @@ double HeatSource::add(const HexSpace &space,
                        const double begin,
                        const double duration) const
 {
-  if (power_.is_zero())
+  if (!is_active())
     return 0.;
   double sum = 0.;
   for (std::size_t c = 0; c < space.n_own_cells(); ++c)

@@ -39,6 +39,7 @@ void LagrangeStep::reinit(
   contact_ = ContactMeasures();
   force_.resize(node_exchange_.size());
   work_ = slip_work_ = 0.;
+  has_forces_ = false;
 }
 
 
@@ -79,6 +80,7 @@ void LagrangeStep::accelerate(AleState &state,
     for (unsigned int d = 0; d < 3; ++d)
       after[d] =
         before[d] + step * (force_[width * n + d] * before[3] + body[d]);
+    after[3] = before[3];
   }
   node_exchange_.update_copies(state.velocity);
 }
@@ -86,13 +88,12 @@ void LagrangeStep::accelerate(AleState &state,
 
 void LagrangeStep::move(AleState &state,
                         const Start &start,
-                        const dealii::AlignedVector<double> &velocity,
                         const double step) const
 {
   for (std::size_t n = 0; n < space_->n_nodes(); ++n)
     for (unsigned int d = 0; d < 3; ++d)
       state.position[width * n + d] =
-        start.position[width * n + d] + step * velocity[width * n + d];
+        start.position[width * n + d] + step * state.velocity[width * n + d];
 }
 
 
@@ -102,20 +103,30 @@ bool LagrangeStep::all(const bool good) const
 }
 
 
-void LagrangeStep::book_work(const AleState &state,
-                             const Start &start,
-                             const dealii::AlignedVector<double> &mean,
-                             const double step)
+double LagrangeStep::move_by_mean(AleState &state,
+                                  const Start &start,
+                                  const double step)
 {
-  for (std::size_t n = 0; n < space_->n_own_nodes(); ++n)
+  mean_.resize_fast(state.velocity.size());
+  double work = 0.;
+  for (std::size_t n = 0; n < space_->n_nodes(); ++n)
   {
     const std::size_t i = width * n;
-    const double mass = 1. / state.velocity[i + 3];
+    double change_of_energy = 0., work_of_forces = 0.;
     for (unsigned int d = 0; d < 3; ++d)
-      work_ +=
-        mean[i + d] * (mass * (state.velocity[i + d] - start.velocity[i + d]) -
-                       step * force_[i + d]);
+    {
+      const double after = state.velocity[i + d],
+                   before = start.velocity[i + d];
+      const double mean = 0.5 * (after + before);
+      mean_[i + d] = mean;
+      state.position[i + d] = start.position[i + d] + step * mean;
+      change_of_energy += mean * (after - before);
+      work_of_forces += mean * force_[i + d];
+    }
+    if (n < space_->n_own_nodes())
+      work += change_of_energy / state.velocity[i + 3] - step * work_of_forces;
   }
+  return work;
 }
 
 
@@ -139,7 +150,7 @@ bool LagrangeStep::try_step(AleState &state,
   walls_.apply(state.velocity, begin + 0.5 * step);
   ties_.apply(state.velocity);
   planes_.apply(state.velocity, start.position);
-  move(state, start, state.velocity, 0.5 * step);
+  move(state, start, 0.5 * step);
   forces_.do_work(start.energy, state.velocity, 0.5 * step, state.energy, true);
 
   state.time = begin + 0.5 * step;
@@ -150,18 +161,17 @@ bool LagrangeStep::try_step(AleState &state,
   walls_.apply(state.velocity, begin + step);
   ties_.apply(state.velocity);
   planes_.apply(state.velocity, start.position);
-  mean_.resize_fast(state.velocity.size());
-  for (std::size_t i = 0; i < mean_.size(); ++i)
-    mean_[i] = 0.5 * (state.velocity[i] + start.velocity[i]);
-  const auto &mean = mean_;
-  move(state, start, mean, step);
-  forces_.do_work(start.energy, mean, step, state.energy, false);
-  if (!all(forces_.is_physical(state)))
+  const double work = move_by_mean(state, start, step);
+  const bool is_finite =
+    forces_.do_work(start.energy, mean_, step, state.energy, false);
+  // Those that the next step starts from.
+  add_forces(state, 0.);
+  if (!all(is_finite && forces_.has_volumes()))
     return false;
-  book_work(state, start, mean, step);
-  slip_work_ += ties_.work(mean);
+  work_ += work;
+  slip_work_ += ties_.work(mean_);
   if (!planes_.empty())
-    book_contact(planes_.measures(mean, state.velocity, step));
+    book_contact(planes_.measures(mean_, state.velocity, step));
   state.time = begin + step;
   return true;
 }
@@ -170,23 +180,25 @@ bool LagrangeStep::try_step(AleState &state,
 double LagrangeStep::advance(AleState &state,
                              const double largest_step,
                              const double courant,
-                             const unsigned int largest_retries)
+                             const unsigned int largest_retries,
+                             const bool is_as_left)
 {
+  if (!is_as_left || !has_forces_)
+    add_forces(state, 0.);
+  has_forces_ = false;
+  const double rate =
+    dealii::Utilities::MPI::max(forces_.signal_rate(), space_->communicator());
   Start &start = start_;
   start.take(state);
-  ties_.find_normals(state.position, walls_);
+  ties_.find_normals(start.position, walls_);
   const double begin = state.time;
-  double step = largest_step;
+  double step = std::min(largest_step, courant / rate);
   for (unsigned int retry = 0; retry <= largest_retries; ++retry)
   {
-    add_forces(state, 0.);
-    if (retry == 0)
-    {
-      const double rate = dealii::Utilities::MPI::max(forces_.signal_rate(),
-                                                      space_->communicator());
-      step = std::min(step, courant / rate);
-    }
-    if (try_step(state, start, step))
+    if (retry > 0)
+      add_forces(state, 0.);
+    has_forces_ = try_step(state, start, step);
+    if (has_forces_)
       return step;
     if (retry == largest_retries)
     {

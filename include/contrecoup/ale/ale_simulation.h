@@ -110,6 +110,8 @@ private:
   /// In the rows of the history so far, by region [Pa].
   std::vector<double> least_pressures_;
   double last_step_ = 0.; ///< 0: none was made [s]
+  /// Whether state_ is what the last step left.
+  bool is_as_left_ = false;
   /// The rank with the cell of a probe has its number, others no_cell.
   std::vector<std::uint32_t> probe_cells_;
 };

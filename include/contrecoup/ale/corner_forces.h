@@ -63,15 +63,13 @@ public:
    * @param velocity of the nodes [m/s]
    * @param step [s]
    * @param after energies [J]
+   * @return whether those of own cells are finite, as far as they were found
    */
-  void do_work(const dealii::AlignedVector<double> &before,
+  bool do_work(const dealii::AlignedVector<double> &before,
                const dealii::AlignedVector<double> &velocity,
                const double step,
                dealii::AlignedVector<double> &after,
                const bool is_first_half) const;
-
-  /// Whether all own cells have a volume above 0 and a finite energy.
-  bool is_physical(const AleState &state) const;
 
   /// What own cell @p cell has now.
   CellValues values(const AleState &state, const std::size_t cell) const;

@@ -31,6 +31,11 @@ public:
              const double begin,
              const double duration) const;
 
+  bool is_active() const
+  {
+    return !power_.is_zero();
+  }
+
 private:
   Expression power_{"", "0"}; ///< [W/m^3]
 };

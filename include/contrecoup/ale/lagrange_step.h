@@ -53,6 +53,8 @@ public:
    * One step of at most this size, and of at most @p courant of what signals
    * allow; it is halved where a cell would be inverted or numbers would not be
    * finite.
+   * @param is_as_left whether @p state is what the last call left, whose forces
+   *   are then still known
    * @return its size [s]
    * @throws NumericsError, naming the cell, after @p largest_retries; the state
    *   is then that before the step
@@ -60,7 +62,8 @@ public:
   double advance(AleState &state,
                  const double largest_step,
                  const double courant,
-                 const unsigned int largest_retries = 10);
+                 const unsigned int largest_retries = 10,
+                 const bool is_as_left = false);
 
   /// Work that walls and body forces have done, all ranks [J]. Collective.
   double external_work() const;
@@ -120,10 +123,13 @@ private:
   {
     dealii::AlignedVector<double> position, velocity, energy, relaxed;
 
-    void take(const AleState &state)
+    /// Leaves the positions and velocities of @p state to be set anew.
+    void take(AleState &state)
     {
-      position = state.position;
-      velocity = state.velocity;
+      position.resize_fast(state.position.size());
+      position.swap(state.position);
+      velocity.resize_fast(state.velocity.size());
+      velocity.swap(state.velocity);
       energy = state.energy;
       relaxed = state.relaxed;
     }
@@ -139,17 +145,12 @@ private:
   /// @param step see CornerForces::compute()
   void add_forces(AleState &state, const double step);
   void accelerate(AleState &state, const Start &start, const double step) const;
-  void move(AleState &state,
-            const Start &start,
-            const dealii::AlignedVector<double> &velocity,
-            const double step) const;
+  void move(AleState &state, const Start &start, const double step) const;
+  /// @return work that walls and body forces do on nodes of this rank [J]
+  double move_by_mean(AleState &state, const Start &start, const double step);
   bool try_step(AleState &state, const Start &start, const double step);
   /// Whether all ranks have it good.
   bool all(const bool good) const;
-  void book_work(const AleState &state,
-                 const Start &start,
-                 const dealii::AlignedVector<double> &mean,
-                 const double step);
   void book_contact(const ContactMeasures &now);
   [[noreturn]] void give_up(const AleState &state, const double step) const;
 
@@ -162,6 +163,7 @@ private:
   FieldExchange node_exchange_;
 
   Start start_;                         ///< of the present step
+  bool has_forces_ = false;             ///< those after the last step
   dealii::AlignedVector<double> mean_;  ///< velocity of the present step [m/s]
   dealii::AlignedVector<double> force_; ///< on nodes, four each [N]
   double work_ = 0.;                    ///< of this rank [J]
