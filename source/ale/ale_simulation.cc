@@ -285,7 +285,7 @@ StepReport AleSimulation::advance(const double largest_step)
   // A step that was cut to end at a time of output says nothing of the next.
   if (made < largest_step || last_step_ == 0. || made > last_step_)
     last_step_ = made;
-  reference_.follow(space_, lagrange_, state_, probe_cells_);
+  reference_.follow(space_, lagrange_, state_, probe_cells_, made);
   if (!planes_.empty())
     contact_.add(lagrange_.contact(), state_.time, made);
   head_.follow(space_, lagrange_, state_);

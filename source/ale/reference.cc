@@ -44,7 +44,7 @@ namespace
 void Reference::declare_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "Reference");
-  std::vector<std::string> names{"none", "rigid sphere"};
+  std::vector<std::string> names{"none", "rigid sphere", "fluid filled shell"};
   for (const Kind &kind : flows)
     names.push_back(kind.name);
   declare_selection(
@@ -53,9 +53,10 @@ void Reference::declare_parameters(ParameterHandler &prm)
     "none",
     names,
     "Solution that the run is compared with: at the probes, of a liquid in a "
-    "rigid sphere that is decelerated; everywhere, of gases that meet, an "
-    "implosion, a blast, vortices, a liquid that a wall stops, or of a table. "
-    "Only the entries of its subsection count.");
+    "rigid sphere that is decelerated, or in an elastic shell that hits a wall; "
+    "everywhere, of gases that meet, an implosion, a blast, vortices, a liquid "
+    "that a wall stops, or of a table. Only the entries of its subsection "
+    "count.");
   declare_double(prm,
                  "Largest radius",
                  "1e6",
@@ -66,6 +67,10 @@ void Reference::declare_parameters(ParameterHandler &prm)
   {
     const Section sphere(prm, "Rigid sphere");
     SpherePeaks::declare_parameters(prm);
+  }
+  {
+    const Section shell(prm, "Fluid filled shell");
+    ShellPressures::declare_parameters(prm);
   }
   for (const Kind &kind : flows)
   {
@@ -85,6 +90,11 @@ void Reference::parse_parameters(ParameterHandler &prm)
     const Section sphere(prm, "Rigid sphere");
     sphere_ = SpherePeaks::create(prm);
   }
+  if (name == "fluid filled shell")
+  {
+    const Section shell(prm, "Fluid filled shell");
+    shell_ = ShellPressures::create(prm);
+  }
   for (const Kind &kind : flows)
     if (name == kind.name)
     {
@@ -97,10 +107,13 @@ void Reference::parse_parameters(ParameterHandler &prm)
 void Reference::follow(const HexSpace &space,
                        const LagrangeStep &lagrange,
                        const AleState &state,
-                       const std::vector<std::uint32_t> &probes)
+                       const std::vector<std::uint32_t> &probes,
+                       const double step)
 {
   if (sphere_)
     sphere_->follow(space, lagrange, state, probes, peaks_);
+  if (shell_)
+    shell_->follow(space, lagrange, state, probes, step, peaks_);
 }
 
 
@@ -112,6 +125,8 @@ std::vector<NamedValue> Reference::errors(const HexSpace &space,
     return flow_errors(*flow_, space, lagrange, state, radius_);
   if (sphere_ && !peaks_.empty())
     return SpherePeaks::errors(peaks_, space.communicator());
+  if (shell_ && !peaks_.empty())
+    return shell_->errors(peaks_, space.communicator());
   return {};
 }
 } // namespace contrecoup::ale

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/ale/exact_flow.h>
+#include <contrecoup/ale/shell_pressures.h>
 #include <contrecoup/ale/sphere_peaks.h>
 
 namespace contrecoup::ale
@@ -20,13 +21,15 @@ public:
   /// @throws InputError for constants without a physical meaning
   void parse_parameters(dealii::ParameterHandler &prm);
 
-  /// Follows the peaks at @p probes, cells or HexSpace::no_cell.
+  /// Follows the pressures at @p probes, cells or HexSpace::no_cell, after a
+  /// step of @p step seconds.
   void follow(const HexSpace &space,
               const LagrangeStep &lagrange,
               const AleState &state,
-              const std::vector<std::uint32_t> &probes);
+              const std::vector<std::uint32_t> &probes,
+              const double step);
 
-  /// Those of a flow, or of the peaks. Collective.
+  /// Those of a flow, or at the probes. Collective.
   std::vector<NamedValue> errors(const HexSpace &space,
                                  const LagrangeStep &lagrange,
                                  const AleState &state) const;
@@ -41,6 +44,7 @@ private:
   double radius_ = 0.; ///< within which flows are compared [m]
   std::unique_ptr<ExactFlow> flow_;
   std::unique_ptr<SpherePeaks> sphere_;
+  std::unique_ptr<ShellPressures> shell_;
   Peaks peaks_; ///< by probe
 };
 } // namespace contrecoup::ale
