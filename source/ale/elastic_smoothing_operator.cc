@@ -34,7 +34,7 @@ class ElasticSmoothing::System
 {
 public:
   System(HexSpace &space,
-         const std::vector<std::array<bool, 3>> &is_prescribed,
+         const PrescribedNodes &prescribed,
          const ElasticOptions &options);
 
   void assemble(const dealii::AlignedVector<double> &position,
@@ -67,7 +67,7 @@ private:
   void find_cells();
 
   HexSpace &space_;
-  std::vector<std::array<bool, 3>> is_prescribed_;
+  PrescribedNodes prescribed_;
   ElasticOptions options_;
   dealii::IndexSet own_, relevant_;
   dealii::AffineConstraints<double> constraints_;
@@ -80,12 +80,11 @@ private:
 };
 
 
-ElasticSmoothing::System::System(
-  HexSpace &space,
-  const std::vector<std::array<bool, 3>> &is_prescribed,
-  const ElasticOptions &options)
+ElasticSmoothing::System::System(HexSpace &space,
+                                 const PrescribedNodes &prescribed,
+                                 const ElasticOptions &options)
   : space_(space)
-  , is_prescribed_(is_prescribed)
+  , prescribed_(prescribed)
   , options_(options)
   , own_(space.node_dofs().locally_owned_dofs())
   , memory_(space)
@@ -129,11 +128,25 @@ void ElasticSmoothing::System::constrain(
   constraints_.reinit(relevant_);
   for (std::size_t n = 0; n < space_.n_nodes(); ++n)
     for (unsigned int d = 0; d < 3 && !space_.is_sliding(n); ++d)
-      if (is_prescribed_[n][d])
+      if (prescribed_.components[n][d])
       {
         constraints_.add_line(dof(n, d));
         constraints_.set_inhomogeneity(dof(n, d), displacement[width * n + d]);
       }
+  for (const InclinedNode &slide : prescribed_.inclined)
+  {
+    const double *const matter = &displacement[width * slide.node];
+    const auto line = dof(slide.node, slide.component);
+    double ahead = matter[slide.component];
+    constraints_.add_line(line);
+    for (unsigned int d = 0; d < 3; ++d)
+      if (slide.factor[d] != 0.)
+      {
+        constraints_.add_entry(line, dof(slide.node, d), slide.factor[d]);
+        ahead -= slide.factor[d] * matter[d];
+      }
+    constraints_.set_inhomogeneity(line, ahead);
+  }
   constraints_.close();
 }
 
@@ -318,12 +331,11 @@ ElasticSmoothing::ElasticSmoothing() = default;
 ElasticSmoothing::~ElasticSmoothing() = default;
 
 
-void ElasticSmoothing::reinit(
-  HexSpace &space,
-  const std::vector<std::array<bool, 3>> &is_prescribed,
-  const ElasticOptions &options)
+void ElasticSmoothing::reinit(HexSpace &space,
+                              const PrescribedNodes &prescribed,
+                              const ElasticOptions &options)
 {
-  system_ = std::make_unique<System>(space, is_prescribed, options);
+  system_ = std::make_unique<System>(space, prescribed, options);
 }
 
 

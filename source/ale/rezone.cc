@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/ale/cell_corners.h>
+#include <contrecoup/ale/inclined_walls.h>
 #include <contrecoup/ale/rezone.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameters.h>
@@ -124,7 +125,7 @@ void Rezone::reinit(
   if (kind_ != RezoneKind::elastic)
     return;
   find_prescribed(walls);
-  smoothing_.reinit(space, is_prescribed_, options_);
+  smoothing_.reinit(space, prescribed_, options_);
 }
 
 
@@ -183,8 +184,16 @@ int Rezone::axis_normal_to(const HexSpace::Face &face) const
 void Rezone::find_prescribed(
   const std::map<dealii::types::boundary_id, SlipWalls::Motion> &walls)
 {
-  // Three directions, and all of them.
-  constexpr unsigned int n = 4, all = 3;
+  std::vector<dealii::types::boundary_id> boundaries;
+  for (const auto &wall : walls)
+    boundaries.push_back(wall.first);
+  const InclinedWalls inclined(
+    *space_, start_, boundaries, [this](const HexSpace::Face &face) {
+      return axis_normal_to(face) < 0;
+    });
+  // Three directions, all of them, and normal to each inclined wall.
+  constexpr unsigned int all = 3;
+  const unsigned int n = 4 + inclined.size();
   FieldExchange exchange;
   exchange.reinit(space_->nodes(), n);
   dealii::AlignedVector<double> count(exchange.size());
@@ -196,9 +205,15 @@ void Rezone::find_prescribed(
     const bool is_wall =
       face.outside == HexSpace::no_cell && walls.count(face.boundary) > 0;
     const int axis = is_wall ? axis_normal_to(face) : -1;
-    for (const std::uint32_t node : face.nodes)
-      count[n * node + (axis < 0 ? all : static_cast<unsigned int>(axis))] +=
-        1.;
+    for (unsigned int i = 0; i < 4; ++i)
+    {
+      const unsigned int wall =
+        is_wall && axis < 0 ? inclined.wall_around(face, i) : inclined.none;
+      const unsigned int direction = axis >= 0 ? static_cast<unsigned int>(axis)
+                                     : wall == inclined.none ? all
+                                                             : 4 + wall;
+      count[n * face.nodes[i] + direction] += 1.;
+    }
   }
   for (std::size_t c = 0; c < space_->n_own_cells(); ++c)
     if (is_solid_[space_->region(c)])
@@ -209,13 +224,18 @@ void Rezone::find_prescribed(
   // Both nodes of a place are where regions meet.
   for (const auto &[sliding, held] : space_->sliding_pairs())
     count[n * sliding + all] = count[n * held + all] = 1.;
-  is_prescribed_.clear();
+  prescribed_ = PrescribedNodes();
   for (std::size_t node = 0; node < space_->n_nodes(); ++node)
   {
     const double *c = &count[n * node];
-    is_prescribed_.push_back({{c[0] > 0. || c[all] > 0.,
-                               c[1] > 0. || c[all] > 0.,
-                               c[2] > 0. || c[all] > 0.}});
+    std::array<bool, 3> is_prescribed{{c[0] > 0. || c[all] > 0.,
+                                       c[1] > 0. || c[all] > 0.,
+                                       c[2] > 0. || c[all] > 0.}};
+    inclined.add_node(static_cast<std::uint32_t>(node),
+                      c + 4,
+                      is_prescribed,
+                      prescribed_.inclined);
+    prescribed_.components.push_back(is_prescribed);
   }
 }
 
@@ -244,9 +264,20 @@ dealii::AlignedVector<double> Rezone::smoothed(const AleState &state)
     {
       const std::size_t i = width * n + d;
       // To the last bit where nothing may be carried over.
-      displacement[i] = is_prescribed_[n][d] ? state.position[i]
-                                             : reference_[i] + displacement[i];
+      displacement[i] = prescribed_.components[n][d]
+                          ? state.position[i]
+                          : reference_[i] + displacement[i];
     }
+  // The solver is not exact, but walls are.
+  for (const InclinedNode &slide : prescribed_.inclined)
+  {
+    const std::size_t i = width * slide.node;
+    double ahead = 0.;
+    for (unsigned int d = 0; d < 3; ++d)
+      ahead += slide.factor[d] * (displacement[i + d] - state.position[i + d]);
+    displacement[i + slide.component] =
+      state.position[i + slide.component] + ahead;
+  }
   for (const auto &[sliding, held] : space_->sliding_pairs())
     for (unsigned int d = 0; d < 3; ++d)
       displacement[width * sliding + d] = state.position[width * held + d];

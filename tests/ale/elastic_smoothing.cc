@@ -40,7 +40,7 @@ TEST(ElasticSmoothing, finds_linear_displacements_exactly)
   ElasticOptions options;
   options.tolerance = 1e-12;
   ElasticSmoothing smoothing;
-  smoothing.reinit(slab.space, outside(slab), options);
+  smoothing.reinit(slab.space, {outside(slab), {}}, options);
   const auto expected = [](const double *x, const unsigned int d) {
     return 0.1 * x[d] + 0.2 * x[(d + 1) % 3] - 0.03;
   };
@@ -88,7 +88,7 @@ TEST(ElasticSmoothing, stiffness_keeps_small_cells)
     options.stiffening = stiffening;
     options.tolerance = 1e-10;
     ElasticSmoothing smoothing;
-    smoothing.reinit(slab.space, prescribed, options);
+    smoothing.reinit(slab.space, {prescribed, {}}, options);
     smoothing.solve(slab.state.position, displacement);
     const double first = (0.2 + 0.8 / 8.) / 8.;
     double width_now = 0.;

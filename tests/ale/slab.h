@@ -8,6 +8,7 @@
 #include <contrecoup/numerics/hex8_moments.h>
 
 #include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
 
 #include <functional>
 
@@ -29,10 +30,13 @@ struct Slab
   /// @param length along x
   /// @param moving walls that do not stand still
   /// @param acceleration along x
-  Slab(const std::vector<unsigned int> &cells,
-       const double length,
-       const Walls &moving = {},
-       const double acceleration = 0.)
+  /// @param place where a point of the box is put
+  Slab(
+    const std::vector<unsigned int> &cells,
+    const double length,
+    const Walls &moving = {},
+    const double acceleration = 0.,
+    const std::function<dealii::Point<3>(const dealii::Point<3> &)> &place = {})
   {
     const double h = length / cells[0];
     dealii::GridGenerator::subdivided_hyper_rectangle(
@@ -41,6 +45,8 @@ struct Slab
       dealii::Point<3>(),
       dealii::Point<3>(length, cells[1] * h, cells[2] * h),
       true);
+    if (place)
+      dealii::GridTools::transform(place, mesh);
     // deal.II numbers octants, too.
     for (const auto &cell : mesh.active_cell_iterators())
       cell->set_material_id(0);

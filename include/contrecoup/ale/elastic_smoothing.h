@@ -24,6 +24,23 @@ struct ElasticOptions
   double renewal = 1.5;
 };
 
+/// A node that goes with the matter in a direction that is no axis: one
+/// component of what it is ahead of the matter follows from the free ones.
+struct InclinedNode
+{
+  std::uint32_t node = 0;
+  unsigned int component = 0;     ///< that follows
+  std::array<double, 3> factor{}; ///< of the others; 0 for what is prescribed
+};
+
+/// Components of the displacements that are prescribed at the nodes, copies
+/// included, and nodes that slide along inclined planes.
+struct PrescribedNodes
+{
+  std::vector<std::array<bool, 3>> components;
+  std::vector<InclinedNode> inclined;
+};
+
 /// What a solution takes over from those before it, AleState::width numbers at
 /// each node: with it a resumed run finds the same bits.
 struct SmoothingMemory
@@ -39,7 +56,8 @@ struct SmoothingMemory
 
 /**
  * Displacements of the nodes of a mesh, as if it were elastic matter at rest:
- * div sigma = 0 with displacements that are prescribed at some of the nodes
+ * div sigma = 0 with displacements that are prescribed at some of the nodes,
+ * or normal to planes along which they slide
  * (Tan, Saunders and Bagchi 2017, section 2.2). Continuous trilinear elements,
  * conjugate gradients and algebraic multigrid, which is kept from one solution
  * to the next, as is the solution to start from.
@@ -51,14 +69,14 @@ public:
   ~ElasticSmoothing();
 
   /// @param space the mesh; it must live as long
-  /// @param is_prescribed the three components at each node, copies included
   void reinit(HexSpace &space,
-              const std::vector<std::array<bool, 3>> &is_prescribed,
+              const PrescribedNodes &prescribed,
               const ElasticOptions &options);
 
   /**
    * @param position of the nodes before, AleState::width numbers each [m]
-   * @param displacement prescribed where it is; the others are set [m]
+   * @param displacement that of the matter where nodes go with it; the others
+   *   are set [m]
    * @return iterations that it took
    * @throws NumericsError when the solver does not converge
    */

@@ -79,8 +79,8 @@ private:
   /// The axis that a face is normal to; -1: none.
   int axis_normal_to(const HexSpace::Face &face) const;
 
-  /// Along walls that are normal to an axis nodes may slide; at other sides,
-  /// in solids, and where regions meet, they go with the matter.
+  /// Along flat walls nodes may slide; at other sides, in solids, and where
+  /// regions meet, they go with the matter.
   void find_prescribed(
     const std::map<dealii::types::boundary_id, SlipWalls::Motion> &walls);
   dealii::AlignedVector<double> smoothed(const AleState &state);
@@ -104,7 +104,7 @@ private:
   std::vector<bool> is_solid_; ///< by region
   Remap remap_;
   ElasticSmoothing smoothing_;
-  std::vector<std::array<bool, 3>> is_prescribed_;
+  PrescribedNodes prescribed_;
   dealii::AlignedVector<double> start_, reference_;
   double due_ = 0.;
   unsigned int n_rezones_ = 0;
