@@ -5,6 +5,7 @@
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/expression.h>
 #include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
 #include <contrecoup/materials/explosives.h>
 
 namespace contrecoup::ale
@@ -146,10 +147,21 @@ namespace
 
   Tait parse_tait(ParameterHandler &prm, const std::string &name)
   {
+    // In no liquid: its constants are missing, and those of air stand there.
+    constexpr double largest_sound_speed = 2e4;
     const std::string least = prm.get("Least pressure");
+    const double density = read_density(prm, name),
+                 modulus = read_double(prm, "Bulk modulus");
+    const double speed = std::sqrt(modulus / density);
+    if (density > 0. && speed > largest_sound_speed)
+      throw InputError("Region " + name +
+                       ": in a liquid of Density = " + brief(density) +
+                       " kg/m^3 and Bulk modulus = " + brief(modulus) +
+                       " Pa sound would go at " + brief(speed) +
+                       " m/s; give both of the liquid");
     return Tait(
-      read_density(prm, name),
-      read_double(prm, "Bulk modulus"),
+      density,
+      modulus,
       read_double(prm, "Exponent"),
       least == "none"
         ? -std::numeric_limits<double>::infinity()

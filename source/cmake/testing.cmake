@@ -149,7 +149,8 @@ endfunction()
 # ranks at most, unless told that it mostly waits or runs on fewer. What is proven
 # depends on <kind>:
 #   bounds        BOUNDS "errors.density_L1 < 1e-3" ...: of summary.json, with
-#                 <, > or ==; "history.x" is the last value of that column;
+#                 <, > or ==; "history.x" is the last value of that column of
+#                 history.csv, "probes.x" of probes.csv;
 #                 [EXIT <code>...] [MESSAGE <text>] on the screen
 #   regression    COMPARE <file>... TOLERANCE "1e-8" "momentum*=1e-9 absolute":
 #                 tables (.csv) and samples of planes, loads and meshes (.npy,

@@ -43,7 +43,8 @@ SAMPLES = ".samples.csv"
 
 def bounds(case):
     """The run ends with one of the exit codes, and its summary keeps all
-    bounds; "history.x" is the last value of column x of history.csv."""
+    bounds; "history.x" is the last value of column x of history.csv, "probes.x"
+    of probes.csv."""
     if not case.options.exit and not case.options.message:
         output = case.straight()
     else:
@@ -54,9 +55,10 @@ def bounds(case):
             raise Failed(f"nothing says '{case.options.message}': {told}")
         check_finite(output)
     summary = read_summary(output)
-    if any(bound.startswith("history.") for bound in case.options.bound):
-        columns = samples.read(os.path.join(output, "history.csv"))
-        summary["history"] = {name.split(" [")[0]: float(values[-1])
+    for table in ("history", "probes"):
+        if any(bound.startswith(table + ".") for bound in case.options.bound):
+            columns = samples.read(os.path.join(output, table + ".csv"))
+            summary[table] = {name.split(" [")[0]: float(values[-1])
                               for name, values in columns.items()}
     for bound in case.options.bound:
         check_bound(summary, bound)
