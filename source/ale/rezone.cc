@@ -66,7 +66,9 @@ void Rezone::declare_parameters(ParameterHandler &prm)
                  1e-14,
                  0.1,
                  "-",
-                 "Relative residual of the elastic problem.");
+                 "Relative residual of the elastic problem; 1e-10 and less "
+                 "where cells are flat or of very different sizes, whose "
+                 "nodes would be off by them.");
 }
 
 

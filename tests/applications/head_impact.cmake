@@ -188,6 +188,19 @@ contrecoup_add_application_test(paper_cone_ale bounds
   "errors.density_L1 < 0.183" "errors.velocity_L1 < 23.5" "errors.pressure_L1 < 47.1e3"
   LABELS verification)
 
+# The same with products and air as regions: smoothed on both sides of the
+# interface, along the inclined walls, and with the gas.
+contrecoup_add_application_test(paper_cone_interface bounds
+  FILE ${_folder}/paper_cone_interface.prm SET "Output/Fields=false"
+  "Mesh/Elements=248, 1, 1" BOUNDS ${_ledger} "assumptions.rezones > 99"
+  "errors.density_L1 < 0.375" "errors.velocity_L1 < 56.8" "errors.pressure_L1 < 159.5e3"
+  LABELS verification)
+contrecoup_add_application_test(paper_cone_lagrange bounds
+  FILE ${_folder}/paper_cone_interface.prm SET "Output/Fields=false"
+  "Mesh/Elements=248, 1, 1" "Rezone/Kind=none" BOUNDS ${_ledger}
+  "errors.density_L1 < 0.546" "errors.velocity_L1 < 74.9" "errors.pressure_L1 < 198.7e3"
+  LABELS verification)
+
 # The first gives a peak of 1.593 times rho A R at the wall, the second 1.088.
 contrecoup_add_application_test(sphere bounds,ranks
   FILE ${_folder}/fluid_in_rigid_sphere.prm SET "Output/Fields=false"
