@@ -89,7 +89,10 @@ TEST(Solids, SpinWithoutStress)
 TEST(Solids, ShearAlikeWhateverTheirBulkModulus)
 {
   constexpr double period = 2. / 1.41421356237309505;
-  for (const double bulk_modulus : {1., 1e6})
+  // On several ranks, waiting for each other would take most of the time.
+  const bool alone =
+    dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1;
+  for (const double bulk_modulus : {1., alone ? 1e6 : 10.})
   {
     SolidMaterial material;
     material.density = 1.;
