@@ -37,7 +37,7 @@ OUTCOMES = {
 }
 
 COSTS = {"core seconds": "cost [core seconds]", "wall seconds": "wall time [s]",
-         "updates": "unknown-updates", "memory": "peak memory [byte]"}
+         "updates": "updates of unknowns or elements", "memory": "peak memory [byte]"}
 
 
 def read_study(folder):

@@ -51,6 +51,12 @@ double peak(const Curve &curve)
          curve.values.front();
 }
 
+double lowest(const Curve &curve)
+{
+  return *std::min_element(curve.values.begin(), curve.values.end()) -
+         curve.values.front();
+}
+
 double impulse(const Curve &curve)
 {
   double sum = 0., largest = 0.;

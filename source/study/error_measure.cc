@@ -25,6 +25,19 @@ namespace
 {
   namespace fs = std::filesystem;
 
+  const std::vector<std::string> quantities{"summary",
+                                            "probe peak",
+                                            "probe lowest",
+                                            "probe impulse",
+                                            "probe arrival",
+                                            "probe curve",
+                                            "history peak",
+                                            "history lowest",
+                                            "history impulse",
+                                            "history arrival",
+                                            "history curve",
+                                            "plane"};
+
   /// The newest array of a plane: stem_NNNN.npy of the largest number.
   std::string newest_plane(const std::string &folder, const std::string &stem)
   {
@@ -91,21 +104,17 @@ void ErrorMeasure::declare_parameters(ParameterHandler &prm)
                  "density_L1",
                  "For exact the name below \"errors\" in summary.json; for "
                  "a quantity of a summary its dotted path, as in "
-                 "\"conservation.mass_last\"; of a probe the column of "
-                 "probes.csv; of a plane the name of its files without "
-                 "number.");
+                 "\"conservation.mass_last\"; of a probe or the history the "
+                 "column of probes.csv or history.csv; of a plane the name of "
+                 "its files without number.");
   declare_selection(prm,
                     "Quantity",
                     "summary",
-                    {"summary",
-                     "probe peak",
-                     "probe impulse",
-                     "probe arrival",
-                     "probe curve",
-                     "plane"},
+                    quantities,
                     "What is compared, unless Kind is exact: a number of "
-                    "summary.json; largest rise, largest integral of the rise, "
-                    "or arrival at a probe; its whole curve, or a plane cut "
+                    "summary.json; largest rise, largest fall, largest "
+                    "integral of the rise, or arrival at a probe or in a "
+                    "column of the history; its whole curve, or a plane cut "
                     "at the end, each with the mean difference from that of "
                     "the reference run.");
   // Of any quantity, whose bounds are smaller or the same.
@@ -167,7 +176,20 @@ void ErrorMeasure::parse_parameters(ParameterHandler &prm)
 
 bool ErrorMeasure::compares_files() const
 {
-  return quantity_ == "probe curve" || quantity_ == "plane";
+  return of_curve() == "curve" || quantity_ == "plane";
+}
+
+std::string ErrorMeasure::of_curve() const
+{
+  const std::size_t space = quantity_.find(' ');
+  return space == std::string::npos ? "" : quantity_.substr(space + 1);
+}
+
+Curve ErrorMeasure::curve(const std::string &folder) const
+{
+  const bool is_probe = quantity_.compare(0, 5, "probe") == 0;
+  return read_curve(folder + (is_probe ? "/probes.csv" : "/history.csv"),
+                    name_);
 }
 
 bool ErrorMeasure::is_active() const
@@ -213,10 +235,12 @@ double ErrorMeasure::quantity(const std::string &folder,
 {
   if (quantity_ == "summary")
     return number_at(summary, name_, "Error/Name: the summary of a run");
-  const Curve curve = read_curve(folder + "/probes.csv", name_);
-  return quantity_ == "probe peak"      ? peak(curve)
-         : quantity_ == "probe impulse" ? impulse(curve)
-                                        : arrival(curve);
+  const Curve course = curve(folder);
+  const std::string kind = of_curve();
+  return kind == "peak"      ? peak(course)
+         : kind == "lowest"  ? lowest(course)
+         : kind == "impulse" ? impulse(course)
+                             : arrival(course);
 }
 
 double ErrorMeasure::difference(const std::string &folder) const
@@ -224,9 +248,7 @@ double ErrorMeasure::difference(const std::string &folder) const
   if (quantity_ == "plane")
     return mean_difference(newest_plane(folder + "/fields", name_),
                            newest_plane(reference_folder_ + "/fields", name_));
-  return relative_difference(
-    read_curve(folder + "/probes.csv", name_),
-    read_curve(reference_folder_ + "/probes.csv", name_));
+  return relative_difference(curve(folder), curve(reference_folder_));
 }
 
 std::string ErrorMeasure::title() const
@@ -243,10 +265,9 @@ std::string ErrorMeasure::title() const
 
 std::string ErrorMeasure::short_name() const
 {
-  std::string name =
-    kind_ == "exact" || quantity_ == "summary"
-      ? name_
-      : name_ + "_" + quantity_.substr(quantity_.find(' ') + 1);
+  std::string name = kind_ == "exact" || quantity_ == "summary"
+                       ? name_
+                       : name_ + "_" + of_curve();
   std::replace(name.begin(), name.end(), '.', '_');
   return name;
 }

@@ -76,6 +76,7 @@ namespace
   {
     return word == "by level"   ? Refinement::by_level
            : word == "by count" ? Refinement::by_count
+           : word == "by size"  ? Refinement::by_size
                                 : Refinement::none;
   }
 } // namespace
@@ -112,10 +113,11 @@ void Factor::declare_parameters(ParameterHandler &prm)
   declare_selection(prm,
                     "Refinement",
                     "none",
-                    {"none", "by level", "by count"},
+                    {"none", "by level", "by count", "by size"},
                     "Whether the values refine the mesh: each is a level, "
-                    "which halves the mesh width, or counts cells along an "
-                    "edge. Lines in pictures and orders follow such a factor.");
+                    "which halves the mesh width, counts cells along an edge, "
+                    "or is the size of a cell. Lines in pictures and orders "
+                    "follow such a factor.");
 }
 
 void Factor::parse_parameters(ParameterHandler &prm,
@@ -200,6 +202,11 @@ std::vector<Factor> parse_factors(ParameterHandler &prm)
         throw InputError("Vary " + name + "/Values: \"" +
                          factors.back().values[row].front() +
                          "\" is no number and refines nothing");
+      else if (factors.back().refinement == Refinement::by_size &&
+               !(factors.back().number(row) > 0.))
+        throw InputError("Vary " + name +
+                         "/Values: the size of a cell must "
+                         "be above 0");
   }
   if (factors.empty())
     throw InputError("there is nothing to vary; a subsection \"Vary NAME\" "

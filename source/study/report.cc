@@ -51,7 +51,7 @@ namespace
   {
     return cost == "core seconds"   ? "core seconds"
            : cost == "wall seconds" ? "wall seconds"
-           : cost == "updates"      ? "unknown-updates"
+           : cost == "updates"      ? "updates"
                                     : "peak memory";
   }
 

@@ -99,7 +99,8 @@ namespace
                       "core seconds",
                       {"core seconds", "wall seconds", "updates", "memory"},
                       "What a run costs: processor time of all its ranks, "
-                      "wall time, unknowns updated in all steps and stages, "
+                      "wall time, unknowns or elements updated in all steps "
+                      "and stages, whatever the machine, "
                       "or peak memory.");
   }
 } // namespace

@@ -72,9 +72,10 @@ namespace
     if (refining == factors.size())
       return;
     const double number = row.variant.numbers[refining];
-    row.width = factors[refining].refinement == Refinement::by_level
-                  ? std::exp2(-number)
-                  : 1. / number;
+    const Refinement refinement = factors[refining].refinement;
+    row.width = refinement == Refinement::by_level   ? std::exp2(-number)
+                : refinement == Refinement::by_count ? 1. / number
+                                                     : number;
   }
 
   /// The rows of a series that have an error, from coarse to fine.

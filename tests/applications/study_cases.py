@@ -261,8 +261,49 @@ def one_of_two(case, folder, ranks, reason, read_summary, limits,
     require(outcomes == {"stable": 2}, f"outcomes are {outcomes}")
 
 
+def study_head(case):
+    """Heads against a wall, with and without a remap, on two meshes: curves of
+    history.csv are compared, and updates do not depend on the machine."""
+    base = os.path.join(case.options.other_file,
+                        "../../head_impact/quickstart.prm")
+    file = write_study(case, "head.prm", [
+        "subsection Study", "set Application = head_impact",
+        f"set Parameter file = {base}", "set Cost = updates",
+        "set Settings = Output/Fields=false; Output/Pictures=false; "
+        "Output/History every steps=5; Mesh/Cell size=0.02; "
+        "Time/End time=1e-4",
+        "set Columns = assumptions.rezones; timers.advance; "
+        "assumptions.cavitation_CSF.measured", "end",
+        "subsection Error", "set Kind = reference run",
+        "set Reference = Rezone/Interval=1e-6",
+        "set Quantity = history curve", "set Name = contact_force", "end",
+        "subsection Vary rezone",
+        "set Entry = Rezone/Kind | Rezone/Interval",
+        "set Values = elastic | 2e-5; none |", "end",
+        "subsection Vary size", "set Entry = Mesh/Cell size",
+        "set Values = 0.03; 0.02", "set Refinement = by size", "end"])
+    output = case.folder("head")
+    case.run(output, file=file)
+    table = read_table(output)
+    require(len(table) == 4, f"{len(table)} heads")
+    for row in table:
+        print(row)
+        require(float(row["updates"]) ==
+                float(row["cells"]) * float(row["steps"]), "updates differ")
+        is_rezoned = row["rezone"].startswith("elastic")
+        require(float(row["assumptions.rezones"]) == 5. * is_rezoned,
+                "there are other rezones")
+    for coarse, fine in (table[:2], table[2:]):
+        require(float(coarse["error"]) > float(fine["error"]) > 0. and
+                float(fine["order"]) > 0., "larger cells are no worse")
+    with open(os.path.join(output, "study.md"), encoding="utf-8") as text:
+        require("No run has" not in text.read(), "a column is empty")
+
+
 def study_any_file(case, check_bound, read_summary):
-    """Three files of one, two and three dimensions, as they are."""
+    """Files of other applications, and of one, two and three dimensions, as they
+    are."""
+    study_head(case)
     for name in ("toro_3", "double_mach", "sedov_3d"):
         base = os.path.join(case.options.other_file, name + ".prm")
         file = write_study(case, name + ".prm", [

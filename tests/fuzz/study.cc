@@ -103,8 +103,11 @@ void prepare_probes(const std::string &folder)
 void read_probes(const std::string &path)
 {
   const std::string folder = std::filesystem::path(path).parent_path().string();
-  for (const char *quantity :
-       {"probe peak", "probe impulse", "probe arrival", "probe curve"})
+  for (const char *quantity : {"probe peak",
+                               "probe lowest",
+                               "probe impulse",
+                               "probe arrival",
+                               "probe curve"})
     deviation(quantity, "left ear", folder, folder + "/reference");
 }
 } // namespace

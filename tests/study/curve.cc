@@ -39,6 +39,8 @@ TEST(Curve, IsReadByNameWithoutUnit)
 TEST(Curve, HasPeakImpulseAndArrival)
 {
   EXPECT_DOUBLE_EQ(peak(wave), 2.);
+  EXPECT_DOUBLE_EQ(lowest(wave), -1.);
+  EXPECT_DOUBLE_EQ(lowest({{0., 1.}, {3., 4.}}), 0.);
   // A triangle over 0.5 s, and one of 1 s down to the first value.
   EXPECT_DOUBLE_EQ(arrival(wave), 1.25);
   EXPECT_DOUBLE_EQ(impulse({{0., 1., 1.5, 2.5, 4.}, {10., 10., 12., 10., 9.}}),

@@ -55,7 +55,7 @@ TEST(ErrorMeasure, ComparesWithAKnownValue)
   EXPECT_EQ(measure(known).short_name(), "conservation_mass_last");
 }
 
-TEST(ErrorMeasure, ComparesProbesAndPlanesOfRuns)
+TEST(ErrorMeasure, ComparesTablesAndPlanesOfRuns)
 {
   const contrecoup::io::TemporaryFolder one, other;
   for (const contrecoup::io::TemporaryFolder *folder : {&one, &other})
@@ -64,6 +64,9 @@ TEST(ErrorMeasure, ComparesProbesAndPlanesOfRuns)
     std::ofstream(folder->path() + "/summary.json") << summary;
     std::ofstream(folder->path() + "/probes.csv")
       << "time [s],p [Pa]\n0,1\n1," << 1. + factor << "\n2,1\n";
+    std::ofstream(folder->path() + "/history.csv")
+      << "time [s],p [Pa]\n0,1\n1," << 1. + 2. * factor << "\n2," << 1. - factor
+      << "\n3,1\n";
     const std::string fields = folder->path() + "/fields";
     std::filesystem::create_directories(fields);
     io::write_npy(fields + "/plane_p_0000.npy", {2, 1}, {0., 0.});
@@ -81,10 +84,16 @@ TEST(ErrorMeasure, ComparesProbesAndPlanesOfRuns)
   EXPECT_DOUBLE_EQ(difference("probe impulse", "p"), 0.5);
   EXPECT_DOUBLE_EQ(difference("probe arrival", "p"), 0.);
   EXPECT_DOUBLE_EQ(difference("probe curve", "p"), 0.5);
+  EXPECT_DOUBLE_EQ(difference("probe lowest", "p"), 0.);
+  for (const char *const word : {"peak", "lowest", "impulse", "curve"})
+    EXPECT_DOUBLE_EQ(difference(std::string("history ") + word, "p"), 0.5)
+      << word;
+  EXPECT_DOUBLE_EQ(difference("history arrival", "p"), 0.);
   EXPECT_DOUBLE_EQ(difference("plane", "plane_p"), 1.);
   EXPECT_DOUBLE_EQ(difference("summary", "conservation.mass_last"), 0.);
   EXPECT_THROW(difference("plane", "plane_q"), InputError);
   EXPECT_THROW(difference("probe peak", "q"), InputError);
+  EXPECT_THROW(difference("history lowest", "q"), InputError);
 }
 
 TEST(ErrorMeasure, RefusesWhatDoesNotGoTogether)
@@ -96,5 +105,7 @@ TEST(ErrorMeasure, RefusesWhatDoesNotGoTogether)
     measure({"Kind=reference run", "Reference=A/B=1", "Reference folder=x"}),
     InputError);
   EXPECT_THROW(measure({"Kind=known value", "Quantity=plane"}), InputError);
+  EXPECT_THROW(measure({"Kind=known value", "Quantity=history curve"}),
+               InputError);
   EXPECT_THROW(measure({"Kind=none", "Wanted error=1"}), InputError);
 }

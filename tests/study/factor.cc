@@ -45,6 +45,22 @@ TEST(Factor, VariesOneEntry)
   EXPECT_EQ(factors[0].refinement, Refinement::by_count);
 }
 
+TEST(Factor, RefinesBySize)
+{
+  const auto factors = read({"cells/Entry=Mesh/Cell size",
+                             "cells/Values=0.01; 0.005",
+                             "cells/Labels=10 mm; 5 mm",
+                             "cells/Refinement=by size"});
+  EXPECT_EQ(factors[0].refinement, Refinement::by_size);
+  EXPECT_EQ(factors[0].number(1), 0.005);
+  for (const std::string value : {"0", "-0.01", "small"})
+    EXPECT_THROW(read({"cells/Entry=Mesh/Cell size",
+                       "cells/Values=0.01; " + value,
+                       "cells/Refinement=by size"}),
+                 InputError)
+      << value;
+}
+
 TEST(Factor, VariesEntriesTogether)
 {
   const auto factors =

@@ -125,6 +125,24 @@ TEST_F(FinishedStudy, ExtrapolatesWithinEachSeries)
   EXPECT_EQ(result.remarks.size(), 2u);
 }
 
+TEST_F(FinishedStudy, TakesSizesOfCellsForMeshWidths)
+{
+  // Of levels 1, 2, 3, on sizes that halve twice from one to the next.
+  read({"Vary level/Values=16; 4; 1", "Vary level/Refinement=by size"});
+  for (const std::string scheme : {"first", "second"})
+    for (unsigned int level = 1; level <= 3; ++level)
+    {
+      Task &task = tasks_[(scheme == "first" ? 0 : 3) + level - 1];
+      const double order = scheme == "first" ? 1. : 2.;
+      std::ofstream(task.run_folder() + "/summary.json") << nlohmann::json{
+        {"errors", {{"density_L1", std::exp2(-order * level)}}}};
+    }
+  const StudyResult result = evaluate(parameters_, tasks_);
+  EXPECT_EQ(result.rows[2].width, 1.);
+  EXPECT_NEAR(result.rows[2].order, 0.5, 1e-12);
+  EXPECT_NEAR(result.rows[5].order, 1., 1e-12);
+}
+
 TEST_F(FinishedStudy, ShowsFurtherNumbersOfRunsAndReference)
 {
   read({"Study/Columns=value; errors.none",

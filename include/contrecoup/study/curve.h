@@ -25,6 +25,9 @@ Curve read_curve(const std::string &file, const std::string &name);
 /// The largest rise above the first value.
 double peak(const Curve &curve);
 
+/// The largest fall below the first value, a number of at most 0.
+double lowest(const Curve &curve);
+
 /// The largest value that the integral over time of the rise above the first
 /// value reaches: of an overpressure, the impulse of its positive phase.
 double impulse(const Curve &curve);

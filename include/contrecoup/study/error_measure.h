@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <contrecoup/study/curve.h>
 #include <contrecoup/study/factor.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -67,6 +68,13 @@ private:
                   const nlohmann::json &summary) const;
   double difference(const std::string &folder) const;
   bool compares_files() const;
+
+  /// What is taken from a curve, the last word of the quantity; empty of what
+  /// is none.
+  std::string of_curve() const;
+
+  /// Of the run in this folder, from probes.csv or history.csv.
+  Curve curve(const std::string &folder) const;
 
   std::string kind_;
   std::string quantity_;

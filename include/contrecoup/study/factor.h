@@ -19,7 +19,8 @@ enum class Refinement
 {
   none,
   by_level, ///< each value is a level: the mesh width is 2^-value
-  by_count  ///< each value counts cells: the mesh width is 1 / value
+  by_count, ///< each value counts cells: the mesh width is 1 / value
+  by_size   ///< each value is the mesh width
 };
 
 /**
