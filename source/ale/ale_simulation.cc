@@ -290,6 +290,7 @@ StepReport AleSimulation::advance(const double largest_step)
     contact_.add(lagrange_.contact(), state_.time, made);
   head_.follow(space_, lagrange_, state_);
   report.step_size = made;
+  report.retries = lagrange_.n_retries();
   report.updates = static_cast<double>(n_cells_);
   return report;
 }
@@ -414,16 +415,40 @@ ImpactPlan AleSimulation::impact_plan() const
 {
   ImpactPlan plan;
   plan.regions = regions_.regions();
+  plan.planes = planes_.planes();
+  plan.head = estimate_head(mesh_description_, regions_, planes_);
   plan.end_time = end_time_;
-  plan.largest_speed = regions_.largest_velocity();
+  plan.velocity = regions_.fastest_velocity();
   plan.cell_size = mesh_description_.cell_size();
   plan.part = mesh_description_.part();
-  plan.has_planes = !planes_.empty();
-  plan.has_body_force =
-    std::any_of(acceleration_.begin(),
-                acceleration_.end(),
-                [](const Expression &e) { return e.text() != "0"; });
+  for (const Expression &component : acceleration_)
+    plan.has_body_force = plan.has_body_force || !component.is_zero();
+  find_symmetry(plan);
   return plan;
+}
+
+
+void AleSimulation::find_symmetry(ImpactPlan &plan) const
+{
+  plan.enough = plan.part;
+  const LayeredHead *head = mesh_description_.head();
+  if (head == nullptr)
+    return;
+  const auto components = regions_.largest_components();
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    // Across a plane of symmetry that is normal to this axis.
+    double motion =
+      components[d] > 0. ? components[d] / plan.velocity.norm() : 0.;
+    for (const ContactPlane &plane : plan.planes)
+      motion = std::max(motion, std::abs(plane.normal[d]));
+    if (!acceleration_[d].is_zero())
+      motion = 1.;
+    if (head->is_halved()[d])
+      plan.asymmetry = std::max(plan.asymmetry, motion);
+    else if (motion == 0. && !regions_.depends_on_place())
+      plan.enough *= 0.5;
+  }
 }
 
 
@@ -435,8 +460,11 @@ std::vector<Assumption> AleSimulation::plan()
 
 std::vector<Assumption> AleSimulation::audit()
 {
+  const ContactMeasures contact = lagrange_.contact();
   return impact_plan().audit({least_pressures_,
-                              lagrange_.contact().friction_work,
+                              contact_.end,
+                              contact.friction_work,
+                              contact.sliding_work,
                               initial_kinetic_energy_});
 }
 

@@ -153,6 +153,8 @@ ContactPlanes::measures(const dealii::AlignedVector<double> &mean,
     result.area += push.at.area;
     result.work += mass * push.normal * (v * push.direction);
     result.friction_work += mass * (v * push.tangential);
+    const auto along = v - (v * push.direction) * push.direction;
+    result.sliding_work += mass * push.normal * along.norm();
   }
   return result;
 }

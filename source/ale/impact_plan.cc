@@ -23,6 +23,12 @@ namespace
 
   constexpr double gravity = 9.80665;
 
+  /// Coefficient of friction of skin on a wall, about [-].
+  constexpr double usual_friction = 0.3;
+
+  /// Part of the energy that may be left out [-].
+  constexpr double small_part = 0.05;
+
   /// Regions whose liquid bears any tension.
   std::vector<std::size_t> tense_liquids(const std::vector<Region> &regions)
   {
@@ -44,33 +50,140 @@ namespace
       });
   }
 
-  Assumption cavitation(const Region &region, const double least_pressure)
+  Assumption for_information(const std::string &name,
+                             const std::string &decision,
+                             const std::string &quantity,
+                             const double value,
+                             const std::string &entry)
   {
-    return {"cavitation_" + region.name,
-            "left out",
-            "least pressure of " + region.name,
-            "Pa",
-            least_pressure,
-            cavitation_pressure,
-            true,
-            "Region " + region.name + "/Least pressure"};
+    return {name, decision, quantity, "-", value, unknown, false, entry};
   }
 } // namespace
+
+
+bool ImpactPlan::has_friction() const
+{
+  return std::any_of(
+    planes.begin(), planes.end(), [](const ContactPlane &plane) {
+      return plane.friction > 0.;
+    });
+}
+
+
+double ImpactPlan::expected_tension(const Region &region) const
+{
+  const bool is_known =
+    head && head->impact && end_time > 0.5 * head->impact->contact_time();
+  return is_known ? -head->impact->peak_pressure(
+                      std::get<Tait>(region.law).density(), head->liquid_radius)
+                  : unknown;
+}
+
+
+double ImpactPlan::expected_friction() const
+{
+  // A body that rebounds as it came gets at most twice its momentum along the
+  // normal, and friction the coefficient's part of that.
+  double largest = 0.;
+  for (const ContactPlane &plane : planes)
+  {
+    const double inwards = std::max(0., -(velocity * plane.normal));
+    const double along =
+      (velocity - (velocity * plane.normal) * plane.normal).norm();
+    const double coefficient = has_friction() ? plane.friction : usual_friction;
+    if (inwards > 0.)
+      largest = std::max(largest,
+                         std::min(along, 4. * coefficient * inwards) * along /
+                           velocity.norm_square());
+  }
+  return largest;
+}
+
+
+void ImpactPlan::add_liquids(std::vector<Assumption> &items) const
+{
+  for (const std::size_t i : tense_liquids(regions))
+    items.push_back({"cavitation_" + regions[i].name,
+                     "left out",
+                     "least pressure of " + regions[i].name,
+                     "Pa",
+                     expected_tension(regions[i]),
+                     cavitation_pressure,
+                     true,
+                     "Region " + regions[i].name + "/Least pressure"});
+}
+
+
+void ImpactPlan::add_contact(std::vector<Assumption> &items) const
+{
+  if (planes.empty())
+    return;
+  // That of a head that is at the plane at the start.
+  items.push_back(
+    {"contact",
+     "followed until the end time",
+     "its end over that of the run",
+     "-",
+     head && head->impact ? head->impact->contact_time() / end_time : unknown,
+     0.999,
+     false,
+     "Time/End time"});
+  items.push_back(
+    {"friction",
+     has_friction() ? "as asked for" : "left out",
+     (has_friction() ? "its work"
+                     : "work of a coefficient of " + brief(usual_friction)) +
+       " over the kinetic energy",
+     "-",
+     expected_friction(),
+     has_friction() ? unknown : small_part,
+     false,
+     "Plane */Friction"});
+}
+
+
+void ImpactPlan::add_symmetry(std::vector<Assumption> &items) const
+{
+  const std::string entry = "Mesh/Symmetry planes";
+  if (part < 1.)
+  {
+    items.push_back(for_information("symmetry",
+                                    brief(part) + " of the body is computed",
+                                    "cost saved of that of the whole body",
+                                    1. - part,
+                                    entry));
+    items.push_back({"asymmetry",
+                     "left out",
+                     "motion across planes of symmetry over all",
+                     "-",
+                     asymmetry,
+                     0.,
+                     false,
+                     entry});
+  }
+  if (enough < part)
+    items.push_back(
+      for_information("unused_symmetry",
+                      brief(enough) + " of the body would do",
+                      "cost that further planes of symmetry would save",
+                      1. - enough / part,
+                      entry));
+}
 
 
 std::vector<Assumption> ImpactPlan::plan() const
 {
   std::vector<Assumption> items;
-  for (const std::size_t i : tense_liquids(regions))
-    items.push_back(cavitation(regions[i], unknown));
+  add_liquids(items);
+  add_contact(items);
   if (!has_body_force)
     items.push_back(
       {"gravity",
        "left out",
        "its speed over that of the matter",
        "-",
-       largest_speed > 0. ? gravity * end_time / largest_speed : unknown,
-       0.05,
+       velocity.norm() > 0. ? gravity * end_time / velocity.norm() : unknown,
+       small_part,
        false,
        "Body force/z"});
   if (has_liquid(regions))
@@ -82,24 +195,13 @@ std::vector<Assumption> ImpactPlan::plan() const
                      1.,
                      false,
                      "Mesh"});
-  if (has_planes)
-    items.push_back({"friction",
-                     "as asked for",
-                     "its work over the kinetic energy",
-                     "-",
-                     unknown,
-                     unknown,
-                     false,
-                     "Plane */Friction"});
-  if (part < 1.)
-    items.push_back({"symmetry",
-                     "a part is computed",
-                     "of the whole body",
-                     "-",
-                     part,
-                     unknown,
-                     false,
-                     "Mesh/Symmetry planes"});
+  if (head && !head->has_scalp)
+    items.push_back(for_information("scalp",
+                                    "left out",
+                                    "mass of 5 mm of it over that of the head",
+                                    head->scalp_mass / head->mass,
+                                    "Mesh/Scalp thickness"));
+  add_symmetry(items);
   return items;
 }
 
@@ -110,11 +212,19 @@ std::vector<Assumption> ImpactPlan::audit(const Findings &findings) const
   const auto liquids = tense_liquids(regions);
   for (std::size_t k = 0; k < liquids.size(); ++k)
     items[k].value = findings.least_pressures[liquids[k]];
+  const double friction = has_friction()
+                            ? 0. - findings.friction_work
+                            : usual_friction * findings.sliding_work;
   for (Assumption &item : items)
+  {
+    if (item.name == "contact")
+      item.value =
+        findings.contact_end < 0. ? 0. : findings.contact_end / end_time;
     if (item.name == "friction")
       item.value = findings.kinetic_energy > 0.
-                     ? (0. - findings.friction_work) / findings.kinetic_energy
+                     ? friction / findings.kinetic_energy
                      : unknown;
+  }
   return items;
 }
 } // namespace contrecoup::ale

@@ -136,6 +136,7 @@ void LagrangeStep::book_contact(const ContactMeasures &now)
   contact_.area = now.area;
   contact_.work += now.work;
   contact_.friction_work += now.friction_work;
+  contact_.sliding_work += now.sliding_work;
 }
 
 
@@ -195,6 +196,7 @@ double LagrangeStep::advance(AleState &state,
   double step = std::min(largest_step, courant / rate);
   for (unsigned int retry = 0; retry <= largest_retries; ++retry)
   {
+    n_retries_ = retry;
     if (retry > 0)
       add_forces(state, 0.);
     has_forces_ = try_step(state, start, step);

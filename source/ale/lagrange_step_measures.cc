@@ -49,10 +49,13 @@ void LagrangeStep::set_slip_work(const double work)
 
 ContactMeasures LagrangeStep::contact() const
 {
-  std::vector<double> sums{
-    contact_.force, contact_.area, contact_.work, contact_.friction_work};
+  std::vector<double> sums{contact_.force,
+                           contact_.area,
+                           contact_.work,
+                           contact_.friction_work,
+                           contact_.sliding_work};
   dealii::Utilities::MPI::sum(sums, space_->communicator(), sums);
-  return {sums[0], sums[1], sums[2], sums[3]};
+  return {sums[0], sums[1], sums[2], sums[3], sums[4]};
 }
 
 

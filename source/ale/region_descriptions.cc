@@ -108,6 +108,37 @@ void RegionDescriptions::check_layers(
 }
 
 
+const RegionDescriptions::Description &
+RegionDescriptions::find(const dealii::Point<3> &place,
+                         const std::string &layer) const
+{
+  const Description *found = nullptr;
+  for (const Description &description : descriptions_)
+    if ((description.layer == "any" || description.layer == layer) &&
+        description.where.value(place) != 0.)
+      found = &description;
+  if (found == nullptr)
+    throw InputError("Region: the cell at (" + std::to_string(place[0]) + ", " +
+                     std::to_string(place[1]) + ", " +
+                     std::to_string(place[2]) + ") m is in none");
+  return *found;
+}
+
+
+const Region &RegionDescriptions::region_at(const dealii::Point<3> &place,
+                                            const std::string &layer) const
+{
+  return find(place, layer).region;
+}
+
+
+double RegionDescriptions::density_at(const dealii::Point<3> &place,
+                                      const std::string &layer) const
+{
+  return check_state(find(place, layer), place).density;
+}
+
+
 void RegionDescriptions::set_regions(
   dealii::Triangulation<3> &mesh,
   const std::vector<std::string> &layers) const
@@ -117,16 +148,9 @@ void RegionDescriptions::set_regions(
   for (const auto &cell : mesh.active_cell_iterators())
   {
     const auto centre = cell->center();
-    std::size_t region = descriptions_.size();
-    for (std::size_t i = 0; i < descriptions_.size(); ++i)
-      if ((descriptions_[i].layer == "any" ||
-           descriptions_[i].layer == layers[cell->material_id()]) &&
-          descriptions_[i].where.value(centre) != 0.)
-        region = i;
-    if (region == descriptions_.size())
-      throw InputError("Region: the cell at (" + std::to_string(centre[0]) +
-                       ", " + std::to_string(centre[1]) + ", " +
-                       std::to_string(centre[2]) + ") m is in none");
+    const Description &found =
+      find(centre, layers.empty() ? "" : layers[cell->material_id()]);
+    const auto region = static_cast<std::size_t>(&found - descriptions_.data());
     cell->set_material_id(static_cast<dealii::types::material_id>(region));
     ++count[region];
   }
@@ -218,17 +242,43 @@ void RegionDescriptions::fill(const HexSpace &space, AleState &state) const
 }
 
 
-double RegionDescriptions::largest_velocity() const
+dealii::Tensor<1, 3> RegionDescriptions::fastest_velocity() const
 {
-  double largest = 0.;
+  dealii::Tensor<1, 3> fastest;
   for (const Description &description : descriptions_)
   {
-    double square = 0.;
-    for (const Expression &velocity : description.velocity)
-      square += std::pow(velocity.value({}), 2);
-    largest = std::max(largest, std::sqrt(square));
+    dealii::Tensor<1, 3> velocity;
+    for (unsigned int d = 0; d < 3; ++d)
+      velocity[d] = description.velocity[d].value({});
+    if (velocity.norm() > fastest.norm())
+      fastest = velocity;
   }
+  return fastest;
+}
+
+
+dealii::Tensor<1, 3> RegionDescriptions::largest_components() const
+{
+  dealii::Tensor<1, 3> largest;
+  for (const Description &description : descriptions_)
+    for (unsigned int d = 0; d < 3; ++d)
+      largest[d] =
+        std::max(largest[d], std::abs(description.velocity[d].value({})));
   return largest;
+}
+
+
+bool RegionDescriptions::depends_on_place() const
+{
+  const auto depends = [](const Expression &expression) {
+    return expression.depends_on_place();
+  };
+  return std::any_of(
+    descriptions_.begin(), descriptions_.end(), [&](const Description &d) {
+      return depends(d.where) || depends(d.density) || depends(d.pressure) ||
+             depends(d.products) ||
+             std::any_of(d.velocity.begin(), d.velocity.end(), depends);
+    });
 }
 
 

@@ -247,8 +247,10 @@ bool Rezone::is_valid(const dealii::AlignedVector<double> &position) const
   int valid = 1;
   for (std::size_t c = 0; c < space_->n_own_cells() && valid == 1; ++c)
   {
-    const auto corners = corners_of(space_->cell(c), position);
-    valid = smallest_corner_jacobian(corners) > 0. ? 1 : 0;
+    // Solids keep their nodes, however they are deformed.
+    if (!is_solid_[space_->region(c)] &&
+        !(smallest_corner_jacobian(corners_of(space_->cell(c), position)) > 0.))
+      valid = 0;
   }
   return dealii::Utilities::MPI::min(valid, space_->communicator()) == 1;
 }

@@ -61,6 +61,20 @@ TEST(LagrangeStep, books_the_work_of_moving_walls_and_body_forces)
               1e-13 * (start + work));
 }
 
+// A wall runs into cold gas by two cells in a step, then by one: it is halved
+// until it stays in the first cell.
+TEST(LagrangeStep, halves_steps_that_would_invert_cells_and_counts_them)
+{
+  Slab slab({10, 1, 1}, 1., {{0, [](double) { return -1.; }}});
+  slab.fill([](const dealii::Point<3> &) { return SlabGas{1., 1e-10}; });
+  const double made = slab.step.advance(slab.state, 0.2, 100., 10);
+  EXPECT_GE(slab.step.n_retries(), 1u);
+  EXPECT_DOUBLE_EQ(made, std::ldexp(0.2, -int(slab.step.n_retries())));
+  EXPECT_LT(made, 0.1);
+  slab.step.advance(slab.state, 1e-6, 1., 10);
+  EXPECT_EQ(slab.step.n_retries(), 0u);
+}
+
 TEST(LagrangeStep, names_the_cell_that_tangles_and_keeps_the_state)
 {
   Slab slab({4, 1, 1}, 1.);

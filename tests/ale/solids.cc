@@ -212,7 +212,11 @@ TEST(Contact, SlowsABlockByFriction)
   block.run(time);
   const auto totals = block.step.totals(block.state);
   EXPECT_NEAR(totals.momentum[0] / mass, 10. - friction * gravity * time, 0.01);
-  EXPECT_LT(block.step.contact().friction_work, 0.);
+  const auto contact = block.step.contact();
+  EXPECT_LT(contact.friction_work, -0.3 * mass);
+  EXPECT_NEAR(contact.friction_work,
+              -friction * contact.sliding_work,
+              1e-6 * contact.sliding_work);
   EXPECT_NEAR(block.energy(), before, 1e-12 * before);
 }
 

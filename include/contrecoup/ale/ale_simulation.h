@@ -76,6 +76,8 @@ private:
   Ledger ledger() const;
   void heat(const double begin, const double duration);
   ImpactPlan impact_plan() const;
+  /// Motion across planes of symmetry, and those that would do.
+  void find_symmetry(ImpactPlan &plan) const;
   void restore_peaks(std::istream &in, const std::size_t n_peaks);
   /// @param cells those of this rank by their number in the mesh
   void

@@ -31,6 +31,7 @@ struct ContactMeasures
   double area = 0.;          ///< of the free surface in contact [m^2]
   double work = 0.;          ///< along the normals [J]
   double friction_work = 0.; ///< [J]
+  double sliding_work = 0.;  ///< that a coefficient of 1 would take [J]
 };
 
 /**
@@ -52,6 +53,11 @@ public:
   void set_planes(const std::vector<ContactPlane> &planes)
   {
     planes_ = planes;
+  }
+
+  const std::vector<ContactPlane> &planes() const
+  {
+    return planes_;
   }
 
   bool empty() const

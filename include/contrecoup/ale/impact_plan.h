@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/ale/region.h>
+#include <contrecoup/ale/head_estimate.h>
 #include <contrecoup/base/simulation.h>
 
 #include <vector>
@@ -14,33 +14,50 @@ namespace contrecoup::ale
  * What a run on a moving mesh leaves out, with the numbers that tell whether it
  * may:
  *
- *   cavitation     least pressure of each liquid that bears any tension
- *   gravity        its speed over that of the impact
- *   viscosity      of liquids: the layer that that of water makes at walls in
- *                  the time of the run is thinner than a cell
- *   friction       work of planes along themselves over the kinetic energy
- *   symmetry       part of the body that is computed
+ *   cavitation        least pressure of each liquid that bears any tension; of
+ * a head before the run that of ShellImpact contact           its end over that
+ * of the run; of a head before the run that of ShellImpact gravity its speed
+ * over that of the impact viscosity         of liquids: the layer that that of
+ * water makes at walls in the time of the run is thinner than a cell friction
+ * work of planes along themselves over the kinetic energy; where they have
+ * none, that of a coefficient of 0.3 scalp             mass of 5 mm of it over
+ * that of a head without one symmetry          part of the cost that planes of
+ * symmetry save asymmetry         motion across them, which they do not allow
+ *   unused_symmetry   part of the cost that further ones would save
  */
 struct ImpactPlan
 {
   std::vector<Region> regions;
-  double end_time = 0.;      ///< [s]
-  double largest_speed = 0.; ///< of the matter at the start [m/s]
-  double cell_size = 0.;     ///< [m]
-  double part = 1.;          ///< of the body that is computed [-]
-  bool has_planes = false;
+  std::vector<ContactPlane> planes;
+  std::optional<HeadEstimate> head;
+  double end_time = 0.;          ///< [s]
+  dealii::Tensor<1, 3> velocity; ///< of the fastest matter at the start [m/s]
+  double cell_size = 0.;         ///< [m]
+  double part = 1.;              ///< of the body that is computed [-]
+  double enough = 1.;    ///< part that would do, by symmetry of the scene [-]
+  double asymmetry = 0.; ///< part of the motion across planes of symmetry [-]
   bool has_body_force = false;
 
   /// What a run found.
   struct Findings
   {
     std::vector<double> least_pressures; ///< by region [Pa]
+    double contact_end = 0.;             ///< below 0: there was none [s]
     double friction_work = 0.;           ///< [J]
+    double sliding_work = 0.;            ///< see ContactMeasures [J]
     double kinetic_energy = 0.;          ///< at the start [J]
   };
 
   /// As estimated from the scene.
   std::vector<Assumption> plan() const;
   std::vector<Assumption> audit(const Findings &findings) const;
+
+private:
+  bool has_friction() const;
+  double expected_tension(const Region &region) const;
+  double expected_friction() const;
+  void add_liquids(std::vector<Assumption> &items) const;
+  void add_contact(std::vector<Assumption> &items) const;
+  void add_symmetry(std::vector<Assumption> &items) const;
 };
 } // namespace contrecoup::ale

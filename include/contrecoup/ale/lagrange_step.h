@@ -65,6 +65,12 @@ public:
                  const unsigned int largest_retries = 10,
                  const bool is_as_left = false);
 
+  /// How often the last step was halved.
+  unsigned int n_retries() const
+  {
+    return n_retries_;
+  }
+
   /// Work that walls and body forces have done, all ranks [J]. Collective.
   double external_work() const;
 
@@ -168,6 +174,7 @@ private:
   dealii::AlignedVector<double> force_; ///< on nodes, four each [N]
   double work_ = 0.;                    ///< of this rank [J]
   double slip_work_ = 0.;               ///< of this rank [J]
+  unsigned int n_retries_ = 0;          ///< of the last step
   ContactMeasures contact_;             ///< of this rank
 };
 } // namespace contrecoup::ale

@@ -40,6 +40,18 @@ public:
   /// Part of the head that is computed; 1 without one [-].
   double part() const;
 
+  /// Of the outer surfaces of the layers [m].
+  const std::vector<std::array<double, 3>> &semi_axes() const
+  {
+    return ball_.semi_axes;
+  }
+
+  /// Axes to which planes of symmetry are normal.
+  const std::array<bool, 3> &is_halved() const
+  {
+    return ball_.is_halved;
+  }
+
   double n_cells() const;
 
   /// About the shortest edge of a cell [m].

@@ -48,6 +48,12 @@ public:
     return head_.part();
   }
 
+  /// The layered head; null for other meshes, and where nodes are moved.
+  const LayeredHead *head() const
+  {
+    return kind_ == "layered head" && position_.empty() ? &head_ : nullptr;
+  }
+
   /// How many cells create() makes.
   double n_cells() const;
 

@@ -43,9 +43,25 @@ public:
   /// @throws InputError for a state without a physical meaning
   double largest_speed(const dealii::Triangulation<3> &mesh) const;
 
-  /// The fastest matter at the start, at the origin if velocities depend on the
-  /// place [m/s].
-  double largest_velocity() const;
+  /// Velocity of the fastest matter at the start, at the origin if velocities
+  /// depend on the place [m/s].
+  dealii::Tensor<1, 3> fastest_velocity() const;
+
+  /// The largest of each component of the velocities at the start, at the
+  /// origin if they depend on the place [m/s].
+  dealii::Tensor<1, 3> largest_components() const;
+
+  /// Whether where anything is, or its state, depends on the place.
+  bool depends_on_place() const;
+
+  /// The region at a place of a layer, and the density of what is there
+  /// [kg/m^3]. @throws InputError where there is none, and for a state without
+  /// a
+  ///   physical meaning
+  const Region &region_at(const dealii::Point<3> &place,
+                          const std::string &layer) const;
+  double density_at(const dealii::Point<3> &place,
+                    const std::string &layer) const;
 
 private:
   struct Description
@@ -58,6 +74,9 @@ private:
   };
 
   void check_layers(const std::vector<std::string> &layers) const;
+  /// The last of those at a place of a layer. @throws InputError for none
+  const Description &find(const dealii::Point<3> &place,
+                          const std::string &layer) const;
   const Description &at(const HexSpace &space, const std::size_t cell) const
   {
     return descriptions_[space.region(cell)];

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/ale/ale_simulation.h>
+#include <contrecoup/base/parameter_tree.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/time_parameters.h>
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+using namespace contrecoup;
+using namespace contrecoup::ale;
+
+namespace
+{
+/// What is planned for a head of 80, 4 and 7 mm against a wall at 3 m/s, 5 ms.
+std::map<std::string, Assumption>
+plan_of(const std::vector<std::string> &overrides)
+{
+  ParameterHandler prm;
+  TimeParameters::declare_parameters(prm);
+  AleSimulation::declare_parameters(prm);
+  std::vector<Assignment> assignments;
+  for (const std::string text : {"Time/End time=5e-3",
+                                 "Mesh/Kind=layered head",
+                                 "Mesh/Semi-axes=0.08, 0.08, 0.08",
+                                 "Mesh/CSF thickness=0.004",
+                                 "Mesh/Skull thickness=0.007",
+                                 "Region brain/Layer=brain",
+                                 "Region brain/Material=tissue",
+                                 "Region brain/Tissue=brain",
+                                 "Region CSF/Layer=csf",
+                                 "Region CSF/Material=tait",
+                                 "Region CSF/Density=1000",
+                                 "Region skull/Layer=skull",
+                                 "Region skull/Material=elastic",
+                                 "Region skull/Density=1100",
+                                 "Region skull/Young modulus=1.25e9",
+                                 "Region skull/Poisson ratio=0.3",
+                                 "Region brain/Velocity z=-3",
+                                 "Region CSF/Velocity z=-3",
+                                 "Region skull/Velocity z=-3",
+                                 "Plane wall/Point=0, 0, -0.2",
+                                 "Plane wall/Normal=0, 0, 1"})
+    assignments.push_back(parse_override(text));
+  for (const std::string &text : overrides)
+    assignments.push_back(parse_override(text));
+  apply_assignments(assignments, prm);
+  AleSimulation simulation(MPI_COMM_WORLD);
+  simulation.parse_parameters(prm);
+  std::map<std::string, Assumption> result;
+  for (const Assumption &item : simulation.plan())
+    result[item.name] = item;
+  return result;
+}
+
+double value_of(const std::map<std::string, Assumption> &plan,
+                const std::string &name)
+{
+  return plan.count(name) > 0 ? plan.at(name).value
+                              : std::numeric_limits<double>::quiet_NaN();
+}
+} // namespace
+
+
+// 2.14 kg of brain, 0.34 kg of CSF and 0.74 kg of skull on 1.69e6 N/m.
+TEST(ImpactPlan, tells_what_a_head_is_expected_to_do)
+{
+  const auto plan = plan_of({});
+  EXPECT_NEAR(value_of(plan, "contact"), 4.34e-3 / 5e-3, 0.01);
+  EXPECT_NEAR(value_of(plan, "cavitation_CSF"), -183e3, 3e3);
+  EXPECT_TRUE(plan.at("cavitation_CSF").fails());
+  EXPECT_FALSE(plan.at("contact").fails());
+  // Too short to see the head leave, or its pressure fall.
+  const auto brief = plan_of({"Time/End time=1e-3"});
+  EXPECT_TRUE(brief.at("contact").fails());
+  EXPECT_TRUE(std::isnan(value_of(brief, "cavitation_CSF")));
+}
+
+TEST(ImpactPlan, weighs_the_scalp_that_is_left_out)
+{
+  // A shell of 5 mm around 91 mm, 0.604 kg, on 3.2 kg.
+  EXPECT_NEAR(value_of(plan_of({}), "scalp"), 0.188, 0.003);
+  EXPECT_EQ(plan_of({"Mesh/Scalp thickness=0.005",
+                     "Region scalp/Layer=scalp",
+                     "Region scalp/Material=tissue",
+                     "Region scalp/Tissue=skin"})
+              .count("scalp"),
+            0u);
+}
+
+TEST(ImpactPlan, bounds_the_friction_that_is_left_out)
+{
+  const auto normal = plan_of({});
+  EXPECT_EQ(normal.at("friction").decision, "left out");
+  EXPECT_EQ(value_of(normal, "friction"), 0.);
+  // At 45 degrees both components are v / sqrt(2): 4 mu v_n v_t / v^2 = 2 mu.
+  const auto oblique = plan_of({"Plane wall/Normal=1, 0, 1"});
+  EXPECT_NEAR(value_of(oblique, "friction"), 0.5, 1e-12);
+  EXPECT_TRUE(oblique.at("friction").fails());
+  const auto rough =
+    plan_of({"Plane wall/Normal=1, 0, 1", "Plane wall/Friction=0.1"});
+  EXPECT_EQ(rough.at("friction").decision, "as asked for");
+  EXPECT_NEAR(value_of(rough, "friction"), 0.2, 1e-12);
+  EXPECT_FALSE(rough.at("friction").fails());
+}
+
+TEST(ImpactPlan, knows_which_planes_of_symmetry_would_do)
+{
+  const auto whole = plan_of({});
+  EXPECT_EQ(value_of(whole, "unused_symmetry"), 0.75);
+  EXPECT_EQ(whole.count("symmetry"), 0u);
+  const auto half = plan_of({"Mesh/Symmetry planes=x"});
+  EXPECT_EQ(value_of(half, "symmetry"), 0.5);
+  EXPECT_EQ(value_of(half, "unused_symmetry"), 0.5);
+  const auto quarter = plan_of({"Mesh/Symmetry planes=x, y"});
+  EXPECT_EQ(value_of(quarter, "symmetry"), 0.75);
+  EXPECT_EQ(value_of(quarter, "asymmetry"), 0.);
+  EXPECT_EQ(quarter.count("unused_symmetry"), 0u);
+  // What is not symmetric to x.
+  for (const char *const text : {"Plane wall/Normal=1, 0, 1",
+                                 "Region CSF/Velocity x=1",
+                                 "Body force/x=t"})
+  {
+    EXPECT_EQ(value_of(plan_of({text}), "unused_symmetry"), 0.5) << text;
+    EXPECT_TRUE(
+      plan_of({text, "Mesh/Symmetry planes=x, y"}).at("asymmetry").fails())
+      << text;
+  }
+  // What may be anything.
+  EXPECT_EQ(plan_of({"Region CSF/Velocity x=y"}).count("unused_symmetry"), 0u);
+}
+
+TEST(ImpactPlan, audits_friction_and_contact)
+{
+  ImpactPlan plan;
+  plan.end_time = 2.;
+  plan.velocity[2] = -1.;
+  plan.planes = {
+    {"wall", dealii::Point<3>(), dealii::Tensor<1, 3>({0., 0., 1.}), 0.}};
+  const auto find = [&](const ImpactPlan::Findings &found,
+                        const std::string &name) {
+    for (const Assumption &item : plan.audit(found))
+      if (item.name == name)
+        return item;
+    return Assumption();
+  };
+  ImpactPlan::Findings found{{}, 1., 0., 3., 6.};
+  EXPECT_NEAR(find(found, "friction").value, 0.15, 1e-15);
+  EXPECT_TRUE(find(found, "friction").fails());
+  EXPECT_EQ(find(found, "contact").value, 0.5);
+  found.contact_end = 2.;
+  EXPECT_TRUE(find(found, "contact").fails());
+  plan.planes[0].friction = 0.5;
+  found.friction_work = -1.5;
+  EXPECT_NEAR(find(found, "friction").value, 0.25, 1e-15);
+  EXPECT_FALSE(find(found, "friction").fails());
+}
