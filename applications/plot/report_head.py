@@ -354,6 +354,9 @@ def ledger(run):
         found += [("thereof planes, along their normals",
                    history["contact_work"]),
                   ("thereof friction", history["friction_work"])]
+    if "interface_work" in history:
+        found.append(("made up between fluid and solid",
+                      history["interface_work"]))
     found.append(("missing", history["energy_residual"]))
     return [(name, factor * column) for name, column in found]
 

@@ -35,6 +35,7 @@ void AleSimulation::declare_parameters(ParameterHandler &prm)
   Rezone::declare_parameters(prm);
   HeatSource::declare_parameters(prm);
   ContactPlanes::declare_parameters(prm);
+  InterfaceCoupling::declare_parameters(prm);
   Reference::declare_parameters(prm);
   HeadMeasures::declare_parameters(prm);
   {
@@ -94,6 +95,7 @@ void AleSimulation::parse_parameters(ParameterHandler &prm)
   rezone_.parse_parameters(prm);
   heat_source_.parse_parameters(prm);
   planes_.parse_parameters(prm);
+  coupling_.parse_parameters(prm);
   reference_.parse_parameters(prm);
   head_.parse_parameters(prm);
   {
@@ -176,7 +178,8 @@ void AleSimulation::build()
         result[d] = acceleration_[d].value({}, time);
       return result;
     },
-    planes_);
+    planes_,
+    coupling_);
   state_ = AleState();
   state_.position = space_.positions(width);
   regions_.fill(space_, state_);
@@ -282,6 +285,12 @@ StepReport AleSimulation::advance(const double largest_step)
     lagrange_.advance(state_, largest, courant_, largest_retries_, is_as_left_);
   is_as_left_ = true;
   heat(begin + first, made - first);
+  if (coupling_.is_loose())
+  {
+    const AleTotals totals = lagrange_.totals(state_);
+    lagrange_.coupling().require_stable(
+      state_.time, totals.internal_energy + totals.kinetic_energy);
+  }
   // A step that was cut to end at a time of output says nothing of the next.
   if (made < largest_step || last_step_ == 0. || made > last_step_)
     last_step_ = made;
@@ -310,9 +319,10 @@ AleSimulation::Ledger AleSimulation::ledger() const
   Ledger result;
   result.totals = lagrange_.totals(state_);
   result.external_work = lagrange_.external_work();
+  result.interface_work = lagrange_.coupling().record().work;
   result.residual = result.totals.internal_energy +
                     result.totals.kinetic_energy - initial_energy_ -
-                    result.external_work;
+                    result.external_work - result.interface_work;
   return result;
 }
 
@@ -332,6 +342,8 @@ std::vector<NamedValue> AleSimulation::history()
     {"momentum_x", "N s", totals.momentum[0]},
     {"momentum_y", "N s", totals.momentum[1]},
     {"momentum_z", "N s", totals.momentum[2]}};
+  for (NamedValue &value : lagrange_.coupling().history())
+    values.push_back(std::move(value));
   if (!planes_.empty())
   {
     const ContactMeasures contact = lagrange_.contact();
@@ -397,75 +409,19 @@ std::vector<NamedValue> AleSimulation::errors()
 
 std::vector<NamedValue> AleSimulation::assumptions()
 {
+  const Ledger now = ledger();
+  const double scale = std::max(energy_scale_, 1e-300);
   std::vector<NamedValue> values = {
-    {"energy_residual",
-     "-",
-     ledger().residual / std::max(energy_scale_, 1e-300)},
+    {"energy_residual", "-", now.residual / scale},
     {"rezones", "-", static_cast<double>(rezone_.n_rezones())}};
+  for (NamedValue &value : lagrange_.coupling().summary(scale))
+    values.push_back(std::move(value));
   if (!planes_.empty())
     for (NamedValue &value : contact_.values())
       values.push_back(std::move(value));
   for (const solid::InjuryMeasure &measure : head_.measures(communicator_))
     values.push_back(measure.value);
   return values;
-}
-
-
-ImpactPlan AleSimulation::impact_plan() const
-{
-  ImpactPlan plan;
-  plan.regions = regions_.regions();
-  plan.planes = planes_.planes();
-  plan.head = estimate_head(mesh_description_, regions_, planes_);
-  plan.end_time = end_time_;
-  plan.velocity = regions_.fastest_velocity();
-  plan.cell_size = mesh_description_.cell_size();
-  plan.part = mesh_description_.part();
-  for (const Expression &component : acceleration_)
-    plan.has_body_force = plan.has_body_force || !component.is_zero();
-  find_symmetry(plan);
-  return plan;
-}
-
-
-void AleSimulation::find_symmetry(ImpactPlan &plan) const
-{
-  plan.enough = plan.part;
-  const LayeredHead *head = mesh_description_.head();
-  if (head == nullptr)
-    return;
-  const auto components = regions_.largest_components();
-  for (unsigned int d = 0; d < 3; ++d)
-  {
-    // Across a plane of symmetry that is normal to this axis.
-    double motion =
-      components[d] > 0. ? components[d] / plan.velocity.norm() : 0.;
-    for (const ContactPlane &plane : plan.planes)
-      motion = std::max(motion, std::abs(plane.normal[d]));
-    if (!acceleration_[d].is_zero())
-      motion = 1.;
-    if (head->is_halved()[d])
-      plan.asymmetry = std::max(plan.asymmetry, motion);
-    else if (motion == 0. && !regions_.depends_on_place())
-      plan.enough *= 0.5;
-  }
-}
-
-
-std::vector<Assumption> AleSimulation::plan()
-{
-  return impact_plan().plan();
-}
-
-
-std::vector<Assumption> AleSimulation::audit()
-{
-  const ContactMeasures contact = lagrange_.contact();
-  return impact_plan().audit({least_pressures_,
-                              contact_.end,
-                              contact.friction_work,
-                              contact.sliding_work,
-                              initial_kinetic_energy_});
 }
 
 

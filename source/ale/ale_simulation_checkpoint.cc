@@ -128,6 +128,7 @@ void AleSimulation::save(const std::string &folder)
       put(out, record);
     }
   });
+  lagrange_.coupling().save(folder);
   head_.save(folder, communicator_);
 }
 
@@ -227,6 +228,7 @@ void AleSimulation::restore(const std::string &folder)
   last_step_ = numbers.last_step;
   memory.first_iterations = static_cast<unsigned int>(numbers.first_iterations);
   rezone_.resume(state_, static_cast<unsigned int>(numbers.n_rezones), memory);
+  lagrange_.coupling().restore(folder);
   head_.restore(folder, communicator_);
 }
 } // namespace contrecoup::ale

@@ -202,6 +202,15 @@ std::vector<Assumption> ImpactPlan::plan() const
                                     head->scalp_mass / head->mass,
                                     "Mesh/Scalp thickness"));
   add_symmetry(items);
+  if (!coupling.empty())
+    items.push_back({"coupling",
+                     "fluids and solids in turn, " + coupling,
+                     "energy made up between them, over all",
+                     "-",
+                     unknown,
+                     0.01,
+                     false,
+                     "Coupling/Scheme"});
   return items;
 }
 
@@ -224,6 +233,8 @@ std::vector<Assumption> ImpactPlan::audit(const Findings &findings) const
       item.value = findings.kinetic_energy > 0.
                      ? friction / findings.kinetic_energy
                      : unknown;
+    if (item.name == "coupling")
+      item.value = std::abs(findings.interface_work) / findings.largest_energy;
   }
   return items;
 }

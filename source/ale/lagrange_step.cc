@@ -22,7 +22,8 @@ void LagrangeStep::reinit(
   const std::vector<Region> &regions,
   const std::map<dealii::types::boundary_id, SlipWalls::Motion> &walls,
   const Acceleration &acceleration,
-  const ContactPlanes &planes)
+  const ContactPlanes &planes,
+  const InterfaceCoupling &coupling)
 {
   space_ = &space;
   acceleration_ = acceleration;
@@ -36,6 +37,8 @@ void LagrangeStep::reinit(
                  [&](const dealii::types::boundary_id boundary) {
                    return walls.count(boundary) == 0;
                  });
+  coupling_ = coupling;
+  coupling_.reinit(space, regions, walls_);
   contact_ = ContactMeasures();
   force_.resize(node_exchange_.size());
   work_ = slip_work_ = 0.;
@@ -145,6 +148,8 @@ bool LagrangeStep::try_step(AleState &state,
                             const double step)
 {
   // The forces are those of the start.
+  if (!coupling_.balance(start.velocity, true, force_))
+    return false;
   const double begin = state.time;
   state.time = begin + 0.25 * step;
   accelerate(state, start, 0.5 * step);
@@ -156,7 +161,8 @@ bool LagrangeStep::try_step(AleState &state,
 
   state.time = begin + 0.5 * step;
   add_forces(state, step);
-  if (!all(forces_.has_volumes()))
+  if (!all(forces_.has_volumes()) ||
+      !coupling_.balance(start.velocity, false, force_))
     return false;
   accelerate(state, start, step);
   walls_.apply(state.velocity, begin + step);
@@ -171,6 +177,7 @@ bool LagrangeStep::try_step(AleState &state,
     return false;
   work_ += work;
   slip_work_ += ties_.work(mean_);
+  coupling_.finish_step(mean_, step);
   if (!planes_.empty())
     book_contact(planes_.measures(mean_, state.velocity, step));
   state.time = begin + step;
@@ -202,7 +209,7 @@ double LagrangeStep::advance(AleState &state,
     has_forces_ = try_step(state, start, step);
     if (has_forces_)
       return step;
-    if (retry == largest_retries)
+    if (retry == largest_retries || coupling_.has_diverged())
     {
       const AleState failed = state;
       start.give_back(state);

@@ -119,7 +119,9 @@ void LagrangeStep::give_up(const AleState &state, const double step) const
            ") m would have a volume of " + brief(least) +
            " m^3 and an energy of " + brief(state.energy[worst]) + " J";
   }
+  const std::string coupling = coupling_.problem();
   throw NumericsError("time " + exact(state.time) + " s: with a step of " +
-                      brief(step) + " s " + text);
+                      brief(step) + " s " +
+                      (coupling_.has_diverged() ? coupling : text + coupling));
 }
 } // namespace contrecoup::ale

@@ -63,6 +63,7 @@ private:
   {
     AleTotals totals;
     double external_work;
+    double interface_work;
     double residual; ///< [J]
   };
 
@@ -91,6 +92,7 @@ private:
   Rezone rezone_;
   HeatSource heat_source_;
   ContactPlanes planes_;
+  InterfaceCoupling coupling_; ///< as asked for
   ContactRecord contact_;
   Reference reference_;
   HeadMeasures head_;

@@ -15,15 +15,19 @@ namespace contrecoup::ale
  * may:
  *
  *   cavitation        least pressure of each liquid that bears any tension; of
- * a head before the run that of ShellImpact contact           its end over that
- * of the run; of a head before the run that of ShellImpact gravity its speed
- * over that of the impact viscosity         of liquids: the layer that that of
- * water makes at walls in the time of the run is thinner than a cell friction
- * work of planes along themselves over the kinetic energy; where they have
- * none, that of a coefficient of 0.3 scalp             mass of 5 mm of it over
- * that of a head without one symmetry          part of the cost that planes of
- * symmetry save asymmetry         motion across them, which they do not allow
+ *                     a head before the run that of ShellImpact
+ *   contact           its end over that of the run; of a head before the run
+ *                     that of ShellImpact
+ *   gravity           its speed over that of the impact
+ *   viscosity         of liquids: the layer that that of water makes at
+ *                     walls in the time of the run is thinner than a cell
+ *   friction          work of planes along themselves over the kinetic energy;
+ *                     where they have none, that of a coefficient of 0.3
+ *   scalp             mass of 5 mm of it over that of a head without one
+ *   symmetry          part of the cost that planes of symmetry save
+ *   asymmetry         motion across them, which they do not allow
  *   unused_symmetry   part of the cost that further ones would save
+ *   coupling          energy that fluids and solids solved in turn make up
  */
 struct ImpactPlan
 {
@@ -37,6 +41,7 @@ struct ImpactPlan
   double enough = 1.;    ///< part that would do, by symmetry of the scene [-]
   double asymmetry = 0.; ///< part of the motion across planes of symmetry [-]
   bool has_body_force = false;
+  std::string coupling; ///< scheme that solves in turn; empty: monolithic
 
   /// What a run found.
   struct Findings
@@ -46,6 +51,8 @@ struct ImpactPlan
     double friction_work = 0.;           ///< [J]
     double sliding_work = 0.;            ///< see ContactMeasures [J]
     double kinetic_energy = 0.;          ///< at the start [J]
+    double interface_work = 0.;          ///< see InterfaceCoupling [J]
+    double largest_energy = 0.;          ///< that the ledger has seen [J]
   };
 
   /// As estimated from the scene.

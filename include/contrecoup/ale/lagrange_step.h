@@ -6,6 +6,7 @@
 #include <contrecoup/ale/contact_planes.h>
 #include <contrecoup/ale/corner_forces.h>
 #include <contrecoup/ale/field_exchange.h>
+#include <contrecoup/ale/interface_coupling.h>
 #include <contrecoup/ale/slip_ties.h>
 
 #include <deal.II/base/tensor.h>
@@ -38,13 +39,15 @@ public:
 
   /// @param regions by material id of the mesh
   /// @param walls along which boundaries slide; all others are free surfaces
-  /// @throws InputError for a plane that cuts the mesh
+  /// @throws InputError for a plane that cuts the mesh, or without an interface
+  /// to couple
   void
   reinit(const HexSpace &space,
          const std::vector<Region> &regions,
          const std::map<dealii::types::boundary_id, SlipWalls::Motion> &walls,
          const Acceleration &acceleration,
-         const ContactPlanes &planes = {});
+         const ContactPlanes &planes = {},
+         const InterfaceCoupling &coupling = {});
 
   /// Sets masses of nodes from those of cells, and makes velocities obey walls.
   void start(AleState &state);
@@ -56,8 +59,8 @@ public:
    * @param is_as_left whether @p state is what the last call left, whose forces
    *   are then still known
    * @return its size [s]
-   * @throws NumericsError, naming the cell, after @p largest_retries; the state
-   *   is then that before the step
+   * @throws NumericsError, naming the cell, after @p largest_retries, or where
+   *   fluids and solids do not agree; the state is then that before the step
    */
   double advance(AleState &state,
                  const double largest_step,
@@ -108,6 +111,16 @@ public:
 
   /// Sets what it was before a restart. Collective.
   void set_slip_work(const double work);
+
+  /// How fluids and solids are coupled.
+  const InterfaceCoupling &coupling() const
+  {
+    return coupling_;
+  }
+  InterfaceCoupling &coupling()
+  {
+    return coupling_;
+  }
 
   /// Collective.
   AleTotals totals(const AleState &state) const;
@@ -164,6 +177,7 @@ private:
   SlipWalls walls_;
   SlipTies ties_;
   ContactPlanes planes_;
+  InterfaceCoupling coupling_;
   Acceleration acceleration_;
   CornerForces forces_;
   FieldExchange node_exchange_;

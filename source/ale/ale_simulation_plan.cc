@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/ale/ale_simulation.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace contrecoup::ale
+{
+ImpactPlan AleSimulation::impact_plan() const
+{
+  ImpactPlan plan;
+  plan.regions = regions_.regions();
+  plan.planes = planes_.planes();
+  plan.head = estimate_head(mesh_description_, regions_, planes_);
+  plan.end_time = end_time_;
+  plan.velocity = regions_.fastest_velocity();
+  plan.cell_size = mesh_description_.cell_size();
+  plan.part = mesh_description_.part();
+  for (const Expression &component : acceleration_)
+    plan.has_body_force = plan.has_body_force || !component.is_zero();
+  if (coupling_.active())
+    plan.coupling = coupling_.name();
+  find_symmetry(plan);
+  return plan;
+}
+
+
+void AleSimulation::find_symmetry(ImpactPlan &plan) const
+{
+  plan.enough = plan.part;
+  const LayeredHead *head = mesh_description_.head();
+  if (head == nullptr)
+    return;
+  const auto components = regions_.largest_components();
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    // Across a plane of symmetry that is normal to this axis.
+    double motion =
+      components[d] > 0. ? components[d] / plan.velocity.norm() : 0.;
+    for (const ContactPlane &plane : plan.planes)
+      motion = std::max(motion, std::abs(plane.normal[d]));
+    if (!acceleration_[d].is_zero())
+      motion = 1.;
+    if (head->is_halved()[d])
+      plan.asymmetry = std::max(plan.asymmetry, motion);
+    else if (motion == 0. && !regions_.depends_on_place())
+      plan.enough *= 0.5;
+  }
+}
+
+
+std::vector<Assumption> AleSimulation::plan()
+{
+  return impact_plan().plan();
+}
+
+
+std::vector<Assumption> AleSimulation::audit()
+{
+  const ContactMeasures contact = lagrange_.contact();
+  return impact_plan().audit({least_pressures_,
+                              contact_.end,
+                              contact.friction_work,
+                              contact.sliding_work,
+                              initial_kinetic_energy_,
+                              lagrange_.coupling().record().work,
+                              energy_scale_});
+}
+} // namespace contrecoup::ale
