@@ -315,6 +315,21 @@ contrecoup_add_application_test(head bounds,resume,ranks
   BOUNDS ${_ledger} COMPARE history.csv probes.csv STOP_AFTER 100
   TOLERANCE 5e-6 "energy_residual*=1e-13 absolute"
   "momentum_x*=1e-8 absolute" "momentum_y*=1e-8 absolute" "step size*=1e-4")
+# Thin cells in the skull beside thick ones in the CSF: a ratio of added mass of 1.9,
+# remaps and contact, solved in turn.
+set(_thick ${_coarse} "Mesh/CSF cells=1" "Mesh/Skull cells=4"
+  "Scheme/Courant number=0.3" "Time/End time=6e-5")
+contrecoup_add_application_test(head_in_turn bounds,resume,ranks
+  FILE head_impact/quickstart.prm SET ${_thick} "Rezone/Tolerance=1e-12"
+  "Coupling/Scheme=Aitken" BOUNDS ${_ledger}
+  "assumptions.interface_work < 1e-10" "assumptions.added_mass_ratio > 1.8"
+  "assumptions.mean_coupling_iterations < 9" COMPARE history.csv STOP_AFTER 50
+  TOLERANCE 5e-6 "energy_residual*=1e-13 absolute" "interface_work*=1e-9 absolute"
+  "coupling_iterations*=1 absolute" "momentum_[xy]*=1e-8 absolute"
+  "step size*=1e-4")
+contrecoup_add_application_test(head_loose_fails bounds
+  FILE head_impact/quickstart.prm SET ${_thick} "Coupling/Scheme=loose" EXIT 2
+  MESSAGE "the loose coupling of fluids and solids with a ratio of added mass of up to 1.9")
 # At 30 m/s, at 45 degrees with friction, and before a gap of half a cell.
 contrecoup_add_application_test(head_30_m_s bounds
   FILE head_impact/quickstart.prm SET ${_coarse} "Region brain/Velocity z=-30"
