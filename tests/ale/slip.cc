@@ -17,7 +17,7 @@ namespace
 {
 
 /// A box of a solid below a fluid, whose sides are walls, or free along x.
-/// Waves go at 1000 m/s in both, and both have 1000 kg/m^3.
+/// The solid is twice as dense.
 struct TwoLayers
 {
   using Velocity = dealii::Tensor<1, 3>;
@@ -37,7 +37,7 @@ struct TwoLayers
     for (const auto &cell : mesh.active_cell_iterators())
       cell->set_material_id(cell->center()[2] > 0.5 * height ? 1 : 0);
     SolidMaterial solid;
-    solid.density = 1000.;
+    solid.density = 2000.;
     solid.bulk_modulus = 1e9 / 3.;
     solid.instantaneous_shear = 0.5e9;
     std::vector<Region> regions(2);
@@ -54,7 +54,9 @@ struct TwoLayers
     state.position = space.positions(width);
     state.velocity.resize(state.position.size());
     state.mass.resize(space.n_cells());
-    state.mass.fill(1000. * std::pow(height / 8., 3));
+    for (std::size_t c = 0; c < space.n_cells(); ++c)
+      state.mass[c] =
+        (space.region(c) == 1 ? 1000. : 2000.) * std::pow(height / 8., 3);
     state.energy.resize(space.n_cells());
     state.products.resize(space.n_cells());
     for (std::size_t c = 0; c < space.n_cells(); ++c)
@@ -156,6 +158,6 @@ TEST(Slip, PassesSoundOn)
       if (stuck.space.region(c) == 0)
         solid_speed = std::max(solid_speed, std::abs(w[2]));
     }
-  EXPECT_GT(dealii::Utilities::MPI::max(solid_speed, MPI_COMM_WORLD), 0.3);
+  EXPECT_GT(dealii::Utilities::MPI::max(solid_speed, MPI_COMM_WORLD), 0.2);
   EXPECT_NEAR(sliding.energy(), before, 1e-12 * before);
 }
