@@ -137,6 +137,7 @@ CostEstimate AleSimulation::estimate()
   dealii::Triangulation<3> mesh;
   mesh_description_.create(mesh);
   regions_.set_regions(mesh, mesh_description_.layers());
+  coupling_.require_interface(mesh, regions_.regions());
   // A gas that is cold and at rest gets its speed from a wall.
   const double speed = regions_.largest_speed(mesh) +
                        mesh_description_.largest_wall_speed(end_time_);

@@ -113,9 +113,34 @@ void InterfaceCoupling::reinit(const HexSpace &space,
   find_free_directions(walls);
   const std::uint64_t n_nodes = nodes_.size();
   if (dealii::Utilities::MPI::sum(n_nodes, space.communicator()) == 0)
-    throw InputError("Coupling/Scheme = " + name() +
-                     " needs a fluid and a solid that share nodes; without, it "
-                     "must be monolithic");
+    miss_interface();
+}
+
+
+void InterfaceCoupling::miss_interface() const
+{
+  throw InputError("Coupling/Scheme = " + name() +
+                   " needs a fluid and a solid that share nodes; without, it "
+                   "must be monolithic");
+}
+
+
+void InterfaceCoupling::require_interface(
+  const dealii::Triangulation<3> &mesh,
+  const std::vector<Region> &regions) const
+{
+  if (!active())
+    return;
+  std::vector<bool> has_solid(mesh.n_vertices()), has_fluid(has_solid);
+  for (const auto &cell : mesh.active_cell_iterators())
+    for (const unsigned int v : cell->vertex_indices())
+      (regions[cell->material_id()].solid() == nullptr
+         ? has_fluid
+         : has_solid)[cell->vertex_index(v)] = true;
+  for (unsigned int v = 0; v < mesh.n_vertices(); ++v)
+    if (has_solid[v] && has_fluid[v])
+      return;
+  miss_interface();
 }
 
 

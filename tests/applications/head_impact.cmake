@@ -300,7 +300,7 @@ contrecoup_add_application_test(added_mass_fixed_fails bounds
   "Coupling/Relaxation=0.9" EXIT 2
   MESSAGE "up to 1.48, where Coupling/Relaxation must be below 0.806")
 contrecoup_add_application_test(refuses_coupling_without_interface refusal
-  FILE ${_folder}/sod.prm SET "Coupling/Scheme=loose"
+  FILE ${_folder}/sod.prm SET "Coupling/Scheme=loose" ARGUMENTS --check
   MESSAGE "Coupling/Scheme = loose needs a fluid and a solid that share nodes")
 contrecoup_add_application_test(refuses_relaxation_out_of_range refusal
   FILE ${_folder}/added_mass.prm SET "Coupling/Relaxation=2.5"

@@ -85,6 +85,12 @@ public:
   /// The scheme as in a parameter file.
   const std::string &name() const;
 
+  /// @param regions by material id of the mesh
+  /// @throws InputError for fluids and solids that do not meet, if they are to
+  /// be solved in turn
+  void require_interface(const dealii::Triangulation<3> &mesh,
+                         const std::vector<Region> &regions) const;
+
   /**
    * @param regions by material id of the mesh
    * @param walls whose nodes iterate only along them
@@ -156,6 +162,7 @@ private:
     Vector residual, imbalance; ///< [m/s^2], [N]
   };
 
+  [[noreturn]] void miss_interface() const;
   void find_nodes(const std::vector<Region> &regions);
   void find_free_directions(const SlipWalls &walls);
   bool iterate();
