@@ -414,7 +414,8 @@ std::vector<NamedValue> AleSimulation::assumptions()
   const double scale = std::max(energy_scale_, 1e-300);
   std::vector<NamedValue> values = {
     {"energy_residual", "-", now.residual / scale},
-    {"rezones", "-", static_cast<double>(rezone_.n_rezones())}};
+    {"rezones", "-", static_cast<double>(rezone_.n_rezones())},
+    {"rezones_left_out", "-", static_cast<double>(rezone_.n_left_out())}};
   for (NamedValue &value : lagrange_.coupling().summary(scale))
     values.push_back(std::move(value));
   if (!planes_.empty())

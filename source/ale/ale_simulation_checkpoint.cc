@@ -25,6 +25,7 @@ namespace
     std::uint64_t n_global_nodes;
     std::uint64_t n_global_cells;
     std::uint64_t n_rezones;
+    std::uint64_t n_rezones_left_out;
     double time;
     double initial_energy;
     double external_work;
@@ -86,6 +87,7 @@ void AleSimulation::save(const std::string &folder)
                 n_nodes_,
                 n_cells_,
                 rezone_.n_rezones(),
+                rezone_.n_left_out(),
                 state_.time,
                 initial_energy_,
                 work,
@@ -227,7 +229,10 @@ void AleSimulation::restore(const std::string &folder)
   energy_scale_ = numbers.energy_scale;
   last_step_ = numbers.last_step;
   memory.first_iterations = static_cast<unsigned int>(numbers.first_iterations);
-  rezone_.resume(state_, static_cast<unsigned int>(numbers.n_rezones), memory);
+  rezone_.resume(state_,
+                 static_cast<unsigned int>(numbers.n_rezones),
+                 static_cast<unsigned int>(numbers.n_rezones_left_out),
+                 memory);
   lagrange_.coupling().restore(folder);
   head_.restore(folder, communicator_);
 }

@@ -140,11 +140,13 @@ SmoothingMemory Rezone::memory() const
 
 void Rezone::resume(const AleState &state,
                     const unsigned int n_rezones,
+                    const unsigned int n_left_out,
                     const SmoothingMemory &memory)
 {
   if (kind_ == RezoneKind::elastic)
     smoothing_.resume(memory);
   n_rezones_ = n_rezones;
+  n_left_out_ = n_left_out;
   due_ = interval_;
   while (interval_ > 0. && due_ <= state.time * (1. + 1e-12))
     due_ += interval_;
@@ -356,9 +358,10 @@ bool Rezone::apply(AleState &state, const SlipWalls &walls)
     for (std::size_t k = 0; k < position.size(); ++k)
       position[k] = 0.5 * (position[k] + state.position[k]);
   if (!is_valid(position))
-    throw NumericsError("time " + exact(state.time) +
-                        " s: no part of the mesh's motion in the rezone keeps "
-                        "all cells valid");
+  {
+    ++n_left_out_;
+    return false;
+  }
   carry_over(state, walls, position);
   reference_ = position;
   ++n_rezones_;

@@ -152,3 +152,25 @@ TEST(Rezone, stays_in_the_walls_of_a_wedge)
   }
   EXPECT_GT(dealii::Utilities::MPI::max(ahead, MPI_COMM_WORLD), 3e-3);
 }
+
+// A cell whose corner is beyond its neighbours cannot be mended while the nodes
+// around are where the matter is.
+TEST(Rezone, IsLeftOutWhereNoMotionGivesValidCells)
+{
+  SmoothedSlab box([](const dealii::Point<3> &x) { return x; });
+  AleState &state = box.slab.state;
+  state.time = 0.1;
+  for (std::size_t n = 0; n < box.slab.space.n_nodes(); ++n)
+  {
+    // The corner of the box goes into it, beyond the nodes beside.
+    double *x = &state.position[stride * n];
+    if (std::abs(x[0]) + std::abs(x[1]) + std::abs(x[2]) < 1e-9)
+      x[0] = 0.9;
+  }
+  const auto before = state.position;
+  EXPECT_FALSE(box.rezone.apply(state, box.slab.step.walls()));
+  EXPECT_EQ(box.rezone.n_left_out(), 1u);
+  EXPECT_EQ(box.rezone.n_rezones(), 0u);
+  for (std::size_t i = 0; i < before.size(); ++i)
+    EXPECT_EQ(state.position[i], before[i]);
+}

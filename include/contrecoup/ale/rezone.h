@@ -46,16 +46,18 @@ public:
          const std::map<dealii::types::boundary_id, SlipWalls::Motion> &walls);
 
   /**
-   * Rezones if it is due at the time of @p state.
+   * Rezones if it is due at the time of @p state, unless no part of the motion
+   * gives valid cells: then the mesh goes on with the matter until it is due
+   * again.
    * @return whether it did
-   * @throws NumericsError when no part of the motion keeps the cells valid
    */
   bool apply(AleState &state, const SlipWalls &walls);
 
   /// Goes on from the state of a checkpoint, before which there were so many
-  /// rezones.
+  /// rezones, done and left out.
   void resume(const AleState &state,
               const unsigned int n_rezones,
+              const unsigned int n_left_out,
               const SmoothingMemory &memory);
 
   /// For checkpoints; zeros where nothing is smoothed.
@@ -64,6 +66,12 @@ public:
   unsigned int n_rezones() const
   {
     return n_rezones_;
+  }
+
+  /// Those that were due and had no valid mesh.
+  unsigned int n_left_out() const
+  {
+    return n_left_out_;
   }
 
   /// Where the mesh was after the last rezone, for checkpoints.
@@ -108,5 +116,6 @@ private:
   dealii::AlignedVector<double> start_, reference_;
   double due_ = 0.;
   unsigned int n_rezones_ = 0;
+  unsigned int n_left_out_ = 0;
 };
 } // namespace contrecoup::ale
