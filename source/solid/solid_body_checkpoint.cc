@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/exceptions.h>
+#include <contrecoup/io/binary_records.h>
 #include <contrecoup/io/checked_file.h>
 #include <contrecoup/solid/solid_body.h>
 
@@ -36,17 +37,8 @@ struct SolidBody<Real>::Numbers
 
 namespace
 {
-  template <typename Value>
-  void put(std::ostream &out, const Value &value)
-  {
-    out.write(reinterpret_cast<const char *>(&value), sizeof(value));
-  }
-
-  template <typename Value>
-  void take(std::istream &in, Value &value)
-  {
-    in.read(reinterpret_cast<char *>(&value), sizeof(value));
-  }
+  using io::put;
+  using io::take;
 
   std::string file_of(const std::string &folder, const unsigned int rank)
   {
