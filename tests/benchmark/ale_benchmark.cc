@@ -12,9 +12,10 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/grid_generator.h>
 
+#include "on_ranks.h"
+
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 
 namespace
 {
@@ -162,26 +163,11 @@ void measure_two_ranks()
   const double both = measure(brain(), MPI_COMM_WORLD, wall_time);
   print("ale_two_ranks", both / alone, "speed ratio");
 }
-
-/// Runs this program on so many ranks; false when that fails.
-bool run_on(const std::string &program, const unsigned int n_ranks)
-{
-  const std::string command =
-    "mpirun --allow-run-as-root --oversubscribe -np " +
-    std::to_string(n_ranks) + " " + program + " worker";
-  return std::system(command.c_str()) == 0;
-}
 } // namespace
 
 
 int main(int argc, char **argv)
 {
-  if (argc == 1)
-    return run_on(argv[0], 1) && run_on(argv[0], 2) ? 0 : 1;
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)
-    measure_one_rank();
-  else
-    measure_two_ranks();
-  return 0;
+  return contrecoup::measure_on_ranks(
+    argc, argv, measure_one_rank, measure_two_ranks);
 }

@@ -13,9 +13,10 @@
 
 #include <deal.II/base/mpi.h>
 
+#include "on_ranks.h"
+
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 
 namespace
 {
@@ -163,27 +164,14 @@ void measure_two_ranks(const HexMesh &mesh)
     Steps<double>(mesh, material(false), MPI_COMM_WORLD).measure(true);
   print("solid_two_ranks", both / alone, "speed ratio");
 }
-
-/// Runs this program on so many ranks; false when that fails.
-bool run_on(const std::string &program, const unsigned int n_ranks)
-{
-  const std::string command =
-    "mpirun --allow-run-as-root --oversubscribe -np " +
-    std::to_string(n_ranks) + " " + program + " worker";
-  return std::system(command.c_str()) == 0;
-}
 } // namespace
 
 
 int main(int argc, char **argv)
 {
-  if (argc == 1)
-    return run_on(argv[0], 1) && run_on(argv[0], 2) ? 0 : 1;
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  const HexMesh mesh = cube(100);
-  if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)
-    measure_one_rank(mesh);
-  else
-    measure_two_ranks(mesh);
-  return 0;
+  return contrecoup::measure_on_ranks(
+    argc,
+    argv,
+    [] { measure_one_rank(cube(100)); },
+    [] { measure_two_ranks(cube(100)); });
 }
