@@ -18,6 +18,11 @@ ImpactPlan AleSimulation::impact_plan() const
   plan.velocity = regions_.fastest_velocity();
   plan.cell_size = mesh_description_.cell_size();
   plan.part = mesh_description_.part();
+  if (const FileMesh *const file = mesh_description_.file())
+  {
+    plan.n_pieces = file->n_pieces();
+    plan.scaled_jacobian = file->smallest_scaled_jacobian();
+  }
   for (const Expression &component : acceleration_)
     plan.has_body_force = plan.has_body_force || !component.is_zero();
   if (coupling_.active())

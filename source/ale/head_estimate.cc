@@ -78,8 +78,8 @@ std::optional<HeadEstimate> estimate_head(const MeshDescription &mesh,
     const double volume =
       volume_of(axes[i]) - (i == 0 ? 0. : volume_of(axes[i - 1]));
     result.mass += volume * regions.density_at(middle, layers[i]);
-    result.has_scalp = result.has_scalp || layers[i] == "scalp";
-    if (layers[i] == "skull")
+    result.has_scalp = result.has_scalp || layers[i].name == "scalp";
+    if (layers[i].name == "skull")
       skull = i;
   }
   Axes covered = axes.back();
@@ -92,7 +92,7 @@ std::optional<HeadEstimate> estimate_head(const MeshDescription &mesh,
   result.liquid_radius = radius_of(axes[skull - 1]);
   result.impact = shell_impact(axes[skull - 1],
                                axes[skull],
-                               regions.region_at(bone, "skull"),
+                               regions.region_at(bone, {"skull", {}}),
                                result.mass,
                                impact_speed(regions, planes));
   return result;

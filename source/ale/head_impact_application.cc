@@ -32,6 +32,8 @@ namespace
       prm.set("Refinements", static_cast<long int>(refinements - levels));
       return true;
     }
+    if (prm.get("Kind") == "file")
+      return levels == 0;
     const double factor = std::pow(2., levels);
     bool changed = levels == 0;
     std::vector<std::string> words;

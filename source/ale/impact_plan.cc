@@ -211,7 +211,30 @@ std::vector<Assumption> ImpactPlan::plan() const
                      0.01,
                      false,
                      "Coupling/Scheme"});
+  if (n_pieces > 0)
+    add_file(items);
   return items;
+}
+
+
+void ImpactPlan::add_file(std::vector<Assumption> &items) const
+{
+  items.push_back({"mesh",
+                   "as the file has it",
+                   "its least scaled Jacobian",
+                   "-",
+                   scaled_jacobian,
+                   0.2,
+                   true,
+                   "Mesh/Smallest scaled Jacobian"});
+  items.push_back({"pieces",
+                   "no contact between them",
+                   "parts of the mesh that no face joins",
+                   "-",
+                   double(n_pieces),
+                   1.,
+                   false,
+                   "Mesh/File"});
 }
 
 

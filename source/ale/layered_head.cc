@@ -14,8 +14,6 @@ namespace contrecoup::ale
 {
 namespace
 {
-  const std::vector<std::string> axes{"x", "y", "z"};
-
   /// Edges of the cells of the inner cube over those at the brain's surface.
   constexpr double cube_part = 0.5;
 } // namespace
@@ -55,11 +53,7 @@ void LayeredHead::declare_parameters(ParameterHandler &prm)
                  1e3,
                  "m",
                  "At the brain's surface, about; cells within are smaller.");
-  declare_string(prm,
-                 "Symmetry planes",
-                 "",
-                 "Axes to which planes through the centre are normal, of which "
-                 "only the positive side is computed: x, y, z, or none.");
+  declare_symmetry_planes(prm);
 }
 
 
@@ -72,7 +66,7 @@ void LayeredHead::add_layer(const std::string &name,
     axis += thickness;
   ball_.semi_axes.push_back(axes_of_layer);
   ball_.cells_across.push_back(cells);
-  layers_.push_back(name);
+  layers_.push_back({name, {}});
 }
 
 
@@ -81,7 +75,7 @@ void LayeredHead::parse_parameters(ParameterHandler &prm)
   const auto brain = read_point<3>(prm, "Semi-axes");
   ball_ = LayeredBall();
   ball_.semi_axes = {{{brain[0], brain[1], brain[2]}}};
-  layers_ = {"brain"};
+  layers_ = {{"brain", {}}};
   const double size = read_double(prm, "Cell size");
   const double smallest = std::min({brain[0], brain[1], brain[2]}),
                largest = std::max({brain[0], brain[1], brain[2]});
@@ -104,24 +98,7 @@ void LayeredHead::parse_parameters(ParameterHandler &prm)
     else if (layer != "scalp")
       throw InputError("Mesh/" + name + " thickness must be above 0");
   }
-  for (const std::string &name :
-       dealii::Utilities::split_string_list(prm.get("Symmetry planes")))
-  {
-    const auto found = std::find(axes.begin(), axes.end(), name);
-    if (found == axes.end())
-      throw InputError("Mesh/Symmetry planes: \"" + name +
-                       "\" is none of x, y, z");
-    ball_.is_halved[found - axes.begin()] = true;
-  }
-}
-
-
-double LayeredHead::part() const
-{
-  double part = 1.;
-  for (const bool is_halved : ball_.is_halved)
-    part *= is_halved ? 0.5 : 1.;
-  return part;
+  ball_.is_halved = read_symmetry_planes(prm);
 }
 
 

@@ -17,7 +17,10 @@ namespace contrecoup::ale
 {
 namespace
 {
-  const std::vector<std::string> kinds{"box", "half ball", "layered head"};
+  const std::vector<std::string> kinds{"box",
+                                       "half ball",
+                                       "layered head",
+                                       "file"};
 } // namespace
 
 
@@ -30,8 +33,8 @@ void MeshDescription::declare_parameters(ParameterHandler &prm)
                       "box",
                       kinds,
                       "A box of bricks, the half at x >= 0 of a ball around "
-                      "the origin, or a head of brain, CSF, skull and scalp "
-                      "around the origin.");
+                      "the origin, a head of brain, CSF, skull and scalp "
+                      "around the origin, or the mesh of a file.");
     declare_list(
       prm, "Lower corner", "0, 0, 0", 3, 3, -1e6, 1e6, "m", "Of the box.");
     declare_list(
@@ -61,6 +64,7 @@ void MeshDescription::declare_parameters(ParameterHandler &prm)
                      "wedge, a cone, or skewed. Places elsewhere are those "
                      "after it.");
     LayeredHead::declare_parameters(prm);
+    FileMesh::declare_parameters(prm);
   }
   const Section section(prm, "Side *");
   declare_selection(prm,
@@ -69,7 +73,8 @@ void MeshDescription::declare_parameters(ParameterHandler &prm)
                     {"wall", "free"},
                     "Matter slides along a wall without friction; at a free "
                     "side nothing presses. Sides that are not named are "
-                    "walls, but for the surface of a head, which is free.");
+                    "walls, but for the surface of a head or a file, which "
+                    "is free.");
   declare_string(prm,
                  "Velocity",
                  "0",
@@ -101,6 +106,8 @@ void MeshDescription::parse_parameters(ParameterHandler &prm)
       position_.clear();
     if (kind_ == "layered head")
       head_.parse_parameters(prm);
+    if (kind_ == "file")
+      file_.parse_parameters(prm);
   }
   for (unsigned int d = 0; d < 3; ++d)
     if (kind_ == "box" && !(lower_[d] < upper_[d]))
@@ -116,9 +123,43 @@ const std::vector<std::string> &MeshDescription::side_names() const
   static const std::vector<std::string> box{"x-", "x+", "y-", "y+", "z-", "z+"},
     half_ball{"sphere", "plane"},
     head{"surface", "plane x", "plane y", "plane z"};
-  if (kind_ == "layered head")
+  if (kind_ == "layered head" || kind_ == "file")
     return head;
   return kind_ == "box" ? box : half_ball;
+}
+
+
+dealii::types::boundary_id
+MeshDescription::find_side(const std::string &name) const
+{
+  const auto &names = side_names();
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end())
+    return static_cast<dealii::types::boundary_id>(found - names.begin());
+  const bool is_number =
+    kind_ == "file" && !name.empty() && name.size() < 10 && name[0] != '0' &&
+    name.find_first_not_of("0123456789") == std::string::npos;
+  if (!is_number)
+    throw InputError("Side " + name + ": a mesh of kind " + kind_ +
+                     " has no such side, but " + join(names, ", ") +
+                     (kind_ == "file" ? ", and numbers of faces" : ""));
+  return FileMesh::boundary_id(std::stoul(name));
+}
+
+
+void MeshDescription::check_numbered_sides() const
+{
+  for (const unsigned int number : numbered_sides_)
+    if (file_.boundaries().count(number) == 0)
+    {
+      std::vector<std::string> known;
+      for (const unsigned int one : file_.boundaries())
+        known.push_back(std::to_string(one));
+      throw InputError(
+        "Side " + std::to_string(number) +
+        ": no face of the surface has this number in the file; " +
+        (known.empty() ? "none has any" : "there are " + join(known, ", ")));
+    }
 }
 
 
@@ -130,12 +171,9 @@ void MeshDescription::parse_sides(ParameterHandler &prm)
       walls_[i] = [](double) { return 0.; };
   for (const std::string &name : item_names(prm, "Side"))
   {
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end())
-      throw InputError("Side " + name + ": a mesh of kind " + kind_ +
-                       " has no such side, but " + join(names, ", "));
-    const auto id =
-      static_cast<dealii::types::boundary_id>(found - names.begin());
+    const auto id = find_side(name);
+    if (id >= names.size())
+      numbered_sides_.insert(std::stoul(name));
     const Section section(prm, "Side " + name);
     if (prm.get("Kind") == "free")
     {
@@ -161,6 +199,8 @@ double MeshDescription::n_cells() const
     return double(elements_[0]) * elements_[1] * elements_[2];
   if (kind_ == "layered head")
     return head_.n_cells();
+  if (kind_ == "file")
+    return file_.n_cells();
   return 6. * std::pow(8., refinements_);
 }
 
@@ -190,6 +230,8 @@ double MeshDescription::cell_size() const
   }
   if (kind_ == "layered head")
     return head_.cell_size();
+  if (kind_ == "file")
+    return file_.cell_size();
   if (kind_ != "box")
     return 0.3 * radius_ * std::pow(0.5, refinements_);
   double size = std::numeric_limits<double>::max();
@@ -219,6 +261,12 @@ void MeshDescription::create(dealii::Triangulation<3> &mesh) const
   if (kind_ == "layered head")
   {
     head_.create(mesh);
+    return move_nodes(mesh);
+  }
+  if (kind_ == "file")
+  {
+    file_.create(mesh);
+    check_numbered_sides();
     return move_nodes(mesh);
   }
   if (kind_ == "box")

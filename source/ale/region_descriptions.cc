@@ -9,12 +9,16 @@
 #include <contrecoup/base/text.h>
 #include <contrecoup/numerics/hex8_moments.h>
 
+#include <boost/algorithm/string/predicate.hpp>
+
 #include <algorithm>
 
 namespace contrecoup::ale
 {
 namespace
 {
+  using boost::algorithm::iequals;
+
   constexpr unsigned int width = AleState::width;
 
   void declare_state(ParameterHandler &prm)
@@ -24,11 +28,13 @@ namespace
                    "1",
                    "muParser expression of x, y, z that is true at the "
                    "centres of the region's cells; later regions win.");
-    declare_selection(prm,
-                      "Layer",
-                      "any",
-                      {"any", "brain", "csf", "skull", "scalp"},
-                      "Of a layered head, where the region is.");
+    declare_string(prm,
+                   "Layer",
+                   "any",
+                   "Where the region is: brain, csf, skull or scalp of a "
+                   "layered head; of a file a material by its number or its "
+                   "name, which is that of a tissue in files of `anatomy`; "
+                   "any is the whole mesh.");
     declare_string(prm,
                    "Density",
                    "1.2",
@@ -69,7 +75,7 @@ void RegionDescriptions::parse_parameters(ParameterHandler &prm)
       return Expression("Region " + name + "/" + entry, prm.get(entry));
     };
     descriptions_.push_back({parse_region_material(prm, name),
-                             prm.get("Layer"),
+                             trim(prm.get("Layer")),
                              expression("Where"),
                              expression("Density"),
                              expression("Pressure"),
@@ -93,55 +99,66 @@ std::vector<Region> RegionDescriptions::regions() const
 }
 
 
-void RegionDescriptions::check_layers(
-  const std::vector<std::string> &layers) const
+bool MeshLayer::is_called(const std::string &word) const
 {
+  return iequals(word, name) || (!number.empty() && word == number);
+}
+
+
+void RegionDescriptions::check_layers(const MeshLayers &layers) const
+{
+  std::vector<std::string> known;
+  for (const MeshLayer &layer : layers)
+    known.push_back(layer.told());
   for (const Description &description : descriptions_)
-    if (description.layer != "any" &&
-        std::find(layers.begin(), layers.end(), description.layer) ==
-          layers.end())
+    if (!iequals(description.layer, "any") &&
+        std::none_of(layers.begin(), layers.end(), [&](const MeshLayer &layer) {
+          return layer.is_called(description.layer);
+        }))
       throw InputError("Region " + description.region.name +
                        "/Layer: the mesh has no \"" + description.layer +
                        "\", " +
-                       (layers.empty() ? "because it is no layered head"
-                                       : "but " + join(layers, ", ")));
+                       (layers.empty() ? "because it is no layered head or file"
+                                       : "but " + join(known, ", ")));
 }
 
 
 const RegionDescriptions::Description &
 RegionDescriptions::find(const dealii::Point<3> &place,
-                         const std::string &layer) const
+                         const MeshLayer &layer) const
 {
   const Description *found = nullptr;
   for (const Description &description : descriptions_)
-    if ((description.layer == "any" || description.layer == layer) &&
+    if ((iequals(description.layer, "any") ||
+         layer.is_called(description.layer)) &&
         description.where.value(place) != 0.)
       found = &description;
   if (found == nullptr)
-    throw InputError("Region: the cell at (" + std::to_string(place[0]) + ", " +
-                     std::to_string(place[1]) + ", " +
-                     std::to_string(place[2]) + ") m is in none");
+    throw InputError(
+      "Region: the cell at (" + std::to_string(place[0]) + ", " +
+      std::to_string(place[1]) + ", " + std::to_string(place[2]) + ") m" +
+      (layer.name.empty() ? "" : " of \"" + layer.told() + "\"") +
+      " is in none");
   return *found;
 }
 
 
 const Region &RegionDescriptions::region_at(const dealii::Point<3> &place,
-                                            const std::string &layer) const
+                                            const MeshLayer &layer) const
 {
   return find(place, layer).region;
 }
 
 
 double RegionDescriptions::density_at(const dealii::Point<3> &place,
-                                      const std::string &layer) const
+                                      const MeshLayer &layer) const
 {
   return check_state(find(place, layer), place).density;
 }
 
 
-void RegionDescriptions::set_regions(
-  dealii::Triangulation<3> &mesh,
-  const std::vector<std::string> &layers) const
+void RegionDescriptions::set_regions(dealii::Triangulation<3> &mesh,
+                                     const MeshLayers &layers) const
 {
   check_layers(layers);
   std::vector<std::size_t> count(descriptions_.size(), 0);
@@ -149,7 +166,7 @@ void RegionDescriptions::set_regions(
   {
     const auto centre = cell->center();
     const Description &found =
-      find(centre, layers.empty() ? "" : layers[cell->material_id()]);
+      find(centre, layers.empty() ? MeshLayer() : layers[cell->material_id()]);
     const auto region = static_cast<std::size_t>(&found - descriptions_.data());
     cell->set_material_id(static_cast<dealii::types::material_id>(region));
     ++count[region];

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <sstream>
 
 namespace contrecoup
@@ -97,6 +98,41 @@ void read_mesh_file(const std::string &path,
       throw InputError(where + "deal.II cannot read it as a mesh of " +
                        (dim == 3 ? "hexahedra" : "quadrilaterals"));
   }
+  if (!mesh.all_reference_cells_are_hyper_cube())
+    throw InputError(where + "it has cells that are no " +
+                     (dim == 3 ? "hexahedra" : "quadrilaterals"));
+}
+
+
+std::map<unsigned int, std::string>
+read_group_names(const std::string &path, const unsigned int dimension)
+{
+  std::map<unsigned int, std::string> names;
+  if (std::filesystem::path(path).extension() != ".msh")
+    return names;
+  std::ifstream stream(path);
+  if (!stream)
+    throw InputError(path + ": the file cannot be opened");
+  bool is_inside = false;
+  for (std::string line; std::getline(stream, line);)
+  {
+    line = trim(line);
+    if (line == "$PhysicalNames")
+      is_inside = true;
+    else if (line == "$EndPhysicalNames" || line == "$Nodes")
+      break;
+    else if (is_inside)
+    {
+      std::istringstream words(line);
+      unsigned int of_dimension = 0, number = 0;
+      std::string name;
+      // The first line is their count.
+      if (words >> of_dimension >> number >> std::quoted(name) &&
+          of_dimension == dimension && !name.empty())
+        names[number] = name;
+    }
+  }
+  return names;
 }
 
 

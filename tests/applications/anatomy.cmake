@@ -26,6 +26,16 @@ contrecoup_add_application_test(coarse bounds
     "Output/Pictures=false" "Output/Gmsh=true" "Output/Distance spacing=0.05"
   BOUNDS "cells == 8")
 
+# A head that head_impact runs with.
+contrecoup_add_application_test(head_mesh bounds
+  FILE anatomy/quickstart.prm
+  SET "Output/Pictures=false" "Output/Surface=false" "Output/Gmsh=true"
+    "Body/Kind=shape" "Body/Shape/Shape=layered head" "Body/Shape/Size=0.05"
+    "Body/Shape/Layers=0.02, 0.01" "Mesh/Element size=0.01"
+    "Body/Shape/Tissues=brain, cerebrospinal fluid, skeleton"
+  BOUNDS "connected_components == 1" "cells > 1900")
+set_tests_properties(anatomy_head_mesh PROPERTIES FIXTURES_SETUP head_mesh)
+
 contrecoup_add_application_test(refuses_thin_man refusal
   FILE anatomy/quickstart.prm SET "Body/Phantom/Mass=45"
   MESSAGE "body mass index of 14.6")

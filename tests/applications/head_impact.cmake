@@ -376,6 +376,27 @@ contrecoup_add_application_test(refuses_slip_along_nothing refusal
   FILE ${_folder}/sod.prm SET "Region gas/Interface=slip" "Rezone/Kind=elastic"
   MESSAGE "Interface = slip: it meets no region that sticks")
 
+# A head of cubes that anatomy made, and what such a file may lack.
+set(_of_file "Mesh/Kind=file" "Mesh/Symmetry planes="
+  "Mesh/File=${CMAKE_CURRENT_BINARY_DIR}/anatomy_head_mesh/straight_1/mesh.msh"
+  "Region CSF/Layer=cerebrospinal fluid" "Region skull/Layer=3"
+  "Plane wall/Point=0, 0, -0.08" "Probes/Points=0, 0, 0")
+contrecoup_add_application_test(voxel_head bounds,ranks
+  FILE head_impact/quickstart.prm SET ${_coarse} ${_of_file} "Rezone/Tolerance=1e-12"
+  BOUNDS ${_ledger} "assumptions.peak_contact_force > 1e3"
+  "assumptions.mesh.measured == 1" "assumptions.pieces.measured == 1"
+  COMPARE history.csv TOLERANCE 5e-6 "energy_residual*=1e-13 absolute"
+  "momentum_x*=1e-8 absolute" "momentum_y*=1e-8 absolute" "step size*=1e-4")
+contrecoup_add_application_test(refuses_material_without_region refusal
+  FILE head_impact/quickstart.prm SET ${_of_file} "Region skull/Layer=brain"
+  MESSAGE "m of \"skeleton (3)\" is in none")
+contrecoup_add_application_test(refuses_side_that_is_round refusal
+  FILE head_impact/quickstart.prm SET ${_of_file} "Mesh/Symmetry planes=x"
+  MESSAGE "a mesh that is cut there has 50 % at least")
+set_tests_properties(head_impact_voxel_head
+  head_impact_refuses_material_without_region head_impact_refuses_side_that_is_round
+  PROPERTIES FIXTURES_REQUIRED head_mesh)
+
 # What its report says: figures, each with another digit, damaged files, and the
 # page in a browser without a window.
 contrecoup_add_application_test(report bounds,pictures

@@ -21,6 +21,7 @@ FOLDER = "input_cases"
 SCENE = "scene/quickstart.prm"
 SOD = "blast/verification/sod.prm"
 CONE = "blast/verification/cone.prm"
+HEAD = "head_impact/quickstart.prm"
 BAR = "biomechanics/verification/bar_wave.prm"
 ANATOMY = "anatomy/quickstart.prm"
 REST = "blast/extremes/rest_100000_steps.prm"
@@ -128,6 +129,9 @@ def refused_other_files():
                        entry("Domain/Mesh file", name)), reason)
         yield (f"{name} as mesh of a solid", "biomechanics",
                shipped(BAR, entry("Mesh/Kind", "file"),
+                       entry("Mesh/File", name)), reason)
+        yield (f"{name} as mesh of a head", "head_impact",
+               shipped(HEAD, entry("Mesh/Kind", "file"),
                        entry("Mesh/File", name)), reason)
     for name, reason in reasons + [(OTHER, "no profile"),
                                    ("short.csv", "has no line")]:

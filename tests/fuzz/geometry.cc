@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/geometry/coarse_mesh.h>
+#include <contrecoup/geometry/mesh_file.h>
 #include <contrecoup/geometry/triangle_mesh.h>
 #include <contrecoup/geometry/triangle_repair.h>
 #include <contrecoup/geometry/triangulated_surface.h>
@@ -16,6 +17,7 @@
 
 #include <array>
 #include <fstream>
+#include <sstream>
 
 using namespace contrecoup;
 
@@ -191,19 +193,41 @@ void read_mesh(const std::string &path)
   dealii::Triangulation<3> triangulation;
   mesh.create(triangulation);
 }
+
+void prepare_named_mesh(const std::string &folder)
+{
+  prepare_mesh(folder);
+  const std::string file = folder + "/mesh.msh";
+  std::ostringstream mesh;
+  mesh << std::ifstream(file).rdbuf();
+  write(file,
+        "$PhysicalNames\n2\n3 4 \"brain\"\n3 6 \"cerebrospinal fluid\"\n"
+        "$EndPhysicalNames\n" +
+          mesh.str());
+}
+
+void read_names(const std::string &path)
+{
+  for (const auto &[number, name] : read_group_names(path, 3))
+    if (name.empty())
+      throw std::logic_error("group " + std::to_string(number) +
+                             " has no name");
+}
 } // namespace
 
 
 int main(int argc, char **argv)
 {
-  return fuzz::run(argc,
-                   argv,
-                   {{"stl_binary", "body.stl", prepare_binary_stl, read_body},
-                    {"stl_ascii", "body.stl", prepare_ascii_stl, read_body},
-                    {"obj", "body.obj", prepare_obj, read_body},
-                    {"ply_ascii", "body.ply", prepare_ascii_ply, read_body},
-                    {"ply_binary", "body.ply", prepare_binary_ply, read_body},
-                    {"nifti", "head.nii", prepare_image, read_head},
-                    {"nifti_gz", "head.nii.gz", prepare_image, read_head},
-                    {"gmsh", "mesh.msh", prepare_mesh, read_mesh}});
+  return fuzz::run(
+    argc,
+    argv,
+    {{"stl_binary", "body.stl", prepare_binary_stl, read_body},
+     {"stl_ascii", "body.stl", prepare_ascii_stl, read_body},
+     {"obj", "body.obj", prepare_obj, read_body},
+     {"ply_ascii", "body.ply", prepare_ascii_ply, read_body},
+     {"ply_binary", "body.ply", prepare_binary_ply, read_body},
+     {"nifti", "head.nii", prepare_image, read_head},
+     {"nifti_gz", "head.nii.gz", prepare_image, read_head},
+     {"gmsh", "mesh.msh", prepare_mesh, read_mesh},
+     {"gmsh_names", "mesh.msh", prepare_named_mesh, read_names}});
 }

@@ -28,6 +28,9 @@ namespace contrecoup::ale
  *   asymmetry         motion across them, which they do not allow
  *   unused_symmetry   part of the cost that further ones would save
  *   coupling          energy that fluids and solids solved in turn make up
+ *   mesh              of a file: the worst cell's scaled Jacobian
+ *   pieces            of a file: sets of cells that no face joins, between
+ *                     which there is no contact
  */
 struct ImpactPlan
 {
@@ -40,6 +43,9 @@ struct ImpactPlan
   double part = 1.;              ///< of the body that is computed [-]
   double enough = 1.;    ///< part that would do, by symmetry of the scene [-]
   double asymmetry = 0.; ///< part of the motion across planes of symmetry [-]
+  /// Of a file; 0: the mesh is from none.
+  unsigned int n_pieces = 0;
+  double scaled_jacobian = 1.; ///< the least
   bool has_body_force = false;
   std::string coupling; ///< scheme that solves in turn; empty: monolithic
 
@@ -66,5 +72,6 @@ private:
   void add_liquids(std::vector<Assumption> &items) const;
   void add_contact(std::vector<Assumption> &items) const;
   void add_symmetry(std::vector<Assumption> &items) const;
+  void add_file(std::vector<Assumption> &items) const;
 };
 } // namespace contrecoup::ale

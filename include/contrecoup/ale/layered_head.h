@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <contrecoup/ale/mesh_layer.h>
+#include <contrecoup/ale/symmetry_planes.h>
 #include <contrecoup/geometry/layered_ball.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -31,14 +33,17 @@ public:
     make_layered_ball(ball_, mesh);
   }
 
-  /// Their names, from inside.
-  const std::vector<std::string> &layers() const
+  /// From inside.
+  const MeshLayers &layers() const
   {
     return layers_;
   }
 
   /// Part of the head that is computed; 1 without one [-].
-  double part() const;
+  double part() const
+  {
+    return computed_part(ball_.is_halved);
+  }
 
   /// Of the outer surfaces of the layers [m].
   const std::vector<std::array<double, 3>> &semi_axes() const
@@ -63,6 +68,6 @@ private:
                  const unsigned int cells);
 
   LayeredBall ball_;
-  std::vector<std::string> layers_;
+  MeshLayers layers_;
 };
 } // namespace contrecoup::ale

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <contrecoup/ale/file_mesh.h>
 #include <contrecoup/ale/layered_head.h>
 #include <contrecoup/ale/slip_walls.h>
 #include <contrecoup/base/expression.h>
@@ -20,7 +21,8 @@ namespace contrecoup::ale
  * The mesh of a scene, and what is at its sides: subsections "Mesh" and
  * "Side *". Sides have names: x-, x+, y-, y+, z-, z+ of a box, sphere and plane
  * of a half ball, which lies at x >= 0; surface, plane x, plane y, plane z of a
- * layered head. Expressions move the nodes: a box becomes a wedge, a cone, or
+ * layered head and of a file, of which the numbers that it gives to faces are
+ * sides, too. Expressions move the nodes: a box becomes a wedge, a cone, or
  * skewed.
  */
 class MeshDescription
@@ -33,19 +35,27 @@ public:
 
   /// Builds the mesh, all cells on one level. Material ids are those of
   /// layers(), if there are any.
-  /// @throws InputError for cells that the moved nodes invert
+  /// @throws InputError for cells that the moved nodes invert, and for a file
+  /// that cannot be used
   void create(dealii::Triangulation<3> &mesh) const;
 
-  /// Layers of a layered head; none of other meshes.
-  const std::vector<std::string> &layers() const
+  /// Layers of a layered head, materials of a file; none of other meshes.
+  /// @throws InputError for a file that cannot be used
+  const MeshLayers &layers() const
   {
-    return head_.layers();
+    return kind_ == "file" ? file_.layers() : head_.layers();
+  }
+
+  /// The mesh of a file; null for others.
+  const FileMesh *file() const
+  {
+    return kind_ == "file" ? &file_ : nullptr;
   }
 
   /// Part of the body that is computed, by planes of symmetry [-].
   double part() const
   {
-    return head_.part();
+    return kind_ == "file" ? file_.part() : head_.part();
   }
 
   /// The layered head; null for other meshes, and where nodes are moved.
@@ -72,6 +82,10 @@ public:
 
 private:
   const std::vector<std::string> &side_names() const;
+  /// The boundary id of a side. @throws InputError for none of this kind
+  dealii::types::boundary_id find_side(const std::string &name) const;
+  /// @throws InputError for a numbered side that the file does not have
+  void check_numbered_sides() const;
   void parse_sides(dealii::ParameterHandler &prm);
   void move_nodes(dealii::Triangulation<3> &mesh) const;
 
@@ -80,6 +94,8 @@ private:
   std::vector<unsigned int> elements_;
   double radius_ = 0.;
   LayeredHead head_;
+  FileMesh file_;
+  std::set<unsigned int> numbered_sides_;
   unsigned int refinements_ = 0;
   std::vector<Expression> position_; ///< x, y, z; none: nodes stay
   std::map<dealii::types::boundary_id, SlipWalls::Motion> walls_;

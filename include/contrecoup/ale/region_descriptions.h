@@ -5,6 +5,7 @@
 
 #include <contrecoup/ale/ale_state.h>
 #include <contrecoup/ale/hex_space.h>
+#include <contrecoup/ale/mesh_layer.h>
 #include <contrecoup/ale/region_material.h>
 #include <contrecoup/base/expression.h>
 
@@ -31,7 +32,7 @@ public:
   /// @param layers by the material ids that they have now; may be empty
   /// @throws InputError for a cell in no region, or a region without cells
   void set_regions(dealii::Triangulation<3> &mesh,
-                   const std::vector<std::string> &layers) const;
+                   const MeshLayers &layers) const;
 
   /// Masses, energies and velocities at the present positions.
   /// @throws InputError for a state without a physical meaning
@@ -59,9 +60,9 @@ public:
   /// a
   ///   physical meaning
   const Region &region_at(const dealii::Point<3> &place,
-                          const std::string &layer) const;
+                          const MeshLayer &layer) const;
   double density_at(const dealii::Point<3> &place,
-                    const std::string &layer) const;
+                    const MeshLayer &layer) const;
 
 private:
   struct Description
@@ -73,10 +74,10 @@ private:
     std::array<Expression, 3> velocity;
   };
 
-  void check_layers(const std::vector<std::string> &layers) const;
+  void check_layers(const MeshLayers &layers) const;
   /// The last of those at a place of a layer. @throws InputError for none
   const Description &find(const dealii::Point<3> &place,
-                          const std::string &layer) const;
+                          const MeshLayer &layer) const;
   const Description &at(const HexSpace &space, const std::size_t cell) const
   {
     return descriptions_[space.region(cell)];
