@@ -415,12 +415,13 @@ def injury(run, judged):
     if not judged:
         return [page.missing("injury.csv: the run has neither a brain nor a "
                              "skull that Injury/Brain and Injury/Skull name")]
-    told = ("Of the brain's cells and the skull's mean velocity, from "
-            "injury.csv. Turning of the head is not measured.")
+    told = ("Of the brain's cells and the skull's mean motion, from "
+            "injury.csv.")
     if run.mirrors:
         told += (f" What is computed, {_symmetry(run)}, has the measures of "
                  "the whole head: parts of the brain are the same on all sides of "
-                 "a plane of symmetry, and the skull moves along it.")
+                 "a plane of symmetry, the skull moves along it and turns about "
+                 "its normal, with two planes not at all.")
     return [report_injury.table_of(judged), page.paragraph(
         told + " Thresholds are given as they are commonly cited.",
         kind="note")]

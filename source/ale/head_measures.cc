@@ -4,7 +4,10 @@
 #include <contrecoup/ale/head_measures.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameters.h>
+#include <contrecoup/io/binary_records.h>
 #include <contrecoup/io/checked_file.h>
+#include <contrecoup/solid/mean_motion.h>
+#include <contrecoup/solid/tissue_measures.h>
 
 #include <filesystem>
 #include <sstream>
@@ -15,30 +18,6 @@ namespace contrecoup::ale
 namespace
 {
   constexpr unsigned int width = AleState::width;
-
-  template <typename Value>
-  void put(std::ostream &out, const std::vector<Value> &values)
-  {
-    const std::uint64_t size = values.size();
-    out.write(reinterpret_cast<const char *>(&size), sizeof(size));
-    out.write(reinterpret_cast<const char *>(values.data()),
-              static_cast<std::streamsize>(size * sizeof(Value)));
-  }
-
-  /// @throws InputError for a list that is longer than the rest of the file
-  template <typename Value>
-  void take(std::istream &in, const std::string &file, std::vector<Value> &list)
-  {
-    std::uint64_t size = 0;
-    in.read(reinterpret_cast<char *>(&size), sizeof(size));
-    const auto rest = static_cast<std::uint64_t>(
-      std::max<std::streamsize>(in.rdbuf()->in_avail(), 0));
-    if (!in || size > rest / sizeof(Value))
-      throw InputError("Checkpoint file " + file + " ends too early");
-    list.resize(size);
-    in.read(reinterpret_cast<char *>(list.data()),
-            static_cast<std::streamsize>(size * sizeof(Value)));
-  }
 
   std::string file_of(const std::string &folder, const unsigned int rank)
   {
@@ -59,7 +38,15 @@ void HeadMeasures::declare_parameters(ParameterHandler &prm)
                  "Skull",
                  "skull",
                  "Region whose mean motion is followed for injury.csv, if "
-                 "there is one of this name.");
+                 "there is one of this name; else that of the brain is.");
+  declare_selection(prm,
+                    "Pressure",
+                    "averaged",
+                    solid::peak_pressure_names(),
+                    "In the brain: that of each cell, or its average over the "
+                    "corners and the cells of the brain around these, which "
+                    "removes pressures that alternate from cell to cell and a "
+                    "tenth of waves as short as ten cells.");
   declare_integer(prm,
                   "Every steps",
                   "10",
@@ -76,13 +63,12 @@ void HeadMeasures::parse_parameters(ParameterHandler &prm)
     const Section section(prm, "Injury");
     brain_name_ = prm.get("Brain");
     skull_name_ = prm.get("Skull");
+    averaged_ = prm.get("Pressure") == solid::peak_pressure_names()[0];
     interval_ = read_unsigned(prm, "Every steps");
   }
   const Section section(prm, "Mesh");
-  if (prm.get("Kind") == "layered head")
-    for (unsigned int d = 0; d < 3; ++d)
-      is_mirrored_[d] =
-        prm.get("Symmetry planes").find("xyz"[d]) != std::string::npos;
+  if (prm.get("Kind") == "layered head" || prm.get("Kind") == "file")
+    is_mirrored_ = read_symmetry_planes(prm);
 }
 
 
@@ -111,6 +97,8 @@ void HeadMeasures::reinit(const HexSpace &space,
   skull_ = find(regions, "Skull", skull_name_);
   cells_.clear();
   pieces_.clear();
+  std::vector<solid::NodalAverage::Corners> corners;
+  std::vector<double> volumes;
   for (std::uint32_t c = 0; c < space.n_own_cells(); ++c)
     if (space.region(c) == brain_)
     {
@@ -119,7 +107,23 @@ void HeadMeasures::reinit(const HexSpace &space,
       piece.cell = space.cell_number(c);
       piece.volume = lagrange.values(state, c).volume;
       pieces_.push_back(piece);
+      corners.push_back(space.cell(c));
+      volumes.push_back(piece.volume);
     }
+  solid::NodalAverage::AddRanks add_ranks;
+  if (dealii::Utilities::MPI::n_mpi_processes(space.communicator()) > 1)
+  {
+    FieldExchange exchange;
+    exchange.reinit(space.nodes(), 1);
+    add_ranks = [exchange](dealii::AlignedVector<double> &values) {
+      exchange.add_copies(values);
+      exchange.update_copies(values);
+    };
+  }
+  average_.reinit(std::move(corners),
+                  std::move(volumes),
+                  space.n_nodes(),
+                  std::move(add_ranks));
 }
 
 
@@ -131,8 +135,7 @@ void HeadMeasures::follow(const HexSpace &space,
     return;
   follow_brain(lagrange, state, state.time - last_time_);
   last_time_ = state.time;
-  if (skull_ != none)
-    follow_skull(space, state);
+  follow_motion(space, state);
 }
 
 
@@ -140,37 +143,41 @@ void HeadMeasures::follow_brain(const LagrangeStep &lagrange,
                                 const AleState &state,
                                 const double span)
 {
+  std::vector<double> pressures;
   for (std::size_t i = 0; i < pieces_.size(); ++i)
   {
     const CellValues values = lagrange.values(state, cells_[i]);
-    solid::BrainPiece &piece = pieces_[i];
-    piece.peak_strain = std::max(piece.peak_strain, values.principal_strain);
-    piece.take_pressure(values.pressure);
-    if (values.pressure < solid::cavitation_pressure)
-      sums_.cavitation_dose += span * piece.volume;
+    pieces_[i].peak_strain =
+      std::max(pieces_[i].peak_strain, values.principal_strain);
+    pressures.push_back(values.pressure);
   }
+  solid::take_pressures(
+    span, pressures, average_.average(pressures), averaged_, pieces_, sums_);
 }
 
 
-void HeadMeasures::follow_skull(const HexSpace &space, const AleState &state)
+void HeadMeasures::follow_motion(const HexSpace &space, const AleState &state)
 {
-  // Mass and momentum.
-  std::vector<double> sums(4, 0.);
+  // Each cell is a mass in its middle.
+  solid::MeanMotion motion;
   for (std::size_t c = 0; c < space.n_own_cells(); ++c)
-    if (space.region(c) == skull_)
+    if (space.region(c) == moving_region())
     {
-      sums[0] += state.mass[c];
+      dealii::Tensor<1, 3> place, velocity;
       for (const std::uint32_t node : space.cell(c))
         for (unsigned int d = 0; d < 3; ++d)
-          sums[1 + d] +=
-            0.125 * state.mass[c] * state.velocity[width * node + d];
+        {
+          place[d] += 0.125 * state.position[width * node + d];
+          velocity[d] += 0.125 * state.velocity[width * node + d];
+        }
+      motion.add(state.mass[c], place, velocity);
     }
-  dealii::Utilities::MPI::sum(sums, space.communicator(), sums);
-  std::array<double, 3> velocity{};
-  for (unsigned int d = 0; d < 3; ++d)
-    velocity[d] = is_mirrored_[d] ? 0. : sums[1 + d] / sums[0];
+  motion.find(space.communicator(), is_mirrored_);
   times_.push_back(state.time);
-  speeds_.push_back(velocity);
+  speeds_.emplace_back();
+  for (unsigned int d = 0; d < 3; ++d)
+    speeds_.back()[d] = motion.velocity()[d];
+  solid::raise_spin(largest_spin_, motion.turning());
 }
 
 
@@ -178,14 +185,20 @@ std::vector<solid::InjuryMeasure>
 HeadMeasures::measures(const MPI_Comm communicator) const
 {
   auto list = solid::brain_measures(pieces_, sums_, communicator);
-  for (solid::InjuryMeasure &measure : list)
-    if (measure.value.unit == "Pa")
-      measure.limits += "; of single cells";
-  if (times_.size() > 1)
-    list.push_back(solid::head_motion_measure(
-      times_,
-      speeds_,
-      "the mean motion of the skull, until the end of the run"));
+  if (!averaged_)
+    for (solid::InjuryMeasure &measure : list)
+      if (measure.value.unit == "Pa")
+        measure.limits += "; of single cells";
+  if (times_.size() < 2)
+    return list;
+  const std::string who = skull_ != none ? "the skull" : "the brain";
+  list.push_back(solid::head_motion_measure(times_,
+                                            speeds_,
+                                            "the mean motion of " + who +
+                                              ", until the end of the run"));
+  list.push_back(solid::head_turning_measure(largest_spin_,
+                                             "the mean turning of " + who +
+                                               ", until the end of the run"));
   return list;
 }
 
@@ -198,12 +211,18 @@ void HeadMeasures::save(const std::string &folder,
   const unsigned int rank =
     dealii::Utilities::MPI::this_mpi_process(communicator);
   io::write_file(file_of(folder, rank), [&](std::ostream &out) {
-    put(
-      out,
-      std::vector<double>{double(n_calls_), last_time_, sums_.cavitation_dose});
-    put(out, pieces_);
-    put(out, times_);
-    put(out, speeds_);
+    io::put_list(out,
+                 std::vector<double>{double(n_calls_),
+                                     last_time_,
+                                     sums_.cavitation_dose,
+                                     sums_.rough,
+                                     sums_.smooth,
+                                     largest_spin_[0],
+                                     largest_spin_[1],
+                                     largest_spin_[2]});
+    io::put_list(out, pieces_);
+    io::put_list(out, times_);
+    io::put_list(out, speeds_);
   });
 }
 
@@ -227,18 +246,23 @@ void HeadMeasures::restore(const std::string &folder,
     std::istringstream in(io::read_file(file));
     std::vector<double> numbers;
     std::vector<solid::BrainPiece> pieces;
-    take(in, file, numbers);
-    take(in, file, pieces);
-    take(in, file, times_);
-    take(in, file, speeds_);
-    if (numbers.size() != 3 || times_.size() != speeds_.size())
+    io::take_list(in, file, numbers);
+    io::take_list(in, file, pieces);
+    io::take_list(in, file, times_);
+    io::take_list(in, file, speeds_);
+    if (numbers.size() != 8 || times_.size() != speeds_.size())
       throw InputError("Checkpoint file " + file + " belongs to another scene");
     n_calls_ = static_cast<std::uint64_t>(numbers[0]);
     last_time_ = numbers[1];
     // The sums of a rank go on at the rank of the same number, so that a run on
     // as many ranks as before adds in the same order.
     if (rank % n_ranks == own)
+    {
       sums_.cavitation_dose += numbers[2];
+      sums_.rough += numbers[3];
+      sums_.smooth += numbers[4];
+    }
+    largest_spin_ = {{numbers[5], numbers[6], numbers[7]}};
     for (const solid::BrainPiece &piece : pieces)
       if (here.count(piece.cell) > 0)
         pieces_[here[piece.cell]] = piece;

@@ -62,6 +62,27 @@ namespace
 } // namespace
 
 
+void take_pressures(const double span,
+                    const std::vector<double> &pressures,
+                    const std::vector<double> &averages,
+                    const bool averaged,
+                    std::vector<BrainPiece> &pieces,
+                    BrainSums &sums)
+{
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+  {
+    BrainPiece &piece = pieces[i];
+    const double weight = span * piece.volume;
+    const double pressure = averaged ? averages[i] : pressures[i];
+    piece.take_pressure(pressure);
+    sums.cavitation_dose += pressure < cavitation_pressure ? weight : 0.;
+    const double rest = pressures[i] - averages[i];
+    sums.rough += weight * rest * rest;
+    sums.smooth += weight * averages[i] * averages[i];
+  }
+}
+
+
 std::vector<InjuryMeasure> brain_measures(const std::vector<BrainPiece> &pieces,
                                           const BrainSums &of_rank,
                                           const MPI_Comm communicator)
@@ -102,6 +123,23 @@ head_motion_measure(const std::vector<double> &times,
            head_injury_criterion(times, velocities, 0.015).value},
           "700 (road traffic), 250 (NATO AEP-55)",
           "of " + motion};
+}
+
+
+void raise_spin(std::array<double, 3> &largest,
+                const dealii::Tensor<1, 3> &turning)
+{
+  for (unsigned int d = 0; d < 3; ++d)
+    largest[d] = std::max(largest[d], std::abs(turning[d]));
+}
+
+
+InjuryMeasure head_turning_measure(const std::array<double, 3> &largest,
+                                   const std::string &turning)
+{
+  return {{"injury_bric", "-", brain_injury_criterion(largest)},
+          "1.0: half of injuries of degree 4 (Takhounts et al. 2013)",
+          "of " + turning};
 }
 
 

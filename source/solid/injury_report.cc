@@ -4,13 +4,12 @@
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/base/text.h>
+#include <contrecoup/io/binary_records.h>
 #include <contrecoup/io/checked_file.h>
-#include <contrecoup/numerics/head_injury.h>
 #include <contrecoup/solid/injury_report.h>
+#include <contrecoup/solid/mean_motion.h>
 #include <contrecoup/solid/solid_probes.h>
 #include <contrecoup/solid/tissue_measures.h>
-
-#include <deal.II/base/symmetric_tensor.h>
 
 #include <filesystem>
 #include <sstream>
@@ -20,30 +19,9 @@ namespace contrecoup::solid
 {
 namespace
 {
-  using dealii::Point;
-  using dealii::SymmetricTensor;
   using dealii::Tensor;
 
   constexpr std::uint32_t none = -1;
-
-  template <typename Value>
-  void put(std::ostream &out, const std::vector<Value> &values)
-  {
-    const std::uint64_t size = values.size();
-    out.write(reinterpret_cast<const char *>(&size), sizeof(size));
-    out.write(reinterpret_cast<const char *>(values.data()),
-              static_cast<std::streamsize>(size * sizeof(Value)));
-  }
-
-  template <typename Value>
-  void take(std::istream &in, std::vector<Value> &values)
-  {
-    std::uint64_t size = 0;
-    in.read(reinterpret_cast<char *>(&size), sizeof(size));
-    values.resize(in ? size : 0);
-    in.read(reinterpret_cast<char *>(values.data()),
-            static_cast<std::streamsize>(values.size() * sizeof(Value)));
-  }
 
   std::string file_of(const std::string &folder, const unsigned int rank)
   {
@@ -144,30 +122,19 @@ void InjuryReport<Real>::follow_brain(const SolidBody<Real> &body,
         raised_to_principal(pieces_[i].peak_strain, element.strain);
     },
     brain_);
-  const std::vector<double> averages = average_.average(pressures);
-  for (std::size_t i = 0; i < pieces_.size(); ++i)
-  {
-    BrainPiece &piece = pieces_[i];
-    const double weight = span * piece.volume;
-    const double pressure = averaged_ ? averages[i] : pressures[i];
-    piece.take_pressure(pressure);
-    sums_.cavitation_dose += pressure < cavitation_pressure ? weight : 0.;
-    const double rest = pressures[i] - averages[i];
-    sums_.rough += weight * rest * rest;
-    sums_.smooth += weight * averages[i] * averages[i];
-  }
+  take_pressures(
+    span, pressures, average_.average(pressures), averaged_, pieces_, sums_);
 }
 
 
 template <typename Real>
 void InjuryReport<Real>::follow_head(const SolidBody<Real> &body)
 {
-  // Moments of the brain, each of its elements a mass in its middle.
-  std::vector<double> sums(16, 0.);
+  // Each element of the brain is a mass in its middle.
+  MeanMotion motion;
   const SolidMesh &mesh = body.mesh();
   for (std::size_t i = 0; i < pieces_.size(); ++i)
   {
-    const double mass = pieces_[i].volume;
     Tensor<1, 3> place, velocity;
     for (const std::uint32_t node : mesh.cells[average_.cells()[i]])
       for (unsigned int d = 0; d < 3; ++d)
@@ -177,41 +144,12 @@ void InjuryReport<Real>::follow_head(const SolidBody<Real> &body)
                     8.;
         velocity[d] += double(body.nodes().velocity_of(node)[d]) / 8.;
       }
-    const Tensor<1, 3> spin = cross_product_3d(place, velocity);
-    sums[0] += mass;
-    for (unsigned int d = 0; d < 3; ++d)
-    {
-      sums[1 + d] += mass * place[d];
-      sums[4 + d] += mass * velocity[d];
-      sums[7 + d] += mass * spin[d];
-      sums[10 + d] += mass * place[d] * place[d];
-      sums[13 + d] += mass * place[d] * place[(d + 1) % 3];
-    }
+    motion.add(pieces_[i].volume, place, velocity);
   }
-  dealii::Utilities::MPI::sum(sums, body.communicator(), sums);
-  if (!(sums[0] > 0.))
+  if (!motion.find(body.communicator()))
     return;
-  for (unsigned int i = 1; i < sums.size(); ++i)
-    sums[i] /= sums[0];
-  const Tensor<1, 3> centre = Point<3>(sums[1], sums[2], sums[3]);
-  const Tensor<1, 3> velocity = Point<3>(sums[4], sums[5], sums[6]);
-  const Tensor<1, 3> spin =
-    Point<3>(sums[7], sums[8], sums[9]) - cross_product_3d(centre, velocity);
-  SymmetricTensor<2, 3> inertia;
-  double square = 0.;
-  for (unsigned int d = 0; d < 3; ++d)
-  {
-    const unsigned int e = (d + 1) % 3;
-    const double own = sums[10 + d] - centre[d] * centre[d];
-    square += own;
-    inertia[d][d] = -own;
-    inertia[d][e] = -(sums[13 + d] - centre[d] * centre[e]);
-  }
-  for (unsigned int d = 0; d < 3; ++d)
-    inertia[d][d] += square;
-  const Tensor<1, 3> rate = invert(inertia) * spin;
-  for (unsigned int d = 0; d < 3; ++d)
-    largest_spin_[d] = std::max(largest_spin_[d], std::abs(rate[d]));
+  raise_spin(largest_spin_, motion.turning());
+  const Tensor<1, 3> &velocity = motion.velocity();
   times_.push_back(body.time());
   speeds_.push_back({{velocity[0], velocity[1], velocity[2]}});
 }
@@ -252,9 +190,8 @@ void InjuryReport<Real>::add_head(std::vector<InjuryMeasure> &list) const
                         speeds_,
                         "the mean motion of the brain; made for impacts, not "
                         "blasts"));
-  list.push_back({{"injury_bric", "-", brain_injury_criterion(largest_spin_)},
-                  "1.0: half of injuries of degree 4 (Takhounts et al. 2013)",
-                  "of the mean turning of the brain"});
+  list.push_back(
+    head_turning_measure(largest_spin_, "the mean turning of the brain"));
 }
 
 
@@ -265,21 +202,21 @@ void InjuryReport<Real>::save(const SolidBody<Real> &body,
   const unsigned int rank =
     dealii::Utilities::MPI::this_mpi_process(body.communicator());
   io::write_file(file_of(folder, rank), [&](std::ostream &out) {
-    put(out,
-        std::vector<double>{double(n_steps_),
-                            last_time_,
-                            sums_.cavitation_dose,
-                            sums_.rough,
-                            sums_.smooth,
-                            largest_spin_[0],
-                            largest_spin_[1],
-                            largest_spin_[2]});
-    put(out, pieces_);
-    put(out, times_);
-    put(out, speeds_);
-    put(out, chest_.times());
-    put(out, chest_.pressures());
-    put(out, chest_.wall_velocities());
+    io::put_list(out,
+                 std::vector<double>{double(n_steps_),
+                                     last_time_,
+                                     sums_.cavitation_dose,
+                                     sums_.rough,
+                                     sums_.smooth,
+                                     largest_spin_[0],
+                                     largest_spin_[1],
+                                     largest_spin_[2]});
+    io::put_list(out, pieces_);
+    io::put_list(out, times_);
+    io::put_list(out, speeds_);
+    io::put_list(out, chest_.times());
+    io::put_list(out, chest_.pressures());
+    io::put_list(out, chest_.wall_velocities());
   });
 }
 
@@ -299,19 +236,19 @@ void InjuryReport<Real>::restore(const SolidBody<Real> &body,
   for (unsigned int rank = 0; std::filesystem::exists(file_of(folder, rank));
        ++rank)
   {
-    std::istringstream in(io::read_file(file_of(folder, rank)));
+    const std::string file = file_of(folder, rank);
+    std::istringstream in(io::read_file(file));
     std::vector<double> numbers;
     std::vector<BrainPiece> pieces;
-    take(in, numbers);
-    take(in, pieces);
-    take(in, times_);
-    take(in, speeds_);
+    io::take_list(in, file, numbers);
+    io::take_list(in, file, pieces);
+    io::take_list(in, file, times_);
+    io::take_list(in, file, speeds_);
     std::array<std::vector<double>, 3> chest;
     for (std::vector<double> &values : chest)
-      take(in, values);
+      io::take_list(in, file, values);
     if (!in || numbers.size() != 8)
-      throw InputError("Checkpoint file " + file_of(folder, rank) +
-                       " belongs to another scene");
+      throw InputError("Checkpoint file " + file + " belongs to another scene");
     chest_.restore(
       std::move(chest[0]), std::move(chest[1]), std::move(chest[2]));
     n_steps_ = static_cast<std::uint64_t>(numbers[0]);

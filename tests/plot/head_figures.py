@@ -189,7 +189,9 @@ def check_injury(page, files):
     """The table holds what injury.csv does, and this is what the rows of the
     history have, which are of the same steps."""
     rows = {row["measure"]: row for row in page.table("Injury").records()}
-    titles = report_figures.TITLES
+    titles = dict(report_figures.TITLES, injury_pressure_roughness=(
+        "what alternates from element to element in the brain's pressure, over "
+        "its averages"))
     require(sorted(rows) == sorted(titles[name] for name in files.injury),
             f"the injury table has {list(rows)}")
     for name, value in files.injury.items():

@@ -4,7 +4,9 @@
 #pragma once
 
 #include <contrecoup/ale/lagrange_step.h>
+#include <contrecoup/ale/symmetry_planes.h>
 #include <contrecoup/solid/brain_measures.h>
+#include <contrecoup/solid/nodal_average.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -16,9 +18,10 @@ namespace contrecoup::ale
 {
 /**
  * Follows what injures a head: strains and pressures in the brain, the motion
- * of the skull. Subsection "Injury". Parts between planes of symmetry have the
- * measures of the whole: parts of the brain are the same, and the skull moves
- * along the planes.
+ * of the skull, or of the brain where there is no skull. Subsection "Injury".
+ * Parts between planes of symmetry have the measures of the whole: parts of the
+ * brain are the same, and the skull moves along the planes and turns about the
+ * normal of one.
  */
 class HeadMeasures
 {
@@ -61,19 +64,27 @@ private:
   void follow_brain(const LagrangeStep &lagrange,
                     const AleState &state,
                     const double span);
-  void follow_skull(const HexSpace &space, const AleState &state);
+  void follow_motion(const HexSpace &space, const AleState &state);
+  /// Whose motion is that of the head.
+  unsigned int moving_region() const
+  {
+    return skull_ != none ? skull_ : brain_;
+  }
 
   std::string brain_name_, skull_name_;
+  bool averaged_ = true; ///< whether pressures are
   unsigned int interval_ = 10;
-  std::array<bool, 3> is_mirrored_{}; ///< whether a plane is normal to an axis
-  unsigned int brain_ = none;         ///< region
+  SymmetryPlanes is_mirrored_{};
+  unsigned int brain_ = none; ///< region
   unsigned int skull_ = none;
   std::vector<std::uint32_t> cells_; ///< of the brain, own ones
   std::vector<solid::BrainPiece> pieces_;
+  solid::NodalAverage average_; ///< over cells_
   solid::BrainSums sums_;
   std::uint64_t n_calls_ = 0;
   double last_time_ = 0.;
   std::vector<double> times_;
-  std::vector<std::array<double, 3>> speeds_; ///< of the skull [m/s]
+  std::vector<std::array<double, 3>> speeds_; ///< of moving_region() [m/s]
+  std::array<double, 3> largest_spin_{};      ///< of it [rad/s]
 };
 } // namespace contrecoup::ale

@@ -6,6 +6,7 @@
 #include <contrecoup/solid/injury_measure.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/tensor.h>
 
 #include <algorithm>
 #include <array>
@@ -49,6 +50,20 @@ struct BrainSums
   double smooth = 0.;
 };
 
+/**
+ * Notes pressures that pieces have had for so long.
+ * @param span [s]
+ * @param pressures of the pieces [Pa]
+ * @param averages of these over neighbours [Pa]
+ * @param averaged whether extrema are those of the averages
+ */
+void take_pressures(const double span,
+                    const std::vector<double> &pressures,
+                    const std::vector<double> &averages,
+                    const bool averaged,
+                    std::vector<BrainPiece> &pieces,
+                    BrainSums &sums);
+
 /// Of all ranks' pieces; none without any. Collective.
 std::vector<InjuryMeasure> brain_measures(const std::vector<BrainPiece> &pieces,
                                           const BrainSums &sums,
@@ -60,6 +75,15 @@ InjuryMeasure
 head_motion_measure(const std::vector<double> &times,
                     const std::vector<std::array<double, 3>> &velocities,
                     const std::string &motion);
+
+/// Raises the largest angular velocities about the axes [rad/s].
+void raise_spin(std::array<double, 3> &largest,
+                const dealii::Tensor<1, 3> &turning);
+
+/// The brain injury criterion of the largest angular velocities [rad/s].
+/// @param turning of what, in a few words
+InjuryMeasure head_turning_measure(const std::array<double, 3> &largest,
+                                   const std::string &turning);
 
 /// A table of measures, for injury.csv.
 std::string to_csv(const std::vector<InjuryMeasure> &measures);
