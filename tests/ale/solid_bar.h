@@ -3,9 +3,12 @@
 
 #pragma once
 
+#include <contrecoup/ale/cell_corners.h>
 #include <contrecoup/ale/lagrange_step.h>
+#include <contrecoup/numerics/hex8_moments.h>
 
 #include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
 
 #include <functional>
 #include <set>
@@ -23,6 +26,8 @@ struct SolidBar
     std::set<dealii::types::boundary_id> free_sides;
     std::vector<ale::ContactPlane> planes;
     Vector acceleration;
+    /// Where the mesh's nodes go before the start; empty: they stay.
+    std::function<dealii::Point<3>(const dealii::Point<3> &)> position = {};
   };
 
   /// @param cells in each direction
@@ -41,6 +46,8 @@ struct SolidBar
       true);
     for (const auto &cell : mesh.active_cell_iterators())
       cell->set_material_id(0);
+    if (options.position)
+      dealii::GridTools::transform(options.position, mesh);
     space.reinit(mesh, MPI_COMM_WORLD);
     std::map<dealii::types::boundary_id, ale::SlipWalls::Motion> walls;
     for (unsigned int b = 0; b < 6; ++b)
@@ -58,7 +65,10 @@ struct SolidBar
     state.position = space.positions(ale::AleState::width);
     state.velocity.resize(state.position.size());
     state.mass.resize(space.n_cells());
-    state.mass.fill(density * h * h * h);
+    for (std::size_t c = 0; c < space.n_cells(); ++c)
+      state.mass[c] =
+        density *
+        hex_moments(ale::corners_of(space.cell(c), state.position)).volume;
     state.energy.resize(space.n_cells());
     state.products.resize(space.n_cells());
     if (options.region.is_viscoelastic())
