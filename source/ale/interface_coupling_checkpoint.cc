@@ -3,6 +3,7 @@
 
 #include <contrecoup/ale/interface_coupling.h>
 #include <contrecoup/base/exceptions.h>
+#include <contrecoup/io/binary_records.h>
 #include <contrecoup/io/checked_file.h>
 
 #include <deal.II/base/mpi.h>
@@ -21,17 +22,8 @@ namespace
     std::array<double, 3> acceleration;
   };
 
-  template <typename Value>
-  void put(std::ostream &out, const Value &value)
-  {
-    out.write(reinterpret_cast<const char *>(&value), sizeof(value));
-  }
-
-  template <typename Value>
-  void take(std::istream &in, Value &value)
-  {
-    in.read(reinterpret_cast<char *>(&value), sizeof(value));
-  }
+  using io::put;
+  using io::take;
 
   std::string file_of(const std::string &folder, const unsigned int rank)
   {
