@@ -129,6 +129,8 @@ void AleSimulation::save(const std::string &folder)
 
 void AleSimulation::restore_peaks(std::istream &in, const std::size_t n_peaks)
 {
+  for (double &pressure : least_pressures_)
+    take(in, pressure);
   auto &peaks = reference_.peaks();
   peaks.resize(n_peaks, {{0., 0.}});
   for (std::size_t i = 0; i < n_peaks; ++i)
@@ -174,17 +176,16 @@ void AleSimulation::restore(const std::string &folder)
     cells[space_.cell_number(c)] = c;
   Numbers numbers{};
   SmoothingMemory memory(space_);
-  for (unsigned int rank = 0; std::filesystem::exists(file_of(folder, rank));
+  std::string file;
+  for (unsigned int rank = 0;
+       std::filesystem::exists(file = file_of(folder, rank));
        ++rank)
   {
-    std::ifstream in(file_of(folder, rank), std::ios::binary);
+    std::ifstream in(file, std::ios::binary);
     take(in, numbers);
     if (!in || numbers.n_global_nodes != n_nodes_ ||
         numbers.n_global_cells != n_cells_)
-      throw InputError("Checkpoint file " + file_of(folder, rank) +
-                       " belongs to another mesh");
-    for (double &pressure : least_pressures_)
-      take(in, pressure);
+      throw InputError("Checkpoint file " + file + " belongs to another mesh");
     restore_peaks(in, numbers.n_peaks);
     for (std::uint64_t i = 0; i < numbers.n_nodes; ++i)
     {
@@ -208,8 +209,7 @@ void AleSimulation::restore(const std::string &folder)
     }
     restore_cells(in, numbers.n_cells, cells);
     if (!in)
-      throw InputError("Checkpoint file " + file_of(folder, rank) +
-                       " ends too early");
+      throw InputError("Checkpoint file " + file + " ends too early");
   }
   state_.time = numbers.time;
   initial_energy_ = numbers.initial_energy;
@@ -221,10 +221,9 @@ void AleSimulation::restore(const std::string &folder)
   energy_scale_ = numbers.energy_scale;
   last_step_ = numbers.last_step;
   memory.first_iterations = static_cast<unsigned int>(numbers.first_iterations);
-  rezone_.resume(state_,
-                 static_cast<unsigned int>(numbers.n_rezones),
-                 static_cast<unsigned int>(numbers.n_rezones_left_out),
-                 memory);
+  const auto done = static_cast<unsigned int>(numbers.n_rezones),
+             left_out = static_cast<unsigned int>(numbers.n_rezones_left_out);
+  rezone_.resume(state_, done, left_out, memory);
   lagrange_.coupling().restore(folder);
   head_.restore(folder, communicator_);
 }
