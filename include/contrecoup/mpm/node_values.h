@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/mpm/tile_grid.h>
+
+#include <deal.II/base/aligned_vector.h>
+
+#include <array>
+#include <vector>
+
+namespace contrecoup::mpm
+{
+/// A few numbers at each node of the grid, each component in an array of its
+/// own.
+class NodeValues
+{
+public:
+  explicit NodeValues(const unsigned int n_components = 0)
+    : values_(n_components)
+  {}
+
+  /// Sets everything to zero, for the nodes that the grid has now.
+  void clear(const TileGrid &grid);
+
+  unsigned int n_components() const
+  {
+    return values_.size();
+  }
+  dealii::AlignedVector<double> &operator[](const unsigned int component)
+  {
+    return values_[component];
+  }
+  const dealii::AlignedVector<double> &
+  operator[](const unsigned int component) const
+  {
+    return values_[component];
+  }
+
+  /// Adds what ranks have in their copies to the owners' values. Collective.
+  void add_copies(const TileGrid &grid);
+
+  /// Gives the owners' values to the copies. Collective.
+  void update_copies(const TileGrid &grid);
+
+private:
+  std::vector<dealii::AlignedVector<double>> values_;
+};
+
+/// Numbers at the nodes of a tile's window: component by component, x fastest.
+using Window = dealii::AlignedVector<double>;
+
+/// How a component changes its sign in a mirror: its bits are the directions.
+/// Scalars have none, component d of a vector has bit d.
+using Parity = std::uint8_t;
+
+/**
+ * Reads components from nodes into a window.
+ * @param first of the components, as many as there are @p parities
+ */
+void read_window(const TileGrid::Source &source,
+                 const NodeValues &values,
+                 const unsigned int first,
+                 const std::vector<Parity> &parities,
+                 double *window);
+
+/// Adds components of a window to nodes.
+void add_window(const TileGrid::Source &source,
+                const double *window,
+                const unsigned int first,
+                const std::vector<Parity> &parities,
+                NodeValues &values);
+} // namespace contrecoup::mpm

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/mpm/node_values.h>
+#include <contrecoup/mpm/particle_material.h>
+#include <contrecoup/mpm/particles.h>
+#include <contrecoup/mpm/tile_grid.h>
+#include <contrecoup/mpm/transfer_kernels.h>
+#include <contrecoup/mpm/transfer_scheme.h>
+
+#include <functional>
+#include <vector>
+
+namespace contrecoup::mpm
+{
+/// What steps do with energy, this rank's sums from the start on [J].
+struct EnergyLedger
+{
+  double external_work = 0.; ///< of forces from outside on the particles
+  /// Kinetic energy that the grid gained and the particles did not.
+  double transfer_loss = 0.;
+  double contact_loss = 0.; ///< between velocity fields
+};
+
+/// Mass, momentum and energies of the particles, all ranks.
+struct ParticleTotals
+{
+  double mass = 0.;
+  std::array<double, 3> momentum{};
+  double kinetic_energy = 0.;
+  double internal_energy = 0.; ///< work of stresses so far [J]
+  double stored_energy = 0.;   ///< in the present strains [J]
+};
+
+/**
+ * One step of the material point method: particles give mass, momentum and
+ * forces to the grid, get velocities back, and are strained. Energy of stress
+ * work is that of the mean velocity of the step, so that the grid's kinetic
+ * energy and the internal energy add up exactly; what particles' kinetic energy
+ * misses is booked as loss of the transfer. Sulsky, Chen and Schreyer, Comput.
+ * Methods Appl. Mech. Eng. 118 (1994); Nairn, CMES 4 (2003), for the orders.
+ */
+class ParticleStep
+{
+public:
+  /// Sets column::force of the particles of a material [N].
+  using OuterForces =
+    std::function<void(const unsigned int material, ParticleBlock &particles)>;
+
+  /// Changes velocities of fields that meet at nodes: masses, velocities, both
+  /// by field.
+  using FieldContact =
+    std::function<void(const std::vector<NodeValues> &masses,
+                       std::vector<NodeValues *> &velocities)>;
+
+  ParticleStep(const TransferScheme &scheme,
+               const std::vector<ParticleMaterial> &materials);
+
+  const std::vector<ParticleMaterial> &materials() const
+  {
+    return materials_;
+  }
+  const EnergyLedger &ledger() const
+  {
+    return ledger_;
+  }
+  void set_ledger(const EnergyLedger &ledger)
+  {
+    ledger_ = ledger;
+  }
+  unsigned int n_retries() const
+  {
+    return n_retries_;
+  }
+
+  /// Stresses of the particles as they are.
+  void start(const TileGrid &grid, Particles &particles) const;
+
+  /**
+   * Goes one step ahead.
+   * @param largest step size, which is halved up to @p n_retries times while
+   *   a particle would be strained by more than largest_strain
+   * @return the step size
+   * @throws NumericsError with the place and the state. Collective.
+   */
+  double advance(TileGrid &grid,
+                 Particles &particles,
+                 const double largest,
+                 const unsigned int n_retries,
+                 const OuterForces &forces);
+
+  /// Of all ranks. Collective.
+  ParticleTotals totals(const TileGrid &grid, const Particles &particles) const;
+
+  /// The largest step size for a Courant number of 1 [s]. Collective.
+  double signal_time(const TileGrid &grid, const Particles &particles) const;
+
+  /// Strain of a particle in one step beyond which it is halved [-].
+  static constexpr double largest_strain = 0.2;
+
+private:
+  /// One velocity field on the grid.
+  struct Field
+  {
+    NodeValues matter{7}; ///< mass, momentum, force
+    NodeValues motion{9}; ///< acceleration, velocity after, mean velocity
+    NodeValues before{3}; ///< velocity before the step
+    std::vector<unsigned int> materials;
+  };
+
+  using Tile = std::pair<const TileGrid::Source *, Particles::TileBlocks *>;
+
+  std::vector<Tile> tiles(const TileGrid &grid, Particles &particles) const;
+  WindowPlace place(const TileGrid &grid, const TileGrid::Source &tile) const;
+
+  void deposit_fields(const TileGrid &grid,
+                      Particles &particles,
+                      const Deposit what);
+  void smooth(const TileGrid &grid,
+              Particles &particles,
+              const bool is_pressure) const;
+  /// Vectors of lumped masses to those of the consistent ones.
+  void apply_series(const TileGrid &grid,
+                    Particles &particles,
+                    Field &field,
+                    NodeValues &values) const;
+  void multiply_mass_matrix(const TileGrid &grid,
+                            Particles &particles,
+                            const Field &field,
+                            NodeValues &from,
+                            NodeValues &to) const;
+  void find_velocities(const TileGrid &grid, Particles &particles);
+  void accelerate(const TileGrid &grid, Particles &particles);
+  void set_motion(const TileGrid &grid, const double step);
+  void collect(const TileGrid &grid, Particles &particles, const double step);
+  double largest_strain_rate(const Particles &particles,
+                             const MPI_Comm communicator) const;
+  void
+  move_particles(const TileGrid &grid, Particles &particles, const double step);
+  void collect_rates(const TileGrid &grid,
+                     Particles &particles,
+                     const bool after_step) const;
+  void
+  strain(const TileGrid &grid, Particles &particles, const double step) const;
+  [[noreturn]] void give_up(const Particles &particles,
+                            const double step,
+                            const MPI_Comm communicator) const;
+
+  TransferScheme scheme_;
+  std::vector<ParticleMaterial> materials_;
+  std::vector<Field> fields_;
+  EnergyLedger ledger_;
+  unsigned int n_retries_ = 0;
+};
+} // namespace contrecoup::mpm

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/lanes.h>
+
+#include <algorithm>
+
+namespace contrecoup::mpm
+{
+/// Four neighbouring nodes along x, which is as far as a cubic spline reaches,
+/// in as many lanes as the processor has, four at most.
+class Row
+{
+public:
+  static constexpr unsigned int width =
+    n_lanes<double> < 4 ? n_lanes<double> : 4;
+  static constexpr unsigned int n_parts = 4 / width;
+  using Part = dealii::VectorizedArray<double, width>;
+
+  Row() = default;
+
+  explicit DEAL_II_ALWAYS_INLINE Row(const double value)
+  {
+    for (unsigned int i = 0; i < n_parts; ++i)
+      parts_[i] = value;
+  }
+
+  /// Four numbers, of any alignment.
+  static DEAL_II_ALWAYS_INLINE Row load(const double *const values)
+  {
+    Row row;
+    for (unsigned int i = 0; i < n_parts; ++i)
+      row.parts_[i].load(values + width * i);
+    return row;
+  }
+
+  DEAL_II_ALWAYS_INLINE void store(double *const values) const
+  {
+    for (unsigned int i = 0; i < n_parts; ++i)
+      parts_[i].store(values + width * i);
+  }
+
+  /// Adds factor * other.
+  DEAL_II_ALWAYS_INLINE void add(const Row &other, const double factor)
+  {
+    for (unsigned int i = 0; i < n_parts; ++i)
+      parts_[i] += other.parts_[i] * Part(factor);
+  }
+
+  DEAL_II_ALWAYS_INLINE void add(const Row &other, const Row &factor)
+  {
+    for (unsigned int i = 0; i < n_parts; ++i)
+      parts_[i] += other.parts_[i] * factor.parts_[i];
+  }
+
+  /// The sum of the products with another row.
+  DEAL_II_ALWAYS_INLINE double dot(const Row &other) const
+  {
+    Part sum = parts_[0] * other.parts_[0];
+    for (unsigned int i = 1; i < n_parts; ++i)
+      sum += parts_[i] * other.parts_[i];
+    double result = 0.;
+    for (unsigned int lane = 0; lane < width; ++lane)
+      result += sum[lane];
+    return result;
+  }
+
+private:
+  std::array<Part, n_parts> parts_;
+};
+} // namespace contrecoup::mpm

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/mpm/node_values.h>
+
+namespace contrecoup::mpm
+{
+namespace
+{
+  /// Work memory and requests of the messages of all components at once.
+  struct Messages
+  {
+    Messages(const TileGrid &grid, const unsigned int n)
+      : requests(n)
+      , memory(n)
+    {
+      for (auto &one : memory)
+        one.resize_fast(grid.partitioner().n_import_indices());
+    }
+
+    std::vector<std::vector<MPI_Request>> requests;
+    std::vector<dealii::AlignedVector<double>> memory;
+  };
+
+  dealii::ArrayView<double> own_part(const TileGrid &grid,
+                                     dealii::AlignedVector<double> &values)
+  {
+    return {values.data(), grid.n_own_nodes()};
+  }
+
+  dealii::ArrayView<double> copies(const TileGrid &grid,
+                                   dealii::AlignedVector<double> &values)
+  {
+    return {values.data() + grid.n_own_nodes(),
+            grid.n_nodes() - grid.n_own_nodes()};
+  }
+
+  template <typename Array>
+  dealii::ArrayView<double> view(Array &array)
+  {
+    return {array.data(), array.size()};
+  }
+
+  double sign(const std::uint8_t mirrored, const Parity parity)
+  {
+    return (mirrored & parity) != 0 ? -1. : 1.;
+  }
+} // namespace
+
+
+void NodeValues::clear(const TileGrid &grid)
+{
+  for (auto &component : values_)
+  {
+    component.resize_fast(grid.n_nodes());
+    component.fill(0.);
+  }
+}
+
+
+void NodeValues::add_copies(const TileGrid &grid)
+{
+  const auto &partitioner = grid.partitioner();
+  Messages messages(grid, n_components());
+  for (unsigned int c = 0; c < n_components(); ++c)
+    partitioner.import_from_ghosted_array_start(dealii::VectorOperation::add,
+                                                c,
+                                                copies(grid, values_[c]),
+                                                view(messages.memory[c]),
+                                                messages.requests[c]);
+  for (unsigned int c = 0; c < n_components(); ++c)
+    partitioner.import_from_ghosted_array_finish(
+      dealii::VectorOperation::add,
+      dealii::ArrayView<const double>(view(messages.memory[c])),
+      own_part(grid, values_[c]),
+      copies(grid, values_[c]),
+      messages.requests[c]);
+}
+
+
+void NodeValues::update_copies(const TileGrid &grid)
+{
+  const auto &partitioner = grid.partitioner();
+  Messages messages(grid, n_components());
+  for (unsigned int c = 0; c < n_components(); ++c)
+    partitioner.export_to_ghosted_array_start(
+      c,
+      dealii::ArrayView<const double>(own_part(grid, values_[c])),
+      view(messages.memory[c]),
+      copies(grid, values_[c]),
+      messages.requests[c]);
+  for (unsigned int c = 0; c < n_components(); ++c)
+    partitioner.export_to_ghosted_array_finish(copies(grid, values_[c]),
+                                               messages.requests[c]);
+}
+
+
+void read_window(const TileGrid::Source &source,
+                 const NodeValues &values,
+                 const unsigned int first,
+                 const std::vector<Parity> &parities,
+                 double *const window)
+{
+  for (unsigned int c = 0; c < parities.size(); ++c)
+  {
+    const double *const from = values[first + c].data();
+    double *const to = window + TileGrid::window_size * c;
+    for (unsigned int i = 0; i < TileGrid::window_size; ++i)
+      to[i] = source.nodes[i] == TileGrid::no_node ? 0. : from[source.nodes[i]];
+    if (!source.mirrored.empty())
+      for (unsigned int i = 0; i < TileGrid::window_size; ++i)
+        to[i] *= sign(source.mirrored[i], parities[c]);
+  }
+}
+
+
+void add_window(const TileGrid::Source &source,
+                const double *const window,
+                const unsigned int first,
+                const std::vector<Parity> &parities,
+                NodeValues &values)
+{
+  for (unsigned int c = 0; c < parities.size(); ++c)
+  {
+    double *const to = values[first + c].data();
+    const double *const from = window + TileGrid::window_size * c;
+    const bool has_mirror = !source.mirrored.empty();
+    for (unsigned int i = 0; i < TileGrid::window_size; ++i)
+      if (source.nodes[i] != TileGrid::no_node)
+        to[source.nodes[i]] +=
+          has_mirror ? sign(source.mirrored[i], parities[c]) * from[i]
+                     : from[i];
+  }
+}
+} // namespace contrecoup::mpm
