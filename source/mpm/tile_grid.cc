@@ -224,8 +224,11 @@ void TileGrid::number_tiles(const std::vector<TileId> &needed)
     local_tile_[ghost.second] = tiles_with_nodes_.size();
     tiles_with_nodes_.push_back(ghost.second);
   }
-  partitioner_ = std::make_shared<dealii::Utilities::MPI::Partitioner>(
-    own_nodes, ghost_nodes, communicator_);
+  // deal.II cannot share out nothing to several ranks.
+  partitioner_ =
+    total == 0 ? std::make_shared<dealii::Utilities::MPI::Partitioner>()
+               : std::make_shared<dealii::Utilities::MPI::Partitioner>(
+                   own_nodes, ghost_nodes, communicator_);
 }
 
 
