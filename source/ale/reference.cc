@@ -126,7 +126,8 @@ std::vector<NamedValue> Reference::errors(const HexSpace &space,
   if (sphere_ && !peaks_.empty())
     return SpherePeaks::errors(peaks_, space.communicator());
   if (shell_ && !peaks_.empty())
-    return shell_->errors(peaks_, space.communicator());
+    return shell_->errors(
+      peaks_, lagrange.totals(state).mass, space.communicator());
   return {};
 }
 } // namespace contrecoup::ale

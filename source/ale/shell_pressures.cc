@@ -67,13 +67,14 @@ void ShellPressures::follow(const HexSpace &space,
         places_.back()[d] = moments.first[d] / moments.volume;
     }
   }
-  parts.resize(probes.size(), {{0., 0.}});
+  parts.resize(probes.size() + 1, {{0., 0.}});
   const double duration = shell_.contact_time();
   const double middle = state.time - 0.5 * step;
   if (middle > duration)
     return;
   const double weight =
     2. * step / duration * std::sin(dealii::numbers::PI * middle / duration);
+  parts.back()[0] += weight * lagrange.contact().force;
   for (std::size_t i = 0; i < probes.size(); ++i)
   {
     if (probes[i] == HexSpace::no_cell)
@@ -85,15 +86,17 @@ void ShellPressures::follow(const HexSpace &space,
 
 
 std::vector<NamedValue>
-ShellPressures::errors(const Peaks &parts, const MPI_Comm communicator) const
+ShellPressures::errors(const Peaks &parts,
+                       const double mass,
+                       const MPI_Comm communicator) const
 {
   // Ranks without a probe have what it had at a restart, and no place.
+  const auto largest = [&](const double value) {
+    return dealii::Utilities::MPI::max(value, communicator);
+  };
   std::vector<double> amplitudes, distances, cosines;
-  for (std::size_t i = 0; i < parts.size(); ++i)
+  for (std::size_t i = 0; i + 1 < parts.size(); ++i)
   {
-    const auto largest = [&](const double value) {
-      return dealii::Utilities::MPI::max(value, communicator);
-    };
     dealii::Point<3> place;
     for (unsigned int d = 0; d < 3; ++d)
       place[d] = dealii::Utilities::MPI::sum(
@@ -102,25 +105,30 @@ ShellPressures::errors(const Peaks &parts, const MPI_Comm communicator) const
     distances.push_back(place.norm());
     cosines.push_back(-place[2] / place.norm());
   }
-  std::vector<NamedValue> result;
-  for (std::size_t i = 0; i + 1 < parts.size(); i += 2)
+  const double acceleration =
+    largest(parts.back()[0]) / mass / shell_.peak_acceleration();
+  std::vector<NamedValue> result{{"acceleration", "-", acceleration - 1.}};
+  for (std::size_t i = 0; i + 1 < amplitudes.size(); i += 2)
   {
     // Not known where a restart made no step.
     if (distances[i] == 0.)
       continue;
-    double exact = 0., hydrostatic = 0.;
+    double exact = 0., rigid = 0.;
     for (const std::size_t k : {i, i + 1})
     {
       const double sign = k == i ? 0.5 : -0.5;
       exact += sign * shell_.pressure(distances[k], cosines[k]);
-      hydrostatic += sign * shell_.fluid_density * shell_.peak_acceleration() *
-                     distances[k] * cosines[k];
+      rigid += sign * shell_.fluid_density * shell_.peak_acceleration() *
+               distances[k] * cosines[k];
     }
     const double found = 0.5 * (amplitudes[i] - amplitudes[i + 1]);
     const std::string number = std::to_string(i / 2 + 1);
     result.push_back({"pressure_" + number, "-", found / exact - 1.});
-    result.push_back(
-      {"rigid_pressure_" + number, "-", found / hydrostatic - 1.});
+    result.push_back({"rigid_pressure_" + number, "-", found / rigid - 1.});
+    if (acceleration > 0.)
+      result.push_back({"hydrostatic_pressure_" + number,
+                        "-",
+                        found / (rigid * acceleration) - 1.});
   }
   return result;
 }

@@ -13,7 +13,8 @@ namespace contrecoup::ale
  * probes, against the closed form. The middle of the shell is the origin, and
  * it comes along -z. As pressures ring on about the half sine of the contact,
  * its amplitude is compared: 2 / T integral_0^T p sin(pi t / T) dt, T by the
- * closed form.
+ * closed form. The force of the walls has an amplitude alike, and over the mass
+ * it is the acceleration that the liquid got in the run.
  */
 class ShellPressures
 {
@@ -27,7 +28,8 @@ public:
   {}
 
   /// Adds a step of @p step seconds that has been made to @p parts, the
-  /// amplitudes [Pa] of what is positive and of what is negative, by probe.
+  /// amplitudes [Pa] of what is positive and of what is negative, by probe, and
+  /// last that of the force of all planes [N]. Collective.
   /// @param probes cells or HexSpace::no_cell
   /// @throws InputError for an odd number of probes
   void follow(const HexSpace &space,
@@ -37,10 +39,13 @@ public:
               const double step,
               Peaks &parts);
 
-  /// Of each pair of probes: half the difference over that of the closed form,
-  /// less 1; and the same over that of a rigid wall. Collective.
-  std::vector<NamedValue> errors(const Peaks &parts,
-                                 MPI_Comm communicator) const;
+  /// The acceleration over that of the closed form, less 1. Of each pair of
+  /// probes: half the difference over that of the closed form, over that of a
+  /// rigid wall, and over that of a rigid wall with the acceleration of the
+  /// run, each less 1. Collective.
+  /// @param mass of what is computed [kg]
+  std::vector<NamedValue>
+  errors(const Peaks &parts, const double mass, MPI_Comm communicator) const;
 
 private:
   FluidFilledShell shell_;
