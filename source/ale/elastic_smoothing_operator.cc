@@ -7,6 +7,7 @@
 #include <contrecoup/ale/ale_state.h>
 #include <contrecoup/ale/elastic_smoothing.h>
 #include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/text.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>
@@ -283,8 +284,9 @@ ElasticSmoothing::System::solve(const dealii::AlignedVector<double> &position)
   {
     throw NumericsError(
       "mesh smoothing: the residual is still " +
-      std::to_string(control.last_value() / size) + " of its first one after " +
-      std::to_string(options_.largest_iterations) + " iterations");
+      brief(control.last_value() / size) + " of its first one after " +
+      std::to_string(options_.largest_iterations) +
+      " iterations; Rezone/Tolerance may be too small for flat cells");
   }
   constraints_.distribute(solution_);
   const unsigned int n = std::max(control.last_step(), 1U);

@@ -32,6 +32,57 @@ namespace
     const double room = (change > 0. ? most : -least) + 1e-13 * size;
     return std::abs(change) > room ? room / std::abs(change) : 1.;
   }
+  /// The vector that is nearly all of a symmetric matrix of rank one.
+  Vector3<double> direction_of(const Matrix3<double> &matrix)
+  {
+    unsigned int largest = 0;
+    for (unsigned int d = 1; d < 3; ++d)
+      if (matrix[d][d] > matrix[largest][largest])
+        largest = d;
+    Vector3<double> result = matrix[largest];
+    const double length = std::sqrt(dot(result, result));
+    for (double &value : result)
+      value /= length;
+    return result;
+  }
+
+  /// The inverse of a sum of squares of directions, without those that are
+  /// hardly among them, as in a slab of one cell, where they would be noise.
+  Matrix3<double> inverse_where_known(Matrix3<double> sum)
+  {
+    // The sine of an angle of a hundredth of a degree, squared.
+    constexpr double least = 3e-8;
+    const double trace = sum[0][0] + sum[1][1] + sum[2][2];
+    Matrix3<double> c = cofactor(sum);
+    const double planes = c[0][0] + c[1][1] + c[2][2];
+    Matrix3<double> result{};
+    if (!(planes > least * trace * trace))
+    {
+      if (!(trace > 0.))
+        return result;
+      const Vector3<double> line = direction_of(sum);
+      for (unsigned int d = 0; d < 3; ++d)
+        for (unsigned int e = 0; e < 3; ++e)
+          result[d][e] = line[d] * line[e] / trace;
+      return result;
+    }
+    const bool is_flat =
+      !(sum[0][0] * c[0][0] + sum[0][1] * c[0][1] + sum[0][2] * c[0][2] >
+        least * trace * planes);
+    const Vector3<double> normal =
+      is_flat ? direction_of(c) : Vector3<double>{};
+    for (unsigned int d = 0; d < 3; ++d)
+      for (unsigned int e = 0; e < 3; ++e)
+        sum[d][e] += trace * normal[d] * normal[e];
+    c = cofactor(sum);
+    const double scale =
+      1. / (sum[0][0] * c[0][0] + sum[0][1] * c[0][1] + sum[0][2] * c[0][2]);
+    for (unsigned int d = 0; d < 3; ++d)
+      for (unsigned int e = 0; e < 3; ++e)
+        result[d][e] =
+          scale * c[d][e] - (is_flat ? normal[d] * normal[e] / trace : 0.);
+    return result;
+  }
 } // namespace
 
 
@@ -173,18 +224,13 @@ void Reconstruction::find_gradients(const dealii::AlignedVector<double> &fields,
       for (unsigned int d = 0; d < 3; ++d)
         gradient[3 * f + d] += weight * way[d] * (other[f] - own[f]);
   }
-  // Directions without neighbours, as in a slab of one cell, get no gradient.
-  for (unsigned int d = 0; d < 3; ++d)
-    sum[d][d] += 1e-14;
-  const Matrix3<double> c = cofactor(sum);
-  const double scale =
-    1. / (sum[0][0] * c[0][0] + sum[0][1] * c[0][1] + sum[0][2] * c[0][2]);
+  const Matrix3<double> inverse = inverse_where_known(sum);
   for (unsigned int f = 0; f < n_fields_; ++f)
   {
     double *g = gradient + 3 * f;
     const Vector3<double> b{{g[0], g[1], g[2]}};
     for (unsigned int d = 0; d < 3; ++d)
-      g[d] = scale * dot(c[d], b);
+      g[d] = dot(inverse[d], b);
   }
 }
 
