@@ -3,6 +3,7 @@
 
 #include <contrecoup/ale/ale_simulation.h>
 #include <contrecoup/ale/head_impact_application.h>
+#include <contrecoup/ale/particle_simulation.h>
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/base/text.h>
 
@@ -12,17 +13,52 @@ namespace contrecoup::ale
 {
 namespace
 {
+  /// Of the entry "Method".
+  const std::string ale = "ale", mpm = "mpm";
+
+  void declare_parameters(ParameterHandler &prm)
+  {
+    declare_selection(prm,
+                      "Method",
+                      ale,
+                      {ale, mpm},
+                      "A mesh that goes with the matter and is smoothed (ale), "
+                      "or particles on a background grid (mpm).");
+    AleSimulation::declare_parameters(prm);
+    ParticleScene::declare_parameters(prm);
+  }
+
+  template <typename Method>
+  std::unique_ptr<Simulation> parsed(ParameterHandler &prm,
+                                     const MPI_Comm communicator)
+  {
+    auto simulation = std::make_unique<Method>(communicator);
+    simulation->parse_parameters(prm);
+    return simulation;
+  }
+
   std::unique_ptr<Simulation> create(ParameterHandler &prm,
                                      const MPI_Comm communicator)
   {
-    auto simulation = std::make_unique<AleSimulation>(communicator);
-    simulation->parse_parameters(prm);
-    return simulation;
+    return prm.get("Method") == mpm
+             ? parsed<ParticleSimulation>(prm, communicator)
+             : parsed<AleSimulation>(prm, communicator);
+  }
+
+  /// Doubles the cells of the particles' grid.
+  bool coarsen_grid(ParameterHandler &prm, const unsigned int levels)
+  {
+    const Section section(prm, "MPM");
+    prm.set("Cell size",
+            exact(read_double(prm, "Cell size") * std::pow(2., levels)));
+    return true;
   }
 
   /// Halves the cells of a box along each direction, or those of a ball.
   bool coarsen(ParameterHandler &prm, const unsigned int levels)
   {
+    if (prm.get("Method") == mpm)
+      return coarsen_grid(prm, levels);
     const Section section(prm, "Mesh");
     if (prm.get("Kind") == "half ball")
     {
@@ -50,7 +86,7 @@ namespace
   io::FileNames files(const ParameterHandler &)
   {
     return io::FileNames{{"injury.csv"}, {"report.html"}} +
-           io::field_files("ale") +
+           io::field_files("ale") + io::field_files("mpm") +
            io::picture_files({"history.png",
                               "probes.png",
                               "head_pressure.png",
@@ -69,9 +105,10 @@ namespace
 io::ApplicationDescription head_impact_application()
 {
   return {"head_impact",
-          "Follows fluids through an impact on a mesh that goes with the "
-          "matter and is smoothed (ALE), with an energy ledger.",
-          AleSimulation::declare_parameters,
+          "Follows solids and fluids through an impact on a mesh that goes "
+          "with the matter and is smoothed (ALE), or as particles on a grid "
+          "(MPM), with an energy ledger.",
+          declare_parameters,
           create,
           {"Scheme/Largest number of retries"},
           coarsen,

@@ -123,23 +123,41 @@ void RegionDescriptions::check_layers(const MeshLayers &layers) const
 }
 
 
+int RegionDescriptions::find_region(const dealii::Point<3> &place,
+                                    const MeshLayer &layer) const
+{
+  for (std::size_t i = descriptions_.size(); i-- > 0;)
+    if ((iequals(descriptions_[i].layer, "any") ||
+         layer.is_called(descriptions_[i].layer)) &&
+        descriptions_[i].where.value(place) != 0.)
+      return static_cast<int>(i);
+  return -1;
+}
+
+
+dealii::Tensor<1, 3>
+RegionDescriptions::velocity_at(const dealii::Point<3> &place,
+                                const unsigned int region) const
+{
+  dealii::Tensor<1, 3> velocity;
+  for (unsigned int d = 0; d < 3; ++d)
+    velocity[d] = descriptions_[region].velocity[d].value(place);
+  return velocity;
+}
+
+
 const RegionDescriptions::Description &
 RegionDescriptions::find(const dealii::Point<3> &place,
                          const MeshLayer &layer) const
 {
-  const Description *found = nullptr;
-  for (const Description &description : descriptions_)
-    if ((iequals(description.layer, "any") ||
-         layer.is_called(description.layer)) &&
-        description.where.value(place) != 0.)
-      found = &description;
-  if (found == nullptr)
+  const int found = find_region(place, layer);
+  if (found < 0)
     throw InputError(
       "Region: the cell at (" + std::to_string(place[0]) + ", " +
       std::to_string(place[1]) + ", " + std::to_string(place[2]) + ") m" +
       (layer.name.empty() ? "" : " of \"" + layer.told() + "\"") +
       " is in none");
-  return *found;
+  return descriptions_[found];
 }
 
 

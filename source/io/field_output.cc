@@ -43,8 +43,8 @@ namespace io
                       "output (2-D and 3-D).");
   }
 
-  template <int dim>
-  FieldOutput<dim>::FieldOutput(const std::vector<FieldName> &names)
+  template <int dim, int spacedim>
+  FieldOutput<dim, spacedim>::FieldOutput(const std::vector<FieldName> &names)
     : names_(names)
   {
     dealii::DataOutBase::VtkFlags flags;
@@ -56,52 +56,55 @@ namespace io
     this->set_flags(flags);
   }
 
-  template <int dim>
-  unsigned int FieldOutput<dim>::n_components() const
+  template <int dim, int spacedim>
+  unsigned int FieldOutput<dim, spacedim>::n_components() const
   {
     unsigned int n = 0;
     for (const FieldName &name : names_)
-      n += name.is_vector ? dim : 1;
+      n += name.is_vector ? spacedim : 1;
     return n;
   }
 
-  template <int dim>
-  typename FieldOutput<dim>::Patch
-  FieldOutput<dim>::make_patch(const unsigned int n_subdivisions) const
+  template <int dim, int spacedim>
+  typename FieldOutput<dim, spacedim>::Patch
+  FieldOutput<dim, spacedim>::make_patch(
+    const unsigned int n_subdivisions) const
   {
     Patch patch;
-    patch.n_subdivisions = n_subdivisions;
+    if constexpr (dim > 0)
+      patch.n_subdivisions = n_subdivisions;
     patch.data.reinit(n_components(),
                       dealii::Utilities::fixed_power<dim>(n_subdivisions + 1));
     return patch;
   }
 
-  template <int dim>
-  void FieldOutput<dim>::add_patch(Patch &&patch)
+  template <int dim, int spacedim>
+  void FieldOutput<dim, spacedim>::add_patch(Patch &&patch)
   {
     patch.patch_index = static_cast<unsigned int>(patches_.size());
-    patch.reference_cell = dealii::ReferenceCells::get_hypercube<dim>();
+    if constexpr (dim > 0)
+      patch.reference_cell = dealii::ReferenceCells::get_hypercube<dim>();
     patches_.push_back(std::move(patch));
   }
 
-  template <int dim>
-  std::string FieldOutput<dim>::write(const std::string &format,
-                                      const std::string &folder,
-                                      const std::string &stem,
-                                      const unsigned int index,
-                                      const double time,
-                                      const MPI_Comm communicator)
+  template <int dim, int spacedim>
+  std::string FieldOutput<dim, spacedim>::write(const std::string &format,
+                                                const std::string &folder,
+                                                const std::string &stem,
+                                                const unsigned int index,
+                                                const double time,
+                                                const MPI_Comm communicator)
   {
     if (format == hdf5)
       return write_hdf5(folder, stem, index, time, communicator);
     return write_vtu(folder, stem, index, communicator);
   }
 
-  template <int dim>
-  std::string FieldOutput<dim>::write_vtu(const std::string &folder,
-                                          const std::string &stem,
-                                          const unsigned int index,
-                                          const MPI_Comm communicator)
+  template <int dim, int spacedim>
+  std::string FieldOutput<dim, spacedim>::write_vtu(const std::string &folder,
+                                                    const std::string &stem,
+                                                    const unsigned int index,
+                                                    const MPI_Comm communicator)
   {
     namespace MPI = dealii::Utilities::MPI;
     const unsigned int n = MPI::n_mpi_processes(communicator);
@@ -119,7 +122,7 @@ namespace io
     // A rank without patches has no piece.
     if (!patches_.empty() || n == 1)
       write_file(folder + "/" + piece(rank), [&](std::ostream &out) {
-        dealii::DataOutInterface<dim>::write_vtu(out);
+        dealii::DataOutInterface<dim, spacedim>::write_vtu(out);
       });
     if (n == 1)
       return piece(0);
@@ -136,17 +139,19 @@ namespace io
     return name + ".pvtu";
   }
 
-  template <int dim>
-  std::string FieldOutput<dim>::write_hdf5(const std::string &folder,
-                                           const std::string &stem,
-                                           const unsigned int index,
-                                           const double time,
-                                           const MPI_Comm communicator)
+  template <int dim, int spacedim>
+  std::string
+  FieldOutput<dim, spacedim>::write_hdf5(const std::string &folder,
+                                         const std::string &stem,
+                                         const unsigned int index,
+                                         const double time,
+                                         const MPI_Comm communicator)
   {
     const std::string name = numbered(stem, index);
-    if constexpr (dim == 1)
-      throw InputError("\"Field format\" cannot be \"hdf5\" in one dimension; "
-                       "allowed: vtu");
+    if constexpr (dim < 2)
+      throw InputError(
+        "\"Field format\" cannot be \"hdf5\" of points or in one dimension; "
+        "allowed: vtu");
     else
     {
       // deal.II 9.4 cannot write the file with ranks that have no patches.
@@ -159,11 +164,11 @@ namespace io
     return name + ".xdmf";
   }
 
-  template <int dim>
-  void FieldOutput<dim>::write_hdf5_files(const std::string &folder,
-                                          const std::string &name,
-                                          const double time,
-                                          const MPI_Comm writers)
+  template <int dim, int spacedim>
+  void FieldOutput<dim, spacedim>::write_hdf5_files(const std::string &folder,
+                                                    const std::string &name,
+                                                    const double time,
+                                                    const MPI_Comm writers)
   {
     const std::string file = folder + "/" + name;
     try
@@ -186,25 +191,26 @@ namespace io
     }
   }
 
-  template <int dim>
-  const std::vector<typename FieldOutput<dim>::Patch> &
-  FieldOutput<dim>::get_patches() const
+  template <int dim, int spacedim>
+  const std::vector<typename FieldOutput<dim, spacedim>::Patch> &
+  FieldOutput<dim, spacedim>::get_patches() const
   {
     return patches_;
   }
 
-  template <int dim>
-  std::vector<std::string> FieldOutput<dim>::get_dataset_names() const
+  template <int dim, int spacedim>
+  std::vector<std::string> FieldOutput<dim, spacedim>::get_dataset_names() const
   {
     std::vector<std::string> components;
     for (const FieldName &name : names_)
-      components.insert(components.end(), name.is_vector ? dim : 1, name.name);
+      components.insert(
+        components.end(), name.is_vector ? spacedim : 1, name.name);
     return components;
   }
 
-  template <int dim>
-  std::vector<typename FieldOutput<dim>::Range>
-  FieldOutput<dim>::get_nonscalar_data_ranges() const
+  template <int dim, int spacedim>
+  std::vector<typename FieldOutput<dim, spacedim>::Range>
+  FieldOutput<dim, spacedim>::get_nonscalar_data_ranges() const
   {
     namespace Interpretation = dealii::DataComponentInterpretation;
     std::vector<Range> ranges;
@@ -213,10 +219,10 @@ namespace io
     {
       if (name.is_vector)
         ranges.emplace_back(component,
-                            component + dim - 1,
+                            component + spacedim - 1,
                             name.name,
                             Interpretation::component_is_part_of_vector);
-      component += name.is_vector ? dim : 1;
+      component += name.is_vector ? spacedim : 1;
     }
     return ranges;
   }
@@ -230,6 +236,7 @@ namespace io
     });
   }
 
+  template class FieldOutput<0, 3>;
   template class FieldOutput<1>;
   template class FieldOutput<2>;
   template class FieldOutput<3>;

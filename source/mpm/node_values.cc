@@ -58,23 +58,36 @@ void NodeValues::clear(const TileGrid &grid)
 }
 
 
-void NodeValues::add_copies(const TileGrid &grid)
+void NodeValues::collect_copies(const TileGrid &grid,
+                                const dealii::VectorOperation::values operation)
 {
   const auto &partitioner = grid.partitioner();
   Messages messages(grid, n_components());
   for (unsigned int c = 0; c < n_components(); ++c)
-    partitioner.import_from_ghosted_array_start(dealii::VectorOperation::add,
+    partitioner.import_from_ghosted_array_start(operation,
                                                 c,
                                                 copies(grid, values_[c]),
                                                 view(messages.memory[c]),
                                                 messages.requests[c]);
   for (unsigned int c = 0; c < n_components(); ++c)
     partitioner.import_from_ghosted_array_finish(
-      dealii::VectorOperation::add,
+      operation,
       dealii::ArrayView<const double>(view(messages.memory[c])),
       own_part(grid, values_[c]),
       copies(grid, values_[c]),
       messages.requests[c]);
+}
+
+
+void NodeValues::add_copies(const TileGrid &grid)
+{
+  collect_copies(grid, dealii::VectorOperation::add);
+}
+
+
+void NodeValues::raise_by_copies(const TileGrid &grid)
+{
+  collect_copies(grid, dealii::VectorOperation::max);
 }
 
 
@@ -131,5 +144,15 @@ void add_window(const TileGrid::Source &source,
           has_mirror ? sign(source.mirrored[i], parities[c]) * from[i]
                      : from[i];
   }
+}
+
+
+void raise_nodes(const TileGrid::Source &source,
+                 const double *const window,
+                 dealii::AlignedVector<double> &values)
+{
+  for (unsigned int i = 0; i < TileGrid::window_size; ++i)
+    if (const std::uint32_t node = source.nodes[i]; node != TileGrid::no_node)
+      values[node] = std::max(values[node], window[i]);
 }
 } // namespace contrecoup::mpm

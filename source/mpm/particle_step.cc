@@ -51,9 +51,11 @@ namespace
 
 
 ParticleStep::ParticleStep(const TransferScheme &scheme,
-                           const std::vector<ParticleMaterial> &materials)
+                           const std::vector<ParticleMaterial> &materials,
+                           const FieldContact &contact)
   : scheme_(scheme)
   , materials_(materials)
+  , contact_(contact)
 {
   if (scheme.transfer == Transfer::affine && scheme.degree == 1)
     throw InputError(
@@ -234,6 +236,10 @@ void ParticleStep::apply_series(const TileGrid &grid,
 
 void ParticleStep::find_velocities(const TileGrid &grid, Particles &particles)
 {
+  std::vector<const dealii::AlignedVector<double> *> masses;
+  for (const Field &field : fields_)
+    masses.push_back(&field.matter[0]);
+  contact_.find_interfaces(grid, particles, masses);
   for (Field &field : fields_)
   {
     field.before.clear(grid);
@@ -245,6 +251,20 @@ void ParticleStep::find_velocities(const TileGrid &grid, Particles &particles)
     stop_at_planes(grid, 0, field.before);
     apply_series(grid, particles, field, field.before);
   }
+  touch(grid, &Field::before, 0);
+}
+
+
+void ParticleStep::touch(const TileGrid &grid,
+                         NodeValues Field::*const values,
+                         const unsigned int first)
+{
+  if (contact_.n_fields() < 2)
+    return;
+  std::vector<NodeValues *> velocities;
+  for (Field &field : fields_)
+    velocities.push_back(&(field.*values));
+  contact_.apply(velocities, first, grid.n_own_nodes());
 }
 
 
@@ -253,18 +273,14 @@ void ParticleStep::accelerate(const TileGrid &grid, Particles &particles)
   for (Field &field : fields_)
   {
     field.motion.clear(grid);
-    NodeValues acceleration(3);
-    acceleration.clear(grid);
+    field.acceleration.clear(grid);
     for (unsigned int d = 0; d < 3; ++d)
       std::copy_n(field.matter[4 + d].begin(),
                   grid.n_own_nodes(),
-                  acceleration[d].begin());
-    divide(grid, field.matter[0], 0, acceleration);
-    stop_at_planes(grid, 0, acceleration);
-    apply_series(grid, particles, field, acceleration);
-    for (unsigned int d = 0; d < 3; ++d)
-      std::copy_n(
-        acceleration[d].begin(), grid.n_own_nodes(), field.motion[d].begin());
+                  field.acceleration[d].begin());
+    divide(grid, field.matter[0], 0, field.acceleration);
+    stop_at_planes(grid, 0, field.acceleration);
+    apply_series(grid, particles, field, field.acceleration);
   }
 }
 
@@ -272,14 +288,22 @@ void ParticleStep::accelerate(const TileGrid &grid, Particles &particles)
 void ParticleStep::set_motion(const TileGrid &grid, const double step)
 {
   for (Field &field : fields_)
-  {
     for (unsigned int d = 0; d < 3; ++d)
       for (std::size_t n = 0; n < grid.n_own_nodes(); ++n)
       {
         const double before = field.before[d][n];
-        const double change = step * field.motion[d][n];
-        field.motion[3 + d][n] = before + change;
-        field.motion[6 + d][n] = before + 0.5 * change;
+        field.motion[3 + d][n] = before + step * field.acceleration[d][n];
+      }
+  touch(grid, &Field::motion, 3);
+  for (Field &field : fields_)
+  {
+    for (unsigned int d = 0; d < 3; ++d)
+      for (std::size_t n = 0; n < grid.n_own_nodes(); ++n)
+      {
+        const double before = field.before[d][n],
+                     after = field.motion[3 + d][n];
+        field.motion[d][n] = (after - before) / step;
+        field.motion[6 + d][n] = 0.5 * (before + after);
       }
     field.motion.update_copies(grid);
   }

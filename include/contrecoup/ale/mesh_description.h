@@ -64,6 +64,18 @@ public:
     return kind_ == "layered head" && position_.empty() ? &head_ : nullptr;
   }
 
+  /// The layer at a place of the undeformed mesh, 0 where the mesh has none;
+  /// -1 outside of it. @throws InputError for moved nodes and files, whose
+  /// inside is not known
+  int layer_at(const dealii::Point<3> &place) const;
+
+  /// Lower and upper corner around the mesh [m]. @throws InputError likewise
+  std::array<dealii::Point<3>, 2> corners() const;
+
+  /// Whether x-, x+, y-, y+, z-, z+ of the corners are walls at rest.
+  /// @throws InputError for walls that move
+  std::array<bool, 6> sides_at_rest() const;
+
   /// How many cells create() makes.
   double n_cells() const;
 

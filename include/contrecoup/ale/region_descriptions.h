@@ -61,8 +61,23 @@ public:
   ///   physical meaning
   const Region &region_at(const dealii::Point<3> &place,
                           const MeshLayer &layer) const;
+  /// Its number, or -1 where there is none.
+  int find_region(const dealii::Point<3> &place, const MeshLayer &layer) const;
   double density_at(const dealii::Point<3> &place,
                     const MeshLayer &layer) const;
+
+  /// What a region has at a place at the start. @throws InputError for a state
+  /// without a physical meaning
+  InitialMatter matter_at(const dealii::Point<3> &place,
+                          const unsigned int region) const
+  {
+    return check_state(descriptions_[region], place);
+  }
+  dealii::Tensor<1, 3> velocity_at(const dealii::Point<3> &place,
+                                   const unsigned int region) const;
+
+  /// @throws InputError for a region of a layer that is none of these
+  void check_layers(const MeshLayers &layers) const;
 
 private:
   struct Description
@@ -74,8 +89,7 @@ private:
     std::array<Expression, 3> velocity;
   };
 
-  void check_layers(const MeshLayers &layers) const;
-  /// The last of those at a place of a layer. @throws InputError for none
+  /// That at a place of a layer. @throws InputError for none
   const Description &find(const dealii::Point<3> &place,
                           const MeshLayer &layer) const;
   const Description &at(const HexSpace &space, const std::size_t cell) const

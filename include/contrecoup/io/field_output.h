@@ -19,7 +19,7 @@ namespace io
   /// Declares "Field format" in the current subsection: vtu or hdf5.
   void declare_field_format(dealii::ParameterHandler &prm);
 
-  /// One quantity of the patches: a scalar, or a vector of dim components.
+  /// One quantity of the patches: a scalar, or a vector of spacedim components.
   struct FieldName
   {
     std::string name;
@@ -32,7 +32,8 @@ namespace io
    * leaf with n_subdivisions cells per direction, hence
    * (n_subdivisions + 1)^dim points, numbered with x fastest. Each patch
    * holds its 2^dim vertices in deal.II's order and
-   * `data(component, point)`. A vector takes dim components in a row.
+   * `data(component, point)`. A vector takes spacedim components in a row.
+   * Patches of dim 0 are points in space, of one vertex.
    * Neighbouring patches share no points, so jumps stay visible.
    *
    * @code
@@ -43,11 +44,11 @@ namespace io
    *   return output.write_vtu(folder, "fields", index, communicator);
    * @endcode
    */
-  template <int dim>
-  class FieldOutput : public dealii::DataOutInterface<dim>
+  template <int dim, int spacedim = dim>
+  class FieldOutput : public dealii::DataOutInterface<dim, spacedim>
   {
   public:
-    using Patch = dealii::DataOutBase::Patch<dim>;
+    using Patch = dealii::DataOutBase::Patch<dim, spacedim>;
 
     explicit FieldOutput(const std::vector<FieldName> &names);
 
@@ -84,7 +85,7 @@ namespace io
      * Writes `stem_0012.h5` (double precision) and `stem_0012.xdmf`, for
      * dim 2 and 3. Collective. Returns the XDMF file's name.
      * @param time simulated time that the XDMF file names [s]
-     * @throws InputError for dim 1
+     * @throws InputError for dim 0 and 1
      * @throws SystemError when the disk is full
      */
     std::string write_hdf5(const std::string &folder,

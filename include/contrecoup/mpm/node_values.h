@@ -6,6 +6,7 @@
 #include <contrecoup/mpm/tile_grid.h>
 
 #include <deal.II/base/aligned_vector.h>
+#include <deal.II/lac/vector_operation.h>
 
 #include <array>
 #include <vector>
@@ -41,10 +42,16 @@ public:
   /// Adds what ranks have in their copies to the owners' values. Collective.
   void add_copies(const TileGrid &grid);
 
+  /// Raises the owners' values to those of copies that are larger. Collective.
+  void raise_by_copies(const TileGrid &grid);
+
   /// Gives the owners' values to the copies. Collective.
   void update_copies(const TileGrid &grid);
 
 private:
+  void collect_copies(const TileGrid &grid,
+                      const dealii::VectorOperation::values operation);
+
   std::vector<dealii::AlignedVector<double>> values_;
 };
 
@@ -71,4 +78,9 @@ void add_window(const TileGrid::Source &source,
                 const unsigned int first,
                 const std::vector<Parity> &parities,
                 NodeValues &values);
+
+/// Raises one scalar of nodes to that of a window where it is larger.
+void raise_nodes(const TileGrid::Source &source,
+                 const double *window,
+                 dealii::AlignedVector<double> &values);
 } // namespace contrecoup::mpm

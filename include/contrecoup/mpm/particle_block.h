@@ -29,15 +29,16 @@ namespace column
     affine = 32,     ///< 9, velocity gradient of affine transfers [1/s]
     surface = 41,    ///< 3, undeformed way to the body's surface [m]
     area = 44,       ///< of the surface that belongs to the particle [m^2]
-    n_state = 45,    ///< what moves with a particle and is saved
+    tag = 45,        ///< number of a probe that follows it, from 1 on; 0: none
+    n_state = 46,    ///< what moves with a particle and is saved
     // Within a step.
-    change = 45,    ///< 3, of the velocity [m/s]
-    way = 48,       ///< 3, of the position [m]
-    rate = 51,      ///< 9, velocity gradient by rows [1/s]
-    smoothed = 60,  ///< pressure, then rate of dilatation, after smoothing
-    mean_rate = 61, ///< 9, gradient of the mean velocity of the step [1/s]
-    force = 70,     ///< 3, from outside [N]
-    n_columns = 73
+    change = 46,    ///< 3, of the velocity [m/s]
+    way = 49,       ///< 3, of the position [m]
+    rate = 52,      ///< 9, velocity gradient by rows [1/s]
+    smoothed = 61,  ///< pressure, then rate of dilatation, after smoothing
+    mean_rate = 62, ///< 9, gradient of the mean velocity of the step [1/s]
+    force = 71,     ///< 3, from outside [N]
+    n_columns = 74
   };
 } // namespace column
 

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <contrecoup/mpm/field_contact.h>
 #include <contrecoup/mpm/node_values.h>
 #include <contrecoup/mpm/particle_material.h>
 #include <contrecoup/mpm/particles.h>
@@ -49,14 +50,10 @@ public:
   using OuterForces =
     std::function<void(const unsigned int material, ParticleBlock &particles)>;
 
-  /// Changes velocities of fields that meet at nodes: masses, velocities, both
-  /// by field.
-  using FieldContact =
-    std::function<void(const std::vector<NodeValues> &masses,
-                       std::vector<NodeValues *> &velocities)>;
-
+  /// @param contact of velocity fields; none: they do not feel each other
   ParticleStep(const TransferScheme &scheme,
-               const std::vector<ParticleMaterial> &materials);
+               const std::vector<ParticleMaterial> &materials,
+               const FieldContact &contact = FieldContact());
 
   const std::vector<ParticleMaterial> &materials() const
   {
@@ -77,6 +74,12 @@ public:
 
   /// Stresses of the particles as they are.
   void start(const TileGrid &grid, Particles &particles) const;
+
+  /// Makes what steps need of particles that come from a checkpoint.
+  void resume(const TileGrid &grid, Particles &particles) const
+  {
+    smooth(grid, particles, true);
+  }
 
   /**
    * Goes one step ahead.
@@ -107,6 +110,7 @@ private:
     NodeValues matter{7}; ///< mass, momentum, force
     NodeValues motion{9}; ///< acceleration, velocity after, mean velocity
     NodeValues before{3}; ///< velocity before the step
+    NodeValues acceleration{3};
     std::vector<unsigned int> materials;
   };
 
@@ -134,6 +138,10 @@ private:
   void find_velocities(const TileGrid &grid, Particles &particles);
   void accelerate(const TileGrid &grid, Particles &particles);
   void set_motion(const TileGrid &grid, const double step);
+  /// Lets velocities of fields push each other, and books the loss.
+  void touch(const TileGrid &grid,
+             NodeValues Field::*values,
+             const unsigned int first);
   void collect(const TileGrid &grid, Particles &particles, const double step);
   double largest_strain_rate(const Particles &particles,
                              const MPI_Comm communicator) const;
@@ -151,6 +159,7 @@ private:
   TransferScheme scheme_;
   std::vector<ParticleMaterial> materials_;
   std::vector<Field> fields_;
+  FieldContact contact_;
   EnergyLedger ledger_;
   unsigned int n_retries_ = 0;
 };

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/ale/contact_planes.h>
+#include <contrecoup/ale/mesh_description.h>
+#include <contrecoup/ale/region_descriptions.h>
+#include <contrecoup/mpm/field_contact.h>
+#include <contrecoup/mpm/seeding.h>
+#include <contrecoup/mpm/transfer_scheme.h>
+#include <contrecoup/mpm/wall_contact.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <array>
+#include <vector>
+
+namespace contrecoup::ale
+{
+/**
+ * A scene as particles see it: the same mesh description, regions and planes
+ * as on a moving mesh, filled with particles; and the entries of subsection
+ * "MPM".
+ */
+class ParticleScene
+{
+public:
+  static void declare_parameters(dealii::ParameterHandler &prm);
+
+  /// Reads "MPM". @throws InputError
+  void parse_parameters(dealii::ParameterHandler &prm);
+
+  /// @throws InputError for what particles cannot be
+  void reinit(const MeshDescription &mesh,
+              const RegionDescriptions &regions,
+              const ContactPlanes &planes,
+              const double end_time);
+
+  const mpm::GridBox &box() const
+  {
+    return box_;
+  }
+  const mpm::TransferScheme &scheme() const
+  {
+    return scheme_;
+  }
+  const std::vector<mpm::ParticleMaterial> &materials() const
+  {
+    return materials_;
+  }
+  const mpm::ParticleSource &source() const
+  {
+    return source_;
+  }
+  const std::vector<mpm::RigidPlane> &planes() const
+  {
+    return planes_;
+  }
+  /// Of the velocity fields of the materials.
+  mpm::FieldContact field_contact() const;
+
+  double cell_size() const
+  {
+    return cell_size_;
+  }
+
+  /// About the number of particles [-].
+  double n_particles() const;
+
+private:
+  void make_materials(const RegionDescriptions &regions);
+  void make_source(const MeshDescription &mesh,
+                   const RegionDescriptions &regions);
+  void make_box(const MeshDescription &mesh,
+                const double largest_speed,
+                const double end_time);
+
+  double cell_size_ = 0.;
+  mpm::TransferScheme scheme_;
+  std::string smoothing_;
+  std::string fields_;
+  double friction_ = 0.;
+  mpm::GridBox box_;
+  std::vector<mpm::ParticleMaterial> materials_;
+  mpm::ParticleSource source_;
+  std::vector<mpm::RigidPlane> planes_;
+};
+} // namespace contrecoup::ale

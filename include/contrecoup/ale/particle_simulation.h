@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/ale/contact_record.h>
+#include <contrecoup/ale/impact_plan.h>
+#include <contrecoup/ale/particle_scene.h>
+#include <contrecoup/base/expression.h>
+#include <contrecoup/base/simulation.h>
+#include <contrecoup/mpm/particle_step.h>
+
+#include <memory>
+#include <vector>
+
+namespace contrecoup::ale
+{
+/// Solids and liquids by the material point method: particles, steps, energy
+/// ledger, output.
+class ParticleSimulation : public Simulation
+{
+public:
+  explicit ParticleSimulation(MPI_Comm communicator)
+    : communicator_(communicator)
+  {}
+
+  /// Reads entries that AleSimulation and ParticleScene declare.
+  /// @throws InputError
+  void parse_parameters(dealii::ParameterHandler &prm);
+
+  CostEstimate estimate() override;
+  void setup() override;
+  void restore(const std::string &folder) override;
+  void save(const std::string &folder) override;
+  double time() const override
+  {
+    return time_;
+  }
+  StepReport advance(double largest_step) override;
+  bool adapt() override
+  {
+    return false;
+  }
+  std::vector<NamedValue> history() override;
+  std::vector<NamedValue> probes() override;
+  std::string write_fields(const std::string &folder,
+                           unsigned int index) override;
+  std::vector<NamedValue> errors() override
+  {
+    return {};
+  }
+  std::vector<NamedValue> assumptions() override;
+  std::vector<Assumption> plan() override;
+  std::pair<std::uint64_t, std::uint64_t> size() const override
+  {
+    return {n_particles_, 6 * n_particles_};
+  }
+
+private:
+  /// Energies of all ranks, and what is missing [J].
+  struct Ledger
+  {
+    mpm::ParticleTotals totals;
+    double external_work, transfer_loss, contact_loss, residual;
+  };
+
+  void build_grid();
+  Ledger ledger() const;
+  void find_probes();
+  /// Takes what is in tiles of this rank.
+  void restore_file(const std::string &file);
+
+  MPI_Comm communicator_;
+  MeshDescription mesh_;
+  RegionDescriptions regions_;
+  ContactPlanes planes_;
+  ParticleScene scene_;
+  std::array<Expression, 3> acceleration_{{{"", "0"}, {"", "0"}, {"", "0"}}};
+  std::vector<dealii::Point<3>> probe_places_;
+  double courant_ = 0.3;
+  unsigned int largest_retries_ = 10;
+  double end_time_ = 0.;
+
+  mpm::TileGrid grid_;
+  mpm::Particles particles_;
+  std::unique_ptr<mpm::ParticleStep> step_;
+  mpm::WallContact contact_;
+  ContactMeasures contact_now_;
+  ContactRecord contact_record_;
+  std::uint64_t n_particles_ = 0;
+  double time_ = 0.;
+  double initial_energy_ = 0.;
+  double energy_scale_ = 0.;
+};
+} // namespace contrecoup::ale

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/mpm/particle_block.h>
+#include <contrecoup/mpm/transfer_kernels.h>
+
+/**
+ * @file
+ * Sums and extrema over particles for the contact of velocity fields, in the
+ * window of a tile, component by component.
+ */
+
+namespace contrecoup::mpm
+{
+/// Adds the gradient of the mass that particles give to nodes: 3 components.
+void deposit_gradient(const unsigned int degree,
+                      const ParticleBlock &particles,
+                      const WindowPlace &place,
+                      double *window);
+
+/**
+ * Raises, at nodes in whose splines particles are, how far these reach from the
+ * node along its normal times @p sign.
+ * @param normals 3 components; zero: the node is left alone
+ * @param extents [m]
+ */
+void raise_extents(const unsigned int degree,
+                   const ParticleBlock &particles,
+                   const WindowPlace &place,
+                   const double sign,
+                   const double *normals,
+                   double *extents);
+} // namespace contrecoup::mpm

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/ale/mesh_description.h>
+#include <contrecoup/base/exceptions.h>
+
+#include <cmath>
+
+namespace contrecoup::ale
+{
+namespace
+{
+  /// Below 1 inside of an ellipsoid around the origin.
+  double ellipsoid(const dealii::Point<3> &place,
+                   const std::array<double, 3> &semi_axes)
+  {
+    double sum = 0.;
+    for (unsigned int d = 0; d < 3; ++d)
+      sum += std::pow(place[d] / semi_axes[d], 2);
+    return sum;
+  }
+} // namespace
+
+
+int MeshDescription::layer_at(const dealii::Point<3> &place) const
+{
+  if (kind_ == "half ball")
+    return place[0] >= 0. && place.norm() < radius_ ? 0 : -1;
+  if (kind_ == "box")
+  {
+    for (unsigned int d = 0; d < 3; ++d)
+      if (place[d] < lower_[d] || place[d] > upper_[d])
+        return -1;
+    return 0;
+  }
+  for (unsigned int d = 0; d < 3; ++d)
+    if (head_.is_halved()[d] && place[d] < 0.)
+      return -1;
+  const auto &axes = head_.semi_axes();
+  for (std::size_t layer = 0; layer < axes.size(); ++layer)
+    if (ellipsoid(place, axes[layer]) < 1.)
+      return static_cast<int>(layer);
+  return -1;
+}
+
+
+std::array<dealii::Point<3>, 2> MeshDescription::corners() const
+{
+  if (kind_ == "file" || !position_.empty())
+    throw InputError("Mesh: particles fill a box, a half ball or a layered "
+                     "head without Position x, y, z; choose one of these, or "
+                     "Method = ale");
+  if (kind_ == "box")
+    return {{lower_, upper_}};
+  std::array<dealii::Point<3>, 2> result;
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    const bool is_ball = kind_ == "half ball";
+    result[1][d] = is_ball ? radius_ : head_.semi_axes().back()[d];
+    const bool is_halved = is_ball ? d == 0 : head_.is_halved()[d];
+    result[0][d] = is_halved ? 0. : -result[1][d];
+  }
+  return result;
+}
+
+
+std::array<bool, 6> MeshDescription::sides_at_rest() const
+{
+  for (const auto &wall : walls_)
+    for (const double time : {0., 1e-6, 1e-3, 1.})
+      if (wall.second(time) != 0.)
+        throw InputError("Side " + side_names()[wall.first] +
+                         "/Velocity: walls of particles are at rest");
+  std::array<bool, 6> result{};
+  if (kind_ == "box")
+    for (unsigned int i = 0; i < 6; ++i)
+      result[i] = walls_.count(i) == 1;
+  else if (kind_ == "half ball")
+    result[0] = walls_.count(1) == 1;
+  else
+    for (unsigned int d = 0; d < 3; ++d)
+      result[2 * d] = head_.is_halved()[d] && walls_.count(1 + d) == 1;
+  return result;
+}
+} // namespace contrecoup::ale

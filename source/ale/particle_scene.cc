@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/ale/particle_scene.h>
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
+
+#include <cmath>
+
+namespace contrecoup::ale
+{
+namespace
+{
+  /// Volume stiffness over shear stiffness from where solids lock.
+  constexpr double locking_ratio = 20.;
+
+  /// Cells around the matter that splines reach.
+  constexpr double margin_cells = 3.;
+
+  const std::vector<std::string> smoothings{"liquids and gels", "all", "none"};
+
+  const std::vector<std::string> field_kinds{"by interface",
+                                             "one",
+                                             "slip",
+                                             "contact"};
+
+  bool locks(const Region &region)
+  {
+    const SolidMaterial *const solid = region.solid();
+    return solid == nullptr ||
+           solid->bulk_modulus > locking_ratio * solid->instantaneous_shear;
+  }
+} // namespace
+
+
+void ParticleScene::declare_parameters(ParameterHandler &prm)
+{
+  const Section section(prm, "MPM");
+  declare_double(
+    prm, "Cell size", "0.004", 1e-6, 1e3, "m", "Of the background grid.");
+  declare_list(prm,
+               "Particles a cell",
+               "2, 2, 2",
+               3,
+               3,
+               1.,
+               10.,
+               "-",
+               "Along x, y and z; 2 each make 8 of a full cell.");
+  declare_selection(
+    prm, "Basis", "cubic", mpm::basis_names(), "B-splines of the grid.");
+  declare_selection(prm,
+                    "Transfer",
+                    "flip",
+                    mpm::transfer_names(),
+                    "How particles get velocities from the grid: the nodes' "
+                    "(pic), their change (flip), with an affine part (apic), "
+                    "or corrected by the mass series (fmpm).");
+  declare_selection(prm,
+                    "Update",
+                    "musl",
+                    mpm::stress_update_names(),
+                    "Stresses from the velocity before the step (usf), after "
+                    "it (usl), or of the momentum of moved particles (musl).");
+  declare_integer(prm,
+                  "Series order",
+                  "2",
+                  1,
+                  16,
+                  "Terms of the mass series of flip and fmpm: 1 is the lumped "
+                  "mass, which makes sound slow; each further one costs a "
+                  "transfer to the particles and back.");
+  declare_selection(prm,
+                    "Fields",
+                    field_kinds[0],
+                    field_kinds,
+                    "Velocities of regions: one for all, which stick; or one "
+                    "for each, which slip along each other or, as contact, "
+                    "may part. By interface: they slip if a region has "
+                    "Interface = slip.");
+  declare_double(prm,
+                 "Friction",
+                 "0",
+                 0.,
+                 10.,
+                 "-",
+                 "Coulomb's coefficient between regions in contact.");
+  declare_selection(prm,
+                    "Smoothing",
+                    "liquids and gels",
+                    smoothings,
+                    "Materials whose volume strain and pressure are smoothed "
+                    "over linear splines against locking; gels are solids "
+                    "with a bulk modulus of more than 20 shear moduli.");
+}
+
+
+void ParticleScene::parse_parameters(ParameterHandler &prm)
+{
+  const Section section(prm, "MPM");
+  cell_size_ = read_double(prm, "Cell size");
+  scheme_.degree = mpm::find_basis(prm.get("Basis"));
+  scheme_.transfer = mpm::find_transfer(prm.get("Transfer"));
+  scheme_.update = mpm::find_stress_update(prm.get("Update"));
+  scheme_.series_order = read_unsigned(prm, "Series order");
+  smoothing_ = prm.get("Smoothing");
+  fields_ = prm.get("Fields");
+  friction_ = read_double(prm, "Friction");
+  const auto numbers = read_list(prm, "Particles a cell");
+  for (unsigned int d = 0; d < 3; ++d)
+    source_.per_cell[d] = static_cast<unsigned int>(numbers[d]);
+  if (scheme_.transfer == mpm::Transfer::affine && scheme_.degree == 1)
+    throw InputError(
+      "MPM/Transfer = apic needs MPM/Basis = quadratic or cubic");
+}
+
+
+void ParticleScene::make_materials(const RegionDescriptions &regions)
+{
+  materials_.clear();
+  const auto all = regions.regions();
+  const bool slips = std::any_of(
+    all.begin(), all.end(), [](const Region &region) { return region.slides; });
+  if (fields_ == field_kinds[0])
+    fields_ = slips ? "slip" : "one";
+  for (const Region &region : all)
+  {
+    mpm::ParticleMaterial material;
+    material.name = region.name;
+    if (const SolidMaterial *const solid = region.solid())
+      material.law = *solid;
+    else if (const Tait *const liquid = std::get_if<Tait>(&region.law))
+      material.law = *liquid;
+    else
+      throw InputError("Region " + region.name +
+                       "/Material: particles are tait, elastic, viscoelastic "
+                       "or a tissue; gases need Method = ale");
+    material.kinematics = region.kinematics;
+    material.linear_viscosity = region.viscosity.linear;
+    material.quadratic_viscosity = region.viscosity.quadratic;
+    material.is_smoothed =
+      smoothing_ == "all" || (smoothing_ != "none" && locks(region));
+    material.field = fields_ == "one" ? 0 : materials_.size();
+    materials_.push_back(material);
+  }
+}
+
+
+void ParticleScene::make_source(const MeshDescription &mesh,
+                                const RegionDescriptions &regions)
+{
+  MeshLayers layers = mesh.layers();
+  regions.check_layers(mesh.head() != nullptr ? layers : MeshLayers());
+  if (mesh.head() == nullptr)
+    layers = {MeshLayer()};
+  // Without expressions of the place, a table of the layers is faster.
+  std::vector<int> of_layer;
+  if (!regions.depends_on_place())
+    for (const MeshLayer &layer : layers)
+      of_layer.push_back(regions.find_region({}, layer));
+  source_.material_at =
+    [mesh, regions, layers, of_layer](const dealii::Point<3> &place) {
+      const int layer = mesh.layer_at(place);
+      if (layer < 0)
+        return mpm::ParticleSource::none;
+      return of_layer.empty() ? regions.find_region(place, layers[layer])
+                              : of_layer[layer];
+    };
+  source_.velocity_at = [regions](const dealii::Point<3> &place,
+                                  const unsigned int material) {
+    return regions.velocity_at(place, material);
+  };
+  const auto all = regions.regions();
+  source_.dilatation_at = [regions, all](const dealii::Point<3> &place,
+                                         const unsigned int material) {
+    const double density = regions.matter_at(place, material).density;
+    const Tait *const liquid = std::get_if<Tait>(&all[material].law);
+    return liquid == nullptr ? 0. : liquid->density() / density - 1.;
+  };
+}
+
+
+void ParticleScene::make_box(const MeshDescription &mesh,
+                             const double largest_speed,
+                             const double end_time)
+{
+  const auto corners = mesh.corners();
+  box_.cell_size = cell_size_;
+  box_.reflects = mesh.sides_at_rest();
+  const double margin = margin_cells * cell_size_ + largest_speed * end_time;
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    const bool lower = box_.reflects[2 * d], upper = box_.reflects[2 * d + 1];
+    double first = corners[0][d] - (lower ? 0. : margin),
+           last = corners[1][d] + (upper ? 0. : margin);
+    const double cells = (last - first) / cell_size_;
+    box_.n_cells[d] =
+      static_cast<unsigned int>(std::max(1., std::ceil(cells - 1e-6)));
+    if (lower && upper && std::abs(box_.n_cells[d] - cells) > 1e-6)
+      throw InputError(
+        "MPM/Cell size = " + brief(cell_size_) +
+        " m: from wall to wall along " + std::string(1, "xyz"[d]) + " are " +
+        brief(last - first) + " m, which must be a multiple of it");
+    // Walls are planes of nodes.
+    box_.lower[d] =
+      upper && !lower ? last - box_.n_cells[d] * cell_size_ : first;
+  }
+}
+
+
+void ParticleScene::reinit(const MeshDescription &mesh,
+                           const RegionDescriptions &regions,
+                           const ContactPlanes &planes,
+                           const double end_time)
+{
+  make_box(mesh, regions.largest_components().norm(), end_time);
+  make_materials(regions);
+  make_source(mesh, regions);
+  planes_.clear();
+  for (const ContactPlane &plane : planes.planes())
+    planes_.push_back({plane.name, plane.point, plane.normal, plane.friction});
+}
+
+
+double ParticleScene::n_particles() const
+{
+  // Of a coarse lattice over the box.
+  constexpr unsigned int n = 24;
+  unsigned int count = 0;
+  for (unsigned int i = 0; i < n * n * n; ++i)
+  {
+    const unsigned int at[] = {i % n, i / n % n, i / (n * n)};
+    dealii::Point<3> place = box_.lower;
+    for (unsigned int d = 0; d < 3; ++d)
+      place[d] += (at[d] + 0.5) / n * box_.n_cells[d] * box_.cell_size;
+    if (source_.material_at(place) != mpm::ParticleSource::none)
+      ++count;
+  }
+  double particles = 1. * count / (n * n * n);
+  for (unsigned int d = 0; d < 3; ++d)
+    particles *= 1. * box_.n_cells[d] * source_.per_cell[d];
+  return particles;
+}
+
+
+mpm::FieldContact ParticleScene::field_contact() const
+{
+  std::vector<unsigned int> fields;
+  for (const mpm::ParticleMaterial &material : materials_)
+    fields.push_back(material.field);
+  if (fields_ == "one")
+    return mpm::FieldContact();
+  const unsigned int most =
+    *std::max_element(source_.per_cell.begin(), source_.per_cell.end());
+  return mpm::FieldContact(scheme_.degree,
+                           fields,
+                           mpm::find_field_interface(fields_),
+                           0.5 * cell_size_ / most,
+                           friction_);
+}
+} // namespace contrecoup::ale

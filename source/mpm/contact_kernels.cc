@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/mpm/contact_kernels.h>
+#include <contrecoup/numerics/spline_weights.h>
+
+#include <algorithm>
+
+namespace contrecoup::mpm
+{
+namespace
+{
+  constexpr unsigned int size = TileGrid::window_size;
+  constexpr int edge = TileGrid::window_edge;
+
+  SplineWeights weights(const unsigned int degree, const double place)
+  {
+    return degree == 1   ? spline_weights<1>(place)
+           : degree == 2 ? spline_weights<2>(place)
+                         : spline_weights<3>(place);
+  }
+
+  /// Calls @p work(node of the window, its indices in the splines) for all
+  /// nodes whose splines hold a particle.
+  template <typename Work>
+  void for_each_node(const unsigned int degree,
+                     const std::array<SplineWeights, 3> &axis,
+                     const Work &work)
+  {
+    for (unsigned int k = 0; k <= degree; ++k)
+      for (unsigned int j = 0; j <= degree; ++j)
+        for (unsigned int i = 0; i <= degree; ++i)
+        {
+          const unsigned int index[] = {i, j, k};
+          int at = 0;
+          for (int d = 2; d >= 0; --d)
+            at = edge * at + axis[d].first + int(index[d]) -
+                 TileGrid::window_start;
+          work(static_cast<unsigned int>(at), index);
+        }
+  }
+
+  std::array<SplineWeights, 3> splines(const unsigned int degree,
+                                       const ParticleBlock &particles,
+                                       const std::size_t p,
+                                       const WindowPlace &place)
+  {
+    std::array<SplineWeights, 3> axis;
+    for (unsigned int d = 0; d < 3; ++d)
+      axis[d] = weights(degree,
+                        (particles[column::position + d][p] - place.lower[d]) /
+                          place.cell_size);
+    return axis;
+  }
+} // namespace
+
+
+void deposit_gradient(const unsigned int degree,
+                      const ParticleBlock &particles,
+                      const WindowPlace &place,
+                      double *const window)
+{
+  for (std::size_t p = 0; p < particles.size(); ++p)
+  {
+    const auto axis = splines(degree, particles, p, place);
+    const double mass = particles[column::mass][p] / place.cell_size;
+    for_each_node(
+      degree, axis, [&](const unsigned int at, const unsigned int(&index)[3]) {
+        for (unsigned int d = 0; d < 3; ++d)
+        {
+          double slope = mass;
+          for (unsigned int e = 0; e < 3; ++e)
+            slope *= e == d ? axis[e].slope[index[e]] : axis[e].value[index[e]];
+          window[size * d + at] += slope;
+        }
+      });
+  }
+}
+
+
+void raise_extents(const unsigned int degree,
+                   const ParticleBlock &particles,
+                   const WindowPlace &place,
+                   const double sign,
+                   const double *const normals,
+                   double *const extents)
+{
+  for (std::size_t p = 0; p < particles.size(); ++p)
+  {
+    const auto axis = splines(degree, particles, p, place);
+    for_each_node(
+      degree, axis, [&](const unsigned int at, const unsigned int(&index)[3]) {
+        double along = 0., norm = 0., weight = 1.;
+        for (unsigned int d = 0; d < 3; ++d)
+        {
+          const double node =
+            place.lower[d] +
+            place.cell_size * (axis[d].first + double(index[d]));
+          const double normal = normals[size * d + at];
+          along += normal * (particles[column::position + d][p] - node);
+          norm += normal * normal;
+          weight *= axis[d].value[index[d]];
+        }
+        if (norm > 0. && weight > 0.)
+          extents[at] = std::max(extents[at], sign * along);
+      });
+  }
+}
+} // namespace contrecoup::mpm

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/mpm/contact_kernels.h>
+#include <contrecoup/mpm/field_contact.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace contrecoup::mpm
+{
+namespace
+{
+  constexpr unsigned int size = TileGrid::window_size;
+
+  /// Part of the mass at a node from which on a field counts there.
+  constexpr double least_part = 1e-8;
+
+  WindowPlace place_of(const TileGrid &grid, const TileGrid::Source &tile)
+  {
+    WindowPlace result;
+    result.cell_size = grid.box().cell_size;
+    for (unsigned int d = 0; d < 3; ++d)
+      result.lower[d] = grid.box().lower[d] + result.cell_size * tile.origin[d];
+    return result;
+  }
+} // namespace
+
+
+const std::vector<std::string> &field_interface_names()
+{
+  static const std::vector<std::string> names{"slip", "contact"};
+  return names;
+}
+
+
+FieldInterface find_field_interface(const std::string &name)
+{
+  const auto &names = field_interface_names();
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end())
+    throw InputError("\"" + name + "\" is no interface of velocity fields" +
+                     suggestion(name, names));
+  return static_cast<FieldInterface>(found - names.begin());
+}
+
+
+FieldContact::FieldContact(const unsigned int degree,
+                           const std::vector<unsigned int> &field_of_material,
+                           const FieldInterface kind,
+                           const double half_spacing,
+                           const double friction)
+  : degree_(degree)
+  , field_of_material_(field_of_material)
+  , kind_(kind)
+  , half_spacing_(half_spacing)
+  , friction_(friction)
+{
+  for (const unsigned int field : field_of_material)
+    n_fields_ = std::max(n_fields_, field + 1);
+  gradients_.assign(n_fields_, NodeValues(3));
+  for (unsigned int a = 0; a < n_fields_; ++a)
+    for (unsigned int b = a + 1; b < n_fields_; ++b)
+    {
+      pairs_.emplace_back();
+      pairs_.back().fields = {{a, b}};
+    }
+}
+
+
+void FieldContact::find_gradients(const TileGrid &grid, Particles &particles)
+{
+  for (NodeValues &gradient : gradients_)
+    gradient.clear(grid);
+  Window window(3 * size);
+  auto source = grid.sources().begin();
+  for (auto &tile : particles.tiles())
+  {
+    for (unsigned int field = 0; field < n_fields_; ++field)
+    {
+      window.fill(0.);
+      bool any = false;
+      for (unsigned int m = 0; m < field_of_material_.size(); ++m)
+        if (field_of_material_[m] == field && tile.second[m].size() > 0)
+        {
+          any = true;
+          deposit_gradient(
+            degree_, tile.second[m], place_of(grid, *source), window.data());
+        }
+      if (any)
+        add_window(*source, window.data(), 0, {1, 2, 4}, gradients_[field]);
+    }
+    ++source;
+  }
+  for (NodeValues &gradient : gradients_)
+    gradient.add_copies(grid);
+}
+
+
+void FieldContact::find_normals(const TileGrid &grid, Pair &pair) const
+{
+  pair.normals.clear(grid);
+  const auto &mass_a = masses_[pair.fields[0]],
+             &mass_b = masses_[pair.fields[1]];
+  const NodeValues &gradient_a = gradients_[pair.fields[0]],
+                   &gradient_b = gradients_[pair.fields[1]];
+  for (std::uint32_t n = 0; n < grid.n_own_nodes(); ++n)
+  {
+    const double a = mass_a[n], b = mass_b[n];
+    if (!(std::min(a, b) > least_part * (a + b)))
+      continue;
+    dealii::Tensor<1, 3> normal;
+    for (unsigned int d = 0; d < 3; ++d)
+      normal[d] = gradient_b[d][n] / b - gradient_a[d][n] / a;
+    const double norm = normal.norm();
+    for (unsigned int d = 0; d < 3 && norm > 0.; ++d)
+      pair.normals[d][n] = normal[d] / norm;
+  }
+  for (unsigned int d = 0; d < 3; ++d)
+    for (const std::uint32_t n : grid.plane_nodes()[d])
+      pair.normals[d][n] = 0.;
+}
+
+
+void FieldContact::find_gap(const TileGrid &grid,
+                            Particles &particles,
+                            Pair &pair) const
+{
+  constexpr double none = -std::numeric_limits<double>::max();
+  pair.normals.update_copies(grid);
+  NodeValues extents(2);
+  extents.clear(grid);
+  for (unsigned int side = 0; side < 2; ++side)
+    extents[side].fill(none);
+  Window normals(3 * size), window(size);
+  auto source = grid.sources().begin();
+  for (auto &tile : particles.tiles())
+  {
+    read_window(*source, pair.normals, 0, {1, 2, 4}, normals.data());
+    for (unsigned int side = 0; side < 2; ++side)
+    {
+      window.fill(none);
+      for (unsigned int m = 0; m < field_of_material_.size(); ++m)
+        if (field_of_material_[m] == pair.fields[side])
+          raise_extents(degree_,
+                        tile.second[m],
+                        place_of(grid, *source),
+                        side == 0 ? 1. : -1.,
+                        normals.data(),
+                        window.data());
+      raise_nodes(*source, window.data(), extents[side]);
+    }
+    ++source;
+  }
+  extents.raise_by_copies(grid);
+  pair.gaps.clear(grid);
+  for (std::uint32_t n = 0; n < grid.n_own_nodes(); ++n)
+    pair.gaps[0][n] = -extents[0][n] - extents[1][n] - 2. * half_spacing_;
+}
+
+
+void FieldContact::find_interfaces(
+  const TileGrid &grid,
+  Particles &particles,
+  const std::vector<const dealii::AlignedVector<double> *> &masses)
+{
+  if (n_fields_ < 2)
+    return;
+  masses_.clear();
+  for (const auto *const mass : masses)
+    masses_.push_back(*mass);
+  find_gradients(grid, particles);
+  for (Pair &pair : pairs_)
+  {
+    find_normals(grid, pair);
+    if (kind_ == FieldInterface::contact)
+      find_gap(grid, particles, pair);
+  }
+}
+
+
+double FieldContact::push(const Pair &pair,
+                          const std::uint32_t node,
+                          NodeValues &a,
+                          NodeValues &b,
+                          const unsigned int first) const
+{
+  dealii::Tensor<1, 3> normal, together; // the first relative to the second
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    normal[d] = pair.normals[d][node];
+    together[d] = a[first + d][node] - b[first + d][node];
+  }
+  const double closing = together * normal;
+  if (!(normal.norm_square() > 0.) ||
+      (kind_ == FieldInterface::contact &&
+       (closing <= 0. || pair.gaps[0][node] > 0.)))
+    return 0.;
+  const auto along = together - closing * normal;
+  dealii::Tensor<1, 3> change = closing * normal;
+  if (kind_ == FieldInterface::contact && along.norm() > 0.)
+    change += std::min(1., friction_ * closing / along.norm()) * along;
+  const double mass_a = masses_[pair.fields[0]][node],
+               mass_b = masses_[pair.fields[1]][node];
+  const double reduced = mass_a * mass_b / (mass_a + mass_b);
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    a[first + d][node] -= reduced * change[d] / mass_a;
+    b[first + d][node] += reduced * change[d] / mass_b;
+  }
+  return reduced * (together * change - 0.5 * change.norm_square());
+}
+
+
+double FieldContact::apply(const std::vector<NodeValues *> &velocities,
+                           const unsigned int first,
+                           const std::size_t n_own_nodes) const
+{
+  double loss = 0.;
+  for (const Pair &pair : pairs_)
+    for (std::uint32_t n = 0; n < n_own_nodes; ++n)
+      loss += push(pair,
+                   n,
+                   *velocities[pair.fields[0]],
+                   *velocities[pair.fields[1]],
+                   first);
+  return loss;
+}
+} // namespace contrecoup::mpm
