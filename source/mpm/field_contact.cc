@@ -182,11 +182,11 @@ void FieldContact::find_interfaces(
 }
 
 
-double FieldContact::push(const Pair &pair,
-                          const std::uint32_t node,
-                          NodeValues &a,
-                          NodeValues &b,
-                          const unsigned int first) const
+void FieldContact::push(const Pair &pair,
+                        const std::uint32_t node,
+                        NodeValues &a,
+                        NodeValues &b,
+                        const unsigned int first) const
 {
   dealii::Tensor<1, 3> normal, together; // the first relative to the second
   for (unsigned int d = 0; d < 3; ++d)
@@ -198,7 +198,7 @@ double FieldContact::push(const Pair &pair,
   if (!(normal.norm_square() > 0.) ||
       (kind_ == FieldInterface::contact &&
        (closing <= 0. || pair.gaps[0][node] > 0.)))
-    return 0.;
+    return;
   const auto along = together - closing * normal;
   dealii::Tensor<1, 3> change = closing * normal;
   if (kind_ == FieldInterface::contact && along.norm() > 0.)
@@ -211,22 +211,19 @@ double FieldContact::push(const Pair &pair,
     a[first + d][node] -= reduced * change[d] / mass_a;
     b[first + d][node] += reduced * change[d] / mass_b;
   }
-  return reduced * (together * change - 0.5 * change.norm_square());
 }
 
 
-double FieldContact::apply(const std::vector<NodeValues *> &velocities,
-                           const unsigned int first,
-                           const std::size_t n_own_nodes) const
+void FieldContact::apply(const std::vector<NodeValues *> &velocities,
+                         const unsigned int first,
+                         const std::size_t n_own_nodes) const
 {
-  double loss = 0.;
   for (const Pair &pair : pairs_)
     for (std::uint32_t n = 0; n < n_own_nodes; ++n)
-      loss += push(pair,
-                   n,
-                   *velocities[pair.fields[0]],
-                   *velocities[pair.fields[1]],
-                   first);
-  return loss;
+      push(pair,
+           n,
+           *velocities[pair.fields[0]],
+           *velocities[pair.fields[1]],
+           first);
 }
 } // namespace contrecoup::mpm

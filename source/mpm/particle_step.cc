@@ -251,20 +251,33 @@ void ParticleStep::find_velocities(const TileGrid &grid, Particles &particles)
     stop_at_planes(grid, 0, field.before);
     apply_series(grid, particles, field, field.before);
   }
-  touch(grid, &Field::before, 0);
 }
 
 
-void ParticleStep::touch(const TileGrid &grid,
-                         NodeValues Field::*const values,
-                         const unsigned int first)
+void ParticleStep::touch(const TileGrid &grid)
 {
   if (contact_.n_fields() < 2)
     return;
   std::vector<NodeValues *> velocities;
   for (Field &field : fields_)
-    velocities.push_back(&(field.*values));
-  contact_.apply(velocities, first, grid.n_own_nodes());
+    velocities.push_back(&field.motion);
+  contact_.apply(velocities, 3, grid.n_own_nodes());
+}
+
+
+void ParticleStep::use_velocities_before(const TileGrid &grid)
+{
+  for (Field &field : fields_)
+  {
+    field.motion.clear(grid);
+    for (unsigned int d = 0; d < 3; ++d)
+      std::copy_n(field.before[d].begin(),
+                  grid.n_own_nodes(),
+                  field.motion[3 + d].begin());
+  }
+  touch(grid);
+  for (Field &field : fields_)
+    field.motion.update_copies(grid);
 }
 
 
@@ -290,11 +303,10 @@ void ParticleStep::set_motion(const TileGrid &grid, const double step)
   for (Field &field : fields_)
     for (unsigned int d = 0; d < 3; ++d)
       for (std::size_t n = 0; n < grid.n_own_nodes(); ++n)
-      {
-        const double before = field.before[d][n];
-        field.motion[3 + d][n] = before + step * field.acceleration[d][n];
-      }
-  touch(grid, &Field::motion, 3);
+        field.motion[3 + d][n] =
+          field.before[d][n] + step * field.acceleration[d][n];
+  touch(grid);
+  step_contact_loss_ = 0.;
   for (Field &field : fields_)
   {
     for (unsigned int d = 0; d < 3; ++d)
@@ -302,8 +314,12 @@ void ParticleStep::set_motion(const TileGrid &grid, const double step)
       {
         const double before = field.before[d][n],
                      after = field.motion[3 + d][n];
-        field.motion[d][n] = (after - before) / step;
-        field.motion[6 + d][n] = 0.5 * (before + after);
+        const double change = (after - before) / step,
+                     mean = 0.5 * (before + after);
+        field.motion[d][n] = change;
+        field.motion[6 + d][n] = mean;
+        step_contact_loss_ -= step * field.matter[0][n] *
+                              (change - field.acceleration[d][n]) * mean;
       }
     field.motion.update_copies(grid);
   }
@@ -393,24 +409,20 @@ void ParticleStep::move_particles(const TileGrid &grid,
       for (std::size_t n = 0; n < grid.n_own_nodes(); ++n)
         gained += step * field.matter[4 + d][n] * field.motion[6 + d][n];
   ledger_.external_work += work;
-  ledger_.transfer_loss += gained - kinetic;
+  ledger_.contact_loss += step_contact_loss_;
+  ledger_.transfer_loss += gained - step_contact_loss_ - kinetic;
 }
 
 
 void ParticleStep::collect_rates(const TileGrid &grid,
-                                 Particles &particles,
-                                 const bool after_step) const
+                                 Particles &particles) const
 {
   const TimerScope timer("velocity gradients");
   Window window(3 * size);
   for (const Field &field : fields_)
     for (const Tile &tile : tiles(grid, particles))
     {
-      read_window(*tile.first,
-                  after_step ? field.motion : field.before,
-                  after_step ? 3 : 0,
-                  one_vector,
-                  window.data());
+      read_window(*tile.first, field.motion, 3, one_vector, window.data());
       for (const unsigned int m : field.materials)
         collect_rate(scheme_.degree,
                      window.data(),
@@ -481,9 +493,8 @@ double ParticleStep::advance(TileGrid &grid,
   {
     deposit_fields(grid, particles, Deposit::momentum);
     find_velocities(grid, particles);
-    for (Field &field : fields_)
-      field.before.update_copies(grid);
-    collect_rates(grid, particles, false);
+    use_velocities_before(grid);
+    collect_rates(grid, particles);
     strain(grid, particles, step);
     deposit_fields(grid, particles, Deposit::force);
   }
@@ -510,12 +521,11 @@ double ParticleStep::advance(TileGrid &grid,
   {
     deposit_fields(grid, particles, Deposit::momentum);
     find_velocities(grid, particles);
-    for (Field &field : fields_)
-      field.before.update_copies(grid);
+    use_velocities_before(grid);
   }
   if (scheme_.update != StressUpdate::first)
   {
-    collect_rates(grid, particles, scheme_.update == StressUpdate::last);
+    collect_rates(grid, particles);
     strain(grid, particles, step);
   }
   particles.for_each_block([](unsigned int, ParticleBlock &block) {

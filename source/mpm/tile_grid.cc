@@ -225,10 +225,10 @@ void TileGrid::number_tiles(const std::vector<TileId> &needed)
     tiles_with_nodes_.push_back(ghost.second);
   }
   // deal.II cannot share out nothing to several ranks.
-  partitioner_ =
-    total == 0 ? std::make_shared<dealii::Utilities::MPI::Partitioner>()
-               : std::make_shared<dealii::Utilities::MPI::Partitioner>(
-                   own_nodes, ghost_nodes, communicator_);
+  partitioner_ = total == 0
+                   ? std::make_shared<dealii::Utilities::MPI::Partitioner>()
+                   : std::make_shared<dealii::Utilities::MPI::Partitioner>(
+                       own_nodes, ghost_nodes, communicator_);
 }
 
 

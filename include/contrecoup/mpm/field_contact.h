@@ -63,11 +63,10 @@ public:
   /**
    * Changes velocities of own nodes.
    * @param velocities by field, three components from @p first on
-   * @return kinetic energy that friction and impacts took, this rank [J]
    */
-  double apply(const std::vector<NodeValues *> &velocities,
-               const unsigned int first,
-               const std::size_t n_own_nodes) const;
+  void apply(const std::vector<NodeValues *> &velocities,
+             const unsigned int first,
+             const std::size_t n_own_nodes) const;
 
 private:
   /// Two fields that may meet.
@@ -81,11 +80,11 @@ private:
   void find_gradients(const TileGrid &grid, Particles &particles);
   void find_normals(const TileGrid &grid, Pair &pair) const;
   void find_gap(const TileGrid &grid, Particles &particles, Pair &pair) const;
-  double push(const Pair &pair,
-              const std::uint32_t node,
-              NodeValues &a,
-              NodeValues &b,
-              const unsigned int first) const;
+  void push(const Pair &pair,
+            const std::uint32_t node,
+            NodeValues &a,
+            NodeValues &b,
+            const unsigned int first) const;
 
   unsigned int degree_;
   std::vector<unsigned int> field_of_material_;

@@ -138,18 +138,16 @@ private:
   void find_velocities(const TileGrid &grid, Particles &particles);
   void accelerate(const TileGrid &grid, Particles &particles);
   void set_motion(const TileGrid &grid, const double step);
-  /// Lets velocities of fields push each other, and books the loss.
-  void touch(const TileGrid &grid,
-             NodeValues Field::*values,
-             const unsigned int first);
+  /// Lets the velocities after the step of fields push each other.
+  void touch(const TileGrid &grid);
+  /// Takes those before the step as those after it, with such pushes.
+  void use_velocities_before(const TileGrid &grid);
   void collect(const TileGrid &grid, Particles &particles, const double step);
   double largest_strain_rate(const Particles &particles,
                              const MPI_Comm communicator) const;
   void
   move_particles(const TileGrid &grid, Particles &particles, const double step);
-  void collect_rates(const TileGrid &grid,
-                     Particles &particles,
-                     const bool after_step) const;
+  void collect_rates(const TileGrid &grid, Particles &particles) const;
   void
   strain(const TileGrid &grid, Particles &particles, const double step) const;
   [[noreturn]] void give_up(const Particles &particles,
@@ -161,6 +159,7 @@ private:
   std::vector<Field> fields_;
   FieldContact contact_;
   EnergyLedger ledger_;
+  double step_contact_loss_ = 0.; ///< of the last motion, this rank [J]
   unsigned int n_retries_ = 0;
 };
 } // namespace contrecoup::mpm
