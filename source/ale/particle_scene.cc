@@ -217,9 +217,11 @@ void ParticleScene::reinit(const MeshDescription &mesh,
   make_box(mesh, regions.largest_components().norm(), end_time);
   make_materials(regions);
   make_source(mesh, regions);
-  planes_.clear();
+  walls_.clear();
   for (const ContactPlane &plane : planes.planes())
-    planes_.push_back({plane.name, plane.point, plane.normal, plane.friction});
+    walls_.push_back({plane.name, plane.point, plane.normal, plane.friction});
+  if (const double radius = mesh.sphere_radius(); radius > 0.)
+    walls_.push_back({"sphere", {}, {}, 0., radius, true});
 }
 
 

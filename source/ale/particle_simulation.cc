@@ -94,7 +94,7 @@ void ParticleSimulation::build_grid()
   particles_ = mpm::Particles(scene_.materials().size());
   step_ = std::make_unique<mpm::ParticleStep>(
     scene_.scheme(), scene_.materials(), scene_.field_contact());
-  contact_ = mpm::WallContact(scene_.planes());
+  contact_ = mpm::WallContact(scene_.walls());
 }
 
 

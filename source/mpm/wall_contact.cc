@@ -84,77 +84,174 @@ namespace
     }
   };
 
-  /// Adds a piece of the surface to a particle: its area, and area times way.
-  void
-  add_piece(const Nearest &at, const dealii::Point<3> &place, const double area)
+  /// Adds a piece of the surface to the particle that is nearest to it.
+  void add_piece(const dealii::Point<3> &place,
+                 const dealii::Point<3> &inside,
+                 const double area,
+                 const TileGrid &grid,
+                 Particles &particles)
   {
-    ParticleBlock &block = *at.block;
-    block[column::area][at.particle] += area;
+    const auto cell = grid.cell_at(inside);
+    if (!grid.is_inside(cell))
+      return;
+    const auto tile = particles.tiles().find(grid.tile_of(cell));
+    if (tile == particles.tiles().end())
+      return;
+    Nearest nearest;
+    nearest.look(tile->second, place);
+    if (nearest.block == nullptr)
+      return;
+    ParticleBlock &block = *nearest.block;
+    block[column::area][nearest.particle] += area;
     for (unsigned int d = 0; d < 3; ++d)
-      block[column::surface + d][at.particle] +=
-        area * (place[d] - block[column::position + d][at.particle]);
+      block[column::surface + d][nearest.particle] +=
+        area * (place[d] - block[column::position + d][nearest.particle]);
+  }
+
+  double spacing_of(const ParticleSource &source, const GridBox &box)
+  {
+    return box.cell_size /
+           std::max(
+             {source.per_cell[0], source.per_cell[1], source.per_cell[2]});
   }
 } // namespace
+
+
+void WallContact::find_at_plane(const RigidWall &wall,
+                                const ParticleSource &source,
+                                const TileGrid &grid,
+                                Particles &particles) const
+{
+  const GridBox &box = grid.box();
+  const double spacing = spacing_of(source, box);
+  const double width = spacing / lines_per_spacing;
+  const auto first = across(wall.normal);
+  const auto second = dealii::cross_product_3d(wall.normal, first);
+  const auto range = extent(box, wall.point, wall.normal),
+             range_1 = extent(box, wall.point, first),
+             range_2 = extent(box, wall.point, second);
+  for (double b = range_2.first + 0.5 * width; b < range_2.second; b += width)
+    for (double a = range_1.first + 0.5 * width; a < range_1.second; a += width)
+    {
+      const auto at = [&](const double height) {
+        return wall.point + a * first + b * second + height * wall.normal;
+      };
+      double height = range.first, step = 0.5 * spacing;
+      while (height < range.second && !is_matter(source, grid, at(height)))
+        height += step;
+      if (height >= range.second)
+        continue;
+      for (unsigned int i = 0; i < 30; ++i)
+      {
+        step *= 0.5;
+        height += is_matter(source, grid, at(height)) ? -step : step;
+      }
+      if (height < -1e-6 * box.cell_size)
+        throw InputError("Plane " + wall.name +
+                         ": it cuts the matter at the start, which reaches " +
+                         brief(-height) +
+                         " m behind it; move Point, or turn Normal to the "
+                         "side of the matter");
+      add_piece(at(height),
+                at(height + 1e-3 * spacing),
+                width * width,
+                grid,
+                particles);
+    }
+}
+
+
+void WallContact::find_at_sphere(const RigidWall &wall,
+                                 const ParticleSource &source,
+                                 const TileGrid &grid,
+                                 Particles &particles) const
+{
+  const double spacing = spacing_of(source, grid.box());
+  const double width = spacing / lines_per_spacing;
+  const double pi = dealii::numbers::PI;
+  const unsigned int n_rings = std::ceil(pi * wall.radius / width);
+  for (unsigned int i = 0; i < n_rings; ++i)
+  {
+    const double lower = std::cos(pi * (i + 1) / n_rings),
+                 upper = std::cos(pi * i / n_rings);
+    const double height = 0.5 * (lower + upper);
+    const double ring = std::sqrt(1. - height * height);
+    const unsigned int n =
+      4 * std::max(1., std::ceil(0.5 * pi * ring * wall.radius / width));
+    for (unsigned int j = 0; j < n; ++j)
+    {
+      const double angle = 2. * pi * (j + 0.5) / n;
+      const dealii::Tensor<1, 3> direction(
+        {ring * std::cos(angle), ring * std::sin(angle), height});
+      add_piece(wall.point + wall.radius * direction,
+                wall.point + (wall.radius - 0.25 * spacing) * direction,
+                2. * pi / n * (upper - lower) * wall.radius * wall.radius,
+                grid,
+                particles);
+    }
+  }
+}
 
 
 void WallContact::find_surface(const ParticleSource &source,
                                const TileGrid &grid,
                                Particles &particles) const
 {
-  const GridBox &box = grid.box();
-  const double spacing =
-    box.cell_size /
-    std::max({source.per_cell[0], source.per_cell[1], source.per_cell[2]});
-  const double width = spacing / lines_per_spacing;
-  for (const RigidPlane &plane : planes_)
-  {
-    const auto first = across(plane.normal);
-    const auto second = dealii::cross_product_3d(plane.normal, first);
-    const auto range = extent(box, plane.point, plane.normal),
-               range_1 = extent(box, plane.point, first),
-               range_2 = extent(box, plane.point, second);
-    for (double b = range_2.first + 0.5 * width; b < range_2.second; b += width)
-      for (double a = range_1.first + 0.5 * width; a < range_1.second;
-           a += width)
-      {
-        const auto at = [&](const double height) {
-          return plane.point + a * first + b * second + height * plane.normal;
-        };
-        double height = range.first, step = 0.5 * spacing;
-        while (height < range.second && !is_matter(source, grid, at(height)))
-          height += step;
-        if (height >= range.second)
-          continue;
-        for (unsigned int i = 0; i < 30; ++i)
-        {
-          step *= 0.5;
-          height += is_matter(source, grid, at(height)) ? -step : step;
-        }
-        if (height < -1e-6 * box.cell_size)
-          throw InputError("Plane " + plane.name +
-                           ": it cuts the matter at the start, which reaches " +
-                           brief(-height) +
-                           " m behind it; move Point, or turn Normal to the "
-                           "side of the matter");
-        const auto inside = at(height + 1e-3 * spacing);
-        const auto cell = grid.cell_at(inside);
-        if (!grid.is_inside(cell))
-          continue;
-        const auto tile = particles.tiles().find(grid.tile_of(cell));
-        if (tile == particles.tiles().end())
-          continue;
-        Nearest nearest;
-        nearest.look(tile->second, at(height));
-        if (nearest.block != nullptr)
-          add_piece(nearest, at(height), width * width);
-      }
-  }
-  particles.for_each_block([](unsigned int, ParticleBlock &block) {
+  for (const RigidWall &wall : walls_)
+    if (wall.radius > 0.)
+      find_at_sphere(wall, source, grid, particles);
+    else
+      find_at_plane(wall, source, grid, particles);
+  particles.for_each_block([&](unsigned int, ParticleBlock &block) {
     for (std::size_t p = 0; p < block.size(); ++p)
       if (const double area = block[column::area][p]; area > 0.)
+      {
+        dealii::Point<3> place;
         for (unsigned int d = 0; d < 3; ++d)
-          block[column::surface + d][p] /= area;
+          place[d] = block[column::position + d][p] +
+                     (block[column::surface + d][p] /= area);
+        // The mean of a piece of a sphere is not on it.
+        for (const RigidWall &wall : walls_)
+          if (wall.holds)
+            for (unsigned int d = 0; d < 3; ++d)
+              block[column::surface + d][p] +=
+                wall.depth(place) * wall.normal_at(place)[d];
+      }
   });
+}
+
+
+void WallContact::push(const RigidWall &wall,
+                       const double stiffness,
+                       const std::size_t particle,
+                       ParticleBlock &particles)
+{
+  dealii::Point<3> place;
+  dealii::Tensor<1, 3> velocity;
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    place[d] = particles[column::position + d][particle] +
+               particles[column::surface + d][particle];
+    for (unsigned int e = 0; e < 3; ++e)
+      place[d] += particles[column::gradient + 3 * d + e][particle] *
+                  particles[column::surface + e][particle];
+    velocity[d] = particles[column::velocity + d][particle];
+  }
+  const double depth = wall.depth(place);
+  if (!(depth > 0. || wall.holds))
+    return;
+  const double area = particles[column::area][particle];
+  const double press = stiffness * depth * area;
+  const auto normal = wall.normal_at(place);
+  const auto along = velocity - (velocity * normal) * normal;
+  // Rest is not turned into motion the other way.
+  constexpr double slowest = 1e-6;
+  const auto force = press * normal - wall.friction * press /
+                                        std::max(along.norm(), slowest) * along;
+  for (unsigned int d = 0; d < 3; ++d)
+    particles[column::force + d][particle] += force[d];
+  measures_.force += press;
+  measures_.area += area;
 }
 
 
@@ -169,38 +266,8 @@ void WallContact::add_forces(const ParticleMaterial &material,
   const double stiffness =
     material.density() * speed * speed / (thickness_ * cell_size);
   for (std::size_t p = 0; p < particles.size(); ++p)
-  {
-    const double area = particles[column::area][p];
-    if (!(area > 0.))
-      continue;
-    dealii::Point<3> place;
-    dealii::Tensor<1, 3> velocity;
-    for (unsigned int d = 0; d < 3; ++d)
-    {
-      place[d] =
-        particles[column::position + d][p] + particles[column::surface + d][p];
-      for (unsigned int e = 0; e < 3; ++e)
-        place[d] += particles[column::gradient + 3 * d + e][p] *
-                    particles[column::surface + e][p];
-      velocity[d] = particles[column::velocity + d][p];
-    }
-    for (const RigidPlane &plane : planes_)
-    {
-      const double depth = (plane.point - place) * plane.normal;
-      if (!(depth > 0.))
-        continue;
-      const double press = stiffness * depth * area;
-      auto along = velocity - (velocity * plane.normal) * plane.normal;
-      // Rest is not turned into motion the other way.
-      const double slowest = 1e-3 * speed * depth / cell_size + 1e-12;
-      const auto force =
-        press * plane.normal -
-        plane.friction * press / std::max(along.norm(), slowest) * along;
-      for (unsigned int d = 0; d < 3; ++d)
-        particles[column::force + d][p] += force[d];
-      measures_.force += press;
-      measures_.area += area;
-    }
-  }
+    if (particles[column::area][p] > 0.)
+      for (const RigidWall &wall : walls_)
+        push(wall, stiffness, p, particles);
 }
 } // namespace contrecoup::mpm

@@ -76,6 +76,12 @@ public:
   /// @throws InputError for walls that move
   std::array<bool, 6> sides_at_rest() const;
 
+  /// Of the rigid sphere around a half ball; 0: there is none [m].
+  double sphere_radius() const
+  {
+    return kind_ == "half ball" && walls_.count(0) == 1 ? radius_ : 0.;
+  }
+
   /// How many cells create() makes.
   double n_cells() const;
 

@@ -53,9 +53,10 @@ public:
   {
     return source_;
   }
-  const std::vector<mpm::RigidPlane> &planes() const
+  /// Planes, and the sphere around a half ball.
+  const std::vector<mpm::RigidWall> &walls() const
   {
-    return planes_;
+    return walls_;
   }
   /// Of the velocity fields of the materials.
   mpm::FieldContact field_contact() const;
@@ -84,6 +85,6 @@ private:
   mpm::GridBox box_;
   std::vector<mpm::ParticleMaterial> materials_;
   mpm::ParticleSource source_;
-  std::vector<mpm::RigidPlane> planes_;
+  std::vector<mpm::RigidWall> walls_;
 };
 } // namespace contrecoup::ale

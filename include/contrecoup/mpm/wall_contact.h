@@ -16,16 +16,31 @@
 
 namespace contrecoup::mpm
 {
-/// A rigid plane at rest.
-struct RigidPlane
+/// A rigid plane at rest, or the inside of a rigid sphere at rest.
+struct RigidWall
 {
   std::string name;
-  dealii::Point<3> point;
+  dealii::Point<3> point;      ///< of the plane, or the sphere's centre
   dealii::Tensor<1, 3> normal; ///< of length 1, into the side of the matter
   double friction = 0.;        ///< Coulomb's coefficient [-]
+  double radius = 0.;          ///< of the sphere; 0: it is a plane [m]
+  bool holds = false;          ///< whether it pulls matter back, too
+
+  /// How far a place is behind the wall [m].
+  double depth(const dealii::Point<3> &place) const
+  {
+    return radius > 0. ? place.distance(point) - radius
+                       : (point - place) * normal;
+  }
+
+  /// Into the side of the matter, at a place.
+  dealii::Tensor<1, 3> normal_at(const dealii::Point<3> &place) const
+  {
+    return radius > 0. ? (point - place) / point.distance(place) : normal;
+  }
 };
 
-/// What planes do, this rank's part.
+/// What walls do, this rank's part.
 struct WallMeasures
 {
   double force = 0.; ///< along the normals [N]
@@ -33,8 +48,8 @@ struct WallMeasures
 };
 
 /**
- * Rigid planes that press on the pieces of the body's surface which have come
- * behind them: by a stiffness times the depth, so that the gap between a plane
+ * Rigid walls that press on the pieces of the body's surface which have come
+ * behind them: by a stiffness times the depth, so that the gap between a wall
  * and the body is that of their surfaces, not that of the splines of the grid,
  * and its energy comes back. The stiffness is that of a layer of the particle's
  * own material, a part of a cell thick. Every particle next to the surface
@@ -44,24 +59,25 @@ class WallContact
 {
 public:
   /// @param thickness of the layer over the cell size [-]
-  explicit WallContact(const std::vector<RigidPlane> &planes = {},
+  explicit WallContact(const std::vector<RigidWall> &walls = {},
                        const double thickness = 0.5)
-    : planes_(planes)
+    : walls_(walls)
     , thickness_(thickness)
   {}
 
   bool empty() const
   {
-    return planes_.empty();
+    return walls_.empty();
   }
-  const std::vector<RigidPlane> &planes() const
+  const std::vector<RigidWall> &walls() const
   {
-    return planes_;
+    return walls_;
   }
 
   /**
    * Gives pieces of the surface to the particles: parallel lines from the
-   * planes hit the body, and each hit belongs to the nearest particle. Call
+   * planes hit the body, spheres are full of it; each piece belongs to the
+   * nearest particle. Call
    * once, after seeding.
    * @throws InputError for a plane that cuts the body. Collective.
    */
@@ -87,7 +103,20 @@ public:
   }
 
 private:
-  std::vector<RigidPlane> planes_;
+  void find_at_plane(const RigidWall &wall,
+                     const ParticleSource &source,
+                     const TileGrid &grid,
+                     Particles &particles) const;
+  void find_at_sphere(const RigidWall &wall,
+                      const ParticleSource &source,
+                      const TileGrid &grid,
+                      Particles &particles) const;
+  void push(const RigidWall &wall,
+            const double stiffness,
+            const std::size_t particle,
+            ParticleBlock &particles);
+
+  std::vector<RigidWall> walls_;
   double thickness_;
   WallMeasures measures_;
 };
