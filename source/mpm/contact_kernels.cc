@@ -10,7 +10,7 @@ namespace contrecoup::mpm
 {
 namespace
 {
-  constexpr unsigned int size = TileGrid::window_size;
+  constexpr unsigned int size = window_stride;
   constexpr int edge = TileGrid::window_edge;
 
   SplineWeights weights(const unsigned int degree, const double place)

@@ -14,7 +14,7 @@ namespace contrecoup::mpm
 {
 namespace
 {
-  constexpr unsigned int size = TileGrid::window_size;
+  constexpr unsigned int size = window_stride;
 
   /// Part of the mass at a node from which on a field counts there.
   constexpr double least_part = 1e-8;

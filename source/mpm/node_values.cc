@@ -117,7 +117,7 @@ void read_window(const TileGrid::Source &source,
   for (unsigned int c = 0; c < parities.size(); ++c)
   {
     const double *const from = values[first + c].data();
-    double *const to = window + TileGrid::window_size * c;
+    double *const to = window + window_stride * c;
     for (unsigned int i = 0; i < TileGrid::window_size; ++i)
       to[i] = source.nodes[i] == TileGrid::no_node ? 0. : from[source.nodes[i]];
     if (!source.mirrored.empty())
@@ -136,7 +136,7 @@ void add_window(const TileGrid::Source &source,
   for (unsigned int c = 0; c < parities.size(); ++c)
   {
     double *const to = values[first + c].data();
-    const double *const from = window + TileGrid::window_size * c;
+    const double *const from = window + window_stride * c;
     const bool has_mirror = !source.mirrored.empty();
     for (unsigned int i = 0; i < TileGrid::window_size; ++i)
       if (source.nodes[i] != TileGrid::no_node)

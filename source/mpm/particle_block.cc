@@ -9,8 +9,11 @@ namespace contrecoup::mpm
 {
 void ParticleBlock::grow()
 {
-  const std::size_t capacity =
-    std::max<std::size_t>(4 * padding, 2 * capacity_);
+  // An odd multiple: columns whose distance is a power of two would compete for
+  // the same places of the cache.
+  const std::size_t capacity = std::max<std::size_t>(
+    5 * padding,
+    (capacity_ + capacity_ / 2) / (2 * padding) * 2 * padding + padding);
   dealii::AlignedVector<double> values(column::n_columns * capacity);
   values.fill(0.);
   for (unsigned int c = 0; c < column::n_columns; ++c)

@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/timers.h>
+#include <contrecoup/mpm/particle_motion.h>
 #include <contrecoup/mpm/particle_step.h>
 
 #include <deal.II/base/mpi.h>
@@ -14,7 +15,7 @@ namespace contrecoup::mpm
 {
 namespace
 {
-  constexpr unsigned int size = TileGrid::window_size;
+  constexpr unsigned int size = window_stride;
 
   const std::vector<Parity> one_vector{1, 2, 4};
 
@@ -214,6 +215,8 @@ void ParticleStep::apply_series(const TileGrid &grid,
                                 Field &field,
                                 NodeValues &values) const
 {
+  if (scheme_.series_order == 1)
+    return;
   const TimerScope timer("mass series");
   NodeValues rest(3), product(3);
   rest.clear(grid);
@@ -314,12 +317,11 @@ void ParticleStep::set_motion(const TileGrid &grid, const double step)
       {
         const double before = field.before[d][n],
                      after = field.motion[3 + d][n];
-        const double change = (after - before) / step,
-                     mean = 0.5 * (before + after);
+        const double change = (after - before) / step;
         field.motion[d][n] = change;
-        field.motion[6 + d][n] = mean;
-        step_contact_loss_ -= step * field.matter[0][n] *
-                              (change - field.acceleration[d][n]) * mean;
+        step_contact_loss_ -= 0.5 * step * field.matter[0][n] *
+                              (change - field.acceleration[d][n]) *
+                              (before + after);
       }
     field.motion.update_copies(grid);
   }
@@ -331,42 +333,24 @@ void ParticleStep::collect(const TileGrid &grid,
                            const double step)
 {
   const TimerScope timer("grid to particles");
-  Window window(9 * size);
-  const std::vector<Parity> parities{1, 2, 4, 1, 2, 4, 1, 2, 4};
+  Window window(6 * size);
+  const std::vector<Parity> parities{1, 2, 4, 1, 2, 4};
   for (const Field &field : fields_)
     for (const Tile &tile : tiles(grid, particles))
     {
       read_window(*tile.first, field.motion, 0, parities, window.data());
-      for (const unsigned int m : field.materials)
-      {
-        ParticleBlock &block = (*tile.second)[m];
-        const WindowPlace where = place(grid, *tile.first);
-        collect_motion(scheme_.degree, step, window.data(), where, block);
-        if (scheme_.transfer == Transfer::affine)
+      const WindowPlace where = place(grid, *tile.first);
+      if (scheme_.transfer == Transfer::affine)
+        for (const unsigned int m : field.materials)
           collect_affine(
-            scheme_.degree, window.data() + 3 * size, where, block);
-      }
+            scheme_.degree, window.data() + 3 * size, where, (*tile.second)[m]);
+      // From here on the mean velocity.
+      for (unsigned int i = 0; i < 3 * size; ++i)
+        window[3 * size + i] -= 0.5 * step * window[i];
+      for (const unsigned int m : field.materials)
+        collect_motion(
+          scheme_.degree, step, window.data(), where, (*tile.second)[m]);
     }
-}
-
-
-double ParticleStep::largest_strain_rate(const Particles &particles,
-                                         const MPI_Comm communicator) const
-{
-  double largest = 0.;
-  particles.for_each_block([&](unsigned int, const ParticleBlock &block) {
-    for (unsigned int k = 0; k < 9; ++k)
-      for (std::size_t p = 0; p < block.size(); ++p)
-      {
-        const double rate = std::abs(block[column::mean_rate + k][p]);
-        // A comparison that NaN fails.
-        if (!(rate <= largest))
-          largest = std::isfinite(rate)
-                      ? rate
-                      : std::numeric_limits<double>::infinity();
-      }
-  });
-  return dealii::Utilities::MPI::max(largest, communicator);
 }
 
 
@@ -374,41 +358,21 @@ void ParticleStep::move_particles(const TileGrid &grid,
                                   Particles &particles,
                                   const double step)
 {
-  double work = 0., kinetic = 0.;
-  const bool keeps = scheme_.transfer == Transfer::flip;
+  double kinetic = 0.;
   particles.for_each_block([&](const unsigned int m, ParticleBlock &block) {
-    for (std::size_t p = 0; p < block.size(); ++p)
-    {
-      const double mass = block[column::mass][p];
-      for (unsigned int d = 0; d < 3; ++d)
-      {
-        const double change = block[column::change + d][p],
-                     way = block[column::way + d][p];
-        double &velocity = block[column::velocity + d][p];
-        const double after = keeps ? velocity + change : way / step;
-        work += block[column::force + d][p] * (way - 0.5 * step * change);
-        kinetic += 0.5 * mass * (after - velocity) * (after + velocity);
-        velocity = after;
-      }
-      constexpr unsigned int entry[9] = {0, 3, 5, 3, 1, 4, 5, 4, 2};
-      double power = 0.;
-      for (unsigned int k = 0; k < 9; ++k)
-        power +=
-          block[column::stress + entry[k]][p] * block[column::mean_rate + k][p];
-      if (materials_[m].is_smoothed)
-        power -=
-          (1. + block[column::dilatation][p]) * block[column::smoothed][p] *
-          (block[column::mean_rate][p] + block[column::mean_rate + 4][p] +
-           block[column::mean_rate + 8][p]);
-      block[column::energy][p] += step * block[column::volume][p] * power;
-    }
+    const MotionGains gains = gain_motion(step,
+                                          scheme_.transfer == Transfer::flip,
+                                          materials_[m].is_smoothed,
+                                          block);
+    ledger_.external_work += gains.work;
+    kinetic += gains.kinetic;
   });
   double gained = 0.;
   for (const Field &field : fields_)
     for (unsigned int d = 0; d < 3; ++d)
       for (std::size_t n = 0; n < grid.n_own_nodes(); ++n)
-        gained += step * field.matter[4 + d][n] * field.motion[6 + d][n];
-  ledger_.external_work += work;
+        gained += step * field.matter[4 + d][n] *
+                  (field.motion[3 + d][n] - 0.5 * step * field.motion[d][n]);
   ledger_.contact_loss += step_contact_loss_;
   ledger_.transfer_loss += gained - step_contact_loss_ - kinetic;
 }
@@ -443,40 +407,6 @@ void ParticleStep::strain(const TileGrid &grid,
     strain_particles(materials_[m], step, grid.box().cell_size, block);
   });
   smooth(grid, particles, true);
-}
-
-
-void ParticleStep::give_up(const Particles &particles,
-                           const double step,
-                           const MPI_Comm communicator) const
-{
-  namespace mpi = dealii::Utilities::MPI;
-  const double largest = largest_strain_rate(particles, communicator);
-  std::string place;
-  particles.for_each_block(
-    [&](const unsigned int m, const ParticleBlock &block) {
-      for (std::size_t p = 0; p < block.size() && place.empty(); ++p)
-        for (unsigned int k = 0; k < 9; ++k)
-          if (!(std::abs(block[column::mean_rate + k][p]) < largest))
-          {
-            place = "a particle of " + materials_[m].name + " at (" +
-                    std::to_string(block[column::position][p]) + ", " +
-                    std::to_string(block[column::position + 1][p]) + ", " +
-                    std::to_string(block[column::position + 2][p]) +
-                    ") m with density " +
-                    std::to_string(materials_[m].density() /
-                                   (1. + block[column::dilatation][p])) +
-                    " kg/m^3";
-            break;
-          }
-    });
-  const auto all = mpi::all_gather(communicator, place);
-  const auto found = std::find_if(
-    all.begin(), all.end(), [](const auto &one) { return !one.empty(); });
-  throw NumericsError(
-    (found == all.end() ? std::string("a particle") : *found) +
-    " would be strained by more than " + std::to_string(largest_strain) +
-    " in a step, even in one of " + std::to_string(step) + " s");
 }
 
 
@@ -528,59 +458,9 @@ double ParticleStep::advance(TileGrid &grid,
     collect_rates(grid, particles);
     strain(grid, particles, step);
   }
-  particles.for_each_block([](unsigned int, ParticleBlock &block) {
-    for (unsigned int d = 0; d < 3; ++d)
-      for (std::size_t p = 0; p < block.size(); ++p)
-        block[column::position + d][p] += block[column::way + d][p];
-  });
+  particles.for_each_block(
+    [](unsigned int, ParticleBlock &block) { advance_positions(block); });
   particles.sort(grid);
   return step;
-}
-
-
-ParticleTotals ParticleStep::totals(const TileGrid &grid,
-                                    const Particles &particles) const
-{
-  std::vector<double> sums(7, 0.);
-  particles.for_each_block(
-    [&](const unsigned int m, const ParticleBlock &block) {
-      for (std::size_t p = 0; p < block.size(); ++p)
-      {
-        const double mass = block[column::mass][p];
-        sums[0] += mass;
-        for (unsigned int d = 0; d < 3; ++d)
-        {
-          const double velocity = block[column::velocity + d][p];
-          sums[1 + d] += mass * velocity;
-          sums[4] += 0.5 * mass * velocity * velocity;
-        }
-        sums[5] += block[column::energy][p];
-      }
-      sums[6] += mpm::stored_energy(materials_[m], block);
-    });
-  dealii::Utilities::MPI::sum(sums, grid.communicator(), sums);
-  return {sums[0], {{sums[1], sums[2], sums[3]}}, sums[4], sums[5], sums[6]};
-}
-
-
-double ParticleStep::signal_time(const TileGrid &grid,
-                                 const Particles &particles) const
-{
-  double speed = 0.;
-  particles.for_each_block(
-    [&](const unsigned int m, const ParticleBlock &block) {
-      double fastest = 0.;
-      for (std::size_t p = 0; p < block.size(); ++p)
-      {
-        double square = 0.;
-        for (unsigned int d = 0; d < 3; ++d)
-          square += std::pow(block[column::velocity + d][p], 2);
-        fastest = std::max(fastest, square);
-      }
-      speed = std::max(
-        speed, std::sqrt(fastest) + largest_sound_speed(materials_[m], block));
-    });
-  speed = dealii::Utilities::MPI::max(speed, grid.communicator());
-  return grid.box().cell_size / std::max(speed, 1e-300);
 }
 } // namespace contrecoup::mpm

@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/text.h>
+#include <contrecoup/mpm/particle_motion.h>
 #include <contrecoup/mpm/particles.h>
 
 #include <deal.II/base/mpi.h>
@@ -67,6 +68,17 @@ void Particles::take_out(const TileGrid &grid,
                          std::vector<Moved> &moved)
 {
   ParticleBlock &particles = tiles_[tile][material];
+  const std::array<int, 3> first = grid.origin(tile);
+  std::array<int, 3> end;
+  for (unsigned int d = 0; d < 3; ++d)
+    end[d] =
+      std::min<int>(first[d] + TileGrid::tile_edge, grid.box().n_cells[d]);
+  if (are_inside(particles,
+                 &grid.box().lower[0],
+                 grid.box().cell_size,
+                 first.data(),
+                 end.data()))
+    return;
   for (std::size_t p = particles.size(); p-- > 0;)
   {
     dealii::Point<3> place;

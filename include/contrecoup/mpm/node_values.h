@@ -55,6 +55,10 @@ private:
   std::vector<dealii::AlignedVector<double>> values_;
 };
 
+/// From one component of a window to the next: more than it has nodes, since
+/// processors confuse stores and loads at equal places in pages of 4 KiB.
+constexpr unsigned int window_stride = TileGrid::window_size + 8;
+
 /// Numbers at the nodes of a tile's window: component by component, x fastest.
 using Window = dealii::AlignedVector<double>;
 

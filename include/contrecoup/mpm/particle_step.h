@@ -108,7 +108,7 @@ private:
   struct Field
   {
     NodeValues matter{7}; ///< mass, momentum, force
-    NodeValues motion{9}; ///< acceleration, velocity after, mean velocity
+    NodeValues motion{6}; ///< acceleration, velocity after the step
     NodeValues before{3}; ///< velocity before the step
     NodeValues acceleration{3};
     std::vector<unsigned int> materials;

@@ -5,7 +5,7 @@
 
 #include <contrecoup/base/lanes.h>
 
-#include <algorithm>
+#include <array>
 
 namespace contrecoup::mpm
 {
@@ -42,17 +42,23 @@ public:
       parts_[i].store(values + width * i);
   }
 
+  friend DEAL_II_ALWAYS_INLINE Row operator*(const Row &a, const Row &b)
+  {
+    Row row;
+    for (unsigned int i = 0; i < n_parts; ++i)
+      row.parts_[i] = a.parts_[i] * b.parts_[i];
+    return row;
+  }
+  friend DEAL_II_ALWAYS_INLINE Row operator*(const Row &a, const double factor)
+  {
+    return a * Row(factor);
+  }
+
   /// Adds factor * other.
   DEAL_II_ALWAYS_INLINE void add(const Row &other, const double factor)
   {
     for (unsigned int i = 0; i < n_parts; ++i)
       parts_[i] += other.parts_[i] * Part(factor);
-  }
-
-  DEAL_II_ALWAYS_INLINE void add(const Row &other, const Row &factor)
-  {
-    for (unsigned int i = 0; i < n_parts; ++i)
-      parts_[i] += other.parts_[i] * factor.parts_[i];
   }
 
   /// The sum of the products with another row.

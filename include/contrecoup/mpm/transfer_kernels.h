@@ -3,15 +3,16 @@
 
 #pragma once
 
+#include <contrecoup/mpm/node_values.h>
 #include <contrecoup/mpm/particle_block.h>
-#include <contrecoup/mpm/tile_grid.h>
 
 #include <array>
 
 /**
  * @file
  * Sums over particles and over nodes, between a block of particles and the
- * window of its tile. Windows are component by component.
+ * window of its tile. Windows are component by component, window_stride
+ * apart.
  */
 
 namespace contrecoup::mpm
@@ -42,9 +43,9 @@ void deposit(const unsigned int degree,
              const WindowPlace &place,
              double *window);
 
-/// Sets column::change to step times the sum of N a, column::way to step times
-/// that of N v, and column::mean_rate to the gradient of the mean velocity.
-/// @param window acceleration, velocity, mean velocity: 9 components
+/// Sets column::change to step times the sum of N a, column::way to step
+/// times that of N v after it, and column::mean_rate to the gradient of the
+/// mean velocity. @param window acceleration, mean velocity: 6 components
 void collect_motion(const unsigned int degree,
                     const double step,
                     const double *window,

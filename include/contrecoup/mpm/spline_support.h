@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/lane_math.h>
+#include <contrecoup/mpm/node_values.h>
+#include <contrecoup/mpm/particle_block.h>
+#include <contrecoup/mpm/row.h>
+#include <contrecoup/mpm/transfer_kernels.h>
+#include <contrecoup/numerics/spline_weights.h>
+
+#include <algorithm>
+
+/**
+ * @file
+ * What the kernels of transfers share: the splines of particles in the window
+ * of their tile.
+ */
+
+namespace contrecoup::mpm
+{
+/// Splines of some particles that follow one another, found side by side.
+template <unsigned int degree>
+class SplineSupports
+{
+public:
+  /// Nodes along an edge of a support.
+  static constexpr unsigned int n = degree + 1;
+  /// Particles at once: no more than a block is padded to.
+  static constexpr std::size_t batch = 8;
+  static_assert(batch <= ParticleBlock::padding);
+
+  /// Those of particles @p begin to @p begin + batch of a block.
+  DEAL_II_ALWAYS_INLINE void reinit(const ParticleBlock &particles,
+                                    const std::size_t begin,
+                                    const WindowPlace &place)
+  {
+    using Lane = Lanes<double>;
+    const double per_cell = 1. / place.cell_size;
+    for (std::size_t p = 0; p < batch; p += n_lanes<double>)
+    {
+      Lane offset(0.);
+      for (int d = 2; d >= 0; --d)
+      {
+        Lane way;
+        way.load(particles[column::position + d] + begin + p);
+        way = (way - place.lower[d]) * per_cell;
+        // Rounded down, and in the tile: round-off may put what is on its sides
+        // outside.
+        constexpr int last = TileGrid::tile_edge - (degree == 2 ? 0 : 1);
+        Lane node(0.);
+        for (int i = 1; i <= last; ++i)
+          node += select_less(
+            way, Lane(i - spline_shift(degree)), Lane(0.), Lane(1.));
+        set_weights(d, p, way - node, per_cell);
+        offset = offset * double(TileGrid::window_edge) +
+                 (node - double(spline_lead(degree) + TileGrid::window_start));
+      }
+      for (unsigned int lane = 0; lane < n_lanes<double>; ++lane)
+        first_[p + lane] = static_cast<std::size_t>(offset[lane]);
+    }
+  }
+
+  /// First node of row j, k of the support of a particle of the batch.
+  DEAL_II_ALWAYS_INLINE std::size_t
+  at(const std::size_t p, const unsigned int j, const unsigned int k) const
+  {
+    return first_[p] + TileGrid::window_edge * (j + TileGrid::window_edge * k);
+  }
+
+  /// Of the four nodes along x.
+  DEAL_II_ALWAYS_INLINE Row x(const std::size_t p) const
+  {
+    return Row::load(row_[p]);
+  }
+  DEAL_II_ALWAYS_INLINE Row slope_x(const std::size_t p) const
+  {
+    return Row::load(slope_row_[p]);
+  }
+
+  DEAL_II_ALWAYS_INLINE double value(const unsigned int direction,
+                                     const unsigned int i,
+                                     const std::size_t p) const
+  {
+    return value_[direction][i][p];
+  }
+  DEAL_II_ALWAYS_INLINE double slope(const unsigned int direction,
+                                     const unsigned int i,
+                                     const std::size_t p) const
+  {
+    return slope_[direction][i][p];
+  }
+
+private:
+  DEAL_II_ALWAYS_INLINE void set_weights(const unsigned int d,
+                                         const std::size_t p,
+                                         const Lanes<double> &fraction,
+                                         const double per_cell)
+  {
+    auto w = spline_weights_at<degree>(fraction);
+    for (auto &slope : w.slope)
+      slope *= per_cell;
+    for (unsigned int i = 0; i < 4; ++i)
+    {
+      w.value[i].store(value_[d][i] + p);
+      w.slope[i].store(slope_[d][i] + p);
+    }
+    if (d > 0)
+      return;
+    std::array<unsigned int, n_lanes<double>> rows;
+    for (unsigned int lane = 0; lane < rows.size(); ++lane)
+      rows[lane] = 4 * (p + lane);
+    dealii::vectorized_transpose_and_store(
+      false, 4, w.value.data(), rows.data(), &row_[0][0]);
+    dealii::vectorized_transpose_and_store(
+      false, 4, w.slope.data(), rows.data(), &slope_row_[0][0]);
+  }
+
+  std::size_t first_[batch];
+  double value_[3][4][batch], slope_[3][4][batch];
+  double row_[batch][4], slope_row_[batch][4];
+};
+
+/**
+ * Calls @p work(splines, number in them, particle) for all particles.
+ * @param supports work memory. The caller has it: gcc 12 takes kernels that
+ *   write into arrays of their own and into the window, whose addresses it
+ *   derives from one another, for functions without effect.
+ */
+template <unsigned int degree, typename Work>
+inline DEAL_II_ALWAYS_INLINE void
+for_each_support(const ParticleBlock &particles,
+                 const WindowPlace &place,
+                 SplineSupports<degree> &supports,
+                 const Work &work)
+{
+  constexpr std::size_t batch = SplineSupports<degree>::batch;
+  for (std::size_t begin = 0; begin < particles.size(); begin += batch)
+  {
+    supports.reinit(particles, begin, place);
+    const std::size_t n = std::min(batch, particles.size() - begin);
+    for (std::size_t p = 0; p < n; ++p)
+      work(supports, p, begin + p);
+  }
+}
+
+/// Calls @p function with work memory of the degree.
+template <typename Function>
+void with_supports(const unsigned int degree, const Function &function)
+{
+  const auto call = [&](auto supports) { function(supports); };
+  if (degree == 1)
+    call(SplineSupports<1>());
+  else if (degree == 2)
+    call(SplineSupports<2>());
+  else
+    call(SplineSupports<3>());
+}
+} // namespace contrecoup::mpm
