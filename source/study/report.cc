@@ -80,10 +80,15 @@ namespace
                              const StudyResult &result)
   {
     std::ostringstream out;
+    const bool has_errors = parameters.error.is_active();
     const std::string rule = begin_table(parameters, out);
     out << " outcome | unknowns | steps | " << cost_title(parameters.cost)
-        << " | " << parameters.error.title() << " | order | best |\n"
-        << rule << "---|---:|---:|---:|---:|---:|:---:|\n";
+        << " |";
+    if (has_errors)
+      out << ' ' << parameters.error.title() << " | order | best |";
+    out << '\n'
+        << rule << "---|---:|---:|---:|"
+        << (has_errors ? "---:|---:|:---:|" : "") << '\n';
     for (const ResultRow &row : result.rows)
     {
       out << '|';
@@ -91,8 +96,11 @@ namespace
         out << ' ' << cell(label) << " |";
       out << ' ' << row.outcome.kind << " | " << told(row.unknowns, 9) << " | "
           << told(row.steps, 9) << " | " << cost_text(parameters.cost, row.cost)
-          << " | " << told(row.error) << " | " << told(row.order) << " | "
-          << (row.on_front ? "*" : "") << " |\n";
+          << " |";
+      if (has_errors)
+        out << ' ' << told(row.error) << " | " << told(row.order) << " | "
+            << (row.on_front ? "*" : "") << " |";
+      out << '\n';
     }
     return out.str();
   }
@@ -169,7 +177,8 @@ std::string to_csv(const StudyParameters &parameters, const StudyResult &result)
                                row.error,
                                row.order})
       out << ',' << csv_number(value);
-    out << ',' << (row.on_front ? "yes" : "no") << ',';
+    const bool has_errors = parameters.error.is_active();
+    out << ',' << (!has_errors ? "" : row.on_front ? "yes" : "no") << ',';
     for (std::size_t i = 0; i < parameters.columns.size(); ++i)
       out << (i < row.columns.size() ? csv_number(row.columns[i]) : "") << ',';
     out << quoted(row.folder) << '\n';

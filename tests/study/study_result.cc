@@ -166,6 +166,20 @@ TEST_F(FinishedStudy, ShowsFurtherNumbersOfRunsAndReference)
   EXPECT_NE(table.find(",7.0625,,\""), std::string::npos) << table;
 }
 
+TEST_F(FinishedStudy, TablesNoErrorsWhereNoneIsMeasured)
+{
+  read({"Error/Kind=none"});
+  const StudyResult result = evaluate(parameters_, tasks_);
+  const std::string text = to_markdown(parameters_, result);
+  EXPECT_NE(
+    text.find(" steps | core seconds |\n|---|---|---|---:|---:|---:|\n"),
+    std::string::npos)
+    << text;
+  for (const std::string word : {"error", "order", "best", "Best"})
+    EXPECT_EQ(text.find(word), std::string::npos) << text;
+  EXPECT_EQ(to_csv(parameters_, result).find(",no,"), std::string::npos);
+}
+
 TEST_F(FinishedStudy, CountsAnErrorThatIsNoNumberAsUnstable)
 {
   read({});
