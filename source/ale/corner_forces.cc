@@ -256,6 +256,40 @@ bool CornerForces::do_work(const dealii::AlignedVector<double> &before,
 }
 
 
+double CornerForces::signal_rate(const AleState &state,
+                                 const std::size_t cell) const
+{
+  const auto x = corners_of(space_->cell(cell), state.position),
+             v = corners_of(space_->cell(cell), state.velocity);
+  const Region &region = regions_[space_->region(cell)];
+  return std::visit(
+    [&](const auto &law) {
+      using Law = std::decay_t<decltype(law)>;
+      if constexpr (std::is_same_v<Law, SolidMaterial>)
+      {
+        MovingSolid<double> element;
+        moving_solid_forces<SolidKinematics::finite_rotation, false>(
+          solid_model<double>(region, 0.),
+          corners_of(space_->cell(cell), undeformed_),
+          x,
+          v,
+          element);
+        return element.signal_rate;
+      }
+      else
+      {
+        FluidElement<double> element;
+        element.mass = state.mass[cell];
+        element.energy = state.energy[cell];
+        element.products = state.products[cell];
+        fluid_forces(law, region.viscosity, x, v, element);
+        return element.signal_rate;
+      }
+    },
+    region.law);
+}
+
+
 CellValues CornerForces::solid_values(const AleState &state,
                                       const std::size_t cell) const
 {

@@ -196,6 +196,8 @@ double LagrangeStep::advance(AleState &state,
   has_forces_ = false;
   const double rate =
     dealii::Utilities::MPI::max(forces_.signal_rate(), space_->communicator());
+  if (!(state.time + courant / rate > state.time))
+    give_up_signals(state, courant / rate);
   Start &start = start_;
   start.take(state);
   ties_.find_normals(start.position, walls_);
@@ -209,7 +211,8 @@ double LagrangeStep::advance(AleState &state,
     has_forces_ = try_step(state, start, step);
     if (has_forces_)
       return step;
-    if (retry == largest_retries || coupling_.has_diverged())
+    if (retry == largest_retries || coupling_.has_diverged() ||
+        !(begin + 0.5 * step > begin))
     {
       const AleState failed = state;
       start.give_back(state);

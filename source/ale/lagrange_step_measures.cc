@@ -4,10 +4,13 @@
 #include <contrecoup/ale/cell_corners.h>
 #include <contrecoup/ale/lagrange_step.h>
 #include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/gather.h>
 #include <contrecoup/base/text.h>
 #include <contrecoup/numerics/hex8_moments.h>
 
 #include <deal.II/base/mpi.h>
+
+#include <cmath>
 
 namespace contrecoup::ale
 {
@@ -15,6 +18,17 @@ namespace
 {
   constexpr unsigned int width = AleState::width;
 
+  /// The text of the first rank that owns what it is about, on all ranks.
+  std::string text_of_owner(const MPI_Comm communicator,
+                            const bool is_owner,
+                            const std::string &text)
+  {
+    const int rank = dealii::Utilities::MPI::this_mpi_process(communicator),
+              n = dealii::Utilities::MPI::n_mpi_processes(communicator);
+    const int owner =
+      dealii::Utilities::MPI::min(is_owner ? rank : n, communicator);
+    return owner == n ? text : broadcast_text(communicator, text, owner);
+  }
 } // namespace
 
 
@@ -111,17 +125,60 @@ void LagrangeStep::give_up(const AleState &state, const double step) const
   }
   const double all = dealii::Utilities::MPI::min(least, space_->communicator());
   std::string text = "the mesh tangles";
-  if (least == all && space_->n_own_cells() > 0)
+  const bool is_here = least == all && space_->n_own_cells() > 0;
+  if (is_here)
   {
     const auto x = corners_of(space_->cell(worst), state.position)[0];
-    text = "cell " + std::to_string(space_->cell_number(worst)) + " near (" +
-           brief(x[0]) + ", " + brief(x[1]) + ", " + brief(x[2]) +
-           ") m would have a volume of " + brief(least) +
-           " m^3 and an energy of " + brief(state.energy[worst]) + " J";
+    text = "cell " + std::to_string(space_->cell_number(worst)) + " of " +
+           forces_.region_name(worst) + " near (" + brief(x[0]) + ", " +
+           brief(x[1]) + ", " + brief(x[2]) + ") m would have a volume of " +
+           brief(least) + " m^3 and an energy of " +
+           brief(state.energy[worst]) + " J";
   }
+  text = text_of_owner(space_->communicator(), is_here, text);
   const std::string coupling = coupling_.problem();
   throw NumericsError("time " + exact(state.time) + " s: with a step of " +
                       brief(step) + " s " +
                       (coupling_.has_diverged() ? coupling : text + coupling));
+}
+
+
+void LagrangeStep::give_up_signals(const AleState &state,
+                                   const double step) const
+{
+  double fastest = 0.;
+  std::size_t worst = 0;
+  for (std::size_t c = 0; c < space_->n_own_cells(); ++c)
+  {
+    const double rate = forces_.signal_rate(state, c);
+    if (!(rate <= fastest))
+    {
+      fastest = std::isnan(rate) ? std::numeric_limits<double>::max() : rate;
+      worst = c;
+    }
+  }
+  const MPI_Comm all = space_->communicator();
+  const bool is_here = fastest == dealii::Utilities::MPI::max(fastest, all) &&
+                       space_->n_own_cells() > 0;
+  std::string text = "no cell";
+  if (is_here)
+  {
+    const CellValues values = forces_.values(state, worst);
+    const auto x = corners_of(space_->cell(worst), state.position)[0];
+    double square = 0.;
+    for (const auto &v : corners_of(space_->cell(worst), state.velocity))
+      square = std::max(square, dot(v, v));
+    text = "cell " + std::to_string(space_->cell_number(worst)) + " of " +
+           forces_.region_name(worst) + " near (" + brief(x[0]) + ", " +
+           brief(x[1]) + ", " + brief(x[2]) + ") m, of " +
+           brief(values.volume) + " m^3, " +
+           brief(values.mass / values.volume) + " kg/m^3, " +
+           brief(values.pressure) + " Pa, corners at up to " +
+           brief(std::sqrt(square)) + " m/s";
+  }
+  throw NumericsError("time " + exact(state.time) + " s: a step of " +
+                      brief(step) + " s, all that signals allow in " +
+                      text_of_owner(all, is_here, text) +
+                      ", is too short to go on");
 }
 } // namespace contrecoup::ale

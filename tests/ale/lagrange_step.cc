@@ -85,3 +85,31 @@ TEST(LagrangeStep, names_the_cell_that_tangles_and_keeps_the_state)
   EXPECT_EQ(slab.state.position[4], x);
   EXPECT_EQ(slab.state.time, 0.);
 }
+
+// A thousandth of an attosecond does not move a clock that shows 1 s.
+TEST(LagrangeStep, names_the_cell_that_signals_cross_too_fast)
+{
+  Slab slab({4, 1, 1}, 1.);
+  slab.fill([](const dealii::Point<3> &) { return SlabGas{1., 1.}; });
+  slab.state.energy[0] = 1e40;
+  slab.state.time = 1.;
+  try
+  {
+    slab.step.advance(slab.state, 1e-3, 0.3);
+    FAIL();
+  }
+  catch (const NumericsError &error)
+  {
+    const std::string text = error.what();
+    const std::string cell =
+      "cell " + std::to_string(slab.space.cell_number(0)) + " of";
+    EXPECT_NE(text.find("time 1 s: a step of "), std::string::npos) << text;
+    if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)
+      EXPECT_NE(text.find(cell), std::string::npos) << text;
+    for (const std::string words : {" m, of 0.01562 m^3, 1 kg/m^3, ",
+                                    " Pa, corners at up to 0 m/s, is "
+                                    "too short to go on"})
+      EXPECT_NE(text.find(words), std::string::npos) << text;
+  }
+  EXPECT_EQ(slab.state.time, 1.);
+}

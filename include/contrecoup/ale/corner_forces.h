@@ -56,6 +56,16 @@ public:
     return signal_rate_;
   }
 
+  /// Inverse of the step that own cell @p cell allows; solids of any kinematics
+  /// as if of finite rotation [1/s].
+  double signal_rate(const AleState &state, const std::size_t cell) const;
+
+  /// The name of the region of own cell @p cell.
+  const std::string &region_name(const std::size_t cell) const
+  {
+    return regions_[space_->region(cell)].name;
+  }
+
   /**
    * Adds the work of the forces to energies. In the first half of a step this
    * is done, and forces are kept for it, only where forces depend on energies.

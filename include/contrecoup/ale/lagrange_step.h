@@ -59,8 +59,9 @@ public:
    * @param is_as_left whether @p state is what the last call left, whose forces
    *   are then still known
    * @return its size [s]
-   * @throws NumericsError, naming the cell, after @p largest_retries, or where
-   *   fluids and solids do not agree; the state is then that before the step
+   * @throws NumericsError, naming the cell, after @p largest_retries, where
+   *   signals are too fast for any step, or where fluids and solids do not
+   *   agree; the state is then that before the step
    */
   double advance(AleState &state,
                  const double largest_step,
@@ -172,6 +173,9 @@ private:
   bool all(const bool good) const;
   void book_contact(const ContactMeasures &now);
   [[noreturn]] void give_up(const AleState &state, const double step) const;
+  /// Names the cell that allows the shortest step.
+  [[noreturn]] void give_up_signals(const AleState &state,
+                                    const double step) const;
 
   const HexSpace *space_ = nullptr;
   SlipWalls walls_;
