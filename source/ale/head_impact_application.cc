@@ -7,6 +7,7 @@
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/base/text.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace contrecoup::ale
@@ -54,6 +55,18 @@ namespace
     return true;
   }
 
+  /// Doubles the size of the cells of a head along its layers; those across
+  /// them stay, for they allow the shortest steps.
+  bool coarsen_head(ParameterHandler &prm, const unsigned int levels)
+  {
+    const auto axes = read_list(prm, "Semi-axes");
+    const double size = std::ldexp(read_double(prm, "Cell size"), levels);
+    if (levels > 0 && size > *std::min_element(axes.begin(), axes.end()))
+      return false;
+    prm.set("Cell size", exact(size));
+    return true;
+  }
+
   /// Halves the cells of a box along each direction, or those of a ball.
   bool coarsen(ParameterHandler &prm, const unsigned int levels)
   {
@@ -68,6 +81,8 @@ namespace
       prm.set("Refinements", static_cast<long int>(refinements - levels));
       return true;
     }
+    if (prm.get("Kind") == "layered head")
+      return coarsen_head(prm, levels);
     if (prm.get("Kind") == "file")
       return levels == 0;
     const double factor = std::pow(2., levels);
