@@ -113,8 +113,9 @@ void FieldContact::find_normals(const TileGrid &grid, Pair &pair) const
     if (!(std::min(a, b) > least_part * (a + b)))
       continue;
     dealii::Tensor<1, 3> normal;
+    // Sums of mass times slope at the particles point out of the matter.
     for (unsigned int d = 0; d < 3; ++d)
-      normal[d] = gradient_b[d][n] / b - gradient_a[d][n] / a;
+      normal[d] = gradient_a[d][n] / a - gradient_b[d][n] / b;
     const double norm = normal.norm();
     for (unsigned int d = 0; d < 3 && norm > 0.; ++d)
       pair.normals[d][n] = normal[d] / norm;
