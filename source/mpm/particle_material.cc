@@ -322,7 +322,10 @@ ParticleValues particle_values(const ParticleMaterial &material,
   ParticleValues result;
   result.density =
     material.density() / (1. + particles[column::dilatation][particle]);
-  result.pressure = particles[column::pressure][particle];
+  // Of smoothed materials, as it acts.
+  result.pressure =
+    particles[material.is_smoothed ? column::smoothed : column::pressure]
+             [particle];
   result.shear_strain = 0.;
   if (material.solid() == nullptr)
     return result;

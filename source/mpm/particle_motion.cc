@@ -76,8 +76,11 @@ namespace
     constexpr unsigned int entry[9] = {0, 3, 5, 3, 1, 4, 5, 4, 2};
     Number power(0.);
     for (unsigned int k = 0; k < 9; ++k)
-      power +=
-        columns[column::stress + entry[k]] * columns[column::mean_rate + k];
+    {
+      const Number rate = columns[column::mean_rate + k];
+      power += columns[column::stress + entry[k]] * rate;
+      work += columns[column::moment + entry[k]] * rate * step;
+    }
     if (is_smoothed)
       power -= (columns[column::dilatation] + 1.) * columns[column::smoothed] *
                (columns[column::mean_rate] + columns[column::mean_rate + 4] +

@@ -55,14 +55,16 @@ namespace
   }
 
   /// Minus the stress times volume of a particle: Kirchhoff's stress times the
-  /// undeformed volume, and the smoothed pressure times the smoothed volume.
+  /// undeformed volume, and the smoothed pressure times the smoothed volume;
+  /// and the moment of the force from outside.
   inline DEAL_II_ALWAYS_INLINE std::array<double, 6>
   minus_stress(const ParticleBlock &particles, const std::size_t p)
   {
     const double volume = particles[column::volume][p];
     std::array<double, 6> result;
     for (unsigned int k = 0; k < 6; ++k)
-      result[k] = -volume * particles[column::stress + k][p];
+      result[k] = particles[column::moment + k][p] -
+                  volume * particles[column::stress + k][p];
     const double pressure = volume * (1. + particles[column::dilatation][p]) *
                             particles[column::smoothed][p];
     for (unsigned int d = 0; d < 3; ++d)

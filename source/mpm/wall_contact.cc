@@ -248,8 +248,19 @@ void WallContact::push(const RigidWall &wall,
   constexpr double slowest = 1e-6;
   const auto force = press * normal - wall.friction * press /
                                         std::max(along.norm(), slowest) * along;
+  // As it acts at the surface, which is not where the particle is.
+  dealii::Tensor<1, 3> arm;
   for (unsigned int d = 0; d < 3; ++d)
+  {
     particles[column::force + d][particle] += force[d];
+    arm[d] = place[d] - particles[column::position + d][particle];
+  }
+  for (unsigned int k = 0; k < 6; ++k)
+  {
+    const unsigned int i = k % 3, j = k < 3 ? i : (i + 1) % 3;
+    particles[column::moment + k][particle] +=
+      0.5 * (force[i] * arm[j] + force[j] * arm[i]);
+  }
   measures_.force += press;
   measures_.area += area;
 }
@@ -265,6 +276,8 @@ void WallContact::add_forces(const ParticleMaterial &material,
                          : largest_sound_speed(material, particles);
   const double stiffness =
     material.density() * speed * speed / (thickness_ * cell_size);
+  for (unsigned int k = 0; k < 6; ++k)
+    std::fill_n(particles[column::moment + k], particles.size(), 0.);
   for (std::size_t p = 0; p < particles.size(); ++p)
     if (particles[column::area][p] > 0.)
       for (const RigidWall &wall : walls_)

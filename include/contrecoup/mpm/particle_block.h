@@ -38,7 +38,8 @@ namespace column
     smoothed = 61,  ///< pressure, then rate of dilatation, after smoothing
     mean_rate = 62, ///< 9, gradient of the mean velocity of the step [1/s]
     force = 71,     ///< 3, from outside [N]
-    n_columns = 74
+    moment = 74,    ///< 6, of this force about the particle [N m]
+    n_columns = 80
   };
 } // namespace column
 
