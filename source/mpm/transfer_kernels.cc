@@ -304,7 +304,7 @@ void deposit_scalar(const ParticleBlock &particles,
                     const WindowPlace &place,
                     double *const window)
 {
-  SplineSupports<1> supports;
+  static thread_local SplineSupports<1> supports;
   for_each_support(particles,
                    place,
                    supports,

@@ -215,7 +215,7 @@ void collect_scalar(const double *const window,
                     const ParticleBlock &particles,
                     double *const value)
 {
-  SplineSupports<1> supports;
+  static thread_local SplineSupports<1> supports;
   for_each_support(particles,
                    place,
                    supports,

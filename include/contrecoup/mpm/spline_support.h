@@ -124,9 +124,7 @@ private:
 
 /**
  * Calls @p work(splines, number in them, particle) for all particles.
- * @param supports work memory. The caller has it: gcc 12 takes kernels that
- *   write into arrays of their own and into the window, whose addresses it
- *   derives from one another, for functions without effect.
+ * @param supports work memory
  */
 template <unsigned int degree, typename Work>
 inline DEAL_II_ALWAYS_INLINE void
@@ -145,16 +143,23 @@ for_each_support(const ParticleBlock &particles,
   }
 }
 
-/// Calls @p function with work memory of the degree.
+/**
+ * Calls @p function with work memory of the degree. It is not on the stack:
+ * gcc 12 takes functions that write into arrays of their own and into a window,
+ * whose addresses it derives from one another, for functions without effect,
+ * and drops their calls.
+ */
 template <typename Function>
 void with_supports(const unsigned int degree, const Function &function)
 {
-  const auto call = [&](auto supports) { function(supports); };
+  static thread_local SplineSupports<1> linear;
+  static thread_local SplineSupports<2> quadratic;
+  static thread_local SplineSupports<3> cubic;
   if (degree == 1)
-    call(SplineSupports<1>());
+    function(linear);
   else if (degree == 2)
-    call(SplineSupports<2>());
+    function(quadratic);
   else
-    call(SplineSupports<3>());
+    function(cubic);
 }
 } // namespace contrecoup::mpm
