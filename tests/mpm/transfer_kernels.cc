@@ -94,6 +94,7 @@ std::vector<Node> nodes_of(const unsigned int degree,
   return nodes;
 }
 
+/// What particles resist strains with, times volume; moments from outside help.
 double stress(const ParticleBlock &block,
               const std::size_t p,
               const unsigned int d,
@@ -103,7 +104,8 @@ double stress(const ParticleBlock &block,
   const double smoothed =
     (1. + block[column::dilatation][p]) * block[column::smoothed][p];
   return block[column::volume][p] *
-         (block[column::stress + entry[d][e]][p] - (d == e ? smoothed : 0.));
+           (block[column::stress + entry[d][e]][p] - (d == e ? smoothed : 0.)) -
+         block[column::moment + entry[d][e]][p];
 }
 
 /// Mass, momentum and force by plain loops.
