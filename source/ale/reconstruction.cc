@@ -88,9 +88,11 @@ namespace
 
 void Reconstruction::reinit(const HexSpace &space,
                             const unsigned int n_fields,
-                            const std::vector<bool> &is_left_out)
+                            const std::vector<bool> &is_left_out,
+                            const RemapLimiter limiter)
 {
   space_ = &space;
+  limiter_ = limiter;
   cells_.clear();
   all_cells_.clear();
   for (std::uint32_t c = 0; c < space.n_cells(); ++c)
@@ -173,9 +175,12 @@ void Reconstruction::compute(const dealii::AlignedVector<double> &position,
   find_extrema(fields);
   for (const std::uint32_t c : cells_)
     find_gradients(fields, c);
-  for (const std::uint32_t c : cells_)
-    find_curvatures(fields, c);
-  curvature_exchange_.update_copies(curvatures_);
+  if (limiter_ == RemapLimiter::keep_smooth_extrema)
+  {
+    for (const std::uint32_t c : cells_)
+      find_curvatures(fields, c);
+    curvature_exchange_.update_copies(curvatures_);
+  }
   for (const std::uint32_t c : cells_)
     limit_inside(fields, c);
   // A cell at an edge takes counsel of cells at a side, and those of cells
@@ -271,6 +276,8 @@ dealii::Point<3> Reconstruction::place(const std::size_t node) const
 bool Reconstruction::is_smooth(const std::size_t cell,
                                const unsigned int field) const
 {
+  if (limiter_ == RemapLimiter::strict)
+    return false;
   const auto neighbors = stencil_.neighbors(cell);
   const double own = curvatures_[n_fields_ * cell + field];
   return std::all_of(

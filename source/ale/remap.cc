@@ -23,8 +23,11 @@ namespace
 } // namespace
 
 
-void Remap::reinit(const HexSpace &space, const std::vector<bool> &is_at_rest)
+void Remap::reinit(const HexSpace &space,
+                   const std::vector<bool> &is_at_rest,
+                   const RemapLimiter limiter)
 {
+  limiter_ = limiter;
   space_ = &space;
   is_at_rest_ = is_at_rest;
   cells_.clear();
@@ -32,7 +35,9 @@ void Remap::reinit(const HexSpace &space, const std::vector<bool> &is_at_rest)
   for (std::uint32_t c = 0; c < space.n_own_cells(); ++c)
     (rests(c) ? cells_at_rest_ : cells_).push_back(c);
   ties_.reinit(space);
-  reconstruction_.reinit(space, n_fields, is_at_rest);
+  reconstruction_.reinit(space, n_fields, is_at_rest, limiter);
+  if (limiter == RemapLimiter::strict)
+    flows_.reinit(space, n_fields);
   node_exchange_.reinit(space.nodes(), width + 1);
   cell_exchange_.reinit(space.cells(), 1);
   fields_.resize(n_fields * space.n_cells());
@@ -98,22 +103,39 @@ void Remap::carry_face(const AleState &state,
   };
   // Of the linear functions and the moment, not of a place where it would be: a
   // face that turns has a moment without a volume.
-  std::array<double, n_contents> carried;
+  std::array<double, n_fields> carried;
   carried[0] = swept.volume * field[density] + change(density);
   for (unsigned int f = 1; f < n_fields; ++f)
     carried[f] = carried[0] * field[f] + field[density] * change(f);
+  if (limiter_ == RemapLimiter::strict)
+    flows_.add(face, swept.volume, donor, carried.data());
+  else
+    add_flow(face, donor, carried.data());
+}
+
+
+void Remap::add_flow(const HexSpace::Face &face,
+                     const std::uint32_t donor,
+                     const double *carried)
+{
+  const double *field = &fields_[n_fields * donor];
+  std::array<double, 8> energies;
   for (unsigned int i = 0; i < 8; ++i)
   {
     const double *v = &field[velocity + 3 * i];
-    double &sum = carried[kinetic + i];
+    double &sum = energies[i];
     sum = -carried[0] * half_square(v);
     for (unsigned int d = 0; d < 3; ++d)
       sum += v[d] * carried[velocity + 3 * i + d];
   }
   const auto add = [&](const std::uint32_t cell, const double sign) {
-    if (cell < space_->n_own_cells())
-      for (unsigned int f = 0; f < n_contents; ++f)
-        contents_[n_contents * cell + f] += sign * carried[f];
+    if (cell >= space_->n_own_cells())
+      return;
+    double *content = &contents_[n_contents * cell];
+    for (unsigned int f = 0; f < n_fields; ++f)
+      content[f] += sign * carried[f];
+    for (unsigned int i = 0; i < 8; ++i)
+      content[kinetic + i] += sign * energies[i];
   };
   add(face.inside, 1.);
   add(face.outside, -1.);
@@ -163,8 +185,14 @@ void Remap::carry_over(const AleState &state,
       content[kinetic + i] =
         state.mass[c] * half_square(&field[velocity + 3 * i]);
   }
+  flows_.clear();
   for (const HexSpace::Face &face : space_->faces())
     carry_face(state, position, face);
+  if (limiter_ != RemapLimiter::strict)
+    return;
+  flows_.limit(fields_, state.mass);
+  for (std::size_t i = 0; i < flows_.size(); ++i)
+    add_flow(flows_.face(i), flows_.donor(i), flows_.carried(i));
 }
 
 

@@ -12,6 +12,11 @@ contrecoup_add_application_test(sod_euler bounds,resume,ranks,convergence
   TOLERANCE "1e-10" "energy_residual*=1e-15 absolute"
   VARY "Mesh/Elements=50, 1, 1|100, 1, 1" ERROR errors.density_L1 ORDER 0.75
   LABELS verification)
+contrecoup_add_application_test(sod_strict bounds,ranks
+  FILE ${_folder}/sod.prm SET "Output/Fields=false" "Rezone/Limiter=strict"
+  BOUNDS ${_ledger} "errors.density_L1 < 6.06e-3"
+  COMPARE history.csv probes.csv
+  TOLERANCE "1e-10" "energy_residual*=1e-15 absolute" LABELS verification)
 contrecoup_add_application_test(sod_lagrange bounds,convergence
   FILE ${_folder}/sod.prm SET "Output/Fields=false" "Rezone/Kind=none"
   BOUNDS ${_ledger} "errors.density_L1 < 6.1e-3"

@@ -10,6 +10,13 @@
 
 namespace contrecoup::ale
 {
+/// What the values of a reconstruction, and of a remap, may be.
+enum class RemapLimiter
+{
+  keep_smooth_extrema, ///< beyond those around where an extremum is smooth
+  strict               ///< none beyond those of the cells around
+};
+
 /**
  * Linear functions in the cells, of several fields that are given by their
  * means: gradients by least squares over the cells around, limited so that at
@@ -17,7 +24,8 @@ namespace contrecoup::ale
  * beyond those of the cells around the corner or face (Kuzmin 2010; Barth and
  * Jespersen 1989). Towards a boundary or another region, no corner is beyond
  * what the cell and that across the opposite face say of it. Extrema whose
- * second differences are alike in the cells around are smooth and not limited.
+ * second differences are alike in the cells around are smooth and not limited,
+ * unless the limiter is strict.
  * Linear functions are found exactly.
  */
 class Reconstruction
@@ -28,7 +36,8 @@ public:
   ///   empty
   void reinit(const HexSpace &space,
               const unsigned int n_fields,
-              const std::vector<bool> &is_left_out = {});
+              const std::vector<bool> &is_left_out = {},
+              const RemapLimiter limiter = RemapLimiter::keep_smooth_extrema);
 
   /**
    * @param position of the nodes, AleState::width numbers each
@@ -84,6 +93,7 @@ private:
 
   const HexSpace *space_ = nullptr;
   unsigned int n_fields_ = 0;
+  RemapLimiter limiter_ = RemapLimiter::keep_smooth_extrema;
   FieldExchange gradient_exchange_, curvature_exchange_;
   dealii::AlignedVector<double> gradients_;
   dealii::AlignedVector<double> curvatures_; ///< second differences

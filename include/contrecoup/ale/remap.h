@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/ale/ale_state.h>
+#include <contrecoup/ale/bounded_flows.h>
 #include <contrecoup/ale/reconstruction.h>
 #include <contrecoup/ale/slip_ties.h>
 
@@ -18,13 +19,18 @@ namespace contrecoup::ale
  * - kinetic energy is carried as that of the momentum that a face passes, and
  *   what the mean velocity of a node lacks of it becomes internal energy of its
  *   cells (DeBar 1974): the same from whatever moving frame it is seen.
+ * With a strict limiter no density, internal energy per mass, mass fraction or
+ * component of the velocity is beyond those around, but for the energy that
+ * velocities leave, and as long as no cell loses more than its volume.
  */
 class Remap
 {
 public:
   /// @param is_at_rest whether a region's nodes never move, by material id;
   ///   may be empty
-  void reinit(const HexSpace &space, const std::vector<bool> &is_at_rest = {});
+  void reinit(const HexSpace &space,
+              const std::vector<bool> &is_at_rest = {},
+              const RemapLimiter limiter = RemapLimiter::keep_smooth_extrema);
 
   /**
    * @param walls that the new velocities obey
@@ -52,6 +58,10 @@ private:
   void carry_face(const AleState &state,
                   const dealii::AlignedVector<double> &position,
                   const HexSpace::Face &face);
+  /// Adds what `inside` gains through a face, n_fields numbers.
+  void add_flow(const HexSpace::Face &face,
+                const std::uint32_t donor,
+                const double *carried);
   /// Whether nothing is carried through a face.
   bool is_closed(const HexSpace::Face &face) const;
   /// Whether the nodes of a cell never move; not those of no cell.
@@ -69,6 +79,8 @@ private:
   std::vector<std::uint32_t> cells_;         ///< own ones, carried over
   std::vector<std::uint32_t> cells_at_rest_; ///< the other own ones
   SlipTies ties_;
+  RemapLimiter limiter_ = RemapLimiter::keep_smooth_extrema;
+  BoundedFlows flows_; ///< of a strict limiter
   Reconstruction reconstruction_;
   FieldExchange node_exchange_, cell_exchange_;
   dealii::AlignedVector<double> fields_; ///< of all cells

@@ -107,6 +107,7 @@ private:
   RezoneKind kind_ = RezoneKind::none;
   double interval_ = 0.; ///< 0: every step [s]
   ElasticOptions options_;
+  RemapLimiter limiter_ = RemapLimiter::keep_smooth_extrema;
 
   HexSpace *space_ = nullptr;
   std::vector<bool> is_solid_; ///< by region
