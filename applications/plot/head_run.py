@@ -153,33 +153,52 @@ class HeadRun(report_data.Stage):
         right, up = (axis for axis in range(3) if axis != through)
         return through, right, up
 
-    def cells(self, pieces):
-        """Arrays of one output, of all its pieces."""
+    def has_particles(self):
+        """Whether the fields are points, not cells."""
+        return self.parameters.get("Method") == "mpm"
+
+    def spacing(self):
+        """Of particles at the start [m]."""
+        size = (self.parameter("MPM/Cell size") or [0.])[0]
+        return size / max(self.parameter("MPM/Particles a cell") or [1.])
+
+    def arrays(self, pieces):
+        """Arrays of one output, of all its pieces: cells x corners x
+        components; particles are cells of one corner."""
+        read = vtk_file.read_points if self.has_particles() \
+            else vtk_file.read_cells
         parts = []
         for piece in pieces:
             with report_data.reading(piece):
-                parts.append(vtk_file.read_cells(piece))
-        return {name: np.concatenate([part[name] for part in parts])
-                for name in parts[0]}
+                parts.append(read(piece))
+        found = {name: np.concatenate([part[name] for part in parts])
+                 for name in parts[0]}
+        return {name: values[:, None] for name, values in found.items()} \
+            if self.has_particles() else found
 
     def cut(self, entry):
         """The Cut of an output, mirrored to the whole head."""
         time, pieces = entry
-        cells = self.cells(pieces)
+        arrays = self.arrays(pieces)
         through, right, up = self.cut_axes()
-        place = BESIDE * np.ptp(cells["points"])
-        polygons, owners = cut_hexahedra(cells["points"], through, place,
-                                         (right, up))
+        if self.has_particles():
+            polygons, owners = cut_particles(
+                arrays["points"][:, 0], through, through in self.mirrors,
+                self.spacing(), [right, up])
+        else:
+            place = BESIDE * np.ptp(arrays["points"])
+            polygons, owners = cut_hexahedra(arrays["points"], through, place,
+                                             (right, up))
         shown = np.unique(owners)
         values = {name: found[:, :, 0].mean(axis=1)[owners]
-                  for name, found in cells.items()
+                  for name, found in arrays.items()
                   if name not in ("points", "velocity")}
-        velocity = cells["velocity"].mean(axis=1)
+        velocity = arrays["velocity"].mean(axis=1)
         values["velocity"] = velocity[owners][:, [right, up]]
         centres = {
-            "place": cells["points"].mean(axis=1)[shown][:, [right, up]],
+            "place": arrays["points"].mean(axis=1)[shown][:, [right, up]],
             "velocity": velocity[shown][:, [right, up]],
-            "region": cells["region"][shown, 0, 0]}
+            "region": arrays["region"][shown, 0, 0]}
         for number, axis in enumerate((right, up)):
             if axis in self.mirrors:
                 polygons, values, centres = _mirrored(number, polygons, values,
@@ -209,6 +228,17 @@ def _mirrored(number, polygons, values, centres):
                                      else found])
                for name, found in centres.items()}
     return np.concatenate([polygons, polygons * sign]), values, centres
+
+
+def cut_particles(points, axis, is_mirror, spacing, shown):
+    """Squares around the layer of particles beside a plane through the origin
+    normal to @p axis, and their numbers."""
+    distance = points[:, axis] if is_mirror else \
+        np.abs(points[:, axis] - 0.25 * spacing)
+    owners = np.flatnonzero(distance < spacing * (1. if is_mirror else 0.5))
+    square = 0.53 * spacing * np.array([(-1., -1.), (1., -1.), (1., 1.),
+                                        (-1., 1.)])
+    return points[owners][:, None][:, :, shown] + square, owners
 
 
 def cut_hexahedra(corners, axis, place, shown):

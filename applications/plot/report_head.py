@@ -357,6 +357,9 @@ def ledger(run):
     if "interface_work" in history:
         found.append(("made up between fluid and solid",
                       history["interface_work"]))
+    for name in ("stored_energy", "transfer_loss", "contact_loss"):
+        if name in history:
+            found.append((name.replace("_", " "), history[name]))
     found.append(("missing", history["energy_residual"]))
     return [(name, factor * column) for name, column in found]
 
@@ -437,24 +440,50 @@ def assumptions(run):
             for name, value in (run.summary.get("assumptions") or {}).items()
             if report_data.as_number(value) is not None
             and not name.startswith(("injury_", "contact_", "peak_contact_"))]
-    settings = [
-        ("cells in all", page.count(run.summary.get("cells") or 0)),
-        ("cell size at the brain's surface, about",
-         page.quantity((run.parameter("Mesh/Cell size") or [0.])[0], "m")),
-        ("smoothing of the fluid's mesh", run.parameters.get("Rezone/Kind",
-                                                             "–")),
-        ("its interval", page.quantity(
-            (run.parameter("Rezone/Interval") or [np.nan])[0], "s")),
-        ("rows of history.csv", page.count(len(run.history["time"])))]
+    settings = mesh_settings(run)
+    settings.append(("rows of history.csv",
+                     page.count(len(run.history["time"]))))
     settings += [(f"least pressure of {name}",
                   run.parameters.get(f"Region {name}/Least pressure", "none"))
                  for name in run.regions
                  if run.parameters.get(f"Region {name}/Material") == "tait"]
     parts.append(page.table(("what", "value"), settings + rows, numbers=(1,)))
     parts.append(page.paragraph(
-        "The head has neither neck nor membranes nor vessels, its layers are "
-        "bonded (they share nodes), and planes are rigid."))
+        "The head has neither neck nor membranes nor vessels, its layers "
+        + ("slip along each other without parting" if slips(run) else
+           "are bonded") + ", and planes are rigid."))
     return parts
+
+
+def mesh_settings(run):
+    """How the head is discretised."""
+    if run.has_particles():
+        return [("particles in all", page.count(run.summary.get("cells") or 0)),
+                ("cell size of the grid",
+                 page.quantity((run.parameter("MPM/Cell size") or [0.])[0],
+                               "m"))] + [
+            (name.lower(), run.parameters.get(f"MPM/{name}", "–"))
+            for name in ("Basis", "Transfer", "Update", "Series order",
+                         "Smoothing", "Fields")]
+    return [
+        ("cells in all", page.count(run.summary.get("cells") or 0)),
+        ("cell size at the brain's surface, about",
+         page.quantity((run.parameter("Mesh/Cell size") or [0.])[0], "m")),
+        ("smoothing of the fluid's mesh", run.parameters.get("Rezone/Kind",
+                                                             "–")),
+        ("its interval", page.quantity(
+            (run.parameter("Rezone/Interval") or [np.nan])[0], "s"))]
+
+
+def slips(run):
+    """Whether layers slip along each other."""
+    by_interface = any(
+        run.parameters.get(f"Region {name}/Interface") == "slip"
+        for name in run.regions)
+    if not run.has_particles():
+        return by_interface
+    fields = run.parameters.get("MPM/Fields", "")
+    return by_interface if fields == "by interface" else fields == "slip"
 
 
 def reproduce(run):

@@ -165,7 +165,7 @@ def interface_strains(run):
     without outputs."""
     largest = None
     for entry in run.picked():
-        cells = run.cells(entry[1])
+        cells = run.arrays(entry[1])
         values = {name: cells[name][:, 0, 0]
                   for name in ("region", "shear_strain")}
         brain = head_pictures.of_layers(run, values, ("brain",))
@@ -173,7 +173,8 @@ def interface_strains(run):
         if largest is None or strain.max() > largest[0]:
             fluid = cells["points"][head_pictures.of_layers(
                 run, values, ("csf",))]
-            shared = _nodes_shared(cells["points"][brain], fluid)
+            shared = (_near if run.has_particles() else _nodes_shared)(
+                cells["points"][brain], fluid, run.spacing())
             largest = strain.max(), strain, shared
     if largest is None or largest[2].all() or not largest[2].any():
         return None
@@ -182,7 +183,19 @@ def interface_strains(run):
             bool(shared[np.argmax(strain)]))
 
 
-def _nodes_shared(cells, others):
+def _near(points, others, spacing):
+    """Whether particles have one of others in a box of two spacings around, or
+    in one of those beside it."""
+    def boxes(places):
+        return np.floor(places.reshape(-1, 3) / (2. * spacing)).astype(int)
+
+    steps = np.stack(np.meshgrid(*[(-1, 0, 1)] * 3), axis=-1).reshape(-1, 3)
+    known = {tuple(box) for step in steps
+             for box in np.unique(boxes(others), axis=0) + step}
+    return np.array([tuple(box) in known for box in boxes(points)])
+
+
+def _nodes_shared(cells, others, _):
     """Whether cells have a corner in common with others: where it is, to the
     last bit, as each cell writes its own corners."""
     known = {corner.tobytes() for corner in
@@ -216,7 +229,7 @@ def _flow(run):
 def mean_flow(run):
     """The CSF's mean velocity from the wall in the last output, of cells as
     many as they are [m/s]."""
-    cells = run.cells(run.fields()[-1][1])
+    cells = run.arrays(run.fields()[-1][1])
     values = {"region": cells["region"][:, 0, 0]}
     part = head_pictures.of_layers(run, values, ("csf",))
     mean = cells["velocity"][part].mean(axis=(0, 1))

@@ -72,18 +72,37 @@ def decode(element):
     return numbers.reshape(-1, int(element.get("NumberOfComponents", 1)))
 
 
+def _deal_arrays(path):
+    """"points" and fields by name of a file by deal.II, a row for each
+    point."""
+    piece = xml.parse(path).find("UnstructuredGrid/Piece")
+    found = {"points": decode(piece.find("Points/DataArray"))}
+    for array in piece.findall("PointData/DataArray"):
+        found[array.get("Name")] = decode(array)
+    return found
+
+
+# What broken files make of these.
+_BROKEN = (ValueError, IndexError, KeyError, AttributeError, TypeError,
+           xml.ParseError, zlib.error)
+
+
+def read_points(path):
+    """Of a file by deal.II: "points" and fields by name, as points x
+    components. A ValueError names a file that is no such one."""
+    try:
+        return _deal_arrays(path)
+    except _BROKEN as problem:
+        raise ValueError(f"{path}: no file of points, or cut off") from problem
+
+
 def read_cells(path):
     """Of a file by deal.II whose cells have eight points each, which follow
     each other: "points" and fields by name, as cells x 8 x components. A
     ValueError names a file that is no such one."""
     try:
-        piece = xml.parse(path).find("UnstructuredGrid/Piece")
-        found = {"points": decode(piece.find("Points/DataArray"))}
-        for array in piece.findall("PointData/DataArray"):
-            found[array.get("Name")] = decode(array)
         return {name: values.reshape(-1, 8, values.shape[1])
-                for name, values in found.items()}
-    except (ValueError, IndexError, KeyError, AttributeError, TypeError,
-            xml.ParseError, zlib.error) as problem:
+                for name, values in _deal_arrays(path).items()}
+    except _BROKEN as problem:
         raise ValueError(f"{path}: no file of cells with eight points, or cut "
                          "off") from problem
