@@ -5,6 +5,7 @@
 #include <contrecoup/base/exceptions.h>
 
 #include <cmath>
+#include <limits>
 
 namespace contrecoup::ale
 {
@@ -61,6 +62,16 @@ std::array<dealii::Point<3>, 2> MeshDescription::corners() const
     result[0][d] = is_halved ? 0. : -result[1][d];
   }
   return result;
+}
+
+
+double MeshDescription::thinnest_layer() const
+{
+  const auto &axes = head_.semi_axes();
+  double thinnest = std::numeric_limits<double>::max();
+  for (std::size_t i = 1; i < axes.size(); ++i)
+    thinnest = std::min(thinnest, axes[i][0] - axes[i - 1][0]);
+  return thinnest;
 }
 
 

@@ -155,6 +155,7 @@ void ParticleSimulation::setup()
     if (counts[m] == 0)
       throw InputError("Region " + scene_.materials()[m].name +
                        ": no particle is there");
+  least_pressures_.assign(scene_.materials().size(), 0.);
   step_->start(grid_, particles_);
   const auto totals = step_->totals(grid_, particles_);
   initial_energy_ = totals.kinetic_energy + totals.internal_energy;
@@ -185,8 +186,14 @@ StepReport ParticleSimulation::advance(const double largest_step)
   report.updates = static_cast<double>(n_particles_);
   if (!contact_.empty())
   {
-    contact_now_.force = mpi::sum(contact_.measures().force, communicator_);
-    contact_now_.area = mpi::sum(contact_.measures().area, communicator_);
+    const mpm::WallMeasures &walls = contact_.measures();
+    std::vector<double> sums{
+      walls.force, walls.area, walls.friction_power, walls.sliding_power};
+    mpi::sum(sums, communicator_, sums);
+    contact_now_.force = sums[0];
+    contact_now_.area = sums[1];
+    contact_now_.friction_work += report.step_size * sums[2];
+    contact_now_.sliding_work += report.step_size * sums[3];
     contact_record_.add(contact_now_, time_, report.step_size);
   }
   return report;
@@ -233,10 +240,20 @@ std::vector<NamedValue> ParticleSimulation::history()
   if (!contact_.empty())
     values.insert(values.end(),
                   {{"contact_force", "N", contact_now_.force},
-                   {"contact_area", "m^2", contact_now_.area}});
+                   {"contact_area", "m^2", contact_now_.area},
+                   {"friction_work", "J", contact_now_.friction_work}});
+  std::size_t region = 0;
   for (NamedValue &measure :
        particle_measures(scene_.materials(), particles_, communicator_))
+  {
+    if (measure.name.rfind("least_pressure_", 0) == 0)
+    {
+      least_pressures_[region] =
+        std::min(least_pressures_[region], measure.value);
+      ++region;
+    }
     values.push_back(std::move(measure));
+  }
   return values;
 }
 
@@ -291,7 +308,7 @@ std::vector<NamedValue> ParticleSimulation::assumptions()
 }
 
 
-std::vector<Assumption> ParticleSimulation::plan()
+ImpactPlan ParticleSimulation::impact_plan() const
 {
   ImpactPlan plan;
   plan.regions = regions_.regions();
@@ -303,6 +320,48 @@ std::vector<Assumption> ParticleSimulation::plan()
   plan.part = plan.enough = mesh_.part();
   for (const Expression &component : acceleration_)
     plan.has_body_force = plan.has_body_force || !component.is_zero();
-  return plan.plan();
+  return plan;
+}
+
+
+Assumption ParticleSimulation::layer_resolution() const
+{
+  // Between fields that slip, two cells; else splines reach across.
+  constexpr double least_of_one_field = 4., least_of_several = 2.;
+  const bool is_one = scene_.field_contact().n_fields() < 2;
+  return {"layers",
+          is_one ? "one velocity for all" : "a velocity for each region",
+          "cells of the grid across the thinnest layer",
+          "-",
+          mesh_.thinnest_layer() / scene_.cell_size(),
+          is_one ? least_of_one_field : least_of_several,
+          true,
+          "MPM/Cell size"};
+}
+
+
+std::vector<Assumption> ParticleSimulation::plan()
+{
+  std::vector<Assumption> items = impact_plan().plan();
+  if (mesh_.head() != nullptr)
+    items.push_back(layer_resolution());
+  return items;
+}
+
+
+std::vector<Assumption> ParticleSimulation::audit()
+{
+  const double kinetic = initial_energy_;
+  std::vector<Assumption> items =
+    impact_plan().audit({least_pressures_,
+                         contact_record_.end,
+                         contact_now_.friction_work,
+                         contact_now_.sliding_work,
+                         kinetic,
+                         0.,
+                         energy_scale_});
+  if (mesh_.head() != nullptr)
+    items.push_back(layer_resolution());
+  return items;
 }
 } // namespace contrecoup::ale

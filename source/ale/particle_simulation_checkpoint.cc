@@ -64,6 +64,7 @@ void ParticleSimulation::save(const std::string &folder)
     particles_.for_each_block(
       [&](unsigned int, const mpm::ParticleBlock &) { ++numbers.n_blocks; });
     io::put(out, numbers);
+    io::put_list(out, least_pressures_);
     for (const auto &[tile, blocks] : particles_.tiles())
       for (unsigned int m = 0; m < blocks.size(); ++m)
       {
@@ -87,6 +88,7 @@ void ParticleSimulation::restore_file(const std::string &file)
   if (!in || numbers.n_materials != scene_.materials().size() ||
       numbers.cell_size != scene_.cell_size())
     throw InputError("Checkpoint file " + file + " is of another scene");
+  io::take_list(in, file, least_pressures_);
   n_particles_ = numbers.n_particles;
   time_ = numbers.time;
   initial_energy_ = numbers.initial_energy;

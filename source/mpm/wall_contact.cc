@@ -262,6 +262,8 @@ void WallContact::push(const RigidWall &wall,
       0.5 * (force[i] * arm[j] + force[j] * arm[i]);
   }
   measures_.force += press;
+  measures_.friction_power += (force - press * normal) * velocity;
+  measures_.sliding_power += press * along.norm();
   measures_.area += area;
 }
 

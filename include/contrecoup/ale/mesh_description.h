@@ -76,6 +76,9 @@ public:
   /// @throws InputError for walls that move
   std::array<bool, 6> sides_at_rest() const;
 
+  /// Of the layers around the brain of a layered head [m].
+  double thinnest_layer() const;
+
   /// Of the rigid sphere around a half ball; 0: there is none [m].
   double sphere_radius() const
   {

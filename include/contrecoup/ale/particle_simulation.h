@@ -51,6 +51,7 @@ public:
   }
   std::vector<NamedValue> assumptions() override;
   std::vector<Assumption> plan() override;
+  std::vector<Assumption> audit() override;
   std::pair<std::uint64_t, std::uint64_t> size() const override
   {
     return {n_particles_, 6 * n_particles_};
@@ -66,6 +67,9 @@ private:
 
   void build_grid();
   Ledger ledger() const;
+  ImpactPlan impact_plan() const;
+  /// Whether splines see the layers of a head apart.
+  Assumption layer_resolution() const;
   void find_probes();
   /// Takes what is in tiles of this rank.
   void restore_file(const std::string &file);
@@ -91,5 +95,7 @@ private:
   double time_ = 0.;
   double initial_energy_ = 0.;
   double energy_scale_ = 0.;
+  /// In the rows of the history so far, by region [Pa].
+  std::vector<double> least_pressures_;
 };
 } // namespace contrecoup::ale

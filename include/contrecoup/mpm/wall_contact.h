@@ -43,8 +43,10 @@ struct RigidWall
 /// What walls do, this rank's part.
 struct WallMeasures
 {
-  double force = 0.; ///< along the normals [N]
-  double area = 0.;  ///< of the surface in contact [m^2]
+  double force = 0.;          ///< along the normals [N]
+  double area = 0.;           ///< of the surface in contact [m^2]
+  double friction_power = 0.; ///< at most 0 [W]
+  double sliding_power = 0.;  ///< that a coefficient of 1 would take [W]
 };
 
 /**
