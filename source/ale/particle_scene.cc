@@ -71,6 +71,30 @@ void ParticleScene::declare_parameters(ParameterHandler &prm)
                   "Terms of the mass series of flip and fmpm: 1 is the lumped "
                   "mass, which makes sound slow; each further one costs a "
                   "transfer to the particles and back.");
+  declare_double(
+    prm,
+    "Split stretch",
+    "2",
+    1.1,
+    1e6,
+    "-",
+    "A particle of a solid that has become so many times as long "
+    "along a principal direction is split, and its halves likewise "
+    "later.");
+  declare_integer(
+    prm,
+    "Merge above",
+    "64",
+    4,
+    1000000,
+    "Particles of a region in a cell, 4 to 1000000; of more, four "
+    "become two.");
+  declare_integer(prm,
+                  "Resample every steps",
+                  "20",
+                  0,
+                  1000000,
+                  "How often particles are split and merged; 0: never.");
   declare_selection(prm,
                     "Fields",
                     field_kinds[0],
@@ -106,6 +130,9 @@ void ParticleScene::parse_parameters(ParameterHandler &prm)
   scheme_.series_order = read_unsigned(prm, "Series order");
   smoothing_ = prm.get("Smoothing");
   fields_ = prm.get("Fields");
+  resampling_.stretch = read_double(prm, "Split stretch");
+  resampling_.most = read_unsigned(prm, "Merge above");
+  resampling_.interval = read_unsigned(prm, "Resample every steps");
   friction_ = read_double(prm, "Friction");
   const auto numbers = read_list(prm, "Particles a cell");
   for (unsigned int d = 0; d < 3; ++d)

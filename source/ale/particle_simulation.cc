@@ -8,6 +8,7 @@
 #include <contrecoup/base/text.h>
 #include <contrecoup/base/timers.h>
 #include <contrecoup/mpm/particle_output.h>
+#include <contrecoup/mpm/resampling.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -200,6 +201,32 @@ StepReport ParticleSimulation::advance(const double largest_step)
 }
 
 
+bool ParticleSimulation::adapt()
+{
+  const Resampling &how = scene_.resampling();
+  if (how.interval == 0 || ++n_steps_ % how.interval != 0)
+    return false;
+  const TimerScope timer("split and merge");
+  std::vector<std::uint64_t> counts(2, 0);
+  particles_.for_each_block(
+    [&](const unsigned int m, mpm::ParticleBlock &block) {
+      if (scene_.materials()[m].solid() != nullptr)
+        counts[0] += mpm::split_stretched(how.stretch, block);
+      counts[1] += mpm::merge_crowded(how.most, grid_, block);
+    });
+  mpi::sum(counts, communicator_, counts);
+  if (counts[0] + counts[1] == 0)
+    return false;
+  n_split_ += counts[0];
+  n_merged_ += counts[1];
+  n_particles_ =
+    mpi::sum(static_cast<std::uint64_t>(particles_.size()), communicator_);
+  particles_.sort(grid_);
+  step_->resume(grid_, particles_);
+  return true;
+}
+
+
 ParticleSimulation::Ledger ParticleSimulation::ledger() const
 {
   Ledger result;
@@ -300,7 +327,9 @@ std::vector<NamedValue> ParticleSimulation::assumptions()
   std::vector<NamedValue> values = {
     {"energy_residual", "-", now.residual / scale},
     {"transfer_loss", "-", now.transfer_loss / scale},
-    {"contact_loss", "-", now.contact_loss / scale}};
+    {"contact_loss", "-", now.contact_loss / scale},
+    {"split_particles", "-", static_cast<double>(n_split_)},
+    {"merged_particles", "-", static_cast<double>(n_merged_)}};
   if (!contact_.empty())
     for (NamedValue &value : contact_record_.values())
       values.push_back(std::move(value));

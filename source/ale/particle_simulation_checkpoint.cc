@@ -24,6 +24,7 @@ namespace
     std::uint64_t n_particles; ///< all ranks
     std::uint64_t n_materials;
     std::uint64_t n_blocks; ///< of this file
+    std::uint64_t n_steps, n_split, n_merged;
     double cell_size;
     double time;
     double initial_energy;
@@ -54,6 +55,9 @@ void ParticleSimulation::save(const std::string &folder)
     Numbers numbers{n_particles_,
                     scene_.materials().size(),
                     0,
+                    n_steps_,
+                    n_split_,
+                    n_merged_,
                     scene_.cell_size(),
                     time_,
                     initial_energy_,
@@ -90,6 +94,9 @@ void ParticleSimulation::restore_file(const std::string &file)
     throw InputError("Checkpoint file " + file + " is of another scene");
   io::take_list(in, file, least_pressures_);
   n_particles_ = numbers.n_particles;
+  n_steps_ = numbers.n_steps;
+  n_split_ = numbers.n_split;
+  n_merged_ = numbers.n_merged;
   time_ = numbers.time;
   initial_energy_ = numbers.initial_energy;
   energy_scale_ = numbers.energy_scale;

@@ -18,6 +18,14 @@
 
 namespace contrecoup::ale
 {
+/// When particles are split and merged.
+struct Resampling
+{
+  double stretch = 2.;        ///< that splits [-]
+  unsigned int most = 64;     ///< of a region in a cell
+  unsigned int interval = 20; ///< steps; 0: never
+};
+
 /**
  * A scene as particles see it: the same mesh description, regions and planes
  * as on a moving mesh, filled with particles; and the entries of subsection
@@ -58,6 +66,11 @@ public:
   {
     return walls_;
   }
+  const Resampling &resampling() const
+  {
+    return resampling_;
+  }
+
   /// Of the velocity fields of the materials.
   mpm::FieldContact field_contact() const;
 
@@ -82,6 +95,7 @@ private:
   std::string smoothing_;
   std::string fields_;
   double friction_ = 0.;
+  Resampling resampling_;
   mpm::GridBox box_;
   std::vector<mpm::ParticleMaterial> materials_;
   mpm::ParticleSource source_;

@@ -37,10 +37,8 @@ public:
     return time_;
   }
   StepReport advance(double largest_step) override;
-  bool adapt() override
-  {
-    return false;
-  }
+  /// Splits and merges particles.
+  bool adapt() override;
   std::vector<NamedValue> history() override;
   std::vector<NamedValue> probes() override;
   std::string write_fields(const std::string &folder,
@@ -92,6 +90,9 @@ private:
   ContactMeasures contact_now_;
   ContactRecord contact_record_;
   std::uint64_t n_particles_ = 0;
+  std::uint64_t n_steps_ = 0;
+  std::uint64_t n_split_ = 0;
+  std::uint64_t n_merged_ = 0; ///< how many fewer particles that made
   double time_ = 0.;
   double initial_energy_ = 0.;
   double energy_scale_ = 0.;

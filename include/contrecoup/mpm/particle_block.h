@@ -30,16 +30,17 @@ namespace column
     surface = 41,    ///< 3, undeformed way to the body's surface [m]
     area = 44,       ///< of the surface that belongs to the particle [m^2]
     tag = 45,        ///< number of a probe that follows it, from 1 on; 0: none
-    n_state = 46,    ///< what moves with a particle and is saved
+    level = 46,      ///< how often it was split [-]
+    n_state = 47,    ///< what moves with a particle and is saved
     // Within a step.
-    change = 46,    ///< 3, of the velocity [m/s]
-    way = 49,       ///< 3, of the position [m]
-    rate = 52,      ///< 9, velocity gradient by rows [1/s]
-    smoothed = 61,  ///< pressure, then rate of dilatation, after smoothing
-    mean_rate = 62, ///< 9, gradient of the mean velocity of the step [1/s]
-    force = 71,     ///< 3, from outside [N]
-    moment = 74,    ///< 6, of this force about the particle [N m]
-    n_columns = 80
+    change = 47,    ///< 3, of the velocity [m/s]
+    way = 50,       ///< 3, of the position [m]
+    rate = 53,      ///< 9, velocity gradient by rows [1/s]
+    smoothed = 62,  ///< pressure, then rate of dilatation, after smoothing
+    mean_rate = 63, ///< 9, gradient of the mean velocity of the step [1/s]
+    force = 72,     ///< 3, from outside [N]
+    moment = 75,    ///< 6, of this force about the particle [N m]
+    n_columns = 81
   };
 } // namespace column
 
