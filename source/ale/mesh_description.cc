@@ -20,7 +20,8 @@ namespace
   const std::vector<std::string> kinds{"box",
                                        "half ball",
                                        "layered head",
-                                       "file"};
+                                       "file",
+                                       "body"};
 } // namespace
 
 
@@ -34,7 +35,9 @@ void MeshDescription::declare_parameters(ParameterHandler &prm)
                       kinds,
                       "A box of bricks, the half at x >= 0 of a ball around "
                       "the origin, a head of brain, CSF, skull and scalp "
-                      "around the origin, or the mesh of a file.");
+                      "around the origin, the mesh of a file, or, for "
+                      "particles (Method = mpm) alone, a body: subsection "
+                      "Body.");
     declare_list(
       prm, "Lower corner", "0, 0, 0", 3, 3, -1e6, 1e6, "m", "Of the box.");
     declare_list(
@@ -65,6 +68,10 @@ void MeshDescription::declare_parameters(ParameterHandler &prm)
                      "after it.");
     LayeredHead::declare_parameters(prm);
     FileMesh::declare_parameters(prm);
+  }
+  {
+    const Section section(prm, "Body");
+    BodyDescription::declare_parameters(prm);
   }
   const Section section(prm, "Side *");
   declare_selection(prm,
@@ -109,6 +116,15 @@ void MeshDescription::parse_parameters(ParameterHandler &prm)
     if (kind_ == "file")
       file_.parse_parameters(prm);
   }
+  if (kind_ == "body")
+  {
+    const Section section(prm, "Body");
+    BodyDescription description;
+    description.parse_parameters(prm);
+    body_ = description.create();
+    for (const BodyPart &part : body_->parts())
+      body_layers_.push_back({name_of(part.tissue), {}});
+  }
   for (unsigned int d = 0; d < 3; ++d)
     if (kind_ == "box" && !(lower_[d] < upper_[d]))
       throw InputError("Mesh/Upper corner must be above Mesh/Lower corner in "
@@ -123,7 +139,7 @@ const std::vector<std::string> &MeshDescription::side_names() const
   static const std::vector<std::string> box{"x-", "x+", "y-", "y+", "z-", "z+"},
     half_ball{"sphere", "plane"},
     head{"surface", "plane x", "plane y", "plane z"};
-  if (kind_ == "layered head" || kind_ == "file")
+  if (kind_ == "layered head" || kind_ == "file" || kind_ == "body")
     return head;
   return kind_ == "box" ? box : half_ball;
 }
@@ -258,6 +274,10 @@ void MeshDescription::move_nodes(dealii::Triangulation<3> &mesh) const
 
 void MeshDescription::create(dealii::Triangulation<3> &mesh) const
 {
+  if (kind_ == "body")
+    throw InputError("Mesh/Kind = body is filled with particles, Method = mpm; "
+                     "for Method = ale, let anatomy make a mesh of the body "
+                     "and give it as a file");
   if (kind_ == "layered head")
   {
     head_.create(mesh);

@@ -25,6 +25,11 @@ namespace
 
 int MeshDescription::layer_at(const dealii::Point<3> &place) const
 {
+  if (body_)
+  {
+    const unsigned char part = body_->part_at(place);
+    return part == LabelGrid::nothing ? -1 : part;
+  }
   if (kind_ == "half ball")
     return place[0] >= 0. && place.norm() < radius_ ? 0 : -1;
   if (kind_ == "box")
@@ -53,6 +58,11 @@ std::array<dealii::Point<3>, 2> MeshDescription::corners() const
                      "Method = ale");
   if (kind_ == "box")
     return {{lower_, upper_}};
+  if (body_)
+  {
+    const auto box = body_->surface()->bounding_box().get_boundary_points();
+    return {{box.first, box.second}};
+  }
   std::array<dealii::Point<3>, 2> result;
   for (unsigned int d = 0; d < 3; ++d)
   {
@@ -88,7 +98,7 @@ std::array<bool, 6> MeshDescription::sides_at_rest() const
       result[i] = walls_.count(i) == 1;
   else if (kind_ == "half ball")
     result[0] = walls_.count(1) == 1;
-  else
+  else if (kind_ == "layered head")
     for (unsigned int d = 0; d < 3; ++d)
       result[2 * d] = head_.is_halved()[d] && walls_.count(1 + d) == 1;
   return result;

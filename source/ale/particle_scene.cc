@@ -131,12 +131,15 @@ void ParticleScene::parse_parameters(ParameterHandler &prm)
   smoothing_ = prm.get("Smoothing");
   fields_ = prm.get("Fields");
   resampling_.stretch = read_double(prm, "Split stretch");
-  resampling_.most = read_unsigned(prm, "Merge above");
   resampling_.interval = read_unsigned(prm, "Resample every steps");
   friction_ = read_double(prm, "Friction");
   const auto numbers = read_list(prm, "Particles a cell");
   for (unsigned int d = 0; d < 3; ++d)
     source_.per_cell[d] = static_cast<unsigned int>(numbers[d]);
+  // Never those that are there at the start.
+  resampling_.most =
+    std::max<double>(read_unsigned(prm, "Merge above"),
+                     3. * numbers[0] * numbers[1] * numbers[2]);
   if (scheme_.transfer == mpm::Transfer::affine && scheme_.degree == 1)
     throw InputError(
       "MPM/Transfer = apic needs MPM/Basis = quadratic or cubic");
@@ -178,8 +181,8 @@ void ParticleScene::make_source(const MeshDescription &mesh,
                                 const RegionDescriptions &regions)
 {
   MeshLayers layers = mesh.layers();
-  regions.check_layers(mesh.head() != nullptr ? layers : MeshLayers());
-  if (mesh.head() == nullptr)
+  regions.check_layers(mesh.has_layers() ? layers : MeshLayers());
+  if (!mesh.has_layers())
     layers = {MeshLayer()};
   // Without expressions of the place, a table of the layers is faster.
   std::vector<int> of_layer;

@@ -7,6 +7,7 @@
 #include <contrecoup/ale/layered_head.h>
 #include <contrecoup/ale/slip_walls.h>
 #include <contrecoup/base/expression.h>
+#include <contrecoup/geometry/body_description.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/grid/tria.h>
@@ -19,11 +20,11 @@ namespace contrecoup::ale
 {
 /**
  * The mesh of a scene, and what is at its sides: subsections "Mesh" and
- * "Side *". Sides have names: x-, x+, y-, y+, z-, z+ of a box, sphere and plane
- * of a half ball, which lies at x >= 0; surface, plane x, plane y, plane z of a
- * layered head and of a file, of which the numbers that it gives to faces are
- * sides, too. Expressions move the nodes: a box becomes a wedge, a cone, or
- * skewed.
+ * "Side *"; particles also fill a body, subsection "Body". Sides have names:
+ * x-, x+, y-, y+, z-, z+ of a box, sphere and plane of a half ball, which lies
+ * at x >= 0; surface, plane x, plane y, plane z of a layered head and of a
+ * file, of which the numbers that it gives to faces are sides, too. Expressions
+ * move the nodes: a box becomes a wedge, a cone, or skewed.
  */
 class MeshDescription
 {
@@ -43,7 +44,9 @@ public:
   /// @throws InputError for a file that cannot be used
   const MeshLayers &layers() const
   {
-    return kind_ == "file" ? file_.layers() : head_.layers();
+    return kind_ == "file"   ? file_.layers()
+           : kind_ == "body" ? body_layers_
+                             : head_.layers();
   }
 
   /// The mesh of a file; null for others.
@@ -56,6 +59,12 @@ public:
   double part() const
   {
     return kind_ == "file" ? file_.part() : head_.part();
+  }
+
+  /// Whether layer_at() tells layers apart.
+  bool has_layers() const
+  {
+    return kind_ == "layered head" || kind_ == "body";
   }
 
   /// The layered head; null for other meshes, and where nodes are moved.
@@ -116,6 +125,8 @@ private:
   double radius_ = 0.;
   LayeredHead head_;
   FileMesh file_;
+  BodyPointer body_;       ///< null for other meshes
+  MeshLayers body_layers_; ///< tissues of its parts
   std::set<unsigned int> numbered_sides_;
   unsigned int refinements_ = 0;
   std::vector<Expression> position_; ///< x, y, z; none: nodes stay
