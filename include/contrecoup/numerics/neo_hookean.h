@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <cmath>
+
+namespace contrecoup
+{
+/// What a neo-Hookean solid stores of a change of volume.
+enum class NeoHookeanForm
+{
+  /// G / 2 (J^(-2/3) tr C - 3) + K / 2 (J - 1)^2, as solid_law.h has it.
+  split,
+  /// G / 2 (tr C - 3 - 2 ln J) + lambda / 2 (ln J)^2, as in papers of the
+  /// material point method.
+  coupled
+};
+
+/// A neo-Hookean solid whose exact motions are known.
+struct NeoHookean
+{
+  double density = 1000.; ///< undeformed [kg/m^3]
+  double shear = 384.615; ///< G [Pa]
+  double bulk = 833.333;  ///< K, lambda = K - 2 G / 3 [Pa]
+  NeoHookeanForm form = NeoHookeanForm::split;
+
+  /// @param squares tr C
+  /// @return stored by the undeformed volume [J/m^3]
+  double energy(const double squares, const double j) const
+  {
+    if (form == NeoHookeanForm::split)
+      return 0.5 * shear * (squares / std::cbrt(j * j) - 3.) +
+             0.5 * bulk * (j - 1.) * (j - 1.);
+    const double logarithm = std::log(j);
+    return 0.5 * shear * (squares - 3. - 2. * logarithm) +
+           0.5 * (bulk - 2. / 3. * shear) * logarithm * logarithm;
+  }
+};
+} // namespace contrecoup
