@@ -31,32 +31,56 @@ namespace
            brief(place[2]) + ") m";
   }
 
-  /// How many sets of cells there are that no face joins.
-  unsigned int count_pieces(const Mesh &mesh)
+  constexpr unsigned int no_piece = -1;
+
+  /// The number of each cell's piece: cells that faces join.
+  std::vector<unsigned int> find_pieces(const Mesh &mesh)
   {
-    std::vector<bool> is_seen(mesh.n_cells(), false);
+    std::vector<unsigned int> piece(mesh.n_cells(), no_piece);
     std::vector<Mesh::active_cell_iterator> next;
     unsigned int n_pieces = 0;
     for (const auto &first : mesh.active_cell_iterators())
     {
-      if (is_seen[first->index()])
+      if (piece[first->index()] != no_piece)
         continue;
-      ++n_pieces;
-      is_seen[first->index()] = true;
+      piece[first->index()] = n_pieces;
       next.push_back(first);
       while (!next.empty())
       {
         const auto cell = next.back();
         next.pop_back();
         for (const unsigned int f : cell->face_indices())
-          if (!cell->at_boundary(f) && !is_seen[cell->neighbor(f)->index()])
+          if (!cell->at_boundary(f) &&
+              piece[cell->neighbor(f)->index()] == no_piece)
           {
-            is_seen[cell->neighbor(f)->index()] = true;
+            piece[cell->neighbor(f)->index()] = n_pieces;
             next.push_back(cell->neighbor(f));
           }
       }
+      ++n_pieces;
     }
-    return n_pieces;
+    return piece;
+  }
+
+  /// Tells @p meet of each two pieces that have one of the numbered parts of
+  /// cells in common.
+  template <typename Part, typename Meet>
+  void find_contacts(const Mesh &mesh,
+                     const std::vector<unsigned int> &piece,
+                     const std::size_t n_parts,
+                     const Part &parts_of,
+                     const Meet &meet)
+  {
+    std::vector<unsigned int> first(n_parts, no_piece);
+    for (const auto &cell : mesh.active_cell_iterators())
+      for (const unsigned int part : parts_of(cell))
+      {
+        const unsigned int own = piece[cell->index()];
+        if (first[part] == no_piece)
+          first[part] = own;
+        else if (first[part] != own)
+          meet(own, first[part], part);
+      }
   }
 
   /// Vertices of faces of the boundary.
@@ -128,7 +152,7 @@ void FileMesh::create(Mesh &mesh) const
   auto found = std::make_shared<Findings>();
   measure_cells(mesh, *found);
   refuse_hanging_nodes(mesh);
-  found->n_pieces = count_pieces(mesh);
+  found->n_pieces = refuse_joints(mesh);
   found->layers = number_layers(mesh);
   found->boundaries = number_boundaries(mesh);
   for (unsigned int d = 0; d < 3; ++d)
@@ -192,6 +216,51 @@ void FileMesh::refuse_hanging_nodes(const Mesh &mesh) const
       for (unsigned int l = 0; l < 4; ++l)
         check(face->line(l)->center(), face->line(l)->diameter());
     }
+}
+
+
+unsigned int FileMesh::refuse_joints(const Mesh &mesh) const
+{
+  const std::vector<unsigned int> piece = find_pieces(mesh);
+  std::vector<std::size_t> n_cells(
+    1 + *std::max_element(piece.begin(), piece.end()), 0);
+  for (const unsigned int number : piece)
+    ++n_cells[number];
+  std::vector<bool> has_edge(n_cells.size(), false);
+  find_contacts(
+    mesh,
+    piece,
+    mesh.n_raw_lines(),
+    [](const auto &cell) {
+      std::array<unsigned int, 12> lines;
+      for (unsigned int l = 0; l < 12; ++l)
+        lines[l] = cell->line_index(l);
+      return lines;
+    },
+    [&](const unsigned int a, const unsigned int b, unsigned int) {
+      has_edge[a] = has_edge[b] = true;
+    });
+  find_contacts(
+    mesh,
+    piece,
+    mesh.n_vertices(),
+    [](const auto &cell) {
+      std::array<unsigned int, 8> nodes;
+      for (unsigned int v = 0; v < 8; ++v)
+        nodes[v] = cell->vertex_index(v);
+      return nodes;
+    },
+    [&](const unsigned int a, const unsigned int b, const unsigned int node) {
+      const unsigned int smaller = n_cells[a] <= n_cells[b] ? a : b;
+      if (has_edge[smaller])
+        return;
+      const std::size_t n = n_cells[smaller];
+      refuse((n == 1 ? "a cell touches" : std::to_string(n) + " cells touch") +
+             " the others at the node " + told(mesh.get_vertices()[node]) +
+             " alone, about which they would swing; leave them out, or join "
+             "them by faces");
+    });
+  return static_cast<unsigned int>(n_cells.size());
 }
 
 

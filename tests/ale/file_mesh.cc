@@ -284,6 +284,21 @@ TEST_F(FileMeshes, TellPiecesThatTouchAtAnEdge)
   EXPECT_EQ(read(mesh).file()->n_pieces(), 2U);
 }
 
+TEST_F(FileMeshes, AreRefusedWhereCellsHangOnANode)
+{
+  write(cubes({{{0, 0, 0}}, {{1, 0, 0}}, {{2, 1, 1}}}, ""));
+  expect_part("a cell touches the others at the node (2, 1, 1) m alone, about "
+              "which they would swing",
+              refusal());
+  write(cubes({{{0, 0, 0}}, {{1, 1, 1}}, {{2, 1, 1}}, {{0, 1, 0}}, {{0, 2, 0}}},
+              ""));
+  EXPECT_EQ(refusal(), "nothing");
+  write(cubes(
+    {{{0, 0, 0}}, {{1, 1, 1}}, {{2, 1, 1}}, {{0, -1, 0}}, {{0, -2, 0}}}, ""));
+  expect_part("2 cells touch the others at the node (1, 1, 1) m alone",
+              refusal());
+}
+
 TEST_F(FileMeshes, AreRefusedWhereTheyCannotBeUsed)
 {
   Mesh mesh;

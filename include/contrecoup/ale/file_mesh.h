@@ -98,6 +98,9 @@ private:
   void measure_cells(const dealii::Triangulation<3> &mesh,
                      Findings &found) const;
   void refuse_hanging_nodes(const dealii::Triangulation<3> &mesh) const;
+  /// Refuses cells that touch the others at a node alone.
+  /// @return how many sets of cells there are that no face joins
+  unsigned int refuse_joints(const dealii::Triangulation<3> &mesh) const;
   MeshLayers number_layers(dealii::Triangulation<3> &mesh) const;
   std::set<unsigned int>
   number_boundaries(dealii::Triangulation<3> &mesh) const;
