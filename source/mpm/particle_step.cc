@@ -97,6 +97,7 @@ WindowPlace ParticleStep::place(const TileGrid &grid,
 void ParticleStep::start(const TileGrid &grid, Particles &particles) const
 {
   strain(grid, particles, 0.);
+  resume(grid, particles);
 }
 
 
@@ -309,6 +310,7 @@ void ParticleStep::set_motion(const TileGrid &grid, const double step)
         field.motion[3 + d][n] =
           field.before[d][n] + step * field.acceleration[d][n];
   touch(grid);
+  const bool has_contact = contact_.n_fields() > 1;
   step_contact_loss_ = 0.;
   for (Field &field : fields_)
   {
@@ -319,9 +321,10 @@ void ParticleStep::set_motion(const TileGrid &grid, const double step)
                      after = field.motion[3 + d][n];
         const double change = (after - before) / step;
         field.motion[d][n] = change;
-        step_contact_loss_ -= 0.5 * step * field.matter[0][n] *
-                              (change - field.acceleration[d][n]) *
-                              (before + after);
+        if (has_contact)
+          step_contact_loss_ -= 0.5 * step * field.matter[0][n] *
+                                (change - field.acceleration[d][n]) *
+                                (before + after);
       }
     field.motion.update_copies(grid);
   }
@@ -406,7 +409,6 @@ void ParticleStep::strain(const TileGrid &grid,
   particles.for_each_block([&](const unsigned int m, ParticleBlock &block) {
     strain_particles(materials_[m], step, grid.box().cell_size, block);
   });
-  smooth(grid, particles, true);
 }
 
 
@@ -426,6 +428,7 @@ double ParticleStep::advance(TileGrid &grid,
     use_velocities_before(grid);
     collect_rates(grid, particles);
     strain(grid, particles, step);
+    smooth(grid, particles, true);
     deposit_fields(grid, particles, Deposit::force);
   }
   else
@@ -461,6 +464,8 @@ double ParticleStep::advance(TileGrid &grid,
   particles.for_each_block(
     [](unsigned int, ParticleBlock &block) { advance_positions(block); });
   particles.sort(grid);
+  // Where the particles are now, as forces and rates are.
+  smooth(grid, particles, true);
   return step;
 }
 } // namespace contrecoup::mpm

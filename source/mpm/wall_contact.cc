@@ -130,6 +130,7 @@ void WallContact::find_at_plane(const RigidWall &wall,
   const auto range = extent(box, wall.point, wall.normal),
              range_1 = extent(box, wall.point, first),
              range_2 = extent(box, wall.point, second);
+  double lowest = 0.;
   for (double b = range_2.first + 0.5 * width; b < range_2.second; b += width)
     for (double a = range_1.first + 0.5 * width; a < range_1.second; a += width)
     {
@@ -146,18 +147,19 @@ void WallContact::find_at_plane(const RigidWall &wall,
         step *= 0.5;
         height += is_matter(source, grid, at(height)) ? -step : step;
       }
-      if (height < -1e-6 * box.cell_size)
-        throw InputError("Plane " + wall.name +
-                         ": it cuts the matter at the start, which reaches " +
-                         brief(-height) +
-                         " m behind it; move Point, or turn Normal to the "
-                         "side of the matter");
+      lowest = std::min(lowest, height);
       add_piece(at(height),
                 at(height + 1e-3 * spacing),
                 width * width,
                 grid,
                 particles);
     }
+  if (lowest < -1e-6 * box.cell_size)
+    throw InputError("Plane " + wall.name +
+                     ": it cuts the matter at the start, which reaches " +
+                     brief(-lowest) +
+                     " m behind it; move Point, or turn Normal to the side of "
+                     "the matter");
 }
 
 

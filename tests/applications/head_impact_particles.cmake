@@ -1,0 +1,59 @@
+# Runs of head_impact by the material point method: heads, ranks, resume, reports.
+set(_ledger "status == finished;assumptions.energy_residual < 1e-10;\
+assumptions.energy_residual > -1e-10")
+set(_particles "Method=mpm" "MPM/Cell size=0.012" "Output/Pictures=false"
+  "Scheme/Courant number=0.5" "Output/History every steps=1" "Time/End time=6e-5")
+
+# One velocity for all layers, and one for each.
+contrecoup_add_application_test(particles_head bounds,resume,ranks
+  FILE head_impact/quickstart.prm SET ${_particles} "Output/Fields=false"
+  BOUNDS ${_ledger} "assumptions.peak_contact_force > 10"
+  COMPARE history.csv probes.csv STOP_AFTER 8
+  TOLERANCE 1e-6 "energy_residual*=1e-12 absolute" "momentum_[xy]*=1e-8 absolute"
+  "velocity_[xy]*=1e-8 absolute")
+contrecoup_add_application_test(particles_head_slip bounds,resume,ranks
+  FILE head_impact/quickstart.prm SET ${_particles} "Output/Fields=false"
+  "Region CSF/Interface=slip" BOUNDS ${_ledger} "assumptions.peak_contact_force > 10"
+  COMPARE history.csv probes.csv STOP_AFTER 8
+  TOLERANCE 1e-6 "energy_residual*=1e-12 absolute" "momentum_[xy]*=1e-8 absolute"
+  "velocity_[xy]*=1e-8 absolute")
+contrecoup_add_application_test(particles_head_oblique bounds
+  FILE head_impact/quickstart.prm SET ${_particles} "Output/Fields=false"
+  "Mesh/Symmetry planes=y" "Plane wall/Normal=1, 0, 1"
+  "Plane wall/Point=-0.06434672, 0, -0.06434672" "Plane wall/Friction=0.3"
+  BOUNDS ${_ledger} "assumptions.peak_contact_force > 10")
+# A gap of 0.1 mm takes 33 microseconds at 3 m/s.
+contrecoup_add_application_test(particles_head_gap bounds
+  FILE head_impact/quickstart.prm SET ${_particles} "Output/Fields=false"
+  "Plane wall/Point=0, 0, -0.0911" "Time/End time=1e-4" BOUNDS ${_ledger}
+  "assumptions.contact_begin > 3.2e-5" "assumptions.contact_begin < 8e-5")
+
+contrecoup_add_application_test(particles_refuse_gas refusal
+  FILE head_impact/verification/sod.prm SET "Method=mpm" "MPM/Cell size=0.01"
+  MESSAGE "particles are tait, elastic, viscoelastic or a tissue")
+contrecoup_add_application_test(particles_refuse_wall_in_head refusal
+  FILE head_impact/quickstart.prm SET ${_particles} "Plane wall/Point=0, 0, -0.09"
+  MESSAGE "Plane wall: it cuts the matter at the start, which reaches 0.0009")
+contrecoup_add_application_test(particles_refuse_linear_apic refusal
+  FILE head_impact/quickstart.prm SET ${_particles} "MPM/Basis=linear"
+  "MPM/Transfer=apic" MESSAGE "apic needs MPM/Basis = quadratic or cubic")
+contrecoup_add_application_test(particles_refuse_probe_outside refusal
+  FILE head_impact/quickstart.prm SET ${_particles} "Probes/Points=0, 0, 1"
+  MESSAGE "is outside of the matter")
+contrecoup_add_application_test(bodies_refuse_ale refusal
+  FILE head_impact/quickstart.prm SET "Mesh/Kind=body"
+  MESSAGE "Mesh/Kind = body is filled with particles, Method = mpm")
+
+# The report on a head of particles, and on two runs of one head.
+contrecoup_add_application_test(particles_report bounds,pictures
+  FILE head_impact/quickstart.prm SET ${_particles} "Output/Pictures=true"
+  "Output/Fields interval=3e-5" BOUNDS ${_ledger} COMPARE head_pressure.png
+  head_shear_strain.png head_speed.png contact.png momentum.png pressures.png
+  shear_strain.png head_probes.png energy.png)
+set_tests_properties(head_impact_particles_report PROPERTIES
+  FIXTURES_SETUP particles_report)
+_contrecoup_register_test(head_impact_methods_report LABELS particles
+  COMMAND ${PROJECT_SOURCE_DIR}/tests/plot/methods_report_test.py
+    head_impact_particles_report/straight_1)
+set_tests_properties(head_impact_methods_report PROPERTIES
+  FIXTURES_REQUIRED particles_report)

@@ -1,0 +1,101 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""Shows what the comparison of two runs of one head says:
+methods_report_test.py OUTPUT_FOLDER of a head of particles. The second run is
+a copy whose forces and pressures are a fifth larger."""
+
+import contextlib
+import csv
+import io
+import os
+import shutil
+import sys
+import tempfile
+import unittest
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path += [os.path.join(HERE, "..", "applications"),
+             os.path.join(HERE, "..", "..", "applications", "plot")]
+
+import head_run  # noqa: E402 (after the paths of the modules)
+import plot_methods  # noqa: E402
+import report_methods  # noqa: E402
+
+OUTPUT = None
+FACTOR = 1.2
+
+
+def scaled_copy(folder):
+    """A copy of the run with larger forces and pressures in its tables."""
+    shutil.copytree(OUTPUT, folder, symlinks=True)
+    for name in ("history.csv", "probes.csv"):
+        path = os.path.join(folder, name)
+        with open(path, encoding="utf-8", newline="") as file:
+            rows = list(csv.reader(file))
+        raised = [i for i, title in enumerate(rows[0])
+                  if "pressure" in title or title.startswith("contact_force")]
+        for row in rows[1:]:
+            for i in raised:
+                row[i] = repr(FACTOR * float(row[i]))
+        with open(path, "w", encoding="utf-8", newline="") as file:
+            csv.writer(file).writerows(rows)
+
+
+class MethodsTest(unittest.TestCase):
+    def setUp(self):
+        self.place = tempfile.TemporaryDirectory()
+        self.other = os.path.join(self.place.name, "other")
+        scaled_copy(self.other)
+
+    def tearDown(self):
+        self.place.cleanup()
+
+    def run_script(self, *arguments):
+        with contextlib.redirect_stdout(io.StringIO()) as told, \
+                contextlib.redirect_stderr(io.StringIO()) as errors:
+            code = plot_methods.main(list(arguments))
+        return code, told.getvalue(), errors.getvalue()
+
+    def test_differences_are_those_of_the_tables(self):
+        pair = report_methods.Pair(head_run.HeadRun(OUTPUT),
+                                   head_run.HeadRun(self.other))
+        self.assertEqual(pair.names, ["MPM 1", "MPM 2"])
+        seen = 0
+        for name, unit, values in report_methods.quantities(pair):
+            if values[0] and (unit == "Pa" or name.startswith("largest contact "
+                                                              "force")):
+                self.assertAlmostEqual(values[1] / values[0], FACTOR, 9, name)
+                seen += 1
+            elif name == "mass":
+                self.assertEqual(values[0], values[1])
+        self.assertGreaterEqual(seen, 9)
+
+    def test_the_page_names_them_and_has_its_pictures(self):
+        folder = os.path.join(self.place.name, "both")
+        code, told, errors = self.run_script(OUTPUT, self.other, folder)
+        self.assertEqual((code, errors), (0, ""))
+        for line in told.splitlines():
+            self.assertTrue(os.path.getsize(line) > 1000, line)
+        for name in ("contact_of_both", "pressures_csf", "pressures_brain",
+                     "probes_1", "pressure_of_both"):
+            self.assertIn(name + ".png", told)
+        with open(os.path.join(folder, "report.html"),
+                  encoding="utf-8") as file:
+            text = file.read()
+        self.assertIn("+20.0 %", text)
+        self.assertIn("Farthest:", text)
+        self.assertNotIn("http", text.replace("http://www.w3.org", ""))
+
+    def test_what_is_no_head_is_refused_in_one_line(self):
+        empty = os.path.join(self.place.name, "empty")
+        os.makedirs(empty)
+        for arguments in ((OUTPUT, empty), (empty, OUTPUT), (OUTPUT,)):
+            code, _, errors = self.run_script(*arguments)
+            self.assertEqual(code, 1, arguments)
+            self.assertEqual(errors.count("\n"), 1, errors)
+
+
+if __name__ == "__main__":
+    OUTPUT = os.path.abspath(sys.argv.pop(1))
+    unittest.main()
