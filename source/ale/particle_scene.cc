@@ -71,6 +71,14 @@ void ParticleScene::declare_parameters(ParameterHandler &prm)
                   "Terms of the mass series of flip and fmpm: 1 is the lumped "
                   "mass, which makes sound slow; each further one costs a "
                   "transfer to the particles and back.");
+  declare_double(prm,
+                 "Damping time",
+                 "1e9",
+                 1e-9,
+                 1e9,
+                 "s",
+                 "In which flip's particles lose the motion that the grid does "
+                 "not see, whatever the step size.");
   declare_double(
     prm,
     "Split stretch",
@@ -128,6 +136,7 @@ void ParticleScene::parse_parameters(ParameterHandler &prm)
   scheme_.transfer = mpm::find_transfer(prm.get("Transfer"));
   scheme_.update = mpm::find_stress_update(prm.get("Update"));
   scheme_.series_order = read_unsigned(prm, "Series order");
+  scheme_.damping_time = read_double(prm, "Damping time");
   smoothing_ = prm.get("Smoothing");
   fields_ = prm.get("Fields");
   resampling_.stretch = read_double(prm, "Split stretch");

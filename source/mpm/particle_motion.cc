@@ -55,7 +55,7 @@ namespace
 
   template <typename Number>
   inline DEAL_II_ALWAYS_INLINE void gain(const double step,
-                                         const bool keeps_velocity,
+                                         const double grid_part,
                                          const bool is_smoothed,
                                          const Columns<Number> &columns,
                                          Number &work,
@@ -67,7 +67,8 @@ namespace
       const Number change = columns[column::change + d],
                    way = columns[column::way + d],
                    before = columns[column::velocity + d];
-      const Number after = keeps_velocity ? before + change : way / step;
+      const Number kept = before + change;
+      const Number after = kept + (way / step - kept) * grid_part;
       work += columns[column::force + d] * (way - 0.5 * step * change);
       kinetic += half_mass * (after - before) * (after + before);
       columns.set(column::velocity + d, after);
@@ -93,7 +94,7 @@ namespace
 
 
 MotionGains gain_motion(const double step,
-                        const bool keeps_velocity,
+                        const double grid_part,
                         const bool is_smoothed,
                         ParticleBlock &particles)
 {
@@ -101,15 +102,10 @@ MotionGains gain_motion(const double step,
   double last_work = 0., last_kinetic = 0.;
   std::size_t p = 0;
   for (; p + width <= particles.size(); p += width)
-    gain<Lane>(
-      step, keeps_velocity, is_smoothed, {particles, p}, work, kinetic);
+    gain<Lane>(step, grid_part, is_smoothed, {particles, p}, work, kinetic);
   for (; p < particles.size(); ++p)
-    gain<double>(step,
-                 keeps_velocity,
-                 is_smoothed,
-                 {particles, p},
-                 last_work,
-                 last_kinetic);
+    gain<double>(
+      step, grid_part, is_smoothed, {particles, p}, last_work, last_kinetic);
   return {sum_of_lanes(work) + last_work, sum_of_lanes(kinetic) + last_kinetic};
 }
 

@@ -362,11 +362,10 @@ void ParticleStep::move_particles(const TileGrid &grid,
                                   const double step)
 {
   double kinetic = 0.;
+  const double grid_part = scheme_.grid_part(step);
   particles.for_each_block([&](const unsigned int m, ParticleBlock &block) {
-    const MotionGains gains = gain_motion(step,
-                                          scheme_.transfer == Transfer::flip,
-                                          materials_[m].is_smoothed,
-                                          block);
+    const MotionGains gains =
+      gain_motion(step, grid_part, materials_[m].is_smoothed, block);
     ledger_.external_work += gains.work;
     kinetic += gains.kinetic;
   });

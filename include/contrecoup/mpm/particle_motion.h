@@ -17,12 +17,12 @@ struct MotionGains
 /**
  * Gives particles the velocity after a step and the energy that their stresses
  * did, from column::change, way and mean_rate.
- * @param keeps_velocity whether the change is added to the old velocity, or the
- *   velocity is that of the way
+ * @param grid_part 0: the change is added to the old velocity; 1: the velocity
+ * is that of the way; between, a part of each [-]
  * @param is_smoothed whether column::smoothed is a pressure besides the stress
  */
 MotionGains gain_motion(const double step,
-                        const bool keeps_velocity,
+                        const double grid_part,
                         const bool is_smoothed,
                         ParticleBlock &particles);
 

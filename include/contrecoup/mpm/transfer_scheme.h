@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -52,5 +54,14 @@ struct TransferScheme
    * 318 (2017), for velocities; here for accelerations, too.
    */
   unsigned int series_order = 1;
+  /// Time in which FLIP's particles lose what their velocity has beside that of
+  /// the nodes [s], whatever the step size; infinity: never.
+  double damping_time = std::numeric_limits<double>::infinity();
+
+  /// Part of the nodes' velocity in that of particles after a step.
+  double grid_part(const double step) const
+  {
+    return transfer == Transfer::flip ? -std::expm1(-step / damping_time) : 1.;
+  }
 };
 } // namespace contrecoup::mpm
