@@ -12,11 +12,13 @@ import report_accuracy
 import report_data
 import report_head
 import report_page as page
+import report_signals as signals
 from look import plt
 
 NAMES = {"ale": "ALE", "mpm": "MPM"}
 RASTER = 160  # places along the longer side of difference fields
 AGREEMENT = 0.1
+SPAN = 5e-4  # of running means at probes, which leave no ringing [s]
 
 
 class Pair:
@@ -76,12 +78,23 @@ def quantities(pair):
         rows.append(("largest speed of csf", "m/s", pair.both(
             lambda run: float(run.column("largest_speed", "csf").max()))))
     for number, name in enumerate(probe_names(pair)):
-        for word, take in (("least", np.min), ("largest", np.max)):
-            rows.append((
-                f"{word} pressure at {name}", "Pa", pair.both(
-                    lambda run, n=number, t=take: float(
-                        t(run.probes[f"pressure_{n + 1}"])))))
+        for span in (0., SPAN):
+            rows += [(
+                f"{word} pressure at {name}" + (
+                    f", mean over {page.quantity(span, 's')}" if span else ""),
+                "Pa", pair.both(lambda run, n=number, t=take, s=span: float(
+                    t(probe(run, n, s)))))
+                for word, take in (("least", np.min), ("largest", np.max))]
     return rows
+
+
+def probe(run, number, span):
+    """Pressure at a probe, as running means over a span unless it is 0."""
+    time, values = run.probes["time"], run.probes[f"pressure_{number + 1}"]
+    if not span or len(time) < 5:
+        return values
+    even = np.linspace(time[0], time[-1], 2 * len(time))
+    return signals.smooth(even, np.interp(even, time, values), span)
 
 
 def scaled(run, value):

@@ -189,12 +189,12 @@ StepReport ParticleSimulation::advance(const double largest_step)
   {
     const mpm::WallMeasures &walls = contact_.measures();
     std::vector<double> sums{
-      walls.force, walls.area, walls.friction_power, walls.sliding_power};
+      walls.force, walls.area, walls.friction_power, walls.sliding};
     mpi::sum(sums, communicator_, sums);
     contact_now_.force = sums[0];
     contact_now_.area = sums[1];
     contact_now_.friction_work += report.step_size * sums[2];
-    contact_now_.sliding_work += report.step_size * sums[3];
+    contact_now_.sliding_work += sums[3];
     contact_record_.add(contact_now_, time_, report.step_size);
   }
   return report;

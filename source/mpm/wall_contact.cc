@@ -265,7 +265,12 @@ void WallContact::push(const RigidWall &wall,
   }
   measures_.force += press;
   measures_.friction_power += (force - press * normal) * velocity;
-  measures_.sliding_power += press * along.norm();
+  // Of the grid's velocity, without what particles have beside it.
+  dealii::Tensor<1, 3> slide;
+  for (unsigned int d = 0; d < 3; ++d)
+    slide[d] = particles[column::way + d][particle];
+  slide -= (slide * normal) * normal;
+  measures_.sliding += press * slide.norm();
   measures_.area += area;
 }
 

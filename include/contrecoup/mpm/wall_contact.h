@@ -46,7 +46,8 @@ struct WallMeasures
   double force = 0.;          ///< along the normals [N]
   double area = 0.;           ///< of the surface in contact [m^2]
   double friction_power = 0.; ///< at most 0 [W]
-  double sliding_power = 0.;  ///< that a coefficient of 1 would take [W]
+  /// That a coefficient of 1 would take in a step as the last one [J].
+  double sliding = 0.;
 };
 
 /**
