@@ -84,9 +84,9 @@ void Rezone::declare_parameters(ParameterHandler &prm)
                  1e-14,
                  0.1,
                  "-",
-                 "Relative residual of the elastic problem; 1e-10 and less "
-                 "where cells are flat or of very different sizes, whose "
-                 "nodes would be off by them.");
+                 "How far nodes may be off the solution of the elastic "
+                 "problem, over the largest displacement; it may be larger "
+                 "where no cells are much smaller than that.");
 }
 
 
