@@ -4,14 +4,12 @@
 #include <contrecoup/ale/head_measures.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameters.h>
-#include <contrecoup/io/binary_records.h>
 #include <contrecoup/io/checked_file.h>
 #include <contrecoup/solid/mean_motion.h>
 #include <contrecoup/solid/tissue_measures.h>
 
 #include <filesystem>
 #include <sstream>
-#include <unordered_map>
 
 namespace contrecoup::ale
 {
@@ -96,7 +94,7 @@ void HeadMeasures::reinit(const HexSpace &space,
   brain_ = find(regions, "Brain", brain_name_);
   skull_ = find(regions, "Skull", skull_name_);
   cells_.clear();
-  pieces_.clear();
+  record_.pieces.clear();
   std::vector<solid::NodalAverage::Corners> corners;
   std::vector<double> volumes;
   for (std::uint32_t c = 0; c < space.n_own_cells(); ++c)
@@ -106,7 +104,7 @@ void HeadMeasures::reinit(const HexSpace &space,
       solid::BrainPiece piece;
       piece.cell = space.cell_number(c);
       piece.volume = lagrange.values(state, c).volume;
-      pieces_.push_back(piece);
+      record_.pieces.push_back(piece);
       corners.push_back(space.cell(c));
       volumes.push_back(piece.volume);
     }
@@ -131,10 +129,10 @@ void HeadMeasures::follow(const HexSpace &space,
                           const LagrangeStep &lagrange,
                           const AleState &state)
 {
-  if (!active() || n_calls_++ % interval_ != 0)
+  if (!active() || record_.n_steps++ % interval_ != 0)
     return;
-  follow_brain(lagrange, state, state.time - last_time_);
-  last_time_ = state.time;
+  follow_brain(lagrange, state, state.time - record_.last_time);
+  record_.last_time = state.time;
   follow_motion(space, state);
 }
 
@@ -144,15 +142,19 @@ void HeadMeasures::follow_brain(const LagrangeStep &lagrange,
                                 const double span)
 {
   std::vector<double> pressures;
-  for (std::size_t i = 0; i < pieces_.size(); ++i)
+  for (std::size_t i = 0; i < record_.pieces.size(); ++i)
   {
     const CellValues values = lagrange.values(state, cells_[i]);
-    pieces_[i].peak_strain =
-      std::max(pieces_[i].peak_strain, values.principal_strain);
+    record_.pieces[i].peak_strain =
+      std::max(record_.pieces[i].peak_strain, values.principal_strain);
     pressures.push_back(values.pressure);
   }
-  solid::take_pressures(
-    span, pressures, average_.average(pressures), averaged_, pieces_, sums_);
+  solid::take_pressures(span,
+                        pressures,
+                        average_.average(pressures),
+                        averaged_,
+                        record_.pieces,
+                        record_.sums);
 }
 
 
@@ -173,30 +175,30 @@ void HeadMeasures::follow_motion(const HexSpace &space, const AleState &state)
       motion.add(state.mass[c], place, velocity);
     }
   motion.find(space.communicator(), is_mirrored_);
-  times_.push_back(state.time);
-  speeds_.emplace_back();
+  record_.times.push_back(state.time);
+  record_.speeds.emplace_back();
   for (unsigned int d = 0; d < 3; ++d)
-    speeds_.back()[d] = motion.velocity()[d];
-  solid::raise_spin(largest_spin_, motion.turning());
+    record_.speeds.back()[d] = motion.velocity()[d];
+  solid::raise_spin(record_.largest_spin, motion.turning());
 }
 
 
 std::vector<solid::InjuryMeasure>
 HeadMeasures::measures(const MPI_Comm communicator) const
 {
-  auto list = solid::brain_measures(pieces_, sums_, communicator);
+  auto list = solid::brain_measures(record_.pieces, record_.sums, communicator);
   if (!averaged_)
     for (solid::InjuryMeasure &measure : list)
       if (measure.value.unit == "Pa")
         measure.limits += "; of single cells";
-  if (times_.size() < 2)
+  if (record_.times.size() < 2)
     return list;
   const std::string who = skull_ != none ? "the skull" : "the brain";
-  list.push_back(solid::head_motion_measure(times_,
-                                            speeds_,
+  list.push_back(solid::head_motion_measure(record_.times,
+                                            record_.speeds,
                                             "the mean motion of " + who +
                                               ", until the end of the run"));
-  list.push_back(solid::head_turning_measure(largest_spin_,
+  list.push_back(solid::head_turning_measure(record_.largest_spin,
                                              "the mean turning of " + who +
                                                ", until the end of the run"));
   return list;
@@ -210,20 +212,8 @@ void HeadMeasures::save(const std::string &folder,
     return;
   const unsigned int rank =
     dealii::Utilities::MPI::this_mpi_process(communicator);
-  io::write_file(file_of(folder, rank), [&](std::ostream &out) {
-    io::put_list(out,
-                 std::vector<double>{double(n_calls_),
-                                     last_time_,
-                                     sums_.cavitation_dose,
-                                     sums_.rough,
-                                     sums_.smooth,
-                                     largest_spin_[0],
-                                     largest_spin_[1],
-                                     largest_spin_[2]});
-    io::put_list(out, pieces_);
-    io::put_list(out, times_);
-    io::put_list(out, speeds_);
-  });
+  io::write_file(file_of(folder, rank),
+                 [&](std::ostream &out) { record_.save(out); });
 }
 
 
@@ -232,40 +222,12 @@ void HeadMeasures::restore(const std::string &folder,
 {
   if (!active())
     return;
-  std::unordered_map<std::uint32_t, std::size_t> here;
-  for (std::size_t i = 0; i < pieces_.size(); ++i)
-    here[pieces_[i].cell] = i;
-  const unsigned int own =
-    dealii::Utilities::MPI::this_mpi_process(communicator);
-  const unsigned int n_ranks =
-    dealii::Utilities::MPI::n_mpi_processes(communicator);
   unsigned int rank = 0;
   do
   {
     const std::string file = file_of(folder, rank);
     std::istringstream in(io::read_file(file));
-    std::vector<double> numbers;
-    std::vector<solid::BrainPiece> pieces;
-    io::take_list(in, file, numbers);
-    io::take_list(in, file, pieces);
-    io::take_list(in, file, times_);
-    io::take_list(in, file, speeds_);
-    if (numbers.size() != 8 || times_.size() != speeds_.size())
-      throw InputError("Checkpoint file " + file + " belongs to another scene");
-    n_calls_ = static_cast<std::uint64_t>(numbers[0]);
-    last_time_ = numbers[1];
-    // The sums of a rank go on at the rank of the same number, so that a run on
-    // as many ranks as before adds in the same order.
-    if (rank % n_ranks == own)
-    {
-      sums_.cavitation_dose += numbers[2];
-      sums_.rough += numbers[3];
-      sums_.smooth += numbers[4];
-    }
-    largest_spin_ = {{numbers[5], numbers[6], numbers[7]}};
-    for (const solid::BrainPiece &piece : pieces)
-      if (here.count(piece.cell) > 0)
-        pieces_[here[piece.cell]] = piece;
+    record_.restore(in, file, rank, communicator);
   } while (std::filesystem::exists(file_of(folder, ++rank)));
 }
 } // namespace contrecoup::ale

@@ -13,7 +13,6 @@
 
 #include <filesystem>
 #include <sstream>
-#include <unordered_map>
 
 namespace contrecoup::solid
 {
@@ -78,28 +77,28 @@ void InjuryReport<Real>::reinit(const SolidBody<Real> &body)
     mesh.tissues.begin());
   average_.reinit(mesh, body.exchange(), brain_);
   piece_of_cell_.assign(mesh.cells.size(), none);
-  pieces_.clear();
+  record_.pieces.clear();
   for (const std::uint32_t cell : average_.cells())
   {
-    piece_of_cell_[cell] = static_cast<std::uint32_t>(pieces_.size());
+    piece_of_cell_[cell] = static_cast<std::uint32_t>(record_.pieces.size());
     BrainPiece piece;
     piece.cell = mesh.global_cell[cell];
-    piece.volume = average_.volumes()[pieces_.size()];
-    pieces_.push_back(piece);
+    piece.volume = average_.volumes()[record_.pieces.size()];
+    record_.pieces.push_back(piece);
   }
   chest_wall_.reinit(
     mesh, chest_.place(), chest_.radius(), body.communicator());
-  last_time_ = body.time();
+  record_.last_time = body.time();
 }
 
 
 template <typename Real>
 void InjuryReport<Real>::follow(const SolidBody<Real> &body)
 {
-  if (++n_steps_ % interval_ != 0)
+  if (++record_.n_steps % interval_ != 0)
     return;
-  follow_brain(body, body.time() - last_time_);
-  last_time_ = body.time();
+  follow_brain(body, body.time() - record_.last_time);
+  record_.last_time = body.time();
   follow_head(body);
   chest_.follow(body.time(),
                 body.loads().pressure_near(chest_.place(), body.communicator()),
@@ -111,19 +110,23 @@ template <typename Real>
 void InjuryReport<Real>::follow_brain(const SolidBody<Real> &body,
                                       const double span)
 {
-  std::vector<double> pressures(pieces_.size());
+  std::vector<double> pressures(record_.pieces.size());
   body.elements().visit(
     body.nodes(),
     body.times(),
     [&](const std::uint32_t cell, const ElementValues &element) {
       const std::uint32_t i = piece_of_cell_[cell];
       pressures[i] = pressure_of(element.stress);
-      pieces_[i].peak_strain =
-        raised_to_principal(pieces_[i].peak_strain, element.strain);
+      record_.pieces[i].peak_strain =
+        raised_to_principal(record_.pieces[i].peak_strain, element.strain);
     },
     brain_);
-  take_pressures(
-    span, pressures, average_.average(pressures), averaged_, pieces_, sums_);
+  take_pressures(span,
+                 pressures,
+                 average_.average(pressures),
+                 averaged_,
+                 record_.pieces,
+                 record_.sums);
 }
 
 
@@ -133,7 +136,7 @@ void InjuryReport<Real>::follow_head(const SolidBody<Real> &body)
   // Each element of the brain is a mass in its middle.
   MeanMotion motion;
   const SolidMesh &mesh = body.mesh();
-  for (std::size_t i = 0; i < pieces_.size(); ++i)
+  for (std::size_t i = 0; i < record_.pieces.size(); ++i)
   {
     Tensor<1, 3> place, velocity;
     for (const std::uint32_t node : mesh.cells[average_.cells()[i]])
@@ -144,14 +147,14 @@ void InjuryReport<Real>::follow_head(const SolidBody<Real> &body)
                     8.;
         velocity[d] += double(body.nodes().velocity_of(node)[d]) / 8.;
       }
-    motion.add(pieces_[i].volume, place, velocity);
+    motion.add(record_.pieces[i].volume, place, velocity);
   }
   if (!motion.find(body.communicator()))
     return;
-  raise_spin(largest_spin_, motion.turning());
+  raise_spin(record_.largest_spin, motion.turning());
   const Tensor<1, 3> &velocity = motion.velocity();
-  times_.push_back(body.time());
-  speeds_.push_back({{velocity[0], velocity[1], velocity[2]}});
+  record_.times.push_back(body.time());
+  record_.speeds.push_back({{velocity[0], velocity[1], velocity[2]}});
 }
 
 
@@ -175,7 +178,7 @@ void InjuryReport<Real>::add_brain(const SolidBody<Real> &body,
                                    std::vector<InjuryMeasure> &list) const
 {
   for (const InjuryMeasure &measure :
-       brain_measures(pieces_, sums_, body.communicator()))
+       brain_measures(record_.pieces, record_.sums, body.communicator()))
     list.push_back(measure);
 }
 
@@ -183,15 +186,15 @@ void InjuryReport<Real>::add_brain(const SolidBody<Real> &body,
 template <typename Real>
 void InjuryReport<Real>::add_head(std::vector<InjuryMeasure> &list) const
 {
-  if (times_.size() < 2)
+  if (record_.times.size() < 2)
     return;
   list.push_back(
-    head_motion_measure(times_,
-                        speeds_,
+    head_motion_measure(record_.times,
+                        record_.speeds,
                         "the mean motion of the brain; made for impacts, not "
                         "blasts"));
-  list.push_back(
-    head_turning_measure(largest_spin_, "the mean turning of the brain"));
+  list.push_back(head_turning_measure(record_.largest_spin,
+                                      "the mean turning of the brain"));
 }
 
 
@@ -202,18 +205,7 @@ void InjuryReport<Real>::save(const SolidBody<Real> &body,
   const unsigned int rank =
     dealii::Utilities::MPI::this_mpi_process(body.communicator());
   io::write_file(file_of(folder, rank), [&](std::ostream &out) {
-    io::put_list(out,
-                 std::vector<double>{double(n_steps_),
-                                     last_time_,
-                                     sums_.cavitation_dose,
-                                     sums_.rough,
-                                     sums_.smooth,
-                                     largest_spin_[0],
-                                     largest_spin_[1],
-                                     largest_spin_[2]});
-    io::put_list(out, pieces_);
-    io::put_list(out, times_);
-    io::put_list(out, speeds_);
+    record_.save(out);
     io::put_list(out, chest_.times());
     io::put_list(out, chest_.pressures());
     io::put_list(out, chest_.wall_velocities());
@@ -226,45 +218,17 @@ void InjuryReport<Real>::restore(const SolidBody<Real> &body,
                                  const std::string &folder)
 {
   reinit(body);
-  std::unordered_map<std::uint32_t, std::size_t> here;
-  for (std::size_t i = 0; i < pieces_.size(); ++i)
-    here[pieces_[i].cell] = i;
-  const unsigned int own =
-    dealii::Utilities::MPI::this_mpi_process(body.communicator());
-  const unsigned int n_ranks =
-    dealii::Utilities::MPI::n_mpi_processes(body.communicator());
   for (unsigned int rank = 0; std::filesystem::exists(file_of(folder, rank));
        ++rank)
   {
     const std::string file = file_of(folder, rank);
     std::istringstream in(io::read_file(file));
-    std::vector<double> numbers;
-    std::vector<BrainPiece> pieces;
-    io::take_list(in, file, numbers);
-    io::take_list(in, file, pieces);
-    io::take_list(in, file, times_);
-    io::take_list(in, file, speeds_);
+    record_.restore(in, file, rank, body.communicator());
     std::array<std::vector<double>, 3> chest;
     for (std::vector<double> &values : chest)
       io::take_list(in, file, values);
-    if (!in || numbers.size() != 8)
-      throw InputError("Checkpoint file " + file + " belongs to another scene");
     chest_.restore(
       std::move(chest[0]), std::move(chest[1]), std::move(chest[2]));
-    n_steps_ = static_cast<std::uint64_t>(numbers[0]);
-    last_time_ = numbers[1];
-    // The sums of a rank go on at the rank of the same number, so that a run on
-    // as many ranks as before adds in the same order.
-    if (rank % n_ranks == own)
-    {
-      sums_.cavitation_dose += numbers[2];
-      sums_.rough += numbers[3];
-      sums_.smooth += numbers[4];
-    }
-    largest_spin_ = {{numbers[5], numbers[6], numbers[7]}};
-    for (const BrainPiece &piece : pieces)
-      if (here.count(piece.cell) > 0)
-        pieces_[here[piece.cell]] = piece;
   }
 }
 

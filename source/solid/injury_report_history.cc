@@ -11,7 +11,8 @@ template <typename Real>
 std::vector<NamedValue>
 InjuryReport<Real>::history(const SolidBody<Real> &body) const
 {
-  std::vector<double> strains(pieces_.size()), pressures(pieces_.size());
+  std::vector<double> strains(record_.pieces.size()),
+    pressures(record_.pieces.size());
   body.elements().visit(
     body.nodes(),
     body.times(),
@@ -24,7 +25,7 @@ InjuryReport<Real>::history(const SolidBody<Real> &body) const
   if (averaged_)
     pressures = average_.average(pressures);
   std::vector<double> volumes;
-  for (const BrainPiece &piece : pieces_)
+  for (const BrainPiece &piece : record_.pieces)
     volumes.push_back(piece.volume);
   const MPI_Comm communicator = body.communicator();
   if (dealii::Utilities::MPI::sum(volumes.size(), communicator) == 0)

@@ -5,7 +5,7 @@
 
 #include <contrecoup/ale/lagrange_step.h>
 #include <contrecoup/ale/symmetry_planes.h>
-#include <contrecoup/solid/brain_measures.h>
+#include <contrecoup/solid/brain_record.h>
 #include <contrecoup/solid/nodal_average.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -78,13 +78,7 @@ private:
   unsigned int brain_ = none; ///< region
   unsigned int skull_ = none;
   std::vector<std::uint32_t> cells_; ///< of the brain, own ones
-  std::vector<solid::BrainPiece> pieces_;
-  solid::NodalAverage average_; ///< over cells_
-  solid::BrainSums sums_;
-  std::uint64_t n_calls_ = 0;
-  double last_time_ = 0.;
-  std::vector<double> times_;
-  std::vector<std::array<double, 3>> speeds_; ///< of moving_region() [m/s]
-  std::array<double, 3> largest_spin_{};      ///< of it [rad/s]
+  solid::NodalAverage average_;      ///< over cells_
+  solid::BrainRecord record_;        ///< speeds are of moving_region()
 };
 } // namespace contrecoup::ale

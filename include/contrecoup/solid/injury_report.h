@@ -4,7 +4,7 @@
 #pragma once
 
 #include <contrecoup/base/simulation.h>
-#include <contrecoup/solid/brain_measures.h>
+#include <contrecoup/solid/brain_record.h>
 #include <contrecoup/solid/chest_injury.h>
 #include <contrecoup/solid/solid_body.h>
 #include <contrecoup/solid/surface_patch.h>
@@ -66,12 +66,6 @@ private:
   unsigned int brain_ = 0; ///< index of the tissue; number of tissues: none
   TissueAverage average_;  ///< over the brain
   std::vector<std::uint32_t> piece_of_cell_;
-  std::vector<BrainPiece> pieces_;
-  std::uint64_t n_steps_ = 0;
-  double last_time_ = 0.;
-  BrainSums sums_; ///< of this rank
-  std::vector<double> times_;
-  std::vector<std::array<double, 3>> speeds_; ///< of the head [m/s]
-  std::array<double, 3> largest_spin_{};      ///< [rad/s]
+  BrainRecord record_;
 };
 } // namespace contrecoup::solid
