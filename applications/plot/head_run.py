@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""What a run of head_impact with a layered head left on the disk: its layers,
-the plane that it hits, its histories, cuts through its fields."""
+"""What a run of head_impact with a head left on the disk: its layers, the plane
+that it hits, its histories, cuts through its fields."""
 
 import os
 
@@ -14,11 +14,14 @@ import vtk_file
 # Times of the published pictures of a head against a wall [s].
 PUBLISHED_TIMES = (1e-4, 5e-4, 1e-3, 5e-3)
 LEAST_PANELS = 4
-# Six tetrahedra around a diagonal of a hexahedron.
-TETRAHEDRA = np.array([(0, 1, 2, 6), (0, 2, 3, 6), (0, 3, 7, 6),
-                       (0, 7, 4, 6), (0, 4, 5, 6), (0, 5, 1, 6)])
+# Six tetrahedra around a diagonal of a hexahedron, whose corners are numbered as
+# binary digits of z, y, x, which is how fields have them.
+TETRAHEDRA = np.array([(0, 1, 3, 7), (0, 3, 2, 7), (0, 2, 6, 7),
+                       (0, 6, 4, 7), (0, 4, 5, 7), (0, 5, 1, 7)])
 # Beside a plane of symmetry, where cells have a face, over the head's size.
 BESIDE = 1e-4
+# What layers are called as tissues of a file.
+LAYERS = {"cerebrospinal fluid": "csf", "skeleton": "skull"}
 
 
 class Plane:
@@ -55,8 +58,8 @@ class HeadRun(report_data.Stage):
         names = [key[len("Region "):-len("/Layer")] for key in self.parameters
                  if key.startswith("Region ") and key.endswith("/Layer")]
         self.regions = names
-        self.layer_of = {name: self.parameters[f"Region {name}/Layer"].lower()
-                         or name.lower() for name in names}
+        self.layer_of = {name: layer_named(
+            self.parameters[f"Region {name}/Layer"], name) for name in names}
         with report_data.reading(self.path("parameters.prm")):
             self.planes = [
                 Plane(self, key[len("Plane "):-len("/Normal")])
@@ -67,9 +70,17 @@ class HeadRun(report_data.Stage):
         self._fields = None
 
     def is_head(self):
-        """Whether there is anything that this can tell of."""
-        return self.parameters.get("Mesh/Kind") == "layered head" \
-            and self.history is not None
+        """Whether there is anything that this can tell of: a layered head, or a
+        file with a brain or CSF."""
+        return self.history is not None and (self.is_layered() or (
+            self.is_file() and any(self.region(layer)
+                                   for layer in ("brain", "csf"))))
+
+    def is_layered(self):
+        return self.parameters.get("Mesh/Kind") == "layered head"
+
+    def is_file(self):
+        return self.parameters.get("Mesh/Kind") == "file"
 
     def region(self, layer):
         """The name of the region of a layer, "brain", "csf", "skull" or
@@ -176,10 +187,23 @@ class HeadRun(report_data.Stage):
         return {name: values[:, None] for name, values in found.items()} \
             if self.has_particles() else found
 
+    def middle(self, points):
+        """Where cuts and mirrors are: a layered head's is at the origin; a file
+        has planes of symmetry at its lower sides, and is cut in its middle."""
+        result = np.zeros(3)
+        if not self.is_file():
+            return result
+        low, high = points.min(axis=(0, 1)), points.max(axis=(0, 1))
+        through = self.cut_axes()[0]
+        result[through] = 0.5 * (low + high)[through]
+        result[self.mirrors] = low[self.mirrors]
+        return result
+
     def cut(self, entry):
         """The Cut of an output, mirrored to the whole head."""
         time, pieces = entry
         arrays = self.arrays(pieces)
+        arrays["points"] = arrays["points"] - self.middle(arrays["points"])
         through, right, up = self.cut_axes()
         if self.has_particles():
             polygons, owners = cut_particles(
@@ -204,6 +228,15 @@ class HeadRun(report_data.Stage):
                 polygons, values, centres = _mirrored(number, polygons, values,
                                                       centres)
         return Cut(time, polygons, values, centres)
+
+
+def layer_named(layer, region):
+    """The layer that a region's entry Layer names: tissues of a file by their
+    names, numbers and nothing by the region's."""
+    word = " ".join(layer.lower().replace("_", " ").split())
+    if not word or word.isdigit():
+        word = region.lower()
+    return LAYERS.get(word, word)
 
 
 def first_crossing(time, values):

@@ -3,9 +3,10 @@
 # Copyright (C) 2026 by the Contrecoup authors
 """Draws a run of head_impact: plot_head.py OUTPUT_FOLDER
 
-Writes of a layered head OUTPUT_FOLDER/report.html, one page that needs nothing
-besides itself, and its pictures as PNG files into OUTPUT_FOLDER/pictures; of
-other runs the pictures of plot_run.py. Prints their paths. Exit code 0, or 1
+Writes of a layered head, or of a file with a brain or cerebrospinal fluid,
+OUTPUT_FOLDER/report.html, one page that needs nothing besides itself, and its
+pictures as PNG files into OUTPUT_FOLDER/pictures; of other runs the pictures of
+plot_run.py. Prints their paths. Exit code 0, or 1
 with one line for a folder or file that is not what it should be.
 """
 

@@ -145,12 +145,14 @@ def scene(run):
                 constants.append(f"{entry}: " + (
                     page.plain(number[0], unit).replace("^3", "³")
                     if number else value))
-        rows.append((name, _thickness(run, run.layer_of[name]), material,
+        rows.append((name, _thickness(run, name), material,
                      "; ".join(constants)))
     parts = [page.table(("layer", "size", "material", "constants"), rows,
                         widths=(12, 30, 14, 44))]
     told = (f"{_symmetry(run).capitalize()} is computed"
-            + (": planes of symmetry through its centre are normal to "
+            + (": planes of symmetry, "
+               + ("lower sides of the mesh" if run.is_file() else
+                  "through its centre") + ", are normal to "
                + " and ".join("xyz"[axis] for axis in run.mirrors)
                + ". Forces, areas, masses and energies below are those of the "
                f"whole head, {run.factor()} times those of the computed part, "
@@ -172,8 +174,12 @@ def scene(run):
     return parts
 
 
-def _thickness(run, layer):
-    """The size of a layer."""
+def _thickness(run, name):
+    """The size of a region's layer, or what it is of a file."""
+    layer = run.layer_of[name]
+    if run.is_file():
+        known = run.parameters.get(f"Region {name}/Layer") or name
+        return f"“{known}” of the file"
     if layer == "brain":
         axes = run.parameter("Mesh/Semi-axes") or []
         return "semi-axes " + ", ".join(f"{1e3 * axis:g}" for axis in axes) \
@@ -195,7 +201,8 @@ def cuts(run, folder):
     found = [run.cut(entry) for entry in chosen]
     through = "xyz"[run.cut_axes()[0]]
     times = page.moments([time for time, _ in chosen])
-    where = f"through the head's centre, normal to {through}"
+    where = ("through the middle of the mesh" if run.is_file() else
+             "through the head's centre") + f", normal to {through}"
     parts = [_figure(
         folder, "head_pressure", pictures.draw_pressure(run, found),
         f"The head cut along its middle above the wall, coloured by the "
@@ -465,10 +472,12 @@ def mesh_settings(run):
             (name.lower(), run.parameters.get(f"MPM/{name}", "–"))
             for name in ("Basis", "Transfer", "Update", "Series order",
                          "Smoothing", "Fields")]
+    mesh = ("file", os.path.basename(run.parameters.get("Mesh/File", "–"))) \
+        if run.is_file() else (
+            "cell size at the brain's surface, about",
+            page.quantity((run.parameter("Mesh/Cell size") or [0.])[0], "m"))
     return [
-        ("cells in all", page.count(run.summary.get("cells") or 0)),
-        ("cell size at the brain's surface, about",
-         page.quantity((run.parameter("Mesh/Cell size") or [0.])[0], "m")),
+        ("cells in all", page.count(run.summary.get("cells") or 0)), mesh,
         ("smoothing of the fluid's mesh", run.parameters.get("Rezone/Kind",
                                                              "–")),
         ("its interval", page.quantity(

@@ -18,9 +18,11 @@ NO_SIZES = ("the paper gives neither size, thickness, mass nor stiffness of "
 
 
 def applies(run):
-    """Whether a run is one of a head with skull and CSF before a plane."""
-    return run.is_head() and run.impact() is not None and all(
-        run.region(layer) for layer in ("brain", "csf", "skull"))
+    """Whether a run is one of a layered head with skull and CSF before a
+    plane."""
+    return run.is_head() and run.is_layered() \
+        and run.impact() is not None \
+        and all(run.region(layer) for layer in ("brain", "csf", "skull"))
 
 
 def section(run):

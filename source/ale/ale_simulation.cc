@@ -77,7 +77,7 @@ void AleSimulation::declare_parameters(ParameterHandler &prm)
                  "Pictures",
                  "false",
                  "Whether a finished run draws its history and probes into the "
-                 "folder pictures, and of a layered head a report.");
+                 "folder pictures, and of a head a report.");
   }
   const Section section(prm, "Probes");
   declare_points(prm,

@@ -449,6 +449,21 @@ set_tests_properties(head_impact_voxel_head
   head_impact_refuses_material_without_region head_impact_refuses_side_that_is_round
   PROPERTIES FIXTURES_REQUIRED head_mesh)
 
+# The report of such a head.
+contrecoup_add_application_test(voxel_head_report bounds,pictures
+  FILE head_impact/quickstart.prm SET ${_of_file} "Time/End time=1e-4"
+  "Output/History every steps=1" "Injury/Every steps=1" "Injury/Pressure=of elements"
+  BOUNDS ${_ledger} COMPARE head_pressure.png head_shear_strain.png
+  head_speed.png contact.png momentum.png pressures.png shear_strain.png
+  head_probes.png energy.png)
+set_tests_properties(head_impact_voxel_head_report PROPERTIES
+  FIXTURES_REQUIRED head_mesh FIXTURES_SETUP voxel_head_report)
+_contrecoup_register_test(head_impact_voxel_head_figures LABELS head_report
+  COMMAND ${PROJECT_SOURCE_DIR}/tests/plot/head_report_test.py
+    head_impact_voxel_head_report/straight_1)
+set_tests_properties(head_impact_voxel_head_figures
+  PROPERTIES FIXTURES_REQUIRED voxel_head_report)
+
 # What its report says: figures, each with another digit, damaged files, and the
 # page in a browser without a window.
 contrecoup_add_application_test(report bounds,pictures
