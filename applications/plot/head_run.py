@@ -80,7 +80,7 @@ class HeadRun(report_data.Stage):
         return self.parameters.get("Mesh/Kind") == "layered head"
 
     def is_file(self):
-        return self.parameters.get("Mesh/Kind") == "file"
+        return self.parameters.get("Mesh/Kind") in ("file", "body")
 
     def region(self, layer):
         """The name of the region of a layer, "brain", "csf", "skull" or
