@@ -181,10 +181,10 @@ def smoothed(run, values):
 
 def draw_contact(run):
     """Force and area over time, of the whole head."""
-    history, factor = run.history, run.factor()
+    history = run.history
     time = 1e3 * history["time"]
     figure, axes = plt.subplots(1, 2, figsize=(9.4, 3.1))
-    force = factor * history["contact_force"]
+    force = history["contact_force"]
     mean = smoothed(run, force)
     shown, unit = look.scale_unit("N", max(mean.max(), 1e-12))
     axes[0].plot(time, force * shown, color=look.COLOURS[5], linewidth=0.5,
@@ -194,7 +194,7 @@ def draw_contact(run):
     axes[0].set_ylim(0., 1.6 * mean.max() * shown or 1.)
     axes[0].set_ylabel(f"contact force [{unit}]")
     axes[0].legend(loc="upper right")
-    axes[1].plot(time, factor * history["contact_area"] * 1e4,
+    axes[1].plot(time, history["contact_area"] * 1e4,
                  color=look.COLOURS[0])
     axes[1].set_ylabel("contact area [cm²]")
     axes[1].set_ylim(bottom=0.)

@@ -65,8 +65,10 @@ class HeadRun(report_data.Stage):
                 Plane(self, key[len("Plane "):-len("/Normal")])
                 for key in self.parameters
                 if key.startswith("Plane ") and key.endswith("/Normal")]
+        self.wedge_axis = self.parameters.get("Mesh/Wedge axis", "none")
         self.mirrors = [axis for axis, name in enumerate("xyz") if name in
-                        self.parameters.get("Mesh/Symmetry planes", "")]
+                        self.parameters.get("Mesh/Symmetry planes", "")
+                        or self.wedge_axis not in ("none", name)]
         self._fields = None
 
     def is_head(self):
@@ -93,10 +95,6 @@ class HeadRun(report_data.Stage):
     def is_solid(self, name):
         return f"largest_shear_strain_{name}" in self.history
 
-    def factor(self):
-        """How many times the computed part is the whole."""
-        return 2 ** len(self.mirrors)
-
     def impact(self):
         """The plane that is hit: the first one; None without any."""
         return self.planes[0] if self.planes else None
@@ -111,7 +109,6 @@ class HeadRun(report_data.Stage):
         [m/s]."""
         momentum = np.stack([self.history[f"momentum_{axis}"]
                              for axis in "xyz"], axis=1)
-        momentum[:, self.mirrors] = 0.
         return momentum @ self.impact().normal / self.history["mass"]
 
     def contact(self, name):
@@ -155,12 +152,15 @@ class HeadRun(report_data.Stage):
 
     def cut_axes(self):
         """The axis normal to the cut, and those to the right and up: the cut
-        holds the plane's normal, and is a plane of symmetry if one is."""
+        holds the plane's normal, and is a plane of symmetry if one is, or the
+        middle of a wedge."""
         normal = np.abs(self.impact().normal) if self.planes \
             else np.array([0., 0., 1.])
         along = [axis for axis in (1, 0, 2) if normal[axis] < 0.5]
         through = next((axis for axis in along if axis in self.mirrors),
                        along[0])
+        if self.wedge_axis != "none":
+            through = ("xyz".index(self.wedge_axis) + 2) % 3
         right, up = (axis for axis in range(3) if axis != through)
         return through, right, up
 
@@ -210,7 +210,9 @@ class HeadRun(report_data.Stage):
                 arrays["points"][:, 0], through, through in self.mirrors,
                 self.spacing(), [right, up])
         else:
-            place = BESIDE * np.ptp(arrays["points"])
+            # The middle of a wedge is within its cells.
+            place = BESIDE * np.ptp(arrays["points"]) \
+                if self.wedge_axis == "none" else 0.
             polygons, owners = cut_hexahedra(arrays["points"], through, place,
                                              (right, up))
         shown = np.unique(owners)
@@ -277,7 +279,7 @@ def cut_particles(points, axis, is_mirror, spacing, shown):
 def cut_hexahedra(corners, axis, place, shown):
     """Quadrangles, triangles with their last corner twice, in which a plane
     normal to @p axis cuts hexahedra, and the hexahedra that they belong to;
-    @p corners are hexahedra x 8 x 3, @p shown the two axes that are kept."""
+    @p corners are hexahedra x 8 x 3, in the order of the files, @p shown the two axes that are kept."""
     distance = corners[:, :, axis] - place
     near = np.flatnonzero((distance.min(axis=1) <= 0.)
                           & (distance.max(axis=1) > 0.))

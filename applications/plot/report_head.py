@@ -69,6 +69,8 @@ def _figure(folder, name, drawn, description, caption):
 
 def _symmetry(run):
     """What is computed of the head, in words."""
+    if run.wedge_axis != "none":
+        return f"a wedge of the head about {run.wedge_axis}, one cell thick,"
     return ("the whole head", "half of the head", "a quarter of the head",
             "an eighth of the head")[len(run.mirrors)]
 
@@ -82,15 +84,14 @@ def extreme(run, quantity, layer, take):
 
 def largest_force(run):
     """Of the whole head, of running means; and when."""
-    force = run.factor() * pictures.smoothed(run,
-                                             run.history["contact_force"])
+    force = pictures.smoothed(run, run.history["contact_force"])
     index = int(np.argmax(force))
     return float(force[index]), float(run.history["time"][index])
 
 
 def answer(run, judged):
     """What happened, in a few plain sentences."""
-    mass = run.factor() * float(run.history["mass"][0])
+    mass = float(run.history["mass"][0])
     text = [f"A head of {page.quantity(mass, 'kg')}"]
     if run.planes:
         speed = -float(run.normal_velocity()[0])
@@ -154,9 +155,8 @@ def scene(run):
                + ("lower sides of the mesh" if run.is_file() else
                   "through its centre") + ", are normal to "
                + " and ".join("xyz"[axis] for axis in run.mirrors)
-               + ". Forces, areas, masses and energies below are those of the "
-               f"whole head, {run.factor()} times those of the computed part, "
-               "which history.csv holds; pictures show both sides."
+               + ". Forces, areas, masses and energies are those of the whole "
+               "head; pictures show both sides."
                if run.mirrors else "."))
     parts.append(page.paragraph(told))
     for plane in run.planes:
@@ -236,7 +236,6 @@ def cuts(run, folder):
 def contact(run, folder):
     """Force, area and momentum."""
     force, when = largest_force(run)
-    factor = run.factor()
     velocity = run.normal_velocity()
     rebound, end = run.rebound(), run.last_contact()
     rows = []
@@ -245,15 +244,15 @@ def contact(run, folder):
             ("contact begins", "–",
              page.milliseconds(run.contact("contact_begin"))),
             ("largest contact force of a step", page.quantity(
-                factor * run.contact("peak_contact_force"), "N"),
+                run.contact("peak_contact_force"), "N"),
              page.milliseconds(run.contact("peak_contact_force_time"))),
             (f"largest mean over {page.quantity(pictures.SPAN, 's')}",
              page.quantity(force, "N"), page.milliseconds(when)),
             ("largest contact area", page.number(
-                1e4 * factor * run.contact("peak_contact_area")) + " cm²",
+                1e4 * run.contact("peak_contact_area")) + " cm²",
              "–"),
             ("impulse of the contact force", page.quantity(
-                factor * run.contact("contact_impulse"), "N s"), "–")]
+                run.contact("contact_impulse"), "N s"), "–")]
     rows += [
         ("velocity towards the plane at the start",
          page.quantity(-float(velocity[0]), "m/s"), page.milliseconds(0.)),
@@ -339,7 +338,7 @@ def _extrema(run):
             if unit == "%":
                 shown = page.number(100. * value) + " %"
             elif unit == "m^3":
-                shown = page.number(1e6 * run.factor() * value) + " cm³"
+                shown = page.number(1e6 * value) + " cm³"
             else:
                 shown = page.quantity(value, unit)
             rows.append((
@@ -352,7 +351,7 @@ def _extrema(run):
 
 def ledger(run):
     """Names and columns of the energies of the whole head [J]."""
-    history, factor = run.history, run.factor()
+    history = run.history
     found = [("kinetic", history["kinetic_energy"]),
              ("internal", history["internal_energy"]),
              ("both", history["kinetic_energy"] + history["internal_energy"]),
@@ -368,7 +367,7 @@ def ledger(run):
         if name in history:
             found.append((name.replace("_", " "), history[name]))
     found.append(("missing", history["energy_residual"]))
-    return [(name, factor * column) for name, column in found]
+    return found
 
 
 def energy(run, folder):
@@ -428,7 +427,7 @@ def injury(run, judged):
     told = ("Of the brain's cells and the skull's mean motion, from "
             "injury.csv.")
     if run.mirrors:
-        told += (f" What is computed, {_symmetry(run)}, has the measures of "
+        told += (f" What is computed, {_symmetry(run).rstrip(',')}, has the measures of "
                  "the whole head: parts of the brain are the same on all sides of "
                  "a plane of symmetry, the skull moves along it and turns about "
                  "its normal, with two planes not at all.")

@@ -55,14 +55,14 @@ def build(pair, folder):
 def quantities(pair):
     """Names, units and the values of both runs; None where one has none."""
     rows = [("mass", "kg", pair.both(
-        lambda run: run.factor() * float(run.history["mass"][0])))]
+        lambda run: float(run.history["mass"][0])))]
     if all(run.planes for run in pair.runs):
         rows += [
             ("largest contact force, mean over 50 µs", "N", pair.both(
                 lambda run: report_head.largest_force(run)[0])),
             ("largest contact area", "m^2", pair.both(largest_area)),
             ("contact impulse", "N s", pair.both(
-                lambda run: scaled(run, run.contact("contact_impulse")))),
+                lambda run: run.contact("contact_impulse"))),
             ("momentum changes its sign", "s", pair.both(
                 lambda run: run.rebound())),
             ("contact ends", "s", pair.both(lambda run: run.last_contact()))]
@@ -97,13 +97,9 @@ def probe(run, number, span):
     return signals.smooth(even, np.interp(even, time, values), span)
 
 
-def scaled(run, value):
-    return None if value is None else run.factor() * value
-
-
 def largest_area(run):
     """Of running means, of the whole head."""
-    area = run.factor() * pictures.smoothed(run, run.history["contact_area"])
+    area = pictures.smoothed(run, run.history["contact_area"])
     return float(area.max())
 
 
@@ -184,7 +180,7 @@ def contact(pair, folder):
         return [page.missing("planes")]
     panels = [(title, unit, pair.both(lambda run, c=column: (
         run.history["time"],
-        run.factor() * pictures.smoothed(run, run.history[c]))))
+        pictures.smoothed(run, run.history[c]))))
         for title, unit, column in (
             ("contact force", "N", "contact_force"),
             ("contact area", "m^2", "contact_area"))]

@@ -4,6 +4,7 @@
 #include <contrecoup/ale/ale_output.h>
 #include <contrecoup/ale/ale_simulation.h>
 #include <contrecoup/ale/region_measures.h>
+#include <contrecoup/ale/whole_body.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/memory.h>
 #include <contrecoup/base/parameters.h>
@@ -137,6 +138,11 @@ CostEstimate AleSimulation::estimate()
   dealii::Triangulation<3> mesh;
   mesh_description_.create(mesh);
   regions_.set_regions(mesh, mesh_description_.layers());
+  if (coupling_.active() && mesh_description_.wedge().active())
+    throw InputError(
+      "Mesh/Wedge axis: the masses of a wedge are not those that "
+      "Coupling/Scheme = " +
+      coupling_.name() + " takes; use monolithic");
   coupling_.require_interface(mesh, regions_.regions());
   // A gas that is cold and at rest gets its speed from a wall.
   const double speed = regions_.largest_speed(mesh) +
@@ -182,6 +188,8 @@ void AleSimulation::build()
     planes_,
     coupling_);
   state_ = AleState();
+  state_.wedge = mesh_description_.wedge();
+  lagrange_.mirror(state_.wedge);
   state_.position = space_.positions(width);
   regions_.fill(space_, state_);
   least_pressures_.assign(regions_.regions().size(), 0.);
@@ -371,6 +379,8 @@ std::vector<NamedValue> AleSimulation::history()
     }
     values.push_back(std::move(measure));
   }
+  set_to_whole(
+    values, mesh_description_.part(), mesh_description_.symmetry_planes());
   return values;
 }
 
@@ -419,8 +429,13 @@ std::vector<NamedValue> AleSimulation::assumptions()
   for (NamedValue &value : lagrange_.coupling().summary(scale))
     values.push_back(std::move(value));
   if (!planes_.empty())
-    for (NamedValue &value : contact_.values())
+  {
+    auto contact = contact_.values();
+    set_to_whole(
+      contact, mesh_description_.part(), mesh_description_.symmetry_planes());
+    for (NamedValue &value : contact)
       values.push_back(std::move(value));
+  }
   for (const solid::InjuryMeasure &measure : head_.measures(communicator_))
     values.push_back(measure.value);
   return values;

@@ -34,11 +34,16 @@ ImpactPlan AleSimulation::impact_plan() const
 
 void AleSimulation::find_symmetry(ImpactPlan &plan) const
 {
-  plan.enough = plan.part;
+  plan.cost = plan.enough = plan.part;
   const LayeredHead *head = mesh_description_.head();
   if (head == nullptr)
     return;
+  const double whole = head->n_cells_of_whole();
+  plan.cost = plan.enough = head->n_cells() / whole;
+  if (head->wedge().active())
+    plan.wedge = std::string(1, "xyz"[head->wedge().axis]);
   const auto components = regions_.largest_components();
+  std::array<bool, 3> would_do{};
   for (unsigned int d = 0; d < 3; ++d)
   {
     // Across a plane of symmetry that is normal to this axis.
@@ -48,10 +53,23 @@ void AleSimulation::find_symmetry(ImpactPlan &plan) const
       motion = std::max(motion, std::abs(plane.normal[d]));
     if (!acceleration_[d].is_zero())
       motion = 1.;
+    would_do[d] = motion == 0. && !regions_.depends_on_place();
     if (head->is_halved()[d])
       plan.asymmetry = std::max(plan.asymmetry, motion);
-    else if (motion == 0. && !regions_.depends_on_place())
+    else if (would_do[d])
       plan.enough *= 0.5;
+  }
+  const auto &brain = head->semi_axes().front();
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    const unsigned int a = (d + 1) % 3, b = (d + 2) % 3;
+    const double cost = head->n_cells_of_wedge(would_do[d]) / whole;
+    if (would_do[a] && would_do[b] && brain[a] == brain[b] &&
+        !coupling_.active() && cost < plan.enough)
+    {
+      plan.enough = cost;
+      plan.enough_wedge = std::string(1, "xyz"[d]);
+    }
   }
 }
 

@@ -127,7 +127,8 @@ void CornerForces::add_fluid(const CellBatches::Range &range,
                        viscosity,
                        gather(state.position, offsets),
                        gather(state.velocity, offsets),
-                       element),
+                       element,
+                       state.wedge),
           force);
     rate = std::max(rate, element.signal_rate);
     least = std::min(least, element.volume);
@@ -179,7 +180,8 @@ void CornerForces::add_solid(const CellBatches::Range &range,
                              dealii::AlignedVector<double> &force)
 {
   const Region &region = regions_[range.region];
-  const auto model = solid_model<Lane>(region, step);
+  auto model = solid_model<Lane>(region, step);
+  model.wedge = state.wedge;
   if (region.is_viscoelastic())
     add_solid<kinematics, true>(range, model, state, force);
   else

@@ -144,14 +144,18 @@ void ImpactPlan::add_contact(std::vector<Assumption> &items) const
 
 void ImpactPlan::add_symmetry(std::vector<Assumption> &items) const
 {
-  const std::string entry = "Mesh/Symmetry planes";
+  const std::string entry = "Mesh/Symmetry planes",
+                    wedge_entry = "Mesh/Wedge axis";
   if (part < 1.)
   {
-    items.push_back(for_information("symmetry",
-                                    brief(part) + " of the body is computed",
-                                    "cost saved of that of the whole body",
-                                    1. - part,
-                                    entry));
+    items.push_back(
+      for_information("symmetry",
+                      (wedge.empty() ? brief(part) + " of the body"
+                                     : "a wedge about " + wedge) +
+                        " is computed",
+                      "cost saved of that of the whole body",
+                      1. - cost,
+                      wedge.empty() ? entry : wedge_entry));
     items.push_back({"asymmetry",
                      "left out",
                      "motion across planes of symmetry over all",
@@ -161,13 +165,15 @@ void ImpactPlan::add_symmetry(std::vector<Assumption> &items) const
                      false,
                      entry});
   }
-  if (enough < part)
+  if (enough < cost)
     items.push_back(
       for_information("unused_symmetry",
-                      brief(enough) + " of the body would do",
-                      "cost that further planes of symmetry would save",
-                      1. - enough / part,
-                      entry));
+                      (enough_wedge.empty() ? brief(enough) + " of the body"
+                                            : "a wedge about " + enough_wedge) +
+                        " would do",
+                      "cost that further symmetry would save",
+                      1. - enough / cost,
+                      enough_wedge.empty() ? entry : wedge_entry));
 }
 
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/ale/cell_corners.h>
 #include <contrecoup/ale/lagrange_step.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/text.h>
+#include <contrecoup/numerics/hex8_corner_parts.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -49,9 +51,15 @@ void LagrangeStep::reinit(
 void LagrangeStep::start(AleState &state)
 {
   dealii::AlignedVector<double> masses(node_exchange_.size());
+  std::array<double, 8> parts;
+  parts.fill(0.125);
   for (std::size_t c = 0; c < space_->n_own_cells(); ++c)
-    for (const std::uint32_t node : space_->cell(c))
-      masses[width * node + 3] += 0.125 * state.mass[c];
+  {
+    if (state.wedge.active())
+      parts = hex_corner_parts(corners_of(space_->cell(c), state.position));
+    for (unsigned int i = 0; i < 8; ++i)
+      masses[width * space_->cell(c)[i] + 3] += parts[i] * state.mass[c];
+  }
   node_exchange_.add_copies(masses);
   node_exchange_.update_copies(masses);
   node_exchange_.update_copies(state.velocity);

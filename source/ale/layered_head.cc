@@ -4,6 +4,7 @@
 #include <contrecoup/ale/layered_head.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -16,6 +17,10 @@ namespace
 {
   /// Edges of the cells of the inner cube over those at the brain's surface.
   constexpr double cube_part = 0.5;
+
+  /// Of the sides of a wedge: what radial motion has too much of kinetic energy
+  /// is its square.
+  constexpr double wedge_slope = 0.03;
 } // namespace
 
 
@@ -99,16 +104,65 @@ void LayeredHead::parse_parameters(ParameterHandler &prm)
       throw InputError("Mesh/" + name + " thickness must be above 0");
   }
   ball_.is_halved = read_symmetry_planes(prm);
+  find_wedge(prm);
+}
+
+
+void LayeredHead::find_wedge(ParameterHandler &prm)
+{
+  ball_.wedge_axis = read_wedge_axis(prm);
+  ball_.wedge_slope = wedge_slope;
+  if (ball_.wedge_axis > 2)
+    return;
+  const unsigned int a = ball_.across_middle(), b = ball_.normal_to_middle();
+  const auto &brain = ball_.semi_axes.front();
+  if (brain[a] != brain[b])
+    throw InputError(
+      "Mesh/Wedge axis = " + std::string(1, "xyz"[ball_.wedge_axis]) +
+      " needs equal Mesh/Semi-axes along " + std::string(1, "xyz"[a]) +
+      " and " + std::string(1, "xyz"[b]) + ", which are " + brief(brain[a]) +
+      " and " + brief(brain[b]) + " m");
+}
+
+
+double LayeredHead::part() const
+{
+  const double part = computed_part(ball_.is_halved);
+  // Of cells with straight edges, which a quarter has four of.
+  return ball_.wedge_axis > 2
+           ? part
+           : 4. * part * ball_.wedge_slope / dealii::numbers::PI;
+}
+
+
+double LayeredHead::n_cells_across() const
+{
+  double across = 0.;
+  for (const unsigned int cells : ball_.cells_across)
+    across += cells;
+  return across;
+}
+
+
+double LayeredHead::n_cells_of_whole() const
+{
+  const double n = ball_.cells_along_cube;
+  return n * n * n + 6. * n * n * n_cells_across();
+}
+
+
+double LayeredHead::n_cells_of_wedge(const bool is_halved) const
+{
+  const double n = ball_.cells_along_cube;
+  return (is_halved ? 0.5 : 1.) * (0.5 * n * n + 2. * n * n_cells_across());
 }
 
 
 double LayeredHead::n_cells() const
 {
-  const double n = ball_.cells_along_cube;
-  double across = 0.;
-  for (const unsigned int cells : ball_.cells_across)
-    across += cells;
-  return part() * (n * n * n + 6. * n * n * across);
+  return ball_.wedge_axis > 2
+           ? part() * n_cells_of_whole()
+           : n_cells_of_wedge(ball_.is_halved[ball_.wedge_axis]);
 }
 
 

@@ -113,6 +113,9 @@ void MeshDescription::parse_parameters(ParameterHandler &prm)
       position_.clear();
     if (kind_ == "layered head")
       head_.parse_parameters(prm);
+    else if (read_wedge_axis(prm) < 3)
+      throw InputError("Mesh/Wedge axis is for Mesh/Kind = layered head; a " +
+                       kind_ + " is as its mesh has it");
     if (kind_ == "file")
       file_.parse_parameters(prm);
   }

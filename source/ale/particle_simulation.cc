@@ -3,6 +3,7 @@
 
 #include <contrecoup/ale/particle_measures.h>
 #include <contrecoup/ale/particle_simulation.h>
+#include <contrecoup/ale/whole_body.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/base/text.h>
@@ -41,6 +42,9 @@ namespace
 void ParticleSimulation::parse_parameters(ParameterHandler &prm)
 {
   mesh_.parse_parameters(prm);
+  if (mesh_.wedge().active())
+    throw InputError("Mesh/Wedge axis: particles fill no wedge; use Method = "
+                     "ale");
   regions_.parse_parameters(prm);
   planes_.parse_parameters(prm);
   scene_.parse_parameters(prm);
@@ -281,6 +285,7 @@ std::vector<NamedValue> ParticleSimulation::history()
     }
     values.push_back(std::move(measure));
   }
+  set_to_whole(values, mesh_.part(), mesh_.symmetry_planes());
   return values;
 }
 
@@ -333,6 +338,7 @@ std::vector<NamedValue> ParticleSimulation::assumptions()
   if (!contact_.empty())
     for (NamedValue &value : contact_record_.values())
       values.push_back(std::move(value));
+  set_to_whole(values, mesh_.part(), mesh_.symmetry_planes());
   return values;
 }
 
@@ -346,7 +352,7 @@ ImpactPlan ParticleSimulation::impact_plan() const
   plan.end_time = end_time_;
   plan.velocity = regions_.fastest_velocity();
   plan.cell_size = scene_.cell_size();
-  plan.part = plan.enough = mesh_.part();
+  plan.part = plan.cost = plan.enough = mesh_.part();
   for (const Expression &component : acceleration_)
     plan.has_body_force = plan.has_body_force || !component.is_zero();
   return plan;

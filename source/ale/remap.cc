@@ -38,7 +38,7 @@ void Remap::reinit(const HexSpace &space,
   reconstruction_.reinit(space, n_fields, is_at_rest, limiter);
   if (limiter == RemapLimiter::strict)
     flows_.reinit(space, n_fields);
-  node_exchange_.reinit(space.nodes(), width + 1);
+  node_exchange_.reinit(space.nodes(), n_sums);
   cell_exchange_.reinit(space.cells(), 1);
   fields_.resize(n_fields * space.n_cells());
   contents_.resize(n_contents * space.n_own_cells());
@@ -211,12 +211,27 @@ void Remap::check_masses(const AleState &state) const
 }
 
 
+void Remap::add_rest(const AleState &state, const double *v, double *sum)
+{
+  const double eighths = sum[3];
+  if (state.wedge.active())
+  {
+    // It is the same before and after, and keeps its velocity.
+    const double rest = 1. / v[3] - sum[5];
+    for (unsigned int d = 0; d < 3; ++d)
+      sum[d] += rest * v[d];
+    sum[3] += rest;
+    sum[4] += rest * half_square(v);
+  }
+  sum[5] = sum[3] / eighths;
+}
+
+
 void Remap::collect(AleState &state,
                     const SlipWalls &walls,
                     const dealii::AlignedVector<double> &position)
 {
-  // Momentum, mass and kinetic energy of the nodes.
-  constexpr unsigned int n = width + 1;
+  constexpr unsigned int n = n_sums;
   dealii::AlignedVector<double> sums(node_exchange_.size());
   for (const std::uint32_t c : cells_)
   {
@@ -228,6 +243,7 @@ void Remap::collect(AleState &state,
         sum[d] += 0.125 * content[velocity + 3 * i + d];
       sum[3] += 0.125 * content[0];
       sum[4] += 0.125 * content[kinetic + i];
+      sum[5] += 0.125 * state.mass[c];
     }
   }
   for (const std::uint32_t c : cells_at_rest_)
@@ -240,11 +256,13 @@ void Remap::collect(AleState &state,
         sum[d] += mass * v[d];
       sum[3] += mass;
       sum[4] += mass * half_square(v);
+      sum[5] += mass;
     }
   node_exchange_.add_copies(sums);
   node_exchange_.update_copies(sums);
   for (std::size_t node = 0; node < space_->n_nodes(); ++node)
   {
+    add_rest(state, &state.velocity[width * node], &sums[n * node]);
     for (unsigned int d = 0; d < 3; ++d)
       state.velocity[width * node + d] =
         sums[n * node + d] / sums[n * node + 3];
@@ -257,8 +275,9 @@ void Remap::collect(AleState &state,
   const auto heat = [&](const std::uint32_t c) {
     double result = 0.;
     for (const std::uint32_t node : space_->cell(c))
-      result += sums[n * node + 4] / sums[n * node + 3] -
-                half_square(&state.velocity[width * node]);
+      result +=
+        sums[n * node + 5] * (sums[n * node + 4] / sums[n * node + 3] -
+                              half_square(&state.velocity[width * node]));
     return 0.125 * result;
   };
   for (const std::uint32_t c : cells_)

@@ -275,7 +275,8 @@ bool Rezone::is_valid(const dealii::AlignedVector<double> &position) const
 }
 
 
-dealii::AlignedVector<double> Rezone::smoothed(const AleState &state)
+dealii::AlignedVector<double> Rezone::smoothed(const AleState &state,
+                                               const SlipWalls &walls)
 {
   const TimerScope timer("rezone: smoothing");
   dealii::AlignedVector<double> displacement = state.position;
@@ -304,6 +305,7 @@ dealii::AlignedVector<double> Rezone::smoothed(const AleState &state)
   for (const auto &[sliding, held] : space_->sliding_pairs())
     for (unsigned int d = 0; d < 3; ++d)
       displacement[width * sliding + d] = state.position[width * held + d];
+  walls.make_mirrored(displacement);
   return displacement;
 }
 
@@ -369,7 +371,7 @@ bool Rezone::apply(AleState &state, const SlipWalls &walls)
   while (interval_ > 0. && due_ <= state.time * (1. + 1e-12))
     due_ += interval_;
   dealii::AlignedVector<double> position =
-    kind_ == RezoneKind::back ? start_ : smoothed(state);
+    kind_ == RezoneKind::back ? start_ : smoothed(state, walls);
   // Back off where a cell would be inverted.
   for (unsigned int i = 0; i < 6 && !is_valid(position); ++i)
     for (std::size_t k = 0; k < position.size(); ++k)

@@ -5,6 +5,7 @@
 #include <contrecoup/ale/boundary_areas.h>
 #include <contrecoup/ale/slip_walls.h>
 
+#include <algorithm>
 #include <array>
 
 namespace contrecoup::ale
@@ -14,6 +15,7 @@ void SlipWalls::reinit(
   const dealii::AlignedVector<double> &position,
   const std::map<dealii::types::boundary_id, Motion> &walls)
 {
+  twins_.clear();
   motions_.clear();
   wall_nodes_.clear();
   std::map<std::uint32_t, std::vector<WallNode>> of_node;
@@ -24,6 +26,35 @@ void SlipWalls::reinit(
   }
   for (const auto &[node, list] : of_node)
     wall_nodes_.insert(wall_nodes_.end(), list.begin(), list.end());
+}
+
+
+void SlipWalls::mirror(const HexSpace &space, const HexWedge &wedge)
+{
+  wedge_ = wedge;
+  twins_.clear();
+  if (!wedge.active())
+    return;
+  constexpr unsigned int opposite[][2] = {{0, 3}, {1, 2}, {4, 7}, {5, 6}};
+  for (std::size_t c = 0; c < space.n_cells(); ++c)
+    for (const auto &pair : opposite)
+      twins_.emplace_back(space.cell(c)[pair[0]], space.cell(c)[pair[1]]);
+  std::sort(twins_.begin(), twins_.end());
+  twins_.erase(std::unique(twins_.begin(), twins_.end()), twins_.end());
+}
+
+
+void SlipWalls::make_mirrored(dealii::AlignedVector<double> &field) const
+{
+  for (const auto &[first, second] : twins_)
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      const double sign = d == wedge_.side() ? -1. : 1.;
+      double &a = field[AleState::width * first + d];
+      double &b = field[AleState::width * second + d];
+      a = 0.5 * (a + sign * b);
+      b = sign * a;
+    }
 }
 
 
@@ -100,5 +131,6 @@ void SlipWalls::set_normal_parts(dealii::AlignedVector<double> &velocity,
     }
     begin = i;
   }
+  make_mirrored(velocity);
 }
 } // namespace contrecoup::ale

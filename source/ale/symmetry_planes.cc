@@ -19,6 +19,20 @@ void declare_symmetry_planes(ParameterHandler &prm)
                  "none. Of a layered head only the positive side of its "
                  "centre is computed; the mesh of a file must end with a flat "
                  "side where its coordinate is least.");
+  declare_selection(prm,
+                    "Wedge axis",
+                    "none",
+                    {"none", "x", "y", "z"},
+                    "Of a layered head that is round about this axis, and hits "
+                    "along it, a wedge one cell thick is computed; planes of "
+                    "symmetry through the axis are then implied.");
+}
+
+
+unsigned int read_wedge_axis(ParameterHandler &prm)
+{
+  const std::string name = prm.get("Wedge axis");
+  return name == "none" ? 3 : static_cast<unsigned int>(name[0] - 'x');
 }
 
 
@@ -34,6 +48,10 @@ SymmetryPlanes read_symmetry_planes(ParameterHandler &prm)
                        "\" is none of x, y, z");
     planes[found - axes.begin()] = true;
   }
+  const unsigned int axis = read_wedge_axis(prm);
+  for (unsigned int d = 0; d < 3; ++d)
+    if (axis < 3 && d != axis)
+      planes[d] = true;
   return planes;
 }
 

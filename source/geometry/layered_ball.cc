@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace contrecoup
@@ -22,6 +23,9 @@ namespace
   /// direction, and how round the cube is: 0 flat, 1 a sphere.
   constexpr double cube_size = 0.5, cube_roundness = 0.6;
 
+  /// What a wedge leaves out around its axis, over the cells there.
+  constexpr double axis_part = 0.01;
+
   /// Makes and numbers nodes; (i, j, k) is a place of the cube's grid, and
   /// `layer` counts surfaces from that of the cube outwards.
   class Nodes
@@ -29,7 +33,14 @@ namespace
   public:
     explicit Nodes(const LayeredBall &ball)
       : ball_(ball)
-    {}
+    {
+      if (ball.wedge_axis > 2)
+        return;
+      std::array<unsigned int, 3> beside;
+      beside.fill(ball.cells_along_cube / 2);
+      ++beside[ball.across_middle()];
+      axis_radius_ = axis_part * position(beside, 0)[ball.across_middle()];
+    }
 
     unsigned int number(const std::array<unsigned int, 3> &place,
                         const unsigned int layer)
@@ -40,13 +51,20 @@ namespace
       if (found != numbers_.end())
         return found->second;
       numbers_[key] = static_cast<unsigned int>(points_.size());
-      points_.push_back(position(place, layer));
+      points_.push_back(ball_.wedge_axis > 2 ? position(place, layer)
+                                             : at_side(place, layer));
       return numbers_[key];
     }
 
     const std::vector<Point<3>> &points() const
     {
       return points_;
+    }
+
+    /// Of the nodes at the axis of a wedge [m].
+    double axis_radius() const
+    {
+      return axis_radius_;
     }
 
   private:
@@ -106,7 +124,27 @@ namespace
       return {};
     }
 
+    /// Of a wedge, whose sides are the first two places of the grid that are
+    /// not below the middle.
+    Point<3> at_side(std::array<unsigned int, 3> place,
+                     const unsigned int layer) const
+    {
+      const unsigned int out = ball_.across_middle(),
+                         side = ball_.normal_to_middle();
+      const unsigned int middle = ball_.cells_along_cube / 2;
+      const double slope =
+        place[side] == middle ? -ball_.wedge_slope : ball_.wedge_slope;
+      const bool is_on_axis = place[out] == middle;
+      place[side] = middle;
+      Point<3> result = position(place, layer);
+      if (is_on_axis)
+        result[out] = axis_radius_;
+      result[side] = slope * result[out];
+      return result;
+    }
+
     const LayeredBall &ball_;
+    double axis_radius_ = 0.;
     std::map<std::array<unsigned int, 4>, unsigned int> numbers_;
     std::vector<Point<3>> points_;
   };
@@ -129,23 +167,47 @@ namespace
         require(ball.semi_axes[i][d] > (i == 0 ? 0. : ball.semi_axes[i - 1][d]),
                 "semi-axes must be above 0 and grow from layer to layer");
     }
+    if (ball.wedge_axis > 2)
+      return;
+    const unsigned int a = ball.across_middle(), b = ball.normal_to_middle();
+    require(ball.is_halved[a] && ball.is_halved[b],
+            "a wedge is halved across its axis");
+    require(ball.wedge_slope > 0., "the slope of a wedge is above 0");
+    for (const auto &axes : ball.semi_axes)
+      require(axes[a] == axes[b], "a wedge needs equal semi-axes across");
+  }
+
+  /// The part of the cube's grid that is made in a direction.
+  std::pair<unsigned int, unsigned int> range(const LayeredBall &ball,
+                                              const unsigned int direction)
+  {
+    const unsigned int n = ball.cells_along_cube;
+    const unsigned int first = ball.is_halved[direction] ? n / 2 : 0;
+    if (ball.wedge_axis < 3 && direction == ball.normal_to_middle())
+      return {first, first + 1};
+    return {first, n};
   }
 
   using Cells = std::vector<dealii::CellData<3>>;
 
+  /// The number of a corner of a cell whose directions were turned round by so
+  /// many places.
+  unsigned int turned(const unsigned int corner, const unsigned int places)
+  {
+    return (corner << places | corner >> (3 - places)) & 7U;
+  }
+
   void add_cube(const LayeredBall &ball, Nodes &nodes, Cells &cells)
   {
-    const unsigned int n = ball.cells_along_cube;
-    std::array<unsigned int, 3> first;
-    for (unsigned int d = 0; d < 3; ++d)
-      first[d] = ball.is_halved[d] ? n / 2 : 0;
-    for (unsigned int k = first[2]; k < n; ++k)
-      for (unsigned int j = first[1]; j < n; ++j)
-        for (unsigned int i = first[0]; i < n; ++i)
+    const auto x = range(ball, 0), y = range(ball, 1), z = range(ball, 2);
+    const unsigned int places = ball.wedge_axis < 3 ? 2 - ball.wedge_axis : 0;
+    for (unsigned int k = z.first; k < z.second; ++k)
+      for (unsigned int j = y.first; j < y.second; ++j)
+        for (unsigned int i = x.first; i < x.second; ++i)
         {
           dealii::CellData<3> cell;
           for (unsigned int v = 0; v < 8; ++v)
-            cell.vertices[v] = nodes.number(
+            cell.vertices[turned(v, places)] = nodes.number(
               {{i + (v & 1U), j + (v >> 1U & 1U), k + (v >> 2U)}}, 0);
           cell.material_id = 0;
           cells.push_back(cell);
@@ -163,11 +225,14 @@ namespace
     const unsigned int n = ball.cells_along_cube;
     // Turned so that cells are not inverted.
     const unsigned int a = (axis + 1) % 3, b = (axis + 2) % 3;
+    const auto along_a = range(ball, a), along_b = range(ball, b);
+    const unsigned int places =
+      ball.wedge_axis < 3 && axis == ball.across_middle() ? 1 : 0;
     unsigned int layer = 0;
     for (std::size_t part = 0; part < ball.cells_across.size(); ++part)
       for (unsigned int m = 0; m < ball.cells_across[part]; ++m, ++layer)
-        for (unsigned int j = ball.is_halved[b] ? n / 2 : 0; j < n; ++j)
-          for (unsigned int i = ball.is_halved[a] ? n / 2 : 0; i < n; ++i)
+        for (unsigned int j = along_b.first; j < along_b.second; ++j)
+          for (unsigned int i = along_a.first; i < along_a.second; ++i)
           {
             dealii::CellData<3> cell;
             for (unsigned int v = 0; v < 8; ++v)
@@ -176,14 +241,42 @@ namespace
               place[axis] = is_upper ? n : 0;
               place[a] = i + (is_upper ? v & 1U : 1U - (v & 1U));
               place[b] = j + (v >> 1U & 1U);
-              cell.vertices[v] = nodes.number(place, layer + (v >> 2U));
+              cell.vertices[turned(v, places)] =
+                nodes.number(place, layer + (v >> 2U));
             }
             cell.material_id = static_cast<dealii::types::material_id>(part);
             cells.push_back(cell);
           }
   }
 
-  void set_boundaries(const LayeredBall &ball, dealii::Triangulation<3> &mesh)
+  /// The sides of a wedge and the prism at its axis.
+  template <typename Face>
+  void set_wedge_boundary(const LayeredBall &ball,
+                          const double axis_radius,
+                          Face &face)
+  {
+    const unsigned int out = ball.across_middle(),
+                       side = ball.normal_to_middle();
+    // Of coordinates, in which the sides and the axis are told apart.
+    constexpr double tolerance = 1e-9;
+    double least = std::numeric_limits<double>::max(), most = -least,
+           farthest = 0.;
+    for (const unsigned int v : face.vertex_indices())
+    {
+      const auto &vertex = face.vertex(v);
+      least = std::min(least, vertex[side] / (ball.wedge_slope * vertex[out]));
+      most = std::max(most, vertex[side] / (ball.wedge_slope * vertex[out]));
+      farthest = std::max(farthest, vertex[out]);
+    }
+    if (least > 1. - tolerance || most < -1. + tolerance)
+      face.set_boundary_id(side + 1);
+    else if (farthest < 2. * axis_radius)
+      face.set_boundary_id(out + 1);
+  }
+
+  void set_boundaries(const LayeredBall &ball,
+                      const double axis_radius,
+                      dealii::Triangulation<3> &mesh)
   {
     for (const auto &face : mesh.active_face_iterators())
     {
@@ -198,6 +291,8 @@ namespace
         if (ball.is_halved[d] && farthest < 1e-9 * ball.semi_axes.front()[d])
           face->set_boundary_id(d + 1);
       }
+      if (ball.wedge_axis < 3)
+        set_wedge_boundary(ball, axis_radius, *face);
     }
   }
 } // namespace
@@ -211,11 +306,12 @@ void make_layered_ball(const LayeredBall &ball, dealii::Triangulation<3> &mesh)
   add_cube(ball, nodes, cells);
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    add_block(ball, axis, true, nodes, cells);
+    if (ball.wedge_axis > 2 || axis != ball.normal_to_middle())
+      add_block(ball, axis, true, nodes, cells);
     if (!ball.is_halved[axis])
       add_block(ball, axis, false, nodes, cells);
   }
   mesh.create_triangulation(nodes.points(), cells, dealii::SubCellData());
-  set_boundaries(ball, mesh);
+  set_boundaries(ball, nodes.axis_radius(), mesh);
 }
 } // namespace contrecoup

@@ -110,24 +110,37 @@ TEST(ImpactPlan, bounds_the_friction_that_is_left_out)
 TEST(ImpactPlan, knows_which_planes_of_symmetry_would_do)
 {
   const auto whole = plan_of({});
-  EXPECT_EQ(value_of(whole, "unused_symmetry"), 0.75);
+  // 32^3 cells of the cube and 15 layers of 6 * 32^2 around it, of which the
+  // wedge has 16 * 32 and 15 * 2 * 32.
+  constexpr double wedge = 1472. / 124928.;
+  EXPECT_NEAR(value_of(whole, "unused_symmetry"), 1. - wedge, 1e-14);
+  EXPECT_EQ(whole.at("unused_symmetry").decision, "a wedge about z would do");
   EXPECT_EQ(whole.count("symmetry"), 0u);
   const auto half = plan_of({"Mesh/Symmetry planes=x"});
   EXPECT_EQ(value_of(half, "symmetry"), 0.5);
-  EXPECT_EQ(value_of(half, "unused_symmetry"), 0.5);
+  EXPECT_NEAR(value_of(half, "unused_symmetry"), 1. - 2. * wedge, 1e-14);
   const auto quarter = plan_of({"Mesh/Symmetry planes=x, y"});
   EXPECT_EQ(value_of(quarter, "symmetry"), 0.75);
   EXPECT_EQ(value_of(quarter, "asymmetry"), 0.);
-  EXPECT_EQ(quarter.count("unused_symmetry"), 0u);
+  EXPECT_NEAR(value_of(quarter, "unused_symmetry"), 1. - 4. * wedge, 1e-14);
+  const auto thin = plan_of({"Mesh/Wedge axis=z"});
+  EXPECT_NEAR(value_of(thin, "symmetry"), 1. - wedge, 1e-14);
+  EXPECT_EQ(thin.at("symmetry").decision, "a wedge about z is computed");
+  EXPECT_EQ(value_of(thin, "asymmetry"), 0.);
+  EXPECT_EQ(thin.count("unused_symmetry"), 0u);
+  // What is not round needs a quarter.
+  EXPECT_EQ(
+    value_of(plan_of({"Mesh/Semi-axes=0.08, 0.07, 0.08"}), "unused_symmetry"),
+    0.75);
   // What is not symmetric to x.
   for (const char *const text : {"Plane wall/Normal=1, 0, 1",
                                  "Region CSF/Velocity x=1",
                                  "Body force/x=t"})
   {
     EXPECT_EQ(value_of(plan_of({text}), "unused_symmetry"), 0.5) << text;
-    EXPECT_TRUE(
-      plan_of({text, "Mesh/Symmetry planes=x, y"}).at("asymmetry").fails())
-      << text;
+    for (const char *const part :
+         {"Mesh/Symmetry planes=x, y", "Mesh/Wedge axis=z"})
+      EXPECT_TRUE(plan_of({text, part}).at("asymmetry").fails()) << text;
   }
   // What may be anything.
   EXPECT_EQ(plan_of({"Region CSF/Velocity x=y"}).count("unused_symmetry"), 0u);

@@ -255,6 +255,25 @@ contrecoup_add_application_test(sphere_slower bounds
   "Time/End time=1.1e-3" "Reference/Rigid sphere/Duration=2e-3"
   "Body force/y=if(t < 2e-3, 1000 * sin(pi * t / 2e-3), 0)"
   BOUNDS ${_ledger} "errors.peak < 1.17e-2" LABELS verification)
+# The same in a wedge about y. Probes are in cells at its axis, whose pressure has an
+# error of first order.
+set(_sphere_wedge "Output/Fields=false" "Mesh/Kind=layered head" "Mesh/Wedge axis=y"
+  "Mesh/Semi-axes=0.075, 0.075, 0.075" "Mesh/CSF thickness=0.0075"
+  "Mesh/Skull thickness=0.0075" "Mesh/Cell size=0.0055" "Side surface/Kind=wall")
+contrecoup_add_application_test(sphere_wedge bounds,ranks
+  FILE ${_folder}/fluid_in_rigid_sphere.prm SET ${_sphere_wedge}
+  BOUNDS ${_ledger} "errors.peak < 1.65e-2" COMPARE probes.csv TOLERANCE "1e-5"
+  LABELS verification)
+contrecoup_add_application_test(sphere_wedge_slow bounds
+  FILE ${_folder}/fluid_in_rigid_sphere.prm SET ${_sphere_wedge}
+  "Time/End time=6e-4" "Reference/Rigid sphere/Duration=1e-3"
+  "Body force/y=if(t < 1e-3, 1000 * sin(pi * t / 1e-3), 0)"
+  BOUNDS ${_ledger} "errors.peak < 1.65e-2" LABELS verification)
+contrecoup_add_application_test(sphere_wedge_slower bounds
+  FILE ${_folder}/fluid_in_rigid_sphere.prm SET ${_sphere_wedge}
+  "Time/End time=1.1e-3" "Reference/Rigid sphere/Duration=2e-3"
+  "Body force/y=if(t < 2e-3, 1000 * sin(pi * t / 2e-3), 0)"
+  BOUNDS ${_ledger} "errors.peak < 1.65e-2" LABELS verification)
 
 contrecoup_add_application_test(refuses_unknown_side refusal
   FILE ${_folder}/sod.prm SET "Side top/Kind=free"
@@ -285,11 +304,11 @@ contrecoup_add_application_test(refuses_inverted_mesh refusal
   FILE ${_folder}/sod.prm SET "Mesh/Position x=if(x > 0.5, 1 - x, x)"
   MESSAGE "is inverted: at one of its corners the volume is not positive")
 
-# Young (2003): contact of 1.84 ms with at most 4.02 kN on the quarter, and the pressure
+# Young (2003): contact of 1.84 ms with at most 16.1 kN, and the pressure
 # rho a z half way to the poles and at them, all within 10 %: with the acceleration a of
 # the closed form and with that of the run. At the poles the dent takes 7 to 8 % of it.
 set(_contact "assumptions.contact_end > 1.68e-3" "assumptions.contact_end < 2.02e-3"
-  "assumptions.peak_contact_force > 3.66e3" "assumptions.peak_contact_force < 4.42e3")
+  "assumptions.peak_contact_force > 1.464e4" "assumptions.peak_contact_force < 1.768e4")
 contrecoup_add_application_test(shell bounds
   FILE ${_folder}/fluid_filled_shell.prm
   BOUNDS ${_ledger} ${_contact}
@@ -351,6 +370,31 @@ contrecoup_add_application_test(head bounds,resume,ranks
   BOUNDS ${_ledger} COMPARE history.csv probes.csv STOP_AFTER 100
   TOLERANCE 5e-6 "energy_residual*=1e-13 absolute"
   "momentum_x*=1e-8 absolute" "momentum_y*=1e-8 absolute" "step size*=1e-4")
+# A wedge of it, and that of the quickstart with cells of 6 mm until the end: the
+# quarter with cells of 2 mm (showcase/paper_ale.prm) leaves the wall at 4.59 ms, after
+# 6.92 kN at most and -237 kPa at least.
+contrecoup_add_application_test(head_wedge bounds,resume,ranks
+  FILE head_impact/quickstart.prm SET ${_coarse} "Rezone/Tolerance=1e-12"
+  "Mesh/Wedge axis=z" "Region CSF/Interface=slip" "Rezone/Interval=1e-5"
+  BOUNDS ${_ledger} COMPARE history.csv probes.csv STOP_AFTER 40
+  TOLERANCE 5e-6 "energy_residual*=1e-13 absolute" "step size*=1e-4")
+contrecoup_add_application_test(head_wedge_whole_impact bounds
+  FILE head_impact/quickstart.prm SET "Output/Fields=false" "Output/Pictures=false"
+  "Mesh/Wedge axis=z"
+  BOUNDS ${_ledger} "assumptions.contact_end > 4.52e-3"
+  "assumptions.contact_end < 4.66e-3" "assumptions.peak_contact_force > 6.85e3"
+  "assumptions.peak_contact_force < 6.99e3"
+  "assumptions.cavitation_CSF.measured > -2.69e5"
+  "history.mass > 3.18" "history.mass < 3.25")
+contrecoup_add_application_test(refuses_wedge_that_is_not_round refusal
+  FILE head_impact/quickstart.prm SET "Mesh/Wedge axis=z" "Mesh/Semi-axes=0.08, 0.07, 0.08"
+  MESSAGE "Mesh/Wedge axis = z needs equal Mesh/Semi-axes along x and y, which are 0.08 and 0.07 m")
+contrecoup_add_application_test(refuses_wedge_of_box refusal
+  FILE ${_folder}/sod.prm SET "Mesh/Wedge axis=x"
+  MESSAGE "Mesh/Wedge axis is for Mesh/Kind = layered head")
+contrecoup_add_application_test(refuses_wedge_in_turn refusal
+  FILE head_impact/quickstart.prm SET "Mesh/Wedge axis=z" "Coupling/Scheme=Aitken"
+  MESSAGE "Mesh/Wedge axis: the masses of a wedge are not those that")
 # Thin cells in the skull beside thick ones in the CSF: a ratio of added mass of 1.9,
 # remaps and contact, solved in turn.
 set(_thick ${_coarse} "Mesh/CSF cells=1" "Mesh/Skull cells=4"
@@ -370,7 +414,7 @@ contrecoup_add_application_test(head_loose_fails bounds
 contrecoup_add_application_test(head_30_m_s bounds
   FILE head_impact/quickstart.prm SET ${_coarse} "Region brain/Velocity z=-30"
   "Region CSF/Velocity z=-30" "Region skull/Velocity z=-30"
-  BOUNDS ${_ledger} "assumptions.peak_contact_force > 1e3")
+  BOUNDS ${_ledger} "assumptions.peak_contact_force > 4e3")
 # What --check foretells of it from runs with larger cells.
 contrecoup_add_application_test(forecast forecast
   FILE head_impact/quickstart.prm TOLERANCE 1.5 LEVELS "2 1" COMPARE cells
@@ -384,7 +428,7 @@ contrecoup_add_application_test(head_oblique bounds
   FILE head_impact/quickstart.prm SET ${_coarse} "Mesh/Symmetry planes=y"
   "Plane wall/Normal=1, 0, 1" "Plane wall/Point=-0.06434672, 0, -0.06434672"
   "Plane wall/Friction=0.3"
-  BOUNDS ${_ledger} "assumptions.peak_contact_force > 1e2")
+  BOUNDS ${_ledger} "assumptions.peak_contact_force > 2e2")
 contrecoup_add_application_test(head_gap bounds
   FILE head_impact/quickstart.prm SET ${_coarse} "Plane wall/Point=0, 0, -0.0911"
   BOUNDS ${_ledger} "assumptions.contact_begin > 3e-5"
@@ -394,7 +438,7 @@ contrecoup_add_application_test(head_soft_brain bounds
   FILE head_impact/quickstart.prm SET ${_coarse} "Region brain/Material=viscoelastic"
   "Region brain/Density=1040" "Region brain/Bulk modulus=2.2e9"
   "Region brain/Shear modulus=2200" "Region brain/Long-term shear modulus=2200"
-  BOUNDS ${_ledger} "assumptions.peak_contact_force > 1e2"
+  BOUNDS ${_ledger} "assumptions.peak_contact_force > 4e2"
   "history.largest_shear_strain_brain < 0.05")
 
 # A fluid that slides along its neighbours.
@@ -404,20 +448,20 @@ contrecoup_add_application_test(head_slip bounds,resume,ranks
   BOUNDS ${_ledger} COMPARE history.csv probes.csv STOP_AFTER 100
   TOLERANCE 5e-6 "energy_residual*=1e-13 absolute"
   "momentum_x*=1e-8 absolute" "momentum_y*=1e-8 absolute" "step size*=1e-4")
-# A skull that spins around fluid at rest loses 3e-5 of its 1.17962 J, and half
+# A skull that spins around fluid at rest loses 3e-5 of its 2.35924 J, and half
 # where fluid sticks to it.
 contrecoup_add_application_test(spinning_skull bounds,ranks
   FILE ${_folder}/spinning_skull.prm SET "Time/End time=1e-4"
-  BOUNDS ${_ledger} "history.kinetic_energy_skull > 1.17956"
-  "history.kinetic_energy_CSF < 1.15e-5" "history.kinetic_energy_brain < 1.7e-6"
+  BOUNDS ${_ledger} "history.kinetic_energy_skull > 2.35912"
+  "history.kinetic_energy_CSF < 2.3e-5" "history.kinetic_energy_brain < 3.4e-6"
   "history.slip_work < 1e-6" "history.slip_work > -1e-6"
   COMPARE history.csv TOLERANCE "1e-5" "energy_residual*=1e-13 absolute"
   "momentum_*=1e-8 absolute" "velocity_*=1e-8 absolute" LABELS verification)
 contrecoup_add_application_test(spinning_skull_that_sticks bounds
   FILE ${_folder}/spinning_skull.prm SET "Time/End time=1e-4"
   "Region CSF/Interface=stick"
-  BOUNDS ${_ledger} "history.kinetic_energy_skull < 0.6"
-  "history.kinetic_energy_CSF > 0.12" LABELS verification)
+  BOUNDS ${_ledger} "history.kinetic_energy_skull < 1.2"
+  "history.kinetic_energy_CSF > 0.24" LABELS verification)
 contrecoup_add_application_test(refuses_slip_without_smoothing refusal
   FILE head_impact/quickstart.prm SET "Region CSF/Interface=slip" "Rezone/Kind=none"
   MESSAGE "Interface = slip needs Rezone/Kind = elastic")

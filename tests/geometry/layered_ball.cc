@@ -110,6 +110,68 @@ TEST(LayeredBall, is_halved_at_planes_of_symmetry)
   EXPECT_EQ(count[2], 4U * 8U + (4U + 4U + 8U) * 9U);
 }
 
+TEST(LayeredBall, makes_a_wedge_about_any_axis)
+{
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    LayeredBall ball = head(4);
+    for (auto &axes : ball.semi_axes)
+      axes[(axis + 1) % 3] = axes[(axis + 2) % 3] = 0.9 * axes[axis];
+    ball.semi_axes[1][axis] = 1.05 * ball.semi_axes[0][axis];
+    ball.semi_axes[2][axis] = 1.1 * ball.semi_axes[0][axis];
+    ball.is_halved.fill(true);
+    ball.is_halved[axis] = false;
+    dealii::Triangulation<3> quarter, mesh;
+    make_layered_ball(ball, quarter);
+    ball.wedge_axis = axis;
+    ball.wedge_slope = 0.1;
+    make_layered_ball(ball, mesh);
+    EXPECT_EQ(mesh.n_active_cells(), 4U * 8U + 2U * 8U * (4U + 5U));
+    // Sections turn about the axis by 0.1 to either side, which are thinner
+    // there than the quarter's cells with straight edges.
+    const Found found = look(mesh), whole = look(quarter);
+    for (unsigned int i = 0; i < 3; ++i)
+      EXPECT_NEAR(found.volumes[i] / (2. * 0.1),
+                  whole.volumes[i] / (0.5 * dealii::numbers::PI),
+                  0.02 * whole.volumes[i])
+        << i;
+    EXPECT_GT(found.least_jacobian, 0.);
+    unsigned int count[4] = {0, 0, 0, 0};
+    for (const auto &face : mesh.active_face_iterators())
+      if (face->at_boundary())
+        ++count[face->boundary_id()];
+    EXPECT_EQ(count[0], 16U);
+    EXPECT_EQ(count[axis + 1], 0U);
+    EXPECT_EQ(count[ball.across_middle() + 1], 8U + 2U * (4U + 5U));
+    EXPECT_EQ(count[ball.normal_to_middle() + 1], 2U * mesh.n_active_cells());
+    // From side to side.
+    for (const auto &cell : mesh.active_cell_iterators())
+      for (unsigned int v = 0; v < 8; ++v)
+      {
+        const auto &vertex = cell->vertex(v);
+        EXPECT_NEAR(vertex[ball.normal_to_middle()],
+                    (v & 2U ? 0.1 : -0.1) * vertex[ball.across_middle()],
+                    1e-15);
+      }
+  }
+}
+
+TEST(LayeredBall, refuses_a_wedge_that_is_not_round)
+{
+  dealii::Triangulation<3> mesh;
+  LayeredBall ball = head(4);
+  ball.is_halved = {{true, true, false}};
+  ball.wedge_axis = 2;
+  ball.wedge_slope = 0.1;
+  EXPECT_THROW(make_layered_ball(ball, mesh), InputError);
+  for (auto &axes : ball.semi_axes)
+    axes[1] = axes[0];
+  EXPECT_NO_THROW(make_layered_ball(ball, mesh));
+  mesh.clear();
+  ball.is_halved[1] = false;
+  EXPECT_THROW(make_layered_ball(ball, mesh), InputError);
+}
+
 TEST(LayeredBall, refuses_layers_without_thickness)
 {
   dealii::Triangulation<3> mesh;

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <contrecoup/numerics/hex8_wedge.h>
+
 #include <deal.II/base/aligned_vector.h>
 
 namespace contrecoup::ale
@@ -26,5 +28,9 @@ struct AleState
   dealii::AlignedVector<double> relaxed;
 
   double time = 0.; ///< [s]
+
+  /// That the mesh is. Masses of its nodes are those around them by trilinear
+  /// functions at the start, without it eighths of cells.
+  HexWedge wedge;
 };
 } // namespace contrecoup::ale

@@ -77,6 +77,11 @@ public:
     return findings().boundaries;
   }
 
+  const SymmetryPlanes &symmetry_planes() const
+  {
+    return planes_;
+  }
+
   /// Part of the body that is computed [-].
   double part() const
   {

@@ -24,7 +24,7 @@ namespace contrecoup::ale
  *   friction          work of planes along themselves over the kinetic energy;
  *                     where they have none, that of a coefficient of 0.3
  *   scalp             mass of 5 mm of it over that of a head without one
- *   symmetry          part of the cost that planes of symmetry save
+ *   symmetry          part of the cost that planes of symmetry or a wedge save
  *   asymmetry         motion across them, which they do not allow
  *   unused_symmetry   part of the cost that further ones would save
  *   coupling          energy that fluids and solids solved in turn make up
@@ -41,7 +41,10 @@ struct ImpactPlan
   dealii::Tensor<1, 3> velocity; ///< of the fastest matter at the start [m/s]
   double cell_size = 0.;         ///< [m]
   double part = 1.;              ///< of the body that is computed [-]
-  double enough = 1.;    ///< part that would do, by symmetry of the scene [-]
+  double cost = 1.;              ///< of that part over that of the body [-]
+  std::string wedge;  ///< axis of the one that is computed; empty: none is
+  double enough = 1.; ///< cost that would do, by symmetry of the scene [-]
+  std::string enough_wedge; ///< axis of a wedge that it is of; empty: none
   double asymmetry = 0.; ///< part of the motion across planes of symmetry [-]
   /// Of a file; 0: the mesh is from none.
   unsigned int n_pieces = 0;

@@ -131,6 +131,12 @@ public:
     return walls_;
   }
 
+  /// See SlipWalls::mirror().
+  void mirror(const HexWedge &wedge)
+  {
+    walls_.mirror(*space_, wedge);
+  }
+
   /// What own cell @p cell has now.
   CellValues values(const AleState &state, const std::size_t cell) const
   {

@@ -6,6 +6,7 @@
 #include <contrecoup/ale/mesh_layer.h>
 #include <contrecoup/ale/symmetry_planes.h>
 #include <contrecoup/geometry/layered_ball.h>
+#include <contrecoup/numerics/hex8_wedge.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -40,9 +41,13 @@ public:
   }
 
   /// Part of the head that is computed; 1 without one [-].
-  double part() const
+  double part() const;
+
+  /// The wedge that is computed; without a slope: none.
+  HexWedge wedge() const
   {
-    return computed_part(ball_.is_halved);
+    return ball_.wedge_axis > 2 ? HexWedge()
+                                : HexWedge{ball_.wedge_axis, ball_.wedge_slope};
   }
 
   /// Of the outer surfaces of the layers [m].
@@ -59,10 +64,20 @@ public:
 
   double n_cells() const;
 
+  /// Those of the mesh without symmetry.
+  double n_cells_of_whole() const;
+
+  /// Those of a wedge, of one half of it between the poles if it is halved.
+  double n_cells_of_wedge(const bool is_halved) const;
+
   /// About the shortest edge of a cell [m].
   double cell_size() const;
 
 private:
+  /// @throws InputError for a head that is not round about it
+  void find_wedge(dealii::ParameterHandler &prm);
+  /// All layers, from the inner cube outwards.
+  double n_cells_across() const;
   void add_layer(const std::string &name,
                  const double thickness,
                  const unsigned int cells);

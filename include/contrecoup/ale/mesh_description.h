@@ -61,6 +61,18 @@ public:
     return kind_ == "file" ? file_.part() : head_.part();
   }
 
+  /// Planes of symmetry, those through the axis of a wedge among them.
+  const SymmetryPlanes &symmetry_planes() const
+  {
+    return kind_ == "file" ? file_.symmetry_planes() : head_.is_halved();
+  }
+
+  /// The wedge that the mesh is; without a slope: none.
+  HexWedge wedge() const
+  {
+    return kind_ == "layered head" ? head_.wedge() : HexWedge();
+  }
+
   /// Whether layer_at() tells layers apart.
   bool has_layers() const
   {

@@ -52,6 +52,10 @@ private:
   /// kinetic energies of the corners.
   static constexpr unsigned int kinetic = n_fields, n_contents = n_fields + 8;
 
+  /// Of each node: momentum, mass, kinetic energy, and eighths of the masses of
+  /// its cells before.
+  static constexpr unsigned int n_sums = 6;
+
   void fill_fields(const AleState &state);
   void carry_over(const AleState &state,
                   const dealii::AlignedVector<double> &position);
@@ -70,6 +74,10 @@ private:
                       const HexSpace::Face &face,
                       const double swept) const;
   void check_masses(const AleState &state) const;
+  /// Adds what the mass of a node has beyond eighths of its cells, and replaces
+  /// the eighths before by what heat is multiplied with.
+  static void
+  add_rest(const AleState &state, const double *velocity, double *sum);
   void collect(AleState &state,
                const SlipWalls &walls,
                const dealii::AlignedVector<double> &position);

@@ -91,7 +91,8 @@ private:
   /// regions meet, they go with the matter.
   void find_prescribed(
     const std::map<dealii::types::boundary_id, SlipWalls::Motion> &walls);
-  dealii::AlignedVector<double> smoothed(const AleState &state);
+  dealii::AlignedVector<double> smoothed(const AleState &state,
+                                         const SlipWalls &walls);
 
   /// The largest part of its volume that a cell loses through all its faces, on
   /// the way to @p position. Collective.

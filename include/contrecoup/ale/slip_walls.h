@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/ale/hex_space.h>
+#include <contrecoup/numerics/hex8_wedge.h>
 
 #include <deal.II/base/tensor.h>
 
@@ -33,6 +34,13 @@ public:
               const dealii::AlignedVector<double> &position,
               const std::map<dealii::types::boundary_id, Motion> &walls);
 
+  /// Lets what is at the sides of a wedge be mirror images from now on:
+  /// round-off would grow, as steps are too long for waves from side to side.
+  void mirror(const HexSpace &space, const HexWedge &wedge);
+
+  /// Makes vectors at the nodes, AleState::width numbers each, mirror images.
+  void make_mirrored(dealii::AlignedVector<double> &field) const;
+
   /// Sets the normal velocities of the nodes on walls at @p time [s].
   void apply(dealii::AlignedVector<double> &velocity, const double time) const;
 
@@ -57,6 +65,9 @@ private:
                 const unsigned int wall,
                 std::map<std::uint32_t, std::vector<WallNode>> &of_node) const;
 
+  HexWedge wedge_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>>
+    twins_; ///< of both sides
   std::vector<Motion> motions_;
   /// Those of a node follow each other.
   std::vector<WallNode> wall_nodes_;

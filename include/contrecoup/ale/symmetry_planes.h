@@ -13,9 +13,14 @@ namespace contrecoup::ale
 /// planes are 1 to 3, by axis.
 using SymmetryPlanes = std::array<bool, 3>;
 
-/// Entry "Symmetry planes" of the present subsection, that of the mesh.
+/// Entries "Symmetry planes" and "Wedge axis" of the present subsection, that
+/// of the mesh.
 void declare_symmetry_planes(dealii::ParameterHandler &prm);
 
+/// Entry "Wedge axis" of the present subsection; 3: there is none.
+unsigned int read_wedge_axis(dealii::ParameterHandler &prm);
+
+/// Those through the axis of a wedge among them.
 /// @throws InputError for what is no axis
 SymmetryPlanes read_symmetry_planes(dealii::ParameterHandler &prm);
 

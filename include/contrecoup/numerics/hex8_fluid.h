@@ -5,6 +5,7 @@
 
 #include <contrecoup/numerics/compression.h>
 #include <contrecoup/numerics/hex8_one_point.h>
+#include <contrecoup/numerics/hex8_wedge.h>
 
 /**
  * @file
@@ -105,6 +106,7 @@ viscous_stress(const FluidViscosity &coefficients,
  * @param x_corners present positions [m]
  * @param v_corners velocities [m/s]
  * @param element what it has is used, what is found is set
+ * @param wedge that it is a cell of, if it has a slope
  */
 template <typename Law, typename Number>
 inline DEAL_II_ALWAYS_INLINE HexVectors<Number>
@@ -112,12 +114,14 @@ fluid_forces(const Law &law,
              const FluidViscosity &coefficients,
              const HexVectors<Number> &x_corners,
              const HexVectors<Number> &v_corners,
-             FluidElement<Number> &element)
+             FluidElement<Number> &element,
+             const HexWedge &wedge = {})
 {
   using std::max;
   using std::sqrt;
   const HexVectors<Number> x = to_modes(x_corners), v = to_modes(v_corners);
-  const HexGeometry<Number> g = hex_geometry(x);
+  HexGeometry<Number> g = hex_geometry(x);
+  wedge.keep_lengths(g);
   const Matrix3<Number> gradient = mean_gradient(g, v);
   const Number density = element.mass * g.inverse_volume;
   Number square;
@@ -134,6 +138,7 @@ fluid_forces(const Law &law,
     stress[i][i] -= element.pressure;
 
   std::array<Vector3<Number>, 4> damping = hourglass_modes(g, v, gradient);
+  wedge.keep_modes(damping);
   const Number damper =
     density * sound_speed * g.damping_area() * (coefficients.hourglass / 8.);
   for (auto &mode : damping)

@@ -27,6 +27,7 @@ struct MovingSolidModel
   double quadratic_viscosity = 0.;
   /// Spring and damper against hourglass modes, see Hourglass.
   double hourglass_spring = 0., hourglass_damper = 0.;
+  HexWedge wedge; ///< that elements are cells of, if it has a slope
 };
 
 /// An element of a solid: its memory, and what was found of it.
@@ -74,6 +75,7 @@ hourglass_resistance(const MovingSolidModel<Number> &model,
   for (unsigned int m = 0; m < 4; ++m)
     for (unsigned int i = 0; i < 3; ++i)
       force[m][i] = spring * of_displacement[m][i] + damper * of_velocity[m][i];
+  model.wedge.keep_modes(force);
   return force;
 }
 
@@ -97,7 +99,8 @@ moving_solid_forces(const MovingSolidModel<Number> &model,
     for (unsigned int d = 0; d < 3; ++d)
       displacement[i][d] = x_corners[i][d] - undeformed[i][d];
   const HexVectors<Number> u = to_modes(displacement), v = to_modes(v_corners);
-  const HexGeometry<Number> g = hex_geometry(to_modes(undeformed));
+  HexGeometry<Number> g = hex_geometry(to_modes(undeformed));
+  model.wedge.keep_lengths(g);
   const Matrix3<Number> h = mean_gradient(g, u), rate = mean_gradient(g, v);
   Matrix3<Number> cofactors{};
   if constexpr (kinematics != SolidKinematics::small_strain)
