@@ -22,6 +22,24 @@ namespace
                                        "layered head",
                                        "file",
                                        "body"};
+
+  void declare_sides(ParameterHandler &prm)
+  {
+    const Section section(prm, "Side *");
+    declare_selection(prm,
+                      "Kind",
+                      "wall",
+                      {"wall", "free"},
+                      "Matter slides along a wall without friction; at a free "
+                      "side nothing presses. Sides that are not named are "
+                      "walls, but for the surface of a head or a file, which "
+                      "is free.");
+    declare_string(prm,
+                   "Velocity",
+                   "0",
+                   "Of the wall along its outward normal [m/s], a muParser "
+                   "expression of t.");
+  }
 } // namespace
 
 
@@ -73,20 +91,7 @@ void MeshDescription::declare_parameters(ParameterHandler &prm)
     const Section section(prm, "Body");
     BodyDescription::declare_parameters(prm);
   }
-  const Section section(prm, "Side *");
-  declare_selection(prm,
-                    "Kind",
-                    "wall",
-                    {"wall", "free"},
-                    "Matter slides along a wall without friction; at a free "
-                    "side nothing presses. Sides that are not named are "
-                    "walls, but for the surface of a head or a file, which "
-                    "is free.");
-  declare_string(prm,
-                 "Velocity",
-                 "0",
-                 "Of the wall along its outward normal [m/s], a muParser "
-                 "expression of t.");
+  declare_sides(prm);
 }
 
 

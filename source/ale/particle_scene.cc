@@ -25,6 +25,113 @@ namespace
                                              "slip",
                                              "contact"};
 
+  void declare_grid(ParameterHandler &prm)
+  {
+    declare_double(
+      prm, "Cell size", "0.004", 1e-6, 1e3, "m", "Of the background grid.");
+    declare_list(prm,
+                 "Particles a cell",
+                 "2, 2, 2",
+                 3,
+                 3,
+                 1.,
+                 10.,
+                 "-",
+                 "Along x, y and z; 2 each make 8 of a full cell.");
+    declare_selection(
+      prm, "Basis", "cubic", mpm::basis_names(), "B-splines of the grid.");
+  }
+
+  void declare_scheme(ParameterHandler &prm)
+  {
+    declare_selection(prm,
+                      "Transfer",
+                      "flip",
+                      mpm::transfer_names(),
+                      "How particles get velocities from the grid: the nodes' "
+                      "(pic), their change (flip), with an affine part (apic), "
+                      "or corrected by the mass series (fmpm).");
+    declare_selection(
+      prm,
+      "Update",
+      "musl",
+      mpm::stress_update_names(),
+      "Stresses from the velocity before the step (usf), after "
+      "it (usl), or of the momentum of moved particles (musl).");
+    declare_integer(
+      prm,
+      "Series order",
+      "2",
+      1,
+      16,
+      "Terms of the mass series of flip and fmpm: 1 is the lumped "
+      "mass, which makes sound slow; each further one costs a "
+      "transfer to the particles and back.");
+    declare_double(
+      prm,
+      "Damping time",
+      "1e9",
+      1e-9,
+      1e9,
+      "s",
+      "In which flip's particles lose the motion that the grid does "
+      "not see, whatever the step size.");
+  }
+
+  void declare_resampling(ParameterHandler &prm)
+  {
+    declare_double(
+      prm,
+      "Split stretch",
+      "2",
+      1.1,
+      1e6,
+      "-",
+      "A particle of a solid that has become so many times as long "
+      "along a principal direction is split, and its halves likewise "
+      "later.");
+    declare_integer(
+      prm,
+      "Merge above",
+      "64",
+      4,
+      1000000,
+      "Particles of a region in a cell, 4 to 1000000, and at least three "
+      "times those at the start; of more, four become two.");
+    declare_integer(prm,
+                    "Resample every steps",
+                    "20",
+                    0,
+                    1000000,
+                    "How often particles are split and merged; 0: never.");
+  }
+
+  void declare_fields(ParameterHandler &prm)
+  {
+    declare_selection(prm,
+                      "Fields",
+                      field_kinds[0],
+                      field_kinds,
+                      "Velocities of regions: one for all, which stick; or one "
+                      "for each, which slip along each other or, as contact, "
+                      "may part. By interface: they slip if a region has "
+                      "Interface = slip.");
+    declare_double(prm,
+                   "Friction",
+                   "0",
+                   0.,
+                   10.,
+                   "-",
+                   "Coulomb's coefficient between regions in contact.");
+    declare_selection(prm,
+                      "Smoothing",
+                      "liquids and gels",
+                      smoothings,
+                      "Materials whose volume strain and pressure are smoothed "
+                      "over linear splines against locking; gels are solids "
+                      "with a bulk modulus of more than 20 shear moduli.");
+  }
+
   bool locks(const Region &region)
   {
     const SolidMaterial *const solid = region.solid();
@@ -37,94 +144,10 @@ namespace
 void ParticleScene::declare_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "MPM");
-  declare_double(
-    prm, "Cell size", "0.004", 1e-6, 1e3, "m", "Of the background grid.");
-  declare_list(prm,
-               "Particles a cell",
-               "2, 2, 2",
-               3,
-               3,
-               1.,
-               10.,
-               "-",
-               "Along x, y and z; 2 each make 8 of a full cell.");
-  declare_selection(
-    prm, "Basis", "cubic", mpm::basis_names(), "B-splines of the grid.");
-  declare_selection(prm,
-                    "Transfer",
-                    "flip",
-                    mpm::transfer_names(),
-                    "How particles get velocities from the grid: the nodes' "
-                    "(pic), their change (flip), with an affine part (apic), "
-                    "or corrected by the mass series (fmpm).");
-  declare_selection(prm,
-                    "Update",
-                    "musl",
-                    mpm::stress_update_names(),
-                    "Stresses from the velocity before the step (usf), after "
-                    "it (usl), or of the momentum of moved particles (musl).");
-  declare_integer(prm,
-                  "Series order",
-                  "2",
-                  1,
-                  16,
-                  "Terms of the mass series of flip and fmpm: 1 is the lumped "
-                  "mass, which makes sound slow; each further one costs a "
-                  "transfer to the particles and back.");
-  declare_double(prm,
-                 "Damping time",
-                 "1e9",
-                 1e-9,
-                 1e9,
-                 "s",
-                 "In which flip's particles lose the motion that the grid does "
-                 "not see, whatever the step size.");
-  declare_double(
-    prm,
-    "Split stretch",
-    "2",
-    1.1,
-    1e6,
-    "-",
-    "A particle of a solid that has become so many times as long "
-    "along a principal direction is split, and its halves likewise "
-    "later.");
-  declare_integer(
-    prm,
-    "Merge above",
-    "64",
-    4,
-    1000000,
-    "Particles of a region in a cell, 4 to 1000000; of more, four "
-    "become two.");
-  declare_integer(prm,
-                  "Resample every steps",
-                  "20",
-                  0,
-                  1000000,
-                  "How often particles are split and merged; 0: never.");
-  declare_selection(prm,
-                    "Fields",
-                    field_kinds[0],
-                    field_kinds,
-                    "Velocities of regions: one for all, which stick; or one "
-                    "for each, which slip along each other or, as contact, "
-                    "may part. By interface: they slip if a region has "
-                    "Interface = slip.");
-  declare_double(prm,
-                 "Friction",
-                 "0",
-                 0.,
-                 10.,
-                 "-",
-                 "Coulomb's coefficient between regions in contact.");
-  declare_selection(prm,
-                    "Smoothing",
-                    "liquids and gels",
-                    smoothings,
-                    "Materials whose volume strain and pressure are smoothed "
-                    "over linear splines against locking; gels are solids "
-                    "with a bulk modulus of more than 20 shear moduli.");
+  declare_grid(prm);
+  declare_scheme(prm);
+  declare_resampling(prm);
+  declare_fields(prm);
 }
 
 
