@@ -19,12 +19,17 @@ namespace
 
   const std::vector<Parity> one_vector{1, 2, 4};
 
-  /// Nodes with less mass than this part of the largest are left alone: forces
-  /// and momenta there are as small.
-  constexpr double least_mass = 1e-14;
+  /// Nodes with less mass than this part of the largest are left alone. With
+  /// linear splines, forces there do not vanish with the mass. With others the
+  /// forces on such nodes are as small as its square root, and would be missed.
+  double least_mass(const unsigned int degree)
+  {
+    return degree == 1 ? 1e-14 : 1e-60;
+  }
 
   /// Divides vectors by masses; zero where there is none.
   void divide(const TileGrid &grid,
+              const unsigned int degree,
               const dealii::AlignedVector<double> &mass,
               const unsigned int first,
               NodeValues &values)
@@ -32,7 +37,7 @@ namespace
     double largest = 0.;
     for (std::size_t n = 0; n < grid.n_own_nodes(); ++n)
       largest = std::max(largest, mass[n]);
-    const double least = least_mass * largest;
+    const double least = least_mass(degree) * largest;
     for (unsigned int d = 0; d < 3; ++d)
       for (std::size_t n = 0; n < grid.n_own_nodes(); ++n)
         values[first + d][n] =
@@ -226,7 +231,7 @@ void ParticleStep::apply_series(const TileGrid &grid,
   for (unsigned int j = 1; j < scheme_.series_order; ++j)
   {
     multiply_mass_matrix(grid, particles, field, rest, product);
-    divide(grid, field.matter[0], 0, product);
+    divide(grid, scheme_.degree, field.matter[0], 0, product);
     for (unsigned int d = 0; d < 3; ++d)
       for (std::size_t n = 0; n < grid.n_own_nodes(); ++n)
         rest[d][n] -= product[d][n];
@@ -251,7 +256,7 @@ void ParticleStep::find_velocities(const TileGrid &grid, Particles &particles)
       std::copy_n(field.matter[1 + d].begin(),
                   grid.n_own_nodes(),
                   field.before[d].begin());
-    divide(grid, field.matter[0], 0, field.before);
+    divide(grid, scheme_.degree, field.matter[0], 0, field.before);
     stop_at_planes(grid, 0, field.before);
     apply_series(grid, particles, field, field.before);
   }
@@ -295,7 +300,7 @@ void ParticleStep::accelerate(const TileGrid &grid, Particles &particles)
       std::copy_n(field.matter[4 + d].begin(),
                   grid.n_own_nodes(),
                   field.acceleration[d].begin());
-    divide(grid, field.matter[0], 0, field.acceleration);
+    divide(grid, scheme_.degree, field.matter[0], 0, field.acceleration);
     stop_at_planes(grid, 0, field.acceleration);
     apply_series(grid, particles, field, field.acceleration);
   }
