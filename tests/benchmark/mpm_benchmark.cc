@@ -78,7 +78,12 @@ struct Block
   {
     GridBox box;
     box.n_cells.fill(n + 2 * margin);
-    grid.reinit(box, communicator, {});
+    grid.reinit(box, communicator, [](const dealii::Point<3> &corner) {
+      for (unsigned int d = 0; d < 3; ++d)
+        if (corner[d] < margin || corner[d] >= margin + n)
+          return 0u;
+      return 1000u;
+    });
     for (const auto tile : grid.own_tiles())
       fill(tile, material.density());
     particles.sort(grid);
