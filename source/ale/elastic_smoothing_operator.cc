@@ -15,6 +15,7 @@
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/sparsity_tools.h>
 #include <deal.II/lac/trilinos_precondition.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
@@ -40,10 +41,6 @@ public:
   void assemble(const dealii::AlignedVector<double> &position,
                 const dealii::AlignedVector<double> &displacement);
   unsigned int solve(const dealii::AlignedVector<double> &position);
-  /// Preconditioned conjugate gradients on solution_, until no displacement is
-  /// off by more than @p largest_error [m].
-  /// @return iterations that it took
-  unsigned int iterate(const double largest_error);
   void read(dealii::AlignedVector<double> &displacement);
   void resume(const SmoothingMemory &memory);
 
@@ -266,38 +263,6 @@ void ElasticSmoothing::System::renew_preconditioner()
 }
 
 
-// deal.II's solver ends by the residual, which hardly tells errors that are
-// smooth: over a hundred cells in a row one of 1e-6 was a hundredth of the
-// displacement. The preconditioned residual is about the error itself.
-unsigned int ElasticSmoothing::System::iterate(const double largest_error)
-{
-  TrilinosVector residual(right_side_), change(right_side_),
-    product(right_side_);
-  matrix_.residual(residual, solution_, right_side_);
-  preconditioner_.vmult(change, residual);
-  TrilinosVector direction(change);
-  double energy = residual * change;
-  for (unsigned int n = 0; n <= options_.largest_iterations; ++n)
-  {
-    if (change.linfty_norm() <= largest_error)
-      return n;
-    matrix_.vmult(product, direction);
-    const double part = energy / (direction * product);
-    solution_.add(part, direction);
-    residual.add(-part, product);
-    preconditioner_.vmult(change, residual);
-    const double next = residual * change;
-    direction.sadd(next / energy, change);
-    energy = next;
-  }
-  throw NumericsError("mesh smoothing: nodes are still off by about " +
-                      brief(change.linfty_norm()) + " m after " +
-                      std::to_string(options_.largest_iterations) +
-                      " iterations, Rezone/Tolerance allows " +
-                      brief(largest_error) + " m");
-}
-
-
 unsigned int
 ElasticSmoothing::System::solve(const dealii::AlignedVector<double> &position)
 {
@@ -306,18 +271,30 @@ ElasticSmoothing::System::solve(const dealii::AlignedVector<double> &position)
     renew_preconditioner();
     memory_.hierarchy_position = position;
   }
-  // The largest displacement: that is prescribed, or to start from.
-  constraints_.distribute(solution_);
-  const double size = solution_.linfty_norm();
   constraints_.set_zero(solution_);
-  const unsigned int n_iterations = iterate(options_.tolerance * size);
+  const double size = right_side_.l2_norm();
+  dealii::SolverControl control(options_.largest_iterations,
+                                options_.tolerance * size + 1e-300);
+  dealii::SolverCG<TrilinosVector> solver(control);
+  try
+  {
+    solver.solve(matrix_, solution_, right_side_, preconditioner_);
+  }
+  catch (const dealii::SolverControl::NoConvergence &)
+  {
+    throw NumericsError(
+      "mesh smoothing: the residual is still " +
+      brief(control.last_value() / size) + " of its first one after " +
+      std::to_string(options_.largest_iterations) +
+      " iterations; Rezone/Tolerance may be too small for flat cells");
+  }
   constraints_.distribute(solution_);
-  const unsigned int n = std::max(n_iterations, 1U);
+  const unsigned int n = std::max(control.last_step(), 1U);
   if (memory_.first_iterations == 0)
     memory_.first_iterations = n;
   else if (n > options_.renewal * memory_.first_iterations + 5.)
     memory_.first_iterations = 0;
-  return n_iterations;
+  return control.last_step();
 }
 
 

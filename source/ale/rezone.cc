@@ -78,15 +78,15 @@ void Rezone::declare_parameters(ParameterHandler &prm)
                  "cells in shape.");
   declare_double(
     prm, "Poisson's ratio", "0.3", 0., 0.49, "-", "Of the elastic mesh.");
-  declare_double(prm,
-                 "Tolerance",
-                 "1e-6",
-                 1e-14,
-                 0.1,
-                 "-",
-                 "How far nodes may be off the solution of the elastic "
-                 "problem, over the largest displacement; it may be larger "
-                 "where no cells are much smaller than that.");
+  declare_double(
+    prm,
+    "Tolerance",
+    "1e-6",
+    1e-14,
+    0.1,
+    "-",
+    "Relative residual of the elastic problem; less of it changed errors "
+    "by 1e-4 of them at most, also where cells are flat.");
 }
 
 

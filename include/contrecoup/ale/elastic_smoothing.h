@@ -17,9 +17,7 @@ struct ElasticOptions
   /// Young's modulus grows with the inverse volume of a cell to this power:
   /// small cells keep their shape.
   double stiffening = 1.;
-  /// Of the displacements, over the largest of them, as the preconditioner
-  /// tells it [-].
-  double tolerance = 1e-6;
+  double tolerance = 1e-6; ///< of the residual, relative [-]
   unsigned int largest_iterations = 1000;
   /// The multigrid hierarchy is made anew when a solution takes this many times
   /// the iterations of the first one with it.
