@@ -46,7 +46,8 @@ void AleSimulation::declare_parameters(ParameterHandler &prm)
                      name,
                      "0",
                      "Acceleration of everything [m/s^2], a muParser "
-                     "expression of t.");
+                     "expression of t; of particles also of x, y, z, where "
+                     "they were at the start.");
   }
   {
     const Section section(prm, "Scheme");

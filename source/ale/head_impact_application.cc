@@ -27,6 +27,7 @@ namespace
                       "or particles on a background grid (mpm).");
     AleSimulation::declare_parameters(prm);
     ParticleScene::declare_parameters(prm);
+    ParticleReference::declare_parameters(prm);
   }
 
   template <typename Method>

@@ -315,12 +315,26 @@ mpm::FieldContact ParticleScene::field_contact() const
     fields.push_back(material.field);
   if (fields_ == "one")
     return mpm::FieldContact();
-  const unsigned int most =
-    *std::max_element(source_.per_cell.begin(), source_.per_cell.end());
-  return mpm::FieldContact(scheme_.degree,
-                           fields,
-                           mpm::find_field_interface(fields_),
-                           0.5 * cell_size_ / most,
-                           friction_);
+  return mpm::FieldContact(
+    scheme_.degree,
+    fields,
+    mpm::find_field_interface(fields_),
+    half_spacing(),
+    std::pow(cell_size_, 3) /
+      (source_.per_cell[0] * source_.per_cell[1] * source_.per_cell[2]),
+    friction_);
+}
+
+
+bool ParticleScene::regions_part() const
+{
+  return fields_ == field_kinds[3];
+}
+
+
+double ParticleScene::half_spacing() const
+{
+  return 0.5 * cell_size_ /
+         *std::max_element(source_.per_cell.begin(), source_.per_cell.end());
 }
 } // namespace contrecoup::ale

@@ -48,6 +48,7 @@ void ParticleSimulation::parse_parameters(ParameterHandler &prm)
   regions_.parse_parameters(prm);
   planes_.parse_parameters(prm);
   scene_.parse_parameters(prm);
+  reference_.parse_parameters(prm);
   {
     const Section section(prm, "Body force");
     for (unsigned int d = 0; d < 3; ++d)
@@ -100,6 +101,7 @@ void ParticleSimulation::build_grid()
   step_ = std::make_unique<mpm::ParticleStep>(
     scene_.scheme(), scene_.materials(), scene_.field_contact());
   contact_ = mpm::WallContact(scene_.walls());
+  reference_.reinit(scene_.materials(), scene_.half_spacing());
 }
 
 
@@ -172,14 +174,9 @@ StepReport ParticleSimulation::advance(const double largest_step)
 {
   const double signal = step_->signal_time(grid_, particles_);
   const double largest = std::min(largest_step, courant_ * signal);
-  dealii::Tensor<1, 3> body;
-  for (unsigned int d = 0; d < 3; ++d)
-    body[d] = acceleration_[d].value({}, time_);
   contact_.clear_measures();
   const auto forces = [&](const unsigned int m, mpm::ParticleBlock &block) {
-    for (unsigned int d = 0; d < 3; ++d)
-      for (std::size_t p = 0; p < block.size(); ++p)
-        block[column::force + d][p] = block[column::mass][p] * body[d];
+    set_body_force(block);
     if (!contact_.empty())
       contact_.add_forces(scene_.materials()[m], scene_.cell_size(), block);
   };
@@ -189,6 +186,34 @@ StepReport ParticleSimulation::advance(const double largest_step)
   time_ += report.step_size;
   report.retries = step_->n_retries();
   report.updates = static_cast<double>(n_particles_);
+  record_contact(report.step_size);
+  reference_.follow(particles_, time_, communicator_);
+  return report;
+}
+
+
+void ParticleSimulation::set_body_force(mpm::ParticleBlock &block) const
+{
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    const Expression &acceleration = acceleration_[d];
+    const bool varies = acceleration.depends_on_place();
+    double value = varies ? 0. : acceleration.value({}, time_);
+    for (std::size_t p = 0; p < block.size(); ++p)
+    {
+      if (varies)
+        value = acceleration.value({block[column::start][p],
+                                    block[column::start + 1][p],
+                                    block[column::start + 2][p]},
+                                   time_);
+      block[column::force + d][p] = block[column::mass][p] * value;
+    }
+  }
+}
+
+
+void ParticleSimulation::record_contact(const double step)
+{
   if (!contact_.empty())
   {
     const mpm::WallMeasures &walls = contact_.measures();
@@ -197,11 +222,16 @@ StepReport ParticleSimulation::advance(const double largest_step)
     mpi::sum(sums, communicator_, sums);
     contact_now_.force = sums[0];
     contact_now_.area = sums[1];
-    contact_now_.friction_work += report.step_size * sums[2];
+    contact_now_.friction_work += step * sums[2];
     contact_now_.sliding_work += sums[3];
-    contact_record_.add(contact_now_, time_, report.step_size);
+    contact_record_.add(contact_now_, time_, step);
   }
-  return report;
+  if (scene_.regions_part())
+  {
+    ContactMeasures measures;
+    measures.force = mpi::sum(step_->field_force(), communicator_);
+    region_contact_.add(measures, time_, step);
+  }
 }
 
 
@@ -273,6 +303,8 @@ std::vector<NamedValue> ParticleSimulation::history()
                   {{"contact_force", "N", contact_now_.force},
                    {"contact_area", "m^2", contact_now_.area},
                    {"friction_work", "J", contact_now_.friction_work}});
+  if (reference_.has_front())
+    values.push_back({"front", "m", reference_.record().position});
   std::size_t region = 0;
   for (NamedValue &measure :
        particle_measures(scene_.materials(), particles_, communicator_))
@@ -338,6 +370,9 @@ std::vector<NamedValue> ParticleSimulation::assumptions()
   if (!contact_.empty())
     for (NamedValue &value : contact_record_.values())
       values.push_back(std::move(value));
+  for (const NamedValue &value : region_contact_.values())
+    if (value.name.find("area") == std::string::npos)
+      values.push_back({"region_" + value.name, value.unit, value.value});
   set_to_whole(values, mesh_.part(), mesh_.symmetry_planes());
   return values;
 }

@@ -32,6 +32,8 @@ namespace
     mpm::EnergyLedger ledger; ///< of this file's rank
     ContactMeasures contact;
     ContactRecord record;
+    ContactRecord region_contact;
+    FrontRecord front;
   };
 
   /// Particles that follow.
@@ -64,7 +66,9 @@ void ParticleSimulation::save(const std::string &folder)
                     energy_scale_,
                     step_->ledger(),
                     contact_now_,
-                    contact_record_};
+                    contact_record_,
+                    region_contact_,
+                    reference_.record()};
     particles_.for_each_block(
       [&](unsigned int, const mpm::ParticleBlock &) { ++numbers.n_blocks; });
     io::put(out, numbers);
@@ -102,6 +106,8 @@ void ParticleSimulation::restore_file(const std::string &file)
   energy_scale_ = numbers.energy_scale;
   contact_now_ = numbers.contact;
   contact_record_ = numbers.record;
+  region_contact_ = numbers.region_contact;
+  reference_.record() = numbers.front;
   // Sums over ranks are what counts.
   if (mpi::this_mpi_process(communicator_) == 0)
   {

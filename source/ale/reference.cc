@@ -8,6 +8,7 @@
 #include <contrecoup/ale/table_flow.h>
 #include <contrecoup/ale/taylor_green_flow.h>
 #include <contrecoup/ale/water_hammer_flow.h>
+#include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameters.h>
 
 namespace contrecoup::ale
@@ -44,7 +45,8 @@ namespace
 void Reference::declare_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "Reference");
-  std::vector<std::string> names{"none", "rigid sphere", "fluid filled shell"};
+  std::vector<std::string> names{
+    "none", "rigid sphere", "fluid filled shell", "expressions", "front"};
   for (const Kind &kind : flows)
     names.push_back(kind.name);
   declare_selection(
@@ -55,8 +57,8 @@ void Reference::declare_parameters(ParameterHandler &prm)
     "Solution that the run is compared with: at the probes, of a liquid in a "
     "rigid sphere that is decelerated, or in an elastic shell that hits a wall; "
     "everywhere, of gases that meet, an implosion, a blast, vortices, a liquid "
-    "that a wall stops, or of a table. Only the entries of its subsection "
-    "count.");
+    "that a wall stops, or of a table. Of particles also expressions, and the "
+    "front of a region over time. Only the entries of its subsection count.");
   declare_double(prm,
                  "Largest radius",
                  "1e6",
@@ -95,12 +97,22 @@ void Reference::parse_parameters(ParameterHandler &prm)
     const Section shell(prm, "Fluid filled shell");
     shell_ = ShellPressures::create(prm);
   }
+  if (name == "expressions" || name == "front")
+    throw InputError("Reference/Kind = " + name + " needs Method = mpm");
+  flow_ = parse_flow(prm);
+}
+
+
+std::unique_ptr<ExactFlow> Reference::parse_flow(ParameterHandler &prm)
+{
+  const std::string name = prm.get("Kind");
   for (const Kind &kind : flows)
     if (name == kind.name)
     {
       const Section flow(prm, kind.section);
-      flow_ = kind.create(prm);
+      return kind.create(prm);
     }
+  return nullptr;
 }
 
 

@@ -82,12 +82,16 @@ void raise_extents(const unsigned int degree,
                    const ParticleBlock &particles,
                    const WindowPlace &place,
                    const double sign,
+                   const ParticleHalf &half,
                    const double *const normals,
                    double *const extents)
 {
   for (std::size_t p = 0; p < particles.size(); ++p)
   {
     const auto axis = splines(degree, particles, p, place);
+    const double face =
+      half.spacing *
+      std::min(1., particles[column::volume][p] / half.box_volume);
     for_each_node(
       degree, axis, [&](const unsigned int at, const unsigned int(&index)[3]) {
         double along = 0., norm = 0., weight = 1.;
@@ -102,7 +106,7 @@ void raise_extents(const unsigned int degree,
           weight *= axis[d].value[index[d]];
         }
         if (norm > 0. && weight > 0.)
-          extents[at] = std::max(extents[at], sign * along);
+          extents[at] = std::max(extents[at], sign * along + face);
       });
   }
 }

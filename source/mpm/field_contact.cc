@@ -52,11 +52,13 @@ FieldContact::FieldContact(const unsigned int degree,
                            const std::vector<unsigned int> &field_of_material,
                            const FieldInterface kind,
                            const double half_spacing,
+                           const double box_volume,
                            const double friction)
   : degree_(degree)
   , field_of_material_(field_of_material)
   , kind_(kind)
   , half_spacing_(half_spacing)
+  , box_volume_(box_volume)
   , friction_(friction)
 {
   for (const unsigned int field : field_of_material)
@@ -150,6 +152,7 @@ void FieldContact::find_gap(const TileGrid &grid,
                         tile.second[m],
                         place_of(grid, *source),
                         side == 0 ? 1. : -1.,
+                        {half_spacing_, box_volume_},
                         normals.data(),
                         window.data());
       raise_nodes(*source, window.data(), extents[side]);
@@ -159,7 +162,7 @@ void FieldContact::find_gap(const TileGrid &grid,
   extents.raise_by_copies(grid);
   pair.gaps.clear(grid);
   for (std::uint32_t n = 0; n < grid.n_own_nodes(); ++n)
-    pair.gaps[0][n] = -extents[0][n] - extents[1][n] - 2. * half_spacing_;
+    pair.gaps[0][n] = -extents[0][n] - extents[1][n];
 }
 
 
@@ -183,11 +186,11 @@ void FieldContact::find_interfaces(
 }
 
 
-void FieldContact::push(const Pair &pair,
-                        const std::uint32_t node,
-                        NodeValues &a,
-                        NodeValues &b,
-                        const unsigned int first) const
+double FieldContact::push(const Pair &pair,
+                          const std::uint32_t node,
+                          NodeValues &a,
+                          NodeValues &b,
+                          const unsigned int first) const
 {
   dealii::Tensor<1, 3> normal, together; // the first relative to the second
   for (unsigned int d = 0; d < 3; ++d)
@@ -199,7 +202,7 @@ void FieldContact::push(const Pair &pair,
   if (!(normal.norm_square() > 0.) ||
       (kind_ == FieldInterface::contact &&
        (closing <= 0. || pair.gaps[0][node] > 0.)))
-    return;
+    return 0.;
   const auto along = together - closing * normal;
   dealii::Tensor<1, 3> change = closing * normal;
   if (kind_ == FieldInterface::contact && along.norm() > 0.)
@@ -212,19 +215,22 @@ void FieldContact::push(const Pair &pair,
     a[first + d][node] -= reduced * change[d] / mass_a;
     b[first + d][node] += reduced * change[d] / mass_b;
   }
+  return reduced * change.norm();
 }
 
 
-void FieldContact::apply(const std::vector<NodeValues *> &velocities,
-                         const unsigned int first,
-                         const std::size_t n_own_nodes) const
+double FieldContact::apply(const std::vector<NodeValues *> &velocities,
+                           const unsigned int first,
+                           const std::size_t n_own_nodes) const
 {
+  double sum = 0.;
   for (const Pair &pair : pairs_)
     for (std::uint32_t n = 0; n < n_own_nodes; ++n)
-      push(pair,
-           n,
-           *velocities[pair.fields[0]],
-           *velocities[pair.fields[1]],
-           first);
+      sum += push(pair,
+                  n,
+                  *velocities[pair.fields[0]],
+                  *velocities[pair.fields[1]],
+                  first);
+  return sum;
 }
 } // namespace contrecoup::mpm

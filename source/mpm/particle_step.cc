@@ -263,14 +263,14 @@ void ParticleStep::find_velocities(const TileGrid &grid, Particles &particles)
 }
 
 
-void ParticleStep::touch(const TileGrid &grid)
+double ParticleStep::touch(const TileGrid &grid)
 {
   if (contact_.n_fields() < 2)
-    return;
+    return 0.;
   std::vector<NodeValues *> velocities;
   for (Field &field : fields_)
     velocities.push_back(&field.motion);
-  contact_.apply(velocities, 3, grid.n_own_nodes());
+  return contact_.apply(velocities, 3, grid.n_own_nodes());
 }
 
 
@@ -314,7 +314,7 @@ void ParticleStep::set_motion(const TileGrid &grid, const double step)
       for (std::size_t n = 0; n < grid.n_own_nodes(); ++n)
         field.motion[3 + d][n] =
           field.before[d][n] + step * field.acceleration[d][n];
-  touch(grid);
+  field_force_ = touch(grid) / step;
   const bool has_contact = contact_.n_fields() > 1;
   step_contact_loss_ = 0.;
   for (Field &field : fields_)

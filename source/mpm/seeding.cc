@@ -81,6 +81,7 @@ namespace
     for (unsigned int d = 0; d < 3; ++d)
     {
       block[column::position + d][p] = place[d];
+      block[column::start + d][p] = place[d];
       block[column::velocity + d][p] = velocity[d];
     }
     // Matter that is compressed at the start takes less volume.

@@ -74,6 +74,12 @@ public:
   /// Of the velocity fields of the materials.
   mpm::FieldContact field_contact() const;
 
+  /// Whether regions touch each other and part.
+  bool regions_part() const;
+
+  /// From particles to their faces in full cells, along the shortest [m].
+  double half_spacing() const;
+
   double cell_size() const
   {
     return cell_size_;

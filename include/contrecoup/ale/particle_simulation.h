@@ -5,6 +5,7 @@
 
 #include <contrecoup/ale/contact_record.h>
 #include <contrecoup/ale/impact_plan.h>
+#include <contrecoup/ale/particle_reference.h>
 #include <contrecoup/ale/particle_scene.h>
 #include <contrecoup/base/expression.h>
 #include <contrecoup/base/simulation.h>
@@ -45,7 +46,8 @@ public:
                            unsigned int index) override;
   std::vector<NamedValue> errors() override
   {
-    return {};
+    return reference_.errors(
+      scene_.materials(), particles_, time_, communicator_);
   }
   std::vector<NamedValue> assumptions() override;
   std::vector<Assumption> plan() override;
@@ -64,6 +66,10 @@ private:
   };
 
   void build_grid();
+  /// Sets column::force to the body force, by places at the start.
+  void set_body_force(mpm::ParticleBlock &block) const;
+  /// Forces that planes and regions give each other in the step.
+  void record_contact(const double step);
   Ledger ledger() const;
   ImpactPlan impact_plan() const;
   /// Whether splines see the layers of a head apart.
@@ -77,6 +83,7 @@ private:
   RegionDescriptions regions_;
   ContactPlanes planes_;
   ParticleScene scene_;
+  ParticleReference reference_;
   std::array<Expression, 3> acceleration_{{{"", "0"}, {"", "0"}, {"", "0"}}};
   std::vector<dealii::Point<3>> probe_places_;
   double courant_ = 0.3;
@@ -89,6 +96,7 @@ private:
   mpm::WallContact contact_;
   ContactMeasures contact_now_;
   ContactRecord contact_record_;
+  ContactRecord region_contact_; ///< of velocity fields that may part
   std::uint64_t n_particles_ = 0;
   std::uint64_t n_steps_ = 0;
   std::uint64_t n_split_ = 0;

@@ -34,6 +34,9 @@ public:
                                  const LagrangeStep &lagrange,
                                  const AleState &state) const;
 
+  /// The flow of Reference/Kind; none if that is no flow. @throws InputError
+  static std::unique_ptr<ExactFlow> parse_flow(dealii::ParameterHandler &prm);
+
   /// For checkpoints.
   Peaks &peaks()
   {

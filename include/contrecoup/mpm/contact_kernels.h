@@ -20,9 +20,17 @@ void deposit_gradient(const unsigned int degree,
                       const WindowPlace &place,
                       double *window);
 
+/// From particles to their faces.
+struct ParticleHalf
+{
+  double spacing;    ///< of a particle that fills its box [m]
+  double box_volume; ///< [m^3]
+};
+
 /**
  * Raises, at nodes in whose splines particles are, how far these reach from the
- * node along its normal times @p sign.
+ * node along its normal times @p sign; faces of particles that fill only a
+ * part of their boxes are as much nearer.
  * @param normals 3 components; zero: the node is left alone
  * @param extents [m]
  */
@@ -30,6 +38,7 @@ void raise_extents(const unsigned int degree,
                    const ParticleBlock &particles,
                    const WindowPlace &place,
                    const double sign,
+                   const ParticleHalf &half,
                    const double *normals,
                    double *extents);
 } // namespace contrecoup::mpm

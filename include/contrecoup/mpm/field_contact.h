@@ -39,13 +39,15 @@ class FieldContact
 public:
   /**
    * @param field_of_material by material
-   * @param half_spacing from a particle to its face [m]
+   * @param half_spacing from a particle of a full box to its face [m]
+   * @param box_volume of such a particle [m^3]
    * @param friction Coulomb's coefficient of FieldInterface::contact [-]
    */
   FieldContact(const unsigned int degree = 3,
                const std::vector<unsigned int> &field_of_material = {},
                const FieldInterface kind = FieldInterface::slip,
                const double half_spacing = 0.,
+               const double box_volume = 1.,
                const double friction = 0.);
 
   unsigned int n_fields() const
@@ -63,10 +65,11 @@ public:
   /**
    * Changes velocities of own nodes.
    * @param velocities by field, three components from @p first on
+   * @return the sum of the impulses' magnitudes [N s]
    */
-  void apply(const std::vector<NodeValues *> &velocities,
-             const unsigned int first,
-             const std::size_t n_own_nodes) const;
+  double apply(const std::vector<NodeValues *> &velocities,
+               const unsigned int first,
+               const std::size_t n_own_nodes) const;
 
 private:
   /// Two fields that may meet.
@@ -80,16 +83,17 @@ private:
   void find_gradients(const TileGrid &grid, Particles &particles);
   void find_normals(const TileGrid &grid, Pair &pair) const;
   void find_gap(const TileGrid &grid, Particles &particles, Pair &pair) const;
-  void push(const Pair &pair,
-            const std::uint32_t node,
-            NodeValues &a,
-            NodeValues &b,
-            const unsigned int first) const;
+  double push(const Pair &pair,
+              const std::uint32_t node,
+              NodeValues &a,
+              NodeValues &b,
+              const unsigned int first) const;
 
   unsigned int degree_;
   std::vector<unsigned int> field_of_material_;
   FieldInterface kind_;
   double half_spacing_;
+  double box_volume_;
   double friction_;
   unsigned int n_fields_ = 0;
   std::vector<NodeValues> gradients_;                 ///< of mass, by field

@@ -31,16 +31,17 @@ namespace column
     area = 44,       ///< of the surface that belongs to the particle [m^2]
     tag = 45,        ///< number of a probe that follows it, from 1 on; 0: none
     level = 46,      ///< how often it was split [-]
-    n_state = 47,    ///< what moves with a particle and is saved
+    start = 47,      ///< 3, where it was at the start [m]
+    n_state = 50,    ///< what moves with a particle and is saved
     // Within a step.
-    change = 47,    ///< 3, of the velocity [m/s]
-    way = 50,       ///< 3, of the position [m]
-    rate = 53,      ///< 9, velocity gradient by rows [1/s]
-    smoothed = 62,  ///< pressure, then rate of dilatation, after smoothing
-    mean_rate = 63, ///< 9, gradient of the mean velocity of the step [1/s]
-    force = 72,     ///< 3, from outside [N]
-    moment = 75,    ///< 6, of this force about the particle [N m]
-    n_columns = 81
+    change = 50,    ///< 3, of the velocity [m/s]
+    way = 53,       ///< 3, of the position [m]
+    rate = 56,      ///< 9, velocity gradient by rows [1/s]
+    smoothed = 65,  ///< pressure, then rate of dilatation, after smoothing
+    mean_rate = 66, ///< 9, gradient of the mean velocity of the step [1/s]
+    force = 75,     ///< 3, from outside [N]
+    moment = 78,    ///< 6, of this force about the particle [N m]
+    n_columns = 84
   };
 } // namespace column
 

@@ -67,6 +67,12 @@ public:
   {
     ledger_ = ledger;
   }
+  /// Of velocity fields on each other in the last step, this rank's sum of
+  /// magnitudes at the nodes [N].
+  double field_force() const
+  {
+    return field_force_;
+  }
   unsigned int n_retries() const
   {
     return n_retries_;
@@ -138,8 +144,9 @@ private:
   void find_velocities(const TileGrid &grid, Particles &particles);
   void accelerate(const TileGrid &grid, Particles &particles);
   void set_motion(const TileGrid &grid, const double step);
-  /// Lets the velocities after the step of fields push each other.
-  void touch(const TileGrid &grid);
+  /// Lets the velocities after the step of fields push each other. Returns
+  /// the sum of impulses, this rank [N s].
+  double touch(const TileGrid &grid);
   /// Takes those before the step as those after it, with such pushes.
   void use_velocities_before(const TileGrid &grid);
   void collect(const TileGrid &grid, Particles &particles, const double step);
@@ -160,6 +167,7 @@ private:
   FieldContact contact_;
   EnergyLedger ledger_;
   double step_contact_loss_ = 0.; ///< of the last motion, this rank [J]
+  double field_force_ = 0.;
   unsigned int n_retries_ = 0;
 };
 } // namespace contrecoup::mpm

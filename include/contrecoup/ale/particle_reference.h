@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/ale/exact_flow.h>
+#include <contrecoup/base/expression.h>
+#include <contrecoup/base/simulation.h>
+#include <contrecoup/mpm/particle_material.h>
+#include <contrecoup/mpm/particles.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/parameter_handler.h>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace contrecoup::ale
+{
+/// The course of a front so far: numbers alone, for checkpoints.
+struct FrontRecord
+{
+  double time = 0.;          ///< of the last step [s]
+  double position = 0.;      ///< then [m]
+  double error = 0.;         ///< sum of absolute errors at known times [m]
+  double largest = 0.;       ///< of them [m]
+  std::uint64_t n_known = 0; ///< times that have passed
+};
+
+/**
+ * What a run of particles is compared with: the entries of subsection
+ * "Reference", of which it declares "Expressions" and "Front"; flows are those
+ * of meshes.
+ */
+class ParticleReference
+{
+public:
+  static void declare_parameters(dealii::ParameterHandler &prm);
+
+  /// @throws InputError for a solution that particles cannot be compared with
+  void parse_parameters(dealii::ParameterHandler &prm);
+
+  /// Finds the front's region. @throws InputError if there is none of its name
+  void reinit(const std::vector<mpm::ParticleMaterial> &materials,
+              const double half_spacing);
+
+  bool has_front() const
+  {
+    return front_.has_value();
+  }
+
+  /// Follows the front after a step that ended at @p time. Collective.
+  void follow(const mpm::Particles &particles,
+              const double time,
+              const MPI_Comm communicator);
+
+  /**
+   * Mean absolute errors by undeformed volume: of expressions, of displacement,
+   * velocity and pressure, at places at the start; of flows, of density,
+   * velocity and pressure at present places; or of the front's places at the
+   * known times that have passed. Collective.
+   */
+  std::vector<NamedValue>
+  errors(const std::vector<mpm::ParticleMaterial> &materials,
+         const mpm::Particles &particles,
+         const double time,
+         const MPI_Comm communicator) const;
+
+  /// For checkpoints and histories.
+  FrontRecord &record()
+  {
+    return record_;
+  }
+
+private:
+  /// The farthest face of a region's particles along an axis.
+  struct Front
+  {
+    std::string region;
+    unsigned int material = 0, direction = 0;
+    double half_spacing = 0.; ///< from a particle to its face [m]
+    std::vector<double> times, positions;
+  };
+
+  /// Exact values, as far as they are given.
+  struct Expressions
+  {
+    std::vector<Expression> displacement, velocity, pressure;
+  };
+
+  double front_position(const mpm::Particles &particles,
+                        const MPI_Comm communicator) const;
+  void parse_front(dealii::ParameterHandler &prm);
+
+  double radius_ = 0.; ///< within which particles are compared [m]
+  std::unique_ptr<ExactFlow> flow_;
+  std::optional<Expressions> expressions_;
+  std::optional<Front> front_;
+  FrontRecord record_;
+};
+} // namespace contrecoup::ale

@@ -1,0 +1,63 @@
+# Verification of the material point method: exact and manufactured solutions, measured
+# fronts, contact. Energy ledgers close in each.
+set(_folder head_impact/verification)
+
+# After 9.75 periods the mean velocity goes through zero with 0.04 m/s^2: 3e-4 m/s are
+# 0.0075 s, hence a period of 10.0008 s.
+contrecoup_add_application_test(vibrating_bar bounds,ranks,resume
+  FILE ${_folder}/vibrating_bar.prm SET "Output/Fields=false"
+  BOUNDS ${_ledger} "history.velocity_x_bar < 3.1e-4"
+  "history.stored_energy > 0.0621" "errors.displacement_L1 < 3.07e-4"
+  "errors.velocity_L1 < 3.37e-4" "assumptions.transfer_loss < 2.25e-3"
+  COMPARE history.csv STOP_AFTER 40
+  TOLERANCE "1e-7" "energy_residual*=1e-15 absolute" "contact_loss*=1e-15 absolute"
+  "momentum*=1e-8 absolute" "velocity*=1e-9 absolute"
+  LABELS verification)
+
+# They close with 0.283 m/s: geometry's 1.586 s within a quarter of a cell, 0.044 s.
+contrecoup_add_application_test(two_disks bounds,resume
+  FILE ${_folder}/two_disks.prm SET "Output/Fields=false"
+  BOUNDS ${_ledger} "assumptions.region_contact_begin > 1.542"
+  "assumptions.region_contact_begin < 1.630" "history.kinetic_energy > 0.0916"
+  "history.velocity_x_right > 0.08" "history.velocity_y_right > 0.08"
+  "assumptions.contact_loss < 0.0638"
+  COMPARE history.csv STOP_AFTER 170 LABELS verification)
+
+contrecoup_add_application_test(hydrostatic_particles bounds
+  FILE ${_folder}/hydrostatic.prm SET "Output/Fields=false"
+  BOUNDS ${_ledger} "errors.pressure_L1 < 17.4" LABELS verification)
+
+contrecoup_add_application_test(water_hammer_particles bounds
+  FILE ${_folder}/water_hammer_mpm.prm SET "Output/Fields=false"
+  BOUNDS ${_ledger} "errors.pressure_L1 < 34800" "errors.velocity_L1 < 0.0265"
+  "errors.density_L1 < 0.0198" LABELS verification)
+
+contrecoup_add_application_test(dam_break bounds,resume
+  FILE ${_folder}/dam_break.prm SET "Output/Fields=false"
+  BOUNDS ${_ledger} "errors.front_mean < 9.1e-3" "errors.front_largest < 0.0155"
+  COMPARE history.csv STOP_AFTER 700 LABELS verification)
+
+contrecoup_add_application_test(stretched_square bounds,convergence
+  FILE ${_folder}/stretched_square.prm SET "Output/Fields=false"
+  BOUNDS ${_ledger} "errors.displacement_L1 < 3.4e-4" "errors.velocity_L1 < 0.75"
+  VARY "MPM/Cell size=0.125|0.0625" ERROR errors.displacement_L1 ORDER 2.3
+  LABELS verification)
+contrecoup_add_application_test(generalised_vortex bounds,convergence
+  FILE ${_folder}/generalised_vortex.prm SET "Output/Fields=false"
+  BOUNDS ${_ledger} "errors.displacement_L1 < 4.3e-3" "errors.velocity_L1 < 9.5e-3"
+  VARY "MPM/Cell size=0.125|0.0625" ERROR errors.displacement_L1 ORDER 1.9
+  LABELS verification)
+
+# Of matter and settings that cannot be.
+contrecoup_add_application_test(particles_leave bounds
+  FILE ${_folder}/two_disks.prm SET "Output/Fields=false" "Body force/x=100" EXIT 2
+  MESSAGE "a particle left the grid at")
+contrecoup_add_application_test(expressions_refuse_ale refusal
+  FILE ${_folder}/water_hammer.prm SET "Reference/Kind=expressions"
+  MESSAGE "Reference/Kind = expressions needs Method = mpm")
+contrecoup_add_application_test(front_refuses_lists refusal
+  FILE ${_folder}/dam_break.prm SET "Reference/Front/Times=0.1, 0.2"
+  MESSAGE "Reference/Front/Positions has 6 numbers, and Times has 2")
+contrecoup_add_application_test(front_refuses_region refusal
+  FILE ${_folder}/dam_break.prm SET "Reference/Front/Region=oil"
+  MESSAGE "Reference/Front/Region: there is no region oil")
