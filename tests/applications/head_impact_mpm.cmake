@@ -48,6 +48,19 @@ contrecoup_add_application_test(generalised_vortex bounds,convergence
   VARY "MPM/Cell size=0.125|0.0625" ERROR errors.displacement_L1 ORDER 1.9
   LABELS verification)
 
+# One particle a cell, and water that is drawn off a wall until it cavitates.
+contrecoup_add_application_test(vibrating_bar_one_particle bounds
+  FILE ${_folder}/vibrating_bar.prm SET "Output/Fields=false"
+  "MPM/Particles a cell=1, 1, 1" BOUNDS ${_ledger} "history.velocity_x_bar < 2.9e-4"
+  "errors.displacement_L1 < 3.18e-4" "assumptions.transfer_loss < 6.2e-3"
+  LABELS extremes)
+contrecoup_add_application_test(particles_cavitate bounds,resume
+  FILE ${_folder}/water_hammer_mpm.prm SET "Output/Fields=false"
+  "Region water/Velocity x=3" "Region water/Least pressure=-1e5" "Reference/Kind=none"
+  "Time/End time=4e-4" BOUNDS ${_ledger} "history.least_pressure_water < 100000.001"
+  "history.void_volume_water > 1.06e-7"
+  COMPARE history.csv STOP_AFTER 100 LABELS extremes)
+
 # Of matter and settings that cannot be.
 contrecoup_add_application_test(particles_leave bounds
   FILE ${_folder}/two_disks.prm SET "Output/Fields=false" "Body force/x=100" EXIT 2
