@@ -137,6 +137,11 @@ void ParticleReference::parse_parameters(ParameterHandler &prm)
     throw InputError("Reference/Kind = " + name + " needs Method = ale");
   if (name == "front")
     parse_front(prm);
+  if (name == "rigid sphere")
+  {
+    const Section inner(prm, "Rigid sphere");
+    sphere_ = SpherePeaks::create(prm);
+  }
   if (name == "expressions")
   {
     const Section inner(prm, "Expressions");
@@ -181,12 +186,37 @@ double ParticleReference::front_position(const mpm::Particles &particles,
 }
 
 
-void ParticleReference::follow(const mpm::Particles &particles,
-                               const double time,
-                               const MPI_Comm communicator)
+void ParticleReference::follow(
+  const std::vector<mpm::ParticleMaterial> &materials,
+  const mpm::Particles &particles,
+  const double time,
+  const MPI_Comm communicator)
 {
-  if (!front_)
+  if (front_)
+    follow_front(particles, time, communicator);
+  if (!sphere_)
     return;
+  particles.for_each_block(
+    [&](const unsigned int m, const mpm::ParticleBlock &block) {
+      for (std::size_t p = 0; p < block.size(); ++p)
+        if (const auto tag = static_cast<std::size_t>(block[column::tag][p]);
+            tag > 0)
+        {
+          if (peaks_.size() < tag)
+            peaks_.resize(tag, {{0., 0.}});
+          sphere_->take(dealii::Point<3>(vector_of(block, column::position, p)),
+                        mpm::particle_values(materials[m], block, p).pressure,
+                        time,
+                        peaks_[tag - 1]);
+        }
+    });
+}
+
+
+void ParticleReference::follow_front(const mpm::Particles &particles,
+                                     const double time,
+                                     const MPI_Comm communicator)
+{
   const double position = front_position(particles, communicator);
   const bool is_first = record_.time == 0.;
   const auto &times = front_->times;
@@ -213,6 +243,8 @@ ParticleReference::errors(const std::vector<mpm::ParticleMaterial> &materials,
                           const double time,
                           const MPI_Comm communicator) const
 {
+  if (sphere_)
+    return SpherePeaks::errors(peaks_, communicator);
   if (front_ && record_.n_known > 0)
     return {{"front_mean", "m", record_.error / record_.n_known},
             {"front_largest", "m", record_.largest}};

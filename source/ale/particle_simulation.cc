@@ -187,7 +187,7 @@ StepReport ParticleSimulation::advance(const double largest_step)
   report.retries = step_->n_retries();
   report.updates = static_cast<double>(n_particles_);
   record_contact(report.step_size);
-  reference_.follow(particles_, time_, communicator_);
+  reference_.follow(scene_.materials(), particles_, time_, communicator_);
   return report;
 }
 

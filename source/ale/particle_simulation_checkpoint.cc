@@ -73,6 +73,7 @@ void ParticleSimulation::save(const std::string &folder)
       [&](unsigned int, const mpm::ParticleBlock &) { ++numbers.n_blocks; });
     io::put(out, numbers);
     io::put_list(out, least_pressures_);
+    io::put_list(out, reference_.peaks());
     for (const auto &[tile, blocks] : particles_.tiles())
       for (unsigned int m = 0; m < blocks.size(); ++m)
       {
@@ -97,6 +98,15 @@ void ParticleSimulation::restore_file(const std::string &file)
       numbers.cell_size != scene_.cell_size())
     throw InputError("Checkpoint file " + file + " is of another scene");
   io::take_list(in, file, least_pressures_);
+  Peaks peaks;
+  io::take_list(in, file, peaks);
+  // Every rank has those of all ranks; largest ones count.
+  if (reference_.peaks().size() < peaks.size())
+    reference_.peaks().resize(peaks.size(), {{0., 0.}});
+  for (std::size_t i = 0; i < peaks.size(); ++i)
+    for (unsigned int k = 0; k < 2; ++k)
+      reference_.peaks()[i][k] =
+        std::max(reference_.peaks()[i][k], peaks[i][k]);
   n_particles_ = numbers.n_particles;
   n_steps_ = numbers.n_steps;
   n_split_ = numbers.n_split;

@@ -59,13 +59,21 @@ void SpherePeaks::follow(const HexSpace &space,
     dealii::Point<3> centre;
     for (unsigned int d = 0; d < 3; ++d)
       centre[d] = moments.first[d] / moments.volume;
-    const double distance = centre.norm();
-    peaks[i][0] =
-      std::max(peaks[i][0], lagrange.values(state, probes[i]).pressure);
-    peaks[i][1] =
-      std::max(peaks[i][1],
-               solution_.pressure(distance, centre[1] / distance, state.time));
+    take(
+      centre, lagrange.values(state, probes[i]).pressure, state.time, peaks[i]);
   }
+}
+
+
+void SpherePeaks::take(const dealii::Point<3> &place,
+                       const double pressure,
+                       const double time,
+                       std::array<double, 2> &peak) const
+{
+  const double distance = place.norm();
+  peak[0] = std::max(peak[0], pressure);
+  peak[1] =
+    std::max(peak[1], solution_.pressure(distance, place[1] / distance, time));
 }
 
 

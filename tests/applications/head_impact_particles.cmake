@@ -57,3 +57,20 @@ _contrecoup_register_test(head_impact_methods_report LABELS particles
     head_impact_particles_report/straight_1)
 set_tests_properties(head_impact_methods_report PROPERTIES
   FIXTURES_REQUIRED particles_report)
+
+# Water in a rigid sphere that is stopped within 0.2 ms, at the wall, and within 1 ms, a
+# cell from it.
+set(_sphere "Method=mpm" "MPM/Cell size=0.012" "Scheme/Courant number=0.4"
+  "Output/Fields=false")
+contrecoup_add_application_test(particles_sphere bounds,resume,ranks
+  FILE head_impact/verification/fluid_in_rigid_sphere.prm SET ${_sphere}
+  "Probes/Points=0, 0.088, 0" "Time/End time=2e-4"
+  BOUNDS ${_ledger} "errors.peak < 0.037" COMPARE history.csv probes.csv STOP_AFTER 20
+  TOLERANCE 1e-6 "energy_residual*=1e-12 absolute" "momentum_[xz]*=1e-8 absolute"
+  LABELS verification)
+contrecoup_add_application_test(particles_sphere_slow bounds
+  FILE head_impact/verification/fluid_in_rigid_sphere.prm SET ${_sphere}
+  "Probes/Points=0, 0.078, 0" "Time/End time=1e-3"
+  "Body force/y=if(t < 1e-3, 1000 * sin(pi * t / 1e-3), 0)"
+  "Reference/Rigid sphere/Duration=1e-3" BOUNDS ${_ledger} "errors.peak < 0.024"
+  LABELS verification)

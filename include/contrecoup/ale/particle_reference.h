@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/ale/exact_flow.h>
+#include <contrecoup/ale/sphere_peaks.h>
 #include <contrecoup/base/expression.h>
 #include <contrecoup/base/simulation.h>
 #include <contrecoup/mpm/particle_material.h>
@@ -52,8 +53,10 @@ public:
     return front_.has_value();
   }
 
-  /// Follows the front after a step that ended at @p time. Collective.
-  void follow(const mpm::Particles &particles,
+  /// Follows the front, and pressures at probes in a rigid sphere, after a step
+  /// that ended at @p time. Collective.
+  void follow(const std::vector<mpm::ParticleMaterial> &materials,
+              const mpm::Particles &particles,
               const double time,
               const MPI_Comm communicator);
 
@@ -68,6 +71,12 @@ public:
          const mpm::Particles &particles,
          const double time,
          const MPI_Comm communicator) const;
+
+  /// Those that this rank has seen, by probe; for checkpoints.
+  Peaks &peaks()
+  {
+    return peaks_;
+  }
 
   /// For checkpoints and histories.
   FrontRecord &record()
@@ -91,6 +100,9 @@ private:
     std::vector<Expression> displacement, velocity, pressure;
   };
 
+  void follow_front(const mpm::Particles &particles,
+                    const double time,
+                    const MPI_Comm communicator);
   double front_position(const mpm::Particles &particles,
                         const MPI_Comm communicator) const;
   void parse_front(dealii::ParameterHandler &prm);
@@ -99,6 +111,8 @@ private:
   std::unique_ptr<ExactFlow> flow_;
   std::optional<Expressions> expressions_;
   std::optional<Front> front_;
+  std::unique_ptr<SpherePeaks> sphere_;
   FrontRecord record_;
+  Peaks peaks_;
 };
 } // namespace contrecoup::ale

@@ -38,6 +38,12 @@ public:
               const std::vector<std::uint32_t> &probes,
               Peaks &peaks) const;
 
+  /// Raises peaks by a pressure at a place [Pa].
+  void take(const dealii::Point<3> &place,
+            const double pressure,
+            const double time,
+            std::array<double, 2> &peak) const;
+
   /// The largest error over the largest exact peak. Collective.
   static std::vector<NamedValue> errors(const Peaks &peaks,
                                         MPI_Comm communicator);
