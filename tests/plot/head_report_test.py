@@ -192,6 +192,8 @@ class CutTest(unittest.TestCase):
         """Of the quarter of a ball of 91 mm that the run has, in all directions,
         away from faces of cells: cells have straight edges."""
         run = head_run.HeadRun(OUTPUT)
+        if not run.is_layered():
+            self.skipTest("another body than the ball whose area is known")
         points = run.arrays(run.fields()[0][1])["points"]
         for axis, shown, part in ((0, (1, 2), 0.5), (1, (0, 2), 0.5),
                                   (2, (0, 1), 0.25)):
