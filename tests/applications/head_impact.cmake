@@ -262,6 +262,7 @@ set(_sphere_wedge "Output/Fields=false" "Mesh/Kind=layered head" "Mesh/Wedge axi
   "Mesh/Skull thickness=0.0075" "Mesh/Cell size=0.0055" "Side surface/Kind=wall")
 contrecoup_add_application_test(sphere_wedge bounds,ranks
   FILE ${_folder}/fluid_in_rigid_sphere.prm SET ${_sphere_wedge}
+  "Rezone/Tolerance=1e-12"
   BOUNDS ${_ledger} "errors.peak < 1.65e-2" COMPARE probes.csv TOLERANCE "1e-5"
   LABELS verification)
 contrecoup_add_application_test(sphere_wedge_slow bounds
