@@ -6,8 +6,9 @@
 FIRST and SECOND are output folders of head_impact with layered heads, such as
 one by Method = ale and one by Method = mpm. Writes OUTPUT_FOLDER/report.html,
 one page that needs nothing besides itself, and its pictures as PNG files into
-OUTPUT_FOLDER/pictures; without it into the folder "comparison" in SECOND.
-Prints their paths. Exit code 0, or 1 with one line for a folder or file that is
+OUTPUT_FOLDER/pictures; without it into a folder beside SECOND, "SECOND_against_"
+and the last name of FIRST. A folder that holds a run is not written into. Prints
+their paths. Exit code 0, or 1 with one line for a folder or file that is
 not what it should be.
 """
 
@@ -27,7 +28,8 @@ def main(arguments):
               file=sys.stderr)
         return 1
     folder = arguments[2] if len(arguments) == 3 \
-        else os.path.join(arguments[1], "comparison")
+        else "_against_".join([os.path.normpath(arguments[1]), os.path.basename(
+            os.path.abspath(arguments[0]))])
     look.set_up()
     try:
         runs = [head_run.HeadRun(name) for name in arguments[:2]]
@@ -36,6 +38,10 @@ def main(arguments):
                 print(f"plot_methods.py: {name} holds no run of a layered head",
                       file=sys.stderr)
                 return 1
+        if os.path.exists(os.path.join(folder, "summary.json")):
+            print(f"plot_methods.py: {folder} holds a run; name another folder",
+                  file=sys.stderr)
+            return 1
         pictures = os.path.join(folder, "pictures")
         os.makedirs(pictures, exist_ok=True)
         text = report_methods.build(report_methods.Pair(*runs), pictures)

@@ -18,15 +18,6 @@ namespace
 
   /// Part of the mass at a node from which on a field counts there.
   constexpr double least_part = 1e-8;
-
-  WindowPlace place_of(const TileGrid &grid, const TileGrid::Source &tile)
-  {
-    WindowPlace result;
-    result.cell_size = grid.box().cell_size;
-    for (unsigned int d = 0; d < 3; ++d)
-      result.lower[d] = grid.box().lower[d] + result.cell_size * tile.origin[d];
-    return result;
-  }
 } // namespace
 
 
@@ -89,8 +80,10 @@ void FieldContact::find_gradients(const TileGrid &grid, Particles &particles)
         if (field_of_material_[m] == field && tile.second[m].size() > 0)
         {
           any = true;
-          deposit_gradient(
-            degree_, tile.second[m], place_of(grid, *source), window.data());
+          deposit_gradient(degree_,
+                           tile.second[m],
+                           window_place(grid, *source),
+                           window.data());
         }
       if (any)
         add_window(*source, window.data(), 0, {1, 2, 4}, gradients_[field]);
@@ -150,7 +143,7 @@ void FieldContact::find_gap(const TileGrid &grid,
         if (field_of_material_[m] == pair.fields[side])
           raise_extents(degree_,
                         tile.second[m],
-                        place_of(grid, *source),
+                        window_place(grid, *source),
                         side == 0 ? 1. : -1.,
                         {half_spacing_, box_volume_},
                         normals.data(),

@@ -88,17 +88,6 @@ std::vector<ParticleStep::Tile> ParticleStep::tiles(const TileGrid &grid,
 }
 
 
-WindowPlace ParticleStep::place(const TileGrid &grid,
-                                const TileGrid::Source &tile) const
-{
-  WindowPlace result;
-  result.cell_size = grid.box().cell_size;
-  for (unsigned int d = 0; d < 3; ++d)
-    result.lower[d] = grid.box().lower[d] + result.cell_size * tile.origin[d];
-  return result;
-}
-
-
 void ParticleStep::start(const TileGrid &grid, Particles &particles) const
 {
   strain(grid, particles, 0.);
@@ -130,7 +119,7 @@ void ParticleStep::deposit_fields(const TileGrid &grid,
                 what,
                 scheme_.transfer == Transfer::affine,
                 (*tile.second)[m],
-                place(grid, *tile.first),
+                window_place(grid, *tile.first),
                 window.data());
       add_window(*tile.first, window.data(), first, parities, field.matter);
     }
@@ -169,7 +158,7 @@ void ParticleStep::smooth(const TileGrid &grid,
       deposit_scalar(block,
                      weight.data(),
                      value.data(),
-                     place(grid, *tile.first),
+                     window_place(grid, *tile.first),
                      window.data());
       add_window(*tile.first, window.data(), 0, {0, 0}, sums);
     }
@@ -182,7 +171,7 @@ void ParticleStep::smooth(const TileGrid &grid,
       ParticleBlock &block = (*tile.second)[m];
       read_window(*tile.first, sums, 1, {0}, window.data());
       collect_scalar(window.data(),
-                     place(grid, *tile.first),
+                     window_place(grid, *tile.first),
                      block,
                      block[column::smoothed]);
     }
@@ -207,7 +196,7 @@ void ParticleStep::multiply_mass_matrix(const TileGrid &grid,
       multiply_mass(scheme_.degree,
                     1,
                     (*tile.second)[m],
-                    place(grid, *tile.first),
+                    window_place(grid, *tile.first),
                     in.data(),
                     out.data());
     add_window(*tile.first, out.data(), 0, one_vector, to);
@@ -347,7 +336,7 @@ void ParticleStep::collect(const TileGrid &grid,
     for (const Tile &tile : tiles(grid, particles))
     {
       read_window(*tile.first, field.motion, 0, parities, window.data());
-      const WindowPlace where = place(grid, *tile.first);
+      const WindowPlace where = window_place(grid, *tile.first);
       if (scheme_.transfer == Transfer::affine)
         for (const unsigned int m : field.materials)
           collect_affine(
@@ -397,7 +386,7 @@ void ParticleStep::collect_rates(const TileGrid &grid,
       for (const unsigned int m : field.materials)
         collect_rate(scheme_.degree,
                      window.data(),
-                     place(grid, *tile.first),
+                     window_place(grid, *tile.first),
                      (*tile.second)[m]);
     }
 }

@@ -65,12 +65,13 @@ namespace
       half[c] *= 0.5;
     set_vector(
       half, column::position, vector_at(whole, column::position) + way);
+    const Vector undeformed = dealii::invert(deformation(whole)) * way;
+    set_vector(
+      half, column::start, vector_at(whole, column::start) + undeformed);
     // The piece of the surface stays where it is.
     if (whole[column::area] > 0.)
-      set_vector(half,
-                 column::surface,
-                 vector_at(whole, column::surface) -
-                   dealii::invert(deformation(whole)) * way);
+      set_vector(
+        half, column::surface, vector_at(whole, column::surface) - undeformed);
     half[column::level] += 1.;
     particles.append(half.data());
   }

@@ -260,6 +260,16 @@ namespace
 } // namespace
 
 
+WindowPlace window_place(const TileGrid &grid, const TileGrid::Source &tile)
+{
+  WindowPlace result;
+  result.cell_size = grid.box().cell_size;
+  for (unsigned int d = 0; d < 3; ++d)
+    result.lower[d] = grid.box().lower[d] + result.cell_size * tile.origin[d];
+  return result;
+}
+
+
 void deposit(const unsigned int degree,
              const Deposit what,
              const bool has_affine,
@@ -305,25 +315,18 @@ void deposit_scalar(const ParticleBlock &particles,
                     double *const window)
 {
   static thread_local SplineSupports<1> supports;
-  for_each_support(particles,
-                   place,
-                   supports,
-                   [&](const SplineSupports<1> &support,
-                       const std::size_t in_batch,
-                       const std::size_t p) {
-                     for (unsigned int k = 0; k < 2; ++k)
-                       for (unsigned int j = 0; j < 2; ++j)
-                         for (unsigned int i = 0; i < 2; ++i)
-                         {
-                           const double part = support.value(0, i, in_batch) *
-                                               support.value(1, j, in_batch) *
-                                               support.value(2, k, in_batch) *
-                                               weight[p];
-                           const std::size_t at =
-                             support.at(in_batch, j, k) + i;
-                           window[at] += part;
-                           window[stride + at] += part * value[p];
-                         }
-                   });
+  for_each_support(
+    particles,
+    place,
+    supports,
+    [&](const SplineSupports<1> &support,
+        const std::size_t in_batch,
+        const std::size_t p) {
+      for_each_corner(
+        support, in_batch, [&](const std::size_t at, const double share) {
+          window[at] += share * weight[p];
+          window[stride + at] += share * weight[p] * value[p];
+        });
+    });
 }
 } // namespace contrecoup::mpm

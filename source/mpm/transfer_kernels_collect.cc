@@ -216,21 +216,19 @@ void collect_scalar(const double *const window,
                     double *const value)
 {
   static thread_local SplineSupports<1> supports;
-  for_each_support(particles,
-                   place,
-                   supports,
-                   [&](const SplineSupports<1> &support,
-                       const std::size_t in_batch,
-                       const std::size_t p) {
-                     double sum = 0.;
-                     for (unsigned int k = 0; k < 2; ++k)
-                       for (unsigned int j = 0; j < 2; ++j)
-                         for (unsigned int i = 0; i < 2; ++i)
-                           sum += support.value(0, i, in_batch) *
-                                  support.value(1, j, in_batch) *
-                                  support.value(2, k, in_batch) *
-                                  window[support.at(in_batch, j, k) + i];
-                     value[p] = sum;
-                   });
+  for_each_support(
+    particles,
+    place,
+    supports,
+    [&](const SplineSupports<1> &support,
+        const std::size_t in_batch,
+        const std::size_t p) {
+      double sum = 0.;
+      for_each_corner(
+        support, in_batch, [&](const std::size_t at, const double share) {
+          sum += share * window[at];
+        });
+      value[p] = sum;
+    });
 }
 } // namespace contrecoup::mpm

@@ -108,6 +108,8 @@ TEST(Resampling, halves_lie_along_the_stretch_and_stay)
     // Both carry the surface at 3 * 0.5.
     EXPECT_NEAR(x + 3. * particles[column::surface][p], 1.5, 1e-14);
     EXPECT_EQ(particles[column::area][p], 0.5);
+    // Undeformed, they lie a quarter of an edge from the middle.
+    EXPECT_NEAR(particles[column::start][p], x / 3., 1e-14);
   }
   EXPECT_EQ(split_stretched(2., particles), 0u);
   particles[column::gradient][1] = 3.;

@@ -87,6 +87,17 @@ class MethodsTest(unittest.TestCase):
         self.assertIn("Farthest:", text)
         self.assertNotIn("http", text.replace("http://www.w3.org", ""))
 
+    def test_runs_are_left_alone(self):
+        before = sorted(os.listdir(self.other))
+        code, _, errors = self.run_script(OUTPUT, self.other, self.other)
+        self.assertEqual((code, errors.count("\n")), (1, 1))
+        self.assertIn("holds a run", errors)
+        code, told, _ = self.run_script(OUTPUT, self.other)
+        self.assertEqual(code, 0)
+        beside = self.other + "_against_" + os.path.basename(OUTPUT)
+        self.assertIn(os.path.join(beside, "report.html"), told)
+        self.assertEqual(sorted(os.listdir(self.other)), before)
+
     def test_what_is_no_head_is_refused_in_one_line(self):
         empty = os.path.join(self.place.name, "empty")
         os.makedirs(empty)

@@ -123,7 +123,6 @@ private:
   using Tile = std::pair<const TileGrid::Source *, Particles::TileBlocks *>;
 
   std::vector<Tile> tiles(const TileGrid &grid, Particles &particles) const;
-  WindowPlace place(const TileGrid &grid, const TileGrid::Source &tile) const;
 
   void deposit_fields(const TileGrid &grid,
                       Particles &particles,

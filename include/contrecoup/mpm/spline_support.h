@@ -143,6 +143,22 @@ for_each_support(const ParticleBlock &particles,
   }
 }
 
+/// Calls @p work(node of the window, linear spline there) for the eight corners
+/// of the cell of a particle.
+template <typename Work>
+inline DEAL_II_ALWAYS_INLINE void
+for_each_corner(const SplineSupports<1> &support,
+                const std::size_t in_batch,
+                const Work &work)
+{
+  for (unsigned int k = 0; k < 2; ++k)
+    for (unsigned int j = 0; j < 2; ++j)
+      for (unsigned int i = 0; i < 2; ++i)
+        work(support.at(in_batch, j, k) + i,
+             support.value(0, i, in_batch) * support.value(1, j, in_batch) *
+               support.value(2, k, in_batch));
+}
+
 /**
  * Calls @p function with work memory of the degree. It is not on the stack:
  * gcc 12 takes functions that write into arrays of their own and into a window,

@@ -24,6 +24,9 @@ struct WindowPlace
   double cell_size;            ///< [m]
 };
 
+/// That of a tile with particles.
+WindowPlace window_place(const TileGrid &grid, const TileGrid::Source &tile);
+
 /// What goes from particles to nodes at once.
 enum class Deposit
 {
