@@ -18,6 +18,11 @@ namespace
 
   /// Part of the mass at a node from which on a field counts there.
   constexpr double least_part = 1e-8;
+
+  bool is_shared(const double mass_a, const double mass_b)
+  {
+    return std::min(mass_a, mass_b) > least_part * (mass_a + mass_b);
+  }
 } // namespace
 
 
@@ -64,15 +69,38 @@ FieldContact::FieldContact(const unsigned int degree,
 }
 
 
+void FieldContact::find_tiles(const TileGrid &grid)
+{
+  NodeValues shared(1);
+  shared.clear(grid);
+  for (const Pair &pair : pairs_)
+  {
+    const auto &mass_a = masses_[pair.fields[0]],
+               &mass_b = masses_[pair.fields[1]];
+    for (std::uint32_t n = 0; n < grid.n_own_nodes(); ++n)
+      if (is_shared(mass_a[n], mass_b[n]))
+        shared[0][n] = 1.;
+  }
+  shared.update_copies(grid);
+  meets_.clear();
+  for (const TileGrid::Source &source : grid.sources())
+    meets_.push_back(std::any_of(
+      source.nodes.begin(), source.nodes.end(), [&](const std::uint32_t node) {
+        return node != TileGrid::no_node && shared[0][node] > 0.;
+      }));
+}
+
+
 void FieldContact::find_gradients(const TileGrid &grid, Particles &particles)
 {
   for (NodeValues &gradient : gradients_)
     gradient.clear(grid);
   Window window(3 * size);
   auto source = grid.sources().begin();
+  auto meets = meets_.begin();
   for (auto &tile : particles.tiles())
   {
-    for (unsigned int field = 0; field < n_fields_; ++field)
+    for (unsigned int field = 0; field < n_fields_ && *meets; ++field)
     {
       window.fill(0.);
       bool any = false;
@@ -89,6 +117,7 @@ void FieldContact::find_gradients(const TileGrid &grid, Particles &particles)
         add_window(*source, window.data(), 0, {1, 2, 4}, gradients_[field]);
     }
     ++source;
+    ++meets;
   }
   for (NodeValues &gradient : gradients_)
     gradient.add_copies(grid);
@@ -105,7 +134,7 @@ void FieldContact::find_normals(const TileGrid &grid, Pair &pair) const
   for (std::uint32_t n = 0; n < grid.n_own_nodes(); ++n)
   {
     const double a = mass_a[n], b = mass_b[n];
-    if (!(std::min(a, b) > least_part * (a + b)))
+    if (!is_shared(a, b))
       continue;
     dealii::Tensor<1, 3> normal;
     // Sums of mass times slope at the particles point out of the matter.
@@ -133,10 +162,12 @@ void FieldContact::find_gap(const TileGrid &grid,
     extents[side].fill(none);
   Window normals(3 * size), window(size);
   auto source = grid.sources().begin();
+  auto meets = meets_.begin();
   for (auto &tile : particles.tiles())
   {
-    read_window(*source, pair.normals, 0, {1, 2, 4}, normals.data());
-    for (unsigned int side = 0; side < 2; ++side)
+    if (*meets)
+      read_window(*source, pair.normals, 0, {1, 2, 4}, normals.data());
+    for (unsigned int side = 0; side < 2 && *meets; ++side)
     {
       window.fill(none);
       for (unsigned int m = 0; m < field_of_material_.size(); ++m)
@@ -151,6 +182,7 @@ void FieldContact::find_gap(const TileGrid &grid,
       raise_nodes(*source, window.data(), extents[side]);
     }
     ++source;
+    ++meets;
   }
   extents.raise_by_copies(grid);
   pair.gaps.clear(grid);
@@ -169,6 +201,7 @@ void FieldContact::find_interfaces(
   masses_.clear();
   for (const auto *const mass : masses)
     masses_.push_back(*mass);
+  find_tiles(grid);
   find_gradients(grid, particles);
   for (Pair &pair : pairs_)
   {

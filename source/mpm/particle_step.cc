@@ -232,12 +232,20 @@ void ParticleStep::apply_series(const TileGrid &grid,
 }
 
 
-void ParticleStep::find_velocities(const TileGrid &grid, Particles &particles)
+void ParticleStep::find_interfaces(const TileGrid &grid, Particles &particles)
 {
+  if (contact_.n_fields() < 2)
+    return;
+  const TimerScope timer("interfaces");
   std::vector<const dealii::AlignedVector<double> *> masses;
   for (const Field &field : fields_)
     masses.push_back(&field.matter[0]);
   contact_.find_interfaces(grid, particles, masses);
+}
+
+
+void ParticleStep::find_velocities(const TileGrid &grid, Particles &particles)
+{
   for (Field &field : fields_)
   {
     field.before.clear(grid);
@@ -417,6 +425,7 @@ double ParticleStep::advance(TileGrid &grid,
   if (scheme_.update == StressUpdate::first)
   {
     deposit_fields(grid, particles, Deposit::momentum);
+    find_interfaces(grid, particles);
     find_velocities(grid, particles);
     use_velocities_before(grid);
     collect_rates(grid, particles);
@@ -427,6 +436,7 @@ double ParticleStep::advance(TileGrid &grid,
   else
   {
     deposit_fields(grid, particles, Deposit::momentum_force);
+    find_interfaces(grid, particles);
     find_velocities(grid, particles);
   }
   accelerate(grid, particles);

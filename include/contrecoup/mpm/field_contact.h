@@ -80,6 +80,8 @@ private:
     NodeValues gaps{1};    ///< between their surfaces [m]
   };
 
+  /// Finds the tiles of this rank that reach nodes which fields share.
+  void find_tiles(const TileGrid &grid);
   void find_gradients(const TileGrid &grid, Particles &particles);
   void find_normals(const TileGrid &grid, Pair &pair) const;
   void find_gap(const TileGrid &grid, Particles &particles, Pair &pair) const;
@@ -96,6 +98,7 @@ private:
   double box_volume_;
   double friction_;
   unsigned int n_fields_ = 0;
+  std::vector<bool> meets_; ///< whether fields do in a tile, by source
   std::vector<NodeValues> gradients_;                 ///< of mass, by field
   std::vector<dealii::AlignedVector<double>> masses_; ///< own nodes, by field
   std::vector<Pair> pairs_;

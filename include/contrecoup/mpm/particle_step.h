@@ -140,6 +140,8 @@ private:
                             const Field &field,
                             NodeValues &from,
                             NodeValues &to) const;
+  /// Where velocity fields meet, with the particles as they lie.
+  void find_interfaces(const TileGrid &grid, Particles &particles);
   void find_velocities(const TileGrid &grid, Particles &particles);
   void accelerate(const TileGrid &grid, Particles &particles);
   void set_motion(const TileGrid &grid, const double step);
