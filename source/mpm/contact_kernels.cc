@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/mpm/contact_kernels.h>
-#include <contrecoup/numerics/spline_weights.h>
+#include <contrecoup/mpm/spline_support.h>
 
 #include <algorithm>
 
@@ -52,6 +52,38 @@ namespace
                           place.cell_size);
     return axis;
   }
+
+  template <unsigned int degree>
+  void add_gradients(SplineSupports<degree> &supports,
+                     const ParticleBlock &particles,
+                     const WindowPlace &place,
+                     double *const window)
+  {
+    for_each_support(
+      particles,
+      place,
+      supports,
+      [&](const SplineSupports<degree> &support,
+          const std::size_t i,
+          const std::size_t p) {
+        const double mass = particles[column::mass][p];
+        const Row x = support.x(i) * mass, slope_x = support.slope_x(i) * mass;
+        for (unsigned int k = 0; k <= degree; ++k)
+        {
+          const double z = support.value(2, k, i);
+          const Row along_x = slope_x * z, along_y = x * z,
+                    along_z = x * support.slope(2, k, i);
+          for (unsigned int j = 0; j <= degree; ++j)
+          {
+            double *const nodes = window + support.at(i, j, k);
+            const double y = support.value(1, j, i);
+            add_to(nodes, along_x, y);
+            add_to(nodes + size, along_y, support.slope(1, j, i));
+            add_to(nodes + 2 * size, along_z, y);
+          }
+        }
+      });
+  }
 } // namespace
 
 
@@ -60,21 +92,9 @@ void deposit_gradient(const unsigned int degree,
                       const WindowPlace &place,
                       double *const window)
 {
-  for (std::size_t p = 0; p < particles.size(); ++p)
-  {
-    const auto axis = splines(degree, particles, p, place);
-    const double mass = particles[column::mass][p] / place.cell_size;
-    for_each_node(
-      degree, axis, [&](const unsigned int at, const unsigned int(&index)[3]) {
-        for (unsigned int d = 0; d < 3; ++d)
-        {
-          double slope = mass;
-          for (unsigned int e = 0; e < 3; ++e)
-            slope *= e == d ? axis[e].slope[index[e]] : axis[e].value[index[e]];
-          window[size * d + at] += slope;
-        }
-      });
-  }
+  with_supports(degree, [&](auto &supports) {
+    add_gradients(supports, particles, place, window);
+  });
 }
 
 

@@ -77,13 +77,22 @@ ParticleStep::ParticleStep(const TransferScheme &scheme,
 }
 
 
-std::vector<ParticleStep::Tile> ParticleStep::tiles(const TileGrid &grid,
-                                                    Particles &particles) const
+std::vector<ParticleStep::Tile>
+ParticleStep::tiles(const TileGrid &grid,
+                    Particles &particles,
+                    const std::vector<unsigned int> &materials) const
 {
   std::vector<Tile> result;
   auto source = grid.sources().begin();
   for (auto &tile : particles.tiles())
-    result.emplace_back(&*source++, &tile.second);
+  {
+    if (std::any_of(
+          materials.begin(), materials.end(), [&](const unsigned int m) {
+            return tile.second[m].size() > 0;
+          }))
+      result.emplace_back(&*source, &tile.second);
+    ++source;
+  }
   return result;
 }
 
@@ -111,7 +120,7 @@ void ParticleStep::deposit_fields(const TileGrid &grid,
   {
     if (what != Deposit::force)
       field.matter.clear(grid);
-    for (const Tile &tile : tiles(grid, particles))
+    for (const Tile &tile : tiles(grid, particles, field.materials))
     {
       window.fill(0.);
       for (const unsigned int m : field.materials)
@@ -140,7 +149,7 @@ void ParticleStep::smooth(const TileGrid &grid,
       continue;
     NodeValues sums(2);
     sums.clear(grid);
-    for (const Tile &tile : tiles(grid, particles))
+    for (const Tile &tile : tiles(grid, particles, {m}))
     {
       const ParticleBlock &block = (*tile.second)[m];
       weight.resize(block.size());
@@ -166,7 +175,7 @@ void ParticleStep::smooth(const TileGrid &grid,
     for (std::size_t n = 0; n < grid.n_own_nodes(); ++n)
       sums[1][n] = sums[0][n] > 0. ? sums[1][n] / sums[0][n] : 0.;
     sums.update_copies(grid);
-    for (const Tile &tile : tiles(grid, particles))
+    for (const Tile &tile : tiles(grid, particles, {m}))
     {
       ParticleBlock &block = (*tile.second)[m];
       read_window(*tile.first, sums, 1, {0}, window.data());
@@ -188,7 +197,7 @@ void ParticleStep::multiply_mass_matrix(const TileGrid &grid,
   from.update_copies(grid);
   to.clear(grid);
   Window in(3 * size), out(3 * size);
-  for (const Tile &tile : tiles(grid, particles))
+  for (const Tile &tile : tiles(grid, particles, field.materials))
   {
     read_window(*tile.first, from, 0, one_vector, in.data());
     out.fill(0.);
@@ -341,7 +350,7 @@ void ParticleStep::collect(const TileGrid &grid,
   Window window(6 * size);
   const std::vector<Parity> parities{1, 2, 4, 1, 2, 4};
   for (const Field &field : fields_)
-    for (const Tile &tile : tiles(grid, particles))
+    for (const Tile &tile : tiles(grid, particles, field.materials))
     {
       read_window(*tile.first, field.motion, 0, parities, window.data());
       const WindowPlace where = window_place(grid, *tile.first);
@@ -388,7 +397,7 @@ void ParticleStep::collect_rates(const TileGrid &grid,
   const TimerScope timer("velocity gradients");
   Window window(3 * size);
   for (const Field &field : fields_)
-    for (const Tile &tile : tiles(grid, particles))
+    for (const Tile &tile : tiles(grid, particles, field.materials))
     {
       read_window(*tile.first, field.motion, 3, one_vector, window.data());
       for (const unsigned int m : field.materials)

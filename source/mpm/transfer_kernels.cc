@@ -94,26 +94,6 @@ namespace
     }
   }
 
-  /// Adds to a row of nodes.
-  inline DEAL_II_ALWAYS_INLINE void
-  add_to(double *const node, const Row &row, const double factor)
-  {
-    Row sum = Row::load(node);
-    sum.add(row, factor);
-    sum.store(node);
-  }
-  inline DEAL_II_ALWAYS_INLINE void add_to(double *const node,
-                                           const Row &row,
-                                           const double factor,
-                                           const Row &other,
-                                           const double other_factor)
-  {
-    Row sum = Row::load(node);
-    sum.add(row, factor);
-    sum.add(other, other_factor);
-    sum.store(node);
-  }
-
   /// Of the rows at one height.
   inline DEAL_II_ALWAYS_INLINE void at_height(const VectorRows &rows,
                                               const double value,

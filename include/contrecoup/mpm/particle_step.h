@@ -122,7 +122,10 @@ private:
 
   using Tile = std::pair<const TileGrid::Source *, Particles::TileBlocks *>;
 
-  std::vector<Tile> tiles(const TileGrid &grid, Particles &particles) const;
+  /// Those that hold particles of some materials.
+  std::vector<Tile> tiles(const TileGrid &grid,
+                          Particles &particles,
+                          const std::vector<unsigned int> &materials) const;
 
   void deposit_fields(const TileGrid &grid,
                       Particles &particles,

@@ -76,4 +76,26 @@ public:
 private:
   std::array<Part, n_parts> parts_;
 };
+
+/// Adds factor * row to four neighbouring nodes.
+inline DEAL_II_ALWAYS_INLINE void
+add_to(double *const node, const Row &row, const double factor)
+{
+  Row sum = Row::load(node);
+  sum.add(row, factor);
+  sum.store(node);
+}
+
+/// Adds two rows with their factors to four neighbouring nodes.
+inline DEAL_II_ALWAYS_INLINE void add_to(double *const node,
+                                         const Row &row,
+                                         const double factor,
+                                         const Row &other,
+                                         const double other_factor)
+{
+  Row sum = Row::load(node);
+  sum.add(row, factor);
+  sum.add(other, other_factor);
+  sum.store(node);
+}
 } // namespace contrecoup::mpm
