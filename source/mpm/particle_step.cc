@@ -132,111 +132,67 @@ void ParticleStep::deposit_fields(const TileGrid &grid,
                 window.data());
       add_window(*tile.first, window.data(), first, parities, field.matter);
     }
+  }
+  // After all fields: ranks wait for one another once.
+  for (Field &field : fields_)
     field.matter.add_copies(grid);
-  }
-}
-
-
-void ParticleStep::smooth(const TileGrid &grid,
-                          Particles &particles,
-                          const bool is_pressure) const
-{
-  Window window(2 * size);
-  std::vector<double> weight, value;
-  for (unsigned int m = 0; m < materials_.size(); ++m)
-  {
-    if (!materials_[m].is_smoothed)
-      continue;
-    NodeValues sums(2);
-    sums.clear(grid);
-    for (const Tile &tile : tiles(grid, particles, {m}))
-    {
-      const ParticleBlock &block = (*tile.second)[m];
-      weight.resize(block.size());
-      value.resize(block.size());
-      for (std::size_t p = 0; p < block.size(); ++p)
-      {
-        weight[p] =
-          block[column::volume][p] * (1. + block[column::dilatation][p]);
-        value[p] = is_pressure
-                     ? block[column::pressure][p]
-                     : block[column::rate][p] + block[column::rate + 4][p] +
-                         block[column::rate + 8][p];
-      }
-      window.fill(0.);
-      deposit_scalar(block,
-                     weight.data(),
-                     value.data(),
-                     window_place(grid, *tile.first),
-                     window.data());
-      add_window(*tile.first, window.data(), 0, {0, 0}, sums);
-    }
-    sums.add_copies(grid);
-    for (std::size_t n = 0; n < grid.n_own_nodes(); ++n)
-      sums[1][n] = sums[0][n] > 0. ? sums[1][n] / sums[0][n] : 0.;
-    sums.update_copies(grid);
-    for (const Tile &tile : tiles(grid, particles, {m}))
-    {
-      ParticleBlock &block = (*tile.second)[m];
-      read_window(*tile.first, sums, 1, {0}, window.data());
-      collect_scalar(window.data(),
-                     window_place(grid, *tile.first),
-                     block,
-                     block[column::smoothed]);
-    }
-  }
 }
 
 
 void ParticleStep::multiply_mass_matrix(const TileGrid &grid,
                                         Particles &particles,
-                                        const Field &field,
-                                        NodeValues &from,
-                                        NodeValues &to) const
+                                        std::vector<NodeValues> &from,
+                                        std::vector<NodeValues> &to) const
 {
-  from.update_copies(grid);
-  to.clear(grid);
+  for (NodeValues &values : from)
+    values.update_copies(grid);
   Window in(3 * size), out(3 * size);
-  for (const Tile &tile : tiles(grid, particles, field.materials))
+  for (unsigned int f = 0; f < fields_.size(); ++f)
   {
-    read_window(*tile.first, from, 0, one_vector, in.data());
-    out.fill(0.);
-    for (const unsigned int m : field.materials)
-      multiply_mass(scheme_.degree,
-                    1,
-                    (*tile.second)[m],
-                    window_place(grid, *tile.first),
-                    in.data(),
-                    out.data());
-    add_window(*tile.first, out.data(), 0, one_vector, to);
+    to[f].clear(grid);
+    for (const Tile &tile : tiles(grid, particles, fields_[f].materials))
+    {
+      read_window(*tile.first, from[f], 0, one_vector, in.data());
+      out.fill(0.);
+      for (const unsigned int m : fields_[f].materials)
+        multiply_mass(scheme_.degree,
+                      1,
+                      (*tile.second)[m],
+                      window_place(grid, *tile.first),
+                      in.data(),
+                      out.data());
+      add_window(*tile.first, out.data(), 0, one_vector, to[f]);
+    }
   }
-  to.add_copies(grid);
+  for (NodeValues &values : to)
+    values.add_copies(grid);
 }
 
 
 void ParticleStep::apply_series(const TileGrid &grid,
                                 Particles &particles,
-                                Field &field,
-                                NodeValues &values) const
+                                NodeValues Field::*const vector)
 {
   if (scheme_.series_order == 1)
     return;
   const TimerScope timer("mass series");
-  NodeValues rest(3), product(3);
-  rest.clear(grid);
-  for (unsigned int d = 0; d < 3; ++d)
-    std::copy_n(values[d].begin(), grid.n_own_nodes(), rest[d].begin());
+  std::vector<NodeValues> rest, product(fields_.size(), NodeValues(3));
+  for (const Field &field : fields_)
+    rest.push_back(field.*vector);
   for (unsigned int j = 1; j < scheme_.series_order; ++j)
   {
-    multiply_mass_matrix(grid, particles, field, rest, product);
-    divide(grid, scheme_.degree, field.matter[0], 0, product);
-    for (unsigned int d = 0; d < 3; ++d)
-      for (std::size_t n = 0; n < grid.n_own_nodes(); ++n)
-        rest[d][n] -= product[d][n];
-    stop_at_planes(grid, 0, rest);
-    for (unsigned int d = 0; d < 3; ++d)
-      for (std::size_t n = 0; n < grid.n_own_nodes(); ++n)
-        values[d][n] += rest[d][n];
+    multiply_mass_matrix(grid, particles, rest, product);
+    for (unsigned int f = 0; f < fields_.size(); ++f)
+    {
+      divide(grid, scheme_.degree, fields_[f].matter[0], 0, product[f]);
+      for (unsigned int d = 0; d < 3; ++d)
+        for (std::size_t n = 0; n < grid.n_own_nodes(); ++n)
+          rest[f][d][n] -= product[f][d][n];
+      stop_at_planes(grid, 0, rest[f]);
+      for (unsigned int d = 0; d < 3; ++d)
+        for (std::size_t n = 0; n < grid.n_own_nodes(); ++n)
+          (fields_[f].*vector)[d][n] += rest[f][d][n];
+    }
   }
 }
 
@@ -264,8 +220,8 @@ void ParticleStep::find_velocities(const TileGrid &grid, Particles &particles)
                   field.before[d].begin());
     divide(grid, scheme_.degree, field.matter[0], 0, field.before);
     stop_at_planes(grid, 0, field.before);
-    apply_series(grid, particles, field, field.before);
   }
+  apply_series(grid, particles, &Field::before);
 }
 
 
@@ -308,8 +264,8 @@ void ParticleStep::accelerate(const TileGrid &grid, Particles &particles)
                   field.acceleration[d].begin());
     divide(grid, scheme_.degree, field.matter[0], 0, field.acceleration);
     stop_at_planes(grid, 0, field.acceleration);
-    apply_series(grid, particles, field, field.acceleration);
   }
+  apply_series(grid, particles, &Field::acceleration);
 }
 
 
@@ -337,8 +293,9 @@ void ParticleStep::set_motion(const TileGrid &grid, const double step)
                                 (change - field.acceleration[d][n]) *
                                 (before + after);
       }
-    field.motion.update_copies(grid);
   }
+  for (Field &field : fields_)
+    field.motion.update_copies(grid);
 }
 
 

@@ -3,6 +3,7 @@
 
 #include <contrecoup/mpm/seeding.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -129,7 +130,9 @@ unsigned int tile_weight(const GridBox &box,
                          const dealii::Point<3> &lower)
 {
   constexpr int edge = TileGrid::tile_edge;
+  constexpr unsigned int n_cells = edge * edge * edge;
   unsigned int count = 0;
+  std::set<int> materials;
   for (int k = 0; k < edge; ++k)
     for (int j = 0; j < edge; ++j)
       for (int i = 0; i < edge; ++i)
@@ -143,10 +146,18 @@ unsigned int tile_weight(const GridBox &box,
           inside =
             inside && place[d] < box.lower[d] + box.cell_size * box.n_cells[d];
         }
-        if (inside && source.material_at(place) != ParticleSource::none)
-          ++count;
+        const int material =
+          inside ? source.material_at(place) : ParticleSource::none;
+        if (material == ParticleSource::none)
+          continue;
+        ++count;
+        materials.insert(material);
       }
-  return 1000 * count / (edge * edge * edge);
+  // Each material has a window of its own, which costs as much as some cells
+  // with particles.
+  constexpr unsigned int cells_of_window = 4;
+  const unsigned int work = count + cells_of_window * materials.size();
+  return std::min(1000u, 1000 * work / (n_cells + cells_of_window));
 }
 
 

@@ -130,19 +130,26 @@ private:
   void deposit_fields(const TileGrid &grid,
                       Particles &particles,
                       const Deposit what);
+  /// Volumes, and volumes times pressures or rates of dilatation, of a material
+  /// at linear splines' nodes; copies not added.
+  void deposit_smoothed(const TileGrid &grid,
+                        Particles &particles,
+                        const unsigned int material,
+                        const bool is_pressure,
+                        NodeValues &sums) const;
+  /// Pressures or rates of dilatation to column::smoothed.
   void smooth(const TileGrid &grid,
               Particles &particles,
               const bool is_pressure) const;
-  /// Vectors of lumped masses to those of the consistent ones.
+  /// Makes a vector of lumped masses that of the consistent ones, in all
+  /// fields.
   void apply_series(const TileGrid &grid,
                     Particles &particles,
-                    Field &field,
-                    NodeValues &values) const;
+                    NodeValues Field::*vector);
   void multiply_mass_matrix(const TileGrid &grid,
                             Particles &particles,
-                            const Field &field,
-                            NodeValues &from,
-                            NodeValues &to) const;
+                            std::vector<NodeValues> &from,
+                            std::vector<NodeValues> &to) const;
   /// Where velocity fields meet, with the particles as they lie.
   void find_interfaces(const TileGrid &grid, Particles &particles);
   void find_velocities(const TileGrid &grid, Particles &particles);

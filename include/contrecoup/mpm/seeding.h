@@ -33,9 +33,7 @@ struct ParticleSource
   std::array<unsigned int, 3> per_cell{{2, 2, 2}};
 };
 
-/**
- * Work that a tile makes, from 0 to 1000: the part of it that holds matter.
- */
+/// Work that a tile makes, from 0 to 1000: of particles, and of each material.
 unsigned int tile_weight(const GridBox &box,
                          const ParticleSource &source,
                          const dealii::Point<3> &lower);

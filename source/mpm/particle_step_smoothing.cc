@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/mpm/particle_step.h>
+
+#include <map>
+
+namespace contrecoup::mpm
+{
+void ParticleStep::deposit_smoothed(const TileGrid &grid,
+                                    Particles &particles,
+                                    const unsigned int m,
+                                    const bool is_pressure,
+                                    NodeValues &sums) const
+{
+  Window window(2 * window_stride);
+  std::vector<double> weight, value;
+  sums.clear(grid);
+  for (const Tile &tile : tiles(grid, particles, {m}))
+  {
+    const ParticleBlock &block = (*tile.second)[m];
+    weight.resize(block.size());
+    value.resize(block.size());
+    for (std::size_t p = 0; p < block.size(); ++p)
+    {
+      weight[p] =
+        block[column::volume][p] * (1. + block[column::dilatation][p]);
+      value[p] = is_pressure
+                   ? block[column::pressure][p]
+                   : block[column::rate][p] + block[column::rate + 4][p] +
+                       block[column::rate + 8][p];
+    }
+    window.fill(0.);
+    deposit_scalar(block,
+                   weight.data(),
+                   value.data(),
+                   window_place(grid, *tile.first),
+                   window.data());
+    add_window(*tile.first, window.data(), 0, {0, 0}, sums);
+  }
+}
+
+
+void ParticleStep::smooth(const TileGrid &grid,
+                          Particles &particles,
+                          const bool is_pressure) const
+{
+  std::map<unsigned int, NodeValues> sums; // by material
+  for (unsigned int m = 0; m < materials_.size(); ++m)
+    if (materials_[m].is_smoothed)
+    {
+      sums.emplace(m, 2);
+      deposit_smoothed(grid, particles, m, is_pressure, sums.at(m));
+    }
+  for (auto &one : sums)
+    one.second.add_copies(grid);
+  for (auto &one : sums)
+  {
+    NodeValues &values = one.second;
+    for (std::size_t n = 0; n < grid.n_own_nodes(); ++n)
+      values[1][n] = values[0][n] > 0. ? values[1][n] / values[0][n] : 0.;
+    values.update_copies(grid);
+  }
+  Window window(window_stride);
+  for (const auto &one : sums)
+    for (const Tile &tile : tiles(grid, particles, {one.first}))
+    {
+      ParticleBlock &block = (*tile.second)[one.first];
+      read_window(*tile.first, one.second, 1, {0}, window.data());
+      collect_scalar(window.data(),
+                     window_place(grid, *tile.first),
+                     block,
+                     block[column::smoothed]);
+    }
+}
+} // namespace contrecoup::mpm
