@@ -29,11 +29,12 @@ namespace
     declare_selection(prm,
                       "Kind",
                       "wall",
-                      {"wall", "free"},
+                      {"wall", "free", "clamped"},
                       "Matter slides along a wall without friction; at a free "
-                      "side nothing presses. Sides that are not named are "
-                      "walls, but for the surface of a head or a file, which "
-                      "is free.");
+                      "side nothing presses; a clamped one, of particles "
+                      "(Method = mpm) alone, holds what touches it. Sides that "
+                      "are not named are walls, but for the surface of a head "
+                      "or a file, which is free.");
     declare_string(prm,
                    "Velocity",
                    "0",
@@ -213,7 +214,22 @@ void MeshDescription::parse_sides(ParameterHandler &prm)
     walls_[id] = [velocity](const double time) {
       return velocity.value(dealii::Point<3>(), time);
     };
+    if (prm.get("Kind") == "clamped")
+      clamp(id, name);
   }
+}
+
+
+void MeshDescription::clamp(const dealii::types::boundary_id side,
+                            const std::string &name)
+{
+  const bool is_plane = kind_ == "box" || (kind_ == "half ball" && side == 1) ||
+                        (kind_ == "layered head" && side > 0);
+  if (!is_plane)
+    throw InputError("Side " + name +
+                     "/Kind = clamped: planes hold matter, sides of a box, the "
+                     "plane of a half ball and those of a layered head");
+  clamped_.insert(side);
 }
 
 
@@ -282,6 +298,10 @@ void MeshDescription::move_nodes(dealii::Triangulation<3> &mesh) const
 
 void MeshDescription::create(dealii::Triangulation<3> &mesh) const
 {
+  if (!clamped_.empty())
+    throw InputError("Side " + side_names()[*clamped_.begin()] +
+                     "/Kind = clamped: sides hold particles alone, Method = "
+                     "mpm; for Method = ale, take wall or free");
   if (kind_ == "body")
     throw InputError("Mesh/Kind = body is filled with particles, Method = mpm; "
                      "for Method = ale, let anatomy make a mesh of the body "

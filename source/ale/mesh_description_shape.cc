@@ -85,6 +85,22 @@ double MeshDescription::thinnest_layer() const
 }
 
 
+template <typename Choice>
+std::array<bool, 6> MeshDescription::box_sides(const Choice &is_chosen) const
+{
+  std::array<bool, 6> result{};
+  if (kind_ == "box")
+    for (unsigned int i = 0; i < 6; ++i)
+      result[i] = is_chosen(i);
+  else if (kind_ == "half ball")
+    result[0] = is_chosen(1);
+  else if (kind_ == "layered head")
+    for (unsigned int d = 0; d < 3; ++d)
+      result[2 * d] = head_.is_halved()[d] && is_chosen(1 + d);
+  return result;
+}
+
+
 std::array<bool, 6> MeshDescription::sides_at_rest() const
 {
   for (const auto &wall : walls_)
@@ -92,15 +108,12 @@ std::array<bool, 6> MeshDescription::sides_at_rest() const
       if (wall.second(time) != 0.)
         throw InputError("Side " + side_names()[wall.first] +
                          "/Velocity: walls of particles are at rest");
-  std::array<bool, 6> result{};
-  if (kind_ == "box")
-    for (unsigned int i = 0; i < 6; ++i)
-      result[i] = walls_.count(i) == 1;
-  else if (kind_ == "half ball")
-    result[0] = walls_.count(1) == 1;
-  else if (kind_ == "layered head")
-    for (unsigned int d = 0; d < 3; ++d)
-      result[2 * d] = head_.is_halved()[d] && walls_.count(1 + d) == 1;
-  return result;
+  return box_sides([&](const auto id) { return walls_.count(id) == 1; });
+}
+
+
+std::array<bool, 6> MeshDescription::clamped_sides() const
+{
+  return box_sides([&](const auto id) { return clamped_.count(id) == 1; });
 }
 } // namespace contrecoup::ale

@@ -250,6 +250,7 @@ void ParticleScene::make_box(const MeshDescription &mesh,
   const auto corners = mesh.corners();
   box_.cell_size = cell_size_;
   box_.reflects = mesh.sides_at_rest();
+  box_.holds = mesh.clamped_sides();
   const double margin = margin_cells * cell_size_ + largest_speed * end_time;
   for (unsigned int d = 0; d < 3; ++d)
   {

@@ -114,7 +114,8 @@ void FieldContact::find_gradients(const TileGrid &grid, Particles &particles)
                            window.data());
         }
       if (any)
-        add_window(*source, window.data(), 0, {1, 2, 4}, gradients_[field]);
+        add_window(
+          *source, window.data(), 0, gradient_parity, gradients_[field]);
     }
     ++source;
     ++meets;
@@ -166,7 +167,7 @@ void FieldContact::find_gap(const TileGrid &grid,
   for (auto &tile : particles.tiles())
   {
     if (*meets)
-      read_window(*source, pair.normals, 0, {1, 2, 4}, normals.data());
+      read_window(*source, pair.normals, 0, gradient_parity, normals.data());
     for (unsigned int side = 0; side < 2 && *meets; ++side)
     {
       window.fill(none);

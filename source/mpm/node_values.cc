@@ -3,6 +3,8 @@
 
 #include <contrecoup/mpm/node_values.h>
 
+#include <bitset>
+
 namespace contrecoup::mpm
 {
 namespace
@@ -43,7 +45,7 @@ namespace
 
   double sign(const std::uint8_t mirrored, const Parity parity)
   {
-    return (mirrored & parity) != 0 ? -1. : 1.;
+    return std::bitset<8>(mirrored & parity).count() % 2 == 1 ? -1. : 1.;
   }
 } // namespace
 

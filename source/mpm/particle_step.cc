@@ -17,7 +17,7 @@ namespace
 {
   constexpr unsigned int size = window_stride;
 
-  const std::vector<Parity> one_vector{1, 2, 4};
+  const std::vector<Parity> one_vector{vector_x, vector_y, vector_z};
 
   /// Nodes with less mass than this part of the largest are left alone. With
   /// linear splines, forces there do not vanish with the mass. With others the
@@ -44,7 +44,7 @@ namespace
           mass[n] > least ? values[first + d][n] / mass[n] : 0.;
   }
 
-  /// No motion through planes that reflect.
+  /// No motion through planes that reflect, none at all in those that hold.
   void stop_at_planes(const TileGrid &grid,
                       const unsigned int first,
                       NodeValues &values)
@@ -113,7 +113,8 @@ void ParticleStep::deposit_fields(const TileGrid &grid,
   const unsigned int n = what == Deposit::momentum_force ? 7
                          : what == Deposit::momentum     ? 4
                                                          : 3;
-  std::vector<Parity> parities{0, 1, 2, 4, 1, 2, 4};
+  std::vector<Parity> parities{
+    0, vector_x, vector_y, vector_z, vector_x, vector_y, vector_z};
   parities = {parities.begin() + first, parities.begin() + first + n};
   Window window(n * size);
   for (Field &field : fields_)
@@ -305,7 +306,8 @@ void ParticleStep::collect(const TileGrid &grid,
 {
   const TimerScope timer("grid to particles");
   Window window(6 * size);
-  const std::vector<Parity> parities{1, 2, 4, 1, 2, 4};
+  const std::vector<Parity> parities{
+    vector_x, vector_y, vector_z, vector_x, vector_y, vector_z};
   for (const Field &field : fields_)
     for (const Tile &tile : tiles(grid, particles, field.materials))
     {

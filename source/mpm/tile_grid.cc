@@ -136,15 +136,11 @@ bool TileGrid::reflect(std::array<int, 3> &node, std::uint8_t &mirrored) const
   {
     const int last = static_cast<int>(box_.n_cells[d]);
     int &i = node[d];
-    if (i < 0 && box_.reflects[2 * d])
+    const unsigned int side = i < 0 ? 2 * d : 2 * d + 1;
+    if ((i < 0 || i > last) && box_.reflects[side])
     {
-      i = -i;
-      mirrored |= 1u << d;
-    }
-    else if (i > last && box_.reflects[2 * d + 1])
-    {
-      i = 2 * last - i;
-      mirrored |= 1u << d;
+      i = i < 0 ? -i : 2 * last - i;
+      mirrored |= (box_.holds[side] ? 9u : 1u) << d;
     }
     if (i < 0 || i >= static_cast<int>(tile_edge * n_tiles_[d]))
       return false;
@@ -287,10 +283,12 @@ void TileGrid::find_plane_nodes()
     for (unsigned int d = 0; d < 3; ++d)
     {
       const long int i = std::lround(way[d] / box_.cell_size);
-      if ((i == 0 && box_.reflects[2 * d]) ||
-          (i == static_cast<long int>(box_.n_cells[d]) &&
-           box_.reflects[2 * d + 1]))
-        plane_nodes_[d].push_back(node);
+      const unsigned int side = i == 0 ? 2 * d : 2 * d + 1;
+      if ((i == 0 || i == static_cast<long int>(box_.n_cells[d])) &&
+          box_.reflects[side])
+        for (unsigned int e = 0; e < 3; ++e)
+          if (e == d || box_.holds[side])
+            plane_nodes_[e].push_back(node);
     }
   }
 }

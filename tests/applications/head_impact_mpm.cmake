@@ -74,3 +74,9 @@ contrecoup_add_application_test(front_refuses_lists refusal
 contrecoup_add_application_test(front_refuses_region refusal
   FILE ${_folder}/dam_break.prm SET "Reference/Front/Region=oil"
   MESSAGE "Reference/Front/Region: there is no region oil")
+contrecoup_add_application_test(clamped_refuses_ale refusal
+  FILE ${_folder}/water_hammer.prm SET "Side x-/Kind=clamped"
+  MESSAGE "Side x-/Kind = clamped: sides hold particles alone, Method = mpm")
+contrecoup_add_application_test(clamped_refuses_spheres refusal
+  FILE ${_folder}/fluid_in_rigid_sphere.prm SET "Method=mpm" "Side sphere/Kind=clamped"
+  MESSAGE "Side sphere/Kind = clamped: planes hold matter")

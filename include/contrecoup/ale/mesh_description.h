@@ -13,6 +13,7 @@
 #include <deal.II/grid/tria.h>
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -97,6 +98,9 @@ public:
   /// @throws InputError for walls that move
   std::array<bool, 6> sides_at_rest() const;
 
+  /// Which of them hold what touches them.
+  std::array<bool, 6> clamped_sides() const;
+
   /// Of the layers around the brain of a layered head [m].
   double thinnest_layer() const;
 
@@ -129,6 +133,11 @@ private:
   /// @throws InputError for a numbered side that the file does not have
   void check_numbered_sides() const;
   void parse_sides(dealii::ParameterHandler &prm);
+  /// @throws InputError for a side that is no plane
+  void clamp(const dealii::types::boundary_id side, const std::string &name);
+  /// Which of the sides of corners() are chosen by their ids.
+  template <typename Choice>
+  std::array<bool, 6> box_sides(const Choice &is_chosen) const;
   void move_nodes(dealii::Triangulation<3> &mesh) const;
 
   std::string kind_;
@@ -143,5 +152,6 @@ private:
   unsigned int refinements_ = 0;
   std::vector<Expression> position_; ///< x, y, z; none: nodes stay
   std::map<dealii::types::boundary_id, SlipWalls::Motion> walls_;
+  std::set<dealii::types::boundary_id> clamped_; ///< those of them that hold
 };
 } // namespace contrecoup::ale

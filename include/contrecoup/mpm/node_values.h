@@ -62,9 +62,17 @@ constexpr unsigned int window_stride = TileGrid::window_size + 8;
 /// Numbers at the nodes of a tile's window: component by component, x fastest.
 using Window = dealii::AlignedVector<double>;
 
-/// How a component changes its sign in a mirror: its bits are the directions.
-/// Scalars have none, component d of a vector has bit d.
+/// In which mirrors a component changes its sign: with the bits of
+/// TileGrid::Source::mirrored. Scalars have none.
 using Parity = std::uint8_t;
+
+/// Components of a gradient: mirrors along them.
+inline const std::vector<Parity> gradient_parity{1, 2, 4};
+
+/// Components of a velocity or force: mirrors along them, and those along
+/// other directions that hold matter.
+constexpr Parity vector_x = 1 + 16 + 32, vector_y = 2 + 8 + 32,
+                 vector_z = 4 + 8 + 16;
 
 /**
  * Reads components from nodes into a window.

@@ -15,7 +15,7 @@
 
 namespace contrecoup::mpm
 {
-/// A box of equal cubes, and which of its sides reflect matter.
+/// A box of equal cubes, and which of its sides reflect or hold matter.
 struct GridBox
 {
   dealii::Point<3> lower; ///< corner [m]
@@ -24,6 +24,9 @@ struct GridBox
   /// Sides x-, x+, y-, y+, z-, z+. Beyond them lies the mirror image of the
   /// matter, so that it slides along them; particles must not cross others.
   std::array<bool, 6> reflects{};
+  /// Of sides that reflect, those that hold what touches them: the image moves
+  /// the other way in all directions, so that the velocity is zero there.
+  std::array<bool, 6> holds{};
 };
 
 /**
@@ -58,7 +61,8 @@ public:
     /// Local node of each node of the window, or no_node; of those behind a
     /// side that reflects, the mirror image.
     std::vector<std::uint32_t> nodes;
-    /// Bit d: the node is a mirror image along direction d; empty: none is.
+    /// Bit d: the node is a mirror image along direction d; bit 3 + d: that of
+    /// a side that holds matter; empty: none is.
     std::vector<std::uint8_t> mirrored;
   };
 
@@ -125,7 +129,8 @@ public:
     return *partitioner_;
   }
 
-  /// Local nodes in planes that reflect, by the direction of their normals.
+  /// Local nodes that planes which reflect keep from moving, by direction:
+  /// that of the normal, or each where a plane holds matter.
   const std::array<std::vector<std::uint32_t>, 3> &plane_nodes() const
   {
     return plane_nodes_;
