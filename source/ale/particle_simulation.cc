@@ -179,7 +179,7 @@ StepReport ParticleSimulation::advance(const double largest_step)
   const auto forces = [&](const unsigned int m, mpm::ParticleBlock &block) {
     set_body_force(block);
     if (!contact_.empty())
-      contact_.add_forces(scene_.materials()[m], scene_.cell_size(), block);
+      contact_.add_forces(scene_.materials()[m], grid_, block);
   };
   StepReport report;
   report.step_size =

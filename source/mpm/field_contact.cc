@@ -19,6 +19,18 @@ namespace
   /// Part of the mass at a node from which on a field counts there.
   constexpr double least_part = 1e-8;
 
+  /// Whether a tile has one of the nodes that are marked.
+  bool reaches(const TileGrid::Source &source,
+               const dealii::AlignedVector<double> &marks)
+  {
+    return std::any_of(source.nodes.begin(),
+                       source.nodes.end(),
+                       [&](const std::uint32_t node) {
+                         return node != TileGrid::no_node && marks[node] > 0.;
+                       }) ||
+           (source.coarse != nullptr && reaches(*source.coarse, marks));
+  }
+
   bool is_shared(const double mass_a, const double mass_b)
   {
     return std::min(mass_a, mass_b) > least_part * (mass_a + mass_b);
@@ -84,10 +96,7 @@ void FieldContact::find_tiles(const TileGrid &grid)
   shared.update_copies(grid);
   meets_.clear();
   for (const TileGrid::Source &source : grid.sources())
-    meets_.push_back(std::any_of(
-      source.nodes.begin(), source.nodes.end(), [&](const std::uint32_t node) {
-        return node != TileGrid::no_node && shared[0][node] > 0.;
-      }));
+    meets_.push_back(reaches(source, shared[0]));
 }
 
 
@@ -151,37 +160,55 @@ void FieldContact::find_normals(const TileGrid &grid, Pair &pair) const
 }
 
 
+void FieldContact::raise_extents_of(const TileGrid &grid,
+                                    const TileGrid::Source &source,
+                                    const unsigned int level,
+                                    const Particles::TileBlocks &blocks,
+                                    const Pair &pair,
+                                    NodeValues &extents) const
+{
+  constexpr double none = -std::numeric_limits<double>::max();
+  const ParticleHalf half{std::ldexp(half_spacing_, -int(level)),
+                          std::ldexp(box_volume_, -3 * int(level))};
+  Window normals(3 * size), window(size);
+  read_window(source, pair.normals, 0, gradient_parity, normals.data());
+  for (unsigned int side = 0; side < 2; ++side)
+  {
+    window.fill(none);
+    for (unsigned int m = 0; m < field_of_material_.size(); ++m)
+      if (field_of_material_[m] == pair.fields[side])
+        raise_extents(degree_,
+                      blocks[m],
+                      window_place(grid, source),
+                      side == 0 ? 1. : -1.,
+                      half,
+                      normals.data(),
+                      window.data());
+    raise_nodes(source, window.data(), extents[side]);
+  }
+}
+
+
 void FieldContact::find_gap(const TileGrid &grid,
                             Particles &particles,
                             Pair &pair) const
 {
-  constexpr double none = -std::numeric_limits<double>::max();
   pair.normals.update_copies(grid);
   NodeValues extents(2);
   extents.clear(grid);
   for (unsigned int side = 0; side < 2; ++side)
-    extents[side].fill(none);
-  Window normals(3 * size), window(size);
+    extents[side].fill(-std::numeric_limits<double>::max());
   auto source = grid.sources().begin();
   auto meets = meets_.begin();
   for (auto &tile : particles.tiles())
   {
+    const unsigned int level = source->level;
     if (*meets)
-      read_window(*source, pair.normals, 0, gradient_parity, normals.data());
-    for (unsigned int side = 0; side < 2 && *meets; ++side)
-    {
-      window.fill(none);
-      for (unsigned int m = 0; m < field_of_material_.size(); ++m)
-        if (field_of_material_[m] == pair.fields[side])
-          raise_extents(degree_,
-                        tile.second[m],
-                        window_place(grid, *source),
-                        side == 0 ? 1. : -1.,
-                        {half_spacing_, box_volume_},
-                        normals.data(),
-                        window.data());
-      raise_nodes(*source, window.data(), extents[side]);
-    }
+      raise_extents_of(grid, *source, level, tile.second, pair, extents);
+    // Nodes of level 0 see its particles as if its cells were not halved.
+    if (*meets && source->coarse != nullptr)
+      raise_extents_of(
+        grid, *source->coarse, level, tile.second, pair, extents);
     ++source;
     ++meets;
   }

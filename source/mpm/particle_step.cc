@@ -78,12 +78,12 @@ ParticleStep::ParticleStep(const TransferScheme &scheme,
 
 
 std::vector<ParticleStep::Tile>
-ParticleStep::tiles(const TileGrid &grid,
+ParticleStep::tiles(const std::vector<TileGrid::Source> &sources,
                     Particles &particles,
                     const std::vector<unsigned int> &materials) const
 {
   std::vector<Tile> result;
-  auto source = grid.sources().begin();
+  auto source = sources.begin();
   for (auto &tile : particles.tiles())
   {
     if (std::any_of(
@@ -121,7 +121,7 @@ void ParticleStep::deposit_fields(const TileGrid &grid,
   {
     if (what != Deposit::force)
       field.matter.clear(grid);
-    for (const Tile &tile : tiles(grid, particles, field.materials))
+    for (const Tile &tile : tiles(grid.sources(), particles, field.materials))
     {
       window.fill(0.);
       for (const unsigned int m : field.materials)
@@ -151,7 +151,8 @@ void ParticleStep::multiply_mass_matrix(const TileGrid &grid,
   for (unsigned int f = 0; f < fields_.size(); ++f)
   {
     to[f].clear(grid);
-    for (const Tile &tile : tiles(grid, particles, fields_[f].materials))
+    for (const Tile &tile :
+         tiles(grid.sources(), particles, fields_[f].materials))
     {
       read_window(*tile.first, from[f], 0, one_vector, in.data());
       out.fill(0.);
@@ -309,7 +310,7 @@ void ParticleStep::collect(const TileGrid &grid,
   const std::vector<Parity> parities{
     vector_x, vector_y, vector_z, vector_x, vector_y, vector_z};
   for (const Field &field : fields_)
-    for (const Tile &tile : tiles(grid, particles, field.materials))
+    for (const Tile &tile : tiles(grid.sources(), particles, field.materials))
     {
       read_window(*tile.first, field.motion, 0, parities, window.data());
       const WindowPlace where = window_place(grid, *tile.first);
@@ -356,7 +357,7 @@ void ParticleStep::collect_rates(const TileGrid &grid,
   const TimerScope timer("velocity gradients");
   Window window(3 * size);
   for (const Field &field : fields_)
-    for (const Tile &tile : tiles(grid, particles, field.materials))
+    for (const Tile &tile : tiles(grid.sources(), particles, field.materials))
     {
       read_window(*tile.first, field.motion, 3, one_vector, window.data());
       for (const unsigned int m : field.materials)
@@ -375,9 +376,14 @@ void ParticleStep::strain(const TileGrid &grid,
   const TimerScope timer("strains and stresses");
   if (step > 0.)
     smooth(grid, particles, false);
-  particles.for_each_block([&](const unsigned int m, ParticleBlock &block) {
-    strain_particles(materials_[m], step, grid.box().cell_size, block);
-  });
+  for (auto &tile : particles.tiles())
+  {
+    const unsigned int level = grid.levels().level(tile.first);
+    for (unsigned int m = 0; m < materials_.size(); ++m)
+      if (tile.second[m].size() > 0)
+        strain_particles(
+          materials_[m], step, grid.levels().cell_size(level), tile.second[m]);
+  }
 }
 
 

@@ -16,7 +16,7 @@ void ParticleStep::deposit_smoothed(const TileGrid &grid,
   Window window(2 * window_stride);
   std::vector<double> weight, value;
   sums.clear(grid);
-  for (const Tile &tile : tiles(grid, particles, {m}))
+  for (const Tile &tile : tiles(grid.linear_sources(), particles, {m}))
   {
     const ParticleBlock &block = (*tile.second)[m];
     weight.resize(block.size());
@@ -63,7 +63,8 @@ void ParticleStep::smooth(const TileGrid &grid,
   }
   Window window(window_stride);
   for (const auto &one : sums)
-    for (const Tile &tile : tiles(grid, particles, {one.first}))
+    for (const Tile &tile :
+         tiles(grid.linear_sources(), particles, {one.first}))
     {
       ParticleBlock &block = (*tile.second)[one.first];
       read_window(*tile.first, one.second, 1, {0}, window.data());

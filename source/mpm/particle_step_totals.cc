@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace contrecoup::mpm
 {
@@ -85,9 +86,13 @@ ParticleTotals ParticleStep::totals(const TileGrid &grid,
 double ParticleStep::signal_time(const TileGrid &grid,
                                  const Particles &particles) const
 {
-  double speed = 0.;
-  particles.for_each_block(
-    [&](const unsigned int m, const ParticleBlock &block) {
+  std::vector<double> speeds(2, 0.); // by level
+  for (const auto &tile : particles.tiles())
+    for (unsigned int m = 0; m < materials_.size(); ++m)
+    {
+      const ParticleBlock &block = tile.second[m];
+      if (block.size() == 0)
+        continue;
       double fastest = 0.;
       for (std::size_t p = 0; p < block.size(); ++p)
       {
@@ -96,10 +101,15 @@ double ParticleStep::signal_time(const TileGrid &grid,
           square += std::pow(block[column::velocity + d][p], 2);
         fastest = std::max(fastest, square);
       }
+      double &speed = speeds[grid.levels().level(tile.first)];
       speed = std::max(
         speed, std::sqrt(fastest) + largest_sound_speed(materials_[m], block));
-    });
-  speed = dealii::Utilities::MPI::max(speed, grid.communicator());
-  return grid.box().cell_size / std::max(speed, 1e-300);
+    }
+  dealii::Utilities::MPI::max(speeds, grid.communicator(), speeds);
+  double time = std::numeric_limits<double>::max();
+  for (unsigned int level = 0; level < 2; ++level)
+    time = std::min(
+      time, grid.levels().cell_size(level) / std::max(speeds[level], 1e-300));
+  return time;
 }
 } // namespace contrecoup::mpm

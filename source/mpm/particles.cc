@@ -69,27 +69,28 @@ void Particles::take_out(const TileGrid &grid,
 {
   ParticleBlock &particles = tiles_[tile][material];
   const std::array<int, 3> first = grid.origin(tile);
+  const TileLevels &levels = grid.levels();
+  const unsigned int level = levels.level(tile);
   std::array<int, 3> end;
   for (unsigned int d = 0; d < 3; ++d)
-    end[d] =
-      std::min<int>(first[d] + TileGrid::tile_edge, grid.box().n_cells[d]);
-  if (are_inside(particles,
-                 &grid.box().lower[0],
-                 grid.box().cell_size,
-                 first.data(),
-                 end.data()))
+    end[d] = std::min(first[d] + TileGrid::tile_edge, levels.n_cells(level, d));
+  const bool is_whole = level == 1 || levels.n_halved(tile) == 0;
+  if (is_whole && are_inside(particles,
+                             &grid.box().lower[0],
+                             levels.cell_size(level),
+                             first.data(),
+                             end.data()))
     return;
   for (std::size_t p = particles.size(); p-- > 0;)
   {
     dealii::Point<3> place;
     for (unsigned int d = 0; d < 3; ++d)
       place[d] = particles[column::position + d][p];
-    const auto cell = grid.cell_at(place);
-    if (!grid.is_inside(cell))
+    if (!grid.is_inside(grid.cell_at(place)))
       throw NumericsError("a particle left the grid at (" + brief(place[0]) +
                           ", " + brief(place[1]) + ", " + brief(place[2]) +
                           ") m; make the grid larger");
-    const auto there = grid.tile_of(cell);
+    const auto there = grid.tile_at(place);
     if (there == tile)
       continue;
     moved.push_back({there, material, {}});

@@ -158,17 +158,19 @@ namespace
            !(particles[column::area][p] > 0.);
   }
 
-  /// Numbers of the particles in each cell.
+  /// Numbers of the particles in each cell, which are of one tile.
   std::map<std::array<int, 3>, std::vector<std::size_t>>
   by_cell(const TileGrid &grid, const ParticleBlock &particles)
   {
     std::map<std::array<int, 3>, std::vector<std::size_t>> cells;
     for (std::size_t p = 0; p < particles.size(); ++p)
+    {
+      const dealii::Point<3> place(particles[column::position][p],
+                                   particles[column::position + 1][p],
+                                   particles[column::position + 2][p]);
       if (may_merge(particles, p))
-        cells[grid.cell_at({particles[column::position][p],
-                            particles[column::position + 1][p],
-                            particles[column::position + 2][p]})]
-          .push_back(p);
+        cells[grid.cell_at(place, grid.level_at(place))].push_back(p);
+    }
     return cells;
   }
 

@@ -167,11 +167,12 @@ void seed(const std::vector<ParticleMaterial> &materials,
           Particles &particles)
 {
   constexpr int edge = TileGrid::tile_edge;
-  const double size = grid.box().cell_size;
   const auto &n = source.per_cell;
   for (const auto tile : grid.own_tiles())
   {
     const auto origin = grid.origin(tile);
+    const unsigned int level = grid.levels().level(tile);
+    const double size = grid.levels().cell_size(level);
     const int ends[] = {edge * int(n[0]), edge * int(n[1]), edge * int(n[2])};
     for (int k = 0; k < ends[2]; ++k)
       for (int j = 0; j < ends[1]; ++j)
@@ -179,15 +180,15 @@ void seed(const std::vector<ParticleMaterial> &materials,
         {
           const int at[] = {i, j, k};
           SeedBox box;
-          std::array<int, 3> cell;
           for (unsigned int d = 0; d < 3; ++d)
           {
-            cell[d] = origin[d] + at[d] / int(n[d]);
             box.edges[d] = size / n[d];
             box.lower[d] =
               grid.box().lower[d] + size * origin[d] + box.edges[d] * at[d];
           }
-          if (grid.is_inside(cell))
+          const auto middle = box.at(0.5, 0.5, 0.5);
+          if (grid.is_inside(grid.cell_at(middle)) &&
+              grid.tile_at(middle) == tile)
             seed_box(materials, source, box, tile, particles);
         }
   }

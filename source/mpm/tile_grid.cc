@@ -36,32 +36,60 @@ void TileGrid::reinit(
   const MPI_Comm communicator,
   const std::function<unsigned int(const dealii::Point<3> &)> &weight)
 {
-  box_ = box;
+  levels_.reinit(box);
   communicator_ = communicator;
-  // Nodes at upper sides belong to tiles, too.
-  for (unsigned int d = 0; d < 3; ++d)
-    n_tiles_[d] = box.n_cells[d] / tile_edge + 1;
   find_tiles(weight);
   activate({});
+}
+
+
+TileGrid::TileId TileGrid::tile_at_corner(const dealii::Point<3> &corner) const
+{
+  const double edge = tile_edge * box().cell_size;
+  std::array<int, 3> cell;
+  for (unsigned int d = 0; d < 3; ++d)
+    cell[d] = tile_edge * static_cast<int>(
+                            std::lround((corner[d] - box().lower[d]) / edge));
+  return tile_of(cell);
+}
+
+
+void TileGrid::halve_blocks(const dealii::Triangulation<3> &tiles)
+{
+  if (!box().halving.blocks)
+    return;
+  std::vector<TileId> own, all;
+  for (const auto &cell : tiles.active_cell_iterators())
+    if (cell->is_locally_owned())
+      for (const TileId block : levels_.wanted(tile_at_corner(cell->vertex(0))))
+        own.push_back(block);
+  for (const auto &from :
+       dealii::Utilities::MPI::all_gather(communicator_, own))
+    all.insert(all.end(), from.begin(), from.end());
+  levels_.halve(all);
 }
 
 
 void TileGrid::find_tiles(
   const std::function<unsigned int(const dealii::Point<3> &)> &weight)
 {
-  const double edge = tile_edge * box_.cell_size;
-  dealii::Point<3> upper = box_.lower;
+  const auto &n = levels_.n_tiles();
+  dealii::Point<3> upper = box().lower;
   for (unsigned int d = 0; d < 3; ++d)
-    upper[d] += edge * n_tiles_[d];
+    upper[d] += tile_edge * box().cell_size * n[d];
   dealii::parallel::distributed::Triangulation<3> tiles(communicator_);
   dealii::GridGenerator::subdivided_hyper_rectangle(
-    tiles, {n_tiles_[0], n_tiles_[1], n_tiles_[2]}, box_.lower, upper);
+    tiles, {n[0], n[1], n[2]}, box().lower, upper);
+  halve_blocks(tiles);
   if (weight)
   {
     // deal.II 9.4 adds 1000 for each cell, which must not count.
     constexpr unsigned int scale = 200;
     tiles.signals.cell_weight.connect([&](const auto &cell, const auto) {
-      return scale * weight(cell->vertex(0));
+      // A halved block makes as much work as eight.
+      const unsigned int halved =
+        levels_.n_halved(tile_at_corner(cell->vertex(0)));
+      return scale * weight(cell->vertex(0)) * (8 + 7 * halved) / 8;
     });
     tiles.repartition();
   }
@@ -70,24 +98,33 @@ void TileGrid::find_tiles(
   for (const auto &cell : tiles.active_cell_iterators())
     if (!cell->is_artificial())
     {
-      TileId id = 0;
-      for (int d = 2; d >= 0; --d)
-        id = id * n_tiles_[d] + static_cast<TileId>(std::lround(
-                                  (cell->vertex(0)[d] - box_.lower[d]) / edge));
+      const TileId id = tile_at_corner(cell->vertex(0));
       owners_[id] = cell->subdomain_id();
       if (cell->is_locally_owned())
-        own_tiles_.push_back(id);
+        add_own(id);
     }
   std::sort(own_tiles_.begin(), own_tiles_.end());
 }
 
 
-std::array<int, 3> TileGrid::cell_at(const dealii::Point<3> &place) const
+void TileGrid::add_own(const TileId tile)
+{
+  if (levels_.n_halved(tile) < 8)
+    own_tiles_.push_back(tile);
+  if (levels_.has_halves())
+    for (const TileId block : levels_.blocks(tile))
+      if (levels_.is_halved(block))
+        own_tiles_.push_back(block);
+}
+
+
+std::array<int, 3> TileGrid::cell_at(const dealii::Point<3> &place,
+                                     const unsigned int level) const
 {
   std::array<int, 3> cell;
   for (unsigned int d = 0; d < 3; ++d)
-    cell[d] =
-      static_cast<int>(std::floor((place[d] - box_.lower[d]) / box_.cell_size));
+    cell[d] = static_cast<int>(
+      std::floor((place[d] - box().lower[d]) / levels_.cell_size(level)));
   return cell;
 }
 
@@ -95,33 +132,25 @@ std::array<int, 3> TileGrid::cell_at(const dealii::Point<3> &place) const
 bool TileGrid::is_inside(const std::array<int, 3> &cell) const
 {
   for (unsigned int d = 0; d < 3; ++d)
-    if (cell[d] < 0 || cell[d] >= static_cast<int>(box_.n_cells[d]))
+    if (cell[d] < 0 || cell[d] >= levels_.n_cells(0, d))
       return false;
   return true;
 }
 
 
-TileGrid::TileId TileGrid::tile_of(const std::array<int, 3> &cell) const
+TileGrid::TileId TileGrid::tile_at(const dealii::Point<3> &place) const
 {
-  TileId id = 0;
-  for (int d = 2; d >= 0; --d)
-    id = id * n_tiles_[d] + static_cast<unsigned int>(cell[d] / tile_edge);
-  return id;
-}
-
-
-std::array<int, 3> TileGrid::origin(const TileId tile) const
-{
-  const TileId rest = tile / n_tiles_[0];
-  return {{tile_edge * static_cast<int>(tile % n_tiles_[0]),
-           tile_edge * static_cast<int>(rest % n_tiles_[1]),
-           tile_edge * static_cast<int>(rest / n_tiles_[1])}};
+  if (levels_.has_halves())
+    if (const TileId block = levels_.tile_of(cell_at(place, 1), 1);
+        levels_.is_halved(block))
+      return block;
+  return tile_of(cell_at(place));
 }
 
 
 unsigned int TileGrid::owner(const TileId tile) const
 {
-  const auto found = owners_.find(tile);
+  const auto found = owners_.find(levels_.coarse(tile));
   if (found == owners_.end())
     throw NumericsError("a particle went beyond the neighbouring tiles in one "
                         "step; take a smaller Courant number");
@@ -129,30 +158,32 @@ unsigned int TileGrid::owner(const TileId tile) const
 }
 
 
-bool TileGrid::reflect(std::array<int, 3> &node, std::uint8_t &mirrored) const
+bool TileGrid::reflect(const unsigned int level,
+                       std::array<int, 3> &node,
+                       std::uint8_t &mirrored) const
 {
   mirrored = 0;
   for (unsigned int d = 0; d < 3; ++d)
   {
-    const int last = static_cast<int>(box_.n_cells[d]);
+    const int last = levels_.n_cells(level, d);
     int &i = node[d];
     const unsigned int side = i < 0 ? 2 * d : 2 * d + 1;
-    if ((i < 0 || i > last) && box_.reflects[side])
+    if ((i < 0 || i > last) && box().reflects[side])
     {
       i = i < 0 ? -i : 2 * last - i;
-      mirrored |= (box_.holds[side] ? 9u : 1u) << d;
+      mirrored |= (box().holds[side] ? 9u : 1u) << d;
     }
-    if (i < 0 || i >= static_cast<int>(tile_edge * n_tiles_[d]))
+    if (i < 0 || i >= levels_.n_nodes(level, d))
       return false;
   }
   return true;
 }
 
 
-std::vector<TileGrid::TileId> TileGrid::touched_tiles(const TileId tile) const
+void TileGrid::add_touched(const std::array<int, 3> &origin,
+                           const unsigned int level,
+                           std::set<TileId> &touched) const
 {
-  const auto first = origin(tile);
-  std::set<TileId> touched;
   // One node of each tile that the window may reach.
   const std::array<int, 4> steps{{window_start, 0, tile_edge, last_node}};
   std::array<int, 3> node;
@@ -161,11 +192,22 @@ std::vector<TileGrid::TileId> TileGrid::touched_tiles(const TileId tile) const
     for (const int y : steps)
       for (const int x : steps)
       {
-        node = {{first[0] + x, first[1] + y, first[2] + z}};
-        if (reflect(node, mirrored))
-          touched.insert(tile_of(node));
+        node = {{origin[0] + x, origin[1] + y, origin[2] + z}};
+        if (reflect(level, node, mirrored) && levels_.has_nodes(node, level))
+          touched.insert(levels_.tile_of(node, level));
       }
-  return {touched.begin(), touched.end()};
+}
+
+
+bool TileGrid::is_at_border(const TileId tile) const
+{
+  std::array<int, 3> first = origin(tile), last = first;
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    first[d] -= 3;
+    last[d] += 6;
+  }
+  return !levels_.are_halved(first, last);
 }
 
 
@@ -245,9 +287,11 @@ void TileGrid::make_window(Source &source) const
           window_edge * ((y - window_start) + window_edge * (z - window_start));
         std::array<int, 3> node{
           {source.origin[0] + x, source.origin[1] + y, source.origin[2] + z}};
-        if (!reflect(node, mirrored[at]))
+        if (source.level == 1 && !levels_.is_active(node, source.degree))
           continue;
-        const auto tile = local_tile_.find(tile_of(node));
+        if (!reflect(source.level, node, mirrored[at]))
+          continue;
+        const auto tile = local_tile_.find(levels_.tile_of(node, source.level));
         if (tile == local_tile_.end())
           continue;
         source.nodes[at] = nodes_per_tile * tile->second + node_in_tile(node);
@@ -259,16 +303,36 @@ void TileGrid::make_window(Source &source) const
 }
 
 
+TileGrid::Source TileGrid::make_source(const TileId tile,
+                                       const unsigned int degree) const
+{
+  Source source{tile, origin(tile), levels_.level(tile), {}, {}, {}, degree};
+  make_window(source);
+  if (source.level == 1 && is_at_border(tile))
+  {
+    Source coarse = source;
+    coarse.level = 0;
+    for (int &i : coarse.origin)
+      i /= 2;
+    make_window(coarse);
+    source.coarse = std::make_shared<const Source>(std::move(coarse));
+  }
+  return source;
+}
+
+
 dealii::Point<3> TileGrid::place(const std::uint32_t node) const
 {
-  const auto first = origin(tiles_with_nodes_[node / nodes_per_tile]);
+  const TileId tile = tiles_with_nodes_[node / nodes_per_tile];
+  const auto first = origin(tile);
   const unsigned int inside = node % nodes_per_tile;
   const unsigned int offset[] = {inside % tile_edge,
                                  inside / tile_edge % tile_edge,
                                  inside / (tile_edge * tile_edge)};
-  dealii::Point<3> result = box_.lower;
+  dealii::Point<3> result = box().lower;
   for (unsigned int d = 0; d < 3; ++d)
-    result[d] += box_.cell_size * (first[d] + static_cast<int>(offset[d]));
+    result[d] += levels_.cell_size(levels_.level(tile)) *
+                 (first[d] + static_cast<int>(offset[d]));
   return result;
 }
 
@@ -279,15 +343,16 @@ void TileGrid::find_plane_nodes()
     nodes.clear();
   for (std::uint32_t node = 0; node < n_nodes(); ++node)
   {
-    const auto way = place(node) - box_.lower;
+    const unsigned int level =
+      levels_.level(tiles_with_nodes_[node / nodes_per_tile]);
+    const auto way = place(node) - box().lower;
     for (unsigned int d = 0; d < 3; ++d)
     {
-      const long int i = std::lround(way[d] / box_.cell_size);
+      const long int i = std::lround(way[d] / levels_.cell_size(level));
       const unsigned int side = i == 0 ? 2 * d : 2 * d + 1;
-      if ((i == 0 || i == static_cast<long int>(box_.n_cells[d])) &&
-          box_.reflects[side])
+      if ((i == 0 || i == levels_.n_cells(level, d)) && box().reflects[side])
         for (unsigned int e = 0; e < 3; ++e)
-          if (e == d || box_.holds[side])
+          if (e == d || box().holds[side])
             plane_nodes_[e].push_back(node);
     }
   }
@@ -299,15 +364,25 @@ void TileGrid::activate(std::vector<TileId> sources)
   std::sort(sources.begin(), sources.end());
   std::set<TileId> needed;
   for (const TileId tile : sources)
-    for (const TileId touched : touched_tiles(tile))
-      needed.insert(touched);
+  {
+    auto first = origin(tile);
+    const unsigned int level = levels_.level(tile);
+    add_touched(first, level, needed);
+    if (level == 0 || !is_at_border(tile))
+      continue;
+    for (int &i : first)
+      i /= 2;
+    add_touched(first, 0, needed);
+  }
   number_tiles({needed.begin(), needed.end()});
   sources_.clear();
+  linear_sources_.clear();
+  const unsigned int degree = box().halving.degree;
   for (const TileId tile : sources)
-  {
-    sources_.push_back({tile, origin(tile), {}, {}});
-    make_window(sources_.back());
-  }
+    sources_.push_back(make_source(tile, degree));
+  if (levels_.has_halves() && degree > 1)
+    for (const TileId tile : sources)
+      linear_sources_.push_back(make_source(tile, 1));
   find_plane_nodes();
 }
 } // namespace contrecoup::mpm

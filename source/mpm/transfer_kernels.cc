@@ -243,7 +243,7 @@ namespace
 WindowPlace window_place(const TileGrid &grid, const TileGrid::Source &tile)
 {
   WindowPlace result;
-  result.cell_size = grid.box().cell_size;
+  result.cell_size = grid.levels().cell_size(tile.level);
   for (unsigned int d = 0; d < 3; ++d)
     result.lower[d] = grid.box().lower[d] + result.cell_size * tile.origin[d];
   return result;

@@ -91,10 +91,9 @@ namespace
                  const TileGrid &grid,
                  Particles &particles)
   {
-    const auto cell = grid.cell_at(inside);
-    if (!grid.is_inside(cell))
+    if (!grid.is_inside(grid.cell_at(inside)))
       return;
-    const auto tile = particles.tiles().find(grid.tile_of(cell));
+    const auto tile = particles.tiles().find(grid.tile_at(inside));
     if (tile == particles.tiles().end())
       return;
     Nearest nearest;
@@ -108,9 +107,9 @@ namespace
         area * (place[d] - block[column::position + d][nearest.particle]);
   }
 
-  double spacing_of(const ParticleSource &source, const GridBox &box)
+  double spacing_of(const ParticleSource &source, const TileGrid &grid)
   {
-    return box.cell_size /
+    return grid.levels().smallest_cell_size() /
            std::max(
              {source.per_cell[0], source.per_cell[1], source.per_cell[2]});
   }
@@ -123,7 +122,7 @@ void WallContact::find_at_plane(const RigidWall &wall,
                                 Particles &particles) const
 {
   const GridBox &box = grid.box();
-  const double spacing = spacing_of(source, box);
+  const double spacing = spacing_of(source, grid);
   const double width = spacing / lines_per_spacing;
   const auto first = across(wall.normal);
   const auto second = dealii::cross_product_3d(wall.normal, first);
@@ -168,7 +167,7 @@ void WallContact::find_at_sphere(const RigidWall &wall,
                                  const TileGrid &grid,
                                  Particles &particles) const
 {
-  const double spacing = spacing_of(source, grid.box());
+  const double spacing = spacing_of(source, grid);
   const double width = spacing / lines_per_spacing;
   const double pi = dealii::numbers::PI;
   const unsigned int n_rings = std::ceil(pi * wall.radius / width);
@@ -276,20 +275,27 @@ void WallContact::push(const RigidWall &wall,
 
 
 void WallContact::add_forces(const ParticleMaterial &material,
-                             const double cell_size,
+                             const TileGrid &grid,
                              ParticleBlock &particles)
 {
   const SolidMaterial *const solid = material.solid();
   const double speed = solid != nullptr
                          ? solid->dilatational_speed()
                          : largest_sound_speed(material, particles);
-  const double stiffness =
-    material.density() * speed * speed / (thickness_ * cell_size);
   for (unsigned int k = 0; k < 6; ++k)
     std::fill_n(particles[column::moment + k], particles.size(), 0.);
   for (std::size_t p = 0; p < particles.size(); ++p)
     if (particles[column::area][p] > 0.)
+    {
+      // Where it was at the start: a stiffness that changes makes energy.
+      const double cell_size = grid.levels().cell_size(
+        grid.level_at({particles[column::start][p],
+                       particles[column::start + 1][p],
+                       particles[column::start + 2][p]}));
+      const double stiffness =
+        material.density() * speed * speed / (thickness_ * cell_size);
       for (const RigidWall &wall : walls_)
         push(wall, stiffness, p, particles);
+    }
 }
 } // namespace contrecoup::mpm

@@ -37,6 +37,7 @@ public:
     for (const auto tile : grid.own_tiles())
     {
       const auto origin = grid.origin(tile);
+      const double size = grid.levels().cell_size(grid.levels().level(tile));
       const int edge = TileGrid::tile_edge;
       for (int k = 0; k < edge * int(n[2]); ++k)
         for (int j = 0; j < edge * int(n[1]); ++j)
@@ -47,11 +48,10 @@ public:
             double volume = 1.;
             for (unsigned int d = 0; d < 3; ++d)
             {
-              x[d] = box.lower[d] +
-                     box.cell_size * (origin[d] + (at[d] + 0.5) / n[d]);
-              volume *= box.cell_size / n[d];
+              x[d] = box.lower[d] + size * (origin[d] + (at[d] + 0.5) / n[d]);
+              volume *= size / n[d];
             }
-            if (!grid.is_inside(grid.cell_at(x)))
+            if (!grid.is_inside(grid.cell_at(x)) || grid.tile_at(x) != tile)
               continue;
             const int material = matter(x);
             if (material < 0)

@@ -85,6 +85,14 @@ private:
   void find_gradients(const TileGrid &grid, Particles &particles);
   void find_normals(const TileGrid &grid, Pair &pair) const;
   void find_gap(const TileGrid &grid, Particles &particles, Pair &pair) const;
+  /// Of the particles of a tile of a level. @param source its own window, or
+  /// that of level 0 there
+  void raise_extents_of(const TileGrid &grid,
+                        const TileGrid::Source &source,
+                        const unsigned int level,
+                        const Particles::TileBlocks &blocks,
+                        const Pair &pair,
+                        NodeValues &extents) const;
   double push(const Pair &pair,
               const std::uint32_t node,
               NodeValues &a,

@@ -123,7 +123,7 @@ private:
   using Tile = std::pair<const TileGrid::Source *, Particles::TileBlocks *>;
 
   /// Those that hold particles of some materials.
-  std::vector<Tile> tiles(const TileGrid &grid,
+  std::vector<Tile> tiles(const std::vector<TileGrid::Source> &sources,
                           Particles &particles,
                           const std::vector<unsigned int> &materials) const;
 

@@ -3,43 +3,41 @@
 
 #pragma once
 
+#include <contrecoup/mpm/tile_levels.h>
+
 #include <deal.II/base/partitioner.h>
 #include <deal.II/base/point.h>
+#include <deal.II/grid/tria.h>
 
 #include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <set>
 #include <unordered_map>
 #include <vector>
 
 namespace contrecoup::mpm
 {
-/// A box of equal cubes, and which of its sides reflect or hold matter.
-struct GridBox
-{
-  dealii::Point<3> lower; ///< corner [m]
-  double cell_size = 1.;  ///< [m]
-  std::array<unsigned int, 3> n_cells{{1, 1, 1}};
-  /// Sides x-, x+, y-, y+, z-, z+. Beyond them lies the mirror image of the
-  /// matter, so that it slides along them; particles must not cross others.
-  std::array<bool, 6> reflects{};
-  /// Of sides that reflect, those that hold what touches them: the image moves
-  /// the other way in all directions, so that the velocity is zero there.
-  std::array<bool, 6> holds{};
-};
-
 /**
  * The background grid: a uniform grid of nodes, cut into tiles of 4^3 cells.
  * The tiles are the cells of a deal.II triangulation on p4est, which gives each
  * to a rank. Nodes exist around tiles with particles alone. A tile owns the
  * nodes at the lower corners of its cells.
+ *
+ * Where blocks of cells are halved, their nodes are those of truncated
+ * hierarchical B-splines: halved cells have the splines of level 1 that vanish
+ * in all others, and the sums of those left that make the splines of level 0.
+ * All together are positive and sum up to 1, so that what particles give to the
+ * grid is kept. Giannelli, Juettler and Speleers, Comput. Aided Geom. Des. 29
+ * (2012). Steps that are stable in the cells of each level by themselves are
+ * so: a lumped mass gives a sum of splines no less inertia than its parts have.
  */
 class TileGrid
 {
 public:
   /// Cells of a tile along an edge.
-  static constexpr int tile_edge = 4;
+  static constexpr int tile_edge = TileLevels::tile_edge;
   static constexpr unsigned int nodes_per_tile = 64;
 
   /// Nodes along an edge of the window of a tile: those that splines of its
@@ -51,19 +49,24 @@ public:
   /// No node is there.
   static constexpr std::uint32_t no_node = -1;
 
-  using TileId = std::uint64_t;
+  using TileId = TileLevels::TileId;
 
   /// A tile with particles of this rank.
   struct Source
   {
     TileId id;
-    std::array<int, 3> origin; ///< first node of the tile in the grid
+    std::array<int, 3> origin; ///< first node of the tile in its level
+    unsigned int level;
     /// Local node of each node of the window, or no_node; of those behind a
     /// side that reflects, the mirror image.
     std::vector<std::uint32_t> nodes;
     /// Bit d: the node is a mirror image along direction d; bit 3 + d: that of
     /// a side that holds matter; empty: none is.
     std::vector<std::uint8_t> mirrored;
+    /// Of a tile of level 1 whose other nodes are sums of those of level 0:
+    /// the window of level 0 at the same place.
+    std::shared_ptr<const Source> coarse;
+    unsigned int degree; ///< of the splines that are summed
   };
 
   /**
@@ -82,7 +85,11 @@ public:
 
   const GridBox &box() const
   {
-    return box_;
+    return levels_.box();
+  }
+  const TileLevels &levels() const
+  {
+    return levels_;
   }
   MPI_Comm communicator() const
   {
@@ -94,16 +101,33 @@ public:
     return own_tiles_;
   }
 
-  /// Cell of the grid at a place, which may be outside of the box.
-  std::array<int, 3> cell_at(const dealii::Point<3> &place) const;
+  /// Cell of a level at a place, which may be outside of the box.
+  std::array<int, 3> cell_at(const dealii::Point<3> &place,
+                             const unsigned int level = 0) const;
 
+  /// Of a cell of level 0.
   bool is_inside(const std::array<int, 3> &cell) const;
 
-  /// Of a cell inside of the box.
-  TileId tile_of(const std::array<int, 3> &cell) const;
+  /// The tile of level 0 of a cell inside of the box.
+  TileId tile_of(const std::array<int, 3> &cell) const
+  {
+    return levels_.tile_of(cell, 0);
+  }
 
-  /// First cell of a tile.
-  std::array<int, 3> origin(const TileId tile) const;
+  /// The tile whose particles are those at a place inside of the box.
+  TileId tile_at(const dealii::Point<3> &place) const;
+
+  /// Of the cells at a place inside of the box.
+  unsigned int level_at(const dealii::Point<3> &place) const
+  {
+    return levels_.has_halves() ? levels_.level(tile_at(place)) : 0;
+  }
+
+  /// First cell of a tile in its level.
+  std::array<int, 3> origin(const TileId tile) const
+  {
+    return levels_.origin(tile);
+  }
 
   /// The rank of an own or neighbouring tile. @throws NumericsError for others
   unsigned int owner(const TileId tile) const;
@@ -112,6 +136,12 @@ public:
   const std::vector<Source> &sources() const
   {
     return sources_;
+  }
+
+  /// The same tiles with the windows of linear splines.
+  const std::vector<Source> &linear_sources() const
+  {
+    return linear_sources_.empty() ? sources_ : linear_sources_;
   }
 
   std::size_t n_own_nodes() const
@@ -142,22 +172,34 @@ public:
 private:
   void find_tiles(
     const std::function<unsigned int(const dealii::Point<3> &)> &weight);
+  /// Finds the blocks that are halved. @param tiles of level 0
+  void halve_blocks(const dealii::Triangulation<3> &tiles);
+  /// Takes a tile of level 0 of this rank and those in it.
+  void add_own(const TileId tile);
+  /// The tile of level 0 with a lower corner.
+  TileId tile_at_corner(const dealii::Point<3> &corner) const;
   /// The node in the box for one that may lie behind a side that reflects.
   /// @return false where there is none
-  bool reflect(std::array<int, 3> &node, std::uint8_t &mirrored) const;
-  /// Ids of tiles that own nodes of the window of a tile.
-  std::vector<TileId> touched_tiles(const TileId tile) const;
+  bool reflect(const unsigned int level,
+               std::array<int, 3> &node,
+               std::uint8_t &mirrored) const;
+  /// Tiles that own nodes of a range beside the first node of a tile.
+  void add_touched(const std::array<int, 3> &origin,
+                   const unsigned int level,
+                   std::set<TileId> &touched) const;
+  /// Whether splines of a tile of level 1 reach into cells that are not halved.
+  bool is_at_border(const TileId tile) const;
   /// Numbers the tiles with nodes. @param needed by this rank, any owner
   void number_tiles(const std::vector<TileId> &needed);
+  Source make_source(const TileId tile, const unsigned int degree) const;
   void make_window(Source &source) const;
   void find_plane_nodes();
 
-  GridBox box_;
+  TileLevels levels_;
   MPI_Comm communicator_ = MPI_COMM_SELF;
-  std::array<unsigned int, 3> n_tiles_{};
   std::vector<TileId> own_tiles_;
-  std::unordered_map<TileId, unsigned int> owners_;
-  std::vector<Source> sources_;
+  std::unordered_map<TileId, unsigned int> owners_; ///< of tiles of level 0
+  std::vector<Source> sources_, linear_sources_;
   /// Local number of tiles with nodes, own ones first.
   std::unordered_map<TileId, std::uint32_t> local_tile_;
   std::vector<TileId> tiles_with_nodes_; ///< by local number

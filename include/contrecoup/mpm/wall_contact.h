@@ -90,7 +90,7 @@ public:
 
   /// Adds forces to column::force.
   void add_forces(const ParticleMaterial &material,
-                  const double cell_size,
+                  const TileGrid &grid,
                   ParticleBlock &particles);
 
   /// Forgets what add_forces() has measured.
