@@ -4,19 +4,18 @@ assumptions.energy_residual > -1e-10")
 set(_particles "Method=mpm" "MPM/Cell size=0.012" "Output/Pictures=false"
   "Scheme/Courant number=0.5" "Output/History every steps=1" "Time/End time=6e-5")
 
-# One velocity for all layers, and one for each.
+# One velocity for all layers, and one for each. Ranks differ by round-off, most in the
+# energy that strains store and in small pressures [Pa].
 contrecoup_add_application_test(particles_head bounds,resume,ranks
   FILE head_impact/quickstart.prm SET ${_particles} "Output/Fields=false"
   BOUNDS ${_ledger} "assumptions.peak_contact_force > 10"
   COMPARE history.csv probes.csv STOP_AFTER 8
-  TOLERANCE 1e-6 "energy_residual*=1e-12 absolute" "momentum_[xy]*=1e-8 absolute"
-  "velocity_[xy]*=1e-8 absolute")
+  TOLERANCE 3e-10 "energy_residual*=1e-12 absolute" "pressure_*=1e-8 absolute")
 contrecoup_add_application_test(particles_head_slip bounds,resume,ranks
   FILE head_impact/quickstart.prm SET ${_particles} "Output/Fields=false"
   "Region CSF/Interface=slip" BOUNDS ${_ledger} "assumptions.peak_contact_force > 10"
   COMPARE history.csv probes.csv STOP_AFTER 8
-  TOLERANCE 1e-6 "energy_residual*=1e-12 absolute" "momentum_[xy]*=1e-8 absolute"
-  "velocity_[xy]*=1e-8 absolute")
+  TOLERANCE 3e-10 "energy_residual*=1e-12 absolute" "pressure_*=1e-8 absolute" RANKS 2 7)
 contrecoup_add_application_test(particles_head_oblique bounds
   FILE head_impact/quickstart.prm SET ${_particles} "Output/Fields=false"
   "Mesh/Symmetry planes=y" "Plane wall/Normal=1, 0, 1"
@@ -66,7 +65,7 @@ contrecoup_add_application_test(particles_sphere bounds,resume,ranks
   FILE head_impact/verification/fluid_in_rigid_sphere.prm SET ${_sphere}
   "Probes/Points=0, 0.088, 0" "Time/End time=2e-4"
   BOUNDS ${_ledger} "errors.peak < 0.037" COMPARE history.csv probes.csv STOP_AFTER 20
-  TOLERANCE 1e-6 "energy_residual*=1e-12 absolute" "momentum_[xz]*=1e-8 absolute"
+  TOLERANCE 2e-9 "energy_residual*=1e-15 absolute" "momentum_[xz]*=1e-13 absolute"
   LABELS verification)
 contrecoup_add_application_test(particles_sphere_slow bounds
   FILE head_impact/verification/fluid_in_rigid_sphere.prm SET ${_sphere}

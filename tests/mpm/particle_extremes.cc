@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include "particle_case.h"
+#include <gtest/gtest.h>
+
+using namespace contrecoup;
+using namespace contrecoup::mpm;
+
+namespace
+{
+const auto nothing_outside = [](unsigned int, ParticleBlock &) {};
+
+/// A slab one cell thick that slides between mirrors along z.
+GridBox slab_of(const unsigned int n_x, const unsigned int n_y)
+{
+  GridBox box;
+  box.n_cells = {{n_x, n_y, 1}};
+  box.reflects = {{false, false, false, false, true, true}};
+  return box;
+}
+
+/// One particle on a grid of cubes of 1 m.
+ParticleCase lone_particle(const TransferScheme &scheme,
+                           const std::array<double, 3> &x,
+                           const std::array<double, 3> &v)
+{
+  GridBox box;
+  box.n_cells = {{12, 12, 12}};
+  ParticleCase one(box, scheme, {elastic(1e4, 0.3, 1000.)}, MPI_COMM_SELF);
+  ParticleBlock &block = one.particles.block(
+    one.grid.tile_of(one.grid.cell_at({x[0], x[1], x[2]})), 0);
+  const std::size_t p = block.append();
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    block[column::position + d][p] = x[d];
+    block[column::velocity + d][p] = v[d];
+  }
+  block[column::mass][p] = 125.;
+  block[column::volume][p] = 0.125;
+  one.particles.sort(one.grid);
+  one.step.start(one.grid, one.particles);
+  return one;
+}
+
+/// All combinations that are allowed; linear splines with MUSL alone, as light
+/// nodes make the stresses of other updates grow.
+std::vector<TransferScheme> schemes_for_one()
+{
+  std::vector<TransferScheme> result;
+  for (unsigned int degree = 1; degree <= 3; ++degree)
+    for (const auto transfer :
+         {Transfer::pic, Transfer::flip, Transfer::affine, Transfer::fmpm})
+      for (const auto update : {StressUpdate::first,
+                                StressUpdate::last,
+                                StressUpdate::modified_last})
+        if (degree > 1 || (transfer != Transfer::affine &&
+                           update == StressUpdate::modified_last))
+          result.push_back({degree, transfer, update, 2});
+  return result;
+}
+
+/// What a gel does in a box of mirrors.
+struct Swing
+{
+  double frequency; ///< of its first quarter, over that of shear alone
+  double returned;  ///< part of the motion that is back after a half period
+  double residual;  ///< energy that is missing, over that of the start
+};
+
+/**
+ * Swings a square of gel, n cells wide, in a mode without change of volume:
+ * velocity along (sin kx cos ky, -cos kx sin ky), which slides along the
+ * mirrors without shear there. Its angular frequency is sqrt(2 G / rho) k.
+ */
+Swing swing_of_gel(const TransferScheme &scheme,
+                   const double bulk_over_shear,
+                   const bool is_smoothed,
+                   const unsigned int n)
+{
+  SolidMaterial gel;
+  gel.density = gel.instantaneous_shear = 1000.;
+  gel.bulk_modulus = bulk_over_shear * gel.instantaneous_shear;
+  ParticleMaterial material;
+  material.name = "gel";
+  material.law = gel;
+  material.is_smoothed = is_smoothed;
+  GridBox box;
+  box.n_cells = {{n, n, 1}};
+  box.reflects.fill(true);
+  ParticleCase one(box, scheme, {material}, MPI_COMM_SELF);
+  const double k = dealii::numbers::PI / n,
+               omega = std::sqrt(2.) * k * gel.shear_speed(),
+               half_period = dealii::numbers::PI / omega;
+  const auto mode = [&](const double x, const double y) {
+    dealii::Tensor<1, 3> v;
+    v[0] = std::sin(k * x) * std::cos(k * y);
+    v[1] = -std::cos(k * x) * std::sin(k * y);
+    return v;
+  };
+  one.fill([](const auto &) { return 0; },
+           [&](const auto &x) { return 0.01 * omega * mode(x[0], x[1]); },
+           {{2, 2, 1}});
+  const auto part_of_mode = [&]() {
+    double sum = 0.;
+    one.particles.for_each_block([&](unsigned int, const ParticleBlock &block) {
+      for (std::size_t p = 0; p < block.size(); ++p)
+      {
+        const auto v =
+          mode(block[column::position][p], block[column::position + 1][p]);
+        sum += v[0] * block[column::velocity][p] +
+               v[1] * block[column::velocity + 1][p];
+      }
+    });
+    return sum;
+  };
+  const auto totals = one.totals();
+  const double start = part_of_mode();
+  double last = start, before = 0., crossing = 0.;
+  one.run(half_period, 0.5, [&]() {
+    const double now = part_of_mode();
+    if (now < 0. && crossing == 0.)
+      crossing = before + (one.time - before) * last / (last - now);
+    last = now;
+    before = one.time;
+  });
+  return {crossing > 0. ? 0.5 * half_period / crossing : 0.,
+          -last / start,
+          one.residual(totals) / totals.kinetic_energy};
+}
+} // namespace
+
+// A body of 24 particles that vibrates while it flies over 20 cells, a hundred
+// thousand steps.
+TEST(ParticleExtremes, a_hundred_thousand_steps_lose_nothing)
+{
+  TransferScheme scheme;
+  scheme.series_order = 2;
+  ParticleMaterial rubber = elastic(1e4, 0.45, 1000.);
+  rubber.is_smoothed = true;
+  ParticleCase body(slab_of(28, 16), scheme, {rubber}, MPI_COMM_SELF);
+  const double speed =
+    1e-3 * body.step.materials()[0].solid()->dilatational_speed();
+  body.fill(
+    [](const auto &x) {
+      return std::abs(x[0] - 3.5) < 1.5 && std::abs(x[1] - 3.) < 1. ? 0 : -1;
+    },
+    [&](const auto &x) {
+      return dealii::Tensor<1, 3>({speed * (1. + 0.5 * std::sin(2. * x[0])),
+                                   speed * (0.5 + 0.5 * std::sin(2. * x[1])),
+                                   0.});
+    },
+    {{2, 2, 1}});
+  ASSERT_EQ(body.particles.size(), 24u);
+  const auto start = body.totals();
+  const double size = 0.2 * body.step.signal_time(body.grid, body.particles);
+  constexpr unsigned int n_steps = 100000;
+  for (unsigned int step = 0; step < n_steps; ++step)
+    body.step.advance(body.grid, body.particles, size, 0, nothing_outside);
+  const auto end = body.totals();
+  EXPECT_GT(n_steps * size * end.momentum[0] / end.mass, 20.);
+  EXPECT_NEAR(body.residual(start), 0., 1e-11 * start.kinetic_energy);
+  EXPECT_NEAR(end.kinetic_energy + end.stored_energy,
+              start.kinetic_energy,
+              0.022 * start.kinetic_energy);
+  for (unsigned int d = 0; d < 3; ++d)
+    EXPECT_NEAR(end.momentum[d], start.momentum[d], 1e-13 * speed * start.mass);
+  EXPECT_NEAR(end.mass, start.mass, 1e-14 * start.mass);
+}
+
+// A particle alone that starts exactly at a face, an edge or a node of cells,
+// and goes aslant or along it, keeps its velocity. Linear splines have slopes
+// there towards nodes without mass, and strain it: with them it starts beside.
+TEST(ParticleExtremes, a_particle_alone_starts_at_faces_edges_and_nodes)
+{
+  using Three = std::array<double, 3>;
+  const std::vector<Three> places{
+    {{4., 4.3, 4.6}}, {{4., 5., 4.3}}, {{4., 4., 4.}}, {{5., 6., 7.}}},
+    velocities{{{0.1, -0.03, 0.07}}, {{0.1, 0., 0.}}};
+  for (const TransferScheme &scheme : schemes_for_one())
+    for (Three x : places)
+      for (const Three &v : velocities)
+      {
+        SCOPED_TRACE(basis_names()[scheme.degree - 1] + " " +
+                     transfer_names()[static_cast<int>(scheme.transfer)] + " " +
+                     stress_update_names()[static_cast<int>(scheme.update)] +
+                     " from " + std::to_string(x[2]) + " by " +
+                     std::to_string(v[2]));
+        if (scheme.degree == 1)
+          for (double &component : x)
+            component += 1e-6 * std::sqrt(2.);
+        ParticleCase one = lone_particle(scheme, x, v);
+        for (unsigned int step = 0; step < 60; ++step)
+          one.step.advance(one.grid, one.particles, 0.1, 0, nothing_outside);
+        ASSERT_EQ(one.particles.size(), 1u);
+        one.particles.for_each_block([&](unsigned int,
+                                         const ParticleBlock &now) {
+          for (unsigned int d = 0; d < 3; ++d)
+          {
+            EXPECT_NEAR(now[column::position + d][0], x[d] + 6. * v[d], 1e-12);
+            EXPECT_NEAR(now[column::velocity + d][0], v[d], 1e-14);
+          }
+        });
+      }
+}
+
+// A gel that is a million times as stiff in volume as in shear, with six cells
+// in half a wave: it swings as shear has it, where its pressure is smoothed;
+// else it locks, linear splines most.
+TEST(ParticleExtremes, gels_swing_with_shear_alone_where_smoothed)
+{
+  TransferScheme scheme;
+  scheme.series_order = 2;
+  for (scheme.degree = 1; scheme.degree <= 3; ++scheme.degree)
+    for (const bool is_smoothed : {true, false})
+    {
+      const Swing swing = swing_of_gel(scheme, 1e6, is_smoothed, 6);
+      SCOPED_TRACE(basis_names()[scheme.degree - 1] +
+                   (is_smoothed ? " smoothed" : ""));
+      EXPECT_NEAR(swing.residual, 0., 1e-13);
+      if (scheme.degree == 1)
+        EXPECT_GT(swing.frequency, is_smoothed ? 1.4 : 80.);
+      else if (is_smoothed)
+      {
+        EXPECT_NEAR(swing.frequency, 1., 0.031);
+        EXPECT_GT(swing.returned, 0.995);
+      }
+      else
+        EXPECT_GT(swing.frequency, scheme.degree == 2 ? 2.3 : 1.2);
+    }
+}
