@@ -46,10 +46,13 @@ namespace
                                        const WindowPlace &place)
   {
     std::array<SplineWeights, 3> axis;
+    // Round-off may put what is on the tile's lower sides outside.
     for (unsigned int d = 0; d < 3; ++d)
-      axis[d] = weights(degree,
-                        (particles[column::position + d][p] - place.lower[d]) /
-                          place.cell_size);
+      axis[d] =
+        weights(degree,
+                std::max(0.,
+                         (particles[column::position + d][p] - place.lower[d]) /
+                           place.cell_size));
     return axis;
   }
 

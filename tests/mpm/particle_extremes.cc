@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/mpm/contact_kernels.h>
+
 #include "particle_case.h"
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 using namespace contrecoup;
 using namespace contrecoup::mpm;
@@ -228,4 +232,34 @@ TEST(ParticleExtremes, gels_swing_with_shear_alone_where_smoothed)
       else
         EXPECT_GT(swing.frequency, scheme.degree == 2 ? 2.3 : 1.2);
     }
+}
+
+// Round-off puts a particle that is in a corner of its tile outside of it: it
+// is where the corner is for velocity fields, too.
+TEST(ParticleExtremes, surfaces_of_particles_in_corners_of_tiles)
+{
+  const WindowPlace corner{{{0.08, 0.08, 0.08}}, 0.02};
+  const auto surfaces = [&](const unsigned int degree, const double x) {
+    ParticleBlock block;
+    const std::size_t p = block.append();
+    for (unsigned int d = 0; d < 3; ++d)
+      block[column::position + d][p] = x;
+    block[column::mass][p] = block[column::volume][p] = 1.;
+    std::vector<double> normals(3 * window_stride, 0.),
+      extents(window_stride, -1.);
+    std::fill_n(normals.begin(), window_stride, 1.);
+    raise_extents(
+      degree, block, corner, 1., {0.005, 1.}, normals.data(), extents.data());
+    return extents;
+  };
+  for (unsigned int degree = 1; degree <= 3; ++degree)
+  {
+    SCOPED_TRACE(degree);
+    const auto at = surfaces(degree, 0.08),
+               before = surfaces(degree, std::nextafter(0.08, 0.));
+    double largest = 0.;
+    for (unsigned int node = 0; node < window_stride; ++node)
+      largest = std::max(largest, std::abs(at[node] - before[node]));
+    EXPECT_LT(largest, 1e-16);
+  }
 }
