@@ -31,6 +31,10 @@ namespace
            (source.coarse != nullptr && reaches(*source.coarse, marks));
   }
 
+  /// Where three fields meet, one pair after the other is pushed this often:
+  /// the last would undo what the first reached, which can give energy.
+  constexpr unsigned int n_sweeps = 4;
+
   bool is_shared(const double mass_a, const double mass_b)
   {
     return std::min(mass_a, mass_b) > least_part * (mass_a + mass_b);
@@ -278,13 +282,23 @@ double FieldContact::apply(const std::vector<NodeValues *> &velocities,
                            const std::size_t n_own_nodes) const
 {
   double sum = 0.;
-  for (const Pair &pair : pairs_)
-    for (std::uint32_t n = 0; n < n_own_nodes; ++n)
-      sum += push(pair,
-                  n,
-                  *velocities[pair.fields[0]],
-                  *velocities[pair.fields[1]],
-                  first);
+  for (std::uint32_t n = 0; n < n_own_nodes; ++n)
+  {
+    const auto n_met =
+      std::count_if(pairs_.begin(), pairs_.end(), [&](const Pair &pair) {
+        return pair.normals[0][n] != 0. || pair.normals[1][n] != 0. ||
+               pair.normals[2][n] != 0.;
+      });
+    if (n_met == 0)
+      continue;
+    for (unsigned int sweep = 0; sweep < (n_met > 1 ? n_sweeps : 1); ++sweep)
+      for (const Pair &pair : pairs_)
+        sum += push(pair,
+                    n,
+                    *velocities[pair.fields[0]],
+                    *velocities[pair.fields[1]],
+                    first);
+  }
   return sum;
 }
 } // namespace contrecoup::mpm
