@@ -75,12 +75,14 @@ std::array<dealii::Point<3>, 2> MeshDescription::corners() const
 }
 
 
-double MeshDescription::thinnest_layer() const
+std::pair<double, double> MeshDescription::thinnest_layer() const
 {
   const auto &axes = head_.semi_axes();
-  double thinnest = std::numeric_limits<double>::max();
+  std::pair<double, double> thinnest(std::numeric_limits<double>::max(), 0.);
   for (std::size_t i = 1; i < axes.size(); ++i)
-    thinnest = std::min(thinnest, axes[i][0] - axes[i - 1][0]);
+    thinnest = std::min(
+      thinnest,
+      {axes[i][0] - axes[i - 1][0], 0.5 * (axes[i][0] + axes[i - 1][0])});
   return thinnest;
 }
 

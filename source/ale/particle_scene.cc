@@ -40,6 +40,20 @@ namespace
                  "Along x, y and z; 2 each make 8 of a full cell.");
     declare_selection(
       prm, "Basis", "cubic", mpm::basis_names(), "B-splines of the grid.");
+    declare_string(prm,
+                   "Fine regions",
+                   "",
+                   "Names of regions with commas between them: where they are "
+                   "at the start, cells are halved for the whole run, in "
+                   "blocks of 2 x 2 x 2. Empty: nowhere.");
+    declare_double(prm,
+                   "Fine margin",
+                   "1",
+                   0.,
+                   100.,
+                   "-",
+                   "How far from these regions cells are halved, too, in whole "
+                   "cells.");
   }
 
   void declare_scheme(ParameterHandler &prm)
@@ -156,6 +170,12 @@ void ParticleScene::parse_parameters(ParameterHandler &prm)
   const Section section(prm, "MPM");
   cell_size_ = read_double(prm, "Cell size");
   scheme_.degree = mpm::find_basis(prm.get("Basis"));
+  fine_regions_ = split(prm.get("Fine regions"), ',');
+  fine_margin_ = read_double(prm, "Fine margin");
+  if (!fine_regions_.empty() && scheme_.degree == 2)
+    throw InputError(
+      "MPM/Fine regions needs MPM/Basis = linear or cubic: quadratic splines "
+      "of halved cells do not make those of whole ones");
   scheme_.transfer = mpm::find_transfer(prm.get("Transfer"));
   scheme_.update = mpm::find_stress_update(prm.get("Update"));
   scheme_.series_order = read_unsigned(prm, "Series order");
@@ -243,6 +263,47 @@ void ParticleScene::make_source(const MeshDescription &mesh,
 }
 
 
+void ParticleScene::halve_cells()
+{
+  box_.halving = mpm::Halving();
+  box_.halving.degree = scheme_.degree;
+  std::vector<std::string> names;
+  for (const mpm::ParticleMaterial &material : materials_)
+    names.push_back(material.name);
+  std::vector<bool> is_fine(names.size(), false);
+  for (const std::string &name : fine_regions_)
+  {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+      throw InputError("MPM/Fine regions: there is no region \"" + name + "\"" +
+                       suggestion(name, names));
+    is_fine[found - names.begin()] = true;
+  }
+  if (fine_regions_.empty())
+    return;
+  // One sample of a halved cell along each direction.
+  box_.halving.blocks = [source = source_,
+                         is_fine,
+                         spacing = 0.5 * cell_size_,
+                         margin = fine_margin_ * cell_size_](
+                          const dealii::Point<3> &lower, const double edge) {
+    return mpm::reaches_material(source, is_fine, lower, edge, margin, spacing);
+  };
+}
+
+
+double ParticleScene::cell_size_at(const dealii::Point<3> &place) const
+{
+  if (!box_.halving.blocks)
+    return cell_size_;
+  const double edge = mpm::TileLevels::block_edge * cell_size_;
+  dealii::Point<3> lower = box_.lower;
+  for (unsigned int d = 0; d < 3; ++d)
+    lower[d] += edge * std::floor((place[d] - lower[d]) / edge);
+  return box_.halving.blocks(lower, edge) ? 0.5 * cell_size_ : cell_size_;
+}
+
+
 void ParticleScene::make_box(const MeshDescription &mesh,
                              const double largest_speed,
                              const double end_time)
@@ -280,6 +341,7 @@ void ParticleScene::reinit(const MeshDescription &mesh,
   make_box(mesh, regions.largest_components().norm(), end_time);
   make_materials(regions);
   make_source(mesh, regions);
+  halve_cells();
   walls_.clear();
   for (const ContactPlane &plane : planes.planes())
     walls_.push_back({plane.name, plane.point, plane.normal, plane.friction});
@@ -292,7 +354,7 @@ double ParticleScene::n_particles() const
 {
   // Of a coarse lattice over the box.
   constexpr unsigned int n = 24;
-  unsigned int count = 0;
+  double count = 0.;
   for (unsigned int i = 0; i < n * n * n; ++i)
   {
     const unsigned int at[] = {i % n, i / n % n, i / (n * n)};
@@ -300,9 +362,9 @@ double ParticleScene::n_particles() const
     for (unsigned int d = 0; d < 3; ++d)
       place[d] += (at[d] + 0.5) / n * box_.n_cells[d] * box_.cell_size;
     if (source_.material_at(place) != mpm::ParticleSource::none)
-      ++count;
+      count += std::pow(cell_size_ / cell_size_at(place), 3);
   }
-  double particles = 1. * count / (n * n * n);
+  double particles = count / (n * n * n);
   for (unsigned int d = 0; d < 3; ++d)
     particles *= 1. * box_.n_cells[d] * source_.per_cell[d];
   return particles;

@@ -86,7 +86,8 @@ CostEstimate ParticleSimulation::estimate()
     speed =
       std::max(speed, std::sqrt(regions_.matter_at({}, m).sound_speed_squared));
   speed += regions_.fastest_velocity().norm();
-  cost.steps = std::ceil(end_time_ * speed / (courant_ * scene_.cell_size()));
+  cost.steps =
+    std::ceil(end_time_ * speed / (courant_ * scene_.smallest_cell_size()));
   cost.seconds = cost.steps * cost.cells / typical_speed /
                  mpi::n_mpi_processes(communicator_);
   return cost;
@@ -400,11 +401,12 @@ Assumption ParticleSimulation::layer_resolution() const
   // Between fields that slip, two cells; else splines reach across.
   constexpr double least_of_one_field = 4., least_of_several = 2.;
   const bool is_one = scene_.field_contact().n_fields() < 2;
+  const auto [thickness, middle] = mesh_.thinnest_layer();
   return {"layers",
           is_one ? "one velocity for all" : "a velocity for each region",
           "cells of the grid across the thinnest layer",
           "-",
-          mesh_.thinnest_layer() / scene_.cell_size(),
+          thickness / scene_.cell_size_at({middle, 0., 0.}),
           is_one ? least_of_one_field : least_of_several,
           true,
           "MPM/Cell size"};

@@ -49,6 +49,13 @@ namespace
     return std::bitset<8>(mirrored & parity).count() % 2 == 1 ? -1. : 1.;
   }
 
+  /// For components of a window, zero where nothing is written.
+  void make_room(Window &window, const std::size_t n_components)
+  {
+    if (window.size() < window_stride * n_components)
+      window.resize(window_stride * n_components);
+  }
+
   /// Sets what the window of a tile at the border of levels has of level 0.
   void read_sums(const TileGrid::Source &source,
                  const NodeValues &values,
@@ -57,7 +64,7 @@ namespace
                  double *const window)
   {
     static thread_local Window coarse, sums(TileGrid::window_size);
-    coarse.resize(window_stride * parities.size());
+    make_room(coarse, parities.size());
     read_window(*source.coarse, values, first, parities, coarse.data());
     for (unsigned int c = 0; c < parities.size(); ++c)
     {
@@ -77,15 +84,14 @@ namespace
                 NodeValues &values)
   {
     static thread_local Window coarse, sums(TileGrid::window_size);
-    coarse.resize(window_stride * parities.size());
-    coarse.fill(0.);
+    make_room(coarse, parities.size());
     for (unsigned int c = 0; c < parities.size(); ++c)
     {
       for (unsigned int i = 0; i < TileGrid::window_size; ++i)
         sums[i] = source.nodes[i] == TileGrid::no_node
                     ? window[window_stride * c + i]
                     : 0.;
-      add_coarsened_window(
+      coarsen_window(
         source.degree, sums.data(), coarse.data() + window_stride * c);
     }
     add_window(*source.coarse, coarse.data(), first, parities, values);
@@ -163,10 +169,10 @@ void read_window(const TileGrid::Source &source,
   {
     const double *const from = values[first + c].data();
     double *const to = window + window_stride * c;
-    for (unsigned int i = 0; i < TileGrid::window_size; ++i)
+    for (unsigned int i = 0; i < source.nodes.size(); ++i)
       to[i] = source.nodes[i] == TileGrid::no_node ? 0. : from[source.nodes[i]];
     if (!source.mirrored.empty())
-      for (unsigned int i = 0; i < TileGrid::window_size; ++i)
+      for (unsigned int i = 0; i < source.nodes.size(); ++i)
         to[i] *= sign(source.mirrored[i], parities[c]);
   }
   if (source.coarse != nullptr)
@@ -185,7 +191,7 @@ void add_window(const TileGrid::Source &source,
     double *const to = values[first + c].data();
     const double *const from = window + window_stride * c;
     const bool has_mirror = !source.mirrored.empty();
-    for (unsigned int i = 0; i < TileGrid::window_size; ++i)
+    for (unsigned int i = 0; i < source.nodes.size(); ++i)
       if (source.nodes[i] != TileGrid::no_node)
         to[source.nodes[i]] +=
           has_mirror ? sign(source.mirrored[i], parities[c]) * from[i]
@@ -200,7 +206,7 @@ void raise_nodes(const TileGrid::Source &source,
                  const double *const window,
                  dealii::AlignedVector<double> &values)
 {
-  for (unsigned int i = 0; i < TileGrid::window_size; ++i)
+  for (unsigned int i = 0; i < source.nodes.size(); ++i)
     if (const std::uint32_t node = source.nodes[i]; node != TileGrid::no_node)
       values[node] = std::max(values[node], window[i]);
 }

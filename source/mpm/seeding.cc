@@ -4,6 +4,7 @@
 #include <contrecoup/mpm/seeding.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -158,6 +159,31 @@ unsigned int tile_weight(const GridBox &box,
   constexpr unsigned int cells_of_window = 4;
   const unsigned int work = count + cells_of_window * materials.size();
   return std::min(1000u, 1000 * work / (n_cells + cells_of_window));
+}
+
+
+bool reaches_material(const ParticleSource &source,
+                      const std::vector<bool> &is_chosen,
+                      const dealii::Point<3> &lower,
+                      const double edge,
+                      const double margin,
+                      const double spacing)
+{
+  const double width = edge + 2. * margin;
+  const unsigned int n = std::lround(std::ceil(width / spacing - 1e-9));
+  for (unsigned int k = 0; k < n; ++k)
+    for (unsigned int j = 0; j < n; ++j)
+      for (unsigned int i = 0; i < n; ++i)
+      {
+        const double at[] = {i + 0.5, j + 0.5, k + 0.5};
+        dealii::Point<3> place = lower;
+        for (unsigned int d = 0; d < 3; ++d)
+          place[d] += width * at[d] / n - margin;
+        const int material = source.material_at(place);
+        if (material != ParticleSource::none && is_chosen[material])
+          return true;
+      }
+  return false;
 }
 
 

@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/mpm/tile_grid.h>
+#include <contrecoup/mpm/two_scale.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/distributed/tria.h>
@@ -315,6 +316,7 @@ TileGrid::Source TileGrid::make_source(const TileId tile,
     for (int &i : coarse.origin)
       i /= 2;
     make_window(coarse);
+    coarse.nodes.resize(two_scale_nodes * window_edge * window_edge);
     source.coarse = std::make_shared<const Source>(std::move(coarse));
   }
   return source;

@@ -10,64 +10,76 @@ namespace contrecoup::mpm
 {
 namespace
 {
-  constexpr int edge = TileGrid::window_edge;
+  constexpr int edge = TileGrid::window_edge, plane = edge * edge;
 
   /// Nodes of level 1 of a window along an edge, the first of which is in the
-  /// middle of two of level 0, and the last node of level 0 that they need.
-  constexpr int n_fine = 7, n_coarse = 5;
+  /// middle of two of level 0.
+  constexpr int n_fine = 7, n_coarse = two_scale_nodes;
 
-  /// Of nodes of level 0 from the first that a node of level 1 needs.
+  /// Weights of a node of level 0 for that of level 1 at its place, and for
+  /// those a whole cell from it.
   struct Weights
   {
-    int n;
-    double weight[3];
+    double at, beside;
   };
 
-  /// Of nodes in the middle of two of level 0, and of those at one.
-  const Weights &weights(const unsigned int degree, const int node)
+  Weights weights(const unsigned int degree)
   {
-    static constexpr Weights middle{2, {0.5, 0.5, 0.}}, linear{3, {0., 1., 0.}},
-      cubic{3, {0.125, 0.75, 0.125}};
-    return node % 2 == 0 ? middle : degree == 1 ? linear : cubic;
+    return degree == 1 ? Weights{1., 0.} : Weights{0.75, 0.125};
   }
 
-  /// Calls @p work(first value, first value, weights) for each node of level 1
-  /// along lines: their nodes are @p stride apart.
-  template <typename Work>
-  void for_each_term(const unsigned int degree,
+  /// Sets node @p i of level 1 of lines that follow one another from their
+  /// nodes of level 0, which are @p stride apart.
+  inline void refine(const Weights &w,
+                     const int i,
                      const int stride,
-                     const int n_a,
-                     const int stride_a,
-                     const int n_b,
-                     const int stride_b,
-                     const Work &work)
+                     const int n_lines,
+                     const double *const coarse,
+                     double *const fine)
   {
-    for (int b = 0; b < n_b; ++b)
-      for (int a = 0; a < n_a; ++a)
-        for (int i = 0; i < n_fine; ++i)
-        {
-          const int line = a * stride_a + b * stride_b;
-          const Weights &w = weights(degree, i);
-          for (int k = 0; k < w.n; ++k)
-            work(line + i * stride, line + (i / 2 + k) * stride, w.weight[k]);
-        }
+    const double *const from = coarse + i / 2 * stride;
+    double *const to = fine + i * stride;
+    if (i % 2 == 0)
+      for (int e = 0; e < n_lines; ++e)
+        to[e] = 0.5 * (from[e] + from[stride + e]);
+    else
+      for (int e = 0; e < n_lines; ++e)
+        to[e] =
+          w.at * from[stride + e] + w.beside * (from[e] + from[2 * stride + e]);
   }
 
-  /// Calls @p work(node of the finer side, node of the coarser side, weight)
-  /// for the pass along a direction: directions below it are coarse on both
-  /// sides, those above it fine.
-  template <typename Work>
-  void for_each_in_pass(const unsigned int degree,
-                        const int direction,
-                        const Work &work)
+  /// The transposed: sets node @p i of level 0 of such lines.
+  inline void coarsen(const Weights &w,
+                      const int i,
+                      const int stride,
+                      const int n_lines,
+                      const double *const fine,
+                      double *const coarse)
   {
-    constexpr int strides[] = {1, edge, edge * edge};
-    const int a = direction == 0 ? 1 : 0, b = direction == 2 ? 1 : 2;
-    const auto n = [&](const int d) {
-      return d < direction ? n_coarse : n_fine;
-    };
-    for_each_term(
-      degree, strides[direction], n(a), strides[a], n(b), strides[b], work);
+    double *const to = coarse + i * stride;
+    for (int e = 0; e < n_lines; ++e)
+      to[e] = 0.;
+    for (int j = std::max(2 * i - 3, 0); j <= std::min(2 * i + 1, n_fine - 1);
+         ++j)
+    {
+      const double weight = j % 2 == 0 ? 0.5 : j == 2 * i - 1 ? w.at : w.beside;
+      const double *const from = fine + j * stride;
+      for (int e = 0; e < n_lines; ++e)
+        to[e] += weight * from[e];
+    }
+  }
+
+  /// That of all nodes of a row along x.
+  inline void
+  coarsen_row(const Weights &w, const double *const fine, double *const coarse)
+  {
+    const double f0 = fine[0], f1 = fine[1], f2 = fine[2], f3 = fine[3],
+                 f4 = fine[4], f5 = fine[5], f6 = fine[6];
+    coarse[0] = 0.5 * f0 + w.beside * f1;
+    coarse[1] = 0.5 * (f0 + f2) + w.at * f1 + w.beside * f3;
+    coarse[2] = 0.5 * (f2 + f4) + w.at * f3 + w.beside * (f1 + f5);
+    coarse[3] = 0.5 * (f4 + f6) + w.at * f5 + w.beside * f3;
+    coarse[4] = 0.5 * f6 + w.beside * f5;
   }
 } // namespace
 
@@ -76,43 +88,53 @@ void refine_window(const unsigned int degree,
                    const double *const coarse,
                    double *const fine)
 {
-  static thread_local Window passes(3 * TileGrid::window_size);
-  passes.fill(0.);
-  const double *from = coarse;
-  for (int direction = 2; direction >= 0; --direction)
+  static thread_local Window along_z(TileGrid::window_size),
+    along_y(TileGrid::window_size);
+  const Weights w = weights(degree);
+  for (int k = 0; k < n_fine; ++k)
+    refine(w, k, plane, n_coarse * edge, coarse, along_z.data());
+  for (int k = 0; k < n_fine; ++k)
   {
-    double *const to = passes.data() + TileGrid::window_size * direction;
-    for_each_in_pass(
-      degree,
-      direction,
-      [&](const int at, const int coarse_at, const double weight) {
-        to[at] += weight * from[coarse_at];
-      });
-    from = to;
+    for (int j = 0; j < n_fine; ++j)
+      refine(w,
+             j,
+             edge,
+             edge,
+             along_z.data() + plane * k,
+             along_y.data() + plane * k);
+    for (int j = 0; j < n_fine; ++j)
+      for (int i = 0; i < n_fine; ++i)
+        refine(w,
+               i,
+               1,
+               1,
+               along_y.data() + plane * k + edge * j,
+               fine + plane * k + edge * j);
   }
-  std::copy_n(passes.data(), TileGrid::window_size, fine);
 }
 
 
-void add_coarsened_window(const unsigned int degree,
-                          const double *const fine,
-                          double *const coarse)
+void coarsen_window(const unsigned int degree,
+                    const double *const fine,
+                    double *const coarse)
 {
-  static thread_local Window passes(2 * TileGrid::window_size);
-  passes.fill(0.);
-  const double *from = fine;
-  for (int direction = 0; direction < 3; ++direction)
+  static thread_local Window along_x(TileGrid::window_size),
+    along_y(TileGrid::window_size);
+  const Weights w = weights(degree);
+  for (int k = 0; k < n_fine; ++k)
   {
-    double *const to = direction == 2
-                         ? coarse
-                         : passes.data() + TileGrid::window_size * direction;
-    for_each_in_pass(
-      degree,
-      direction,
-      [&](const int at, const int coarse_at, const double weight) {
-        to[coarse_at] += weight * from[at];
-      });
-    from = to;
+    for (int j = 0; j < n_fine; ++j)
+      coarsen_row(
+        w, fine + plane * k + edge * j, along_x.data() + plane * k + edge * j);
+    for (int j = 0; j < n_coarse; ++j)
+      coarsen(w,
+              j,
+              edge,
+              edge,
+              along_x.data() + plane * k,
+              along_y.data() + plane * k);
   }
+  for (int k = 0; k < n_coarse; ++k)
+    coarsen(w, k, plane, n_coarse * edge, along_y.data(), coarse);
 }
 } // namespace contrecoup::mpm

@@ -101,8 +101,9 @@ public:
   /// Which of them hold what touches them.
   std::array<bool, 6> clamped_sides() const;
 
-  /// Of the layers around the brain of a layered head [m].
-  double thinnest_layer() const;
+  /// Thickness of the thinnest layer around the brain of a layered head, and
+  /// how far its middle along x is from the centre [m].
+  std::pair<double, double> thinnest_layer() const;
 
   /// Of the rigid sphere around a half ball; 0: there is none [m].
   double sphere_radius() const

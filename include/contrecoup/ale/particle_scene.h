@@ -14,6 +14,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace contrecoup::ale
@@ -80,10 +81,17 @@ public:
   /// From particles to their faces in full cells, along the shortest [m].
   double half_spacing() const;
 
+  /// Of whole cells [m].
   double cell_size() const
   {
     return cell_size_;
   }
+  double smallest_cell_size() const
+  {
+    return fine_regions_.empty() ? cell_size_ : 0.5 * cell_size_;
+  }
+  /// Of the cells at a place in the box [m].
+  double cell_size_at(const dealii::Point<3> &place) const;
 
   /// About the number of particles [-].
   double n_particles() const;
@@ -92,11 +100,14 @@ private:
   void make_materials(const RegionDescriptions &regions);
   void make_source(const MeshDescription &mesh,
                    const RegionDescriptions &regions);
+  void halve_cells();
   void make_box(const MeshDescription &mesh,
                 const double largest_speed,
                 const double end_time);
 
   double cell_size_ = 0.;
+  std::vector<std::string> fine_regions_;
+  double fine_margin_ = 0.; ///< cells
   mpm::TransferScheme scheme_;
   std::string smoothing_;
   std::string fields_;

@@ -39,6 +39,18 @@ unsigned int tile_weight(const GridBox &box,
                          const dealii::Point<3> &lower);
 
 /**
+ * Whether one of some materials is within a margin of a cube, by samples.
+ * @param is_chosen by material
+ * @param margin,spacing of the samples [m]
+ */
+bool reaches_material(const ParticleSource &source,
+                      const std::vector<bool> &is_chosen,
+                      const dealii::Point<3> &lower,
+                      const double edge,
+                      const double margin,
+                      const double spacing);
+
+/**
  * Fills the tiles of this rank: every cell is cut into per_cell equal boxes,
  * and each of its materials gets a particle in their centre of mass there, with
  * their part of the volume. Boxes whose corners differ are sampled at 8^3

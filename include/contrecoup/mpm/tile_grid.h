@@ -64,7 +64,7 @@ public:
     /// a side that holds matter; empty: none is.
     std::vector<std::uint8_t> mirrored;
     /// Of a tile of level 1 whose other nodes are sums of those of level 0:
-    /// the window of level 0 at the same place.
+    /// the window of level 0 at the same place, its first planes of nodes.
     std::shared_ptr<const Source> coarse;
     unsigned int degree; ///< of the splines that are summed
   };

@@ -15,14 +15,18 @@
 
 namespace contrecoup::mpm
 {
+/// Nodes of level 0 along an edge, from the window's first one, that a window
+/// of level 1 needs.
+constexpr int two_scale_nodes = 5;
+
 /// Sets the nodes of a window of level 1 to what splines of level 0 are there.
 /// @param degree 1 or 3
 void refine_window(const unsigned int degree,
                    const double *coarse,
                    double *fine);
 
-/// The transposed: adds what nodes of level 1 have to those of level 0.
-void add_coarsened_window(const unsigned int degree,
-                          const double *fine,
-                          double *coarse);
+/// The transposed: sets those nodes of level 0.
+void coarsen_window(const unsigned int degree,
+                    const double *fine,
+                    double *coarse);
 } // namespace contrecoup::mpm
