@@ -223,6 +223,8 @@ void ParticleScene::make_materials(const RegionDescriptions &regions)
     material.quadratic_viscosity = region.viscosity.quadratic;
     material.is_smoothed =
       smoothing_ == "all" || (smoothing_ != "none" && locks(region));
+    // What may part has a pressure of its own.
+    material.smoothing_group = regions_part() ? materials_.size() : 0;
     material.field = fields_ == "one" ? 0 : materials_.size();
     materials_.push_back(material);
   }

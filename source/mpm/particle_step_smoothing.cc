@@ -15,7 +15,6 @@ void ParticleStep::deposit_smoothed(const TileGrid &grid,
 {
   Window window(2 * window_stride);
   std::vector<double> weight, value;
-  sums.clear(grid);
   for (const Tile &tile : tiles(grid.linear_sources(), particles, {m}))
   {
     const ParticleBlock &block = (*tile.second)[m];
@@ -45,33 +44,46 @@ void ParticleStep::smooth(const TileGrid &grid,
                           Particles &particles,
                           const bool is_pressure) const
 {
-  std::map<unsigned int, NodeValues> sums; // by material
+  std::map<unsigned int, NodeValues> sums; // by group
   for (unsigned int m = 0; m < materials_.size(); ++m)
     if (materials_[m].is_smoothed)
     {
-      sums.emplace(m, 2);
-      deposit_smoothed(grid, particles, m, is_pressure, sums.at(m));
+      const auto group = sums.emplace(materials_[m].smoothing_group, 2);
+      NodeValues &values = group.first->second;
+      if (group.second)
+        values.clear(grid);
+      deposit_smoothed(grid, particles, m, is_pressure, values);
     }
-  for (auto &one : sums)
-    one.second.add_copies(grid);
-  for (auto &one : sums)
+  for (auto &group : sums)
+    group.second.add_copies(grid);
+  for (auto &group : sums)
   {
-    NodeValues &values = one.second;
+    NodeValues &values = group.second;
     for (std::size_t n = 0; n < grid.n_own_nodes(); ++n)
       values[1][n] = values[0][n] > 0. ? values[1][n] / values[0][n] : 0.;
     values.update_copies(grid);
   }
+  for (unsigned int m = 0; m < materials_.size(); ++m)
+    if (materials_[m].is_smoothed)
+      collect_smoothed(
+        grid, particles, m, sums.at(materials_[m].smoothing_group));
+}
+
+
+void ParticleStep::collect_smoothed(const TileGrid &grid,
+                                    Particles &particles,
+                                    const unsigned int m,
+                                    const NodeValues &values) const
+{
   Window window(window_stride);
-  for (const auto &one : sums)
-    for (const Tile &tile :
-         tiles(grid.linear_sources(), particles, {one.first}))
-    {
-      ParticleBlock &block = (*tile.second)[one.first];
-      read_window(*tile.first, one.second, 1, {0}, window.data());
-      collect_scalar(window.data(),
-                     window_place(grid, *tile.first),
-                     block,
-                     block[column::smoothed]);
-    }
+  for (const Tile &tile : tiles(grid.linear_sources(), particles, {m}))
+  {
+    ParticleBlock &block = (*tile.second)[m];
+    read_window(*tile.first, values, 1, {0}, window.data());
+    collect_scalar(window.data(),
+                   window_place(grid, *tile.first),
+                   block,
+                   block[column::smoothed]);
+  }
 }
 } // namespace contrecoup::mpm

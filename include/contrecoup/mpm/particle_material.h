@@ -20,6 +20,9 @@ struct ParticleMaterial
   SolidKinematics kinematics = SolidKinematics::finite_rotation; ///< of solids
   /// Whether volume strain and pressure are smoothed against locking.
   bool is_smoothed = false;
+  /// Materials of one group are smoothed together: their pressure is
+  /// continuous.
+  unsigned int smoothing_group = 0;
   double linear_viscosity = 0.;    ///< artificial, in compression [-]
   double quadratic_viscosity = 0.; ///< artificial, in compression [-]
   /// Number of the velocity field that the material moves with.

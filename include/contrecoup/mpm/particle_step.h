@@ -131,12 +131,18 @@ private:
                       Particles &particles,
                       const Deposit what);
   /// Volumes, and volumes times pressures or rates of dilatation, of a material
-  /// at linear splines' nodes; copies not added.
+  /// at linear splines' nodes; added to those
+  /// that are there; copies not added.
   void deposit_smoothed(const TileGrid &grid,
                         Particles &particles,
                         const unsigned int material,
                         const bool is_pressure,
                         NodeValues &sums) const;
+  /// Averages at linear splines' nodes to column::smoothed of a material.
+  void collect_smoothed(const TileGrid &grid,
+                        Particles &particles,
+                        const unsigned int material,
+                        const NodeValues &values) const;
   /// Pressures or rates of dilatation to column::smoothed.
   void smooth(const TileGrid &grid,
               Particles &particles,
