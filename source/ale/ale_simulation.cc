@@ -94,6 +94,7 @@ void AleSimulation::parse_parameters(ParameterHandler &prm)
 {
   mesh_description_.parse_parameters(prm);
   regions_.parse_parameters(prm);
+  regions_.refuse_metals();
   rezone_.parse_parameters(prm);
   heat_source_.parse_parameters(prm);
   planes_.parse_parameters(prm);

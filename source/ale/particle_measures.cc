@@ -14,15 +14,17 @@ namespace
   namespace column = mpm::column;
 
   /// Of a material: extrema, of which the first are of minus the pressure, the
-  /// pressure, the shear strain and the speed squared; and sums of mass,
-  /// momentum, void, kinetic energy.
+  /// pressure, the shear strain, the speed squared, the plastic strain and
+  /// work; and sums of mass, momentum, void, kinetic energy, plastic work.
   struct Findings
   {
     std::vector<double> most{-std::numeric_limits<double>::max(),
                              -std::numeric_limits<double>::max(),
                              0.,
+                             0.,
+                             0.,
                              0.};
-    std::vector<double> sums{0., 0., 0., 0., 0., 0.};
+    std::vector<double> sums = std::vector<double>(7, 0.);
   };
 
   void add_particle(const mpm::ParticleMaterial &material,
@@ -48,6 +50,10 @@ namespace
       found.sums[4] +=
         liquid->void_fraction(values.density) * mass / values.density;
     found.sums[5] += 0.5 * mass * square;
+    const double work = block[column::plastic_work][p];
+    found.most[4] = std::max(found.most[4], block[column::plastic_strain][p]);
+    found.most[5] = std::max(found.most[5], work);
+    found.sums[6] += block[column::volume][p] * work;
   }
 } // namespace
 
@@ -85,6 +91,13 @@ particle_measures(const std::vector<mpm::ParticleMaterial> &materials,
       result.push_back({std::string("velocity_") + "xyz"[d] + name,
                         "m/s",
                         sums[d + 1] / sums[0]});
+    if (const auto &metal = materials[m].plasticity)
+    {
+      result.push_back({"largest_plastic_strain" + name, "-", most[4]});
+      result.push_back({"plastic_work" + name, "J", sums[6]});
+      result.push_back(
+        {"largest_temperature" + name, "K", metal->temperature(most[5])});
+    }
   }
   return result;
 }

@@ -88,6 +88,7 @@ void ParticleReference::declare_parameters(ParameterHandler &prm)
       declare(name, "Of particles [m/s]");
     declare("Pressure", "In particles [Pa]");
   }
+  ParticleExtents::declare_parameters(prm);
   const Section section(prm, "Front");
   declare_string(prm, "Region", "water", "Whose front is followed.");
   declare_selection(
@@ -137,6 +138,8 @@ void ParticleReference::parse_parameters(ParameterHandler &prm)
     throw InputError("Reference/Kind = " + name + " needs Method = ale");
   if (name == "front")
     parse_front(prm);
+  if (name == "extents")
+    extents_.parse_parameters(prm);
   if (name == "rigid sphere")
   {
     const Section inner(prm, "Rigid sphere");
@@ -158,6 +161,7 @@ void ParticleReference::reinit(
   const std::vector<mpm::ParticleMaterial> &materials,
   const double half_spacing)
 {
+  extents_.reinit(materials);
   if (!front_)
     return;
   const auto found =
@@ -238,6 +242,16 @@ void ParticleReference::follow_front(const mpm::Particles &particles,
 
 
 std::vector<NamedValue>
+ParticleReference::places(const mpm::Particles &particles,
+                          const MPI_Comm communicator) const
+{
+  if (front_)
+    return {{"front", "m", record_.position}};
+  return extents_.values(particles, communicator);
+}
+
+
+std::vector<NamedValue>
 ParticleReference::errors(const std::vector<mpm::ParticleMaterial> &materials,
                           const mpm::Particles &particles,
                           const double time,
@@ -248,6 +262,8 @@ ParticleReference::errors(const std::vector<mpm::ParticleMaterial> &materials,
   if (front_ && record_.n_known > 0)
     return {{"front_mean", "m", record_.error / record_.n_known},
             {"front_largest", "m", record_.largest}};
+  if (!extents_.empty())
+    return extents_.errors(particles, communicator);
   if (!(time > 0.) || (!flow_ && !expressions_))
     return {};
   // Of displacement or density, velocity, pressure; and the volume.

@@ -216,9 +216,10 @@ void ParticleScene::make_materials(const RegionDescriptions &regions)
       material.law = *liquid;
     else
       throw InputError("Region " + region.name +
-                       "/Material: particles are tait, elastic, viscoelastic "
-                       "or a tissue; gases need Method = ale");
+                       "/Material: particles are tait, elastic, viscoelastic, "
+                       "johnson-cook or a tissue; gases need Method = ale");
     material.kinematics = region.kinematics;
+    material.plasticity = region.plasticity;
     material.linear_viscosity = region.viscosity.linear;
     material.quadratic_viscosity = region.viscosity.quadratic;
     material.is_smoothed =

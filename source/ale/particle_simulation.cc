@@ -305,8 +305,8 @@ std::vector<NamedValue> ParticleSimulation::history()
                   {{"contact_force", "N", contact_now_.force},
                    {"contact_area", "m^2", contact_now_.area},
                    {"friction_work", "J", contact_now_.friction_work}});
-  if (reference_.has_front())
-    values.push_back({"front", "m", reference_.record().position});
+  for (NamedValue &place : reference_.places(particles_, communicator_))
+    values.push_back(std::move(place));
   std::size_t region = 0;
   for (NamedValue &measure :
        particle_measures(scene_.materials(), particles_, communicator_))

@@ -45,8 +45,12 @@ namespace
 void Reference::declare_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "Reference");
-  std::vector<std::string> names{
-    "none", "rigid sphere", "fluid filled shell", "expressions", "front"};
+  std::vector<std::string> names{"none",
+                                 "rigid sphere",
+                                 "fluid filled shell",
+                                 "expressions",
+                                 "front",
+                                 "extents"};
   for (const Kind &kind : flows)
     names.push_back(kind.name);
   declare_selection(
@@ -57,8 +61,8 @@ void Reference::declare_parameters(ParameterHandler &prm)
     "Solution that the run is compared with: at the probes, of a liquid in a "
     "rigid sphere that is decelerated, or in an elastic shell that hits a wall; "
     "everywhere, of gases that meet, an implosion, a blast, vortices, a liquid "
-    "that a wall stops, or of a table. Of particles also expressions, and the "
-    "front of a region over time. Only the entries of its subsection count.");
+    "that a wall stops, or of a table. Of particles also expressions, the "
+    "front of a region over time, and how far regions reach in the end. Only the entries of its subsection count.");
   declare_double(prm,
                  "Largest radius",
                  "1e6",
@@ -97,7 +101,7 @@ void Reference::parse_parameters(ParameterHandler &prm)
     const Section shell(prm, "Fluid filled shell");
     shell_ = ShellPressures::create(prm);
   }
-  if (name == "expressions" || name == "front")
+  if (name == "expressions" || name == "front" || name == "extents")
     throw InputError("Reference/Kind = " + name + " needs Method = mpm");
   flow_ = parse_flow(prm);
 }

@@ -90,6 +90,15 @@ void RegionDescriptions::parse_parameters(ParameterHandler &prm)
 }
 
 
+void RegionDescriptions::refuse_metals() const
+{
+  for (const Description &description : descriptions_)
+    if (description.region.plasticity)
+      throw InputError("Region " + description.region.name +
+                       "/Material = johnson-cook needs Method = mpm");
+}
+
+
 std::vector<Region> RegionDescriptions::regions() const
 {
   std::vector<Region> result;

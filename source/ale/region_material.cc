@@ -18,6 +18,7 @@ namespace
                                            "jwl in air",
                                            "elastic",
                                            "viscoelastic",
+                                           "johnson-cook",
                                            "tissue"};
 
   void declare_fluid(ParameterHandler &prm)
@@ -53,9 +54,21 @@ namespace
   void declare_solid(ParameterHandler &prm)
   {
     declare_double(
-      prm, "Young modulus", "6.5e9", 1e-3, 1e15, "Pa", "E of elastic matter.");
-    declare_double(
-      prm, "Poisson ratio", "0.22", -0.9, 0.499999, "-", "Of elastic matter.");
+      prm,
+      "Young modulus",
+      "6.5e9",
+      1e-3,
+      1e15,
+      "Pa",
+      "E of elastic matter and johnson-cook; that of copper is 124e9.");
+    declare_double(prm,
+                   "Poisson ratio",
+                   "0.22",
+                   -0.9,
+                   0.499999,
+                   "-",
+                   "Of elastic matter and johnson-cook; that of copper is "
+                   "0.34.");
     declare_double(prm,
                    "Shear modulus",
                    "49e3",
@@ -93,7 +106,63 @@ namespace
                       "Kinematics",
                       "finite rotation",
                       solid_kinematics_names(),
-                      "How solids measure strains.");
+                      "How solids measure strains; johnson-cook is neo-hookean "
+                      "in any case.");
+  }
+
+  void declare_strength(ParameterHandler &prm)
+  {
+    declare_double(prm,
+                   "Yield stress",
+                   "90e6",
+                   0.,
+                   1e12,
+                   "Pa",
+                   "A of johnson-cook, (A + B e^n) (1 + C ln(max(1, e' / "
+                   "e'_0))) (1 - T*^m) of the plastic strain e, its rate and "
+                   "the temperature; the numbers are those of OFHC copper.");
+    declare_double(
+      prm, "Hardening modulus", "292e6", 0., 1e12, "Pa", "B of johnson-cook.");
+    declare_double(
+      prm, "Hardening exponent", "0.31", 0.01, 1., "-", "n of johnson-cook.");
+    declare_double(
+      prm, "Rate coefficient", "0.025", 0., 1., "-", "C of johnson-cook.");
+    declare_double(prm,
+                   "Reference rate",
+                   "1",
+                   1e-9,
+                   1e9,
+                   "1/s",
+                   "e'_0 of johnson-cook, below which rates do not count.");
+  }
+
+  void declare_softening(ParameterHandler &prm)
+  {
+    declare_double(
+      prm, "Softening exponent", "1.09", 0.01, 100., "-", "m of johnson-cook.");
+    declare_double(prm,
+                   "Melting temperature",
+                   "1356",
+                   1.,
+                   1e5,
+                   "K",
+                   "Where T* of johnson-cook is 1.");
+    declare_double(prm,
+                   "Reference temperature",
+                   "298",
+                   0.,
+                   1e5,
+                   "K",
+                   "Where T* of johnson-cook is 0; that of the start.");
+    declare_double(
+      prm, "Heat capacity", "383", 1., 1e6, "J/(kg K)", "Of johnson-cook.");
+    declare_double(prm,
+                   "Heating part",
+                   "0.9",
+                   0.,
+                   1.,
+                   "-",
+                   "Of the plastic work of johnson-cook, which warms it.");
   }
 
   void declare_viscosity(ParameterHandler &prm)
@@ -179,7 +248,7 @@ namespace
         prm.get("Tissue set"), find_tissue(prm.get("Tissue"))));
     SolidMaterial material;
     material.density = read_density(prm, name);
-    if (kind == "elastic")
+    if (kind == "elastic" || kind == "johnson-cook")
     {
       const double young = read_double(prm, "Young modulus"),
                    poisson = read_double(prm, "Poisson ratio");
@@ -196,6 +265,24 @@ namespace
     }
     material.check("Region " + name);
     return material;
+  }
+
+  JohnsonCook parse_metal(ParameterHandler &prm, const std::string &name)
+  {
+    JohnsonCook metal;
+    metal.yield_stress = read_double(prm, "Yield stress");
+    metal.hardening = read_double(prm, "Hardening modulus");
+    metal.hardening_exponent = read_double(prm, "Hardening exponent");
+    metal.rate_coefficient = read_double(prm, "Rate coefficient");
+    metal.reference_rate = read_double(prm, "Reference rate");
+    metal.softening_exponent = read_double(prm, "Softening exponent");
+    metal.melting_temperature = read_double(prm, "Melting temperature");
+    metal.reference_temperature = read_double(prm, "Reference temperature");
+    metal.heat_capacity =
+      read_density(prm, name) * read_double(prm, "Heat capacity");
+    metal.heating_part = read_double(prm, "Heating part");
+    metal.check("Region " + name);
+    return metal;
   }
 
   RegionLaw parse_law(ParameterHandler &prm, const std::string &name)
@@ -259,9 +346,12 @@ void declare_region_material(ParameterHandler &prm)
                     materials,
                     "Fluids: jwl are the products of an explosive, jwl in air "
                     "their mixture with air. Solids: elastic and viscoelastic "
-                    "have the moduli below, a tissue those of its name.");
+                    "have the moduli below, a tissue those of its name; "
+                    "johnson-cook is a metal that yields, of particles.");
   declare_fluid(prm);
   declare_solid(prm);
+  declare_strength(prm);
+  declare_softening(prm);
   declare_viscosity(prm);
   declare_selection(prm,
                     "Interface",
@@ -279,6 +369,8 @@ Region parse_region_material(ParameterHandler &prm, const std::string &name)
   Region region;
   region.name = name;
   region.law = parse_law(prm, name);
+  if (prm.get("Material") == "johnson-cook")
+    region.plasticity = parse_metal(prm, name);
   region.viscosity = {read_double(prm, "Linear viscosity"),
                       read_double(prm, "Quadratic viscosity"),
                       read_double(prm, "Hourglass coefficient")};

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/lane_math.h>
 #include <contrecoup/materials/solid_law.h>
+#include <contrecoup/mpm/particle_lanes.h>
 #include <contrecoup/mpm/particle_material.h>
+#include <contrecoup/mpm/particle_metal.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 
@@ -13,88 +14,7 @@ namespace contrecoup::mpm
 {
 namespace
 {
-  using Lane = Lanes<double>;
   constexpr unsigned int width = n_lanes<double>;
-
-  Lane load(const double *const values)
-  {
-    Lane lane;
-    lane.load(values);
-    return lane;
-  }
-
-  template <unsigned int n>
-  std::array<Lane, n> load_some(const ParticleBlock &particles,
-                                const unsigned int first,
-                                const std::size_t p)
-  {
-    std::array<Lane, n> values;
-    for (unsigned int k = 0; k < n; ++k)
-      values[k] = load(particles[first + k] + p);
-    return values;
-  }
-
-  Matrix3<Lane> load_matrix(const ParticleBlock &particles,
-                            const unsigned int first,
-                            const std::size_t p)
-  {
-    Matrix3<Lane> m;
-    for (unsigned int k = 0; k < 9; ++k)
-      m[k / 3][k % 3] = load(particles[first + k] + p);
-    return m;
-  }
-
-  /// H after a step: F grows by step L F.
-  Matrix3<Lane>
-  strained(const Matrix3<Lane> &h, const Matrix3<Lane> &rate, const double step)
-  {
-    Matrix3<Lane> result;
-    for (unsigned int i = 0; i < 3; ++i)
-      for (unsigned int j = 0; j < 3; ++j)
-        result[i][j] =
-          h[i][j] + Lane(step) * (rate[i][j] + rate[i][0] * h[0][j] +
-                                  rate[i][1] * h[1][j] + rate[i][2] * h[2][j]);
-    return result;
-  }
-
-  /// Artificial pressure against compression [Pa].
-  Lane viscous_pressure(const ParticleMaterial &material,
-                        const Lane &density,
-                        const Lane &sound_speed,
-                        const Lane &rate,
-                        const double cell_size)
-  {
-    const Lane inwards = select_less(rate, Lane(0.), -rate, Lane(0.));
-    const Lane length(cell_size);
-    return density * length * inwards *
-           (material.linear_viscosity * sound_speed +
-            material.quadratic_viscosity * length * inwards);
-  }
-
-  /// Rate of dilatation: the smoothed one, or the trace.
-  Lane dilatation_rate(const ParticleMaterial &material,
-                       const ParticleBlock &particles,
-                       const Matrix3<Lane> &rate,
-                       const std::size_t p)
-  {
-    return material.is_smoothed ? load(particles[column::smoothed] + p)
-                                : rate[0][0] + rate[1][1] + rate[2][2];
-  }
-
-  void store_pressure(const ParticleMaterial &material,
-                      const Lane &pressure,
-                      const Lane &volume_ratio,
-                      Symmetric3<Lane> &stress,
-                      ParticleBlock &particles,
-                      const std::size_t p)
-  {
-    if (!material.is_smoothed)
-      for (unsigned int d = 0; d < 3; ++d)
-        stress[d] -= pressure * volume_ratio;
-    pressure.store(particles[column::pressure] + p);
-    for (unsigned int k = 0; k < 6; ++k)
-      stress[k].store(particles[column::stress + k] + p);
-  }
 
   void strain_fluid(const ParticleMaterial &material,
                     const Tait &law,
@@ -106,7 +26,7 @@ namespace
     const auto velocity_gradient = load_matrix(particles, column::rate, p);
     const Lane rate =
       dilatation_rate(material, particles, velocity_gradient, p);
-    Lane dilatation = load(particles[column::dilatation] + p);
+    Lane dilatation = load_lane(particles[column::dilatation] + p);
     dilatation += (Lane(1.) + dilatation) * rate * step;
     dilatation.store(particles[column::dilatation] + p);
     const Lane ratio = Lane(1.) + dilatation;
@@ -167,17 +87,11 @@ namespace
     const auto velocity_gradient = load_matrix(particles, column::rate, p);
     const Lane rate =
       dilatation_rate(material, particles, velocity_gradient, p);
-    const Matrix3<Lane> h = strained(
-      load_matrix(particles, column::gradient, p), velocity_gradient, step);
-    for (unsigned int k = 0; k < 9; ++k)
-      h[k / 3][k % 3].store(particles[column::gradient + k] + p);
+    const auto h = strain_gradient(velocity_gradient, step, particles, p);
     const Matrix3<Lane> cofactors = cofactor(h);
     const SolidStrain<Lane> strain = solid_strain<kinematics>(h, cofactors);
-    Lane dilatation = load(particles[column::dilatation] + p);
-    dilatation = material.is_smoothed
-                   ? dilatation + (Lane(1.) + dilatation) * rate * step
-                   : strain.dilatation;
-    dilatation.store(particles[column::dilatation] + p);
+    const Lane dilatation =
+      strain_volume(material, rate, strain.dilatation, step, particles, p);
     Symmetric3<Lane> shear;
     for (unsigned int k = 0; k < 6; ++k)
       shear[k] = law.twice_shear * strain.measure[k];
@@ -185,11 +99,9 @@ namespace
     {
       auto relaxed = load_some<6>(particles, column::relaxed, p);
       relaxed = relax(relaxed, strain.measure, law.decay_after);
+      store_some(relaxed, column::relaxed, particles, p);
       for (unsigned int k = 0; k < 6; ++k)
-      {
-        relaxed[k].store(particles[column::relaxed + k] + p);
         shear[k] -= law.twice_relaxing * relaxed[k];
-      }
     }
     const Lane ratio = Lane(1.) + dilatation;
     Lane pressure = -volumetric_stress(law, dilatation);
@@ -260,6 +172,11 @@ void strain_particles(const ParticleMaterial &material,
       strain_fluid(material, *fluid, step, cell_size, particles, p);
     return;
   }
+  if (material.plasticity)
+  {
+    strain_metals(material, step, cell_size, particles);
+    return;
+  }
   const SolidMaterial &solid = *material.solid();
   const auto law = lane_law(solid, step);
   with_kinematics(material.kinematics, [&](const auto kinematics) {
@@ -284,6 +201,8 @@ double stored_energy(const ParticleMaterial &material,
       const double ratio = 1. + particles[column::dilatation][p];
       sum += volume * law.density() * law.stored_energy(law.density() / ratio);
     }
+    else if (material.plasticity)
+      sum += volume * metal_energy(*solid, particles, p);
     else
       sum += volume *
              with_kinematics(material.kinematics, [&](const auto kinematics) {

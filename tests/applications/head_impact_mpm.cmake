@@ -47,6 +47,30 @@ contrecoup_add_application_test(generalised_vortex bounds,convergence
   VARY "MPM/Cell size=0.125|0.0625" ERROR errors.displacement_L1 ORDER 1.9
   LABELS verification)
 
+# Crushed bars of metal. The numbers of 1983 are those of copper that was pulled and
+# twisted; they leave bars too long, whatever the cells.
+contrecoup_add_application_test(hardening_bar bounds
+  FILE ${_folder}/hardening_bar.prm SET "Output/Fields=false"
+  BOUNDS ${_ledger} "errors.extent_length < 1.86e-3" "errors.extent_foot < 0.0237"
+  "assumptions.transfer_loss < 0.0185" "history.plastic_work_bar > 58.2"
+  LABELS verification)
+contrecoup_add_application_test(taylor_bar bounds
+  FILE ${_folder}/taylor_bar.prm SET "Output/Fields=false"
+  BOUNDS ${_ledger} "errors.extent_length < 0.0139" "errors.extent_foot < 0.0491"
+  "errors.extent_middle < 0.005" "history.plastic_work_bar > 45"
+  LABELS verification)
+contrecoup_add_application_test(taylor_bar_of_1983 bounds,ranks,resume
+  FILE ${_folder}/taylor_bar.prm SET "Output/Fields=false" "MPM/Cell size=0.00127"
+  "Region bar/Density=8960" "Region bar/Young modulus=124e9"
+  "Region bar/Poisson ratio=0.34" "Region bar/Yield stress=90e6"
+  "Region bar/Hardening modulus=292e6" "Region bar/Hardening exponent=0.31"
+  "Region bar/Rate coefficient=0.025" "Region bar/Heating part=0.9"
+  BOUNDS ${_ledger} "errors.extent_length < 0.0717" "errors.extent_foot < 0.0441"
+  "errors.extent_middle < 0.0661" "history.largest_temperature_bar > 500"
+  "history.largest_temperature_bar < 510"
+  COMPARE history.csv STOP_AFTER 500
+  TOLERANCE 1e-12 "energy_residual*=1e-11 absolute" LABELS verification)
+
 # One particle a cell, and water that is drawn off a wall until it cavitates.
 contrecoup_add_application_test(vibrating_bar_one_particle bounds
   FILE ${_folder}/vibrating_bar.prm SET "Output/Fields=false"
@@ -96,3 +120,18 @@ contrecoup_add_application_test(clamped_refuses_ale refusal
 contrecoup_add_application_test(clamped_refuses_spheres refusal
   FILE ${_folder}/fluid_in_rigid_sphere.prm SET "Method=mpm" "Side sphere/Kind=clamped"
   MESSAGE "Side sphere/Kind = clamped: planes hold matter")
+contrecoup_add_application_test(metals_refuse_ale refusal
+  FILE ${_folder}/taylor_bar.prm SET "Method=ale"
+  MESSAGE "Region bar/Material = johnson-cook needs Method = mpm")
+contrecoup_add_application_test(metals_refuse_to_melt refusal
+  FILE ${_folder}/taylor_bar.prm SET "Region bar/Melting temperature=273"
+  MESSAGE "Region bar: Melting temperature = 273 K must be above Reference")
+contrecoup_add_application_test(extents_refuse_region refusal
+  FILE ${_folder}/taylor_bar.prm SET "Reference/Extent foot/Region=oil"
+  MESSAGE "Reference/Extent foot/Region: there is no region oil")
+contrecoup_add_application_test(extents_refuse_none refusal
+  FILE ${_folder}/two_disks.prm SET "Reference/Kind=extents"
+  MESSAGE "Reference/Kind = extents: there is none")
+contrecoup_add_application_test(extents_refuse_ale refusal
+  FILE ${_folder}/water_hammer.prm SET "Reference/Kind=extents"
+  MESSAGE "Reference/Kind = extents needs Method = mpm")

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/ale/exact_flow.h>
+#include <contrecoup/ale/particle_extents.h>
 #include <contrecoup/ale/sphere_peaks.h>
 #include <contrecoup/base/expression.h>
 #include <contrecoup/base/simulation.h>
@@ -33,8 +34,8 @@ struct FrontRecord
 
 /**
  * What a run of particles is compared with: the entries of subsection
- * "Reference", of which it declares "Expressions" and "Front"; flows are those
- * of meshes.
+ * "Reference", of which it declares "Expressions", "Front" and "Extent *";
+ * flows are those of meshes.
  */
 class ParticleReference
 {
@@ -44,14 +45,15 @@ public:
   /// @throws InputError for a solution that particles cannot be compared with
   void parse_parameters(dealii::ParameterHandler &prm);
 
-  /// Finds the front's region. @throws InputError if there is none of its name
+  /// Finds regions by their names. @throws InputError if there is none of its
+  /// name
   void reinit(const std::vector<mpm::ParticleMaterial> &materials,
               const double half_spacing);
 
-  bool has_front() const
-  {
-    return front_.has_value();
-  }
+  /// Where the front and the far faces of extents are, for histories.
+  /// Collective.
+  std::vector<NamedValue> places(const mpm::Particles &particles,
+                                 const MPI_Comm communicator) const;
 
   /// Follows the front, and pressures at probes in a rigid sphere, after a step
   /// that ended at @p time. Collective.
@@ -64,7 +66,7 @@ public:
    * Mean absolute errors by undeformed volume: of expressions, of displacement,
    * velocity and pressure, at places at the start; of flows, of density,
    * velocity and pressure at present places; or of the front's places at the
-   * known times that have passed. Collective.
+   * known times that have passed; or relative ones of extents. Collective.
    */
   std::vector<NamedValue>
   errors(const std::vector<mpm::ParticleMaterial> &materials,
@@ -78,7 +80,7 @@ public:
     return peaks_;
   }
 
-  /// For checkpoints and histories.
+  /// For checkpoints.
   FrontRecord &record()
   {
     return record_;
@@ -111,6 +113,7 @@ private:
   std::unique_ptr<ExactFlow> flow_;
   std::optional<Expressions> expressions_;
   std::optional<Front> front_;
+  ParticleExtents extents_;
   std::unique_ptr<SpherePeaks> sphere_;
   FrontRecord record_;
   Peaks peaks_;

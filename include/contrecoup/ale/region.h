@@ -4,11 +4,13 @@
 #pragma once
 
 #include <contrecoup/materials/ideal_gas.h>
+#include <contrecoup/materials/johnson_cook.h>
 #include <contrecoup/materials/mie_grueneisen.h>
 #include <contrecoup/materials/solid_material.h>
 #include <contrecoup/materials/tait.h>
 #include <contrecoup/numerics/hex8_fluid.h>
 
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -27,6 +29,8 @@ struct Region
   /// that give a cube the energy of its shear [-].
   SolidKinematics kinematics = SolidKinematics::finite_rotation;
   double hourglass_stiffness = 1.;
+  /// Of metals, solids that yield: particles only.
+  std::optional<JohnsonCook> plasticity;
   /// Whether it slides along other regions; fluids only.
   bool slides = false;
 

@@ -28,6 +28,9 @@ public:
   /// @throws InputError for constants without a physical meaning
   void parse_parameters(dealii::ParameterHandler &prm);
 
+  /// @throws InputError for a metal, which only particles can be
+  void refuse_metals() const;
+
   /// Sets the material ids of the cells.
   /// @param layers by the material ids that they have now; may be empty
   /// @throws InputError for a cell in no region, or a region without cells

@@ -25,23 +25,25 @@ namespace column
     pressure = 18,   ///< of materials whose volume strain is smoothed [Pa]
     stress = 19,     ///< 6, Kirchhoff's, without this pressure [Pa]
     energy = 25,     ///< internal [J]
-    relaxed = 26,    ///< 6, of viscoelastic branches
+    relaxed = 26,    ///< 6, of viscoelastic branches; MetalState::elastic
     affine = 32,     ///< 9, velocity gradient of affine transfers [1/s]
     surface = 41,    ///< 3, undeformed way to the body's surface [m]
     area = 44,       ///< of the surface that belongs to the particle [m^2]
     tag = 45,        ///< number of a probe that follows it, from 1 on; 0: none
     level = 46,      ///< how often it was split [-]
     start = 47,      ///< 3, where it was at the start [m]
-    n_state = 50,    ///< what moves with a particle and is saved
+    plastic_strain = 50, ///< of metals [-]
+    plastic_work = 51,   ///< of metals, by undeformed volume [J/m^3]
+    n_state = 52,        ///< what moves with a particle and is saved
     // Within a step.
-    change = 50,    ///< 3, of the velocity [m/s]
-    way = 53,       ///< 3, of the position [m]
-    rate = 56,      ///< 9, velocity gradient by rows [1/s]
-    smoothed = 65,  ///< pressure, then rate of dilatation, after smoothing
-    mean_rate = 66, ///< 9, gradient of the mean velocity of the step [1/s]
-    force = 75,     ///< 3, from outside [N]
-    moment = 78,    ///< 6, of this force about the particle [N m]
-    n_columns = 84
+    change = 52,    ///< 3, of the velocity [m/s]
+    way = 55,       ///< 3, of the position [m]
+    rate = 58,      ///< 9, velocity gradient by rows [1/s]
+    smoothed = 67,  ///< pressure, then rate of dilatation, after smoothing
+    mean_rate = 68, ///< 9, gradient of the mean velocity of the step [1/s]
+    force = 77,     ///< 3, from outside [N]
+    moment = 80,    ///< 6, of this force about the particle [N m]
+    n_columns = 86
   };
 } // namespace column
 

@@ -3,10 +3,12 @@
 
 #pragma once
 
+#include <contrecoup/materials/johnson_cook.h>
 #include <contrecoup/materials/solid_material.h>
 #include <contrecoup/materials/tait.h>
 #include <contrecoup/mpm/particle_block.h>
 
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -18,6 +20,8 @@ struct ParticleMaterial
   std::string name;
   std::variant<Tait, SolidMaterial> law = SolidMaterial();
   SolidKinematics kinematics = SolidKinematics::finite_rotation; ///< of solids
+  /// Of metals, solids that yield; their kinematics are neo-Hookean.
+  std::optional<JohnsonCook> plasticity;
   /// Whether volume strain and pressure are smoothed against locking.
   bool is_smoothed = false;
   /// Materials of one group are smoothed together: their pressure is
@@ -40,7 +44,7 @@ struct ParticleMaterial
  * Strains the particles over a step with column::rate, or where the material
  * is smoothed with the rate of dilatation in column::smoothed, and sets
  * stresses and pressures: column::gradient, dilatation, pressure, stress,
- * relaxed.
+ * relaxed, plastic_strain, plastic_work.
  * @param step [s]; 0: stresses of the present strains
  * @param cell_size of the grid, for artificial viscosity [m]
  */

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/mpm/particle_material.h>
+
+namespace contrecoup::mpm
+{
+/// What strain_particles() does with particles of a metal.
+void strain_metals(const ParticleMaterial &material,
+                   const double step,
+                   const double cell_size,
+                   ParticleBlock &particles);
+
+/// Energy that a particle of a metal stores, by undeformed volume [J/m^3].
+double metal_energy(const SolidMaterial &solid,
+                    const ParticleBlock &particles,
+                    const std::size_t particle);
+} // namespace contrecoup::mpm
