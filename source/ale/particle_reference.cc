@@ -89,6 +89,10 @@ void ParticleReference::declare_parameters(ParameterHandler &prm)
     declare("Pressure", "In particles [Pa]");
   }
   ParticleExtents::declare_parameters(prm);
+  {
+    const Section section(prm, "Probe displacements");
+    ProbeDisplacements::declare_parameters(prm);
+  }
   const Section section(prm, "Front");
   declare_string(prm, "Region", "water", "Whose front is followed.");
   declare_selection(
@@ -145,6 +149,11 @@ void ParticleReference::parse_parameters(ParameterHandler &prm)
     const Section inner(prm, "Rigid sphere");
     sphere_ = SpherePeaks::create(prm);
   }
+  if (name == "probe displacements")
+  {
+    const Section inner(prm, "Probe displacements");
+    displacements_ = ProbeDisplacements::create(prm);
+  }
   if (name == "expressions")
   {
     const Section inner(prm, "Expressions");
@@ -159,9 +168,12 @@ void ParticleReference::parse_parameters(ParameterHandler &prm)
 
 void ParticleReference::reinit(
   const std::vector<mpm::ParticleMaterial> &materials,
-  const double half_spacing)
+  const double half_spacing,
+  const std::vector<dealii::Point<3>> &probes)
 {
   extents_.reinit(materials);
+  if (displacements_)
+    displacements_->reinit(probes);
   if (!front_)
     return;
   const auto found =
@@ -173,6 +185,18 @@ void ParticleReference::reinit(
                      front_->region);
   front_->material = static_cast<unsigned int>(found - materials.begin());
   front_->half_spacing = half_spacing;
+}
+
+
+std::vector<NamedValue>
+ParticleReference::history(const mpm::Particles &particles,
+                           const MPI_Comm communicator) const
+{
+  if (front_)
+    return {{"front", "m", record_.position}};
+  if (displacements_)
+    return displacements_->values(particles, communicator);
+  return extents_.values(particles, communicator);
 }
 
 
@@ -242,16 +266,6 @@ void ParticleReference::follow_front(const mpm::Particles &particles,
 
 
 std::vector<NamedValue>
-ParticleReference::places(const mpm::Particles &particles,
-                          const MPI_Comm communicator) const
-{
-  if (front_)
-    return {{"front", "m", record_.position}};
-  return extents_.values(particles, communicator);
-}
-
-
-std::vector<NamedValue>
 ParticleReference::errors(const std::vector<mpm::ParticleMaterial> &materials,
                           const mpm::Particles &particles,
                           const double time,
@@ -264,6 +278,8 @@ ParticleReference::errors(const std::vector<mpm::ParticleMaterial> &materials,
             {"front_largest", "m", record_.largest}};
   if (!extents_.empty())
     return extents_.errors(particles, communicator);
+  if (displacements_)
+    return displacements_->errors(particles, communicator);
   if (!(time > 0.) || (!flow_ && !expressions_))
     return {};
   // Of displacement or density, velocity, pressure; and the volume.

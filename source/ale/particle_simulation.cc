@@ -103,7 +103,7 @@ void ParticleSimulation::build_grid()
   step_ = std::make_unique<mpm::ParticleStep>(
     scene_.scheme(), scene_.materials(), scene_.field_contact());
   contact_ = mpm::WallContact(scene_.walls());
-  reference_.reinit(scene_.materials(), scene_.half_spacing());
+  reference_.reinit(scene_.materials(), scene_.half_spacing(), probe_places_);
 }
 
 
@@ -305,8 +305,8 @@ std::vector<NamedValue> ParticleSimulation::history()
                   {{"contact_force", "N", contact_now_.force},
                    {"contact_area", "m^2", contact_now_.area},
                    {"friction_work", "J", contact_now_.friction_work}});
-  for (NamedValue &place : reference_.places(particles_, communicator_))
-    values.push_back(std::move(place));
+  for (NamedValue &value : reference_.history(particles_, communicator_))
+    values.push_back(std::move(value));
   std::size_t region = 0;
   for (NamedValue &measure :
        particle_measures(scene_.materials(), particles_, communicator_))

@@ -50,7 +50,8 @@ void Reference::declare_parameters(ParameterHandler &prm)
                                  "fluid filled shell",
                                  "expressions",
                                  "front",
-                                 "extents"};
+                                 "extents",
+                                 "probe displacements"};
   for (const Kind &kind : flows)
     names.push_back(kind.name);
   declare_selection(
@@ -62,7 +63,7 @@ void Reference::declare_parameters(ParameterHandler &prm)
     "rigid sphere that is decelerated, or in an elastic shell that hits a wall; "
     "everywhere, of gases that meet, an implosion, a blast, vortices, a liquid "
     "that a wall stops, or of a table. Of particles also expressions, the "
-    "front of a region over time, and how far regions reach in the end. Only the entries of its subsection count.");
+    "front of a region over time, how far regions reach in the end, and displacements at probes. Only the entries of its subsection count.");
   declare_double(prm,
                  "Largest radius",
                  "1e6",
@@ -101,7 +102,8 @@ void Reference::parse_parameters(ParameterHandler &prm)
     const Section shell(prm, "Fluid filled shell");
     shell_ = ShellPressures::create(prm);
   }
-  if (name == "expressions" || name == "front" || name == "extents")
+  if (name == "expressions" || name == "front" || name == "extents" ||
+      name == "probe displacements")
     throw InputError("Reference/Kind = " + name + " needs Method = mpm");
   flow_ = parse_flow(prm);
 }

@@ -71,6 +71,18 @@ contrecoup_add_application_test(taylor_bar_of_1983 bounds,ranks,resume
   COMPARE history.csv STOP_AFTER 500
   TOLERANCE 1e-12 "energy_residual*=1e-11 absolute" LABELS verification)
 
+# Held at one side; of the reference's 0.27647 and 0.26391 m.
+contrecoup_add_application_test(cooks_membrane bounds
+  FILE ${_folder}/cooks_membrane.prm SET "Output/Fields=false"
+  BOUNDS ${_ledger} "errors.displacement_1 < 7.5e-3" "errors.displacement_2 < 3.9e-3"
+  LABELS verification)
+contrecoup_add_application_test(cooks_membrane_order bounds,convergence,resume
+  FILE ${_folder}/cooks_membrane.prm SET "Output/Fields=false" "MPM/Cell size=4"
+  "Mesh/Upper corner=48, 60, 8"
+  BOUNDS ${_ledger} "errors.displacement_1 < 0.019" "errors.displacement_2 < 0.0139"
+  VARY "MPM/Cell size=8|4" ERROR errors.displacement_2 ORDER 1.85
+  COMPARE history.csv STOP_AFTER 900 LABELS verification)
+
 # One particle a cell, and water that is drawn off a wall until it cavitates.
 contrecoup_add_application_test(vibrating_bar_one_particle bounds
   FILE ${_folder}/vibrating_bar.prm SET "Output/Fields=false"
@@ -135,3 +147,6 @@ contrecoup_add_application_test(extents_refuse_none refusal
 contrecoup_add_application_test(extents_refuse_ale refusal
   FILE ${_folder}/water_hammer.prm SET "Reference/Kind=extents"
   MESSAGE "Reference/Kind = extents needs Method = mpm")
+contrecoup_add_application_test(probe_displacements_refuse_lists refusal
+  FILE ${_folder}/cooks_membrane.prm SET "Reference/Probe displacements/Known=0.3"
+  MESSAGE "Reference/Probe displacements/Known has 1 numbers, and Probes/Points has 2")

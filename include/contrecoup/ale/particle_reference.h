@@ -5,6 +5,7 @@
 
 #include <contrecoup/ale/exact_flow.h>
 #include <contrecoup/ale/particle_extents.h>
+#include <contrecoup/ale/probe_displacements.h>
 #include <contrecoup/ale/sphere_peaks.h>
 #include <contrecoup/base/expression.h>
 #include <contrecoup/base/simulation.h>
@@ -34,8 +35,8 @@ struct FrontRecord
 
 /**
  * What a run of particles is compared with: the entries of subsection
- * "Reference", of which it declares "Expressions", "Front" and "Extent *";
- * flows are those of meshes.
+ * "Reference", of which it declares "Expressions", "Front", "Extent *" and
+ * "Probe displacements"; flows are those of meshes.
  */
 class ParticleReference
 {
@@ -46,14 +47,15 @@ public:
   void parse_parameters(dealii::ParameterHandler &prm);
 
   /// Finds regions by their names. @throws InputError if there is none of its
-  /// name
+  /// name, or if not as many displacements are known as there are probes
   void reinit(const std::vector<mpm::ParticleMaterial> &materials,
-              const double half_spacing);
+              const double half_spacing,
+              const std::vector<dealii::Point<3>> &probes);
 
-  /// Where the front and the far faces of extents are, for histories.
-  /// Collective.
-  std::vector<NamedValue> places(const mpm::Particles &particles,
-                                 const MPI_Comm communicator) const;
+  /// What is compared, for histories: where the front and the far faces of
+  /// extents are, displacements of probes. Collective.
+  std::vector<NamedValue> history(const mpm::Particles &particles,
+                                  const MPI_Comm communicator) const;
 
   /// Follows the front, and pressures at probes in a rigid sphere, after a step
   /// that ended at @p time. Collective.
@@ -66,7 +68,8 @@ public:
    * Mean absolute errors by undeformed volume: of expressions, of displacement,
    * velocity and pressure, at places at the start; of flows, of density,
    * velocity and pressure at present places; or of the front's places at the
-   * known times that have passed; or relative ones of extents. Collective.
+   * known times that have passed; or relative ones of extents; or of probes'
+   * displacements. Collective.
    */
   std::vector<NamedValue>
   errors(const std::vector<mpm::ParticleMaterial> &materials,
@@ -115,6 +118,7 @@ private:
   std::optional<Front> front_;
   ParticleExtents extents_;
   std::unique_ptr<SpherePeaks> sphere_;
+  std::unique_ptr<ProbeDisplacements> displacements_;
   FrontRecord record_;
   Peaks peaks_;
 };
