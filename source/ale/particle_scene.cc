@@ -192,6 +192,10 @@ void ParticleScene::parse_parameters(ParameterHandler &prm)
   resampling_.most =
     std::max<double>(read_unsigned(prm, "Merge above"),
                      3. * numbers[0] * numbers[1] * numbers[2]);
+  if (!fine_regions_.empty() && scheme_.transfer != mpm::Transfer::flip)
+    throw InputError(
+      "MPM/Fine regions needs MPM/Transfer = flip: others take from turning "
+      "matter in every step what lumped masses miss at the border of levels");
   if (scheme_.transfer == mpm::Transfer::affine && scheme_.degree == 1)
     throw InputError(
       "MPM/Transfer = apic needs MPM/Basis = quadratic or cubic");

@@ -46,6 +46,9 @@ contrecoup_add_application_test(particles_refuse_linear_apic refusal
 contrecoup_add_application_test(particles_refuse_fine_quadratic refusal
   FILE head_impact/quickstart.prm SET ${_particles} "MPM/Basis=quadratic"
   "MPM/Fine regions=skull" MESSAGE "Fine regions needs MPM/Basis = linear or cubic")
+contrecoup_add_application_test(particles_refuse_fine_apic refusal
+  FILE head_impact/quickstart.prm SET ${_particles} "MPM/Transfer=apic"
+  "MPM/Fine regions=skull" MESSAGE "Fine regions needs MPM/Transfer = flip")
 contrecoup_add_application_test(particles_refuse_fine_unknown refusal
   FILE head_impact/quickstart.prm SET ${_particles} "MPM/Fine regions=skul"
   MESSAGE "there is no region \"skul\"")

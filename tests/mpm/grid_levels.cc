@@ -188,6 +188,64 @@ TEST(GridLevels, reproduce_linear_functions)
   }
 }
 
+// Whatever the nodes have, motion and its gradient are the same on both sides
+// of the border.
+TEST(GridLevels, cubic_splines_are_smooth_at_the_border)
+{
+  TileGrid grid;
+  grid.reinit(ball_box(3), MPI_COMM_SELF, {});
+  std::mt19937 random(3);
+  std::uniform_real_distribution<> part(0., 1.);
+  Particles particles(1);
+  std::size_t n = 0;
+  for (unsigned int i = 0; i < 3000; ++i)
+  {
+    // On sides of blocks.
+    Place place(8. * part(random), 8. * part(random), 3. + 6. * part(random));
+    const unsigned int d = i % 3;
+    place[d] = 2. * std::round(0.5 * place[d]);
+    std::array<Place, 2> sides{{place, place}};
+    sides[0][d] -= 1e-10;
+    sides[1][d] += 1e-10;
+    if (sides[0][d] < 0. || grid.level_at(sides[0]) == grid.level_at(sides[1]))
+      continue;
+    for (const Place &side : sides)
+    {
+      ParticleBlock &block = particles.block(grid.tile_at(side), 0);
+      const std::size_t p = block.append();
+      for (unsigned int e = 0; e < 3; ++e)
+        block[column::position + e][p] = side[e];
+      block[column::tag][p] = n;
+    }
+    ++n;
+  }
+  ASSERT_GT(n, 100u);
+  particles.sort(grid);
+  const NodeValues motion = random_values(grid, 6);
+  std::vector<std::array<double, 12>> found(n);
+  double largest = 0.;
+  Window window(6 * window_stride);
+  for_each_tile(
+    grid.sources(), particles, [&](const auto &source, auto &block) {
+      read_window(source, motion, 0, {1, 2, 4, 1, 2, 4}, window.data());
+      collect_motion(3, 1., window.data(), window_place(grid, source), block);
+      for (std::size_t p = 0; p < block.size(); ++p)
+        for (unsigned int k = 0; k < 12; ++k)
+        {
+          const double value = k < 3 ? block[column::change + k][p]
+                                     : block[column::mean_rate + k - 3][p];
+          largest = std::max(largest, std::abs(value));
+          // One side comes with the other sign.
+          found[std::size_t(block[column::tag][p])][k] +=
+            source.level == 0 ? value : -value;
+        }
+    });
+  EXPECT_GT(largest, 0.3);
+  for (const auto &difference : found)
+    for (const double value : difference)
+      EXPECT_NEAR(value, 0., 1e-8);
+}
+
 // Mass, force along a mirror, and work of stresses and forces: what is given
 // to the nodes is what the particles have.
 TEST(GridLevels, deposits_keep_sums_and_are_adjoint)
@@ -285,105 +343,6 @@ TEST(GridLevels, smoothing_keeps_sums_and_constants)
         EXPECT_NEAR(
           block[column::smoothed][p], block[column::position + 2][p], 1e-13);
     });
-}
-
-namespace
-{
-/// A block of rubber that crosses from halved cells into whole ones, and a
-/// mirror: two materials, one smoothed. @return its particles' mass, place,
-/// velocity, sorted. Collective.
-std::vector<std::array<double, 7>> crossing_block(const TransferScheme &scheme,
-                                                  const unsigned int n_steps,
-                                                  const MPI_Comm communicator)
-{
-  GridBox box = ball_box(scheme.degree);
-  box.n_cells = {{18, 14, 14}};
-  box.reflects = {{false, false, true, false, false, false}};
-  box.halving.blocks = [](const Place &lower, const double edge) {
-    return lower[0] + edge < 8.5 && lower[2] + edge < 10.5;
-  };
-  std::vector<ParticleMaterial> materials{elastic(1e4, 0.45, 1000.),
-                                          elastic(2e4, 0.3, 800.)};
-  materials[0].is_smoothed = true;
-  ParticleCase one(box, scheme, materials, communicator);
-  one.fill(
-    [](const auto &x) {
-      const bool inside =
-        x[0] > 4. && x[0] < 11. && x[1] < 4. && x[2] > 4. && x[2] < 10.;
-      return !inside ? -1 : x[2] < 7. ? 0 : 1;
-    },
-    [](const auto &x) {
-      dealii::Tensor<1, 3> v;
-      v[0] = 0.8 + 0.2 * std::sin(0.7 * x[2]);
-      v[1] = 0.1 * std::sin(x[1]) * std::cos(0.4 * x[0]);
-      v[2] = 0.2 * std::sin(0.5 * x[1] + 0.6 * x[0]);
-      return v;
-    },
-    {{1, 1, 1}});
-  // Masses that differ sort the particles.
-  one.particles.for_each_block([](unsigned int, ParticleBlock &block) {
-    for (std::size_t p = 0; p < block.size(); ++p)
-      block[column::mass][p] *= 1. + 1e-3 * block[column::position][p] +
-                                1e-5 * block[column::position + 1][p] +
-                                1e-7 * block[column::position + 2][p];
-  });
-  const auto start = one.totals();
-  const double size = 0.3 * one.step.signal_time(one.grid, one.particles);
-  for (unsigned int step = 0; step < n_steps; ++step)
-    one.step.advance(
-      one.grid, one.particles, size, 0, [](unsigned int, ParticleBlock &) {});
-  const auto end = one.totals();
-  EXPECT_NEAR(one.residual(start), 0., 1e-12 * start.kinetic_energy);
-  EXPECT_NEAR(end.mass, start.mass, 1e-14 * start.mass);
-  for (const unsigned int d : {0u, 2u})
-    EXPECT_NEAR(end.momentum[d], start.momentum[d], 1e-12 * start.mass);
-  EXPECT_GT(end.stored_energy, 1e-4 * start.kinetic_energy);
-  EXPECT_LT(end.kinetic_energy + end.stored_energy,
-            1.02 * start.kinetic_energy);
-  std::vector<std::array<double, 7>> own, all;
-  one.particles.for_each_block([&](unsigned int, const ParticleBlock &block) {
-    for (std::size_t p = 0; p < block.size(); ++p)
-    {
-      auto &state = own.emplace_back();
-      state[0] = block[column::mass][p];
-      for (unsigned int c = 0; c < 6; ++c)
-        state[1 + c] = block[column::position + c][p];
-    }
-  });
-  for (const auto &from : dealii::Utilities::MPI::all_gather(communicator, own))
-    all.insert(all.end(), from.begin(), from.end());
-  std::sort(all.begin(), all.end());
-  return all;
-}
-} // namespace
-
-// Whatever the scheme, over 300 steps in which cells of matter go from halved
-// cells into whole ones.
-TEST(GridLevels, energies_and_momenta_are_kept_across_the_border)
-{
-  for (const auto transfer :
-       {Transfer::pic, Transfer::flip, Transfer::affine, Transfer::fmpm})
-    for (const auto update :
-         {StressUpdate::first, StressUpdate::last, StressUpdate::modified_last})
-    {
-      SCOPED_TRACE(transfer_names()[static_cast<int>(transfer)] + " " +
-                   stress_update_names()[static_cast<int>(update)]);
-      crossing_block({3, transfer, update, 2}, 300, MPI_COMM_SELF);
-    }
-}
-
-TEST(GridLevels, results_do_not_depend_on_ranks)
-{
-  const TransferScheme scheme{
-    3, Transfer::flip, StressUpdate::modified_last, 2};
-  const auto alone = crossing_block(scheme, 60, MPI_COMM_SELF),
-             shared = crossing_block(scheme, 60, MPI_COMM_WORLD);
-  ASSERT_EQ(shared.size(), alone.size());
-  double largest = 0.;
-  for (std::size_t p = 0; p < alone.size(); ++p)
-    for (unsigned int c = 0; c < 7; ++c)
-      largest = std::max(largest, std::abs(shared[p][c] - alone[p][c]));
-  EXPECT_LT(largest, 1e-11);
 }
 
 namespace

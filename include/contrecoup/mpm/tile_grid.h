@@ -32,6 +32,9 @@ namespace contrecoup::mpm
  * grid is kept. Giannelli, Juettler and Speleers, Comput. Aided Geom. Des. 29
  * (2012). Steps that are stable in the cells of each level by themselves are
  * so: a lumped mass gives a sum of splines no less inertia than its parts have.
+ * What is left of cut splines has its centre beside the node, so that lumped
+ * velocities of linear fields err there, by a quarter of what they change over
+ * a cell with cubic splines, by a tenth with two terms of the mass series.
  */
 class TileGrid
 {
