@@ -36,7 +36,7 @@ contrecoup_add_application_test(particles_head_gap bounds
 
 contrecoup_add_application_test(particles_refuse_gas refusal
   FILE head_impact/verification/sod.prm SET "Method=mpm" "MPM/Cell size=0.01"
-  MESSAGE "particles are tait, elastic, viscoelastic or a tissue")
+  MESSAGE "particles are tait, elastic, viscoelastic, johnson-cook or a tissue")
 contrecoup_add_application_test(particles_refuse_wall_in_head refusal
   FILE head_impact/quickstart.prm SET ${_particles} "Plane wall/Point=0, 0, -0.09"
   MESSAGE "Plane wall: it cuts the matter at the start, which reaches 0.0009")
