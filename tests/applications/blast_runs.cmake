@@ -38,14 +38,16 @@ contrecoup_add_application_test(fields_1d_on_two_ranks bounds
   FILE blast/verification/sod.prm MPI 2 SET "Output/Fields=true"
   "Time/Largest number of steps=10" BOUNDS "status == finished")
 
-# Leaves that no wave has reached: passed over or computed, all the same.
+# Leaves that no wave has reached: passed over or computed, all the same. They are
+# passed over in batches, fewer where processors have more lanes: 0.77 with four
+# numbers in double precision, 0.67 with eight.
 foreach(_ranks 1 2)
   contrecoup_add_application_test(quiet_leaves_on_${_ranks} same ${_hot_ball}
     MPI ${_ranks} SET ${_short} "Domain/Initial refinement=2"
     "Adaptation/Smallest level=2" "Adaptation/Largest level=3"
     "Output/Checkpoint every steps=6"
     VARY "Method/Skip quiet leaves=true|false" ${_tables}
-    BOUNDS "assumptions.skipped_updates > 0.695")
+    BOUNDS "assumptions.skipped_updates > 0.6")
 endforeach()
 
 contrecoup_add_application_test(resume_sod resume
