@@ -12,6 +12,13 @@ function(contrecoup_add_layer name)
   endforeach()
 endfunction()
 
+# contrecoup_add_room(<layer> <source>...): sources of a layer in a folder of
+# their own.
+function(contrecoup_add_room layer)
+  list(TRANSFORM ARGN PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+  target_sources(contrecoup_${layer} PRIVATE ${ARGN})
+endfunction()
+
 # contrecoup_compile_together(<layer> <source>...): the compiler reads these
 # sources as one, so that templates that they share are compiled once (those of
 # JSON take five seconds a source). Names in their unnamed namespaces must differ.

@@ -82,6 +82,7 @@ function(contrecoup_add_unit_test name)
     set_target_properties(${_program} PROPERTIES
       UNITY_BUILD ${CONTRECOUP_UNITY} UNITY_BUILD_MODE GROUP)
     target_link_libraries(${_program} contrecoup_test_main)
+    target_include_directories(${_program} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
   endif()
   target_sources(${_program} PRIVATE ${ARG_SOURCES})
   if(ARG_TOGETHER)
@@ -92,6 +93,7 @@ function(contrecoup_add_unit_test name)
     target_link_libraries(${_program} contrecoup_${_layer})
   endforeach()
 
+  list(TRANSFORM ARG_SOURCES REPLACE ".*/" "")
   list(JOIN ARG_SOURCES "," _sources)
   set(_command $<TARGET_FILE:${_program}> --sources=${_sources})
   _contrecoup_register_test(${_test} RANKS 1 TIMEOUT ${ARG_TIMEOUT}

@@ -26,12 +26,12 @@ function(collect application result)
     list(POP_FRONT _waiting _header)
     if(NOT _header MATCHES "^coupling/(.*)\\.h$")
       # A layer comes with the first of its headers.
-      get_filename_component(_layer ${_header} DIRECTORY)
+      string(REGEX REPLACE "/.*" "" _layer ${_header})
       if(_layer IN_LIST _layers)
         continue()
       endif()
       list(APPEND _layers ${_layer})
-      file(GLOB _found RELATIVE ${SOURCE}
+      file(GLOB_RECURSE _found RELATIVE ${SOURCE}
         ${SOURCE}/include/contrecoup/${_layer}/*.h ${SOURCE}/source/${_layer}/*.cc)
     elseif(include/contrecoup/${_header} IN_LIST _files)
       continue()

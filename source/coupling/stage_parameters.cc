@@ -6,8 +6,8 @@
 #include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/base/text.h>
 #include <contrecoup/coupling/stage_parameters.h>
-#include <contrecoup/gas/rigid_body.h>
-#include <contrecoup/gas/scene_places.h>
+#include <contrecoup/gas/conditions/rigid_body.h>
+#include <contrecoup/gas/run/scene_places.h>
 #include <contrecoup/materials/gas_material.h>
 
 #include <algorithm>

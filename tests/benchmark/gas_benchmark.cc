@@ -5,7 +5,7 @@
 // without arguments it runs itself under mpirun, on one rank and on two.
 
 #include <contrecoup/base/parameters.h>
-#include <contrecoup/gas/gas_simulation.h>
+#include <contrecoup/gas/run/gas_simulation.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -25,6 +25,10 @@ for _solver in ("gas", "solid", "mpm"):
 for _upper in ("ale", "coupling", "study"):
     BELOW[_upper] = BELOW["gas"] | {"gas", "solid", "mpm"}
 
+# The rooms of a layer, lowest first: each may include itself and those before.
+ROOMS = {"gas": ["octree", "state", "conditions", "explosive", "body", "kernel",
+                 "record", "adaptation", "hand_over", "run"]}
+
 LONGEST_HEADER = 250
 LONGEST_SOURCE = 500
 LONGEST_MAIN = 40
@@ -84,6 +88,36 @@ def layers(root):
             if match and match[1] not in BELOW[layer] | {layer}:
                 problems.append(f"{path}:{number}: layer '{layer}' may not "
                                 f"include layer '{match[1]}'")
+    return problems
+
+
+def room_of(path, layer):
+    """The room of its layer that a file belongs to, or None."""
+    folders = path.split(os.sep)[:-1]
+    here = folders.index(layer) + 1
+    return folders[here] if here < len(folders) else None
+
+
+def rooms(root):
+    """Rooms include only downwards."""
+    include = re.compile(r"\s*#\s*include\s*<contrecoup/(\w+)/(\w+)/")
+    problems = []
+    for path in cpp_files(root, ("include", "source")):
+        layer = layer_of(path)
+        if layer not in ROOMS:
+            continue
+        order = ROOMS[layer]
+        room = room_of(path, layer)
+        if room not in order:
+            problems.append(f"{path}: '{room}' is not a room of '{layer}', "
+                            "known are: " + ", ".join(order))
+            continue
+        for number, line in enumerate(lines_of(root, path), 1):
+            match = include.match(line)
+            if match and match[1] == layer and (
+                    match[2] not in order[:order.index(room) + 1]):
+                problems.append(f"{path}:{number}: room '{room}' may not "
+                                f"include room '{match[2]}'")
     return problems
 
 
@@ -208,7 +242,7 @@ def formatting(root):
 
 
 CHECKS = {check.__name__: check for check in
-          (layers, lengths, functions, mirror, licence, parameters,
+          (layers, rooms, lengths, functions, mirror, licence, parameters,
            formatting)}
 
 

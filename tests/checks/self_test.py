@@ -68,7 +68,7 @@ class TreeTest(unittest.TestCase):
             self.assertIn(word, problems[0])
 
     def test_good_tree(self):
-        for name in ("layers", "lengths", "functions", "mirror", "licence",
+        for name in ("layers", "rooms", "lengths", "functions", "mirror", "licence",
                      "parameters"):
             self.assertEqual(check_tree.CHECKS[name](self.root), [], name)
 
@@ -86,6 +86,24 @@ class TreeTest(unittest.TestCase):
         self.write("tests/base/lanes.cc",
                    TOP + "#include <contrecoup/io/summary.h>\n")
         self.expect("layers", "tests/base/lanes.cc:4")
+
+    def test_upward_include_of_a_room(self):
+        self.write("include/contrecoup/gas/octree/mesh.h",
+                   TOP + "#pragma once\n"
+                   "#include <contrecoup/gas/octree/leaf.h>\n")
+        self.assertEqual(check_tree.rooms(self.root), [])
+        self.write("source/gas/octree/mesh.cc",
+                   TOP + "#include <contrecoup/gas/octree/mesh.h>\n"
+                   "#include <contrecoup/gas/kernel/stage.h>\n")
+        self.expect("rooms", "mesh.cc:5", "'octree'", "'kernel'")
+
+    def test_unknown_room(self):
+        self.write("source/gas/attic/mesh.cc", GOOD_SOURCE)
+        self.expect("rooms", "'attic' is not a room of 'gas'")
+
+    def test_file_outside_rooms(self):
+        self.write("source/gas/mesh.cc", GOOD_SOURCE)
+        self.expect("rooms", "'None' is not a room of 'gas'")
 
     def test_unknown_layer(self):
         self.write("source/extra/two.cc", GOOD_SOURCE)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/gas/profile_file.h>
-#include <contrecoup/gas/table_profile.h>
+#include <contrecoup/gas/conditions/profile_file.h>
+#include <contrecoup/gas/conditions/table_profile.h>
 
 #include "fuzz.h"
 

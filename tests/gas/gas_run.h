@@ -5,16 +5,17 @@
 
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameter_tree.h>
-#include <contrecoup/gas/adaptation.h>
-#include <contrecoup/gas/boundary.h>
-#include <contrecoup/gas/charge_set.h>
-#include <contrecoup/gas/cut_leaves.h>
-#include <contrecoup/gas/detonation.h>
-#include <contrecoup/gas/gas_measures.h>
-#include <contrecoup/gas/gas_operator.h>
-#include <contrecoup/gas/leaf_mesh.h>
-#include <contrecoup/gas/rigid_body.h>
-#include <contrecoup/gas/time_stepper.h>
+#include <contrecoup/gas/adaptation/adaptation.h>
+#include <contrecoup/gas/body/cut_leaves.h>
+#include <contrecoup/gas/conditions/boundary.h>
+#include <contrecoup/gas/conditions/rigid_body.h>
+#include <contrecoup/gas/explosive/charge_set.h>
+#include <contrecoup/gas/explosive/detonation.h>
+#include <contrecoup/gas/kernel/gas_operator.h>
+#include <contrecoup/gas/kernel/time_stepper.h>
+#include <contrecoup/gas/octree/leaf_box.h>
+#include <contrecoup/gas/octree/leaf_mesh.h>
+#include <contrecoup/gas/record/gas_measures.h>
 
 #include "run_lines.h"
 

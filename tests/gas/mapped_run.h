@@ -5,7 +5,7 @@
 
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameter_tree.h>
-#include <contrecoup/gas/gas_simulation.h>
+#include <contrecoup/gas/run/gas_simulation.h>
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameter_tree.h>
-#include <contrecoup/gas/initial_state.h>
-#include <contrecoup/gas/reference_solution.h>
+#include <contrecoup/gas/conditions/initial_state.h>
+#include <contrecoup/gas/conditions/reference_solution.h>
 #include <contrecoup/geometry/coarse_mesh.h>
 #include <contrecoup/materials/gas_material.h>
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <contrecoup/ale/exact_flow.h>
-#include <contrecoup/gas/table_profile.h>
+#include <contrecoup/gas/conditions/table_profile.h>
 
 #include <deal.II/base/parameter_handler.h>
 

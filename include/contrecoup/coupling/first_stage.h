@@ -4,7 +4,7 @@
 #pragma once
 
 #include <contrecoup/coupling/stage_parameters.h>
-#include <contrecoup/gas/gas_simulation.h>
+#include <contrecoup/gas/run/gas_simulation.h>
 
 #include <memory>
 

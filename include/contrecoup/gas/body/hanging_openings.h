@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/gas/body/cut_leaves.h>
+#include <contrecoup/gas/octree/hanging_group.h>
+
+#include <deal.II/base/aligned_vector.h>
+
+#include <array>
+
+namespace contrecoup::gas
+{
+/// What a rigid body leaves open of the subcells that the flux through a group
+/// of hanging faces depends on, leaves side by side in lanes. All by face
+/// point of the coarse or fine leaves, in the coarse numbering.
+template <int dim, typename Real>
+struct HangingOpenings
+{
+  using Number = Lanes<Real>;
+  using Values = dealii::AlignedVector<Number>;
+  static constexpr unsigned int n_fine = HangingFace<dim>::n_fine;
+
+  /// Takes over the shapes of the leaves of @p group.
+  void reinit(const HangingGroup<dim> &group,
+              const LeafMesh<dim> &mesh,
+              const LeafLayout &layout,
+              const CutLeaves<dim> &cut_leaves);
+
+  /// One or zero: whether gas of a coarse subcell touches that of the next one
+  /// along each face coordinate, and of the one below.
+  std::array<Values, dim == 1 ? 1 : dim - 1> along;
+  Values below;
+  /// Per part: open part of the face.
+  std::array<Values, n_fine> opening;
+  /// Per part: one or zero, whether gas of a fine subcell touches that of the
+  /// one below.
+  std::array<Values, n_fine> fine_below;
+  /// Per part and layer: open part of the volume of subcells that are reached
+  /// through the face, else zero.
+  std::array<std::array<Values, 2>, n_fine> fraction;
+};
+} // namespace contrecoup::gas

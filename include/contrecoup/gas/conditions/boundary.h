@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/gas/conditions/initial_state.h>
+#include <contrecoup/gas/conditions/reference_solution.h>
+#include <contrecoup/gas/state/gas_state.h>
+#include <contrecoup/geometry/coarse_mesh.h>
+#include <contrecoup/materials/gas_material.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <map>
+#include <vector>
+
+namespace contrecoup::gas
+{
+/// What the gas meets at the domain's boundary, as subsection "Boundaries"
+/// describes it.
+template <int dim>
+class Boundary
+{
+public:
+  enum class Kind
+  {
+    wall,    ///< rigid slip wall; also a plane of symmetry or the axis
+    open,    ///< non-reflecting: the gas inside goes on outside
+    inflow,  ///< one given state
+    initial, ///< the initial state at that place
+    exact    ///< the reference solution at that place and time
+  };
+
+  /// Declares subsection "Boundaries".
+  static void declare_parameters(dealii::ParameterHandler &prm);
+
+  /// @throws InputError for unknown names, an inflow state that the
+  /// material cannot have, "exact" without a reference solution.
+  void parse_parameters(dealii::ParameterHandler &prm,
+                        const GasMaterial &material,
+                        const CoarseMesh<dim> &coarse_mesh,
+                        const InitialState<dim> &initial_state,
+                        const ReferenceSolution<dim> &reference);
+
+  /// Whether the kind needs place and time of each face point.
+  static bool needs_place(const Kind kind)
+  {
+    return kind == Kind::initial || kind == Kind::exact;
+  }
+
+  Kind kind(const unsigned int boundary_id) const
+  {
+    return boundary_id < kind_of_id_.size() ? kind_of_id_[boundary_id]
+                                            : default_kind_;
+  }
+
+  /// Whether every boundary is a wall (then mass and energy stay).
+  bool is_closed(const CoarseMesh<dim> &coarse_mesh) const;
+
+  /**
+   * The gas outside, seen from the state @p inside.
+   * @param normal unit vector out of the domain
+   */
+  GasState<dim> outside(const unsigned int boundary_id,
+                        const GasState<dim> &inside,
+                        const dealii::Tensor<1, dim> &normal,
+                        const dealii::Point<dim> &point,
+                        const double time) const;
+
+private:
+  std::map<unsigned int, Kind> kinds_;
+  std::vector<Kind> kind_of_id_; ///< the same, to look up fast
+  Kind default_kind_ = Kind::wall;
+  GasState<dim> inflow_;
+  const InitialState<dim> *initial_state_ = nullptr;
+  const ReferenceSolution<dim> *reference_ = nullptr;
+};
+} // namespace contrecoup::gas

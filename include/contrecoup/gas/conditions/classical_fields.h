@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/gas/conditions/initial_field.h>
+#include <contrecoup/geometry/coarse_mesh.h>
+#include <contrecoup/materials/gas_material.h>
+#include <contrecoup/numerics/vortex_solution.h>
+
+namespace contrecoup::gas
+{
+/**
+ * Gas at rest, and energy in a small ball around one point (in the plane
+ * 1-D geometry: beside one wall): subsection "Sedov". The energy density
+ * falls off as exp(-(r/radius)^2), so that any sampling finer than half the
+ * radius holds the energy to round-off.
+ */
+template <int dim>
+class SedovField : public InitialField<dim>
+{
+public:
+  static void declare_parameters(ParameterHandler &prm);
+
+  /// Reads subsection "Sedov" of the current one.
+  SedovField(ParameterHandler &prm,
+             const GasMaterial &material,
+             Geometry geometry);
+
+  GasState<dim> value(const dealii::Point<dim> &point) const override;
+  double smallest_feature() const override;
+  double distance_to_feature(const dealii::Point<dim> &point) const override;
+  std::optional<double> background_pressure() const override
+  {
+    return ambient.pressure;
+  }
+
+  unsigned int spreading; ///< 1 plane, 2 cylindrical, 3 spherical
+  double energy;          ///< [J, J/m, J/m^2]; plane: to one side
+  double radius;          ///< of the deposit [m]
+  dealii::Point<dim> center;
+  GasState<dim> ambient;
+
+private:
+  GasMaterial material_;
+};
+
+/// Cold gas that runs onto a wall, axis or centre: subsection "Noh".
+template <int dim>
+class NohField : public InitialField<dim>
+{
+public:
+  static void declare_parameters(ParameterHandler &prm);
+
+  /// Reads subsection "Noh" of the current one.
+  NohField(ParameterHandler &prm,
+           const GasMaterial &material,
+           Geometry geometry);
+
+  GasState<dim> value(const dealii::Point<dim> &point) const override;
+
+  unsigned int spreading; ///< 1 plane, 2 cylindrical, 3 spherical
+  double speed;           ///< towards the centre [m/s]
+  dealii::Point<dim> center;
+  GasState<dim> ambient; ///< density and pressure; velocity unused
+};
+
+/// Shu's isentropic vortex: subsection "Vortex".
+template <int dim>
+class VortexField : public InitialField<dim>
+{
+public:
+  static void declare_parameters(ParameterHandler &prm);
+
+  /// Reads subsection "Vortex" of the current one.
+  /// @throws InputError without a second plane coordinate, for a material
+  /// that is no ideal gas, and for a core below absolute zero.
+  VortexField(ParameterHandler &prm,
+              const GasMaterial &material,
+              Geometry geometry);
+
+  GasState<dim> value(const dealii::Point<dim> &point) const override;
+  double smallest_feature() const override;
+
+  /// The vortex at any time.
+  GasState<dim> value(const dealii::Point<dim> &point, double time) const;
+
+private:
+  VortexSolution solution_;
+  double axial_velocity_;
+};
+} // namespace contrecoup::gas

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/gas/state/blast_record.h>
+#include <contrecoup/gas/state/gas_state.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/point.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace contrecoup
+{
+class GasMaterial;
+}
+
+namespace contrecoup::gas
+{
+/**
+ * The solution that a run is measured against, as subsection "Reference"
+ * of the parameter file names it. The numbers of the problem come from
+ * subsection "Initial state", so that the two cannot disagree.
+ */
+template <int dim>
+class ReferenceSolution
+{
+public:
+  /// Declares subsection "Reference".
+  static void declare_parameters(dealii::ParameterHandler &prm);
+
+  /**
+   * Reads subsections "Reference", "Initial state" and "Domain",
+   * all of which must have been declared. The material is copied.
+   *
+   * @throws InputError when the kind of reference does not fit the initial
+   * state or the material, or a table cannot be read.
+   */
+  void parse_parameters(dealii::ParameterHandler &prm,
+                        const GasMaterial &material);
+
+  /// The kind, as the parameter file names it; "none" without reference.
+  const std::string &name() const;
+
+  /// Whether value() may be called.
+  bool exists() const;
+
+  /// Whether the run is to be measured against value(), which may instead
+  /// serve exact boundaries alone.
+  bool is_measured() const;
+
+  /// The exact state at @p point and @p time [s].
+  GasState<dim> value(const dealii::Point<dim> &point, double time) const;
+
+  /// Whether arrival() may be called.
+  bool has_arrivals() const;
+
+  /// What the blast does at @p point; zero where the reference has no
+  /// figure.
+  BlastMeasures arrival(const dealii::Point<dim> &point) const;
+
+private:
+  void parse_detonation(dealii::ParameterHandler &prm,
+                        const GasMaterial &material);
+  void parse_exact_solution(dealii::ParameterHandler &prm,
+                            const GasMaterial &material);
+
+  std::string name_ = "none";
+  bool measure_errors_ = true;
+  std::function<GasState<dim>(const dealii::Point<dim> &, double)> value_;
+  std::function<BlastMeasures(const dealii::Point<dim> &)> arrival_;
+};
+
+/// The kinds of reference solutions.
+extern const std::vector<std::string> reference_solution_kinds;
+} // namespace contrecoup::gas

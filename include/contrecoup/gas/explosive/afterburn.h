@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/gas/octree/leaf_points.h>
+#include <contrecoup/gas/state/gas_field.h>
+#include <contrecoup/gas/state/leaf_sampling.h>
+#include <contrecoup/materials/gas_material.h>
+
+#include <iosfwd>
+
+namespace contrecoup::gas
+{
+/**
+ * Energy that detonation products release while they burn with the oxygen of
+ * the air, after the detonation. One fraction L for all products says how
+ * much of it is out: in every step rho E grows by rho Y q dL. Either L grows
+ * at a constant rate between two times, or (P. J. Miller, Mat. Res. Soc. Symp.
+ * Proc. 418 (1996) 413-420)
+ *
+ *   dL/dt = a (1 - L)^m (p / 1 Mbar)^n,
+ *
+ * here with the mean pressure p of all products, weighted with their mass.
+ * How the air mixes in is not resolved: the oxygen is taken to be there.
+ */
+class Afterburn
+{
+public:
+  /// Declares subsection "Afterburn" of the current one.
+  static void declare_parameters(ParameterHandler &prm);
+
+  /// @throws InputError for an end before the start.
+  void parse_parameters(ParameterHandler &prm);
+
+  bool active() const
+  {
+    return kind_ != Kind::none;
+  }
+
+  /// Released fraction L [-].
+  double fraction() const
+  {
+    return fraction_;
+  }
+
+  /// Energy that a kilogramme of products has still to release [J/kg].
+  double energy_left() const
+  {
+    return active() ? (1. - fraction_) * energy_ : 0.;
+  }
+
+  /// Energy released so far [J].
+  double released() const
+  {
+    return released_;
+  }
+
+  /**
+   * Releases the energy of a step of length @p step [s] that ended at
+   * @p time [s] in @p field. Collective.
+   * @return whether there was any
+   */
+  template <int dim>
+  bool release(const double time,
+               const double step,
+               const LeafMesh<dim> &mesh,
+               const LeafPoints<dim> &points,
+               const GasMaterial &material,
+               GasField &field);
+
+  /// Goes on from a released fraction [-] and energy [J].
+  void go_on_from(const double fraction, const double released)
+  {
+    fraction_ = fraction;
+    released_ = released;
+  }
+
+  /// The state, for checkpoints.
+  void save(std::ostream &stream) const;
+  void load(std::istream &stream);
+
+private:
+  enum class Kind
+  {
+    none,
+    constant,
+    miller
+  };
+
+  double grown_fraction(const double time,
+                        const double step,
+                        const double pressure) const;
+
+  Kind kind_ = Kind::none;
+  double energy_ = 0.; ///< q [J/kg]
+  double start_ = 0.;  ///< of the constant rate [s]
+  double end_ = 0.;    ///< of the constant rate [s]
+  double rate_ = 0.;   ///< a [1/s]
+  double fuel_exponent_ = 0.;
+  double pressure_exponent_ = 0.;
+
+  double fraction_ = 0.;
+  double released_ = 0.;
+};
+} // namespace contrecoup::gas

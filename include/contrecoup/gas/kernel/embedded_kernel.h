@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/gas/body/cut_leaves.h>
+#include <contrecoup/gas/kernel/finite_volume_kernel.h>
+
+namespace contrecoup::gas
+{
+/**
+ * The finite-volume scheme on batches with leaves that a rigid body cuts.
+ * Fluxes pass through the open part of each subcell face; the wall in a
+ * subcell exerts the pressure of the Riemann problem between the gas in it and
+ * its mirror image, along the wall's normal. Slopes do not look through what
+ * is closed. Points without gas keep their values.
+ */
+template <int dim, typename Gas, typename Real = double>
+class EmbeddedKernel : private FiniteVolumeKernel<dim, Gas, Real>
+{
+public:
+  using Base = FiniteVolumeKernel<dim, Gas, Real>;
+  using Number = typename Base::Number;
+  using Values = typename Base::Values;
+  using C = Component<dim>;
+
+  EmbeddedKernel(const LeafMesh<dim> &mesh,
+                 const LeafLayout &layout,
+                 const Scheme &scheme,
+                 const Gas &gas,
+                 const Boundary<dim> &boundary,
+                 const CutLeaves<dim> &cut_leaves);
+
+  /// Takes over the shapes of all leaves in cut batches.
+  void reinit();
+
+  /// Does @p stage on the leaves of @p batch, up to what small cells share
+  /// with others.
+  void update(const unsigned int batch,
+              const BasicStage<Real> &stage,
+              const HangingData<dim, Real> &hanging);
+
+  /// Checks and analyses the new state, when it is complete.
+  void conclude(const unsigned int batch, const BasicStage<Real> &stage);
+
+  /// Computes only sensor and signal rate of the state stage.out.
+  void analyse(const unsigned int batch, const BasicStage<Real> &stage);
+
+private:
+  using Base::batch_;
+  using Base::layout_;
+  using Base::mesh_;
+  using Base::nc;
+
+  /// Pieces of the wall, as many as lanes, of any points and leaves of a batch.
+  struct WallPack
+  {
+    std::array<unsigned int, Base::width> point;
+    std::array<unsigned int, Base::width> lane;
+    /// Where the points' values stand among those of a component.
+    std::array<unsigned int, Base::width> offset;
+    /// Vector out of the gas, of which the unit length is kept apart.
+    std::array<Number, dim> normal;
+    Number area;   ///< over the cell's volume [1/m]; 0: no piece
+    Number volume; ///< see CutLeaves::cell_volume()
+  };
+
+  /// The shapes of the leaves of a batch.
+  struct Openings
+  {
+    std::vector<WallPack> walls;            ///< of embedded bodies
+    dealii::AlignedVector<Number> fraction; ///< per point
+    /// Per point, of staircases: see CutLeaves::cell_volume().
+    dealii::AlignedVector<Number> volume;
+    /// Per direction: [layer][line].
+    std::array<dealii::AlignedVector<Number>, dim> face;
+    /// Per leaf face: of the faces between the two layers beyond, by line.
+    std::array<dealii::AlignedVector<Number>, 2 * dim> beyond;
+  };
+
+  /// Copies the shape of a leaf to a lane.
+  void
+  take(const unsigned int leaf, const unsigned int lane, Openings &to) const;
+  /// Finds the pieces of the wall, for which the openings are there already.
+  void pack_walls(const unsigned int batch, Openings &openings) const;
+  void bind_openings(const unsigned int batch)
+  {
+    openings_ = &all_openings_[openings_of_batch_[batch]];
+  }
+  const Number &opening(const unsigned int direction,
+                        const unsigned int layer,
+                        const unsigned int line) const
+  {
+    return openings_->face[direction][layer * layout_.n_face_points + line];
+  }
+  void sweep_openings(const unsigned int direction,
+                      const HangingData<dim, Real> &hanging);
+  void fill_touch(const unsigned int direction, const unsigned int line);
+  /// Opening of the low (side 0) or high face of a point.
+  const Number &opening_of(const unsigned int point,
+                           const unsigned int direction,
+                           const unsigned int side) const;
+  void add_open_fluxes(const unsigned int direction, const unsigned int line);
+  void add_walls();
+  void add_embedded_walls(const WallPack &walls);
+  void add_staircase_wall(const unsigned int point);
+  /// Pressure on a wall that the gas moves towards at @p speed.
+  /// @param inside primitive values, of which the velocity does not count
+  /// @param progress Burn::progress(), where explosive burns
+  Number wall_pressure(Values inside,
+                       const Number &speed,
+                       const Number &progress) const;
+  /// Pressure that gas exerts [Pa].
+  Number exerted_pressure(const Values &inside, const Number &progress) const;
+  Number inverse_size(const unsigned int direction) const
+  {
+    return Number(layout_.n) / mesh_.template extents<Real>(batch_)[direction];
+  }
+  void write(const BasicStage<Real> &stage);
+  void add_wall_force(const BasicStage<Real> &stage) const;
+
+  const CutLeaves<dim> &cut_leaves_;
+  std::vector<int> openings_of_batch_; ///< index, or -1
+  std::vector<Openings> all_openings_;
+  const Openings *openings_ = nullptr; ///< of the bound batch
+  std::array<Number, dim> wall_force_; ///< sums by lane [N]
+  std::array<Number, dim> wall_area_;  ///< likewise [m^2]
+};
+} // namespace contrecoup::gas

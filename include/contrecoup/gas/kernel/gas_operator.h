@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/gas/conditions/boundary.h>
+#include <contrecoup/gas/kernel/stage.h>
+#include <contrecoup/gas/octree/leaf_layout.h>
+#include <contrecoup/gas/octree/scheme.h>
+#include <contrecoup/gas/state/quiet_leaves.h>
+#include <contrecoup/materials/gas_material.h>
+
+#include <memory>
+
+namespace contrecoup::gas
+{
+template <int dim>
+class CutLeaves;
+
+/**
+ * The spatial discretisation of one scheme, for the leaves of this rank:
+ * what the time stepping needs of it, without templates on scheme or
+ * equation of state.
+ */
+template <int dim>
+class GasOperator
+{
+public:
+  virtual ~GasOperator() = default;
+
+  /// Renews what depends on the mesh. Call after LeafMesh::rebuild().
+  virtual void reinit() = 0;
+
+  /// Does one Runge-Kutta stage on all owned leaves but those of batches
+  /// that the second argument says are not active. An operator works in the
+  /// precision that it was made for; the other function must not be called.
+  virtual void apply(const BasicStage<double> &, QuietLeaves<dim> &)
+  {
+    Assert(false, dealii::ExcInternalError());
+  }
+  virtual void apply(const BasicStage<float> &, QuietLeaves<dim> &)
+  {
+    Assert(false, dealii::ExcInternalError());
+  }
+
+  /// Whether stages end with redistribute(), on every rank alike.
+  virtual bool redistributes() const
+  {
+    return false;
+  }
+
+  /// Completes what apply() began in cells that a body cuts: shares the
+  /// change of small ones with their neighbours, conservatively. The ghosts
+  /// of stage.out must be up to date.
+  virtual void redistribute(const BasicStage<double> &, QuietLeaves<dim> &)
+  {
+    Assert(false, dealii::ExcInternalError());
+  }
+  virtual void redistribute(const BasicStage<float> &, QuietLeaves<dim> &)
+  {
+    Assert(false, dealii::ExcInternalError());
+  }
+
+  /// Batches that stages never touch, because they hold no gas.
+  virtual std::vector<unsigned int> still_batches() const
+  {
+    return {};
+  }
+
+  /// Computes stage.sensor_out and stage.signal_rate of stage.out.
+  virtual void analyse(const BasicStage<double> &)
+  {
+    Assert(false, dealii::ExcInternalError());
+  }
+  virtual void analyse(const BasicStage<float> &)
+  {
+    Assert(false, dealii::ExcInternalError());
+  }
+
+  /// Owned leaves on which something other than their neighbours acts; see
+  /// QuietLeaves::reinit().
+  virtual std::vector<unsigned int> driven_leaves() const = 0;
+};
+
+/// The operator that @p scheme and @p material ask for; the arguments must
+/// outlive it. Finite volumes on boxes go around the body of @p cut_leaves;
+/// null: there is none.
+template <int dim>
+std::unique_ptr<GasOperator<dim>>
+make_gas_operator(const LeafMesh<dim> &mesh,
+                  const LeafLayout &layout,
+                  const Scheme &scheme,
+                  const GasMaterial &material,
+                  const Boundary<dim> &boundary,
+                  const CutLeaves<dim> *cut_leaves = nullptr);
+
+/// Makes finite-volume operators; see make_gas_operator().
+template <int dim>
+std::unique_ptr<GasOperator<dim>>
+make_finite_volume_operator(const LeafMesh<dim> &mesh,
+                            const LeafLayout &layout,
+                            const Scheme &scheme,
+                            const GasMaterial &material,
+                            const Boundary<dim> &boundary,
+                            const CutLeaves<dim> *cut_leaves);
+
+/// Makes discontinuous Galerkin operators; see make_gas_operator().
+template <int dim>
+std::unique_ptr<GasOperator<dim>>
+make_galerkin_operator(const LeafMesh<dim> &mesh,
+                       const LeafLayout &layout,
+                       const Scheme &scheme,
+                       const GasMaterial &material,
+                       const Boundary<dim> &boundary);
+} // namespace contrecoup::gas

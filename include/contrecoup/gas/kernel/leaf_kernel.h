@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/gas/conditions/boundary.h>
+#include <contrecoup/gas/kernel/stage.h>
+#include <contrecoup/gas/octree/leaf_layout.h>
+#include <contrecoup/gas/octree/neighbor_reader.h>
+#include <contrecoup/gas/octree/scheme.h>
+#include <contrecoup/gas/state/primitive.h>
+
+#include <deal.II/base/aligned_vector.h>
+
+#include <vector>
+
+namespace contrecoup::gas
+{
+/**
+ * What the kernels of all schemes share on one batch of axis-aligned
+ * leaves: reading the neighbours, the gas beyond the domain's boundary,
+ * fluxes of hanging faces, and the shear factor of the shock-stable flux.
+ *
+ * A line is a row of points of a leaf along one direction; it is numbered
+ * like the points of the leaf face that it starts from.
+ */
+template <int dim, typename Gas, typename Real = double>
+class LeafKernel
+{
+public:
+  using Number = Lanes<Real>;
+  static constexpr unsigned int width = n_lanes<Real>; ///< of a batch
+  static constexpr unsigned int nc = n_conserved<dim, Gas>;
+  using Values = std::array<Number, nc>;
+  using C = Component<dim>;
+
+protected:
+  /// @param positions places of the points along an edge, from 0 to 1
+  LeafKernel(const LeafMesh<dim> &mesh,
+             const LeafLayout &layout,
+             const Scheme &scheme,
+             const Gas &gas,
+             const Boundary<dim> &boundary,
+             const std::vector<double> &positions);
+
+  /// Prepares for the leaves of @p batch.
+  void bind(const unsigned int batch, const BasicStage<Real> &stage);
+
+  /// Sets burn_ alone.
+  void bind_burn(const unsigned int batch, const BasicStage<Real> &stage);
+
+  /// Burn::progress() of a point of the batch, where burn_ is set.
+  Number progress(const unsigned int point, const double time) const;
+
+  /// Fills line_progress_ for a line, where burn_ is set.
+  void fill_progress(const unsigned int direction, const unsigned int line);
+
+  /// The states left and right of face @p f of the line, as unburned
+  /// explosive makes them.
+  template <typename State>
+  void hold_back(const unsigned int f, State &left, State &right) const
+  {
+    burn_->template hold_back<dim>(line_progress_[f], left);
+    burn_->template hold_back<dim>(line_progress_[f + 1], right);
+  }
+
+  /// Pressure that cell @p i of the line, in this state, exerts.
+  Number exerted_pressure(const unsigned int i, const Values &cell) const
+  {
+    if (burn_ == nullptr)
+      return cell[C::energy];
+    return burn_->pressure(
+      cell[C::energy],
+      burn_->fraction(line_progress_[i + 1], cell[C::density]));
+  }
+
+  /// Primitive state of a point of the neighbours across @p face.
+  Values neighbor_primitive(const unsigned int face,
+                            const unsigned int point) const;
+
+  /// Primitive state beyond the boundary in the lane of @p special, from
+  /// and to values in the frame of the line.
+  void fill_boundary(const SpecialFace &special,
+                     const unsigned int line,
+                     const Values &inside,
+                     Values &outside) const;
+
+  /// Takes the hanging faces' fluxes, in the frame of the line, at its low
+  /// and high end.
+  void replace_hanging_fluxes(const unsigned int direction,
+                              const unsigned int line,
+                              const HangingData<dim, Real> &hanging,
+                              Values &low,
+                              Values &high) const;
+
+  /// Slot of a hanging face's data that belongs to this side.
+  static unsigned int slot_of(const SpecialFace &special)
+  {
+    return special.kind == SpecialFace::Kind::coarse_side ? 0
+                                                          : 1 + special.part;
+  }
+
+  /// Most negative velocity difference across a direction other than
+  /// @p direction between point and its neighbours on the leaf [m/s];
+  /// @p velocity(t, point) gives velocity component t.
+  template <typename Velocity>
+  Number transverse_compression(const unsigned int direction,
+                                const unsigned int point,
+                                const Velocity &velocity) const;
+
+  /// The same for the neighbours' point next to @p line across @p face.
+  Number neighbor_compression(const unsigned int face,
+                              const unsigned int line) const;
+
+  /// Whether shocked leaves are among the batch and its neighbours and the
+  /// flux asks for shear factors.
+  bool needs_shear_factor() const
+  {
+    return needs_shear_factor_;
+  }
+
+  /// Shear factor where either side is shocked, else one.
+  static Number gated_shear_factor(const Number &shock,
+                                   const Number &sound_speed,
+                                   const Number &normal_difference,
+                                   const Number &transverse_difference);
+
+  /// Whether a shock may be leaving any leaf of the batch through an open
+  /// boundary along a direction.
+  bool any_leaving(const unsigned int direction) const
+  {
+    return any_leaving_[direction];
+  }
+
+  /**
+   * Replaces a flux between two points of a leaf by the Rusanov flux of the
+   * points' own states, in the lanes of leaves that a shock may be leaving
+   * through an open boundary along @p direction: the wider a front is
+   * numerically when it leaves, the less of it comes back.
+   */
+  void widen_open_flux(const unsigned int direction,
+                       const Values &left,
+                       const Values &right,
+                       Values &flux) const;
+
+  const LeafMesh<dim> &mesh_;
+  const LeafLayout layout_;
+  const Scheme &scheme_;
+  const Gas gas_;
+  const Boundary<dim> &boundary_;
+  const std::vector<double> positions_;
+
+  unsigned int batch_ = 0;
+  double time_ = 0.;
+  const Real *in_ = nullptr;
+  bool careful_ = false; ///< see Stage::careful
+  /// Set where a leaf of the batch or a neighbour is still to burn.
+  const Burn *burn_ = nullptr;
+  /// Burn::progress() of cells -1 to n of a line.
+  dealii::AlignedVector<Number> line_progress_;
+  Number sensor_; ///< of the leaves themselves
+  std::array<Number, 2 * dim> neighbor_sensor_;
+  /// One in lanes with an open boundary along a direction, else zero.
+  std::array<Number, dim> open_;
+  /// The same, only where a shock may be leaving.
+  std::array<Number, dim> leaving_;
+  std::array<bool, dim> any_leaving_;
+
+private:
+  /// @param shock positive in lanes of leaves that hold or meet a shock
+  void find_open_leaves(const Number &shock);
+  void fill_progress_beyond(const unsigned int face, const unsigned int line);
+
+  bool needs_shear_factor_ = false;
+  std::array<NeighborReader<Real>, 2 * dim> neighbors_;
+};
+
+
+template <int dim, typename Gas, typename Real>
+template <typename Velocity>
+DEAL_II_ALWAYS_INLINE inline typename LeafKernel<dim, Gas, Real>::Number
+LeafKernel<dim, Gas, Real>::transverse_compression(
+  const unsigned int direction,
+  const unsigned int point,
+  const Velocity &velocity) const
+{
+  Number smallest(0.);
+  for (unsigned int t = 0; t < dim; ++t)
+    if (t != direction)
+    {
+      const unsigned int s = layout_.stride(t);
+      const unsigned int index = (point / s) % layout_.n;
+      const Number here = velocity(t, point);
+      if (index > 0)
+        smallest = std::min(smallest, Number(here - velocity(t, point - s)));
+      if (index + 1 < layout_.n)
+        smallest = std::min(smallest, Number(velocity(t, point + s) - here));
+    }
+  return smallest;
+}
+} // namespace contrecoup::gas

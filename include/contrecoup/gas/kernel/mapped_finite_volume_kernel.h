@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/gas/kernel/mapped_leaf_kernel.h>
+#include <contrecoup/gas/octree/leaf_metric.h>
+
+#include <deal.II/base/aligned_vector.h>
+
+namespace contrecoup::gas
+{
+/**
+ * One stage of the finite-volume scheme on one batch of leaves of any
+ * shape: multilinear images of the cube, with neighbours in any
+ * orientation. Primitive variables are reconstructed along the index lines
+ * of the leaf, which are straight and evenly divided within it; each
+ * subcell face sees a Riemann problem in its own frame.
+ *
+ * With Scheme::gradient_limiter, one factor for each subcell and variable
+ * limits the differences of all directions together; faces between leaves
+ * are limited along the line in any case, so that both sides agree.
+ *
+ * Without hanging faces.
+ */
+template <int dim, typename Gas>
+class MappedFiniteVolumeKernel : private MappedLeafKernel<dim, Gas>
+{
+public:
+  using Base = MappedLeafKernel<dim, Gas>;
+  using Number = typename Base::Number;
+  using Values = typename Base::Values;
+  using C = Component<dim>;
+
+  MappedFiniteVolumeKernel(const LeafMesh<dim> &mesh,
+                           const LeafLayout &layout,
+                           const Scheme &scheme,
+                           const Gas &gas,
+                           const Boundary<dim> &boundary);
+
+  /// Does @p stage on the leaves of @p batch.
+  void update(const unsigned int batch,
+              const Stage &stage,
+              const HangingData<dim> &hanging);
+
+  /// Computes only sensor and signal rate of the state stage.out.
+  void analyse(const unsigned int batch, const Stage &stage);
+
+private:
+  using Vector = typename LeafMetric<dim>::Vector;
+  using Base::batch_;
+  using Base::gas_;
+  using Base::layout_;
+  using Base::mesh_;
+  using Base::nc;
+  using Base::scheme_;
+  static constexpr int ghosts = Base::ghosts;
+
+  void load(const double *state);
+  void limit_gradients();
+  void limit_increments(const int i, const unsigned int point);
+  void sweep(const unsigned int direction);
+  void fill_line(const unsigned int direction, const unsigned int line);
+  void reconstruct(const unsigned int direction, const unsigned int line);
+  void line_fluxes(const unsigned int direction, const unsigned int line);
+  void add_flux_differences(const unsigned int direction,
+                            const unsigned int line);
+  void finish(const Stage &stage);
+  void store_sensors(const Stage &stage);
+  /// Burned fraction of a point, where burn_ is set.
+  Number burned(const unsigned int point, const double time) const;
+  Number largest_signal_rate(const double time) const;
+  Number shock_sensor() const;
+
+  /// Cells of the line from -2 to n + 1.
+  Values &cell(const int i)
+  {
+    return line_[i + ghosts];
+  }
+
+  LeafMetric<dim> metric_;
+  dealii::AlignedVector<Number> primitive_; ///< [component][point]
+  dealii::AlignedVector<Number> residual_;  ///< [component][point]
+  dealii::AlignedVector<Number> factor_;    ///< of gradients, likewise
+  dealii::AlignedVector<Number> below_;     ///< room towards the smallest
+  dealii::AlignedVector<Number> above_;     ///< and largest neighbour
+  dealii::AlignedVector<Values> line_;      ///< cells with ghosts
+  dealii::AlignedVector<Values> left_;      ///< trace left of each face
+  dealii::AlignedVector<Values> right_;     ///< trace right of each face
+  /// Through each face of the line: integrals, of the momentum only that of
+  /// tangential stress.
+  dealii::AlignedVector<Values> flux_;
+  dealii::AlignedVector<Number> normal_stress_; ///< at each face [Pa]
+};
+} // namespace contrecoup::gas

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/gas/octree/leaf_mesh.h>
+
+#include <cstddef>
+
+namespace contrecoup::gas
+{
+/**
+ * Where the numbers of a leaf stand in memory. A leaf holds n points a
+ * side; point (i, j, k) has index i + n (j + n k). The leaves
+ * of a batch, as many as lanes, are stored as [component][point][lane], so that
+ * lane arithmetic over leaves needs no shuffles.
+ */
+struct LeafLayout
+{
+  LeafLayout() = default;
+  LeafLayout(const unsigned int dim,
+             const unsigned int n,
+             const unsigned int n_components,
+             const Precision precision = Precision::double_precision);
+
+  unsigned int n = 1;             ///< points a side
+  unsigned int n_points = 1;      ///< points of a leaf, n^dim
+  unsigned int n_face_points = 1; ///< points of a leaf face, n^(dim-1)
+  unsigned int n_components = 1;  ///< conserved quantities
+  Precision precision = Precision::double_precision; ///< of the numbers
+  unsigned int width = W; ///< leaves of a batch, a power of two
+  unsigned int width_bits = floor_log2(W); ///< its logarithm
+
+  /// Largest k with 2^k <= x.
+  static constexpr unsigned int floor_log2(const unsigned int x)
+  {
+    return x < 2 ? 0 : 1 + floor_log2(x / 2);
+  }
+
+  /// Numbers in one batch, all lanes.
+  std::size_t batch_size() const
+  {
+    return std::size_t(n_components) * n_points * width;
+  }
+
+  /// Position of component 0, point 0 of a leaf.
+  std::size_t offset(const unsigned int leaf) const
+  {
+    return (leaf >> width_bits) * batch_size() + (leaf & (width - 1));
+  }
+
+  /// Position of a value relative to offset().
+  std::size_t value(const unsigned int component,
+                    const unsigned int point) const
+  {
+    return (std::size_t(component) * n_points + point) * width;
+  }
+
+  /// Distance in point index between neighbours in a direction.
+  unsigned int stride(const unsigned int direction) const
+  {
+    return direction == 0 ? 1 : (direction == 1 ? n : n * n);
+  }
+
+  /// Point of face point @p q in the layer at distance @p depth below face
+  /// @p face.
+  unsigned int face_point(const unsigned int face,
+                          const unsigned int q,
+                          const unsigned int depth) const
+  {
+    const unsigned int direction = face / 2;
+    const unsigned int layer = face % 2 ? n - 1 - depth : depth;
+    const unsigned int s = stride(direction);
+    return q % s + layer * s + (q / s) * s * n;
+  }
+};
+} // namespace contrecoup::gas

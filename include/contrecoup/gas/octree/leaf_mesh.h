@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/lanes.h>
+
+#include <contrecoup/gas/octree/leaf_face.h>
+#include <contrecoup/gas/octree/precision.h>
+#include <contrecoup/geometry/coarse_mesh.h>
+
+#include <deal.II/base/aligned_vector.h>
+#include <deal.II/base/mpi.h>
+#include <deal.II/distributed/tria.h>
+#include <deal.II/grid/tria.h>
+
+#include <array>
+#include <memory>
+#include <type_traits>
+#include <vector>
+
+namespace contrecoup::gas
+{
+/**
+ * The octree as the kernels see it: its locally owned leaves in Morton
+ * order, width() side by side in a batch, with their neighbours, sizes and
+ * the faces that are not ordinary. Leaf numbers: owned leaves from 0, padded to
+ * whole batches, then the ghost leaves that share a face with an owned one.
+ */
+template <int dim>
+class LeafMesh
+{
+public:
+  /// p4est has no 1-D meshes; these live on one rank.
+  using Tria =
+    std::conditional_t<dim == 1,
+                       dealii::Triangulation<dim>,
+                       dealii::parallel::distributed::Triangulation<dim>>;
+  using CellIterator = typename Tria::cell_iterator;
+
+  explicit LeafMesh(const MPI_Comm communicator);
+
+  /// Builds the coarse mesh, unrefined, for batches that suit
+  /// @p precision. Call rebuild() when refined.
+  void create(const CoarseMesh<dim> &coarse_mesh,
+              const Precision precision = Precision::double_precision);
+
+  /// Renews leaf numbers and connectivity after the octree changed.
+  void rebuild();
+
+  Tria &triangulation()
+  {
+    return *triangulation_;
+  }
+  const Tria &triangulation() const
+  {
+    return *triangulation_;
+  }
+  const CoarseMesh<dim> &coarse_mesh() const
+  {
+    return coarse_mesh_;
+  }
+  /// Ranks that share this mesh: one in 1-D.
+  MPI_Comm communicator() const
+  {
+    return communicator_;
+  }
+
+  unsigned int n_owned() const
+  {
+    return static_cast<unsigned int>(cells_.size());
+  }
+  /// Format of the numbers that batches suit.
+  Precision precision() const
+  {
+    return precision_;
+  }
+  /// Leaves of a batch: the lanes of the numbers that the kernels use.
+  unsigned int width() const
+  {
+    return width_;
+  }
+  unsigned int n_batches() const
+  {
+    return (n_owned() + width_ - 1) / width_;
+  }
+  /// Number of the first ghost leaf.
+  unsigned int first_ghost() const
+  {
+    return n_batches() * width_;
+  }
+  unsigned int n_ghosts() const
+  {
+    return static_cast<unsigned int>(ghosts_.size());
+  }
+  /// Batches of owned and ghost leaves together.
+  unsigned int n_stored_batches() const
+  {
+    return n_batches() + (n_ghosts() + width_ - 1) / width_;
+  }
+  /// Leaves of this batch that exist; the other lanes are padding.
+  unsigned int n_filled_lanes(const unsigned int batch) const
+  {
+    return std::min(width_, n_owned() - batch * width_);
+  }
+  /// Leaves of all ranks.
+  double n_global() const;
+
+  const CellIterator &cell(const unsigned int leaf) const
+  {
+    return cells_[leaf];
+  }
+  /// Leaf number of an active cell that is owned; no_leaf for others.
+  unsigned int leaf_of(const CellIterator &cell) const
+  {
+    return leaf_of_cell_[cell->active_cell_index()];
+  }
+
+  /// Neighbouring leaf of equal size across a face; the leaf itself where
+  /// the face is special, and for padding. One number for each lane.
+  const unsigned int *neighbors(const unsigned int batch,
+                                const unsigned int face) const
+  {
+    return neighbors_.data() + lanes_begin(batch, face);
+  }
+  /// How the face points meet, for each lane; see neighbors().
+  const FaceMatch *matches(const unsigned int batch,
+                           const unsigned int face) const
+  {
+    return matches_.data() + lanes_begin(batch, face);
+  }
+
+  /// Special faces of a batch, ordered by face number.
+  const SpecialFace *special_begin(const unsigned int batch) const
+  {
+    return special_faces_.data() + special_start_[batch];
+  }
+  const SpecialFace *special_end(const unsigned int batch) const
+  {
+    return special_faces_.data() + special_start_[batch + 1];
+  }
+
+  const std::vector<HangingFace<dim>> &hanging_faces() const
+  {
+    return hanging_faces_;
+  }
+
+  /// Edge lengths of axis-aligned leaves [m], one lane per leaf, for the
+  /// batches of n_lanes<Real> leaves whatever width() is.
+  template <typename Real = double>
+  const std::array<Lanes<Real>, dim> &extents(const unsigned int batch) const
+  {
+    if constexpr (std::is_same_v<Real, float>)
+      return single_extents_[batch];
+    else
+      return extents_[batch];
+  }
+  /// Corner of smallest coordinates of axis-aligned leaves [m], for batches
+  /// of W leaves.
+  const std::array<Lanes<double>, dim> &origins(const unsigned int batch) const
+  {
+    return origins_[batch];
+  }
+
+  /// Ghost leaves in the order of their numbers: owner rank and number of
+  /// the leaf there (its global active cell index).
+  struct Ghost
+  {
+    unsigned int owner;
+    std::uint64_t global_index;
+    /// Bit f: an owned leaf meets the ghost at its face f.
+    unsigned char faces;
+  };
+  const std::vector<Ghost> &ghosts() const
+  {
+    return ghosts_;
+  }
+  /// Leaf number of a locally owned cell given by its global index.
+  unsigned int leaf_of_global(const std::uint64_t global_index) const;
+
+  /// Bytes held by the connectivity and the octree on this rank.
+  std::size_t memory() const;
+
+private:
+  void number_leaves();
+  void append_leaves_below(const CellIterator &cell);
+  void connect_leaf(const unsigned int leaf);
+  void connect_face(const unsigned int leaf, const unsigned int face);
+  void connect_periodic_line();
+  void connect_finer(const unsigned int leaf,
+                     const unsigned int face,
+                     const CellIterator &neighbor,
+                     const bool periodic);
+  void connect_coarser(const unsigned int leaf,
+                       const unsigned int face,
+                       const CellIterator &neighbor,
+                       const bool periodic);
+  /// Number of a leaf that an owned one meets at face @p face of @p cell; a
+  /// ghost gets one when it is first seen.
+  unsigned int stored_leaf(const CellIterator &cell, const unsigned int face);
+  unsigned int hanging_face(const CellIterator &coarse,
+                            const unsigned int face,
+                            const FaceMatch &match);
+  void set_geometry();
+  std::size_t lanes_begin(const unsigned int batch,
+                          const unsigned int face) const
+  {
+    return (std::size_t(batch) * 2 * dim + face) * width_;
+  }
+  void sort_special_faces();
+
+  MPI_Comm communicator_;
+  std::unique_ptr<Tria> triangulation_;
+  CoarseMesh<dim> coarse_mesh_;
+  Precision precision_ = Precision::double_precision;
+  unsigned int width_ = W; ///< a power of two
+
+  std::vector<CellIterator> cells_;
+  std::vector<unsigned int> leaf_of_cell_;
+  std::vector<Ghost> ghosts_;
+  std::vector<unsigned int> leaf_of_own_index_;
+  std::uint64_t first_global_index_ = 0;
+
+  std::vector<unsigned int> neighbors_; ///< see lanes_begin()
+  std::vector<FaceMatch> matches_;
+
+  std::vector<std::pair<unsigned int, SpecialFace>> unsorted_special_;
+  std::vector<SpecialFace> special_faces_;
+  std::vector<unsigned int> special_start_;
+  std::vector<HangingFace<dim>> hanging_faces_;
+  std::map<std::pair<unsigned int, unsigned int>, unsigned int> hanging_index_;
+
+  dealii::AlignedVector<std::array<Lanes<double>, dim>> extents_;
+  dealii::AlignedVector<std::array<Lanes<double>, dim>> origins_;
+  dealii::AlignedVector<std::array<Lanes<float>, dim>> single_extents_;
+};
+
+} // namespace contrecoup::gas

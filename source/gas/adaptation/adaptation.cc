@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/gas/adaptation/adaptation.h>
+#include <contrecoup/gas/adaptation/jump_sensor.h>
+#include <contrecoup/gas/adaptation/leaf_carrier.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace contrecoup::gas
+{
+template <int dim>
+Adaptation<dim>::Adaptation(const AdaptationParameters &parameters,
+                            LeafMesh<dim> &mesh,
+                            const LeafPoints<dim> &points,
+                            const GasMaterial &material)
+  : parameters_(parameters)
+  , mesh_(mesh)
+  , points_(points)
+  , material_(material)
+{
+  weigh_leaves();
+}
+
+
+template <int dim>
+void Adaptation<dim>::weigh_leaves()
+{
+  if constexpr (dim > 1)
+    weights_ = mesh_.triangulation().signals.weight.connect(
+      [this](const typename LeafMesh<dim>::CellIterator &cell,
+             const typename LeafMesh<dim>::Tria::CellStatus) {
+        return weight(cell);
+      });
+}
+
+
+template <int dim>
+unsigned int
+Adaptation<dim>::weight(const typename LeafMesh<dim>::CellIterator &cell) const
+{
+  // An active leaf takes some hundred times as long in each stage; a quiet
+  // one takes memory, and time when the mesh changes.
+  const unsigned int quiet = 1, active = 50;
+  if (quiet_leaves_ == nullptr)
+    return quiet;
+  if (!cell->has_children())
+    return quiet_leaves_->is_active(mesh_.leaf_of(cell) / mesh_.width())
+             ? active
+             : quiet;
+  for (unsigned int c = 0; c < cell->n_children(); ++c)
+    if (weight(cell->child(c)) == active)
+      return active;
+  return quiet;
+}
+
+
+template <int dim>
+std::vector<bool> Adaptation<dim>::wanted_batches() const
+{
+  std::vector<bool> wanted(mesh_.n_batches(), true);
+  for (unsigned int batch = 0; batch < mesh_.n_batches(); ++batch)
+    wanted[batch] = quiet_leaves_ == nullptr || quiet_leaves_->is_active(batch);
+  return wanted;
+}
+
+
+template <int dim>
+std::vector<typename Adaptation<dim>::FaceMarks>
+Adaptation<dim>::face_marks(const GasField &field) const
+{
+  using Sensor = AdaptationParameters::Sensor;
+  std::vector<FaceMarks> marks(mesh_.n_owned());
+  if (parameters_.sensor == Sensor::blast)
+    marks = front_sensor_by_face(
+      mesh_, points_, material_, field, parameters_.noise, wanted_batches());
+  else
+  {
+    const auto values =
+      jump_sensor(mesh_,
+                  points_,
+                  material_,
+                  field,
+                  parameters_.noise,
+                  wanted_batches(),
+                  parameters_.sensor == Sensor::pressure_bend);
+    for (unsigned int leaf = 0; leaf < marks.size(); ++leaf)
+      marks[leaf].fill(values[leaf]);
+  }
+  if (!parameters_.only_ahead)
+    for (FaceMarks &mark : marks)
+      mark.fill(*std::max_element(mark.begin(), mark.end()));
+  return marks;
+}
+
+
+template <int dim>
+std::vector<double> Adaptation<dim>::sensors(const GasField &field) const
+{
+  std::vector<double> result;
+  for (const FaceMarks &mark : face_marks(field))
+    result.push_back(*std::max_element(mark.begin(), mark.end()));
+  return result;
+}
+
+
+template <int dim>
+bool Adaptation<dim>::adapt(GasField &field,
+                            BlastMaps<dim> &maps,
+                            const double time,
+                            QuietLeaves<dim> *quiet_leaves)
+{
+  time_ = time;
+  quiet_leaves_ = quiet_leaves;
+  if (quiet_leaves_ != nullptr)
+    quiet_leaves_->update(field);
+  const bool changed = adapt_now(field, maps);
+  quiet_leaves_ = nullptr;
+  return changed;
+}
+
+
+template <int dim>
+bool Adaptation<dim>::adapt_now(GasField &field, BlastMaps<dim> &maps)
+{
+  std::vector<FaceMarks> marks = face_marks(field);
+  // Cells without gas would look like fronts; leaves at the body keep their
+  // size anyhow, and those beside them see what comes.
+  for (unsigned int leaf = 0; leaf < marks.size(); ++leaf)
+    if (field.open_fractions() != nullptr &&
+        !field.open_fractions()->is_open(leaf))
+      marks[leaf].fill(0.);
+  // Explosive that is to burn stays as fine as it was lit.
+  for (unsigned int leaf = 0; leaf < marks.size() && field.burn() != nullptr;
+       ++leaf)
+    if (field.burn()->burns[leaf])
+      marks[leaf].fill(1.);
+  for (unsigned int layer = 0; layer < parameters_.buffer; ++layer)
+    spread(marks);
+  set_flags(marks);
+  if constexpr (dim == 1)
+    balance_line();
+  mesh_.triangulation().prepare_coarsening_and_refinement();
+  bool any = false;
+  for (const auto &cell : mesh_.triangulation().active_cell_iterators())
+    any = any || (cell->is_locally_owned() &&
+                  (cell->refine_flag_set() || cell->coarsen_flag_set()));
+  if (dealii::Utilities::MPI::max(any ? 1U : 0U, mesh_.communicator()) == 0)
+    return false;
+  if constexpr (dim == 1)
+    carry_over_line(field, maps);
+  else
+    carry_over(field, maps);
+  return true;
+}
+
+
+template <int dim>
+void Adaptation<dim>::inherit(const CellIterator &cell,
+                              const unsigned int face,
+                              const Marks &marks,
+                              FaceMarks &result) const
+{
+  const auto look = [&](const auto &neighbor) {
+    if (neighbor->level() < cell->level())
+      return;
+    const FaceMarks others = marks(neighbor);
+    if (others[face ^ 1U] < parameters_.refine)
+      return;
+    for (unsigned int f = 0; f < 2 * dim; ++f)
+      if (others[f] >= parameters_.refine)
+        result[f] = std::max(result[f], parameters_.refine);
+  };
+  const bool periodic = dim > 1 && cell->has_periodic_neighbor(face);
+  if (cell->at_boundary(face) && !periodic)
+    return;
+  const auto neighbor =
+    periodic ? cell->periodic_neighbor(face) : cell->neighbor(face);
+  if (!neighbor->has_children())
+    look(neighbor);
+  else if (dim == 1)
+    look(neighbor->child(1 - face));
+  else
+    // Only the children on the face: farther ones would widen the buffer
+    // beside coarse leaves, to be merged again the next time.
+    for (unsigned int c = 0; c < HangingFace<dim>::n_fine; ++c)
+      look(periodic ? cell->periodic_neighbor_child_on_subface(face, c)
+                    : cell->neighbor_child_on_subface(face, c));
+}
+
+
+template <int dim>
+void Adaptation<dim>::spread(std::vector<FaceMarks> &marks) const
+{
+  std::map<dealii::CellId, FaceMarks> ghost_marks;
+  if constexpr (dim > 1)
+  {
+    const auto pack =
+      [&](const ActiveIterator &cell) -> std::optional<FaceMarks> {
+      return marks[mesh_.leaf_of(cell)];
+    };
+    const auto unpack = [&](const ActiveIterator &cell, const FaceMarks &mark) {
+      ghost_marks[cell->id()] = mark;
+    };
+    dealii::GridTools::exchange_cell_data_to_ghosts<FaceMarks,
+                                                    dealii::Triangulation<dim>>(
+      mesh_.triangulation(), pack, unpack);
+  }
+  const auto marks_of = [&](const CellIterator &cell) {
+    return cell->is_locally_owned() ? marks[mesh_.leaf_of(cell)]
+                                    : ghost_marks[cell->id()];
+  };
+  std::vector<FaceMarks> result = marks;
+  for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
+    for (const unsigned int face : mesh_.cell(leaf)->face_indices())
+      inherit(mesh_.cell(leaf), face, marks_of, result[leaf]);
+  marks.swap(result);
+}
+
+
+template <int dim>
+void Adaptation<dim>::set_flags(const std::vector<FaceMarks> &marks)
+{
+  for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
+  {
+    const auto &cell = mesh_.cell(leaf);
+    const unsigned int level = cell->level();
+    cell->clear_refine_flag();
+    cell->clear_coarsen_flag();
+    const auto allowed = levels(leaf);
+    const double mark =
+      *std::max_element(marks[leaf].begin(), marks[leaf].end());
+    if ((mark >= parameters_.refine && level < allowed.most) ||
+        level < allowed.least)
+      cell->set_refine_flag();
+    else if ((mark < parameters_.coarsen && level > allowed.least) ||
+             level > allowed.most)
+      cell->set_coarsen_flag();
+  }
+}
+
+
+template <int dim>
+bool Adaptation<dim>::refine_where(
+  const std::function<bool(const unsigned int leaf)> &wanted)
+{
+  for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
+    if (static_cast<unsigned int>(mesh_.cell(leaf)->level()) <
+          levels(leaf).most &&
+        wanted(leaf))
+      mesh_.cell(leaf)->set_refine_flag();
+  return refine_flagged();
+}
+
+
+template <int dim>
+bool Adaptation<dim>::refine_flagged()
+{
+  bool any = false;
+  for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
+    any = any || mesh_.cell(leaf)->refine_flag_set();
+  if (dealii::Utilities::MPI::max(any ? 1U : 0U, mesh_.communicator()) == 0)
+    return false;
+  if constexpr (dim == 1)
+    balance_line();
+  mesh_.triangulation().execute_coarsening_and_refinement();
+  mesh_.rebuild();
+  return true;
+}
+
+
+template <int dim>
+void Adaptation<dim>::carry_over(GasField &field, BlastMaps<dim> &maps)
+{
+  if constexpr (dim > 1)
+  {
+    using Cell = typename LeafMesh<dim>::CellIterator;
+    using Status = typename LeafMesh<dim>::Tria::CellStatus;
+    using Bytes = boost::iterator_range<std::vector<char>::const_iterator>;
+    const LeafCarrier<dim> carrier(mesh_, points_, material_, field, maps);
+    auto &tria = mesh_.triangulation();
+    const auto handle = tria.register_data_attach(
+      [&](const Cell &cell, const Status status) {
+        return carrier.pack(cell, status == tria.CELL_COARSEN);
+      },
+      false);
+    tria.execute_coarsening_and_refinement();
+    mesh_.rebuild();
+    field.reinit(field.layout(), mesh_.n_stored_batches());
+    if (!maps.empty())
+      maps.reinit(field.layout().n_points, mesh_.n_owned());
+    tria.notify_ready_to_unpack(
+      handle, [&](const Cell &cell, const Status status, const Bytes &bytes) {
+        carrier.unpack(cell, status == tria.CELL_REFINE, &*bytes.begin());
+      });
+    field.fill_padding(mesh_.n_owned());
+  }
+}
+
+
+template class Adaptation<1>;
+template class Adaptation<2>;
+template class Adaptation<3>;
+} // namespace contrecoup::gas

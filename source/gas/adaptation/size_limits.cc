@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/bounds.h>
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameter_tree.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/gas/adaptation/size_limits.h>
+
+#include <algorithm>
+
+namespace contrecoup::gas
+{
+namespace
+{
+  void declare_when(ParameterHandler &prm)
+  {
+    declare_double(prm,
+                   "From time",
+                   "0",
+                   -bounds::time,
+                   bounds::time,
+                   "s",
+                   "When the limit begins to hold.");
+    declare_double(prm,
+                   "Until time",
+                   "1e9",
+                   -bounds::time,
+                   bounds::time,
+                   "s",
+                   "When it ends to hold; by default after every run.");
+  }
+
+
+  void declare_where(ParameterHandler &prm)
+  {
+    Region::declare_parameters(
+      prm,
+      "Where the limit holds: leaves with their centre in all of the domain, "
+      "within Radius of a Center, farther from all of them, or between two "
+      "corners. However coarse, a leaf that touches a ball has its Smallest "
+      "level, and none that is set as Largest level for outside of it.");
+    declare_double(prm,
+                   "Radius growth",
+                   "0",
+                   -bounds::speed,
+                   bounds::speed,
+                   "m/s",
+                   "How fast the radius grows from then on.");
+  }
+} // namespace
+
+
+void SizeLimits::declare_parameters(ParameterHandler &prm)
+{
+  const Section section(prm, "Limit *");
+  declare_integer(prm,
+                  "Smallest level",
+                  "0",
+                  0,
+                  20,
+                  "Times that coarse leaves stay halved at least there.");
+  declare_integer(prm,
+                  "Largest level",
+                  "20",
+                  0,
+                  20,
+                  "Times that a coarse leaf may be halved at most there.");
+  declare_when(prm);
+  declare_where(prm);
+}
+
+
+void SizeLimits::parse_parameters(ParameterHandler &prm, const unsigned int dim)
+{
+  limits_.clear();
+  for (const std::string &name : item_names(prm, "Adaptation/Limit"))
+  {
+    const Section section(prm, "Limit " + name);
+    Limit limit;
+    limit.levels = {read_unsigned(prm, "Smallest level"),
+                    read_unsigned(prm, "Largest level")};
+    limit.from = read_double(prm, "From time");
+    limit.until = read_double(prm, "Until time");
+    limit.region.parse_parameters(prm);
+    limit.growth = read_double(prm, "Radius growth");
+    check(limit, "Adaptation/Limit " + name, dim);
+    limits_.push_back(limit);
+  }
+}
+
+
+void SizeLimits::check(const Limit &limit,
+                       const std::string &where,
+                       const unsigned int dim)
+{
+  if (limit.levels.least > limit.levels.most)
+    throw InputError(where + ": Smallest level must not be larger than "
+                             "Largest level");
+  if (!(limit.from < limit.until))
+    throw InputError(where + ": From time must be before Until time");
+  limit.region.check(where, dim);
+}
+
+
+template <int dim>
+bool SizeLimits::holds(const Limit &limit,
+                       const dealii::Point<dim> &place,
+                       const double time,
+                       const double margin)
+{
+  if (time < limit.from || time >= limit.until)
+    return false;
+  return limit.region.contains(place,
+                               limit.growth * (time - limit.from) + margin);
+}
+
+
+template <int dim>
+SizeLimits::Levels SizeLimits::levels(const dealii::Point<dim> &place,
+                                      const double time,
+                                      const Levels &general,
+                                      const double reach) const
+{
+  Levels result = general;
+  for (const Limit &limit : limits_)
+  {
+    const bool is_ball = limit.region.is_ball();
+    if (holds(limit, place, time, is_ball ? reach : 0.))
+      result.least = std::max(result.least, limit.levels.least);
+    if (holds(limit, place, time, is_ball ? 0. : reach))
+      result.most = std::min(result.most, limit.levels.most);
+  }
+  result.least = std::min(result.least, result.most);
+  return result;
+}
+
+
+template SizeLimits::Levels SizeLimits::levels(const dealii::Point<1> &,
+                                               double,
+                                               const Levels &,
+                                               double) const;
+template SizeLimits::Levels SizeLimits::levels(const dealii::Point<2> &,
+                                               double,
+                                               const Levels &,
+                                               double) const;
+template SizeLimits::Levels SizeLimits::levels(const dealii::Point<3> &,
+                                               double,
+                                               const Levels &,
+                                               double) const;
+} // namespace contrecoup::gas

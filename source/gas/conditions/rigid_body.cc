@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/parameter_tree.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/gas/conditions/rigid_body.h>
+#include <contrecoup/geometry/body_description.h>
+#include <contrecoup/geometry/composed_shapes.h>
+#include <contrecoup/geometry/half_space.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace contrecoup::gas
+{
+namespace
+{
+  void declare_half_space(ParameterHandler &prm)
+  {
+    const Section section(prm, "Half space");
+    Placement::declare_parameters(prm);
+  }
+
+
+  void declare_levels(ParameterHandler &prm)
+  {
+    declare_integer(prm,
+                    "Levels",
+                    "0",
+                    0,
+                    20,
+                    "Times that leaves at the surface and those beside them "
+                    "stay halved beyond the initial refinement, neither more "
+                    "nor less.");
+    const Section section(prm, "Finer region *");
+    declare_integer(prm,
+                    "Levels",
+                    "0",
+                    0,
+                    20,
+                    "The same in this region, if it is more than elsewhere.");
+    Region::declare_parameters(
+      prm,
+      "Where the region is: all of the domain, within Radius of a Center, "
+      "farther from all of them, or between two corners. Leaves that touch it "
+      "belong to it.");
+  }
+
+
+  ShapePointer read_half_space(ParameterHandler &prm)
+  {
+    const Section section(prm, "Half space");
+    Placement placement;
+    placement.parse_parameters(prm);
+    return std::make_shared<PlacedShape>(std::make_shared<HalfSpace>(),
+                                         placement);
+  }
+
+
+  BodyPointer read_body(ParameterHandler &prm)
+  {
+    const Section section(prm, "Body");
+    BodyDescription description;
+    description.parse_parameters(prm);
+    return description.create();
+  }
+} // namespace
+
+
+void RigidBody::declare_parameters(ParameterHandler &prm)
+{
+  {
+    const Section section(prm, "Body");
+    BodyDescription::declare_parameters(prm);
+  }
+  const Section section(prm, "Rigid body");
+  declare_selection(prm,
+                    "Kind",
+                    "none",
+                    {"none", "body", "half space"},
+                    "What stands rigidly in the gas: nothing, what section "
+                    "Body describes, or everything with x > 0, turned and "
+                    "moved; in 2-D what counts is the cut at z = 0, in "
+                    "axisymmetric geometry turned about the axis.");
+  declare_half_space(prm);
+  declare_selection(prm,
+                    "Treatment",
+                    "embedded",
+                    {"embedded", "staircase"},
+                    "Embedded: cells are cut by the surface, with its true "
+                    "normal, as plane facets in each cell; staircase: each "
+                    "cell is gas or body by its centre.");
+  declare_levels(prm);
+  declare_bool(prm,
+               "Required",
+               "true",
+               "Whether a run is refused in which the body is in no cell, "
+               "because it is elsewhere or too thin; trials of the costs on "
+               "coarser meshes go on without it.");
+}
+
+
+void RigidBody::parse_parameters(ParameterHandler &prm)
+{
+  shape_.reset();
+  finer_regions_.clear();
+  known_values_.clear();
+  std::string kind;
+  {
+    const Section section(prm, "Rigid body");
+    kind = prm.get("Kind");
+    treatment_ = prm.get("Treatment") == "embedded" ? Treatment::embedded
+                                                    : Treatment::staircase;
+    levels_ = read_unsigned(prm, "Levels");
+    is_required_ = prm.get_bool("Required");
+    for (const std::string &name : item_names(prm, "Rigid body/Finer region"))
+    {
+      const Section region(prm, "Finer region " + name);
+      FinerRegion finer;
+      finer.name = name;
+      finer.region.parse_parameters(prm);
+      finer.levels = read_unsigned(prm, "Levels");
+      finer_regions_.push_back(finer);
+    }
+    if (kind == "half space")
+      shape_ = read_half_space(prm);
+  }
+  landmarks_.clear();
+  if (kind == "body")
+  {
+    const BodyPointer body = read_body(prm);
+    shape_ = body->surface();
+    landmarks_ = body->landmarks();
+  }
+}
+
+
+void RigidBody::check(const unsigned int dim) const
+{
+  for (const FinerRegion &finer : finer_regions_)
+    finer.region.check("Rigid body/Finer region " + finer.name, dim);
+}
+
+
+unsigned int RigidBody::most_levels() const
+{
+  unsigned int result = levels_;
+  for (const FinerRegion &finer : finer_regions_)
+    result = std::max(result, finer.levels);
+  return result;
+}
+
+
+template <int dim>
+double RigidBody::value_in_leaf(const dealii::Point<dim> &middle) const
+{
+  const std::size_t most = 1U << 22;
+  if (known_values_.size() > most)
+    known_values_.clear();
+  Place place = {{0., 0., 0.}};
+  for (unsigned int d = 0; d < dim; ++d)
+    place[d] = middle[d];
+  const auto [known, is_new] = known_values_.try_emplace(place, 0.);
+  if (is_new)
+    known->second = value(middle);
+  return known->second;
+}
+
+
+template <int dim>
+double RigidBody::layers_to(const dealii::Point<dim> &lower,
+                            const dealii::Point<dim> &upper,
+                            const int halvings) const
+{
+  const dealii::Tensor<1, dim> edges = upper - lower;
+  const double diagonal = edges.norm();
+  const double wanted =
+    std::ldexp(diagonal, halvings - int(levels(lower, upper)));
+  const double distance =
+    value_in_leaf(dealii::Point<dim>(lower + edges * 0.5));
+  // Inside, where there is no gas, none are wanted beside those at the surface.
+  const double none_beside = distance < 0. ? at_body : 0.;
+  return (std::abs(distance) - 0.5 * diagonal) / wanted + none_beside;
+}
+
+
+#define CONTRECOUP_INSTANTIATE(dim)                                           \
+  template double RigidBody::value_in_leaf(const dealii::Point<dim> &) const; \
+  template double RigidBody::layers_to(                                       \
+    const dealii::Point<dim> &, const dealii::Point<dim> &, const int) const
+
+CONTRECOUP_INSTANTIATE(1);
+CONTRECOUP_INSTANTIATE(2);
+CONTRECOUP_INSTANTIATE(3);
+#undef CONTRECOUP_INSTANTIATE
+} // namespace contrecoup::gas

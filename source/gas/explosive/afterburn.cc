@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/bounds.h>
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/gas/explosive/afterburn.h>
+#include <contrecoup/gas/octree/leaf_box.h>
+#include <contrecoup/gas/state/primitive.h>
+
+#include <cmath>
+#include <istream>
+#include <ostream>
+
+namespace contrecoup::gas
+{
+namespace
+{
+  /// Pressure that Miller's law refers to, 1 Mbar [Pa].
+  constexpr double reference_pressure = 1e11;
+
+  /// Calls @p function(conserved quantities, distance between them, volume)
+  /// for each point that holds products.
+  template <int dim, typename Function>
+  void for_products(const LeafMesh<dim> &mesh,
+                    const LeafPoints<dim> &points,
+                    GasField &field,
+                    const Function &function)
+  {
+    const LeafLayout &layout = field.layout();
+    const std::size_t next = layout.value(1, 0);
+    visit_precision(layout.precision, [&](const auto real) {
+      auto *state = field.state<std::decay_t<decltype(real)>>();
+      for (unsigned int leaf = 0; leaf < mesh.n_owned(); ++leaf)
+      {
+        LeafBox<dim> box;
+        for (unsigned int q = 0; q < layout.n_points; ++q)
+        {
+          auto *u = state + layout.offset(leaf) + layout.value(0, q);
+          if (!(u[Component<dim>::products * next] > 0.))
+            continue;
+          if (box.extents.norm() == 0.)
+            box = leaf_box(mesh, leaf);
+          function(u, next, point_volume(box, points, q));
+        }
+      }
+    });
+  }
+
+  /// The mean pressure of the products, weighted with their mass [Pa].
+  template <int dim>
+  double mean_pressure(const LeafMesh<dim> &mesh,
+                       const LeafPoints<dim> &points,
+                       const GasMaterial &material,
+                       GasField &field)
+  {
+    using C = Component<dim>;
+    // What lies below this part of the ambient density moves no mean.
+    const double negligible = 1e-6;
+    std::vector<double> sums(2, 0.);
+    for_products(
+      mesh,
+      points,
+      field,
+      [&](const auto *u, const std::size_t next, const double volume) {
+        const double products = u[C::products * next];
+        if (products < negligible)
+          return;
+        std::array<double, C::products + 1> values;
+        for (unsigned int c = 0; c < values.size(); ++c)
+          values[c] = u[c * next];
+        const double pressure =
+          primitive_state<dim>(values.data(), material).pressure;
+        sums[0] += products * volume;
+        sums[1] += products * volume * pressure;
+      });
+    dealii::Utilities::MPI::sum(sums, mesh.communicator(), sums);
+    return sums[0] > 0. ? sums[1] / sums[0] : 0.;
+  }
+} // namespace
+
+
+void Afterburn::declare_parameters(ParameterHandler &prm)
+{
+  const Section section(prm, "Afterburn");
+  declare_selection(prm,
+                    "Kind",
+                    "none",
+                    {"none", "constant", "miller"},
+                    "Whether the products release more energy as they burn in "
+                    "air: never, at a constant rate, or by Miller's law.");
+  declare_double(prm,
+                 "Energy",
+                 "3.5e6",
+                 0.,
+                 1e12,
+                 "J/kg",
+                 "Energy released in all for each kg of products; the default "
+                 "fits blasts of TNT and C-4 in free air, with oxygen enough "
+                 "TNT has 1e7 (Schwer: 16.3 GJ/m^3).");
+  declare_double(prm,
+                 "Start time",
+                 "0",
+                 0.,
+                 bounds::time,
+                 "s",
+                 "Constant: when it begins, though never before all explosive "
+                 "has burned.");
+  declare_double(prm,
+                 "End time",
+                 "4.4e-3",
+                 0.,
+                 bounds::time,
+                 "s",
+                 "Constant: when all energy is out.");
+  declare_double(prm,
+                 "Rate",
+                 "6500",
+                 0.,
+                 1e12,
+                 "1/s",
+                 "Miller: the rate a of fresh products at 1 Mbar; 6500 is the "
+                 "0.0065 per microsecond of the literature.");
+  declare_double(prm,
+                 "Fuel exponent",
+                 "0.5",
+                 0.,
+                 10.,
+                 "-",
+                 "Miller: the power m of the fuel that is left.");
+  declare_double(prm,
+                 "Pressure exponent",
+                 "0.16666666666666666",
+                 0.,
+                 10.,
+                 "-",
+                 "Miller: the power n of the pressure in Mbar.");
+}
+
+
+void Afterburn::parse_parameters(ParameterHandler &prm)
+{
+  const Section section(prm, "Afterburn");
+  const std::string kind = prm.get("Kind");
+  kind_ = kind == "none"     ? Kind::none
+          : kind == "miller" ? Kind::miller
+                             : Kind::constant;
+  energy_ = read_double(prm, "Energy");
+  start_ = read_double(prm, "Start time");
+  end_ = read_double(prm, "End time");
+  rate_ = read_double(prm, "Rate");
+  fuel_exponent_ = read_double(prm, "Fuel exponent");
+  pressure_exponent_ = read_double(prm, "Pressure exponent");
+  if (kind_ == Kind::constant && !(start_ < end_))
+    throw InputError("Charges/Afterburn/End time must be after Start time");
+}
+
+
+double Afterburn::grown_fraction(const double time,
+                                 const double step,
+                                 const double pressure) const
+{
+  if (kind_ == Kind::constant)
+    return std::min(std::max((time - start_) / (end_ - start_), fraction_), 1.);
+  // The law's exact solution at constant pressure: (1 - L)^(1 - m) falls
+  // linearly, and stays at zero.
+  const double growth =
+    step * rate_ *
+    std::pow(std::max(pressure, 0.) / reference_pressure, pressure_exponent_);
+  const double power = 1. - fuel_exponent_;
+  const double fuel = 1. - fraction_;
+  if (fuel <= 0.)
+    return 1.;
+  if (std::abs(power) < 1e-12)
+    return 1. - fuel * std::exp(-growth);
+  const double left = std::pow(fuel, power) - power * growth;
+  return left <= 0. ? 1. : 1. - std::pow(left, 1. / power);
+}
+
+
+template <int dim>
+bool Afterburn::release(const double time,
+                        const double step,
+                        const LeafMesh<dim> &mesh,
+                        const LeafPoints<dim> &points,
+                        const GasMaterial &material,
+                        GasField &field)
+{
+  using C = Component<dim>;
+  if (!active() || fraction_ == 1. || field.burn() != nullptr)
+    return false;
+  const double pressure =
+    kind_ == Kind::miller ? mean_pressure(mesh, points, material, field) : 0.;
+  const double grown = grown_fraction(time, step, pressure);
+  const double share = energy_ * (grown - fraction_);
+  fraction_ = grown;
+  if (!(share > 0.))
+    return false;
+  double sum = 0.;
+  for_products(mesh,
+               points,
+               field,
+               [&](auto *u, const std::size_t next, const double volume) {
+                 const double energy = u[C::products * next] * share;
+                 u[C::energy * next] += energy;
+                 sum += energy * volume;
+               });
+  released_ += dealii::Utilities::MPI::sum(sum, mesh.communicator());
+  return true;
+}
+
+
+void Afterburn::save(std::ostream &stream) const
+{
+  stream.write(reinterpret_cast<const char *>(&fraction_), sizeof(fraction_));
+  stream.write(reinterpret_cast<const char *>(&released_), sizeof(released_));
+}
+
+
+void Afterburn::load(std::istream &stream)
+{
+  stream.read(reinterpret_cast<char *>(&fraction_), sizeof(fraction_));
+  stream.read(reinterpret_cast<char *>(&released_), sizeof(released_));
+}
+
+
+#define CONTRECOUP_INSTANTIATE(dim)                         \
+  template bool Afterburn::release(const double,            \
+                                   const double,            \
+                                   const LeafMesh<dim> &,   \
+                                   const LeafPoints<dim> &, \
+                                   const GasMaterial &,     \
+                                   GasField &)
+
+CONTRECOUP_INSTANTIATE(1);
+CONTRECOUP_INSTANTIATE(2);
+CONTRECOUP_INSTANTIATE(3);
+#undef CONTRECOUP_INSTANTIATE
+} // namespace contrecoup::gas

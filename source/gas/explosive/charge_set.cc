@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameter_tree.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/gas/explosive/afterburn.h>
+#include <contrecoup/gas/explosive/charge_set.h>
+#include <contrecoup/gas/explosive/charge_volume.h>
+#include <contrecoup/gas/state/primitive.h>
+#include <contrecoup/materials/explosives.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace contrecoup::gas
+{
+namespace
+{
+  /// The explosive that subsection "Material" names, with what is published
+  /// about it.
+  Explosive read_explosive(ParameterHandler &prm, const JwlParameters &jwl)
+  {
+    const Section section(prm, "Material");
+    const std::string name = prm.get("Explosive");
+    if (name != "custom")
+      return find_explosive(name);
+    const Section custom(prm, "Custom explosive");
+    return {name,
+            jwl,
+            read_double(prm, "Detonation speed"),
+            read_double(prm, "Detonation pressure"),
+            ""};
+  }
+
+  /// Whether some of the points of a grid through charge @p a are well within
+  /// both.
+  template <int dim>
+  bool overlap(const Charge<dim> &a, const Charge<dim> &b)
+  {
+    const dealii::QIterated<dim> grid(dealii::QMidpoint<1>(), 40);
+    const auto [lower, upper] = a.bounds();
+    const double touching = -1e-9 * a.smallest_size();
+    for (const auto &x : grid.get_points())
+    {
+      dealii::Point<dim> point = lower;
+      for (unsigned int d = 0; d < dim; ++d)
+        point[d] += x[d] * (upper[d] - lower[d]);
+      if (a.signed_distance(point) < touching &&
+          b.signed_distance(point) < touching)
+        return true;
+    }
+    return false;
+  }
+} // namespace
+
+
+template <int dim>
+void ChargeSet<dim>::declare_parameters(ParameterHandler &prm)
+{
+  const Section section(prm, "Charges");
+  declare_double(prm,
+                 "Detonation speed",
+                 "0",
+                 0.,
+                 1e6,
+                 "m/s",
+                 "Speed at which the burning front runs through the explosive; "
+                 "0: the Chapman-Jouguet speed of its constants.");
+  declare_double(prm,
+                 "Burn width",
+                 "2",
+                 0.1,
+                 100.,
+                 "-",
+                 "Thickness of the burning front in cells; wider ones are "
+                 "smoother and reach the Chapman-Jouguet pressure later.");
+  Afterburn::declare_parameters(prm);
+  const Section charge(prm, "Charge *");
+  Charge<dim>::declare_parameters(prm);
+}
+
+
+template <int dim>
+void ChargeSet<dim>::parse_parameters(ParameterHandler &prm,
+                                      const GasMaterial &material,
+                                      const CoarseMesh<dim> &mesh)
+{
+  material_ = material;
+  charges_.clear();
+  names_ = item_names(prm, "Charges/Charge");
+  if (names_.empty())
+    return;
+  if (!(material.reference_density() > 0.))
+    throw InputError(
+      "Charges: they need Material/Equation of state = jwl in air or "
+      "jwl, with an explosive that holds energy");
+  density_ = material.reference_density();
+  energy_density_ = density_ * material.reference_energy();
+  description_ = describe_detonation(read_explosive(prm, material.explosive()));
+  const Section section(prm, "Charges");
+  const ChapmanJouguetState front = chapman_jouguet(material.explosive());
+  speed_ = read_double(prm, "Detonation speed");
+  if (speed_ == 0.)
+    speed_ = front.detonation_speed;
+  stiffness_ = 1. / (1. - density_ / front.density);
+  burn_width_ = read_double(prm, "Burn width");
+  for (const std::string &name : names_)
+  {
+    const Section charge(prm, "Charge " + name);
+    charges_.emplace_back(
+      prm, mesh.geometry(), density_, "Charges/Charge " + name);
+  }
+}
+
+
+template <int dim>
+void ChargeSet<dim>::check(const Scheme &scheme,
+                           const InitialState<dim> &initial_state)
+{
+  if (charges_.empty())
+    return;
+  for (unsigned int i = 0; i < charges_.size(); ++i)
+    for (unsigned int j = 0; j < charges_.size(); ++j)
+      if (i != j && overlap(charges_[i], charges_[j]))
+        throw InputError("Charges/Charge " + names_[i] + " and Charge " +
+                         names_[j] + " overlap");
+  if (scheme.kind != Scheme::Kind::finite_volume)
+    throw InputError(
+      "Charges: they burn with Method/Scheme = finite volume only");
+  const dealii::Point<dim> origin;
+  const GasState<dim> ambient = initial_state.value(origin);
+  if (initial_state.distance_to_feature(origin) <
+        std::numeric_limits<double>::max() ||
+      ambient.velocity.norm() > 0.)
+    throw InputError(
+      "Charges: they need a gas that is uniform and at rest around "
+      "them: Initial state/Kind = uniform without Velocity");
+  ambient_pressure_ =
+    material_.pressure(ambient.density,
+                       material_.internal_energy_density(
+                         ambient.density, ambient.pressure, ambient.products),
+                       ambient.products);
+}
+
+
+template <int dim>
+double ChargeSet<dim>::signed_distance(const dealii::Point<dim> &point) const
+{
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const auto &charge : charges_)
+    nearest = std::min(nearest, charge.signed_distance(point));
+  return nearest;
+}
+
+
+template <int dim>
+std::optional<double> ChargeSet<dim>::arrival(const dealii::Point<dim> &point,
+                                              const double reach,
+                                              const double lead) const
+{
+  std::optional<double> first;
+  for (const auto &charge : charges_)
+    if (charge.signed_distance(point) < reach)
+    {
+      const double time = charge.arrival(point, speed_, lead);
+      first = first ? std::min(*first, time) : time;
+    }
+  return first;
+}
+
+
+template <int dim>
+std::vector<std::string> ChargeSet<dim>::fill(const LeafMesh<dim> &mesh,
+                                              const LeafPoints<dim> &points,
+                                              GasField &field) const
+{
+  using C = Component<dim>;
+  const LeafLayout &layout = field.layout();
+  std::vector<std::string> report;
+  std::vector<double> filled(std::size_t(mesh.n_owned()) * layout.n_points, 0.);
+  for (unsigned int i = 0; i < charges_.size(); ++i)
+  {
+    const ChargeVolume volume = charge_volume(charges_[i], mesh, points);
+    for (const auto &part : volume.parts)
+      filled[std::size_t(part.leaf) * layout.n_points + part.point] +=
+        part.fraction;
+    report.push_back("Charge " + names_[i] + ": " +
+                     brief(volume.total * density_, 8) + " kg in the domain" +
+                     (volume.is_exact ? ""
+                                      : ", which cuts it: as the cells "
+                                        "sample it"));
+    if (!(volume.total > 0.))
+      throw InputError("Charges/Charge " + names_[i] +
+                       " lies outside of the domain");
+  }
+
+  double fullest = 0.;
+  visit_precision(layout.precision, [&](const auto real) {
+    auto *state = field.state<std::decay_t<decltype(real)>>();
+    for (unsigned int leaf = 0; leaf < mesh.n_owned(); ++leaf)
+      for (unsigned int q = 0; q < layout.n_points; ++q)
+      {
+        const double part = filled[std::size_t(leaf) * layout.n_points + q];
+        fullest = std::max(fullest, part);
+        if (part == 0.)
+          continue;
+        auto *u = state + layout.offset(leaf) + layout.value(0, q);
+        const std::size_t next = layout.value(1, 0);
+        for (unsigned int c = 0; c < layout.n_components; ++c)
+          u[c * next] *= 1. - part;
+        u[C::density * next] += part * density_;
+        u[C::energy * next] += part * energy_density_;
+        u[C::products * next] += part * density_;
+      }
+  });
+  fullest = dealii::Utilities::MPI::max(fullest, mesh.communicator());
+  if (fullest > 1. + 1e-6)
+    throw InputError("Charges: they overlap; together they need more than the "
+                     "volume of a cell that they share");
+  return report;
+}
+
+
+template class ChargeSet<1>;
+template class ChargeSet<2>;
+template class ChargeSet<3>;
+} // namespace contrecoup::gas

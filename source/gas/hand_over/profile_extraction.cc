@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/gas/adaptation/leaf_transfer.h>
+#include <contrecoup/gas/hand_over/profile_extraction.h>
+#include <contrecoup/gas/octree/leaf_box.h>
+#include <contrecoup/gas/state/primitive.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+
+namespace contrecoup::gas
+{
+namespace
+{
+  /// Relative difference that counts as a disturbance.
+  double smallest_disturbance(const Precision precision)
+  {
+    return precision == Precision::single_precision ? 1e-6 : 1e-10;
+  }
+
+  template <int dim>
+  bool is_disturbed(const std::vector<double> &leaf,
+                    const unsigned int q,
+                    const unsigned int n_points,
+                    const std::vector<double> &ambient,
+                    const double smallest)
+  {
+    using C = Component<dim>;
+    const double density = ambient[C::density], energy = ambient[C::energy];
+    const double momentum = std::sqrt(density * energy);
+    const auto differs = [&](const unsigned int c, const double scale) {
+      return std::abs(leaf[c * n_points + q] - ambient[c]) > smallest * scale;
+    };
+    bool result = differs(C::density, density) || differs(C::energy, energy);
+    for (unsigned int d = 0; d < dim; ++d)
+      result = result || differs(C::momentum + d, momentum);
+    return result;
+  }
+
+
+  /// The raster of subcells, of the size of the finest leaf, in a box of
+  /// whole leaves of that size.
+  template <int dim>
+  class Raster
+  {
+  public:
+    Raster(const LeafMesh<dim> &mesh,
+           const LeafPoints<dim> &points,
+           const dealii::Point<dim> &lower,
+           const dealii::Point<dim> &upper,
+           const int finest)
+      : points_(points)
+      , finest_(finest)
+    {
+      const auto &box = mesh.coarse_mesh();
+      origin_ = box.lower_corner();
+      for (unsigned int d = 0; d < dim; ++d)
+      {
+        const double n_leaves = box.coarse_cells(d) * std::pow(2., finest);
+        size_[d] = (box.upper_corner()[d] - origin_[d]) / n_leaves;
+        // Where the box is at an end of the domain, so is the raster.
+        first_[d] =
+          std::max(0., std::floor((lower[d] - origin_[d]) / size_[d] + 1e-6));
+        const double last = std::min(
+          n_leaves, std::ceil((upper[d] - origin_[d]) / size_[d] - 1e-6));
+        n_leaves_[d] = last - first_[d];
+      }
+    }
+
+    unsigned int n_cells(const unsigned int direction) const
+    {
+      return n_leaves_[direction] * points_.n();
+    }
+
+    std::size_t n_cells() const
+    {
+      std::size_t n = 1;
+      for (unsigned int d = 0; d < dim; ++d)
+        n *= n_cells(d);
+      return n;
+    }
+
+    std::vector<double> edges(const unsigned int d) const
+    {
+      std::vector<double> result;
+      for (unsigned int i = 0; i < n_leaves_[d]; ++i)
+        for (unsigned int k = 0; k < points_.n(); ++k)
+          result.push_back(
+            origin_[d] + size_[d] * (first_[d] + i + points_.subcell_begin(k)));
+      result.push_back(origin_[d] + size_[d] * (first_[d] + n_leaves_[d]));
+      return result;
+    }
+
+    /// Calls @p function(cell, point) for the cells that the points of a
+    /// leaf of the finest size are; those outside of the raster are left out.
+    template <typename Function>
+    void for_each_cell(const LeafBox<dim> &leaf, const Function &function) const
+    {
+      std::array<long, dim> place;
+      for (unsigned int d = 0; d < dim; ++d)
+      {
+        place[d] =
+          std::lround((leaf.origin[d] - origin_[d]) / size_[d]) - first_[d];
+        if (place[d] < 0 || place[d] >= static_cast<long>(n_leaves_[d]))
+          return;
+      }
+      const unsigned int n = dealii::Utilities::pow(points_.n(), dim);
+      for (unsigned int q = 0; q < n; ++q)
+      {
+        const auto index = points_.indices(q);
+        std::size_t cell = 0, stride = 1;
+        for (unsigned int d = 0; d < dim; ++d)
+        {
+          cell += stride * (place[d] * points_.n() + index[d]);
+          stride *= n_cells(d);
+        }
+        function(cell, q);
+      }
+    }
+
+    /// Whether the box of a leaf reaches into the raster.
+    bool overlaps(const LeafBox<dim> &leaf) const
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+      {
+        const double begin = origin_[d] + size_[d] * first_[d];
+        const double end = begin + size_[d] * n_leaves_[d];
+        if (leaf.origin[d] > end - 0.5 * size_[d] ||
+            leaf.origin[d] + leaf.extents[d] < begin + 0.5 * size_[d])
+          return false;
+      }
+      return true;
+    }
+
+    int finest() const
+    {
+      return finest_;
+    }
+
+  private:
+    const LeafPoints<dim> &points_;
+    const int finest_;
+    dealii::Point<dim> origin_;
+    dealii::Tensor<1, dim> size_; ///< edge lengths of the finest leaf [m]
+    std::array<unsigned int, dim> first_, n_leaves_;
+  };
+
+
+  /// Puts a leaf, halved until it is of the finest size, into the values of
+  /// the raster. The masses are those of the scheme's volumes.
+  template <int dim>
+  void add_leaf(const std::vector<double> &leaf,
+                const LeafBox<dim> &box,
+                const int level,
+                const Raster<dim> &raster,
+                const LeafPoints<dim> &points,
+                const LeafTransfer<dim> &transfer,
+                std::vector<std::vector<double>> &values)
+  {
+    if (!raster.overlaps(box))
+      return;
+    if (level == raster.finest())
+    {
+      const unsigned int n_points = dealii::Utilities::pow(points.n(), dim);
+      raster.for_each_cell(box, [&](const std::size_t cell, unsigned int q) {
+        for (unsigned int c = 0; c * n_points < leaf.size(); ++c)
+          values[c][cell] = leaf[c * n_points + q];
+        values.back()[cell] = point_volume(box, points, q);
+      });
+      return;
+    }
+    const auto children = transfer.to_children(leaf, box);
+    for (unsigned int c = 0; c < children.size(); ++c)
+    {
+      LeafBox<dim> child;
+      child.extents = 0.5 * box.extents;
+      child.origin = box.origin;
+      for (unsigned int d = 0; d < dim; ++d)
+        if ((c >> d) & 1U)
+          child.origin[d] += child.extents[d];
+      add_leaf(children[c], child, level + 1, raster, points, transfer, values);
+    }
+  }
+
+
+  /// Makes means of what the scheme's volumes hold, where these are not
+  /// those of the cells themselves.
+  void correct_volumes(ProfileData &data, const std::vector<double> &volumes)
+  {
+    const Profile cells(data);
+    for (std::size_t cell = 0; cell < volumes.size(); ++cell)
+    {
+      const double factor = volumes[cell] / cells.volume(cell);
+      if (std::abs(factor - 1.) > 1e-11)
+        for (auto &values : data.values)
+          values[cell] *= factor;
+    }
+  }
+} // namespace
+
+
+template <int dim>
+std::pair<dealii::Point<dim>, dealii::Point<dim>>
+disturbed_box(const LeafMesh<dim> &mesh,
+              const LeafPoints<dim> &points,
+              const GasField &field,
+              const std::vector<double> &ambient)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::vector<double> outermost(2 * dim, -infinity); // -lower, upper
+  const unsigned int n_points = field.layout().n_points;
+  const double smallest = smallest_disturbance(field.layout().precision);
+  for (unsigned int leaf = 0; leaf < mesh.n_owned(); ++leaf)
+  {
+    const auto values = field.leaf(leaf);
+    const LeafBox<dim> box = leaf_box(mesh, leaf);
+    for (unsigned int q = 0; q < n_points; ++q)
+    {
+      if (!is_disturbed<dim>(values, q, n_points, ambient, smallest))
+        continue;
+      const auto index = points.indices(q);
+      for (unsigned int d = 0; d < dim; ++d)
+      {
+        const double begin =
+          box.origin[d] + box.extents[d] * points.subcell_begin(index[d]);
+        const double end =
+          box.origin[d] + box.extents[d] * points.subcell_end(index[d]);
+        outermost[2 * d] = std::max(outermost[2 * d], -begin);
+        outermost[2 * d + 1] = std::max(outermost[2 * d + 1], end);
+      }
+    }
+  }
+  dealii::Utilities::MPI::max(outermost, mesh.communicator(), outermost);
+  std::pair<dealii::Point<dim>, dealii::Point<dim>> result;
+  for (unsigned int d = 0; d < dim; ++d)
+  {
+    result.first[d] = -outermost[2 * d];
+    result.second[d] = outermost[2 * d + 1];
+  }
+  return result;
+}
+
+
+template <int dim>
+ProfileData extract_profile(const LeafMesh<dim> &mesh,
+                            const LeafPoints<dim> &points,
+                            const GasField &field,
+                            const GasMaterial &material,
+                            const GasState<dim> &ambient)
+{
+  using C = Component<dim>;
+  const auto &box = mesh.coarse_mesh();
+  if (dim == 3 || box.geometry() == Geometry::plane)
+    throw InputError("Output/Profile file: only domains with spherical, "
+                     "cylindrical or axisymmetric geometry have a profile");
+  const auto state = conserved_state(ambient, material, dim + 3);
+  auto [lower, upper] = disturbed_box(mesh, points, field, state);
+  if (!(lower[0] < upper[0]))
+    throw InputError("The profile is empty: the gas is undisturbed");
+  // The centre belongs to it even where the gas came to rest.
+  lower[0] = box.lower_corner()[0];
+  int finest = 0;
+  for (unsigned int leaf = 0; leaf < mesh.n_owned(); ++leaf)
+    finest = std::max(finest, mesh.cell(leaf)->level());
+  finest = dealii::Utilities::MPI::max(finest, mesh.communicator());
+
+  const Raster<dim> raster(mesh, points, lower, upper, finest);
+  // One more for the volumes.
+  std::vector<std::vector<double>> values(
+    dim + 4, std::vector<double>(raster.n_cells(), 0.));
+  const LeafTransfer<dim> transfer(points, field.layout(), material);
+  for (unsigned int leaf = 0; leaf < mesh.n_owned(); ++leaf)
+    add_leaf(field.leaf(leaf),
+             leaf_box(mesh, leaf),
+             mesh.cell(leaf)->level(),
+             raster,
+             points,
+             transfer,
+             values);
+  // Each cell is of one rank; the others hold zeros.
+  for (auto &component : values)
+    dealii::Utilities::MPI::sum(component, mesh.communicator(), component);
+
+  ProfileData data;
+  data.geometry = box.geometry();
+  data.ambient = {{state[C::density], state[C::energy], state[C::products]}};
+  data.ambient_pressure = ambient.pressure;
+  for (unsigned int d = 0; d < dim; ++d)
+  {
+    data.domain_begin.push_back(box.lower_corner()[d]);
+    data.domain_end.push_back(box.upper_corner()[d]);
+    data.edges.push_back(raster.edges(d));
+  }
+  const std::vector<double> volumes = values.back();
+  values.pop_back();
+  data.values = values;
+  correct_volumes(data, volumes);
+  return data;
+}
+
+
+#define CONTRECOUP_INSTANTIATE(dim)                                         \
+  template std::pair<dealii::Point<dim>, dealii::Point<dim>> disturbed_box( \
+    const LeafMesh<dim> &,                                                  \
+    const LeafPoints<dim> &,                                                \
+    const GasField &,                                                       \
+    const std::vector<double> &);                                           \
+  template ProfileData extract_profile(const LeafMesh<dim> &,               \
+                                       const LeafPoints<dim> &,             \
+                                       const GasField &,                    \
+                                       const GasMaterial &,                 \
+                                       const GasState<dim> &)
+
+CONTRECOUP_INSTANTIATE(1);
+CONTRECOUP_INSTANTIATE(2);
+CONTRECOUP_INSTANTIATE(3);
+#undef CONTRECOUP_INSTANTIATE
+} // namespace contrecoup::gas

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/gas/octree/scheme.h>
+
+namespace contrecoup::gas
+{
+namespace
+{
+  std::vector<std::string> gradient_limiters_or_none()
+  {
+    std::vector<std::string> names = gradient_limiter_names();
+    names.insert(names.begin(), "none");
+    return names;
+  }
+
+
+  void declare_galerkin(ParameterHandler &prm)
+  {
+    declare_integer(prm,
+                    "Degree",
+                    "3",
+                    1,
+                    3,
+                    "Discontinuous Galerkin: polynomial degree in a leaf.");
+    declare_bool(prm,
+                 "Blending",
+                 "true",
+                 "Discontinuous Galerkin: whether troubled leaves are blended "
+                 "with finite volumes on their nodes' subcells; needed "
+                 "wherever there are shocks.");
+    declare_double(prm,
+                   "Largest blending",
+                   "1",
+                   0.,
+                   1.,
+                   "-",
+                   "Discontinuous Galerkin: most that finite volumes may "
+                   "take over of a troubled leaf.");
+    declare_double(prm,
+                   "Indicator threshold",
+                   "1",
+                   1e-6,
+                   1e6,
+                   "-",
+                   "Discontinuous Galerkin: factor of the share of the highest "
+                   "modes above which a leaf is troubled; at degree 1, whose "
+                   "one slope says little, 0.03 finds contacts too.");
+    declare_bool(prm,
+                 "Positivity",
+                 "true",
+                 "Discontinuous Galerkin: whether nodes without positive "
+                 "density or energy are scaled towards the leaf's mean; "
+                 "without it they stop the step.");
+  }
+
+
+  void declare_time_stepping(ParameterHandler &prm)
+  {
+    declare_selection(prm,
+                      "Time stepping",
+                      "ssp rk2",
+                      runge_kutta_names(),
+                      "Runge-Kutta method.");
+    declare_double(prm,
+                   "CFL number",
+                   "0.4",
+                   1e-6,
+                   10.,
+                   "-",
+                   "Step size as a part of 1 / max sum_d (|u_d| + c) / h_d, h "
+                   "a subcell's edge (Galerkin: a leaf's edge over 2 degree + "
+                   "1); up to 0.5 keeps densities positive, beyond 1 steps "
+                   "are refused and retried.");
+    declare_integer(prm,
+                    "Largest number of retries",
+                    "10",
+                    0,
+                    50,
+                    "Times that a step with an unphysical result is halved "
+                    "before the run gives up.");
+  }
+} // namespace
+
+
+namespace
+{
+  void declare_precision(ParameterHandler &prm)
+  {
+    declare_selection(
+      prm,
+      "Precision",
+      "double",
+      {"double", "single"},
+      "Format of the numbers that are computed and stored: single (3-D boxes "
+      "alone) is faster and takes half the memory, but conserves mass, "
+      "momentum and energy to about seven digits only and sees no waves "
+      "weaker than 1e-6 of the pressure.");
+  }
+} // namespace
+
+
+void Scheme::declare_parameters(ParameterHandler &prm)
+{
+  const Section section(prm, "Method");
+  declare_selection(prm,
+                    "Scheme",
+                    "finite volume",
+                    {"finite volume", "discontinuous galerkin"},
+                    "Spatial discretisation within the leaves.");
+  declare_integer(prm,
+                  "Subcells",
+                  "8",
+                  1,
+                  16,
+                  "Finite volume: subcells of a leaf in each direction; 1 "
+                  "or an even number where the mesh adapts.");
+  declare_selection(prm,
+                    "Reconstruction",
+                    "linear",
+                    {"constant", "linear"},
+                    "Finite volume: what the gas is taken to be inside a "
+                    "subcell; constant is first order, linear second.");
+  declare_selection(prm,
+                    "Limiter",
+                    "mc",
+                    slope_limiter_names(),
+                    "Limiter of the slopes, in finite volumes and in the "
+                    "subcells of troubled Galerkin leaves.");
+  declare_selection(prm,
+                    "Gradient limiter",
+                    "none",
+                    gradient_limiters_or_none(),
+                    "Finite volume on meshes other than boxes: limiter of "
+                    "the changes in all directions together; at the faces "
+                    "between leaves the limiter above stays. None: it "
+                    "serves everywhere, direction by direction.");
+  declare_galerkin(prm);
+  declare_selection(prm,
+                    "Flux",
+                    "hllc shock stable",
+                    riemann_flux_names(),
+                    "Riemann flux between subcells and between leaves; the "
+                    "shock stable one equals HLLC away from shocks and "
+                    "suppresses the carbuncle along them.");
+  declare_time_stepping(prm);
+  declare_precision(prm);
+}
+
+
+void Scheme::parse_parameters(ParameterHandler &prm,
+                              const unsigned int dim,
+                              const bool /*plane_geometry*/)
+{
+  const Section section(prm, "Method");
+  kind = prm.get("Scheme") == "finite volume" ? Kind::finite_volume
+                                              : Kind::discontinuous_galerkin;
+  linear = prm.get("Reconstruction") == "linear";
+  limiter = parse_slope_limiter(prm.get("Limiter"));
+  gradient_limiter.reset();
+  if (prm.get("Gradient limiter") != "none")
+    gradient_limiter = parse_gradient_limiter(prm.get("Gradient limiter"));
+  flux = parse_riemann_flux(prm.get("Flux"));
+  time_stepping = parse_runge_kutta(prm.get("Time stepping"));
+  precision = prm.get("Precision") == "single" ? Precision::single_precision
+                                               : Precision::double_precision;
+  cfl = read_double(prm, "CFL number");
+  blending = prm.get_bool("Blending");
+  largest_blending = read_double(prm, "Largest blending");
+  indicator_threshold = read_double(prm, "Indicator threshold");
+  positivity = prm.get_bool("Positivity");
+  largest_retries = read_unsigned(prm, "Largest number of retries");
+  n_points = kind == Kind::finite_volume ? read_unsigned(prm, "Subcells")
+                                         : read_unsigned(prm, "Degree") + 1;
+  if (precision == Precision::single_precision && dim < 3)
+    throw InputError("Method/Precision = single works in 3-D; with "
+                     "Domain/Dimension = " +
+                     std::to_string(dim) + " use double");
+  if (kind == Kind::finite_volume && linear && n_points == 1)
+    throw InputError("Method/Reconstruction = linear needs Method/Subcells "
+                     "of 2 or more (8 is a good number in " +
+                     std::to_string(dim) +
+                     "-D); with one subcell use constant");
+}
+
+
+void Scheme::check_mesh(const bool is_axis_aligned) const
+{
+  if (!is_axis_aligned && precision == Precision::single_precision)
+    throw InputError("Method/Precision = single needs Domain/Mesh = box; on "
+                     "other meshes use double");
+  if (is_axis_aligned && gradient_limiter)
+    throw InputError("Method/Gradient limiter: for Domain/Mesh = box only "
+                     "none is available");
+  if (gradient_limiter && kind == Kind::discontinuous_galerkin)
+    throw InputError("Method/Gradient limiter: for Method/Scheme = "
+                     "discontinuous galerkin only none is available");
+}
+
+
+double Scheme::stability_limit() const
+{
+  return kind == Kind::finite_volume ? 1. / n_points
+                                     : 1. / (2. * degree() + 1.);
+}
+} // namespace contrecoup::gas

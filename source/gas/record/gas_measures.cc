@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/lane_math.h>
+#include <contrecoup/gas/kernel/lobatto_metric.h>
+#include <contrecoup/gas/octree/leaf_box.h>
+#include <contrecoup/gas/octree/radial_nodes.h>
+#include <contrecoup/gas/record/gas_measures.h>
+#include <contrecoup/gas/state/primitive.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+namespace contrecoup::gas
+{
+namespace
+{
+  /// Density, velocity, pressure of one leaf and of the exact solution at
+  /// one place, with the volume they stand for.
+  template <int dim>
+  struct Comparison
+  {
+    GasState<dim> computed;
+    GasState<dim> exact;
+    double volume;
+  };
+
+  template <int dim>
+  GasState<dim> state_at(const std::vector<double> &leaf,
+                         const unsigned int q,
+                         const unsigned int n_points,
+                         const GasMaterial &material)
+  {
+    std::vector<double> u(leaf.size() / n_points);
+    for (unsigned int c = 0; c < u.size(); ++c)
+      u[c] = leaf[c * n_points + q];
+    return primitive_state<dim>(u.data(), material);
+  }
+
+  /// Differences of density, velocity and pressure.
+  template <int dim>
+  std::array<double, 3> errors_of(const Comparison<dim> &item)
+  {
+    return {{std::abs(item.computed.density - item.exact.density),
+             (item.computed.velocity - item.exact.velocity).norm(),
+             std::abs(item.computed.pressure - item.exact.pressure)}};
+  }
+
+  template <int dim>
+  std::vector<Comparison<dim>>
+  compare_means(const LeafBox<dim> &box,
+                const LeafPoints<dim> &points,
+                const std::vector<double> &leaf,
+                const unsigned int n_components,
+                const GasMaterial &material,
+                const ReferenceSolution<dim> &reference,
+                const double time)
+  {
+    const auto field = [&](const dealii::Point<dim> &p) {
+      return reference.value(p, time);
+    };
+    const unsigned int n_points = leaf.size() / n_components;
+    const auto exact = sample_leaf<dim>(
+      field, box, points, material, n_components, true, dim == 1 ? 8 : 4);
+    std::vector<Comparison<dim>> result;
+    for (unsigned int q = 0; q < n_points; ++q)
+      result.push_back({state_at<dim>(leaf, q, n_points, material),
+                        state_at<dim>(exact, q, n_points, material),
+                        point_volume(box, points, q)});
+    return result;
+  }
+
+  template <int dim>
+  std::vector<Comparison<dim>>
+  compare_polynomials(const LeafBox<dim> &box,
+                      const LeafPoints<dim> &points,
+                      const std::vector<double> &leaf,
+                      const unsigned int n_components,
+                      const GasMaterial &material,
+                      const ReferenceSolution<dim> &reference,
+                      const double time)
+  {
+    const dealii::QGauss<dim> quadrature(points.n() + 2);
+    const unsigned int n_points = leaf.size() / n_components;
+    std::vector<Comparison<dim>> result;
+    for (unsigned int s = 0; s < quadrature.size(); ++s)
+    {
+      const auto &x = quadrature.point(s);
+      std::array<std::vector<double>, dim> line;
+      const double volume = quadrature.weight(s) * box.jacobian(x) *
+                            radial_power(points.exponent(), box.place(x)[0]);
+      for (unsigned int d = 0; d < dim; ++d)
+        line[d] = points.interpolation(x[d]);
+      std::vector<double> u(n_components, 0.);
+      for (unsigned int q = 0; q < n_points; ++q)
+      {
+        const auto index = points.indices(q);
+        double weight = 1.;
+        for (unsigned int d = 0; d < dim; ++d)
+          weight *= line[d][index[d]];
+        for (unsigned int c = 0; c < n_components; ++c)
+          u[c] += weight * leaf[c * n_points + q];
+      }
+      result.push_back({primitive_state<dim>(u.data(), material),
+                        reference.value(box.place(x), time),
+                        volume});
+    }
+    return result;
+  }
+
+  /// Sums over the gas, and negated smallest and largest values.
+  struct Totals
+  {
+    explicit Totals(const unsigned int n_components)
+      : sums(n_components + 1, 0.)
+      , largest(4, std::numeric_limits<double>::lowest())
+    {}
+
+    std::vector<double> sums;    ///< conserved quantities, kinetic energy
+    std::vector<double> largest; ///< -density, density, -pressure, pressure
+  };
+
+  /// Volumes of point @p q in W leaves from @p first on; zero where there
+  /// are none.
+  template <int dim>
+  Lanes<double> volumes_from(const unsigned int first,
+                             const unsigned int q,
+                             const LeafMesh<dim> &mesh,
+                             const LeafPoints<dim> &points)
+  {
+    Lanes<double> volumes(0.);
+    for (unsigned int lane = 0; lane < W && first + lane < mesh.n_owned();
+         ++lane)
+    {
+      const LeafBox<dim> box = leaf_box(mesh, first + lane);
+      volumes[lane] = points.volume(box.origin, box.extents, q);
+    }
+    return volumes;
+  }
+
+  /// Adds W leaves from @p first_leaf on, or those of them that exist.
+  template <int dim, typename Gas>
+  void add_leaves(const unsigned int first_leaf,
+                  const LeafMesh<dim> &mesh,
+                  const LeafPoints<dim> &points,
+                  const LeafMetric<std::max(dim, 2)> *metric,
+                  const GasField &field,
+                  const Gas &gas,
+                  Totals &totals)
+  {
+    using Number = Lanes<double>;
+    using C = Component<dim>;
+    constexpr unsigned int nc = n_conserved<dim, Gas>;
+
+    // In plane geometry the volumes of all points are alike up to a factor.
+    const bool is_plane = points.exponent() == 0;
+    const double first = points.relative_volume(0);
+    const Number whole =
+      volumes_from(first_leaf, 0, mesh, points) * (1. / first);
+    std::array<Number, nc + 1> sums;
+    sums.fill(Number(0.));
+    const Number none(std::numeric_limits<double>::lowest());
+    std::array<Number, 4> largest;
+    largest.fill(none);
+    for (unsigned int q = 0; q < field.layout().n_points; ++q)
+    {
+      Number volume = metric     ? metric->volume(q)
+                      : is_plane ? whole * points.relative_volume(q)
+                                 : volumes_from(first_leaf, q, mesh, points);
+      Number is_gas(1.);
+      for (unsigned int lane = 0; lane < W && field.open_fractions() != nullptr;
+           ++lane)
+      {
+        const double part = field.open_fraction(first_leaf + lane, q);
+        volume[lane] *= part;
+        is_gas[lane] = part;
+      }
+      std::array<Number, nc> u;
+      for (unsigned int c = 0; c < nc; ++c)
+      {
+        u[c] = field.values(first_leaf, c, q);
+        sums[c] += volume * u[c];
+      }
+      auto p = to_primitive<dim>(gas, u);
+      for (unsigned int lane = 0; lane < W && field.burn() != nullptr; ++lane)
+        p[C::energy][lane] = field.exerted_pressure(
+          p[C::energy][lane], field.burned(first_leaf + lane, q));
+      for (unsigned int d = 0; d < dim; ++d)
+        sums[nc] += volume * p[C::momentum + d] * u[C::momentum + d] * 0.5;
+      const auto if_gas = [&](const Number &value) {
+        return select_less(Number(0.), is_gas, value, none);
+      };
+      largest[0] = std::max(largest[0], if_gas(Number(-p[C::density])));
+      largest[1] = std::max(largest[1], if_gas(p[C::density]));
+      largest[2] = std::max(largest[2], if_gas(Number(-p[C::energy])));
+      largest[3] = std::max(largest[3], if_gas(p[C::energy]));
+    }
+    for (unsigned int lane = 0; lane < W && first_leaf + lane < mesh.n_owned();
+         ++lane)
+    {
+      for (unsigned int c = 0; c <= nc; ++c)
+        totals.sums[c] += sums[c][lane];
+      for (unsigned int i = 0; i < 4; ++i)
+        totals.largest[i] = std::max(totals.largest[i], largest[i][lane]);
+    }
+  }
+} // namespace
+
+
+template <int dim>
+std::vector<NamedValue> gas_totals(const LeafMesh<dim> &mesh,
+                                   const LeafPoints<dim> &points,
+                                   const GasField &field,
+                                   const GasMaterial &material)
+{
+  using C = Component<dim>;
+  const unsigned int nc = field.layout().n_components;
+  Totals totals(nc);
+  std::optional<LeafMetric<std::max(dim, 2)>> metric;
+  std::optional<LobattoMetric<std::max(dim, 2)>> lobatto_metric;
+  if (!mesh.coarse_mesh().is_axis_aligned() && points.is_galerkin())
+    lobatto_metric.emplace(field.layout().n);
+  else if (!mesh.coarse_mesh().is_axis_aligned())
+    metric.emplace(field.layout().n);
+  std::visit(
+    [&](const auto &gas) {
+      for (unsigned int leaf = 0; leaf < mesh.n_owned(); leaf += W)
+      {
+        const LeafMetric<std::max(dim, 2)> *shapes = nullptr;
+        if constexpr (dim > 1)
+        {
+          if (metric)
+          {
+            metric->reinit(mesh, leaf / W);
+            shapes = &*metric;
+          }
+          if (lobatto_metric)
+          {
+            lobatto_metric->reinit(mesh, leaf / W);
+            shapes = &*lobatto_metric;
+          }
+        }
+        add_leaves(leaf, mesh, points, shapes, field, gas, totals);
+      }
+    },
+    material.model());
+  dealii::Utilities::MPI::sum(totals.sums, mesh.communicator(), totals.sums);
+  dealii::Utilities::MPI::max(
+    totals.largest, mesh.communicator(), totals.largest);
+
+  const std::array<const char *, 3> axes = {{"x", "y", "z"}};
+  std::vector<NamedValue> result;
+  result.push_back({"mass", "kg", totals.sums[C::density], true});
+  for (unsigned int d = 0; d < dim; ++d)
+    result.push_back({std::string("momentum_") + axes[d],
+                      "kg m/s",
+                      totals.sums[C::momentum + d]});
+  result.push_back({"energy", "J", totals.sums[C::energy], true});
+  result.push_back({"kinetic_energy", "J", totals.sums[nc]});
+  if (material.has_products())
+    result.push_back({"products_mass", "kg", totals.sums[C::products], true});
+  result.push_back({"smallest_density", "kg/m^3", -totals.largest[0]});
+  result.push_back({"largest_density", "kg/m^3", totals.largest[1]});
+  result.push_back({"smallest_pressure", "Pa", -totals.largest[2]});
+  result.push_back({"largest_pressure", "Pa", totals.largest[3]});
+  return result;
+}
+
+
+template <int dim>
+std::vector<NamedValue> gas_errors(const LeafMesh<dim> &mesh,
+                                   const LeafPoints<dim> &points,
+                                   const GasField &field,
+                                   const GasMaterial &material,
+                                   const ReferenceSolution<dim> &reference,
+                                   const double time)
+{
+  // Volume, then L1, L2 and L1 of the means of each.
+  std::vector<double> sums(10, 0.);
+  std::vector<double> largest(3, 0.);
+  for (unsigned int leaf = 0; leaf < mesh.n_owned(); ++leaf)
+  {
+    const auto compare = [&](const auto &way) {
+      return way(leaf_box(mesh, leaf),
+                 points,
+                 field.leaf(leaf),
+                 field.layout().n_components,
+                 material,
+                 reference,
+                 time);
+    };
+    auto means = compare(compare_means<dim>);
+    // Only finite volumes, an item for each subcell, burn and meet bodies.
+    for (unsigned int q = 0; q < means.size() && !points.is_galerkin(); ++q)
+    {
+      means[q].volume *= field.open_fraction(leaf, q);
+      means[q].computed.pressure = field.exerted_pressure(
+        means[q].computed.pressure, field.burned(leaf, q));
+    }
+    for (const auto &item :
+         points.is_galerkin() ? compare(compare_polynomials<dim>) : means)
+    {
+      const auto errors = errors_of(item);
+      sums[0] += item.volume;
+      for (unsigned int i = 0; i < 3 && item.volume > 0.; ++i)
+      {
+        sums[1 + 2 * i] += item.volume * errors[i];
+        sums[2 + 2 * i] += item.volume * errors[i] * errors[i];
+        largest[i] = std::max(largest[i], errors[i]);
+      }
+    }
+    for (const auto &item : means)
+      for (unsigned int i = 0; i < 3; ++i)
+        sums[7 + i] += item.volume * errors_of(item)[i];
+  }
+  dealii::Utilities::MPI::sum(sums, mesh.communicator(), sums);
+  dealii::Utilities::MPI::max(largest, mesh.communicator(), largest);
+
+  const char *const names[] = {"density", "velocity", "pressure"};
+  const char *const units[] = {"kg/m^3", "m/s", "Pa"};
+  std::vector<NamedValue> result;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    const std::string name = names[i];
+    result.push_back({name + "_L1", units[i], sums[1 + 2 * i] / sums[0]});
+    result.push_back(
+      {name + "_L2", units[i], std::sqrt(sums[2 + 2 * i] / sums[0])});
+    result.push_back({name + "_Linf", units[i], largest[i]});
+    if (points.is_galerkin())
+      result.push_back({name + "_mean_L1", units[i], sums[7 + i] / sums[0]});
+  }
+  return result;
+}
+
+
+#define CONTRECOUP_INSTANTIATE(dim)                                           \
+  template std::vector<NamedValue> gas_totals(const LeafMesh<dim> &,          \
+                                              const LeafPoints<dim> &,        \
+                                              const GasField &,               \
+                                              const GasMaterial &);           \
+  template std::vector<NamedValue> gas_errors(const LeafMesh<dim> &,          \
+                                              const LeafPoints<dim> &,        \
+                                              const GasField &,               \
+                                              const GasMaterial &,            \
+                                              const ReferenceSolution<dim> &, \
+                                              double)
+
+CONTRECOUP_INSTANTIATE(1);
+CONTRECOUP_INSTANTIATE(2);
+CONTRECOUP_INSTANTIATE(3);
+#undef CONTRECOUP_INSTANTIATE
+} // namespace contrecoup::gas

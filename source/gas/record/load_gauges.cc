@@ -1,0 +1,379 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/bounds.h>
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/gas/record/load_gauges.h>
+#include <contrecoup/io/checked_file.h>
+#include <contrecoup/io/history_reader.h>
+#include <contrecoup/numerics/load_injury.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+
+namespace contrecoup::gas
+{
+using dealii::Point;
+
+namespace
+{
+  constexpr unsigned int n_geometry = 6; ///< numbers of a facet
+
+  constexpr const char *histories = "/load_gauges.csv";
+
+  /// A point of these coordinates, as an entry has it.
+  std::string to_text(const Point<3> &point)
+  {
+    return brief(point[0]) + ", " + brief(point[1]) + ", " + brief(point[2]);
+  }
+
+
+  /// A place "name: x, y, z".
+  template <int dim>
+  Landmark read_place(const std::string &text)
+  {
+    const std::string what =
+      "Loads/Gauges: \"" + text + "\" must be a name, a colon and " +
+      std::to_string(dim) + " coordinates, as in \"forehead: 0.1, 0" +
+      (dim == 3 ? ", 1.7\"" : "\"");
+    const std::vector<std::string> parts = split(text, ':');
+    if (parts.size() != 2)
+      throw InputError(what);
+    const std::vector<std::string> words = split(parts[1], ',');
+    Landmark place{parts[0], Point<3>()};
+    const auto belongs = [](const unsigned char c) {
+      return std::isalnum(c) || c == ' ' || c == '_' || c == '-';
+    };
+    if (words.size() != dim || place.name.empty() ||
+        !std::all_of(place.name.begin(), place.name.end(), belongs))
+      throw InputError(what + "; names are of letters, digits and spaces");
+    for (unsigned int d = 0; d < dim; ++d)
+    {
+      char *end = nullptr;
+      place.place[d] = std::strtod(words[d].c_str(), &end);
+      if (words[d].empty() || *end != '\0' || !std::isfinite(place.place[d]))
+        throw InputError(what + "; \"" + words[d] + "\" is no number");
+    }
+    return place;
+  }
+
+
+  /// Whether a place is in the box, and in the plane of a 2-D scene.
+  template <int dim>
+  bool is_inside(const Point<3> &place,
+                 const Point<dim> &lower,
+                 const Point<dim> &upper)
+  {
+    const double round_off = 1e-9 * lower.distance(upper);
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      const double low = d < dim ? lower[d < dim ? d : 0] : 0.;
+      const double high = d < dim ? upper[d < dim ? d : 0] : 0.;
+      if (place[d] < low - round_off || place[d] > high + round_off)
+        return false;
+    }
+    return true;
+  }
+} // namespace
+
+
+void LoadGauges::declare_parameters(dealii::ParameterHandler &prm)
+{
+  declare_string(prm,
+                 "Gauges",
+                 "",
+                 "Places on the body whose loads are told beside those of the "
+                 "phantom's landmarks, as \"name: x, y, z; name: ...\" [m]; "
+                 "each is moved to the nearest place of the surface.");
+  declare_double(prm,
+                 "Gauge radius",
+                 "0.02",
+                 bounds::smallest_length,
+                 bounds::length,
+                 "m",
+                 "Radius of the patch of surface that a gauge takes the mean "
+                 "over, above 0; where no facet is so near, the nearest one "
+                 "counts.");
+  declare_double(prm,
+                 "Body mass",
+                 "78.5",
+                 1.,
+                 500.,
+                 "kg",
+                 "Of the person whose lungs gauge_injury.csv tells of: a light "
+                 "one survives less.");
+}
+
+
+template <int dim>
+void LoadGauges::parse_parameters(dealii::ParameterHandler &prm,
+                                  const RigidBody &body,
+                                  const Point<dim> &lower,
+                                  const Point<dim> &upper)
+{
+  places_.clear();
+  radius_ = read_double(prm, "Gauge radius");
+  body_mass_ = read_double(prm, "Body mass");
+  for (const Landmark &landmark : body.landmarks())
+    if (is_inside(landmark.place, lower, upper))
+      add_place(landmark.name, landmark.place, body);
+  for (const std::string &text : split(prm.get("Gauges"), ';'))
+  {
+    if (text.empty())
+      continue;
+    const Landmark given = read_place<dim>(text);
+    const Point<3> place = body.project(given.place);
+    if (!is_inside(place, lower, upper))
+      throw InputError("Loads/Gauges: the surface's place nearest to \"" +
+                       given.name + "\", " + to_text(place) +
+                       " m, is outside of the domain");
+    add_place(given.name, place, body);
+  }
+  records_.assign(places_.size(), {});
+}
+
+
+void LoadGauges::add_place(const std::string &name,
+                           const Point<3> &point,
+                           const RigidBody &body)
+{
+  for (const Place &place : places_)
+    if (place.name == name)
+      throw InputError("Loads/Gauges: there are two places \"" + name + "\"");
+  places_.push_back({name, point, body.normal(point)});
+}
+
+
+void LoadGauges::find_patch(const unsigned int gauge,
+                            const std::vector<double> &geometry,
+                            std::vector<Part> &parts) const
+{
+  const Place &place = places_[gauge];
+  double sum = 0., nearest_distance = std::numeric_limits<double>::max();
+  std::size_t nearest_facet = 0;
+  for (std::size_t i = 0; i < geometry.size() / n_geometry; ++i)
+  {
+    const double *values = &geometry[n_geometry * i];
+    const dealii::Tensor<1, 3> area({values[3], values[4], values[5]});
+    const double distance =
+      place.point.distance({values[0], values[1], values[2]});
+    // On a thin body the facets of its other side are near as well.
+    if (area * place.normal >= 0.)
+      continue;
+    if (distance < nearest_distance)
+    {
+      nearest_distance = distance;
+      nearest_facet = i;
+    }
+    if (distance <= radius_)
+    {
+      parts.push_back({i, gauge, area.norm()});
+      sum += area.norm();
+    }
+  }
+  if (parts.empty() && !geometry.empty())
+  {
+    parts.push_back({nearest_facet, gauge, 1.});
+    sum = 1.;
+  }
+  for (Part &part : parts)
+    part.weight /= sum;
+}
+
+
+void LoadGauges::reinit(const std::vector<double> &geometry,
+                        const std::vector<std::size_t> &owned)
+{
+  std::vector<char> is_owned(geometry.size() / n_geometry, 0);
+  for (const std::size_t facet : owned)
+    is_owned[facet] = 1;
+  parts_.clear();
+  patch_sizes_.clear();
+  for (unsigned int gauge = 0; gauge < places_.size(); ++gauge)
+  {
+    std::vector<Part> patch;
+    find_patch(gauge, geometry, patch);
+    patch_sizes_.push_back(patch.size());
+    for (const Part &part : patch)
+      if (is_owned[part.facet])
+        parts_.push_back(part);
+  }
+}
+
+
+void LoadGauges::add(const std::vector<double> &overpressures,
+                     const double time,
+                     const double step,
+                     const double smallest)
+{
+  for (std::size_t i = 0; i < records_.size(); ++i)
+  {
+    Record &record = records_[i];
+    if (overpressures[i] > record.blast.peak)
+      record.peak_time = time;
+    record.blast.add(overpressures[i], time, step, smallest);
+    record.sum += 0.5 * (record.last + overpressures[i]) * step;
+    record.last = overpressures[i];
+  }
+}
+
+
+void LoadGauges::open_file()
+{
+  file_ = std::make_unique<io::HistoryFile>(folder_ + histories);
+  if (file_size_ > 0)
+    file_->resume(file_size_);
+  else
+    file_->start();
+}
+
+
+void LoadGauges::end_sample(const double time,
+                            const double duration,
+                            const bool writes)
+{
+  std::vector<NamedValue> row = {{"time", "s", time}};
+  for (std::size_t i = 0; i < records_.size(); ++i)
+  {
+    row.push_back({places_[i].name, "Pa", records_[i].sum / duration});
+    records_[i].sum = 0.;
+  }
+  if (!writes || places_.empty() || folder_.empty())
+    return;
+  if (!file_)
+    open_file();
+  file_->add_row(row);
+}
+
+
+void LoadGauges::flush()
+{
+  if (!file_)
+    return;
+  file_->flush();
+  file_size_ = file_->size();
+}
+
+
+void LoadGauges::write_injury() const
+{
+  const std::string file = folder_ + histories;
+  if (folder_.empty() || !std::filesystem::exists(file))
+    return;
+  const io::HistoryTable table = io::read_history(file);
+  const std::vector<double> &times = table.column("time", file);
+  if (times.size() < 2)
+    return;
+  std::string text = "place,peak [Pa],positive phase [s],chest wall velocity "
+                     "[m/s],lung exposure [-],eardrum rupture [-]\n";
+  for (const Place &place : places_)
+  {
+    const LoadInjury injury =
+      load_injury(times, table.column(place.name, file), body_mass_);
+    text += place.name;
+    for (const double value : {injury.peak,
+                               injury.positive_phase,
+                               injury.chest_wall_velocity,
+                               injury.lung_exposure,
+                               injury.eardrum_rupture})
+      text += "," + exact(value);
+    text += "\n";
+  }
+  io::write_file(folder_ + "/gauge_injury.csv",
+                 [&](std::ostream &out) { out << text; });
+}
+
+
+void LoadGauges::save(std::ostream &stream) const
+{
+  const std::size_t n = records_.size();
+  stream.write(reinterpret_cast<const char *>(&n), sizeof(n));
+  stream.write(reinterpret_cast<const char *>(&file_size_), sizeof(file_size_));
+  stream.write(reinterpret_cast<const char *>(records_.data()),
+               n * sizeof(Record));
+}
+
+
+void LoadGauges::load(std::istream &stream)
+{
+  std::size_t n = 0;
+  stream.read(reinterpret_cast<char *>(&n), sizeof(n));
+  stream.read(reinterpret_cast<char *>(&file_size_), sizeof(file_size_));
+  if (!stream)
+    return;
+  if (n != records_.size())
+    throw InputError("Loads/Gauges: the checkpoint has " + std::to_string(n) +
+                     " places, this scene " + std::to_string(records_.size()));
+  stream.read(reinterpret_cast<char *>(records_.data()), n * sizeof(Record));
+}
+
+
+std::vector<NamedValue> LoadGauges::measures(const double time) const
+{
+  std::vector<NamedValue> values;
+  for (std::size_t i = 0; i < records_.size(); ++i)
+  {
+    std::string name = "loads_" + places_[i].name + "_";
+    std::replace(name.begin(), name.end(), ' ', '_');
+    const BlastMeasures blast = records_[i].blast.measures(time);
+    values.push_back({name + "peak", "Pa", blast.peak});
+    values.push_back({name + "peak_time", "s", records_[i].peak_time});
+    values.push_back({name + "arrival", "s", blast.arrival});
+    values.push_back({name + "impulse", "Pa s", blast.impulse});
+  }
+  return values;
+}
+
+
+std::vector<std::string> LoadGauges::table(const double time) const
+{
+  if (places_.empty())
+    return {};
+  std::ostringstream header;
+  header << std::left << std::setw(16) << "place on body" << std::setw(26)
+         << "x, y, z [m]" << std::right << std::setw(8) << "facets"
+         << std::setw(14) << "arrival [ms]" << std::setw(12) << "peak [kPa]"
+         << std::setw(9) << "at [ms]" << std::setw(16) << "impulse [Pa s]";
+  std::vector<std::string> lines = {header.str()};
+  for (std::size_t i = 0; i < places_.size(); ++i)
+  {
+    const BlastMeasures blast = records_[i].blast.measures(time);
+    std::ostringstream line;
+    line << std::left << std::setw(16) << places_[i].name << std::setw(26)
+         << to_text(places_[i].point) << std::right << std::setw(8)
+         << (i < patch_sizes_.size() ? patch_sizes_[i] : 0) << std::setw(14)
+         << brief(1e3 * blast.arrival) << std::setw(12)
+         << brief(1e-3 * blast.peak) << std::setw(9)
+         << brief(1e3 * records_[i].peak_time) << std::setw(16)
+         << brief(blast.impulse);
+    lines.push_back(line.str());
+  }
+  return lines;
+}
+
+
+std::string LoadGauges::description() const
+{
+  std::vector<std::string> parts;
+  for (const Place &place : places_)
+    parts.push_back(place.name + ": " + to_text(place.point));
+  return join(parts, "; ");
+}
+
+
+#define CONTRECOUP_INSTANTIATE(dim)                                      \
+  template void LoadGauges::parse_parameters(dealii::ParameterHandler &, \
+                                             const RigidBody &,          \
+                                             const Point<dim> &,         \
+                                             const Point<dim> &)
+
+CONTRECOUP_INSTANTIATE(1);
+CONTRECOUP_INSTANTIATE(2);
+CONTRECOUP_INSTANTIATE(3);
+#undef CONTRECOUP_INSTANTIATE
+} // namespace contrecoup::gas

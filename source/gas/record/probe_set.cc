@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/gas/record/blast_maps.h>
+#include <contrecoup/gas/record/probe_set.h>
+
+#include <iomanip>
+#include <sstream>
+
+namespace contrecoup::gas
+{
+namespace
+{
+  std::string probe_name(const std::size_t i, const std::string &quantity)
+  {
+    return "probe_" + std::to_string(i + 1) + "_" + quantity;
+  }
+} // namespace
+
+
+template <int dim>
+void ProbeSet<dim>::declare_parameters(ParameterHandler &prm)
+{
+  const Section section(prm, "Probes");
+  declare_points(prm,
+                 "Points",
+                 "",
+                 "m",
+                 "Places where pressure, density and velocity are recorded "
+                 "in every step.");
+}
+
+
+template <int dim>
+void ProbeSet<dim>::parse_parameters(ParameterHandler &prm,
+                                     const CoarseMesh<dim> &mesh)
+{
+  const Section section(prm, "Probes");
+  places_ = read_points<dim>(prm, "Points");
+  for (const auto &place : places_)
+    for (unsigned int d = 0; d < dim && mesh.is_axis_aligned(); ++d)
+      if (place[d] < mesh.lower_corner()[d] ||
+          place[d] > mesh.upper_corner()[d])
+      {
+        std::ostringstream message;
+        message << "Probes/Points: the point " << place
+                << " m is outside of the domain, " << mesh.lower_corner()
+                << " m to " << mesh.upper_corner() << " m";
+        throw InputError(message.str());
+      }
+  ambient_.assign(places_.size(), 0.);
+  records_.assign(places_.size(), {});
+}
+
+
+template <int dim>
+void ProbeSet<dim>::set_ambient(const InitialState<dim> &initial_state)
+{
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    ambient_[i] = initial_state.ambient_pressure(places_[i]);
+}
+
+
+template <int dim>
+void ProbeSet<dim>::reinit(const LeafMesh<dim> &mesh,
+                           const LeafPoints<dim> &points)
+{
+  if (!places_.empty())
+    sampler_.reinit(places_, mesh, points);
+}
+
+
+template <int dim>
+void ProbeSet<dim>::read(const GasField &field,
+                         const GasMaterial &material,
+                         const double time)
+{
+  if (!places_.empty())
+    take(sampler_.sample(field, material), time);
+}
+
+
+template <int dim>
+void ProbeSet<dim>::take(const std::vector<GasState<dim>> &states,
+                         const double time)
+{
+  states_ = states;
+  for (std::size_t i = 0; i < places_.size(); ++i)
+  {
+    Record &record = records_[i];
+    record.blast.add(states_[i].pressure - ambient_[i],
+                     time,
+                     time - record.last_time,
+                     BlastRecord<double>::threshold * ambient_[i]);
+    record.last_time = time;
+  }
+}
+
+
+template <int dim>
+std::vector<NamedValue> ProbeSet<dim>::values(const bool has_products) const
+{
+  const std::array<const char *, 3> axes = {{"x", "y", "z"}};
+  std::vector<NamedValue> values;
+  for (std::size_t i = 0; i < states_.size(); ++i)
+  {
+    values.push_back({probe_name(i, "pressure"), "Pa", states_[i].pressure});
+    values.push_back({probe_name(i, "density"), "kg/m^3", states_[i].density});
+    for (unsigned int d = 0; d < dim; ++d)
+      values.push_back({probe_name(i, std::string("velocity_") + axes[d]),
+                        "m/s",
+                        states_[i].velocity[d]});
+    if (has_products)
+      values.push_back({probe_name(i, "products"), "-", states_[i].products});
+  }
+  return values;
+}
+
+
+template <int dim>
+std::vector<BlastMeasures> ProbeSet<dim>::blasts() const
+{
+  std::vector<BlastMeasures> result;
+  for (const Record &record : records_)
+    result.push_back(record.blast.measures(record.last_time));
+  return result;
+}
+
+
+template <int dim>
+std::vector<NamedValue>
+ProbeSet<dim>::measures(const ReferenceSolution<dim> &reference) const
+{
+  std::vector<NamedValue> values;
+  for (std::size_t i = 0; i < records_.size(); ++i)
+  {
+    const auto add = [&](const std::string &prefix,
+                         const BlastMeasures &measures,
+                         const bool with_unknown) {
+      const auto numbers = map_values(measures);
+      for (std::size_t k = 0; k < numbers.size(); ++k)
+        if (with_unknown || numbers[k] != 0.)
+          values.push_back({probe_name(i, prefix + map_quantities[k].first),
+                            map_quantities[k].second,
+                            numbers[k]});
+    };
+    add("", records_[i].blast.measures(records_[i].last_time), true);
+    if (reference.has_arrivals())
+      add("reference_", reference.arrival(places_[i]), false);
+  }
+  return values;
+}
+
+
+template <int dim>
+std::vector<NamedValue>
+ProbeSet<dim>::errors(const ReferenceSolution<dim> &reference) const
+{
+  std::vector<NamedValue> values;
+  if (!reference.has_arrivals())
+    return values;
+  for (std::size_t i = 0; i < records_.size(); ++i)
+  {
+    const auto computed =
+      map_values(records_[i].blast.measures(records_[i].last_time));
+    const auto exact = map_values(reference.arrival(places_[i]));
+    for (std::size_t k = 0; k < exact.size(); ++k)
+      if (exact[k] != 0.)
+        values.push_back({probe_name(i, map_quantities[k].first + "_relative"),
+                          "-",
+                          computed[k] / exact[k] - 1.});
+  }
+  return values;
+}
+
+
+template <int dim>
+std::vector<std::string>
+ProbeSet<dim>::comparison(const ReferenceSolution<dim> &reference) const
+{
+  if (!reference.has_arrivals() || places_.empty())
+    return {};
+  const double factors[] = {1e-3, 1., 1e3, 1e3};
+  std::vector<std::string> lines = {
+    "computed / " + reference.name() + " (difference):",
+    "probe  peak [kPa]                 impulse [Pa s]             "
+    "arrival [ms]               duration [ms]"};
+  for (std::size_t i = 0; i < records_.size(); ++i)
+  {
+    std::ostringstream line;
+    line << std::left << std::setw(7) << i + 1;
+    const auto computed =
+      map_values(records_[i].blast.measures(records_[i].last_time));
+    const auto exact = map_values(reference.arrival(places_[i]));
+    for (std::size_t k = 0; k < exact.size(); ++k)
+    {
+      std::ostringstream text;
+      text << brief(computed[k] * factors[k]) << " / ";
+      if (exact[k] == 0.)
+        text << "unknown";
+      else
+        text << brief(exact[k] * factors[k]) << " (" << std::showpos
+             << std::fixed << std::setprecision(1)
+             << 100. * (computed[k] / exact[k] - 1.) << " %)";
+      line << std::setw(26) << text.str() << ' ';
+    }
+    lines.push_back(line.str());
+  }
+  return lines;
+}
+
+
+template <int dim>
+void ProbeSet<dim>::save(std::ostream &stream) const
+{
+  stream.write(reinterpret_cast<const char *>(records_.data()),
+               records_.size() * sizeof(Record));
+}
+
+
+template <int dim>
+void ProbeSet<dim>::load(std::istream &stream)
+{
+  stream.read(reinterpret_cast<char *>(records_.data()),
+              records_.size() * sizeof(Record));
+}
+
+
+template class ProbeSet<1>;
+template class ProbeSet<2>;
+template class ProbeSet<3>;
+} // namespace contrecoup::gas

@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/gas/run/gas_output.h>
+#include <contrecoup/gas/state/point_sampler.h>
+#include <contrecoup/io/field_output.h>
+#include <contrecoup/io/numpy.h>
+
+#include <deal.II/base/geometry_info.h>
+
+#include <iomanip>
+#include <limits>
+#include <sstream>
+
+namespace contrecoup::gas
+{
+namespace
+{
+  const std::string axis_names = "xyz";
+
+  /// One rank writes 1-D meshes, which all ranks hold.
+  template <int dim>
+  bool is_writer()
+  {
+    return dim > 1 ||
+           dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  }
+
+  /// For each of the equidistant points of a leaf, m a side, which points of
+  /// the scheme it takes and with what weights.
+  template <int dim>
+  std::vector<std::vector<std::pair<unsigned int, double>>>
+  output_stencils(const LeafPoints<dim> &points, const unsigned int m)
+  {
+    std::vector<std::vector<double>> line;
+    for (unsigned int i = 0; i < m; ++i)
+      line.push_back(points.interpolation(double(i) / (m - 1)));
+    const unsigned int n_points = dealii::Utilities::pow(points.n(), dim);
+    std::vector<std::vector<std::pair<unsigned int, double>>> stencils(
+      dealii::Utilities::pow(m, dim));
+    for (unsigned int o = 0; o < stencils.size(); ++o)
+      for (unsigned int q = 0; q < n_points; ++q)
+      {
+        const auto index = points.indices(q);
+        double weight = 1.;
+        unsigned int rest = o;
+        for (unsigned int d = 0; d < dim; ++d)
+        {
+          weight *= line[rest % m][index[d]];
+          rest /= m;
+        }
+        if (weight != 0.)
+          stencils[o].emplace_back(q, weight);
+      }
+    return stencils;
+  }
+
+  /// Samples in the middle of the cells of a picture, @p resolution along
+  /// its longer side.
+  template <int dim>
+  struct Raster
+  {
+    Raster(const CoarseMesh<dim> &mesh,
+           const unsigned int direction,
+           const double position,
+           const unsigned int resolution)
+    {
+      const auto &lower = mesh.lower_corner();
+      const auto &upper = mesh.upper_corner();
+      const unsigned int a = direction == 0 ? 1 : 0;
+      const unsigned int b = direction == 2 ? 1 : 2;
+      const double longer = std::max(upper[a] - lower[a], upper[b] - lower[b]);
+      for (unsigned int i = 0; i < 2; ++i)
+      {
+        const unsigned int d = i == 0 ? a : b;
+        const double n = resolution * (upper[d] - lower[d]) / longer;
+        samples.axes[i] = axis_names.substr(d, 1);
+        samples.n_points[i] = std::max(2., std::round(n));
+        const double half = 0.5 * (upper[d] - lower[d]) / samples.n_points[i];
+        samples.lower[i] = lower[d] + half;
+        samples.upper[i] = upper[d] - half;
+      }
+      for (std::size_t j = 0; j < samples.n_points[1]; ++j)
+        for (std::size_t i = 0; i < samples.n_points[0]; ++i)
+        {
+          dealii::Point<dim> place;
+          if (dim == 3)
+            place[direction % dim] = position;
+          place[a] = samples.lower[0] + (samples.upper[0] - samples.lower[0]) *
+                                          i / (samples.n_points[0] - 1);
+          place[b] = samples.lower[1] + (samples.upper[1] - samples.lower[1]) *
+                                          j / (samples.n_points[1] - 1);
+          places.push_back(place);
+        }
+    }
+
+    io::PlaneSamples samples; ///< without quantity and values
+    std::vector<dealii::Point<dim>> places;
+  };
+
+  /// The open part of the volume around a place of a leaf.
+  double
+  open_fraction(const GasField &field,
+                const unsigned int leaf,
+                const std::vector<std::pair<unsigned int, double>> &stencil)
+  {
+    double result = 0.;
+    for (const auto &[q, weight] : stencil)
+      result += weight * field.open_fraction(leaf, q);
+    return result;
+  }
+
+  /// What pictures show inside a body.
+  constexpr double no_gas = std::numeric_limits<double>::quiet_NaN();
+
+  /// The open part of the cell that each sample is in.
+  template <int dim>
+  std::vector<double> open_fractions(const PointSampler<dim> &sampler,
+                                     const GasField &field)
+  {
+    return sampler.nearest(
+      1, [&](const unsigned int leaf, const unsigned int q, double *to) {
+        *to = field.open_fraction(leaf, q);
+      });
+  }
+
+  /// Measures of point @p q of a leaf.
+  template <int dim>
+  std::array<double, 4> mapped(const BlastMaps<dim> &maps,
+                               const unsigned int leaf,
+                               const unsigned int q,
+                               const double time)
+  {
+    return map_values(maps.record(leaf, q).measures(time));
+  }
+} // namespace
+
+
+template <int dim>
+void GasOutput<dim>::declare_parameters(ParameterHandler &prm)
+{
+  {
+    const Section section(prm, "Output");
+    declare_bool(prm,
+                 "Maps",
+                 "false",
+                 "Whether the fields hold peak overpressure, positive-phase "
+                 "impulse, arrival and duration of the blast at every point; "
+                 "they cost some per cent of the run time.");
+    declare_bool(prm,
+                 "Pictures",
+                 "false",
+                 "Whether a finished run draws the history, probes, planes, "
+                 "maps and loads that it kept, into the folder pictures.");
+    declare_bool(prm,
+                 "Volume fields",
+                 "true",
+                 "Whether field outputs hold the gas in the whole domain, for "
+                 "ParaView, besides pictures and gauges; some 30 bytes for "
+                 "each cell and output.");
+  }
+  const Section section(prm, "Pictures");
+  declare_string(prm,
+                 "Planes",
+                 "",
+                 "Planes \"y = 0, z = 0.5\" [m] on which pressure and "
+                 "density are sampled for pictures at every field output; "
+                 "in 2-D \"all\" takes the whole domain.");
+  declare_integer(prm,
+                  "Resolution",
+                  "256",
+                  2,
+                  4096,
+                  "Samples along the longer side of a picture.");
+}
+
+
+template <int dim>
+void GasOutput<dim>::parse_parameters(ParameterHandler &prm,
+                                      const CoarseMesh<dim> &mesh)
+{
+  {
+    const Section section(prm, "Output");
+    wants_maps_ = prm.get_bool("Maps");
+    wants_volume_ = prm.get_bool("Volume fields");
+  }
+  const Section section(prm, "Pictures");
+  resolution_ = read_unsigned(prm, "Resolution");
+  planes_.clear();
+  const std::string text = prm.get("Planes");
+  for (const auto &item : dealii::Utilities::split_string_list(text))
+  {
+    const std::string where = "Pictures/Planes = \"" + text + "\": ";
+    if (dim == 1 || !mesh.is_axis_aligned())
+      throw InputError(where + "only boxes in 2-D and 3-D have planes");
+    if (dim == 2)
+    {
+      if (item != "all")
+        throw InputError(where + "write \"all\" in 2-D");
+      planes_.push_back({2, 0.});
+      continue;
+    }
+    const auto words = dealii::Utilities::split_string_list(item, '=');
+    const auto axis =
+      words.size() == 2 ? axis_names.find(words[0]) : std::string::npos;
+    double position = 0.;
+    try
+    {
+      position = dealii::Utilities::string_to_double(words.back());
+    }
+    catch (const std::exception &)
+    {
+      throw InputError(where + "write \"y = 0\"");
+    }
+    if (axis == std::string::npos || words[0].size() != 1 ||
+        position < mesh.lower_corner()[axis] ||
+        position > mesh.upper_corner()[axis])
+      throw InputError(where + "write \"y = 0\" with x, y or z and a "
+                               "place within the domain");
+    planes_.push_back({static_cast<unsigned int>(axis), position});
+  }
+}
+
+
+template <int dim>
+std::string GasOutput<dim>::write(const GasSnapshot<dim> &gas) const
+{
+  for (const Plane &plane : planes_)
+    write_plane(plane, gas);
+  if (!wants_volume_)
+    return "";
+  return write_leaves(gas);
+}
+
+
+template <int dim>
+std::vector<io::FieldName>
+GasOutput<dim>::field_names(const GasSnapshot<dim> &gas) const
+{
+  std::vector<io::FieldName> names = {{"density", "kg/m^3"},
+                                      {"velocity", "m/s", true},
+                                      {"pressure", "Pa"},
+                                      {"sensor", "-"},
+                                      {"level", "-"}};
+  if (gas.material.has_products())
+    names.push_back({"products", "-"});
+  if (shows_burned_)
+    names.push_back({"burned", "-"});
+  if (!gas.maps.empty())
+    for (const auto &[name, unit] : map_quantities)
+      names.push_back({name, unit});
+  if (gas.field.open_fractions() != nullptr)
+    names.push_back({"open_fraction", "-"});
+  return names;
+}
+
+
+template <int dim>
+std::string GasOutput<dim>::write_leaves(const GasSnapshot<dim> &gas) const
+{
+  io::FieldOutput<dim> output(field_names(gas));
+  const LeafLayout &layout = gas.field.layout();
+  const unsigned int n = std::max(1U, layout.n - 1);
+  const unsigned int n_output = dealii::Utilities::pow(n + 1, dim);
+  const auto stencils = output_stencils(gas.points, n + 1);
+
+  for (unsigned int leaf = 0; is_writer<dim>() && leaf < gas.mesh.n_owned();
+       ++leaf)
+  {
+    auto patch = output.make_patch(n);
+    const auto values = gas.field.leaf(leaf);
+    for (const unsigned int v : dealii::GeometryInfo<dim>::vertex_indices())
+      patch.vertices[v] = gas.mesh.cell(leaf)->vertex(v);
+    for (unsigned int o = 0; o < n_output; ++o)
+    {
+      std::vector<double> u(layout.n_components, 0.);
+      for (const auto &[q, weight] : stencils[o])
+        for (unsigned int c = 0; c < layout.n_components; ++c)
+          u[c] += weight * values[c * layout.n_points + q];
+      auto state = primitive_state<dim>(u.data(), gas.material);
+      double burned = 0.;
+      for (const auto &[q, weight] : stencils[o])
+        burned += weight * gas.field.burned(leaf, q);
+      state.pressure = gas.field.exerted_pressure(state.pressure, burned);
+      unsigned int row = 0;
+      patch.data(row++, o) = state.density;
+      for (unsigned int d = 0; d < dim; ++d)
+        patch.data(row++, o) = state.velocity[d];
+      patch.data(row++, o) = state.pressure;
+      patch.data(row++, o) = gas.field.sensor_of(leaf);
+      patch.data(row++, o) = gas.mesh.cell(leaf)->level();
+      if (gas.material.has_products())
+        patch.data(row++, o) = state.products;
+      if (shows_burned_)
+        patch.data(row++, o) = burned;
+      // Nothing is interpolated in maps: as many places as points, or one.
+      if (!gas.maps.empty())
+        for (const double value :
+             mapped(gas.maps, leaf, layout.n > 1 ? o : 0, gas.time))
+          patch.data(row++, o) = value;
+      if (gas.field.open_fractions() != nullptr)
+        patch.data(row++, o) = open_fraction(gas.field, leaf, stencils[o]);
+    }
+    output.add_patch(std::move(patch));
+  }
+  if (!is_writer<dim>())
+    return "";
+  return output.write_vtu(
+    gas.folder, "fields", gas.index, gas.mesh.communicator());
+}
+
+
+template <int dim>
+void GasOutput<dim>::write_plane(const Plane &plane,
+                                 const GasSnapshot<dim> &gas) const
+{
+  if constexpr (dim > 1)
+  {
+    Raster<dim> raster(
+      gas.mesh.coarse_mesh(), plane.direction, plane.position, resolution_);
+    PointSampler<dim> sampler;
+    sampler.reinit(raster.places, gas.mesh, gas.points);
+    const auto states = sampler.sample(gas.field, gas.material);
+    const unsigned int n_maps = gas.maps.empty() ? 0 : map_quantities.size();
+    std::vector<double> records;
+    if (n_maps > 0)
+      records = sampler.nearest(
+        n_maps, [&](const unsigned int leaf, const unsigned int q, double *to) {
+          const auto values = mapped(gas.maps, leaf, q, gas.time);
+          std::copy_n(values.begin(), n_maps, to);
+        });
+    const std::vector<double> open = open_fractions(sampler, gas.field);
+    if (dealii::Utilities::MPI::this_mpi_process(gas.mesh.communicator()) != 0)
+      return;
+
+    const std::string suffix =
+      dim == 2 ? ""
+               : "_" + axis_names.substr(plane.direction, 1) + "_" +
+                   std::to_string(&plane - planes_.data());
+    std::ostringstream number;
+    number << "_" << std::setw(4) << std::setfill('0') << gas.index;
+    raster.samples.time = gas.time;
+    const auto write = [&](const std::string &quantity,
+                           const std::string &unit,
+                           const std::string &ending,
+                           const std::function<double(std::size_t)> &value) {
+      raster.samples.quantity = quantity;
+      raster.samples.unit = unit;
+      raster.samples.values.clear();
+      for (std::size_t i = 0; i < states.size(); ++i)
+        raster.samples.values.push_back(open[i] > 0. ? value(i) : no_gas);
+      io::write_plane(gas.folder + "/plane" + suffix + "_" + quantity + ending,
+                      raster.samples);
+    };
+    write("pressure", "Pa", number.str(), [&](const std::size_t i) {
+      return states[i].pressure;
+    });
+    write("density", "kg/m^3", number.str(), [&](const std::size_t i) {
+      return states[i].density;
+    });
+    for (unsigned int k = 0; k < n_maps; ++k)
+      write(map_quantities[k].first,
+            map_quantities[k].second,
+            "",
+            [&](const std::size_t i) { return records[i * n_maps + k]; });
+  }
+}
+
+
+template class GasOutput<1>;
+template class GasOutput<2>;
+template class GasOutput<3>;
+} // namespace contrecoup::gas

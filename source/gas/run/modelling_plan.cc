@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/gas/run/modelling_plan.h>
+#include <contrecoup/numerics/expected_blast.h>
+
+#include <algorithm>
+#include <cmath>
+#include <istream>
+#include <optional>
+#include <ostream>
+
+namespace contrecoup::gas
+{
+namespace
+{
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+  /// Of the earth [m/s^2].
+  constexpr double gravity = 9.81;
+  /// Of air at 288 K [Pa s], and thermal diffusivity over viscosity [-].
+  constexpr double viscosity_of_air = 1.8e-5;
+  constexpr double inverse_prandtl_number = 1.4;
+
+  /// Thickness of a layer that diffusion makes in @p time [m].
+  double diffusion_length(const double diffusivity, const double time)
+  {
+    return std::sqrt(diffusivity * std::max(0., time));
+  }
+
+  /// What is left out of the physics of air, without values.
+  std::vector<Assumption> omitted_physics(const bool has_probes)
+  {
+    std::vector<Assumption> result;
+    if (has_probes)
+    {
+      result.push_back({"air",
+                        "constant heat capacities",
+                        "excess pressure behind the front at the nearest probe",
+                        "-",
+                        unknown,
+                        0.1,
+                        false,
+                        "Material/Equation of state"});
+      result.push_back({"gravity",
+                        "left out",
+                        "its speed over the gas speed at the farthest probe",
+                        "-",
+                        unknown,
+                        0.05,
+                        false,
+                        "Time/End time"});
+    }
+    for (const char *name : {"viscosity", "heat_conduction"})
+      result.push_back({name,
+                        "left out",
+                        "thickness of its layer at the end over a cell",
+                        "-",
+                        unknown,
+                        1.,
+                        false,
+                        "Time/End time"});
+    return result;
+  }
+} // namespace
+
+
+template <int dim>
+bool ModellingPlan<dim>::is_air() const
+{
+  const double ratio = ambient.pressure / ambient.density;
+  return ratio > 6e4 && ratio < 1e5 && ambient.products == 0. &&
+         ambient.density > 0.3;
+}
+
+
+template <int dim>
+std::vector<Assumption> ModellingPlan<dim>::items() const
+{
+  std::vector<Assumption> result;
+  if (dim > 1 && is_spherical && energy > 0.)
+    result.push_back({"first_stage",
+                      "none",
+                      "part of the time in which 1-D would do",
+                      "-",
+                      unknown,
+                      unknown,
+                      false,
+                      "First stage/Kind"});
+  if (!std::isnan(non_ideal_part))
+    result.push_back({"equation_of_state",
+                      "JWL for products",
+                      "part of their pressure that an ideal gas would miss",
+                      "-",
+                      unknown,
+                      unknown,
+                      false,
+                      "Material/Equation of state"});
+  if (!open_sides.empty() && !probes.empty())
+    result.push_back({"reflection",
+                      "open sides stay out of the way",
+                      "first return of a wave from an open side to a probe",
+                      "s",
+                      unknown,
+                      end_time,
+                      true,
+                      "Domain/Size"});
+  if (is_air())
+    for (const Assumption &item : omitted_physics(!probes.empty()))
+      result.push_back(item);
+  if (skips_quiet_leaves)
+    result.push_back({"quiet_leaves",
+                      "not computed",
+                      "part of the updates that was skipped",
+                      "-",
+                      unknown,
+                      unknown,
+                      false,
+                      "Method/Skip quiet leaves"});
+  return result;
+}
+
+
+template <int dim>
+std::pair<double, double>
+ModellingPlan<dim>::reflected_path(const unsigned int side,
+                                   const dealii::Point<dim> &probe) const
+{
+  const unsigned int d = side / 2;
+  const double place = side % 2 == 0 ? lower[d] : upper[d];
+  dealii::Point<dim> image = probe;
+  image[d] = 2. * place - probe[d];
+  return {image.distance(centre), std::abs(place - centre[d])};
+}
+
+
+template <int dim>
+double ModellingPlan<dim>::expected_front(const double time) const
+{
+  return energy > 0. && is_spherical
+           ? ExpectedBlast(energy, ambient.pressure, ambient.density)
+               .radius(time)
+           : unknown;
+}
+
+
+template <int dim>
+double ModellingPlan<dim>::expected_return() const
+{
+  const ExpectedBlast blast(energy, ambient.pressure, ambient.density);
+  double first = OpenSides<dim>::never;
+  for (const unsigned int side : open_sides)
+    for (const auto &probe : probes)
+      first = std::min(first, blast.arrival(reflected_path(side, probe).first));
+  return first;
+}
+
+
+template <int dim>
+double ModellingPlan<dim>::expected_end_of_symmetry() const
+{
+  const ExpectedBlast blast(energy, ambient.pressure, ambient.density);
+  double nearest = OpenSides<dim>::never;
+  for (unsigned int d = 0; d < dim; ++d)
+    for (const double distance : {centre[d] - lower[d], upper[d] - centre[d]})
+      if (distance > 1e-9 * (upper[d] - lower[d]))
+        nearest = std::min(nearest, distance);
+  return blast.arrival(nearest);
+}
+
+
+template <int dim>
+double ModellingPlan<dim>::measured_return(const Findings &findings) const
+{
+  // Back from the side it is a weak wave.
+  const double sound_speed =
+    std::sqrt(1.4 * ambient.pressure / ambient.density);
+  double first = OpenSides<dim>::never;
+  for (const unsigned int side : open_sides)
+    for (const auto &probe : probes)
+    {
+      const auto [whole, straight] = reflected_path(side, probe);
+      const double reached =
+        std::min(findings.side_arrivals[side], findings.time);
+      first = std::min(first, reached + (whole - straight) / sound_speed);
+    }
+  return first;
+}
+
+
+template <int dim>
+double ModellingPlan<dim>::expected_quiet_part() const
+{
+  const ExpectedBlast blast(energy, ambient.pressure, ambient.density);
+  const unsigned int n = dim == 3 ? 12 : 40;
+  double sum = 0., count = 0.;
+  std::array<unsigned int, 3> index{};
+  for (index[2] = 0; index[2] < (dim > 2 ? n : 1); ++index[2])
+    for (index[1] = 0; index[1] < (dim > 1 ? n : 1); ++index[1])
+      for (index[0] = 0; index[0] < n; ++index[0])
+      {
+        dealii::Point<dim> place;
+        for (unsigned int d = 0; d < dim; ++d)
+          place[d] = lower[d] + (upper[d] - lower[d]) * (index[d] + 0.5) / n;
+        sum += std::min(1., blast.arrival(place.distance(centre)) / end_time);
+        count += 1.;
+      }
+  return sum / count;
+}
+
+
+template <int dim>
+std::vector<Assumption> ModellingPlan<dim>::plan() const
+{
+  std::vector<Assumption> result = items();
+  const double diffusivity = viscosity_of_air / ambient.density;
+  std::optional<ExpectedBlast> blast;
+  double nearest = OpenSides<dim>::never, farthest = 0.;
+  if (energy > 0. && is_spherical)
+    blast.emplace(energy, ambient.pressure, ambient.density);
+  for (const auto &probe : probes)
+  {
+    nearest = std::min(nearest, std::max(1e-3, probe.distance(centre)));
+    farthest = std::max(farthest, probe.distance(centre));
+  }
+  for (Assumption &item : result)
+    if (item.name == "viscosity")
+      item.value = diffusion_length(diffusivity, end_time) / smallest_cell;
+    else if (item.name == "heat_conduction")
+      item.value =
+        diffusion_length(diffusivity * inverse_prandtl_number, end_time) /
+        smallest_cell;
+    else if (item.name == "equation_of_state")
+      item.value = non_ideal_part;
+    else if (!blast)
+      continue;
+    else if (item.name == "first_stage")
+      item.value = std::min(1., expected_end_of_symmetry() / end_time);
+    else if (item.name == "reflection")
+      item.value = expected_return();
+    else if (item.name == "air")
+      item.value = excess_pressure_of_perfect_air(
+        blast->overpressure(nearest), ambient.pressure, ambient.density);
+    else if (item.name == "gravity")
+      item.value =
+        gravity * end_time /
+        speed_behind_shock(blast->overpressure(std::max(1e-3, farthest)),
+                           ambient.pressure,
+                           ambient.density);
+    else if (item.name == "quiet_leaves")
+      item.value = expected_quiet_part();
+  return result;
+}
+
+
+template <int dim>
+std::vector<Assumption>
+ModellingPlan<dim>::audit(const Findings &findings) const
+{
+  ModellingPlan<dim> known = *this;
+  if (std::isnan(non_ideal_part))
+    known.non_ideal_part = findings.non_ideal_part;
+  std::vector<Assumption> result = known.items();
+  // How long 1-D would have done was not looked at.
+  result.erase(std::remove_if(result.begin(),
+                              result.end(),
+                              [](const Assumption &item) {
+                                return item.name == "first_stage";
+                              }),
+               result.end());
+  const double diffusivity = viscosity_of_air / ambient.density;
+  double strongest = 0., weakest = OpenSides<dim>::never;
+  for (const double peak : findings.peaks)
+  {
+    strongest = std::max(strongest, peak);
+    if (peak > 0.)
+      weakest = std::min(weakest, peak);
+  }
+  for (Assumption &item : result)
+    if (item.name == "viscosity")
+      item.value =
+        diffusion_length(diffusivity, findings.time) / findings.smallest_cell;
+    else if (item.name == "heat_conduction")
+      item.value =
+        diffusion_length(diffusivity * inverse_prandtl_number, findings.time) /
+        findings.smallest_cell;
+    else if (item.name == "reflection")
+      item.value = measured_return(findings);
+    else if (item.name == "quiet_leaves")
+      item.value = findings.skipped;
+    else if (item.name == "equation_of_state")
+      item.value = findings.non_ideal_part;
+    else if (!(strongest > 0.))
+      continue;
+    else if (item.name == "air")
+      item.value = excess_pressure_of_perfect_air(
+        strongest, ambient.pressure, ambient.density);
+    else if (item.name == "gravity")
+      item.value =
+        gravity * findings.time /
+        speed_behind_shock(weakest, ambient.pressure, ambient.density);
+  return result;
+}
+
+
+template <int dim>
+void ModellingPlan<dim>::save(std::ostream &stream) const
+{
+  stream.write(reinterpret_cast<const char *>(&energy), sizeof(energy));
+  stream.write(reinterpret_cast<const char *>(&centre), sizeof(centre));
+}
+
+
+template <int dim>
+void ModellingPlan<dim>::load(std::istream &stream)
+{
+  stream.read(reinterpret_cast<char *>(&energy), sizeof(energy));
+  stream.read(reinterpret_cast<char *>(&centre), sizeof(centre));
+}
+
+
+template class ModellingPlan<1>;
+template class ModellingPlan<2>;
+template class ModellingPlan<3>;
+} // namespace contrecoup::gas

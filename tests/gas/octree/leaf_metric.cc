@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/gas/octree/leaf_box.h>
+#include <contrecoup/gas/octree/leaf_metric.h>
+
+#include "scene.h"
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace contrecoup::gas
+{
+namespace
+{
+  /// A mesh from one of deal.II's generators.
+  template <int dim>
+  std::unique_ptr<LeafMesh<dim>> make_mesh(const std::string &generator,
+                                           const std::string &arguments,
+                                           const unsigned int refinement)
+  {
+    dealii::ParameterHandler prm;
+    CoarseMesh<dim>::declare_parameters(prm);
+    apply_assignments(
+      {parse_override("Domain/Dimension=" + std::to_string(dim)),
+       parse_override("Domain/Mesh=generator"),
+       parse_override("Domain/Generator=" + generator),
+       parse_override("Domain/Generator arguments=" + arguments)},
+      prm);
+    CoarseMesh<dim> coarse_mesh;
+    coarse_mesh.parse_parameters(prm);
+    auto mesh = std::make_unique<LeafMesh<dim>>(MPI_COMM_WORLD);
+    mesh->create(coarse_mesh);
+    mesh->triangulation().refine_global(refinement);
+    mesh->rebuild();
+    return mesh;
+  }
+
+  /// Largest sum of outward areas of a subcell over its surface.
+  template <int dim>
+  double largest_gap(const LeafMesh<dim> &mesh, const unsigned int n)
+  {
+    const LeafLayout layout(dim, n, 1);
+    LeafMetric<dim> metric(n);
+    double largest = 0.;
+    for (unsigned int batch = 0; batch < mesh.n_batches(); ++batch)
+    {
+      metric.reinit(mesh, batch);
+      std::vector<typename LeafMetric<dim>::Vector> sums(layout.n_points);
+      std::vector<Lanes<double>> surface(layout.n_points, Lanes<double>(0.));
+      for (unsigned int d = 0; d < dim; ++d)
+        for (unsigned int line = 0; line < layout.n_face_points; ++line)
+          for (unsigned int i = 0; i < n; ++i)
+          {
+            const unsigned int q = layout.face_point(2 * d, line, i);
+            const auto &low = metric.area(d, i, line);
+            const auto &high = metric.area(d, i + 1, line);
+            sums[q] += high - low;
+            surface[q] += std::sqrt(low * low) + std::sqrt(high * high);
+          }
+      for (unsigned int q = 0; q < layout.n_points; ++q)
+        for (unsigned int lane = 0; lane < W; ++lane)
+          for (unsigned int d = 0; d < dim; ++d)
+            largest =
+              std::max(largest, std::abs(sums[q][d][lane]) / surface[q][lane]);
+    }
+    return largest;
+  }
+
+  template <int dim>
+  double total_volume(const LeafMesh<dim> &mesh, const unsigned int n)
+  {
+    LeafMetric<dim> metric(n);
+    double sum = 0.;
+    for (unsigned int batch = 0; batch < mesh.n_batches(); ++batch)
+    {
+      metric.reinit(mesh, batch);
+      for (unsigned int q = 0; q < LeafLayout(dim, n, 1).n_points; ++q)
+        for (unsigned int lane = 0; lane < mesh.n_filled_lanes(batch); ++lane)
+          sum += metric.volume(q)[lane];
+    }
+    return dealii::Utilities::MPI::sum(sum, mesh.communicator());
+  }
+
+  /// The volumes against the quadrature of the map's Jacobian.
+  template <int dim>
+  void expect_quadrature(const LeafMesh<dim> &mesh, const unsigned int n)
+  {
+    Scheme scheme;
+    scheme.n_points = n;
+    const LeafPoints<dim> points(scheme, Geometry::plane);
+    LeafMetric<dim> metric(n);
+    for (unsigned int leaf = 0; leaf < mesh.n_owned(); ++leaf)
+    {
+      metric.reinit(mesh, leaf / W);
+      for (unsigned int q = 0; q < LeafLayout(dim, n, 1).n_points; ++q)
+      {
+        const double exact = point_volume(leaf_box(mesh, leaf), points, q);
+        EXPECT_GT(exact, 0.);
+        EXPECT_NEAR(metric.volume(q)[leaf % W] / exact, 1., 1e-13);
+      }
+    }
+  }
+} // namespace
+
+TEST(LeafMetric, SurfacesAreClosed)
+{
+  EXPECT_LT(largest_gap(*make_mesh<2>("hyper_ball", "0,0:1:true", 2), 5),
+            1e-14);
+  EXPECT_LT(largest_gap(*make_mesh<3>("hyper_ball", "0,0,0:1:true", 1), 4),
+            1e-14);
+  EXPECT_LT(
+    largest_gap(*make_mesh<3>("hyper_shell", "0,0,0:1:2:6:false", 1), 4),
+    1e-14);
+}
+
+TEST(LeafMetric, VolumesAreThoseOfTheMap)
+{
+  expect_quadrature(*make_mesh<2>("hyper_shell", "3,4:1:2:7:false", 1), 3);
+  expect_quadrature(*make_mesh<3>("hyper_ball", "5,6,7:2:true", 1), 2);
+}
+
+TEST(LeafMetric, BallConverges)
+{
+  const double disk = M_PI, ball = 4. / 3. * M_PI;
+  double disk_error[2], ball_error[2];
+  for (unsigned int i = 0; i < 2; ++i)
+  {
+    disk_error[i] =
+      disk - total_volume(*make_mesh<2>("hyper_ball", "0,0:1:true", 3 + i), 2);
+    ball_error[i] =
+      ball -
+      total_volume(*make_mesh<3>("hyper_ball", "0,0,0:1:true", 1 + i), 2);
+  }
+  EXPECT_NEAR(disk_error[0] / disk_error[1], 4., 0.1);
+  EXPECT_NEAR(ball_error[0] / ball_error[1], 4., 0.5);
+  // Refined four times, the disk is a polygon of 64 sides.
+  EXPECT_NEAR(disk - disk_error[1], 32. * std::sin(2. * M_PI / 64.), 1e-13);
+}
+
+TEST(LeafMetric, BoxesKeepTheirEdges)
+{
+  const auto mesh =
+    make_mesh<3>("subdivided_hyper_rectangle", "2,1,1:0,0,0:2,3,4:false", 0);
+  LeafMetric<3> metric(2);
+  metric.reinit(*mesh, 0);
+  EXPECT_DOUBLE_EQ(metric.volume(5)[0], 0.5 * 1.5 * 2.);
+  EXPECT_DOUBLE_EQ(metric.area(0, 1, 2)[0][0], 3.);
+  EXPECT_EQ(metric.area(0, 1, 2)[1][0], 0.);
+  EXPECT_DOUBLE_EQ(metric.area(1, 0, 1)[1][0], 1.);
+  EXPECT_DOUBLE_EQ(metric.area(2, 2, 3)[2][0], 0.75);
+  EXPECT_DOUBLE_EQ(metric.face_center(1, 0, 2)[2][0], 3.);
+  EXPECT_DOUBLE_EQ(metric.tangent(0, 0, 0, 2)[2][0], 1.);
+}
+} // namespace contrecoup::gas

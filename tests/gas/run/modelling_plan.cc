@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/gas/run/modelling_plan.h>
+#include <contrecoup/numerics/expected_blast.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+using namespace contrecoup;
+using namespace contrecoup::gas;
+
+namespace
+{
+constexpr double pressure = 101325., density = 1.225;
+const double sound_speed = std::sqrt(1.4 * pressure / density);
+
+/// A charge at the origin of a quarter plane, open at x = 3 and y = 5.
+ModellingPlan<2> quarter()
+{
+  ModellingPlan<2> plan;
+  plan.energy = 4e6;
+  plan.ambient.density = density;
+  plan.ambient.pressure = pressure;
+  plan.upper = dealii::Point<2>(3., 5.);
+  plan.open_sides = {1, 3};
+  plan.probes = {dealii::Point<2>(2., 0.), dealii::Point<2>(0., 1.)};
+  plan.end_time = 0.01;
+  plan.smallest_cell = 0.01;
+  return plan;
+}
+
+double value(const std::vector<Assumption> &items, const std::string &name)
+{
+  for (const Assumption &item : items)
+    if (item.name == name)
+      return item.value;
+  ADD_FAILURE() << "no item " << name;
+  return 0.;
+}
+
+bool fails(const ModellingPlan<2> &plan, const std::string &name)
+{
+  for (const Assumption &item : plan.plan())
+    if (item.name == name)
+      return item.fails();
+  ADD_FAILURE() << "no item " << name;
+  return false;
+}
+} // namespace
+
+// The shortest way to a mirrored probe: by x = 3 to (2, 0), at (4, 0).
+TEST(ModellingPlan, KnowsTheFirstReflection)
+{
+  const ModellingPlan<2> plan = quarter();
+  const ExpectedBlast blast(4e6, pressure, density);
+  EXPECT_DOUBLE_EQ(value(plan.plan(), "reflection"), blast.arrival(4.));
+
+  // x = 3 was reached at 5 ms, y = 5 not yet.
+  ModellingPlan<2>::Findings findings;
+  findings.time = 0.008;
+  findings.smallest_cell = 0.01;
+  findings.side_arrivals.fill(OpenSides<2>::never);
+  findings.side_arrivals[1] = 0.005;
+  EXPECT_DOUBLE_EQ(value(plan.audit(findings), "reflection"),
+                   0.005 + 1. / sound_speed);
+  // No side was reached: nothing can be back sooner than from the nearest.
+  findings.side_arrivals[1] = OpenSides<2>::never;
+  EXPECT_DOUBLE_EQ(value(plan.audit(findings), "reflection"),
+                   0.008 + 1. / sound_speed);
+}
+
+TEST(ModellingPlan, FailsWhenTheEndIsTooLate)
+{
+  ModellingPlan<2> plan = quarter();
+  const double back = ExpectedBlast(4e6, pressure, density).arrival(4.);
+  for (const double factor : {0.9, 1.1})
+  {
+    plan.end_time = factor * back;
+    EXPECT_EQ(fails(plan, "reflection"), factor > 1.);
+  }
+}
+
+// Long runs feel gravity, and fine cells viscosity.
+TEST(ModellingPlan, KnowsWhatItLeavesOut)
+{
+  ModellingPlan<2> plan = quarter();
+  EXPECT_FALSE(fails(plan, "gravity"));
+  EXPECT_FALSE(fails(plan, "viscosity"));
+  EXPECT_FALSE(fails(plan, "air"));
+  plan.end_time = 2.;
+  plan.smallest_cell = 1e-4;
+  plan.probes = {dealii::Point<2>(0.1, 0.)};
+  EXPECT_TRUE(fails(plan, "viscosity"));
+  EXPECT_TRUE(fails(plan, "air"));
+  plan.probes = {dealii::Point<2>(30., 0.)};
+  EXPECT_TRUE(fails(plan, "gravity"));
+  // sqrt(nu t) with nu = 1.8e-5 / 1.225.
+  EXPECT_NEAR(value(plan.plan(), "viscosity"),
+              std::sqrt(1.8e-5 / 1.225 * 2.) / 1e-4,
+              1e-10);
+}
+
+// A domain that the front crosses at once has almost no quiet part, one that it
+// hardly enters almost no other.
+TEST(ModellingPlan, EstimatesTheQuietPart)
+{
+  ModellingPlan<2> plan = quarter();
+  plan.end_time = 1.;
+  EXPECT_LT(value(plan.plan(), "quiet_leaves"), 0.02);
+  plan.end_time = 1e-5;
+  EXPECT_GT(value(plan.plan(), "quiet_leaves"), 0.95);
+}
+
+// The nearest side that is no plane through the charge is x = 3.
+TEST(ModellingPlan, KnowsHowLongOneDimensionWouldDo)
+{
+  ModellingPlan<2> plan = quarter();
+  plan.end_time = 0.1;
+  const ExpectedBlast blast(4e6, pressure, density);
+  EXPECT_DOUBLE_EQ(value(plan.plan(), "first_stage"), blast.arrival(3.) / 0.1);
+  plan.end_time = 1e-4;
+  EXPECT_EQ(value(plan.plan(), "first_stage"), 1.);
+}
+
+TEST(ModellingPlan, AsksForAnEquationOfStateOfProducts)
+{
+  ModellingPlan<2> plan = quarter();
+  ModellingPlan<2>::Findings findings;
+  findings.time = 0.008;
+  findings.smallest_cell = 0.01;
+  findings.side_arrivals.fill(OpenSides<2>::never);
+  findings.non_ideal_part = 0.25;
+  // What came with a first stage is not in the plan of the second.
+  EXPECT_EQ(value(plan.audit(findings), "equation_of_state"), 0.25);
+  plan.non_ideal_part = 0.75;
+  EXPECT_EQ(value(plan.plan(), "equation_of_state"), 0.75);
+  EXPECT_EQ(value(plan.audit(findings), "equation_of_state"), 0.25);
+}
+
+TEST(ModellingPlan, SaysNothingOfUnknownBlastsAndOtherGases)
+{
+  ModellingPlan<2> plan = quarter();
+  plan.energy = 0.;
+  EXPECT_TRUE(std::isnan(value(plan.plan(), "reflection")));
+  EXPECT_TRUE(std::isnan(plan.expected_front(1.)));
+  plan.ambient.pressure = 1.;
+  for (const Assumption &item : plan.plan())
+    EXPECT_TRUE(item.name == "reflection" || item.name == "quiet_leaves");
+}
+
+TEST(ModellingPlan, RemembersItsBlast)
+{
+  ModellingPlan<2> plan = quarter(), other;
+  plan.centre = dealii::Point<2>(1. / 3., 2. / 3.);
+  std::stringstream stream;
+  plan.save(stream);
+  other.load(stream);
+  EXPECT_EQ(other.energy, plan.energy);
+  EXPECT_EQ(other.centre, plan.centre);
+}
