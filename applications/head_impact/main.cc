@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/ale/head_impact_application.h>
+#include <contrecoup/ale/run/head_impact_application.h>
 #include <contrecoup/io/application.h>
 
 int main(int argc, char **argv)

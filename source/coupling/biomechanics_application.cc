@@ -4,7 +4,7 @@
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/base/text.h>
 #include <contrecoup/coupling/biomechanics_application.h>
-#include <contrecoup/solid/solid_simulation.h>
+#include <contrecoup/solid/run/solid_simulation.h>
 
 namespace contrecoup::coupling
 {

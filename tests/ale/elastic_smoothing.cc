@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/ale/elastic_smoothing.h>
+#include <contrecoup/ale/rezone/elastic_smoothing.h>
 
 #include "slab.h"
 #include <gtest/gtest.h>

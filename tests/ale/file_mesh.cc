@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/ale/mesh_description.h>
-#include <contrecoup/ale/region_descriptions.h>
+#include <contrecoup/ale/mesh/mesh_description.h>
+#include <contrecoup/ale/mesh/region_descriptions.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/geometry/layered_ball.h>

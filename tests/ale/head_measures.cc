@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/ale/head_measures.h>
-#include <contrecoup/ale/mesh_description.h>
+#include <contrecoup/ale/head/head_measures.h>
+#include <contrecoup/ale/mesh/mesh_description.h>
 #include <contrecoup/base/parameter_tree.h>
 
 #include <deal.II/grid/grid_generator.h>

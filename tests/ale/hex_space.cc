@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/ale/hex_space.h>
+#include <contrecoup/ale/mesh/hex_space.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/numerics/hex8_moments.h>
 

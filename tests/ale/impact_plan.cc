@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/ale/ale_simulation.h>
+#include <contrecoup/ale/run/ale_simulation.h>
 #include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/base/time_parameters.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/ale/lagrange_step.h>
+#include <contrecoup/ale/lagrange/lagrange_step.h>
 #include <contrecoup/base/exceptions.h>
 
 #include "slab.h"

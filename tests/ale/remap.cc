@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/ale/remap.h>
+#include <contrecoup/ale/rezone/remap.h>
 
 #include "mesh_motions.h"
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/ale/rezone.h>
+#include <contrecoup/ale/rezone/rezone.h>
 #include <contrecoup/base/parameters.h>
 
 #include "slab.h"

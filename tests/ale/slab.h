@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/ale/lagrange_step.h>
+#include <contrecoup/ale/lagrange/lagrange_step.h>
 #include <contrecoup/numerics/exact_riemann.h>
 #include <contrecoup/numerics/hex8_moments.h>
 

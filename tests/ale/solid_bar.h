@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include <contrecoup/ale/cell_corners.h>
-#include <contrecoup/ale/lagrange_step.h>
+#include <contrecoup/ale/lagrange/lagrange_step.h>
+#include <contrecoup/ale/mesh/cell_corners.h>
 #include <contrecoup/numerics/hex8_moments.h>
 
 #include <deal.II/grid/grid_generator.h>

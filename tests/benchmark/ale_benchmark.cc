@@ -6,7 +6,7 @@
 // the other, as a plain code would find them. Started without arguments it runs
 // itself under mpirun, on one rank and on two.
 
-#include <contrecoup/ale/lagrange_step.h>
+#include <contrecoup/ale/lagrange/lagrange_step.h>
 #include <contrecoup/base/processor_time.h>
 
 #include <deal.II/base/mpi.h>

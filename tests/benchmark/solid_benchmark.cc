@@ -6,10 +6,10 @@
 // mpirun, on one rank and on two.
 
 #include <contrecoup/base/processor_time.h>
-#include <contrecoup/solid/node_backup.h>
-#include <contrecoup/solid/node_exchange.h>
-#include <contrecoup/solid/node_motion.h>
-#include <contrecoup/solid/solid_operator.h>
+#include <contrecoup/solid/body/node_backup.h>
+#include <contrecoup/solid/body/node_exchange.h>
+#include <contrecoup/solid/motion/node_motion.h>
+#include <contrecoup/solid/motion/solid_operator.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -27,7 +27,10 @@ for _upper in ("ale", "coupling", "study"):
 
 # The rooms of a layer, lowest first: each may include itself and those before.
 ROOMS = {"gas": ["octree", "state", "conditions", "explosive", "body", "kernel",
-                 "record", "adaptation", "hand_over", "run"]}
+                 "record", "adaptation", "hand_over", "run"],
+         "solid": ["body", "boundary", "motion", "record", "injury", "run"],
+         "ale": ["mesh", "lagrange", "exact", "rezone", "head", "particles",
+                 "run"]}
 
 LONGEST_HEADER = 250
 LONGEST_SOURCE = 500

@@ -14,7 +14,7 @@ import tempfile
 ALL = {"anatomy", "blast", "biomechanics"}
 # A file that is changed, and the applications that are made from it.
 CHANGES = (("source/gas/kernel/leaf_kernel.cc", {"blast"}),
-           ("source/solid/solid_operator.cc", {"biomechanics"}),
+           ("source/solid/motion/solid_operator.cc", {"biomechanics"}),
            ("include/contrecoup/numerics/riemann_flux.h",
             {"blast", "biomechanics"}),
            ("source/geometry/phantom_flesh.cc", ALL),

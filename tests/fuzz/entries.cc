@@ -9,7 +9,7 @@
 // instead of quickstarts alone. With CONTRECOUP_FUZZ_MESSAGES=FILE the lines
 // of refusals are kept there, for somebody to read.
 
-#include <contrecoup/ale/head_impact_application.h>
+#include <contrecoup/ale/run/head_impact_application.h>
 #include <contrecoup/base/declared_tree.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameter_tree.h>

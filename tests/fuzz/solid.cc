@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameter_tree.h>
-#include <contrecoup/solid/mesh_description.h>
-#include <contrecoup/solid/solid_mesh.h>
+#include <contrecoup/solid/body/mesh_description.h>
+#include <contrecoup/solid/body/solid_mesh.h>
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_out.h>

@@ -4,7 +4,7 @@
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/numerics/kingery_bulmash.h>
-#include <contrecoup/solid/analytic_blast.h>
+#include <contrecoup/solid/boundary/analytic_blast.h>
 
 #include <gtest/gtest.h>
 

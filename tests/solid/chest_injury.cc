@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/solid/chest_injury.h>
+#include <contrecoup/solid/injury/chest_injury.h>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameter_tree.h>
-#include <contrecoup/solid/injury_report.h>
+#include <contrecoup/solid/injury/injury_report.h>
 
 #include "bone_and_brain.h"
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/materials/tissue_library.h>
-#include <contrecoup/solid/solid_simulation.h>
+#include <contrecoup/solid/run/solid_simulation.h>
 
 #include <gtest/gtest.h>
 

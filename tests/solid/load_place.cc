@@ -4,9 +4,9 @@
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/geometry/primitive_shapes.h>
-#include <contrecoup/solid/load_place.h>
-#include <contrecoup/solid/mesh_description.h>
-#include <contrecoup/solid/surface_loads.h>
+#include <contrecoup/solid/body/mesh_description.h>
+#include <contrecoup/solid/boundary/load_place.h>
+#include <contrecoup/solid/boundary/surface_loads.h>
 
 #include <gtest/gtest.h>
 

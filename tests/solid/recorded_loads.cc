@@ -3,7 +3,7 @@
 
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameters.h>
-#include <contrecoup/solid/recorded_loads.h>
+#include <contrecoup/solid/boundary/recorded_loads.h>
 
 #include <gtest/gtest.h>
 

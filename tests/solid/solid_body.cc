@@ -3,7 +3,7 @@
 
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameter_tree.h>
-#include <contrecoup/solid/solid_body.h>
+#include <contrecoup/solid/motion/solid_body.h>
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>

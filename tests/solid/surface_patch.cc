@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/solid/surface_patch.h>
+#include <contrecoup/solid/body/surface_patch.h>
 
 #include "bone_and_brain.h"
 #include <gtest/gtest.h>

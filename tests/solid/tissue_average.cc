@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/solid/tissue_average.h>
+#include <contrecoup/solid/body/tissue_average.h>
 
 #include "bone_and_brain.h"
 #include <gtest/gtest.h>

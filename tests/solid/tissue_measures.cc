@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/numerics/head_injury.h>
-#include <contrecoup/solid/solid_probes.h>
-#include <contrecoup/solid/tissue_measures.h>
+#include <contrecoup/solid/body/stress_invariants.h>
+#include <contrecoup/solid/body/tissue_measures.h>
 
 #include <gtest/gtest.h>
 

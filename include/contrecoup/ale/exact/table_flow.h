@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/ale/exact/exact_flow.h>
+#include <contrecoup/gas/conditions/table_profile.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <memory>
+
+namespace contrecoup::ale
+{
+/// A flow away from the origin that a table gives at the time when it is
+/// compared.
+class TableFlow : public ExactFlow
+{
+public:
+  static void declare_parameters(dealii::ParameterHandler &prm);
+
+  /// @throws InputError for a file that is no table
+  static std::unique_ptr<ExactFlow> create(const dealii::ParameterHandler &prm);
+
+  FlowState value(const dealii::Point<3> &place, double time) const override;
+
+private:
+  explicit TableFlow(const gas::TableProfile &table)
+    : table_(table)
+  {}
+
+  gas::TableProfile table_;
+};
+} // namespace contrecoup::ale

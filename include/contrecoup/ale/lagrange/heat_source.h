@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/ale/mesh/ale_state.h>
+#include <contrecoup/ale/mesh/hex_space.h>
+#include <contrecoup/base/expression.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace contrecoup::ale
+{
+/// Heat that all matter is given, by its place and time: subsection "Heat
+/// source".
+class HeatSource
+{
+public:
+  static void declare_parameters(dealii::ParameterHandler &prm);
+
+  /// @throws InputError for what is no expression
+  void parse_parameters(dealii::ParameterHandler &prm);
+
+  /**
+   * Heats the own cells for @p duration, with the power at their centres at the
+   * middle of it.
+   * @return what they got [J]
+   */
+  double add(const HexSpace &space,
+             AleState &state,
+             const double begin,
+             const double duration) const;
+
+  bool is_active() const
+  {
+    return !power_.is_zero();
+  }
+
+private:
+  Expression power_{"", "0"}; ///< [W/m^3]
+};
+} // namespace contrecoup::ale

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/ale/lagrange/contact_planes.h>
+#include <contrecoup/ale/mesh/mesh_description.h>
+#include <contrecoup/ale/mesh/region_descriptions.h>
+#include <contrecoup/mpm/field_contact.h>
+#include <contrecoup/mpm/seeding.h>
+#include <contrecoup/mpm/transfer_scheme.h>
+#include <contrecoup/mpm/wall_contact.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace contrecoup::ale
+{
+/// When particles are split and merged.
+struct Resampling
+{
+  double stretch = 2.;        ///< that splits [-]
+  unsigned int most = 64;     ///< of a region in a cell
+  unsigned int interval = 20; ///< steps; 0: never
+};
+
+/**
+ * A scene as particles see it: the same mesh description, regions and planes
+ * as on a moving mesh, filled with particles; and the entries of subsection
+ * "MPM".
+ */
+class ParticleScene
+{
+public:
+  static void declare_parameters(dealii::ParameterHandler &prm);
+
+  /// Reads "MPM". @throws InputError
+  void parse_parameters(dealii::ParameterHandler &prm);
+
+  /// @throws InputError for what particles cannot be
+  void reinit(const MeshDescription &mesh,
+              const RegionDescriptions &regions,
+              const ContactPlanes &planes,
+              const double end_time);
+
+  const mpm::GridBox &box() const
+  {
+    return box_;
+  }
+  const mpm::TransferScheme &scheme() const
+  {
+    return scheme_;
+  }
+  const std::vector<mpm::ParticleMaterial> &materials() const
+  {
+    return materials_;
+  }
+  const mpm::ParticleSource &source() const
+  {
+    return source_;
+  }
+  /// Planes, and the sphere around a half ball.
+  const std::vector<mpm::RigidWall> &walls() const
+  {
+    return walls_;
+  }
+  const Resampling &resampling() const
+  {
+    return resampling_;
+  }
+
+  /// Of the velocity fields of the materials.
+  mpm::FieldContact field_contact() const;
+
+  /// Whether regions touch each other and part.
+  bool regions_part() const;
+
+  /// From particles to their faces in full cells, along the shortest [m].
+  double half_spacing() const;
+
+  /// Of whole cells [m].
+  double cell_size() const
+  {
+    return cell_size_;
+  }
+  double smallest_cell_size() const
+  {
+    return fine_regions_.empty() ? cell_size_ : 0.5 * cell_size_;
+  }
+  /// Of the cells at a place in the box [m].
+  double cell_size_at(const dealii::Point<3> &place) const;
+
+  /// About the number of particles [-].
+  double n_particles() const;
+
+private:
+  void make_materials(const RegionDescriptions &regions);
+  void make_source(const MeshDescription &mesh,
+                   const RegionDescriptions &regions);
+  void halve_cells();
+  void make_box(const MeshDescription &mesh,
+                const double largest_speed,
+                const double end_time);
+
+  double cell_size_ = 0.;
+  std::vector<std::string> fine_regions_;
+  double fine_margin_ = 0.; ///< cells
+  mpm::TransferScheme scheme_;
+  std::string smoothing_;
+  std::string fields_;
+  double friction_ = 0.;
+  Resampling resampling_;
+  mpm::GridBox box_;
+  std::vector<mpm::ParticleMaterial> materials_;
+  mpm::ParticleSource source_;
+  std::vector<mpm::RigidWall> walls_;
+};
+} // namespace contrecoup::ale

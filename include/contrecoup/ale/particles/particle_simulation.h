@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/ale/head/impact_plan.h>
+#include <contrecoup/ale/lagrange/contact_record.h>
+#include <contrecoup/ale/particles/particle_reference.h>
+#include <contrecoup/ale/particles/particle_scene.h>
+#include <contrecoup/base/expression.h>
+#include <contrecoup/base/simulation.h>
+#include <contrecoup/mpm/particle_step.h>
+
+#include <memory>
+#include <vector>
+
+namespace contrecoup::ale
+{
+/// Solids and liquids by the material point method: particles, steps, energy
+/// ledger, output.
+class ParticleSimulation : public Simulation
+{
+public:
+  explicit ParticleSimulation(MPI_Comm communicator)
+    : communicator_(communicator)
+  {}
+
+  /// Reads entries that AleSimulation and ParticleScene declare.
+  /// @throws InputError
+  void parse_parameters(dealii::ParameterHandler &prm);
+
+  CostEstimate estimate() override;
+  void setup() override;
+  void restore(const std::string &folder) override;
+  void save(const std::string &folder) override;
+  double time() const override
+  {
+    return time_;
+  }
+  StepReport advance(double largest_step) override;
+  /// Splits and merges particles.
+  bool adapt() override;
+  std::vector<NamedValue> history() override;
+  std::vector<NamedValue> probes() override;
+  std::string write_fields(const std::string &folder,
+                           unsigned int index) override;
+  std::vector<NamedValue> errors() override
+  {
+    return reference_.errors(
+      scene_.materials(), particles_, time_, communicator_);
+  }
+  std::vector<NamedValue> assumptions() override;
+  std::vector<Assumption> plan() override;
+  std::vector<Assumption> audit() override;
+  std::pair<std::uint64_t, std::uint64_t> size() const override
+  {
+    return {n_particles_, 6 * n_particles_};
+  }
+
+private:
+  /// Energies of all ranks, and what is missing [J].
+  struct Ledger
+  {
+    mpm::ParticleTotals totals;
+    double external_work, transfer_loss, contact_loss, residual;
+  };
+
+  void build_grid();
+  /// Sets column::force to the body force, by places at the start.
+  void set_body_force(mpm::ParticleBlock &block) const;
+  /// Forces that planes and regions give each other in the step.
+  void record_contact(const double step);
+  Ledger ledger() const;
+  ImpactPlan impact_plan() const;
+  /// Whether splines see the layers of a head apart.
+  Assumption layer_resolution() const;
+  void find_probes();
+  /// Takes what is in tiles of this rank.
+  void restore_file(const std::string &file);
+
+  MPI_Comm communicator_;
+  MeshDescription mesh_;
+  RegionDescriptions regions_;
+  ContactPlanes planes_;
+  ParticleScene scene_;
+  ParticleReference reference_;
+  std::array<Expression, 3> acceleration_{{{"", "0"}, {"", "0"}, {"", "0"}}};
+  std::vector<dealii::Point<3>> probe_places_;
+  double courant_ = 0.3;
+  unsigned int largest_retries_ = 10;
+  double end_time_ = 0.;
+
+  mpm::TileGrid grid_;
+  mpm::Particles particles_;
+  std::unique_ptr<mpm::ParticleStep> step_;
+  mpm::WallContact contact_;
+  ContactMeasures contact_now_;
+  ContactRecord contact_record_;
+  ContactRecord region_contact_; ///< of velocity fields that may part
+  std::uint64_t n_particles_ = 0;
+  std::uint64_t n_steps_ = 0;
+  std::uint64_t n_split_ = 0;
+  std::uint64_t n_merged_ = 0; ///< how many fewer particles that made
+  double time_ = 0.;
+  double initial_energy_ = 0.;
+  double energy_scale_ = 0.;
+  /// In the rows of the history so far, by region [Pa].
+  std::vector<double> least_pressures_;
+};
+} // namespace contrecoup::ale

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/ale/exact/reference.h>
+#include <contrecoup/ale/head/head_measures.h>
+#include <contrecoup/ale/head/impact_plan.h>
+#include <contrecoup/ale/lagrange/contact_record.h>
+#include <contrecoup/ale/lagrange/heat_source.h>
+#include <contrecoup/ale/lagrange/lagrange_step.h>
+#include <contrecoup/ale/mesh/mesh_description.h>
+#include <contrecoup/ale/mesh/region_descriptions.h>
+#include <contrecoup/ale/rezone/rezone.h>
+#include <contrecoup/base/simulation.h>
+
+#include <unordered_map>
+
+namespace contrecoup::ale
+{
+/**
+ * Solids and fluids on a mesh that goes with the matter, and that of fluids is
+ * rezoned now and then:
+ * mesh, materials, steps, energy ledger, output.
+ */
+class AleSimulation : public Simulation
+{
+public:
+  explicit AleSimulation(MPI_Comm communicator)
+    : communicator_(communicator)
+  {}
+
+  /// Declares every entry.
+  static void declare_parameters(dealii::ParameterHandler &prm);
+
+  /// Reads every entry. @throws InputError
+  void parse_parameters(dealii::ParameterHandler &prm);
+
+  CostEstimate estimate() override;
+  void setup() override;
+  void restore(const std::string &folder) override;
+  void save(const std::string &folder) override;
+  double time() const override
+  {
+    return state_.time;
+  }
+  StepReport advance(double largest_step) override;
+  bool adapt() override;
+  std::vector<NamedValue> history() override;
+  std::vector<NamedValue> probes() override;
+  std::string write_fields(const std::string &folder,
+                           unsigned int index) override;
+  std::vector<NamedValue> errors() override;
+  std::vector<NamedValue> assumptions() override;
+  std::vector<Assumption> plan() override;
+  std::vector<Assumption> audit() override;
+  std::pair<std::uint64_t, std::uint64_t> size() const override;
+  void finish(const std::string &folder) override;
+
+private:
+  /// Energy of all, what was added, and what is missing.
+  struct Ledger
+  {
+    AleTotals totals;
+    double external_work;
+    double interface_work;
+    double residual; ///< [J]
+  };
+
+  void build();
+  void find_probe_cells();
+  /// @param distance to the centre of the nearest @p cell [m]
+  /// @throws InputError for a probe outside of the mesh
+  void require_probe_inside(const std::size_t probe,
+                            const double distance,
+                            const std::uint32_t cell) const;
+  Ledger ledger() const;
+  void heat(const double begin, const double duration);
+  ImpactPlan impact_plan() const;
+  /// Motion across planes of symmetry, and those that would do.
+  void find_symmetry(ImpactPlan &plan) const;
+  void restore_peaks(std::istream &in, const std::size_t n_peaks);
+  /// @param cells those of this rank by their number in the mesh
+  void
+  restore_cells(std::istream &in,
+                const std::uint64_t n,
+                const std::unordered_map<std::uint32_t, std::size_t> &cells);
+
+  MPI_Comm communicator_;
+  MeshDescription mesh_description_;
+  RegionDescriptions regions_;
+  Rezone rezone_;
+  HeatSource heat_source_;
+  ContactPlanes planes_;
+  InterfaceCoupling coupling_; ///< as asked for
+  ContactRecord contact_;
+  Reference reference_;
+  HeadMeasures head_;
+  std::array<Expression, 3> acceleration_{{{"", "0"}, {"", "0"}, {"", "0"}}};
+  std::vector<dealii::Point<3>> probe_places_;
+  double courant_ = 0.3;
+  double growth_ = 1.2;
+  unsigned int largest_retries_ = 10;
+  double end_time_ = 0.;
+
+  HexSpace space_;
+  LagrangeStep lagrange_;
+  AleState state_;
+  std::uint64_t n_cells_ = 0;
+  std::uint64_t n_nodes_ = 0;
+  double initial_energy_ = 0.;
+  double energy_scale_ = 0.;
+  double initial_kinetic_energy_ = 0.;
+  /// In the rows of the history so far, by region [Pa].
+  std::vector<double> least_pressures_;
+  double last_step_ = 0.; ///< 0: none was made [s]
+  /// Whether state_ is what the last step left.
+  bool is_as_left_ = false;
+  /// The rank with the cell of a probe has its number, others no_cell.
+  std::vector<std::uint32_t> probe_cells_;
+};
+} // namespace contrecoup::ale

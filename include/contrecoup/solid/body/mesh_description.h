@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/expression.h>
+#include <contrecoup/geometry/body_description.h>
+#include <contrecoup/geometry/hex_mesh.h>
+#include <contrecoup/geometry/mesh_smoothing.h>
+#include <contrecoup/solid/body/solid_materials.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/grid/tria.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace contrecoup::solid
+{
+/**
+ * The hexahedra of a scene: subsections "Mesh" and, for the mesh of a body as
+ * `anatomy` makes it, "Body".
+ */
+class MeshDescription
+{
+public:
+  static void declare_parameters(dealii::ParameterHandler &prm);
+
+  /// @throws InputError when entries do not go together
+  void parse_parameters(dealii::ParameterHandler &prm);
+
+  /// Builds the mesh. @throws InputError when a file cannot be used
+  HexMesh create() const;
+
+  /// About how many elements create() would make.
+  double estimate_elements() const;
+
+  /// About the stable step [s], from the size of the smallest elements and
+  /// the fastest tissue.
+  double estimate_step(const SolidMaterials &materials) const;
+
+private:
+  /// A tissue that takes the place of the others where its expression holds.
+  struct Region
+  {
+    Tissue tissue;
+    Expression where;
+  };
+
+  void parse_shape(dealii::ParameterHandler &prm);
+  void make_shape(dealii::Triangulation<3> &mesh) const;
+  void make_patch(dealii::Triangulation<3> &mesh) const;
+  void refine(dealii::Triangulation<3> &mesh) const;
+  HexMesh from_triangulation() const;
+  HexMesh from_body() const;
+  void set_regions(HexMesh &mesh) const;
+
+  std::string kind_;
+  dealii::Point<3> lower_;
+  dealii::Point<3> upper_;
+  std::vector<unsigned int> elements_;
+  double inner_radius_ = 0.;
+  double outer_radius_ = 0.;
+  unsigned int refinements_ = 0;
+  std::vector<Expression> refined_where_;
+  double distortion_ = 0.;
+  std::string file_;
+  Tissue tissue_ = Tissue::soft_tissue;
+  std::vector<Region> regions_;
+
+  BodyDescription body_;
+  double element_size_ = 0.;
+  unsigned int levels_ = 0;
+  SmoothingOptions smoothing_;
+};
+} // namespace contrecoup::solid

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/materials/small_matrix.h>
+
+/**
+ * @file
+ * Invariants of stress and strain, as reports quote them.
+ */
+
+namespace contrecoup::solid
+{
+/// Largest of the three principal values of a symmetric matrix.
+double largest_principal(const Symmetric3<double> &matrix);
+
+/// Von Mises' stress [Pa].
+double von_mises(const Symmetric3<double> &stress);
+
+/// Minus a third of the trace [Pa].
+double pressure_of(const Symmetric3<double> &stress);
+} // namespace contrecoup::solid

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/numerics/friedlander.h>
+#include <contrecoup/solid/boundary/pressure_history.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace contrecoup::solid
+{
+/**
+ * The blast of a charge, as formulas have it: facets that face the charge feel
+ * the reflected wave by the square of the cosine (pressure_at_angle()), others
+ * the passing one. Nothing stands in another's shadow, and nothing flows around
+ * the body.
+ */
+class AnalyticBlast : public PressureHistory
+{
+public:
+  /// Words of the kinds.
+  static const std::vector<std::string> kinds;
+
+  /// Declares subsections "Friedlander" and "Kingery Bulmash".
+  static void declare_parameters(dealii::ParameterHandler &prm);
+
+  /// @param kind one of kinds
+  /// @param path of the current subsection, for messages
+  static std::shared_ptr<AnalyticBlast>
+  parse_parameters(dealii::ParameterHandler &prm,
+                   const std::string &kind,
+                   const std::string &path);
+
+  /// @throws InputError where the tables have no figure
+  void reinit(const std::vector<dealii::Point<3>> &middles,
+              const std::vector<dealii::Tensor<1, 3>> &areas,
+              MPI_Comm communicator) override;
+  void set_time(const double time) override
+  {
+    time_ = time;
+  }
+  double pressure(std::size_t facet) const override;
+  std::vector<NamedValue> audit() const override
+  {
+    return {};
+  }
+
+private:
+  /// What passes and what a wall that faces the charge feels.
+  struct Waves
+  {
+    Friedlander incident;
+    Friedlander reflected;
+  };
+
+  struct Facet
+  {
+    Waves waves;
+    double cosine;
+  };
+
+  void parse_friedlander(dealii::ParameterHandler &prm);
+  void parse_tables(dealii::ParameterHandler &prm);
+  Waves waves(double distance) const;
+
+  std::string path_;
+  dealii::Point<3> centre_;
+  double time_ = 0.;
+
+  bool from_tables_ = false;
+  std::string set_;
+  double mass_ = 0.;       ///< of TNT [kg]
+  double start_time_ = 0.; ///< of the run, after the detonation [s]
+
+  Friedlander pulse_;
+  double speed_ = 0.;          ///< of the front [m/s]
+  double first_distance_ = 0.; ///< of the front at time 0 [m]
+  double ambient_ = 0.;        ///< [Pa]; 0: nothing is reflected
+  bool negative_phase_ = false;
+
+  std::vector<Facet> facets_;
+};
+} // namespace contrecoup::solid

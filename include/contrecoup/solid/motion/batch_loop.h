@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/solid/motion/solid_operator.h>
+
+#include <algorithm>
+
+/**
+ * @file
+ * The loop over elements that sources of SolidOperator share.
+ */
+
+namespace contrecoup::solid
+{
+/// Batches whose losses are added up before they go into a double.
+inline constexpr unsigned int batches_at_once = 32;
+
+/// The sum of all lanes in double.
+template <typename Real>
+double sum_of(const Lanes<Real> &values)
+{
+  double sum = 0.;
+  for (unsigned int lane = 0; lane < n_lanes<Real>; ++lane)
+    sum += static_cast<double>(values[lane]);
+  return sum;
+}
+
+/// The least of all lanes and zero.
+template <typename Real>
+double least_of(const Lanes<Real> &values)
+{
+  double least = 0.;
+  for (unsigned int lane = 0; lane < n_lanes<Real>; ++lane)
+    least = std::min(least, static_cast<double>(values[lane]));
+  return least;
+}
+
+
+template <typename Real>
+template <bool viscoelastic, typename Forces>
+void SolidOperator<Real>::add_batches(const Range &range,
+                                      NodeFields<Real> &nodes,
+                                      const HexModel<Lane> &model,
+                                      TissueEnergies &losses,
+                                      const Forces &find_forces)
+{
+  Lane least{};
+  const bool has_gas = model.law.gas.exists();
+  HexModel<Lane> stiffened = model;
+  for (unsigned int first = range.begin; first < range.end;
+       first += batches_at_once)
+  {
+    HexHeat<Lane> sum;
+    const unsigned int last = std::min(first + batches_at_once, range.end);
+    for (unsigned int batch = first; batch < last; ++batch)
+    {
+      if (!batches_.is_awake(batch, nodes))
+        continue;
+      if (has_gas)
+        stiffened.law.bulk = secant_bulk(model.law, nodes, batch);
+      const unsigned int *offsets = batches_.offsets(batch, 0);
+      HexVectors<Lane> x, u;
+      load_corners(nodes.place.data(), offsets, x, u);
+      HexState<Lane> state;
+      batches_.template load_state<viscoelastic>(range, batch, state);
+      HexHeat<Lane> heat;
+      const HexVectors<Lane> forces =
+        find_forces(has_gas ? stiffened : model, batch, x, u, state, heat);
+      batches_.template store_state<viscoelastic>(range, batch, state);
+      least = std::min(least, state.dilatation);
+      subtract_forces(nodes.force.data(), offsets, forces);
+      sum.bulk_viscosity += heat.bulk_viscosity;
+      sum.relaxation += heat.relaxation;
+      sum.hourglass += heat.hourglass;
+    }
+    losses.bulk_viscosity += sum_of<Real>(sum.bulk_viscosity);
+    losses.relaxation += sum_of<Real>(sum.relaxation);
+    losses.hourglass += sum_of<Real>(sum.hourglass);
+  }
+  least_dilatations_[range.tissue] =
+    std::min(least_dilatations_[range.tissue], least_of<Real>(least));
+}
+} // namespace contrecoup::solid

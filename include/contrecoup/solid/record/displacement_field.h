@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/expression.h>
+#include <contrecoup/base/simulation.h>
+#include <contrecoup/solid/motion/solid_body.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <optional>
+#include <vector>
+
+namespace contrecoup::solid
+{
+/// Displacements and velocities at the start: subsection "Initial state".
+class InitialMotion
+{
+public:
+  static void declare_parameters(dealii::ParameterHandler &prm);
+  void parse_parameters(dealii::ParameterHandler &prm);
+
+  template <typename Real>
+  void set(const SolidMesh &mesh, NodeFields<Real> &nodes) const;
+
+private:
+  std::vector<Expression> displacement_; ///< x, y, z
+  std::vector<Expression> velocity_;
+};
+
+
+/// The displacements that theory has: subsection "Reference".
+class ReferenceMotion
+{
+public:
+  static void declare_parameters(dealii::ParameterHandler &prm);
+  void parse_parameters(dealii::ParameterHandler &prm);
+
+  /**
+   * displacement_L2 (relative to the norm of the reference, weighted with
+   * masses), displacement_maximum (relative to the largest displacement of the
+   * reference), and pressure_L1 (mean absolute error over the mean absolute
+   * pressure of the reference), where they are given. Collective.
+   */
+  template <typename Real>
+  std::vector<NamedValue> errors(const SolidBody<Real> &body) const;
+
+private:
+  template <typename Real>
+  void add_displacement(const SolidBody<Real> &body,
+                        std::vector<NamedValue> &errors) const;
+  template <typename Real>
+  void add_pressure(const SolidBody<Real> &body,
+                    std::vector<NamedValue> &errors) const;
+
+  std::vector<Expression> displacement_; ///< empty: not given
+  std::optional<Expression> pressure_;
+};
+} // namespace contrecoup::solid

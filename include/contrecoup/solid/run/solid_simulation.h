@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/simulation.h>
+#include <contrecoup/solid/body/mesh_description.h>
+#include <contrecoup/solid/body/solid_materials.h>
+#include <contrecoup/solid/injury/injury_report.h>
+#include <contrecoup/solid/motion/solid_body.h>
+#include <contrecoup/solid/record/displacement_field.h>
+#include <contrecoup/solid/record/peak_fields.h>
+#include <contrecoup/solid/record/solid_probes.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace contrecoup::solid
+{
+/// Words of "Elements/Precision".
+const std::vector<std::string> &solid_precision_names();
+
+/**
+ * Stress waves in a body: mesh, materials, loads, steps, energy audit, output.
+ * @tparam Real of the state and the arithmetic of elements
+ */
+template <typename Real>
+class SolidSimulation : public Simulation
+{
+public:
+  explicit SolidSimulation(MPI_Comm communicator)
+    : communicator_(communicator)
+  {}
+
+  /// Declares every entry.
+  static void declare_parameters(dealii::ParameterHandler &prm);
+
+  /// Reads every entry. @throws InputError
+  void parse_parameters(dealii::ParameterHandler &prm);
+
+  CostEstimate estimate() override;
+  void setup() override;
+  void restore(const std::string &folder) override;
+  void save(const std::string &folder) override;
+  double time() const override
+  {
+    return body_.time();
+  }
+  StepReport advance(double largest_step) override;
+  bool adapt() override
+  {
+    return false;
+  }
+  std::vector<NamedValue> history() override;
+  std::vector<NamedValue> probes() override;
+  std::string write_fields(const std::string &folder,
+                           unsigned int index) override;
+  std::vector<NamedValue> errors() override;
+  std::vector<NamedValue> assumptions() override;
+  void finish(const std::string &folder) override;
+  std::pair<std::uint64_t, std::uint64_t> size() const override;
+
+private:
+  void build();
+  void report_step() const;
+  void report_injury(const std::string &folder);
+  EnergyBalance audit_energy();
+  double allowed_step();
+
+  MPI_Comm communicator_;
+  MeshDescription mesh_description_;
+  SolidMaterials materials_;
+  ElementOptions options_;
+  Supports supports_;
+  SurfaceLoads loads_;
+  Surroundings surroundings_;
+  InitialMotion initial_;
+  ReferenceMotion reference_;
+  SolidProbes probes_;
+  InjuryReport<Real> injury_;
+  PeakFields<Real> peaks_;
+  double safety_ = 0.9;
+  double smallest_step_ = 0.; ///< for mass scaling [s]
+  double largest_residual_ = 0.01;
+  double largest_hourglass_ = 0.1;
+  double end_time_ = 0.;
+
+  SolidBody<Real> body_;
+  StepCertificate certificate_;
+  double stable_step_ = 0.;
+  double reduction_ = 1.; ///< of the step, after one was halved
+  double deformed_step_ = std::numeric_limits<double>::infinity();
+  double steps_until_check_ = 0.; ///< of what deformed elements allow
+  double energy_scale_ = 0.;      ///< largest energy so far [J]
+};
+} // namespace contrecoup::solid

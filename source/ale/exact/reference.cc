@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/ale/exact/noh_flow.h>
+#include <contrecoup/ale/exact/reference.h>
+#include <contrecoup/ale/exact/sedov_flow.h>
+#include <contrecoup/ale/exact/shock_tube_flow.h>
+#include <contrecoup/ale/exact/table_flow.h>
+#include <contrecoup/ale/exact/taylor_green_flow.h>
+#include <contrecoup/ale/exact/water_hammer_flow.h>
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameters.h>
+
+namespace contrecoup::ale
+{
+namespace
+{
+  /// A flow that can be chosen.
+  struct Kind
+  {
+    std::string name, section;
+    void (*declare)(ParameterHandler &prm);
+    std::unique_ptr<ExactFlow> (*create)(const ParameterHandler &prm);
+  };
+
+  const std::vector<Kind> flows{
+    {"shock tube",
+     "Shock tube",
+     ShockTubeFlow::declare_parameters,
+     ShockTubeFlow::create},
+    {"noh", "Noh", NohFlow::declare_parameters, NohFlow::create},
+    {"sedov", "Sedov", SedovFlow::declare_parameters, SedovFlow::create},
+    {"taylor green",
+     "Taylor Green",
+     TaylorGreenFlow::declare_parameters,
+     TaylorGreenFlow::create},
+    {"water hammer",
+     "Water hammer",
+     WaterHammerFlow::declare_parameters,
+     WaterHammerFlow::create},
+    {"table", "Table", TableFlow::declare_parameters, TableFlow::create}};
+} // namespace
+
+
+void Reference::declare_parameters(ParameterHandler &prm)
+{
+  const Section section(prm, "Reference");
+  std::vector<std::string> names{"none",
+                                 "rigid sphere",
+                                 "fluid filled shell",
+                                 "expressions",
+                                 "front",
+                                 "extents",
+                                 "probe displacements"};
+  for (const Kind &kind : flows)
+    names.push_back(kind.name);
+  declare_selection(
+    prm,
+    "Kind",
+    "none",
+    names,
+    "Solution that the run is compared with: at the probes, of a liquid in a "
+    "rigid sphere that is decelerated, or in an elastic shell that hits a wall; "
+    "everywhere, of gases that meet, an implosion, a blast, vortices, a liquid "
+    "that a wall stops, or of a table. Of particles also expressions, the "
+    "front of a region over time, how far regions reach in the end, and displacements at probes. Only the entries of its subsection count.");
+  declare_double(prm,
+                 "Largest radius",
+                 "1e6",
+                 1e-9,
+                 1e6,
+                 "m",
+                 "Of the ball around the origin in which a flow is compared.");
+  {
+    const Section sphere(prm, "Rigid sphere");
+    SpherePeaks::declare_parameters(prm);
+  }
+  {
+    const Section shell(prm, "Fluid filled shell");
+    ShellPressures::declare_parameters(prm);
+  }
+  for (const Kind &kind : flows)
+  {
+    const Section flow(prm, kind.section);
+    kind.declare(prm);
+  }
+}
+
+
+void Reference::parse_parameters(ParameterHandler &prm)
+{
+  const Section section(prm, "Reference");
+  radius_ = read_double(prm, "Largest radius");
+  const std::string name = prm.get("Kind");
+  if (name == "rigid sphere")
+  {
+    const Section sphere(prm, "Rigid sphere");
+    sphere_ = SpherePeaks::create(prm);
+  }
+  if (name == "fluid filled shell")
+  {
+    const Section shell(prm, "Fluid filled shell");
+    shell_ = ShellPressures::create(prm);
+  }
+  if (name == "expressions" || name == "front" || name == "extents" ||
+      name == "probe displacements")
+    throw InputError("Reference/Kind = " + name + " needs Method = mpm");
+  flow_ = parse_flow(prm);
+}
+
+
+std::unique_ptr<ExactFlow> Reference::parse_flow(ParameterHandler &prm)
+{
+  const std::string name = prm.get("Kind");
+  for (const Kind &kind : flows)
+    if (name == kind.name)
+    {
+      const Section flow(prm, kind.section);
+      return kind.create(prm);
+    }
+  return nullptr;
+}
+
+
+void Reference::follow(const HexSpace &space,
+                       const LagrangeStep &lagrange,
+                       const AleState &state,
+                       const std::vector<std::uint32_t> &probes,
+                       const double step)
+{
+  if (sphere_)
+    sphere_->follow(space, lagrange, state, probes, peaks_);
+  if (shell_)
+    shell_->follow(space, lagrange, state, probes, step, peaks_);
+}
+
+
+std::vector<NamedValue> Reference::errors(const HexSpace &space,
+                                          const LagrangeStep &lagrange,
+                                          const AleState &state) const
+{
+  if (flow_ && state.time > 0.)
+    return flow_errors(*flow_, space, lagrange, state, radius_);
+  if (sphere_ && !peaks_.empty())
+    return SpherePeaks::errors(peaks_, space.communicator());
+  if (shell_ && !peaks_.empty())
+    return shell_->errors(
+      peaks_, lagrange.totals(state).mass, space.communicator());
+  return {};
+}
+} // namespace contrecoup::ale

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/ale/exact/shock_tube_flow.h>
+#include <contrecoup/base/parameters.h>
+
+namespace contrecoup::ale
+{
+namespace
+{
+  RiemannState read_state(const ParameterHandler &prm, const std::string &name)
+  {
+    const auto values = read_list(prm, name);
+    return {values[0], values[1], values[2]};
+  }
+} // namespace
+
+
+void ShockTubeFlow::declare_parameters(ParameterHandler &prm)
+{
+  declare_double(prm,
+                 "Interface",
+                 "0.5",
+                 -1e6,
+                 1e6,
+                 "m",
+                 "x where the gases meet at the start.");
+  for (const char *const name : {"Left", "Right"})
+    declare_list(prm,
+                 name,
+                 "1, 0, 1",
+                 3,
+                 3,
+                 -1e12,
+                 1e12,
+                 "-",
+                 "Density [kg/m^3], velocity [m/s] and pressure [Pa] of a "
+                 "gas.");
+  declare_double(prm,
+                 "Gamma",
+                 "1.4",
+                 1.0001,
+                 100.,
+                 "-",
+                 "Ratio of specific heats of the gases.");
+}
+
+
+std::unique_ptr<ExactFlow> ShockTubeFlow::create(const ParameterHandler &prm)
+{
+  const GasMaterial gas(IdealGas(read_double(prm, "Gamma")));
+  return std::unique_ptr<ExactFlow>(new ShockTubeFlow(
+    ExactRiemann(read_state(prm, "Left"), read_state(prm, "Right"), gas),
+    read_double(prm, "Interface")));
+}
+
+
+FlowState ShockTubeFlow::value(const dealii::Point<3> &place,
+                               const double time) const
+{
+  const auto state = solution_.value((place[0] - interface_) / time);
+  FlowState result;
+  result.density = state.density;
+  result.velocity[0] = state.velocity;
+  result.pressure = state.pressure;
+  return result;
+}
+} // namespace contrecoup::ale

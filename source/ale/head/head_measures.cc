@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/ale/head/head_measures.h>
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/io/checked_file.h>
+#include <contrecoup/solid/body/tissue_measures.h>
+#include <contrecoup/solid/motion/mean_motion.h>
+
+#include <filesystem>
+#include <sstream>
+
+namespace contrecoup::ale
+{
+namespace
+{
+  constexpr unsigned int width = AleState::width;
+
+  std::string file_of(const std::string &folder, const unsigned int rank)
+  {
+    return folder + "/injury." + std::to_string(rank) + ".bin";
+  }
+} // namespace
+
+
+void HeadMeasures::declare_parameters(ParameterHandler &prm)
+{
+  const Section section(prm, "Injury");
+  declare_string(prm,
+                 "Brain",
+                 "brain",
+                 "Region whose strains and pressures are followed for "
+                 "injury.csv, if there is one of this name.");
+  declare_string(prm,
+                 "Skull",
+                 "skull",
+                 "Region whose mean motion is followed for injury.csv, if "
+                 "there is one of this name; else that of the brain is.");
+  declare_selection(prm,
+                    "Pressure",
+                    "averaged",
+                    solid::peak_pressure_names(),
+                    "In the brain: that of each cell, or its average over the "
+                    "corners and the cells of the brain around these, which "
+                    "removes pressures that alternate from cell to cell and a "
+                    "tenth of waves as short as ten cells.");
+  declare_integer(prm,
+                  "Every steps",
+                  "10",
+                  1,
+                  1000000,
+                  "Steps from one look at the head to the next; peaks between "
+                  "are missed.");
+}
+
+
+void HeadMeasures::parse_parameters(ParameterHandler &prm)
+{
+  {
+    const Section section(prm, "Injury");
+    brain_name_ = prm.get("Brain");
+    skull_name_ = prm.get("Skull");
+    averaged_ = prm.get("Pressure") == solid::peak_pressure_names()[0];
+    interval_ = read_unsigned(prm, "Every steps");
+  }
+  const Section section(prm, "Mesh");
+  if (prm.get("Kind") == "layered head" || prm.get("Kind") == "file")
+    is_mirrored_ = read_symmetry_planes(prm);
+}
+
+
+unsigned int HeadMeasures::find(const std::vector<Region> &regions,
+                                const std::string &entry,
+                                const std::string &name)
+{
+  for (unsigned int i = 0; i < regions.size(); ++i)
+    if (regions[i].name == name)
+    {
+      if (regions[i].solid() == nullptr)
+        throw InputError("Injury/" + entry + ": region \"" + name +
+                         "\" is a fluid");
+      return i;
+    }
+  return none;
+}
+
+
+void HeadMeasures::reinit(const HexSpace &space,
+                          const LagrangeStep &lagrange,
+                          const AleState &state,
+                          const std::vector<Region> &regions)
+{
+  brain_ = find(regions, "Brain", brain_name_);
+  skull_ = find(regions, "Skull", skull_name_);
+  cells_.clear();
+  record_.pieces.clear();
+  std::vector<solid::NodalAverage::Corners> corners;
+  std::vector<double> volumes;
+  for (std::uint32_t c = 0; c < space.n_own_cells(); ++c)
+    if (space.region(c) == brain_)
+    {
+      cells_.push_back(c);
+      solid::BrainPiece piece;
+      piece.cell = space.cell_number(c);
+      piece.volume = lagrange.values(state, c).volume;
+      record_.pieces.push_back(piece);
+      corners.push_back(space.cell(c));
+      volumes.push_back(piece.volume);
+    }
+  solid::NodalAverage::AddRanks add_ranks;
+  if (dealii::Utilities::MPI::n_mpi_processes(space.communicator()) > 1)
+  {
+    FieldExchange exchange;
+    exchange.reinit(space.nodes(), 1);
+    add_ranks = [exchange](dealii::AlignedVector<double> &values) {
+      exchange.add_copies(values);
+      exchange.update_copies(values);
+    };
+  }
+  average_.reinit(std::move(corners),
+                  std::move(volumes),
+                  space.n_nodes(),
+                  std::move(add_ranks));
+}
+
+
+void HeadMeasures::follow(const HexSpace &space,
+                          const LagrangeStep &lagrange,
+                          const AleState &state)
+{
+  if (!active() || record_.n_steps++ % interval_ != 0)
+    return;
+  follow_brain(lagrange, state, state.time - record_.last_time);
+  record_.last_time = state.time;
+  follow_motion(space, state);
+}
+
+
+void HeadMeasures::follow_brain(const LagrangeStep &lagrange,
+                                const AleState &state,
+                                const double span)
+{
+  std::vector<double> pressures;
+  for (std::size_t i = 0; i < record_.pieces.size(); ++i)
+  {
+    const CellValues values = lagrange.values(state, cells_[i]);
+    record_.pieces[i].peak_strain =
+      std::max(record_.pieces[i].peak_strain, values.principal_strain);
+    pressures.push_back(values.pressure);
+  }
+  solid::take_pressures(span,
+                        pressures,
+                        average_.average(pressures),
+                        averaged_,
+                        record_.pieces,
+                        record_.sums);
+}
+
+
+void HeadMeasures::follow_motion(const HexSpace &space, const AleState &state)
+{
+  // Each cell is a mass in its middle.
+  solid::MeanMotion motion;
+  for (std::size_t c = 0; c < space.n_own_cells(); ++c)
+    if (space.region(c) == moving_region())
+    {
+      dealii::Tensor<1, 3> place, velocity;
+      for (const std::uint32_t node : space.cell(c))
+        for (unsigned int d = 0; d < 3; ++d)
+        {
+          place[d] += 0.125 * state.position[width * node + d];
+          velocity[d] += 0.125 * state.velocity[width * node + d];
+        }
+      motion.add(state.mass[c], place, velocity);
+    }
+  motion.find(space.communicator(), is_mirrored_);
+  record_.times.push_back(state.time);
+  record_.speeds.emplace_back();
+  for (unsigned int d = 0; d < 3; ++d)
+    record_.speeds.back()[d] = motion.velocity()[d];
+  solid::raise_spin(record_.largest_spin, motion.turning());
+}
+
+
+std::vector<solid::InjuryMeasure>
+HeadMeasures::measures(const MPI_Comm communicator) const
+{
+  auto list = solid::brain_measures(record_.pieces, record_.sums, communicator);
+  if (!averaged_)
+    for (solid::InjuryMeasure &measure : list)
+      if (measure.value.unit == "Pa")
+        measure.limits += "; of single cells";
+  if (record_.times.size() < 2)
+    return list;
+  const std::string who = skull_ != none ? "the skull" : "the brain";
+  list.push_back(solid::head_motion_measure(record_.times,
+                                            record_.speeds,
+                                            "the mean motion of " + who +
+                                              ", until the end of the run"));
+  list.push_back(solid::head_turning_measure(record_.largest_spin,
+                                             "the mean turning of " + who +
+                                               ", until the end of the run"));
+  return list;
+}
+
+
+void HeadMeasures::save(const std::string &folder,
+                        const MPI_Comm communicator) const
+{
+  if (!active())
+    return;
+  const unsigned int rank =
+    dealii::Utilities::MPI::this_mpi_process(communicator);
+  io::write_file(file_of(folder, rank),
+                 [&](std::ostream &out) { record_.save(out); });
+}
+
+
+void HeadMeasures::restore(const std::string &folder,
+                           const MPI_Comm communicator)
+{
+  if (!active())
+    return;
+  unsigned int rank = 0;
+  do
+  {
+    const std::string file = file_of(folder, rank);
+    std::istringstream in(io::read_file(file));
+    record_.restore(in, file, rank, communicator);
+  } while (std::filesystem::exists(file_of(folder, ++rank)));
+}
+} // namespace contrecoup::ale

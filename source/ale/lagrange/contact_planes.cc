@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/ale/lagrange/contact_planes.h>
+#include <contrecoup/ale/mesh/boundary_areas.h>
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameter_tree.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+
+namespace contrecoup::ale
+{
+namespace
+{
+  constexpr unsigned int width = AleState::width;
+
+  dealii::Tensor<1, 3> vector_at(const dealii::AlignedVector<double> &field,
+                                 const std::uint32_t node)
+  {
+    const double *const values = &field[width * node];
+    return dealii::Tensor<1, 3>({values[0], values[1], values[2]});
+  }
+} // namespace
+
+
+void ContactPlanes::declare_parameters(ParameterHandler &prm)
+{
+  const Section section(prm, "Plane *");
+  declare_list(
+    prm, "Point", "0, 0, 0", 3, 3, -1e6, 1e6, "m", "Of the rigid plane.");
+  declare_list(prm,
+               "Normal",
+               "0, 0, 1",
+               3,
+               3,
+               -1e6,
+               1e6,
+               "-",
+               "Of the plane, of any length, into the side of the matter.");
+  declare_double(prm,
+                 "Friction",
+                 "0",
+                 0.,
+                 10.,
+                 "-",
+                 "Coulomb's coefficient between the plane and free surfaces.");
+}
+
+
+void ContactPlanes::parse_parameters(ParameterHandler &prm)
+{
+  for (const std::string &name : item_names(prm, "Plane"))
+  {
+    const Section section(prm, "Plane " + name);
+    ContactPlane plane;
+    plane.name = name;
+    plane.point = read_point<3>(prm, "Point");
+    plane.normal = read_point<3>(prm, "Normal");
+    if (!(plane.normal.norm() > 0.))
+      throw InputError("Plane " + name + "/Normal must not be 0, 0, 0");
+    plane.normal /= plane.normal.norm();
+    plane.friction = read_double(prm, "Friction");
+    planes_.push_back(plane);
+  }
+}
+
+
+void ContactPlanes::reinit(
+  const HexSpace &space,
+  const dealii::AlignedVector<double> &position,
+  const std::function<bool(dealii::types::boundary_id)> &is_free)
+{
+  space_ = &space;
+  surface_.clear();
+  pushes_.clear();
+  if (planes_.empty())
+    return;
+  const auto areas = boundary_areas(space, position, is_free);
+  for (std::uint32_t node = 0; node < areas.size(); ++node)
+    if (areas[node].norm() > 0.)
+      surface_.push_back({node, areas[node].norm()});
+  for (const ContactPlane &plane : planes_)
+    require_outside(plane, position);
+}
+
+
+void ContactPlanes::require_outside(
+  const ContactPlane &plane,
+  const dealii::AlignedVector<double> &position) const
+{
+  double deepest = 0.;
+  for (std::uint32_t node = 0; node < space_->n_nodes(); ++node)
+    deepest = std::min(
+      deepest,
+      plane.normal * (vector_at(position, node) -
+                      static_cast<const dealii::Tensor<1, 3> &>(plane.point)));
+  deepest = dealii::Utilities::MPI::min(deepest, space_->communicator());
+  // Round-off of a mesh that touches the plane.
+  constexpr double tolerance = 1e-9;
+  if (deepest < -tolerance)
+    throw InputError("Plane " + plane.name +
+                     ": it cuts the mesh at the start, which reaches " +
+                     brief(-deepest) +
+                     " m behind it; move Point, or turn Normal to the side of "
+                     "the matter");
+}
+
+
+void ContactPlanes::apply(dealii::AlignedVector<double> &velocity,
+                          const dealii::AlignedVector<double> &position)
+{
+  pushes_.clear();
+  for (const ContactPlane &plane : planes_)
+    for (const SurfaceNode &at : surface_)
+    {
+      const auto way = vector_at(position, at.node) -
+                       static_cast<const dealii::Tensor<1, 3> &>(plane.point);
+      const auto v = vector_at(velocity, at.node);
+      const double inwards = -(v * plane.normal);
+      if (way * plane.normal > 0. || inwards <= 0.)
+        continue;
+      const auto along = v + inwards * plane.normal;
+      const double speed = along.norm();
+      dealii::Tensor<1, 3> slowed;
+      if (speed > 0.)
+        slowed = -std::min(1., plane.friction * inwards / speed) * along;
+      const auto change = inwards * plane.normal + slowed;
+      for (unsigned int d = 0; d < 3; ++d)
+        velocity[width * at.node + d] += change[d];
+      pushes_.push_back({at, inwards, plane.normal, slowed});
+    }
+}
+
+
+ContactMeasures
+ContactPlanes::measures(const dealii::AlignedVector<double> &mean,
+                        const dealii::AlignedVector<double> &velocity,
+                        const double step) const
+{
+  ContactMeasures result;
+  for (const Push &push : pushes_)
+  {
+    const std::uint32_t node = push.at.node;
+    if (node >= space_->n_own_nodes())
+      continue;
+    const double mass = 1. / velocity[width * node + 3];
+    const auto v = vector_at(mean, node);
+    result.force += mass * push.normal / step;
+    result.area += push.at.area;
+    result.work += mass * push.normal * (v * push.direction);
+    result.friction_work += mass * (v * push.tangential);
+    const auto along = v - (v * push.direction) * push.direction;
+    result.sliding_work += mass * push.normal * along.norm();
+  }
+  return result;
+}
+} // namespace contrecoup::ale

@@ -1,0 +1,399 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/ale/mesh/region_material.h>
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/expression.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/materials/explosives.h>
+
+namespace contrecoup::ale
+{
+namespace
+{
+  const std::vector<std::string> materials{"ideal gas",
+                                           "tait",
+                                           "jwl",
+                                           "jwl in air",
+                                           "elastic",
+                                           "viscoelastic",
+                                           "johnson-cook",
+                                           "tissue"};
+
+  void declare_fluid(ParameterHandler &prm)
+  {
+    declare_double(prm,
+                   "Gamma",
+                   "1.4",
+                   1.0001,
+                   100.,
+                   "-",
+                   "Ratio of specific heats of the ideal gas, or the air.");
+    declare_selection(prm,
+                      "Explosive",
+                      "tnt",
+                      explosive_names(),
+                      "Whose products jwl and jwl in air are.");
+    declare_double(prm,
+                   "Bulk modulus",
+                   "2.2e9",
+                   1.,
+                   1e15,
+                   "Pa",
+                   "K_0 of Tait's liquid at rest, and of viscoelastic matter.");
+    declare_double(
+      prm, "Exponent", "7.15", 1.0001, 100., "-", "n of Tait's liquid.");
+    declare_string(prm,
+                   "Least pressure",
+                   "none",
+                   "At which Tait's liquid cavitates [Pa], at most 0; none: it "
+                   "bears any tension.");
+  }
+
+  void declare_solid(ParameterHandler &prm)
+  {
+    declare_double(
+      prm,
+      "Young modulus",
+      "6.5e9",
+      1e-3,
+      1e15,
+      "Pa",
+      "E of elastic matter and johnson-cook; that of copper is 124e9.");
+    declare_double(prm,
+                   "Poisson ratio",
+                   "0.22",
+                   -0.9,
+                   0.499999,
+                   "-",
+                   "Of elastic matter and johnson-cook; that of copper is "
+                   "0.34.");
+    declare_double(prm,
+                   "Shear modulus",
+                   "49e3",
+                   1e-3,
+                   1e15,
+                   "Pa",
+                   "G_0 of viscoelastic matter, that of sudden strains.");
+    declare_double(prm,
+                   "Long-term shear modulus",
+                   "16e3",
+                   0.,
+                   1e15,
+                   "Pa",
+                   "Of viscoelastic matter after a long time.");
+    declare_double(
+      prm,
+      "Relaxation time",
+      "6e-3",
+      1e-9,
+      1e6,
+      "s",
+      "In which viscoelastic matter goes from one shear modulus to "
+      "the other.");
+    declare_selection(prm,
+                      "Tissue",
+                      "brain",
+                      tissue_names(),
+                      "Whose density and moduli a tissue has.");
+    declare_selection(prm,
+                      "Tissue set",
+                      "paper",
+                      tissue_set_names(),
+                      "From which these are taken.");
+    declare_selection(prm,
+                      "Kinematics",
+                      "finite rotation",
+                      solid_kinematics_names(),
+                      "How solids measure strains; johnson-cook is neo-hookean "
+                      "in any case.");
+  }
+
+  void declare_strength(ParameterHandler &prm)
+  {
+    declare_double(prm,
+                   "Yield stress",
+                   "90e6",
+                   0.,
+                   1e12,
+                   "Pa",
+                   "A of johnson-cook, (A + B e^n) (1 + C ln(max(1, e' / "
+                   "e'_0))) (1 - T*^m) of the plastic strain e, its rate and "
+                   "the temperature; the numbers are those of OFHC copper.");
+    declare_double(
+      prm, "Hardening modulus", "292e6", 0., 1e12, "Pa", "B of johnson-cook.");
+    declare_double(
+      prm, "Hardening exponent", "0.31", 0.01, 1., "-", "n of johnson-cook.");
+    declare_double(
+      prm, "Rate coefficient", "0.025", 0., 1., "-", "C of johnson-cook.");
+    declare_double(prm,
+                   "Reference rate",
+                   "1",
+                   1e-9,
+                   1e9,
+                   "1/s",
+                   "e'_0 of johnson-cook, below which rates do not count.");
+  }
+
+  void declare_softening(ParameterHandler &prm)
+  {
+    declare_double(
+      prm, "Softening exponent", "1.09", 0.01, 100., "-", "m of johnson-cook.");
+    declare_double(prm,
+                   "Melting temperature",
+                   "1356",
+                   1.,
+                   1e5,
+                   "K",
+                   "Where T* of johnson-cook is 1.");
+    declare_double(prm,
+                   "Reference temperature",
+                   "298",
+                   0.,
+                   1e5,
+                   "K",
+                   "Where T* of johnson-cook is 0; that of the start.");
+    declare_double(
+      prm, "Heat capacity", "383", 1., 1e6, "J/(kg K)", "Of johnson-cook.");
+    declare_double(prm,
+                   "Heating part",
+                   "0.9",
+                   0.,
+                   1.,
+                   "-",
+                   "Of the plastic work of johnson-cook, which warms it.");
+  }
+
+  void declare_viscosity(ParameterHandler &prm)
+  {
+    declare_double(prm,
+                   "Linear viscosity",
+                   "0.5",
+                   0.,
+                   10.,
+                   "-",
+                   "Artificial, in compression: times density, cell length "
+                   "and sound speed. 0.5 for shocks in gases; 0.06 leaves "
+                   "sound in liquids and solids undamped.");
+    declare_double(prm,
+                   "Quadratic viscosity",
+                   "2",
+                   0.,
+                   10.,
+                   "-",
+                   "Artificial, in compression: times density, square of the "
+                   "cell length and rate of compression.");
+    declare_double(
+      prm,
+      "Hourglass coefficient",
+      "0.1",
+      0.,
+      1.,
+      "-",
+      "Of the damper on velocities that one integration point "
+      "does not see; of solids only where K is above 100 G. It "
+      "damps shear the more the larger K / G is: at 1e6 half a "
+      "swing of twelve cells loses a quarter, without it nothing.");
+    declare_double(prm,
+                   "Hourglass stiffness",
+                   "1",
+                   0.,
+                   10.,
+                   "-",
+                   "Of the springs of solids against displacements that one "
+                   "integration point does not see; 1 gives a cube the energy "
+                   "of its shear.");
+  }
+
+  /// The entry Density as a number.
+  double read_density(ParameterHandler &prm, const std::string &name)
+  {
+    const std::string entry = "Region " + name + "/Density";
+    const Expression density(entry, prm.get("Density"));
+    if (density.depends_on_place())
+      throw InputError(entry + ": that of a liquid or solid without pressure "
+                               "must be a number");
+    return density.value({});
+  }
+
+  Tait parse_tait(ParameterHandler &prm, const std::string &name)
+  {
+    // In no liquid: its constants are missing, and those of air stand there.
+    constexpr double largest_sound_speed = 2e4;
+    const std::string least = prm.get("Least pressure");
+    const double density = read_density(prm, name),
+                 modulus = read_double(prm, "Bulk modulus");
+    const double speed = std::sqrt(modulus / density);
+    if (density > 0. && speed > largest_sound_speed)
+      throw InputError("Region " + name +
+                       ": in a liquid of Density = " + brief(density) +
+                       " kg/m^3 and Bulk modulus = " + brief(modulus) +
+                       " Pa sound would go at " + brief(speed) +
+                       " m/s; give both of the liquid");
+    return Tait(
+      density,
+      modulus,
+      read_double(prm, "Exponent"),
+      least == "none"
+        ? -std::numeric_limits<double>::infinity()
+        : Expression("Region " + name + "/Least pressure", least).value({}));
+  }
+
+  SolidMaterial parse_solid(ParameterHandler &prm, const std::string &name)
+  {
+    const std::string kind = prm.get("Material");
+    if (kind == "tissue")
+      return solid_material(find_tissue_properties(
+        prm.get("Tissue set"), find_tissue(prm.get("Tissue"))));
+    SolidMaterial material;
+    material.density = read_density(prm, name);
+    if (kind == "elastic" || kind == "johnson-cook")
+    {
+      const double young = read_double(prm, "Young modulus"),
+                   poisson = read_double(prm, "Poisson ratio");
+      material.bulk_modulus = young / (3. * (1. - 2. * poisson));
+      material.instantaneous_shear = young / (2. * (1. + poisson));
+    }
+    else
+    {
+      material.bulk_modulus = read_double(prm, "Bulk modulus");
+      material.instantaneous_shear = read_double(prm, "Shear modulus");
+      material.relaxing_shear = material.instantaneous_shear -
+                                read_double(prm, "Long-term shear modulus");
+      material.relaxation_time = read_double(prm, "Relaxation time");
+    }
+    material.check("Region " + name);
+    return material;
+  }
+
+  JohnsonCook parse_metal(ParameterHandler &prm, const std::string &name)
+  {
+    JohnsonCook metal;
+    metal.yield_stress = read_double(prm, "Yield stress");
+    metal.hardening = read_double(prm, "Hardening modulus");
+    metal.hardening_exponent = read_double(prm, "Hardening exponent");
+    metal.rate_coefficient = read_double(prm, "Rate coefficient");
+    metal.reference_rate = read_double(prm, "Reference rate");
+    metal.softening_exponent = read_double(prm, "Softening exponent");
+    metal.melting_temperature = read_double(prm, "Melting temperature");
+    metal.reference_temperature = read_double(prm, "Reference temperature");
+    metal.heat_capacity =
+      read_density(prm, name) * read_double(prm, "Heat capacity");
+    metal.heating_part = read_double(prm, "Heating part");
+    metal.check("Region " + name);
+    return metal;
+  }
+
+  RegionLaw parse_law(ParameterHandler &prm, const std::string &name)
+  {
+    const std::string kind = prm.get("Material");
+    if (kind == "ideal gas")
+      return IdealGas(read_double(prm, "Gamma"));
+    if (kind == "tait")
+      return parse_tait(prm, name);
+    const auto &jwl = find_explosive(prm.get("Explosive")).jwl;
+    if (kind == "jwl")
+      return MieGrueneisen::jwl(jwl);
+    if (kind == "jwl in air")
+      return MieGrueneisen::jwl_in_air(jwl, read_double(prm, "Gamma"));
+    return parse_solid(prm, name);
+  }
+
+  InitialMatter matter_of(const Tait &liquid,
+                          const double /*density*/,
+                          const double pressure,
+                          const double /*products*/)
+  {
+    InitialMatter matter{};
+    matter.density = liquid.density_at(pressure);
+    if (!(matter.density > 0.))
+      return matter;
+    matter.energy = matter.density * liquid.stored_energy(matter.density);
+    double found = 0.;
+    liquid.pressure_and_sound_speed(
+      matter.density, 0., 0., found, matter.sound_speed_squared);
+    return matter;
+  }
+
+  InitialMatter matter_of(const SolidMaterial &solid,
+                          const double /*density*/,
+                          const double /*pressure*/,
+                          const double /*products*/)
+  {
+    const double speed = solid.dilatational_speed();
+    return {solid.density, 0., speed * speed};
+  }
+
+  template <typename Gas>
+  InitialMatter matter_of(const Gas &gas,
+                          const double density,
+                          const double pressure,
+                          const double products)
+  {
+    return {density,
+            gas.internal_energy_density(density, pressure, products),
+            gas.sound_speed_squared(density, pressure, products)};
+  }
+} // namespace
+
+
+void declare_region_material(ParameterHandler &prm)
+{
+  declare_selection(prm,
+                    "Material",
+                    "ideal gas",
+                    materials,
+                    "Fluids: jwl are the products of an explosive, jwl in air "
+                    "their mixture with air. Solids: elastic and viscoelastic "
+                    "have the moduli below, a tissue those of its name; "
+                    "johnson-cook is a metal that yields, of particles.");
+  declare_fluid(prm);
+  declare_solid(prm);
+  declare_strength(prm);
+  declare_softening(prm);
+  declare_viscosity(prm);
+  declare_selection(prm,
+                    "Interface",
+                    "stick",
+                    {"stick", "slip"},
+                    "Of fluids, at other regions. stick: both share their "
+                    "nodes; slip: the fluid slides along them without "
+                    "friction, and never parts from them. Regions that slip "
+                    "stick to each other.");
+}
+
+
+Region parse_region_material(ParameterHandler &prm, const std::string &name)
+{
+  Region region;
+  region.name = name;
+  region.law = parse_law(prm, name);
+  if (prm.get("Material") == "johnson-cook")
+    region.plasticity = parse_metal(prm, name);
+  region.viscosity = {read_double(prm, "Linear viscosity"),
+                      read_double(prm, "Quadratic viscosity"),
+                      read_double(prm, "Hourglass coefficient")};
+  region.kinematics = find_solid_kinematics(prm.get("Kinematics"));
+  region.hourglass_stiffness = read_double(prm, "Hourglass stiffness");
+  region.slides = prm.get("Interface") == "slip";
+  if (region.slides && region.solid() != nullptr)
+    throw InputError("Region " + name +
+                     "/Interface = slip is for fluids; give it to the fluid "
+                     "at this solid");
+  return region;
+}
+
+
+InitialMatter initial_matter(const Region &region,
+                             const double density,
+                             const double pressure,
+                             const double products)
+{
+  return std::visit(
+    [&](const auto &law) {
+      return matter_of(law, density, pressure, products);
+    },
+    region.law);
+}
+} // namespace contrecoup::ale

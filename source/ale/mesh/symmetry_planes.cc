@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/ale/mesh/symmetry_planes.h>
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
+
+#include <algorithm>
+
+namespace contrecoup::ale
+{
+void declare_symmetry_planes(ParameterHandler &prm)
+{
+  declare_string(prm,
+                 "Symmetry planes",
+                 "",
+                 "Axes to which planes of symmetry are normal: x, y, z, or "
+                 "none. Of a layered head only the positive side of its "
+                 "centre is computed; the mesh of a file must end with a flat "
+                 "side where its coordinate is least.");
+  declare_selection(prm,
+                    "Wedge axis",
+                    "none",
+                    {"none", "x", "y", "z"},
+                    "Of a layered head that is round about this axis, and hits "
+                    "along it, a wedge one cell thick is computed; planes of "
+                    "symmetry through the axis are then implied.");
+}
+
+
+unsigned int read_wedge_axis(ParameterHandler &prm)
+{
+  const std::string name = prm.get("Wedge axis");
+  return name == "none" ? 3 : static_cast<unsigned int>(name[0] - 'x');
+}
+
+
+SymmetryPlanes read_symmetry_planes(ParameterHandler &prm)
+{
+  const std::vector<std::string> axes{"x", "y", "z"};
+  SymmetryPlanes planes{};
+  for (const std::string &name : split(prm.get("Symmetry planes"), ','))
+  {
+    const auto found = std::find(axes.begin(), axes.end(), name);
+    if (found == axes.end())
+      throw InputError("Mesh/Symmetry planes: \"" + name +
+                       "\" is none of x, y, z");
+    planes[found - axes.begin()] = true;
+  }
+  const unsigned int axis = read_wedge_axis(prm);
+  for (unsigned int d = 0; d < 3; ++d)
+    if (axis < 3 && d != axis)
+      planes[d] = true;
+  return planes;
+}
+
+
+double computed_part(const SymmetryPlanes &planes)
+{
+  double part = 1.;
+  for (const bool is_halved : planes)
+    part *= is_halved ? 0.5 : 1.;
+  return part;
+}
+} // namespace contrecoup::ale

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/ale/particles/particle_measures.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace contrecoup::ale
+{
+namespace
+{
+  namespace column = mpm::column;
+
+  /// Of a material: extrema, of which the first are of minus the pressure, the
+  /// pressure, the shear strain, the speed squared, the plastic strain and
+  /// work; and sums of mass, momentum, void, kinetic energy, plastic work.
+  struct Findings
+  {
+    std::vector<double> most{-std::numeric_limits<double>::max(),
+                             -std::numeric_limits<double>::max(),
+                             0.,
+                             0.,
+                             0.,
+                             0.};
+    std::vector<double> sums = std::vector<double>(7, 0.);
+  };
+
+  void add_particle(const mpm::ParticleMaterial &material,
+                    const mpm::ParticleBlock &block,
+                    const std::size_t p,
+                    Findings &found)
+  {
+    const auto values = mpm::particle_values(material, block, p);
+    found.most[0] = std::max(found.most[0], -values.pressure);
+    found.most[1] = std::max(found.most[1], values.pressure);
+    found.most[2] = std::max(found.most[2], values.shear_strain);
+    const double mass = block[column::mass][p];
+    double square = 0.;
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      const double velocity = block[column::velocity + d][p];
+      square += velocity * velocity;
+      found.sums[1 + d] += mass * velocity;
+    }
+    found.most[3] = std::max(found.most[3], square);
+    found.sums[0] += mass;
+    if (const Tait *const liquid = std::get_if<Tait>(&material.law))
+      found.sums[4] +=
+        liquid->void_fraction(values.density) * mass / values.density;
+    found.sums[5] += 0.5 * mass * square;
+    const double work = block[column::plastic_work][p];
+    found.most[4] = std::max(found.most[4], block[column::plastic_strain][p]);
+    found.most[5] = std::max(found.most[5], work);
+    found.sums[6] += block[column::volume][p] * work;
+  }
+} // namespace
+
+
+std::vector<NamedValue>
+particle_measures(const std::vector<mpm::ParticleMaterial> &materials,
+                  const mpm::Particles &particles,
+                  const MPI_Comm communicator)
+{
+  std::vector<Findings> findings(materials.size());
+  particles.for_each_block(
+    [&](const unsigned int m, const mpm::ParticleBlock &block) {
+      for (std::size_t p = 0; p < block.size(); ++p)
+        add_particle(materials[m], block, p, findings[m]);
+    });
+  std::vector<NamedValue> result;
+  for (std::size_t m = 0; m < materials.size(); ++m)
+  {
+    auto &most = findings[m].most;
+    auto &sums = findings[m].sums;
+    dealii::Utilities::MPI::max(most, communicator, most);
+    dealii::Utilities::MPI::sum(sums, communicator, sums);
+    const std::string name = "_" + materials[m].name;
+    result.push_back({"least_pressure" + name, "Pa", -most[0]});
+    result.push_back({"largest_pressure" + name, "Pa", most[1]});
+    result.push_back({"kinetic_energy" + name, "J", sums[5]});
+    if (materials[m].solid() == nullptr)
+    {
+      result.push_back({"largest_speed" + name, "m/s", std::sqrt(most[3])});
+      result.push_back({"void_volume" + name, "m^3", sums[4]});
+      continue;
+    }
+    result.push_back({"largest_shear_strain" + name, "-", most[2]});
+    for (unsigned int d = 0; d < 3; ++d)
+      result.push_back({std::string("velocity_") + "xyz"[d] + name,
+                        "m/s",
+                        sums[d + 1] / sums[0]});
+    if (const auto &metal = materials[m].plasticity)
+    {
+      result.push_back({"largest_plastic_strain" + name, "-", most[4]});
+      result.push_back({"plastic_work" + name, "J", sums[6]});
+      result.push_back(
+        {"largest_temperature" + name, "K", metal->temperature(most[5])});
+    }
+  }
+  return result;
+}
+} // namespace contrecoup::ale

@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/ale/exact/reference.h>
+#include <contrecoup/ale/particles/particle_reference.h>
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace contrecoup::ale
+{
+namespace
+{
+  namespace column = mpm::column;
+  namespace mpi = dealii::Utilities::MPI;
+
+  const std::vector<std::string> axes{"x", "y", "z"};
+
+  dealii::Tensor<1, 3> vector_of(const mpm::ParticleBlock &block,
+                                 const unsigned int first,
+                                 const std::size_t p)
+  {
+    dealii::Tensor<1, 3> result;
+    for (unsigned int d = 0; d < 3; ++d)
+      result[d] = block[first + d][p];
+    return result;
+  }
+
+  /// The distance of a vector from expressions; 0 without them.
+  double distance(const std::vector<Expression> &exact,
+                  dealii::Tensor<1, 3> value,
+                  const dealii::Point<3> &place,
+                  const double time)
+  {
+    if (exact.empty())
+      return 0.;
+    for (unsigned int d = 0; d < 3; ++d)
+      value[d] -= exact[d].value(place, time);
+    return value.norm();
+  }
+
+  /// Expressions of entries @p names, unless all of them are empty.
+  std::vector<Expression> parse_expressions(ParameterHandler &prm,
+                                            const std::string &section,
+                                            std::vector<std::string> names)
+  {
+    std::vector<Expression> result;
+    const bool given =
+      std::any_of(names.begin(), names.end(), [&](const std::string &name) {
+        return !trim(prm.get(name)).empty();
+      });
+    for (const std::string &name : names)
+      if (given)
+      {
+        const std::string text = trim(prm.get(name));
+        result.emplace_back(section + "/" + name, text.empty() ? "0" : text);
+      }
+    return result;
+  }
+
+  std::vector<std::string> with_axes(const std::string &name)
+  {
+    return {name + " x", name + " y", name + " z"};
+  }
+} // namespace
+
+
+void ParticleReference::declare_parameters(ParameterHandler &prm)
+{
+  const Section reference(prm, "Reference");
+  {
+    const Section section(prm, "Expressions");
+    const auto declare = [&](const std::string &name, const std::string &what) {
+      declare_string(prm,
+                     name,
+                     "",
+                     what +
+                       ", a muParser expression of t and of x, y, z, where "
+                       "the particle was at the start; empty: not compared.");
+    };
+    for (const std::string &name : with_axes("Displacement"))
+      declare(name, "Of particles [m]");
+    for (const std::string &name : with_axes("Velocity"))
+      declare(name, "Of particles [m/s]");
+    declare("Pressure", "In particles [Pa]");
+  }
+  ParticleExtents::declare_parameters(prm);
+  {
+    const Section section(prm, "Probe displacements");
+    ProbeDisplacements::declare_parameters(prm);
+  }
+  const Section section(prm, "Front");
+  declare_string(prm, "Region", "water", "Whose front is followed.");
+  declare_selection(
+    prm, "Direction", "x", axes, "In which the front is farthest.");
+  declare_list(
+    prm, "Times", "0", 1, 1000, 0., 1e6, "s", "Known, one after the other.");
+  declare_list(prm,
+               "Positions",
+               "0",
+               1,
+               1000,
+               -1e6,
+               1e6,
+               "m",
+               "Of the front at these times.");
+}
+
+
+void ParticleReference::parse_front(ParameterHandler &prm)
+{
+  const Section section(prm, "Front");
+  Front front;
+  front.region = trim(prm.get("Region"));
+  front.direction = static_cast<unsigned int>(
+    std::find(axes.begin(), axes.end(), prm.get("Direction")) - axes.begin());
+  front.times = read_list(prm, "Times");
+  front.positions = read_list(prm, "Positions");
+  if (front.times.size() != front.positions.size())
+    throw InputError("Reference/Front/Positions has " +
+                     std::to_string(front.positions.size()) +
+                     " numbers, and Times has " +
+                     std::to_string(front.times.size()));
+  if (std::adjacent_find(front.times.begin(),
+                         front.times.end(),
+                         std::greater_equal<>()) != front.times.end())
+    throw InputError("Reference/Front/Times must go up");
+  front_ = front;
+}
+
+
+void ParticleReference::parse_parameters(ParameterHandler &prm)
+{
+  const Section section(prm, "Reference");
+  radius_ = read_double(prm, "Largest radius");
+  const std::string name = prm.get("Kind");
+  if (name == "fluid filled shell")
+    throw InputError("Reference/Kind = " + name + " needs Method = ale");
+  if (name == "front")
+    parse_front(prm);
+  if (name == "extents")
+    extents_.parse_parameters(prm);
+  if (name == "rigid sphere")
+  {
+    const Section inner(prm, "Rigid sphere");
+    sphere_ = SpherePeaks::create(prm);
+  }
+  if (name == "probe displacements")
+  {
+    const Section inner(prm, "Probe displacements");
+    displacements_ = ProbeDisplacements::create(prm);
+  }
+  if (name == "expressions")
+  {
+    const Section inner(prm, "Expressions");
+    const std::string path = "Reference/Expressions";
+    expressions_ = {parse_expressions(prm, path, with_axes("Displacement")),
+                    parse_expressions(prm, path, with_axes("Velocity")),
+                    parse_expressions(prm, path, {"Pressure"})};
+  }
+  flow_ = Reference::parse_flow(prm);
+}
+
+
+void ParticleReference::reinit(
+  const std::vector<mpm::ParticleMaterial> &materials,
+  const double half_spacing,
+  const std::vector<dealii::Point<3>> &probes)
+{
+  extents_.reinit(materials);
+  if (displacements_)
+    displacements_->reinit(probes);
+  if (!front_)
+    return;
+  const auto found =
+    std::find_if(materials.begin(), materials.end(), [&](const auto &material) {
+      return material.name == front_->region;
+    });
+  if (found == materials.end())
+    throw InputError("Reference/Front/Region: there is no region " +
+                     front_->region);
+  front_->material = static_cast<unsigned int>(found - materials.begin());
+  front_->half_spacing = half_spacing;
+}
+
+
+std::vector<NamedValue>
+ParticleReference::history(const mpm::Particles &particles,
+                           const MPI_Comm communicator) const
+{
+  if (front_)
+    return {{"front", "m", record_.position}};
+  if (displacements_)
+    return displacements_->values(particles, communicator);
+  return extents_.values(particles, communicator);
+}
+
+
+double ParticleReference::front_position(const mpm::Particles &particles,
+                                         const MPI_Comm communicator) const
+{
+  double farthest = -std::numeric_limits<double>::max();
+  particles.for_each_block(
+    [&](const unsigned int m, const mpm::ParticleBlock &block) {
+      for (std::size_t p = 0; m == front_->material && p < block.size(); ++p)
+        farthest =
+          std::max(farthest, block[column::position + front_->direction][p]);
+    });
+  return mpi::max(farthest, communicator) + front_->half_spacing;
+}
+
+
+void ParticleReference::follow(
+  const std::vector<mpm::ParticleMaterial> &materials,
+  const mpm::Particles &particles,
+  const double time,
+  const MPI_Comm communicator)
+{
+  if (front_)
+    follow_front(particles, time, communicator);
+  if (!sphere_)
+    return;
+  particles.for_each_block(
+    [&](const unsigned int m, const mpm::ParticleBlock &block) {
+      for (std::size_t p = 0; p < block.size(); ++p)
+        if (const auto tag = static_cast<std::size_t>(block[column::tag][p]);
+            tag > 0)
+        {
+          if (peaks_.size() < tag)
+            peaks_.resize(tag, {{0., 0.}});
+          sphere_->take(dealii::Point<3>(vector_of(block, column::position, p)),
+                        mpm::particle_values(materials[m], block, p).pressure,
+                        time,
+                        peaks_[tag - 1]);
+        }
+    });
+}
+
+
+void ParticleReference::follow_front(const mpm::Particles &particles,
+                                     const double time,
+                                     const MPI_Comm communicator)
+{
+  const double position = front_position(particles, communicator);
+  const bool is_first = record_.time == 0.;
+  const auto &times = front_->times;
+  for (; record_.n_known < times.size() && times[record_.n_known] <= time;
+       ++record_.n_known)
+  {
+    const double part = is_first ? 1.
+                                 : (times[record_.n_known] - record_.time) /
+                                     (time - record_.time);
+    const double then =
+      is_first ? position : (1. - part) * record_.position + part * position;
+    const double error = std::abs(then - front_->positions[record_.n_known]);
+    record_.error += error;
+    record_.largest = std::max(record_.largest, error);
+  }
+  record_.time = time;
+  record_.position = position;
+}
+
+
+std::vector<NamedValue>
+ParticleReference::errors(const std::vector<mpm::ParticleMaterial> &materials,
+                          const mpm::Particles &particles,
+                          const double time,
+                          const MPI_Comm communicator) const
+{
+  if (sphere_)
+    return SpherePeaks::errors(peaks_, communicator);
+  if (front_ && record_.n_known > 0)
+    return {{"front_mean", "m", record_.error / record_.n_known},
+            {"front_largest", "m", record_.largest}};
+  if (!extents_.empty())
+    return extents_.errors(particles, communicator);
+  if (displacements_)
+    return displacements_->errors(particles, communicator);
+  if (!(time > 0.) || (!flow_ && !expressions_))
+    return {};
+  // Of displacement or density, velocity, pressure; and the volume.
+  std::vector<double> sums(4, 0.);
+  particles.for_each_block(
+    [&](const unsigned int m, const mpm::ParticleBlock &block) {
+      for (std::size_t p = 0; p < block.size(); ++p)
+      {
+        const double volume = block[column::volume][p];
+        const auto velocity = vector_of(block, column::velocity, p);
+        const auto values = mpm::particle_values(materials[m], block, p);
+        const dealii::Point<3> place(vector_of(block, column::position, p)),
+          start(vector_of(block, column::start, p));
+        if ((flow_ ? place : start).norm() > radius_)
+          continue;
+        sums[3] += volume;
+        if (flow_)
+        {
+          const FlowState exact = flow_->value(place, time);
+          sums[0] += volume * std::abs(values.density - exact.density);
+          sums[1] += volume * (velocity - exact.velocity).norm();
+          sums[2] += volume * std::abs(values.pressure - exact.pressure);
+          continue;
+        }
+        const auto &exact = *expressions_;
+        sums[0] +=
+          volume * distance(exact.displacement, place - start, start, time);
+        sums[1] += volume * distance(exact.velocity, velocity, start, time);
+        if (!exact.pressure.empty())
+          sums[2] += volume * std::abs(values.pressure -
+                                       exact.pressure[0].value(start, time));
+      }
+    });
+  mpi::sum(sums, communicator, sums);
+  std::vector<NamedValue> result;
+  if (flow_)
+    result.push_back({"density_L1", "kg/m^3", sums[0] / sums[3]});
+  else if (!expressions_->displacement.empty())
+    result.push_back({"displacement_L1", "m", sums[0] / sums[3]});
+  if (flow_ || !expressions_->velocity.empty())
+    result.push_back({"velocity_L1", "m/s", sums[1] / sums[3]});
+  if (flow_ || !expressions_->pressure.empty())
+    result.push_back({"pressure_L1", "Pa", sums[2] / sums[3]});
+  return result;
+}
+} // namespace contrecoup::ale

@@ -1,0 +1,410 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/ale/particles/particle_scene.h>
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
+
+#include <cmath>
+
+namespace contrecoup::ale
+{
+namespace
+{
+  /// Volume stiffness over shear stiffness from where solids lock.
+  constexpr double locking_ratio = 20.;
+
+  /// Cells around the matter that splines reach.
+  constexpr double margin_cells = 3.;
+
+  const std::vector<std::string> smoothings{"liquids and gels", "all", "none"};
+
+  const std::vector<std::string> field_kinds{"by interface",
+                                             "one",
+                                             "slip",
+                                             "contact"};
+
+  void declare_grid(ParameterHandler &prm)
+  {
+    declare_double(
+      prm, "Cell size", "0.004", 1e-6, 1e3, "m", "Of the background grid.");
+    declare_list(prm,
+                 "Particles a cell",
+                 "2, 2, 2",
+                 3,
+                 3,
+                 1.,
+                 10.,
+                 "-",
+                 "Along x, y and z; 2 each make 8 of a full cell.");
+    declare_selection(
+      prm, "Basis", "cubic", mpm::basis_names(), "B-splines of the grid.");
+    declare_string(prm,
+                   "Fine regions",
+                   "",
+                   "Names of regions with commas between them: where they are "
+                   "at the start, cells are halved for the whole run, in "
+                   "blocks of 2 x 2 x 2. Empty: nowhere.");
+    declare_double(prm,
+                   "Fine margin",
+                   "1",
+                   0.,
+                   100.,
+                   "-",
+                   "How far from these regions cells are halved, too, in whole "
+                   "cells.");
+  }
+
+  void declare_scheme(ParameterHandler &prm)
+  {
+    declare_selection(prm,
+                      "Transfer",
+                      "flip",
+                      mpm::transfer_names(),
+                      "How particles get velocities from the grid: the nodes' "
+                      "(pic), their change (flip), with an affine part (apic), "
+                      "or corrected by the mass series (fmpm).");
+    declare_selection(
+      prm,
+      "Update",
+      "musl",
+      mpm::stress_update_names(),
+      "Stresses from the velocity before the step (usf), after "
+      "it (usl), or of the momentum of moved particles (musl).");
+    declare_integer(
+      prm,
+      "Series order",
+      "2",
+      1,
+      16,
+      "Terms of the mass series of flip and fmpm: 1 is the lumped "
+      "mass, which makes sound slow; each further one costs a "
+      "transfer to the particles and back.");
+    declare_double(
+      prm,
+      "Damping time",
+      "1e9",
+      1e-9,
+      1e9,
+      "s",
+      "In which flip's particles lose the motion that the grid does "
+      "not see, whatever the step size.");
+  }
+
+  void declare_resampling(ParameterHandler &prm)
+  {
+    declare_double(
+      prm,
+      "Split stretch",
+      "2",
+      1.1,
+      1e6,
+      "-",
+      "A particle of a solid that has become so many times as long "
+      "along a principal direction is split, and its halves likewise "
+      "later.");
+    declare_integer(
+      prm,
+      "Merge above",
+      "64",
+      4,
+      1000000,
+      "Particles of a region in a cell, 4 to 1000000, and at least three "
+      "times those at the start; of more, four become two.");
+    declare_integer(prm,
+                    "Resample every steps",
+                    "20",
+                    0,
+                    1000000,
+                    "How often particles are split and merged; 0: never.");
+  }
+
+  void declare_fields(ParameterHandler &prm)
+  {
+    declare_selection(prm,
+                      "Fields",
+                      field_kinds[0],
+                      field_kinds,
+                      "Velocities of regions: one for all, which stick; or one "
+                      "for each, which slip along each other or, as contact, "
+                      "may part. By interface: they slip if a region has "
+                      "Interface = slip.");
+    declare_double(prm,
+                   "Friction",
+                   "0",
+                   0.,
+                   10.,
+                   "-",
+                   "Coulomb's coefficient between regions in contact.");
+    declare_selection(prm,
+                      "Smoothing",
+                      "liquids and gels",
+                      smoothings,
+                      "Materials whose volume strain and pressure are smoothed "
+                      "over linear splines against locking; gels are solids "
+                      "with a bulk modulus of more than 20 shear moduli.");
+  }
+
+  bool locks(const Region &region)
+  {
+    const SolidMaterial *const solid = region.solid();
+    return solid == nullptr ||
+           solid->bulk_modulus > locking_ratio * solid->instantaneous_shear;
+  }
+} // namespace
+
+
+void ParticleScene::declare_parameters(ParameterHandler &prm)
+{
+  const Section section(prm, "MPM");
+  declare_grid(prm);
+  declare_scheme(prm);
+  declare_resampling(prm);
+  declare_fields(prm);
+}
+
+
+void ParticleScene::parse_parameters(ParameterHandler &prm)
+{
+  const Section section(prm, "MPM");
+  cell_size_ = read_double(prm, "Cell size");
+  scheme_.degree = mpm::find_basis(prm.get("Basis"));
+  fine_regions_ = split(prm.get("Fine regions"), ',');
+  fine_margin_ = read_double(prm, "Fine margin");
+  if (!fine_regions_.empty() && scheme_.degree == 2)
+    throw InputError(
+      "MPM/Fine regions needs MPM/Basis = linear or cubic: quadratic splines "
+      "of halved cells do not make those of whole ones");
+  scheme_.transfer = mpm::find_transfer(prm.get("Transfer"));
+  scheme_.update = mpm::find_stress_update(prm.get("Update"));
+  scheme_.series_order = read_unsigned(prm, "Series order");
+  scheme_.damping_time = read_double(prm, "Damping time");
+  smoothing_ = prm.get("Smoothing");
+  fields_ = prm.get("Fields");
+  resampling_.stretch = read_double(prm, "Split stretch");
+  resampling_.interval = read_unsigned(prm, "Resample every steps");
+  friction_ = read_double(prm, "Friction");
+  const auto numbers = read_list(prm, "Particles a cell");
+  for (unsigned int d = 0; d < 3; ++d)
+    source_.per_cell[d] = static_cast<unsigned int>(numbers[d]);
+  // Never those that are there at the start.
+  resampling_.most =
+    std::max<double>(read_unsigned(prm, "Merge above"),
+                     3. * numbers[0] * numbers[1] * numbers[2]);
+  if (!fine_regions_.empty() && scheme_.transfer != mpm::Transfer::flip)
+    throw InputError(
+      "MPM/Fine regions needs MPM/Transfer = flip: others take from turning "
+      "matter in every step what lumped masses miss at the border of levels");
+  if (scheme_.transfer == mpm::Transfer::affine && scheme_.degree == 1)
+    throw InputError(
+      "MPM/Transfer = apic needs MPM/Basis = quadratic or cubic");
+}
+
+
+void ParticleScene::make_materials(const RegionDescriptions &regions)
+{
+  materials_.clear();
+  const auto all = regions.regions();
+  const bool slips = std::any_of(
+    all.begin(), all.end(), [](const Region &region) { return region.slides; });
+  if (fields_ == field_kinds[0])
+    fields_ = slips ? "slip" : "one";
+  for (const Region &region : all)
+  {
+    mpm::ParticleMaterial material;
+    material.name = region.name;
+    if (const SolidMaterial *const solid = region.solid())
+      material.law = *solid;
+    else if (const Tait *const liquid = std::get_if<Tait>(&region.law))
+      material.law = *liquid;
+    else
+      throw InputError("Region " + region.name +
+                       "/Material: particles are tait, elastic, viscoelastic, "
+                       "johnson-cook or a tissue; gases need Method = ale");
+    material.kinematics = region.kinematics;
+    material.plasticity = region.plasticity;
+    material.linear_viscosity = region.viscosity.linear;
+    material.quadratic_viscosity = region.viscosity.quadratic;
+    material.is_smoothed =
+      smoothing_ == "all" || (smoothing_ != "none" && locks(region));
+    // What may part has a pressure of its own.
+    material.smoothing_group = regions_part() ? materials_.size() : 0;
+    material.field = fields_ == "one" ? 0 : materials_.size();
+    materials_.push_back(material);
+  }
+}
+
+
+void ParticleScene::make_source(const MeshDescription &mesh,
+                                const RegionDescriptions &regions)
+{
+  MeshLayers layers = mesh.layers();
+  regions.check_layers(mesh.has_layers() ? layers : MeshLayers());
+  if (!mesh.has_layers())
+    layers = {MeshLayer()};
+  // Without expressions of the place, a table of the layers is faster.
+  std::vector<int> of_layer;
+  if (!regions.depends_on_place())
+    for (const MeshLayer &layer : layers)
+      of_layer.push_back(regions.find_region({}, layer));
+  source_.material_at =
+    [mesh, regions, layers, of_layer](const dealii::Point<3> &place) {
+      const int layer = mesh.layer_at(place);
+      if (layer < 0)
+        return mpm::ParticleSource::none;
+      return of_layer.empty() ? regions.find_region(place, layers[layer])
+                              : of_layer[layer];
+    };
+  source_.velocity_at = [regions](const dealii::Point<3> &place,
+                                  const unsigned int material) {
+    return regions.velocity_at(place, material);
+  };
+  const auto all = regions.regions();
+  source_.dilatation_at = [regions, all](const dealii::Point<3> &place,
+                                         const unsigned int material) {
+    const double density = regions.matter_at(place, material).density;
+    const Tait *const liquid = std::get_if<Tait>(&all[material].law);
+    return liquid == nullptr ? 0. : liquid->density() / density - 1.;
+  };
+}
+
+
+void ParticleScene::halve_cells()
+{
+  box_.halving = mpm::Halving();
+  box_.halving.degree = scheme_.degree;
+  std::vector<std::string> names;
+  for (const mpm::ParticleMaterial &material : materials_)
+    names.push_back(material.name);
+  std::vector<bool> is_fine(names.size(), false);
+  for (const std::string &name : fine_regions_)
+  {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+      throw InputError("MPM/Fine regions: there is no region \"" + name + "\"" +
+                       suggestion(name, names));
+    is_fine[found - names.begin()] = true;
+  }
+  if (fine_regions_.empty())
+    return;
+  // One sample of a halved cell along each direction.
+  box_.halving.blocks = [source = source_,
+                         is_fine,
+                         spacing = 0.5 * cell_size_,
+                         margin = fine_margin_ * cell_size_](
+                          const dealii::Point<3> &lower, const double edge) {
+    return mpm::reaches_material(source, is_fine, lower, edge, margin, spacing);
+  };
+}
+
+
+double ParticleScene::cell_size_at(const dealii::Point<3> &place) const
+{
+  if (!box_.halving.blocks)
+    return cell_size_;
+  const double edge = mpm::TileLevels::block_edge * cell_size_;
+  dealii::Point<3> lower = box_.lower;
+  for (unsigned int d = 0; d < 3; ++d)
+    lower[d] += edge * std::floor((place[d] - lower[d]) / edge);
+  return box_.halving.blocks(lower, edge) ? 0.5 * cell_size_ : cell_size_;
+}
+
+
+void ParticleScene::make_box(const MeshDescription &mesh,
+                             const double largest_speed,
+                             const double end_time)
+{
+  const auto corners = mesh.corners();
+  box_.cell_size = cell_size_;
+  box_.reflects = mesh.sides_at_rest();
+  box_.holds = mesh.clamped_sides();
+  const double margin = margin_cells * cell_size_ + largest_speed * end_time;
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    const bool lower = box_.reflects[2 * d], upper = box_.reflects[2 * d + 1];
+    double first = corners[0][d] - (lower ? 0. : margin),
+           last = corners[1][d] + (upper ? 0. : margin);
+    const double cells = (last - first) / cell_size_;
+    box_.n_cells[d] =
+      static_cast<unsigned int>(std::max(1., std::ceil(cells - 1e-6)));
+    if (lower && upper && std::abs(box_.n_cells[d] - cells) > 1e-6)
+      throw InputError(
+        "MPM/Cell size = " + brief(cell_size_) +
+        " m: from wall to wall along " + std::string(1, "xyz"[d]) + " are " +
+        brief(last - first) + " m, which must be a multiple of it");
+    // Walls are planes of nodes.
+    box_.lower[d] =
+      upper && !lower ? last - box_.n_cells[d] * cell_size_ : first;
+  }
+}
+
+
+void ParticleScene::reinit(const MeshDescription &mesh,
+                           const RegionDescriptions &regions,
+                           const ContactPlanes &planes,
+                           const double end_time)
+{
+  make_box(mesh, regions.largest_components().norm(), end_time);
+  make_materials(regions);
+  make_source(mesh, regions);
+  halve_cells();
+  walls_.clear();
+  for (const ContactPlane &plane : planes.planes())
+    walls_.push_back({plane.name, plane.point, plane.normal, plane.friction});
+  if (const double radius = mesh.sphere_radius(); radius > 0.)
+    walls_.push_back({"sphere", {}, {}, 0., radius, true});
+}
+
+
+double ParticleScene::n_particles() const
+{
+  // Of a coarse lattice over the box.
+  constexpr unsigned int n = 24;
+  double count = 0.;
+  for (unsigned int i = 0; i < n * n * n; ++i)
+  {
+    const unsigned int at[] = {i % n, i / n % n, i / (n * n)};
+    dealii::Point<3> place = box_.lower;
+    for (unsigned int d = 0; d < 3; ++d)
+      place[d] += (at[d] + 0.5) / n * box_.n_cells[d] * box_.cell_size;
+    if (source_.material_at(place) != mpm::ParticleSource::none)
+      count += std::pow(cell_size_ / cell_size_at(place), 3);
+  }
+  double particles = count / (n * n * n);
+  for (unsigned int d = 0; d < 3; ++d)
+    particles *= 1. * box_.n_cells[d] * source_.per_cell[d];
+  return particles;
+}
+
+
+mpm::FieldContact ParticleScene::field_contact() const
+{
+  std::vector<unsigned int> fields;
+  for (const mpm::ParticleMaterial &material : materials_)
+    fields.push_back(material.field);
+  if (fields_ == "one")
+    return mpm::FieldContact();
+  return mpm::FieldContact(
+    scheme_.degree,
+    fields,
+    mpm::find_field_interface(fields_),
+    half_spacing(),
+    std::pow(cell_size_, 3) /
+      (source_.per_cell[0] * source_.per_cell[1] * source_.per_cell[2]),
+    friction_);
+}
+
+
+bool ParticleScene::regions_part() const
+{
+  return fields_ == field_kinds[3];
+}
+
+
+double ParticleScene::half_spacing() const
+{
+  return 0.5 * cell_size_ /
+         *std::max_element(source_.per_cell.begin(), source_.per_cell.end());
+}
+} // namespace contrecoup::ale

@@ -1,0 +1,440 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/ale/mesh/whole_body.h>
+#include <contrecoup/ale/particles/particle_measures.h>
+#include <contrecoup/ale/particles/particle_simulation.h>
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/base/timers.h>
+#include <contrecoup/mpm/particle_output.h>
+#include <contrecoup/mpm/resampling.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace contrecoup::ale
+{
+namespace
+{
+  namespace column = mpm::column;
+  namespace mpi = dealii::Utilities::MPI;
+
+  /// Particle updates per second and core, for estimates only: that of the
+  /// quickstart's head, on a processor of 2021.
+  constexpr double typical_speed = 1e6;
+
+  /// Bytes of a particle with its part of the grid.
+  constexpr double typical_memory = 1200.;
+
+  dealii::Point<3> place_of(const mpm::ParticleBlock &block,
+                            const std::size_t particle)
+  {
+    return {block[column::position][particle],
+            block[column::position + 1][particle],
+            block[column::position + 2][particle]};
+  }
+} // namespace
+
+
+void ParticleSimulation::parse_parameters(ParameterHandler &prm)
+{
+  mesh_.parse_parameters(prm);
+  if (mesh_.wedge().active())
+    throw InputError("Mesh/Wedge axis: particles fill no wedge; use Method = "
+                     "ale");
+  regions_.parse_parameters(prm);
+  planes_.parse_parameters(prm);
+  scene_.parse_parameters(prm);
+  reference_.parse_parameters(prm);
+  {
+    const Section section(prm, "Body force");
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      const std::string name(1, "xyz"[d]);
+      acceleration_[d] = Expression("Body force/" + name, prm.get(name));
+    }
+  }
+  {
+    const Section section(prm, "Scheme");
+    courant_ = read_double(prm, "Courant number");
+    largest_retries_ = read_unsigned(prm, "Largest number of retries");
+  }
+  {
+    const Section section(prm, "Probes");
+    probe_places_ = read_points<3>(prm, "Points");
+  }
+  {
+    const Section section(prm, "Time");
+    end_time_ = read_double(prm, "End time");
+  }
+  scene_.reinit(mesh_, regions_, planes_, end_time_);
+}
+
+
+CostEstimate ParticleSimulation::estimate()
+{
+  CostEstimate cost;
+  cost.cells = scene_.n_particles();
+  cost.unknowns = 6. * cost.cells;
+  cost.memory = typical_memory * cost.cells;
+  double speed = 0.;
+  for (unsigned int m = 0; m < scene_.materials().size(); ++m)
+    speed =
+      std::max(speed, std::sqrt(regions_.matter_at({}, m).sound_speed_squared));
+  speed += regions_.fastest_velocity().norm();
+  cost.steps =
+    std::ceil(end_time_ * speed / (courant_ * scene_.smallest_cell_size()));
+  cost.seconds = cost.steps * cost.cells / typical_speed /
+                 mpi::n_mpi_processes(communicator_);
+  return cost;
+}
+
+
+void ParticleSimulation::build_grid()
+{
+  grid_.reinit(scene_.box(), communicator_, [&](const dealii::Point<3> &lower) {
+    return mpm::tile_weight(scene_.box(), scene_.source(), lower);
+  });
+  particles_ = mpm::Particles(scene_.materials().size());
+  step_ = std::make_unique<mpm::ParticleStep>(
+    scene_.scheme(), scene_.materials(), scene_.field_contact());
+  contact_ = mpm::WallContact(scene_.walls());
+  reference_.reinit(scene_.materials(), scene_.half_spacing(), probe_places_);
+}
+
+
+void ParticleSimulation::find_probes()
+{
+  for (unsigned int i = 0; i < probe_places_.size(); ++i)
+  {
+    double nearest = std::numeric_limits<double>::max();
+    particles_.for_each_block([&](unsigned int, const mpm::ParticleBlock &one) {
+      for (std::size_t p = 0; p < one.size(); ++p)
+        if (one[column::tag][p] == 0.)
+          nearest =
+            std::min(nearest, place_of(one, p).distance(probe_places_[i]));
+    });
+    const double all = mpi::min(nearest, communicator_);
+    if (!(all < 2. * scene_.cell_size()))
+      throw InputError(
+        "Probes/Points: (" + brief(probe_places_[i][0]) + ", " +
+        brief(probe_places_[i][1]) + ", " + brief(probe_places_[i][2]) +
+        ") m is outside of the matter; the nearest particle is " + brief(all) +
+        " m away");
+    // Of several as near, one of the lowest rank.
+    const unsigned int me = mpi::this_mpi_process(communicator_);
+    const bool is_near = nearest <= all * (1. + 1e-12);
+    if (mpi::min(is_near ? me : ~0u, communicator_) != me)
+      continue;
+    bool found = false;
+    particles_.for_each_block([&](unsigned int, mpm::ParticleBlock &one) {
+      for (std::size_t p = 0; p < one.size() && !found; ++p)
+        if (one[column::tag][p] == 0. &&
+            place_of(one, p).distance(probe_places_[i]) <=
+              nearest * (1. + 1e-12))
+        {
+          one[column::tag][p] = i + 1;
+          found = true;
+        }
+    });
+  }
+}
+
+
+void ParticleSimulation::setup()
+{
+  const TimerScope timer("particles");
+  build_grid();
+  mpm::seed(scene_.materials(), scene_.source(), grid_, particles_);
+  contact_.find_surface(scene_.source(), grid_, particles_);
+  find_probes();
+  n_particles_ =
+    mpi::sum(static_cast<std::uint64_t>(particles_.size()), communicator_);
+  std::vector<std::uint64_t> counts(scene_.materials().size(), 0);
+  particles_.for_each_block(
+    [&](const unsigned int m, const mpm::ParticleBlock &one) {
+      counts[m] += one.size();
+    });
+  mpi::sum(counts, communicator_, counts);
+  for (std::size_t m = 0; m < counts.size(); ++m)
+    if (counts[m] == 0)
+      throw InputError("Region " + scene_.materials()[m].name +
+                       ": no particle is there");
+  least_pressures_.assign(scene_.materials().size(), 0.);
+  step_->start(grid_, particles_);
+  const auto totals = step_->totals(grid_, particles_);
+  initial_energy_ = totals.kinetic_energy + totals.internal_energy;
+  energy_scale_ = std::max(totals.kinetic_energy, totals.stored_energy);
+}
+
+
+StepReport ParticleSimulation::advance(const double largest_step)
+{
+  const double signal = step_->signal_time(grid_, particles_);
+  const double largest = std::min(largest_step, courant_ * signal);
+  contact_.clear_measures();
+  const auto forces = [&](const unsigned int m, mpm::ParticleBlock &block) {
+    set_body_force(block);
+    if (!contact_.empty())
+      contact_.add_forces(scene_.materials()[m], grid_, block);
+  };
+  StepReport report;
+  report.step_size =
+    step_->advance(grid_, particles_, largest, largest_retries_, forces);
+  time_ += report.step_size;
+  report.retries = step_->n_retries();
+  report.updates = static_cast<double>(n_particles_);
+  record_contact(report.step_size);
+  reference_.follow(scene_.materials(), particles_, time_, communicator_);
+  return report;
+}
+
+
+void ParticleSimulation::set_body_force(mpm::ParticleBlock &block) const
+{
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    const Expression &acceleration = acceleration_[d];
+    const bool varies = acceleration.depends_on_place();
+    double value = varies ? 0. : acceleration.value({}, time_);
+    for (std::size_t p = 0; p < block.size(); ++p)
+    {
+      if (varies)
+        value = acceleration.value({block[column::start][p],
+                                    block[column::start + 1][p],
+                                    block[column::start + 2][p]},
+                                   time_);
+      block[column::force + d][p] = block[column::mass][p] * value;
+    }
+  }
+}
+
+
+void ParticleSimulation::record_contact(const double step)
+{
+  if (!contact_.empty())
+  {
+    const mpm::WallMeasures &walls = contact_.measures();
+    std::vector<double> sums{
+      walls.force, walls.area, walls.friction_power, walls.sliding};
+    mpi::sum(sums, communicator_, sums);
+    contact_now_.force = sums[0];
+    contact_now_.area = sums[1];
+    contact_now_.friction_work += step * sums[2];
+    contact_now_.sliding_work += sums[3];
+    contact_record_.add(contact_now_, time_, step);
+  }
+  if (scene_.regions_part())
+  {
+    ContactMeasures measures;
+    measures.force = mpi::sum(step_->field_force(), communicator_);
+    region_contact_.add(measures, time_, step);
+  }
+}
+
+
+bool ParticleSimulation::adapt()
+{
+  const Resampling &how = scene_.resampling();
+  if (how.interval == 0 || ++n_steps_ % how.interval != 0)
+    return false;
+  const TimerScope timer("split and merge");
+  std::vector<std::uint64_t> counts(2, 0);
+  particles_.for_each_block(
+    [&](const unsigned int m, mpm::ParticleBlock &block) {
+      if (scene_.materials()[m].solid() != nullptr)
+        counts[0] += mpm::split_stretched(how.stretch, block);
+      counts[1] += mpm::merge_crowded(how.most, grid_, block);
+    });
+  mpi::sum(counts, communicator_, counts);
+  if (counts[0] + counts[1] == 0)
+    return false;
+  n_split_ += counts[0];
+  n_merged_ += counts[1];
+  n_particles_ =
+    mpi::sum(static_cast<std::uint64_t>(particles_.size()), communicator_);
+  particles_.sort(grid_);
+  step_->resume(grid_, particles_);
+  return true;
+}
+
+
+ParticleSimulation::Ledger ParticleSimulation::ledger() const
+{
+  Ledger result;
+  result.totals = step_->totals(grid_, particles_);
+  std::vector<double> sums{step_->ledger().external_work,
+                           step_->ledger().transfer_loss,
+                           step_->ledger().contact_loss};
+  mpi::sum(sums, communicator_, sums);
+  result.external_work = sums[0];
+  result.transfer_loss = sums[1];
+  result.contact_loss = sums[2];
+  result.residual = result.totals.kinetic_energy +
+                    result.totals.internal_energy - initial_energy_ -
+                    result.external_work + result.transfer_loss +
+                    result.contact_loss;
+  return result;
+}
+
+
+std::vector<NamedValue> ParticleSimulation::history()
+{
+  const Ledger now = ledger();
+  const auto &totals = now.totals;
+  energy_scale_ = std::max(
+    {energy_scale_, totals.kinetic_energy, std::abs(totals.internal_energy)});
+  std::vector<NamedValue> values = {
+    {"mass", "kg", totals.mass, true},
+    {"kinetic_energy", "J", totals.kinetic_energy},
+    {"internal_energy", "J", totals.internal_energy},
+    {"stored_energy", "J", totals.stored_energy},
+    {"external_work", "J", now.external_work},
+    {"transfer_loss", "J", now.transfer_loss},
+    {"contact_loss", "J", now.contact_loss},
+    {"energy_residual", "J", now.residual},
+    {"momentum_x", "N s", totals.momentum[0]},
+    {"momentum_y", "N s", totals.momentum[1]},
+    {"momentum_z", "N s", totals.momentum[2]}};
+  if (!contact_.empty())
+    values.insert(values.end(),
+                  {{"contact_force", "N", contact_now_.force},
+                   {"contact_area", "m^2", contact_now_.area},
+                   {"friction_work", "J", contact_now_.friction_work}});
+  for (NamedValue &value : reference_.history(particles_, communicator_))
+    values.push_back(std::move(value));
+  std::size_t region = 0;
+  for (NamedValue &measure :
+       particle_measures(scene_.materials(), particles_, communicator_))
+  {
+    if (measure.name.rfind("least_pressure_", 0) == 0)
+    {
+      least_pressures_[region] =
+        std::min(least_pressures_[region], measure.value);
+      ++region;
+    }
+    values.push_back(std::move(measure));
+  }
+  set_to_whole(values, mesh_.part(), mesh_.symmetry_planes());
+  return values;
+}
+
+
+std::vector<NamedValue> ParticleSimulation::probes()
+{
+  std::vector<double> found(2 * probe_places_.size(), 0.);
+  particles_.for_each_block([&](const unsigned int m,
+                                const mpm::ParticleBlock &block) {
+    for (std::size_t p = 0; p < block.size(); ++p)
+      if (block[column::tag][p] > 0.)
+      {
+        const auto probe = static_cast<std::size_t>(block[column::tag][p]) - 1;
+        const auto value =
+          mpm::particle_values(scene_.materials()[m], block, p);
+        found[2 * probe] = value.pressure;
+        found[2 * probe + 1] = value.density;
+      }
+  });
+  mpi::sum(found, communicator_, found);
+  std::vector<NamedValue> values;
+  for (std::size_t i = 0; i < probe_places_.size(); ++i)
+  {
+    const std::string name = "_" + std::to_string(i + 1);
+    values.push_back({"pressure" + name, "Pa", found[2 * i]});
+    values.push_back({"density" + name, "kg/m^3", found[2 * i + 1]});
+  }
+  return values;
+}
+
+
+std::string ParticleSimulation::write_fields(const std::string &folder,
+                                             const unsigned int index)
+{
+  return mpm::write_particles(
+    scene_.materials(), particles_, folder, index, communicator_);
+}
+
+
+std::vector<NamedValue> ParticleSimulation::assumptions()
+{
+  const Ledger now = ledger();
+  const double scale = std::max(energy_scale_, 1e-300);
+  std::vector<NamedValue> values = {
+    {"energy_residual", "-", now.residual / scale},
+    {"transfer_loss", "-", now.transfer_loss / scale},
+    {"contact_loss", "-", now.contact_loss / scale},
+    {"split_particles", "-", static_cast<double>(n_split_)},
+    {"merged_particles", "-", static_cast<double>(n_merged_)}};
+  if (!contact_.empty())
+    for (NamedValue &value : contact_record_.values())
+      values.push_back(std::move(value));
+  for (const NamedValue &value : region_contact_.values())
+    if (value.name.find("area") == std::string::npos)
+      values.push_back({"region_" + value.name, value.unit, value.value});
+  set_to_whole(values, mesh_.part(), mesh_.symmetry_planes());
+  return values;
+}
+
+
+ImpactPlan ParticleSimulation::impact_plan() const
+{
+  ImpactPlan plan;
+  plan.regions = regions_.regions();
+  plan.planes = planes_.planes();
+  plan.head = estimate_head(mesh_, regions_, planes_);
+  plan.end_time = end_time_;
+  plan.velocity = regions_.fastest_velocity();
+  plan.cell_size = scene_.cell_size();
+  plan.part = plan.cost = plan.enough = mesh_.part();
+  for (const Expression &component : acceleration_)
+    plan.has_body_force = plan.has_body_force || !component.is_zero();
+  return plan;
+}
+
+
+Assumption ParticleSimulation::layer_resolution() const
+{
+  // Between fields that slip, two cells; else splines reach across.
+  constexpr double least_of_one_field = 4., least_of_several = 2.;
+  const bool is_one = scene_.field_contact().n_fields() < 2;
+  const auto [thickness, middle] = mesh_.thinnest_layer();
+  return {"layers",
+          is_one ? "one velocity for all" : "a velocity for each region",
+          "cells of the grid across the thinnest layer",
+          "-",
+          thickness / scene_.cell_size_at({middle, 0., 0.}),
+          is_one ? least_of_one_field : least_of_several,
+          true,
+          "MPM/Cell size"};
+}
+
+
+std::vector<Assumption> ParticleSimulation::plan()
+{
+  std::vector<Assumption> items = impact_plan().plan();
+  if (mesh_.head() != nullptr)
+    items.push_back(layer_resolution());
+  return items;
+}
+
+
+std::vector<Assumption> ParticleSimulation::audit()
+{
+  const double kinetic = initial_energy_;
+  std::vector<Assumption> items =
+    impact_plan().audit({least_pressures_,
+                         contact_record_.end,
+                         contact_now_.friction_work,
+                         contact_now_.sliding_work,
+                         kinetic,
+                         0.,
+                         energy_scale_});
+  if (mesh_.head() != nullptr)
+    items.push_back(layer_resolution());
+  return items;
+}
+} // namespace contrecoup::ale

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/ale/particles/particle_simulation.h>
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/io/binary_records.h>
+#include <contrecoup/io/checked_file.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+namespace contrecoup::ale
+{
+namespace
+{
+  namespace mpi = dealii::Utilities::MPI;
+
+  /// What every file of a checkpoint says first.
+  struct Numbers
+  {
+    std::uint64_t n_particles; ///< all ranks
+    std::uint64_t n_materials;
+    std::uint64_t n_blocks; ///< of this file
+    std::uint64_t n_steps, n_split, n_merged;
+    double cell_size;
+    double time;
+    double initial_energy;
+    double energy_scale;
+    mpm::EnergyLedger ledger; ///< of this file's rank
+    ContactMeasures contact;
+    ContactRecord record;
+    ContactRecord region_contact;
+    FrontRecord front;
+  };
+
+  /// Particles that follow.
+  struct BlockHead
+  {
+    std::uint64_t tile;
+    std::uint64_t material;
+  };
+
+  std::string file_of(const std::string &folder, const unsigned int rank)
+  {
+    return folder + "/mpm." + std::to_string(rank) + ".bin";
+  }
+} // namespace
+
+
+void ParticleSimulation::save(const std::string &folder)
+{
+  const unsigned int rank = mpi::this_mpi_process(communicator_);
+  io::write_file(file_of(folder, rank), [&](std::ostream &out) {
+    Numbers numbers{n_particles_,
+                    scene_.materials().size(),
+                    0,
+                    n_steps_,
+                    n_split_,
+                    n_merged_,
+                    scene_.cell_size(),
+                    time_,
+                    initial_energy_,
+                    energy_scale_,
+                    step_->ledger(),
+                    contact_now_,
+                    contact_record_,
+                    region_contact_,
+                    reference_.record()};
+    particles_.for_each_block(
+      [&](unsigned int, const mpm::ParticleBlock &) { ++numbers.n_blocks; });
+    io::put(out, numbers);
+    io::put_list(out, least_pressures_);
+    io::put_list(out, reference_.peaks());
+    for (const auto &[tile, blocks] : particles_.tiles())
+      for (unsigned int m = 0; m < blocks.size(); ++m)
+      {
+        if (blocks[m].size() == 0)
+          continue;
+        io::put(out, BlockHead{tile, m});
+        std::vector<double> states(mpm::column::n_state * blocks[m].size());
+        for (std::size_t p = 0; p < blocks[m].size(); ++p)
+          blocks[m].copy_state(p, &states[mpm::column::n_state * p]);
+        io::put_list(out, states);
+      }
+  });
+}
+
+
+void ParticleSimulation::restore_file(const std::string &file)
+{
+  std::istringstream in(io::read_file(file));
+  Numbers numbers;
+  io::take(in, numbers);
+  if (!in || numbers.n_materials != scene_.materials().size() ||
+      numbers.cell_size != scene_.cell_size())
+    throw InputError("Checkpoint file " + file + " is of another scene");
+  io::take_list(in, file, least_pressures_);
+  Peaks peaks;
+  io::take_list(in, file, peaks);
+  // Every rank has those of all ranks; largest ones count.
+  if (reference_.peaks().size() < peaks.size())
+    reference_.peaks().resize(peaks.size(), {{0., 0.}});
+  for (std::size_t i = 0; i < peaks.size(); ++i)
+    for (unsigned int k = 0; k < 2; ++k)
+      reference_.peaks()[i][k] =
+        std::max(reference_.peaks()[i][k], peaks[i][k]);
+  n_particles_ = numbers.n_particles;
+  n_steps_ = numbers.n_steps;
+  n_split_ = numbers.n_split;
+  n_merged_ = numbers.n_merged;
+  time_ = numbers.time;
+  initial_energy_ = numbers.initial_energy;
+  energy_scale_ = numbers.energy_scale;
+  contact_now_ = numbers.contact;
+  contact_record_ = numbers.record;
+  region_contact_ = numbers.region_contact;
+  reference_.record() = numbers.front;
+  // Sums over ranks are what counts.
+  if (mpi::this_mpi_process(communicator_) == 0)
+  {
+    mpm::EnergyLedger ledger = step_->ledger();
+    ledger.external_work += numbers.ledger.external_work;
+    ledger.transfer_loss += numbers.ledger.transfer_loss;
+    ledger.contact_loss += numbers.ledger.contact_loss;
+    step_->set_ledger(ledger);
+  }
+  const auto &own = grid_.own_tiles();
+  for (std::uint64_t i = 0; i < numbers.n_blocks; ++i)
+  {
+    BlockHead head;
+    io::take(in, head);
+    std::vector<double> states;
+    io::take_list(in, file, states);
+    if (!in || head.material >= numbers.n_materials ||
+        states.size() % mpm::column::n_state != 0)
+      throw InputError("Checkpoint file " + file + " is damaged");
+    if (std::binary_search(own.begin(), own.end(), head.tile))
+      for (std::size_t p = 0; p < states.size(); p += mpm::column::n_state)
+        particles_.block(head.tile, head.material).append(&states[p]);
+  }
+}
+
+
+void ParticleSimulation::restore(const std::string &folder)
+{
+  build_grid();
+  unsigned int n_files = 0;
+  // Each rank takes what is in its tiles, whatever ranks wrote it.
+  while (std::filesystem::exists(file_of(folder, n_files)))
+    restore_file(file_of(folder, n_files++));
+  const std::uint64_t found =
+    mpi::sum(static_cast<std::uint64_t>(particles_.size()), communicator_);
+  if (n_files == 0 || found != n_particles_)
+    throw InputError("Checkpoint " + folder +
+                     " lacks particles: " + std::to_string(found) + " of " +
+                     std::to_string(n_particles_) + " are there");
+  particles_.sort(grid_);
+  step_->resume(grid_, particles_);
+}
+} // namespace contrecoup::ale

@@ -1,0 +1,462 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/ale/lagrange/region_measures.h>
+#include <contrecoup/ale/mesh/whole_body.h>
+#include <contrecoup/ale/run/ale_output.h>
+#include <contrecoup/ale/run/ale_simulation.h>
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/memory.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/base/timers.h>
+#include <contrecoup/io/checked_file.h>
+
+#include <deal.II/base/mpi.h>
+
+namespace contrecoup::ale
+{
+namespace
+{
+  constexpr unsigned int width = AleState::width;
+
+  /// Cell updates per second and core, for estimates only: that of the
+  /// quickstart's head, on a processor of 2021.
+  constexpr double typical_speed = 2.5e6;
+
+  /// Bytes of a cell with its nodes, a remap's numbers among them.
+  constexpr double typical_memory = 2500.;
+} // namespace
+
+
+void AleSimulation::declare_parameters(ParameterHandler &prm)
+{
+  MeshDescription::declare_parameters(prm);
+  RegionDescriptions::declare_parameters(prm);
+  Rezone::declare_parameters(prm);
+  HeatSource::declare_parameters(prm);
+  ContactPlanes::declare_parameters(prm);
+  InterfaceCoupling::declare_parameters(prm);
+  Reference::declare_parameters(prm);
+  HeadMeasures::declare_parameters(prm);
+  {
+    const Section section(prm, "Body force");
+    for (const char *const name : {"x", "y", "z"})
+      declare_string(prm,
+                     name,
+                     "0",
+                     "Acceleration of everything [m/s^2], a muParser "
+                     "expression of t; of particles also of x, y, z, where "
+                     "they were at the start.");
+  }
+  {
+    const Section section(prm, "Scheme");
+    declare_double(prm,
+                   "Courant number",
+                   "0.3",
+                   0.01,
+                   1.,
+                   "-",
+                   "Step size over what signals take to cross a cell.");
+    declare_double(prm,
+                   "Largest growth",
+                   "1.2",
+                   1.001,
+                   10.,
+                   "-",
+                   "Of the step size, from one step to the next.");
+    declare_integer(prm,
+                    "Largest number of retries",
+                    "10",
+                    0,
+                    50,
+                    "Times that a step is halved where a cell would be "
+                    "inverted, 0 to 50.");
+  }
+  {
+    const Section section(prm, "Output");
+    declare_bool(prm,
+                 "Pictures",
+                 "false",
+                 "Whether a finished run draws its history and probes into the "
+                 "folder pictures, and of a head a report.");
+  }
+  const Section section(prm, "Probes");
+  declare_points(prm,
+                 "Points",
+                 "",
+                 "m",
+                 "Places whose nearest cells at the start are followed.");
+}
+
+
+void AleSimulation::parse_parameters(ParameterHandler &prm)
+{
+  mesh_description_.parse_parameters(prm);
+  regions_.parse_parameters(prm);
+  regions_.refuse_metals();
+  rezone_.parse_parameters(prm);
+  heat_source_.parse_parameters(prm);
+  planes_.parse_parameters(prm);
+  coupling_.parse_parameters(prm);
+  reference_.parse_parameters(prm);
+  head_.parse_parameters(prm);
+  {
+    const Section section(prm, "Body force");
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      const std::string name(1, "xyz"[d]);
+      acceleration_[d] = Expression("Body force/" + name, prm.get(name));
+      if (acceleration_[d].depends_on_place())
+        throw InputError("Body force/" + name +
+                         " must not depend on x, y or z");
+    }
+  }
+  {
+    const Section section(prm, "Scheme");
+    courant_ = read_double(prm, "Courant number");
+    growth_ = read_double(prm, "Largest growth");
+    largest_retries_ = read_unsigned(prm, "Largest number of retries");
+  }
+  {
+    const Section section(prm, "Probes");
+    probe_places_ = read_points<3>(prm, "Points");
+  }
+  const Section section(prm, "Time");
+  end_time_ = read_double(prm, "End time");
+}
+
+
+CostEstimate AleSimulation::estimate()
+{
+  CostEstimate cost;
+  cost.cells = mesh_description_.n_cells();
+  cost.unknowns = 5. * cost.cells;
+  cost.memory = typical_memory * cost.cells;
+  // The run loop refuses such a mesh, which must not be made before.
+  const double available = available_memory(communicator_);
+  if (available > 0. && cost.memory > available)
+    return cost;
+  dealii::Triangulation<3> mesh;
+  mesh_description_.create(mesh);
+  regions_.set_regions(mesh, mesh_description_.layers());
+  if (coupling_.active() && mesh_description_.wedge().active())
+    throw InputError(
+      "Mesh/Wedge axis: the masses of a wedge are not those that "
+      "Coupling/Scheme = " +
+      coupling_.name() + " takes; use monolithic");
+  coupling_.require_interface(mesh, regions_.regions());
+  // A gas that is cold and at rest gets its speed from a wall.
+  const double speed = regions_.largest_speed(mesh) +
+                       mesh_description_.largest_wall_speed(end_time_);
+  cost.steps =
+    std::ceil(end_time_ * speed / (courant_ * mesh_description_.cell_size()));
+  rezone_.check_interval(end_time_ / cost.steps);
+  cost.seconds = cost.steps * cost.cells / typical_speed /
+                 dealii::Utilities::MPI::n_mpi_processes(communicator_);
+  return cost;
+}
+
+
+void AleSimulation::build()
+{
+  const TimerScope timer("mesh");
+  dealii::Triangulation<3> mesh;
+  mesh_description_.create(mesh);
+  regions_.set_regions(mesh, mesh_description_.layers());
+  std::vector<bool> slides;
+  for (const Region &region : regions_.regions())
+    slides.push_back(region.slides);
+  space_.reinit(mesh, communicator_, slides);
+  const bool has_pairs =
+    dealii::Utilities::MPI::max(space_.sliding_pairs().empty() ? 0 : 1,
+                                communicator_) == 1;
+  for (const Region &region : regions_.regions())
+    if (region.slides && !has_pairs)
+      throw InputError("Region " + region.name +
+                       "/Interface = slip: it meets no region that sticks");
+  n_cells_ = mesh.n_active_cells();
+  n_nodes_ = space_.nodes().size();
+  lagrange_.reinit(
+    space_,
+    regions_.regions(),
+    mesh_description_.walls(),
+    [this](const double time) {
+      dealii::Tensor<1, 3> result;
+      for (unsigned int d = 0; d < 3; ++d)
+        result[d] = acceleration_[d].value({}, time);
+      return result;
+    },
+    planes_,
+    coupling_);
+  state_ = AleState();
+  state_.wedge = mesh_description_.wedge();
+  lagrange_.mirror(state_.wedge);
+  state_.position = space_.positions(width);
+  regions_.fill(space_, state_);
+  least_pressures_.assign(regions_.regions().size(), 0.);
+  rezone_.reinit(space_, state_, regions_.regions(), mesh_description_.walls());
+  head_.reinit(space_, lagrange_, state_, regions_.regions());
+  find_probe_cells();
+}
+
+
+void AleSimulation::setup()
+{
+  build();
+  lagrange_.start(state_);
+  head_.follow(space_, lagrange_, state_);
+  const AleTotals totals = lagrange_.totals(state_);
+  initial_energy_ = totals.internal_energy + totals.kinetic_energy;
+  initial_kinetic_energy_ = totals.kinetic_energy;
+  energy_scale_ = initial_energy_;
+}
+
+
+void AleSimulation::require_probe_inside(const std::size_t probe,
+                                         const double distance,
+                                         const std::uint32_t cell) const
+{
+  // From the centre of the largest of the cells that were found by the ranks.
+  double diagonal = 0.;
+  if (cell != HexSpace::no_cell)
+    for (unsigned int i = 0; i < 4; ++i)
+    {
+      constexpr unsigned int opposite[] = {6, 7, 4, 5};
+      double square = 0.;
+      for (unsigned int d = 0; d < 3; ++d)
+        square += std::pow(
+          state_.position[width * space_.cell(cell)[i] + d] -
+            state_.position[width * space_.cell(cell)[opposite[i]] + d],
+          2);
+      diagonal = std::max(diagonal, std::sqrt(square));
+    }
+  diagonal = dealii::Utilities::MPI::max(diagonal, communicator_);
+  const auto &place = probe_places_[probe];
+  if (distance > 0.6 * diagonal)
+    throw InputError("Probes/Points: (" + brief(place[0]) + ", " +
+                     brief(place[1]) + ", " + brief(place[2]) +
+                     ") m is outside of the mesh; the centre of the nearest "
+                     "cell is " +
+                     brief(distance) + " m away");
+}
+
+
+void AleSimulation::find_probe_cells()
+{
+  probe_cells_.assign(probe_places_.size(), HexSpace::no_cell);
+  for (std::size_t i = 0; i < probe_places_.size(); ++i)
+  {
+    double nearest = std::numeric_limits<double>::max();
+    std::uint32_t cell = HexSpace::no_cell;
+    for (std::uint32_t c = 0; c < space_.n_own_cells(); ++c)
+    {
+      dealii::Point<3> centre;
+      for (const std::uint32_t node : space_.cell(c))
+        for (unsigned int d = 0; d < 3; ++d)
+          centre[d] += 0.125 * state_.position[width * node + d];
+      const double distance = centre.distance(probe_places_[i]);
+      if (distance < nearest * (1. - 1e-12))
+      {
+        nearest = distance;
+        cell = c;
+      }
+    }
+    // Of several as near, the cell of the smallest number.
+    const double all = dealii::Utilities::MPI::min(nearest, communicator_);
+    require_probe_inside(i, all, cell);
+    const bool is_here = nearest <= all * (1. + 1e-12);
+    const unsigned int number =
+      is_here ? space_.cell_number(cell) : HexSpace::no_cell;
+    if (dealii::Utilities::MPI::min(number, communicator_) == number && is_here)
+      probe_cells_[i] = cell;
+  }
+}
+
+
+void AleSimulation::heat(const double begin, const double duration)
+{
+  const double heat = heat_source_.add(space_, state_, begin, duration);
+  is_as_left_ = is_as_left_ && !heat_source_.is_active();
+  lagrange_.add_external_work(heat);
+}
+
+
+StepReport AleSimulation::advance(const double largest_step)
+{
+  StepReport report;
+  double largest = largest_step;
+  if (last_step_ > 0.)
+    largest = std::min(largest, growth_ * last_step_);
+  // About half of the heat before the step, the rest after it: of second order.
+  const double begin = state_.time;
+  const double first = 0.5 * std::min(largest, last_step_);
+  heat(begin, first);
+  const auto made =
+    lagrange_.advance(state_, largest, courant_, largest_retries_, is_as_left_);
+  is_as_left_ = true;
+  heat(begin + first, made - first);
+  if (coupling_.is_loose())
+  {
+    const AleTotals totals = lagrange_.totals(state_);
+    lagrange_.coupling().require_stable(
+      state_.time, totals.internal_energy + totals.kinetic_energy);
+  }
+  // A step that was cut to end at a time of output says nothing of the next.
+  if (made < largest_step || last_step_ == 0. || made > last_step_)
+    last_step_ = made;
+  reference_.follow(space_, lagrange_, state_, probe_cells_, made);
+  if (!planes_.empty())
+    contact_.add(lagrange_.contact(), state_.time, made);
+  head_.follow(space_, lagrange_, state_);
+  report.step_size = made;
+  report.retries = lagrange_.n_retries();
+  report.updates = static_cast<double>(n_cells_);
+  return report;
+}
+
+
+bool AleSimulation::adapt()
+{
+  const TimerScope timer("rezone");
+  const bool is_rezoned = rezone_.apply(state_, lagrange_.walls());
+  is_as_left_ = is_as_left_ && !is_rezoned;
+  return is_rezoned;
+}
+
+
+AleSimulation::Ledger AleSimulation::ledger() const
+{
+  Ledger result;
+  result.totals = lagrange_.totals(state_);
+  result.external_work = lagrange_.external_work();
+  result.interface_work = lagrange_.coupling().record().work;
+  result.residual = result.totals.internal_energy +
+                    result.totals.kinetic_energy - initial_energy_ -
+                    result.external_work - result.interface_work;
+  return result;
+}
+
+
+std::vector<NamedValue> AleSimulation::history()
+{
+  const Ledger now = ledger();
+  const AleTotals &totals = now.totals;
+  energy_scale_ = std::max(
+    {energy_scale_, std::abs(totals.internal_energy), totals.kinetic_energy});
+  std::vector<NamedValue> values = {
+    {"mass", "kg", totals.mass, true},
+    {"kinetic_energy", "J", totals.kinetic_energy},
+    {"internal_energy", "J", totals.internal_energy},
+    {"external_work", "J", now.external_work},
+    {"energy_residual", "J", now.residual},
+    {"momentum_x", "N s", totals.momentum[0]},
+    {"momentum_y", "N s", totals.momentum[1]},
+    {"momentum_z", "N s", totals.momentum[2]}};
+  for (NamedValue &value : lagrange_.coupling().history())
+    values.push_back(std::move(value));
+  if (!planes_.empty())
+  {
+    const ContactMeasures contact = lagrange_.contact();
+    values.insert(values.end(),
+                  {{"contact_force", "N", contact.force},
+                   {"contact_area", "m^2", contact.area},
+                   {"contact_work", "J", contact.work},
+                   {"friction_work", "J", contact.friction_work}});
+  }
+  if (lagrange_.slips())
+    values.insert(
+      values.end(),
+      {{"slip_work", "J", lagrange_.slip_work()},
+       {"largest_slip_speed", "m/s", lagrange_.largest_slip_speed(state_)}});
+  std::size_t region = 0;
+  for (NamedValue &measure :
+       region_measures(space_, lagrange_, state_, regions_.regions()))
+  {
+    if (measure.name.rfind("least_pressure_", 0) == 0)
+    {
+      least_pressures_[region] =
+        std::min(least_pressures_[region], measure.value);
+      ++region;
+    }
+    values.push_back(std::move(measure));
+  }
+  set_to_whole(
+    values, mesh_description_.part(), mesh_description_.symmetry_planes());
+  return values;
+}
+
+
+std::vector<NamedValue> AleSimulation::probes()
+{
+  std::vector<NamedValue> values;
+  for (std::size_t i = 0; i < probe_cells_.size(); ++i)
+  {
+    std::vector<double> found(2, 0.);
+    if (probe_cells_[i] != HexSpace::no_cell)
+    {
+      const auto element = lagrange_.values(state_, probe_cells_[i]);
+      found = {element.pressure, element.mass / element.volume};
+    }
+    dealii::Utilities::MPI::sum(found, communicator_, found);
+    const std::string name = "_" + std::to_string(i + 1);
+    values.push_back({"pressure" + name, "Pa", found[0]});
+    values.push_back({"density" + name, "kg/m^3", found[1]});
+  }
+  return values;
+}
+
+
+std::string AleSimulation::write_fields(const std::string &folder,
+                                        const unsigned int index)
+{
+  return write_ale(space_, lagrange_, state_, folder, index);
+}
+
+
+std::vector<NamedValue> AleSimulation::errors()
+{
+  return reference_.errors(space_, lagrange_, state_);
+}
+
+
+std::vector<NamedValue> AleSimulation::assumptions()
+{
+  const Ledger now = ledger();
+  const double scale = std::max(energy_scale_, 1e-300);
+  std::vector<NamedValue> values = {
+    {"energy_residual", "-", now.residual / scale},
+    {"rezones", "-", static_cast<double>(rezone_.n_rezones())},
+    {"rezones_left_out", "-", static_cast<double>(rezone_.n_left_out())}};
+  for (NamedValue &value : lagrange_.coupling().summary(scale))
+    values.push_back(std::move(value));
+  if (!planes_.empty())
+  {
+    auto contact = contact_.values();
+    set_to_whole(
+      contact, mesh_description_.part(), mesh_description_.symmetry_planes());
+    for (NamedValue &value : contact)
+      values.push_back(std::move(value));
+  }
+  for (const solid::InjuryMeasure &measure : head_.measures(communicator_))
+    values.push_back(measure.value);
+  return values;
+}
+
+
+void AleSimulation::finish(const std::string &folder)
+{
+  if (!head_.active())
+    return;
+  const auto measures = head_.measures(communicator_);
+  if (dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
+    io::write_file(folder + "/injury.csv",
+                   [&](std::ostream &out) { out << solid::to_csv(measures); });
+}
+
+
+std::pair<std::uint64_t, std::uint64_t> AleSimulation::size() const
+{
+  return {n_cells_, 3 * n_nodes_ + 2 * n_cells_};
+}
+} // namespace contrecoup::ale

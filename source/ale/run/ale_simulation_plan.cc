@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/ale/run/ale_simulation.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace contrecoup::ale
+{
+ImpactPlan AleSimulation::impact_plan() const
+{
+  ImpactPlan plan;
+  plan.regions = regions_.regions();
+  plan.planes = planes_.planes();
+  plan.head = estimate_head(mesh_description_, regions_, planes_);
+  plan.end_time = end_time_;
+  plan.velocity = regions_.fastest_velocity();
+  plan.cell_size = mesh_description_.cell_size();
+  plan.part = mesh_description_.part();
+  if (const FileMesh *const file = mesh_description_.file())
+  {
+    plan.n_pieces = file->n_pieces();
+    plan.scaled_jacobian = file->smallest_scaled_jacobian();
+  }
+  for (const Expression &component : acceleration_)
+    plan.has_body_force = plan.has_body_force || !component.is_zero();
+  if (coupling_.active())
+    plan.coupling = coupling_.name();
+  find_symmetry(plan);
+  return plan;
+}
+
+
+void AleSimulation::find_symmetry(ImpactPlan &plan) const
+{
+  plan.cost = plan.enough = plan.part;
+  const LayeredHead *head = mesh_description_.head();
+  if (head == nullptr)
+    return;
+  const double whole = head->n_cells_of_whole();
+  plan.cost = plan.enough = head->n_cells() / whole;
+  if (head->wedge().active())
+    plan.wedge = std::string(1, "xyz"[head->wedge().axis]);
+  const auto components = regions_.largest_components();
+  std::array<bool, 3> would_do{};
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    // Across a plane of symmetry that is normal to this axis.
+    double motion =
+      components[d] > 0. ? components[d] / plan.velocity.norm() : 0.;
+    for (const ContactPlane &plane : plan.planes)
+      motion = std::max(motion, std::abs(plane.normal[d]));
+    if (!acceleration_[d].is_zero())
+      motion = 1.;
+    would_do[d] = motion == 0. && !regions_.depends_on_place();
+    if (head->is_halved()[d])
+      plan.asymmetry = std::max(plan.asymmetry, motion);
+    else if (would_do[d])
+      plan.enough *= 0.5;
+  }
+  const auto &brain = head->semi_axes().front();
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    const unsigned int a = (d + 1) % 3, b = (d + 2) % 3;
+    const double cost = head->n_cells_of_wedge(would_do[d]) / whole;
+    if (would_do[a] && would_do[b] && brain[a] == brain[b] &&
+        !coupling_.active() && cost < plan.enough)
+    {
+      plan.enough = cost;
+      plan.enough_wedge = std::string(1, "xyz"[d]);
+    }
+  }
+}
+
+
+std::vector<Assumption> AleSimulation::plan()
+{
+  return impact_plan().plan();
+}
+
+
+std::vector<Assumption> AleSimulation::audit()
+{
+  const ContactMeasures contact = lagrange_.contact();
+  return impact_plan().audit({least_pressures_,
+                              contact_.end,
+                              contact.friction_work,
+                              contact.sliding_work,
+                              initial_kinetic_energy_,
+                              lagrange_.coupling().record().work,
+                              energy_scale_});
+}
+} // namespace contrecoup::ale

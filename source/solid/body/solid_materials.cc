@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameter_tree.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/solid/body/solid_materials.h>
+
+namespace contrecoup::solid
+{
+namespace
+{
+  void declare_gas(ParameterHandler &prm)
+  {
+    declare_double(prm,
+                   "Gas part",
+                   "0",
+                   0.,
+                   1.,
+                   "-",
+                   "Part of the undeformed volume that is gas, which stiffens "
+                   "as it is compressed, while the rest keeps its volume; the "
+                   "bulk modulus is then that of small strains. 0: pressure "
+                   "is proportional to the change of volume.");
+    declare_double(prm,
+                   "Gas exponent",
+                   "1.4",
+                   0.1,
+                   10.,
+                   "-",
+                   "Of the gas: 1.4 for air that keeps its heat, 1 for air "
+                   "that stays as warm as the tissue.");
+    declare_double(prm,
+                   "Modulus without gas",
+                   "2.2e9",
+                   1e-6,
+                   1e15,
+                   "Pa",
+                   "What gas that is squeezed out stiffens to, at least the "
+                   "bulk modulus.");
+  }
+
+  void declare_custom(ParameterHandler &prm)
+  {
+    const Section section(prm, "Tissue *");
+    declare_double(prm,
+                   "Density",
+                   "1000",
+                   1e-6,
+                   1e6,
+                   "kg/m^3",
+                   "Mass per volume of the tissue that names this "
+                   "subsection.");
+    declare_double(prm,
+                   "Young's modulus",
+                   "0",
+                   0.,
+                   1e15,
+                   "Pa",
+                   "With Poisson's ratio in place of bulk and shear modulus; "
+                   "0: those count.");
+    declare_double(prm,
+                   "Poisson's ratio",
+                   "0.3",
+                   -0.999,
+                   0.4999999,
+                   "-",
+                   "Used with Young's modulus.");
+    declare_double(prm,
+                   "Bulk modulus",
+                   "2.2e9",
+                   1e-6,
+                   1e15,
+                   "Pa",
+                   "Resistance to changes of volume.");
+    declare_double(prm,
+                   "Shear modulus",
+                   "0",
+                   0.,
+                   1e15,
+                   "Pa",
+                   "G_0, at once after a strain.");
+    declare_double(prm,
+                   "Relaxing shear modulus",
+                   "0",
+                   0.,
+                   1e15,
+                   "Pa",
+                   "The part of G_0 that is gone in the end.");
+    declare_double(prm,
+                   "Relaxation time",
+                   "0.006",
+                   1e-12,
+                   1e6,
+                   "s",
+                   "In which all but 1/e of that part goes.");
+    declare_gas(prm);
+  }
+
+  /// @throws InputError when the gas is stiffer than what holds it
+  GasFilling read_gas(ParameterHandler &prm,
+                      const double bulk_modulus,
+                      const std::string &name)
+  {
+    const double part = read_double(prm, "Gas part");
+    if (part == 0.)
+      return {};
+    const double stiffest =
+      read_double(prm, "Modulus without gas") / bulk_modulus;
+    if (!(stiffest >= 1.))
+      throw InputError("Materials/Tissue " + name +
+                       "/Modulus without gas must be at least the bulk "
+                       "modulus, " +
+                       brief(bulk_modulus) + " Pa");
+    return {part, read_double(prm, "Gas exponent"), stiffest};
+  }
+
+  /// Words of "Bulk law".
+  const std::vector<std::string> bulk_laws{"of the tissue", "linear"};
+} // namespace
+
+
+void SolidMaterials::declare_parameters(ParameterHandler &prm)
+{
+  const Section section(prm, "Materials");
+  declare_selection(prm,
+                    "Set",
+                    "paper",
+                    tissue_set_names(),
+                    "Properties of tissues: those of the paper's table 1, or "
+                    "wave speeds as measured on tissue.");
+  declare_selection(prm,
+                    "Reading of G1",
+                    "relaxing branch",
+                    {"relaxing branch", "long-term modulus"},
+                    "What the paper's G1 = 33 kPa of the brain is: the part "
+                    "that relaxes (16 kPa are left, as published for brain), "
+                    "or what is left.");
+  declare_selection(prm,
+                    "Bulk law",
+                    bulk_laws[0],
+                    bulk_laws,
+                    "Pressure by volume: the air in the physiological lung "
+                    "stiffens as it is compressed (p v^1.4 = const), other "
+                    "tissues of the sets have constant moduli; linear gives "
+                    "all of them a constant modulus, with which the lung "
+                    "gives way under more than some hundred kilopascals.");
+  declare_custom(prm);
+}
+
+
+void SolidMaterials::parse_parameters(ParameterHandler &prm)
+{
+  {
+    const Section section(prm, "Materials");
+    set_ = prm.get("Set");
+    has_gas_ = prm.get("Bulk law") == bulk_laws[0];
+    g1_is_long_term_ = prm.get("Reading of G1") == "long-term modulus";
+  }
+  for (const std::string &name : item_names(prm, "Materials/Tissue"))
+  {
+    const Section section(prm, "Materials");
+    const Section custom(prm, "Tissue " + name);
+    SolidMaterial material;
+    material.density = read_double(prm, "Density");
+    const double young = read_double(prm, "Young's modulus");
+    const double poisson = read_double(prm, "Poisson's ratio");
+    material.bulk_modulus = young > 0. ? young / (3. * (1. - 2. * poisson))
+                                       : read_double(prm, "Bulk modulus");
+    material.instantaneous_shear = young > 0.
+                                     ? young / (2. * (1. + poisson))
+                                     : read_double(prm, "Shear modulus");
+    material.relaxing_shear = read_double(prm, "Relaxing shear modulus");
+    material.relaxation_time = read_double(prm, "Relaxation time");
+    material.gas = read_gas(prm, material.bulk_modulus, name);
+    material.check("Materials/Tissue " + name);
+    custom_[find_tissue(name)] = material;
+  }
+}
+
+
+SolidMaterial SolidMaterials::find(const Tissue tissue) const
+{
+  const auto custom = custom_.find(tissue);
+  if (custom != custom_.end())
+    return custom->second;
+  SolidMaterial material = solid_material(find_tissue_properties(set_, tissue),
+                                          g1_is_long_term_ && set_ == "paper");
+  if (!has_gas_)
+    material.gas = GasFilling();
+  return material;
+}
+
+
+std::vector<SolidMaterial>
+SolidMaterials::find(const std::vector<Tissue> &tissues) const
+{
+  std::vector<SolidMaterial> materials;
+  for (const Tissue tissue : tissues)
+    materials.push_back(find(tissue));
+  return materials;
+}
+} // namespace contrecoup::solid

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/numerics/kingery_bulmash.h>
+#include <contrecoup/solid/boundary/analytic_blast.h>
+
+namespace contrecoup::solid
+{
+using dealii::Point;
+using dealii::Tensor;
+
+const std::vector<std::string> AnalyticBlast::kinds{"friedlander",
+                                                    "kingery bulmash"};
+
+namespace
+{
+  void declare_friedlander(ParameterHandler &prm)
+  {
+    const Section section(prm, "Friedlander");
+    declare_double(prm,
+                   "Peak",
+                   "1e5",
+                   1e-6,
+                   1e12,
+                   "Pa",
+                   "Overpressure of the passing wave as it arrives.");
+    declare_double(prm,
+                   "Duration",
+                   "2e-3",
+                   1e-12,
+                   1e6,
+                   "s",
+                   "Of the positive phase, everywhere the same.");
+    declare_double(
+      prm, "Decay", "1", 0., 1e3, "-", "b in P (1 - s/T) exp(-b s/T).");
+    declare_list(prm,
+                 "Centre",
+                 "1e3, 0, 0",
+                 3,
+                 3,
+                 -1e9,
+                 1e9,
+                 "m",
+                 "Place of the charge; far away the front is plane.");
+    declare_double(
+      prm, "Speed", "400", 1e-3, 1e9, "m/s", "Of the front, which is even.");
+    declare_double(prm,
+                   "First distance",
+                   "0",
+                   0.,
+                   1e9,
+                   "m",
+                   "Of the front from the charge at time 0.");
+    declare_selection(prm,
+                      "Reflection",
+                      "normal shock",
+                      {"none", "normal shock"},
+                      "Whether facets that face the charge feel the peak "
+                      "behind a reflected shock in air, of the same duration "
+                      "and decay.");
+    declare_double(prm,
+                   "Ambient pressure",
+                   "101325",
+                   1.,
+                   1e9,
+                   "Pa",
+                   "Of the air, for the reflected shock.");
+    declare_bool(prm,
+                 "Negative phase",
+                 "false",
+                 "Whether the pulse goes on below the ambient pressure after "
+                 "its positive phase.");
+  }
+
+  void declare_tables(ParameterHandler &prm)
+  {
+    const Section section(prm, "Kingery Bulmash");
+    declare_double(prm, "Mass", "1", 1e-9, 1e9, "kg", "Of the charge of TNT.");
+    declare_list(
+      prm, "Centre", "3, 0, 0", 3, 3, -1e9, 1e9, "m", "Of the charge.");
+    declare_selection(prm,
+                      "Set",
+                      "spherical",
+                      KingeryBulmash::sets,
+                      "Of the tables: in free air, on rigid ground, or simpler "
+                      "fits for the latter.");
+    declare_double(prm,
+                   "Start time",
+                   "0",
+                   0.,
+                   1e6,
+                   "s",
+                   "After the detonation, at which the run begins.");
+  }
+} // namespace
+
+
+void AnalyticBlast::declare_parameters(ParameterHandler &prm)
+{
+  declare_friedlander(prm);
+  declare_tables(prm);
+}
+
+
+std::shared_ptr<AnalyticBlast>
+AnalyticBlast::parse_parameters(ParameterHandler &prm,
+                                const std::string &kind,
+                                const std::string &path)
+{
+  auto blast = std::make_shared<AnalyticBlast>();
+  blast->path_ = path;
+  if (kind == kinds[0])
+    blast->parse_friedlander(prm);
+  else
+    blast->parse_tables(prm);
+  return blast;
+}
+
+
+void AnalyticBlast::parse_friedlander(ParameterHandler &prm)
+{
+  const Section section(prm, "Friedlander");
+  pulse_.peak = read_double(prm, "Peak");
+  pulse_.duration = read_double(prm, "Duration");
+  pulse_.decay = read_double(prm, "Decay");
+  centre_ = read_point<3>(prm, "Centre");
+  speed_ = read_double(prm, "Speed");
+  first_distance_ = read_double(prm, "First distance");
+  if (prm.get("Reflection") != "none")
+    ambient_ = read_double(prm, "Ambient pressure");
+  negative_phase_ = prm.get_bool("Negative phase");
+}
+
+
+void AnalyticBlast::parse_tables(ParameterHandler &prm)
+{
+  const Section section(prm, "Kingery Bulmash");
+  from_tables_ = true;
+  mass_ = read_double(prm, "Mass");
+  centre_ = read_point<3>(prm, "Centre");
+  set_ = prm.get("Set");
+  start_time_ = read_double(prm, "Start time");
+}
+
+
+AnalyticBlast::Waves AnalyticBlast::waves(const double distance) const
+{
+  if (!from_tables_)
+  {
+    Waves waves{pulse_, pulse_};
+    waves.incident.arrival = (distance - first_distance_) / speed_;
+    waves.reflected = waves.incident;
+    if (ambient_ > 0.)
+      waves.reflected.peak = reflected_overpressure(pulse_.peak, ambient_);
+    return waves;
+  }
+  const KingeryBulmash tables(set_, mass_);
+  const auto value = [&](const BlastQuantity quantity) {
+    if (!tables.covers(quantity, distance))
+      throw InputError(path_ + "/Kingery Bulmash: a loaded facet is " +
+                       brief(distance) +
+                       " m from the charge, which the tables do not cover for "
+                       "this mass; move the charge, or leave the facet out by "
+                       "Where");
+    return tables.value(quantity, distance);
+  };
+  const double arrival = value(BlastQuantity::arrival) - start_time_;
+  const double duration = value(BlastQuantity::duration);
+  return {friedlander_pulse(arrival,
+                            value(BlastQuantity::overpressure),
+                            duration,
+                            value(BlastQuantity::impulse)),
+          friedlander_pulse(arrival,
+                            value(BlastQuantity::reflected_overpressure),
+                            duration,
+                            value(BlastQuantity::reflected_impulse))};
+}
+
+
+void AnalyticBlast::reinit(const std::vector<Point<3>> &middles,
+                           const std::vector<Tensor<1, 3>> &areas,
+                           const MPI_Comm)
+{
+  facets_.clear();
+  for (std::size_t i = 0; i < middles.size(); ++i)
+  {
+    const Tensor<1, 3> way = centre_ - middles[i];
+    const double distance = way.norm();
+    const double size = std::max(distance * areas[i].norm(), 1e-300);
+    facets_.push_back({waves(distance), way * areas[i] / size});
+  }
+}
+
+
+double AnalyticBlast::pressure(const std::size_t facet) const
+{
+  const Facet &here = facets_[facet];
+  if (time_ < here.waves.incident.arrival)
+    return 0.;
+  return pressure_at_angle(here.waves.incident.value(time_, negative_phase_),
+                           here.waves.reflected.value(time_, negative_phase_),
+                           here.cosine);
+}
+} // namespace contrecoup::solid

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/geometry/body_description.h>
+#include <contrecoup/io/load_reader.h>
+#include <contrecoup/solid/boundary/load_place.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace contrecoup::solid
+{
+namespace
+{
+  using dealii::Point;
+  using dealii::Tensor;
+
+  /// Facets that are looked at, at most: their means need no more.
+  constexpr std::size_t most_looked_at = 4000;
+
+  Point<3> point_at(const std::vector<double> &numbers, const std::size_t i)
+  {
+    return Point<3>(numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]);
+  }
+
+
+  /// The middle of the box around the facets and their mirror images.
+  Point<3> middle_of(const io::LoadFile::Facets &facets,
+                     const std::array<bool, 3> &mirrored)
+  {
+    Point<3> lower = point_at(facets.centroids, 0), upper = lower;
+    for (std::size_t i = 0; i < facets.areas.size(); ++i)
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        const double place = facets.centroids[3 * i + d];
+        const double image = mirrored[d] ? -place : place;
+        lower[d] = std::min({lower[d], place, image});
+        upper[d] = std::max({upper[d], place, image});
+      }
+    return lower + 0.5 * (upper - lower);
+  }
+
+
+  /// The body that is meshed, or none.
+  BodyPointer read_body(ParameterHandler &prm)
+  {
+    {
+      const Section section(prm, "Mesh");
+      if (prm.get("Kind") != "body")
+        return nullptr;
+    }
+    const Section section(prm, "Body");
+    BodyDescription description;
+    description.parse_parameters(prm);
+    return description.create();
+  }
+
+
+  /// Three coordinates to a tenth of a millimetre.
+  std::string told(const Tensor<1, 3> &vector)
+  {
+    std::vector<std::string> numbers;
+    for (unsigned int d = 0; d < 3; ++d)
+      numbers.push_back(brief(1e-4 * std::round(1e4 * vector[d]) + 0., 3));
+    return join(numbers, ", ");
+  }
+
+
+  std::string told(const LoadPlace &place, const double largest_misfit)
+  {
+    return "its facets, " + brief(1e3 * place.facet_edge, 3) +
+           " mm wide, are in the mean " + brief(1e3 * place.distance, 3) +
+           " mm off the body's surface (Largest misfit = " +
+           brief(largest_misfit) + " allows " +
+           brief(1e3 * largest_misfit * place.facet_edge, 3) +
+           " mm), the cosine between normals is " + brief(place.agreement, 2) +
+           ", and their middle is " + told(place.offset) + " m from the body's";
+  }
+} // namespace
+
+
+LoadPlace measure_load_place(const io::LoadFile::Facets &facets,
+                             const Shape &surface,
+                             const std::array<bool, 3> &mirrored)
+{
+  LoadPlace place;
+  const std::size_t n_facets = facets.areas.size();
+  const std::size_t stride = 1 + n_facets / most_looked_at;
+  double area = 0.;
+  for (std::size_t i = 0; i < n_facets; i += stride)
+  {
+    const Point<3> middle = point_at(facets.centroids, i);
+    const Point<3> foot = surface.project(middle);
+    area += facets.areas[i];
+    place.distance += facets.areas[i] * middle.distance(foot);
+    place.agreement +=
+      facets.areas[i] *
+      (Tensor<1, 3>(point_at(facets.normals, i)) * surface.normal(foot));
+  }
+  if (!(area > 0.))
+    return place;
+  place.distance /= area;
+  place.agreement /= area;
+  place.facet_edge = std::sqrt(area * static_cast<double>(stride) /
+                               static_cast<double>(n_facets));
+  place.offset = middle_of(facets, mirrored) - surface.bounding_box().center();
+  return place;
+}
+
+
+void check_load_place(ParameterHandler &prm)
+{
+  std::string file;
+  std::array<bool, 3> mirrored{};
+  double largest_misfit = 0.;
+  {
+    const Section section(prm, "Loads");
+    const Section recorded(prm, "Recorded");
+    file = prm.get("File");
+    const std::string mirror = prm.get("Mirror");
+    for (unsigned int d = 0; d < 3; ++d)
+      mirrored[d] =
+        mirror != "none" && mirror.find("xyz"[d]) != std::string::npos;
+    largest_misfit = read_double(prm, "Largest misfit");
+  }
+  if (file.empty())
+    return;
+  const BodyPointer body = read_body(prm);
+  if (!body)
+    return;
+  const LoadPlace place = measure_load_place(
+    io::LoadReader(file).facets(), *body->surface(), mirrored);
+  if (!(place.distance <= largest_misfit * place.facet_edge) ||
+      !(place.agreement > 0.))
+    throw InputError(
+      "Loads/Recorded/File = \"" + file +
+      "\" is not of this body where it is: " + told(place, largest_misfit) +
+      "; Body must be that of the blast, whose parameters.prm "
+      "has its Shift, Rotation and Scale");
+}
+} // namespace contrecoup::solid

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/bounds.h>
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/log.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/solid/boundary/recorded_loads.h>
+
+#include <deal.II/numerics/rtree.h>
+
+namespace contrecoup::solid
+{
+namespace
+{
+  using dealii::Point;
+  using dealii::Tensor;
+
+  constexpr std::uint32_t none = -1;
+
+  /// Samples that are read at once.
+  constexpr std::size_t samples_at_once = 64;
+
+  /// Nearest recorded facets among which one that faces the same way is
+  /// sought.
+  constexpr unsigned int n_candidates = 12;
+
+  /// Largest relative difference of impulses that a factor mends; more means
+  /// that the surfaces are not the same.
+  constexpr double largest_mended = 0.1;
+
+  /// Part of the recorded impulse, summed without directions, that must arrive
+  /// at least.
+  constexpr double least_arriving = 0.5;
+
+  const std::vector<std::string>
+    mirrors{"none", "x", "y", "z", "x and y", "x and z", "y and z"};
+
+  Point<3> point_at(const std::vector<double> &numbers, const std::size_t i)
+  {
+    return Point<3>(numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]);
+  }
+} // namespace
+
+
+void RecordedLoads::declare_parameters(ParameterHandler &prm)
+{
+  declare_file(prm,
+               "File",
+               "",
+               "loads.h5 that a blast on a rigid body recorded; empty: none.");
+  declare_double(prm,
+                 "Time offset",
+                 "0",
+                 -bounds::time,
+                 bounds::time,
+                 "s",
+                 "Recorded time at which this run begins.");
+  declare_double(
+    prm,
+    "Averaging interval",
+    "0",
+    0.,
+    bounds::time,
+    "s",
+    "Samples are merged to means over this time, which keeps "
+    "impulses and shows what seldom records would lose; 0, or less "
+    "than the samples last: as recorded.");
+  declare_double(prm,
+                 "Largest distance",
+                 "0.05",
+                 0.,
+                 bounds::length,
+                 "m",
+                 "Facets farther than this from any recorded one are not "
+                 "loaded.");
+  declare_selection(prm,
+                    "Mirror",
+                    "none",
+                    mirrors,
+                    "Directions across planes of symmetry through 0, on one "
+                    "side of which loads were recorded.");
+  declare_double(prm,
+                 "Largest misfit",
+                 "0.2",
+                 0.,
+                 1e6,
+                 "-",
+                 "Mean distance of the recorded facets from the surface of "
+                 "the body that is meshed, in edges of these facets, above "
+                 "which the loads are refused as those of another body or "
+                 "place. A man in his place has 0, one who was turned by 180 "
+                 "degrees 0.3 of facets 34 mm wide and 0.6 of 17 mm.");
+  declare_bool(prm,
+               "Keep impulse",
+               "true",
+               "Whether pressures get a factor so that their impulse, along "
+               "the recorded one, is the recorded one; only when it is within "
+               "10 % without.");
+}
+
+
+std::shared_ptr<RecordedLoads>
+RecordedLoads::parse_parameters(ParameterHandler &prm)
+{
+  if (prm.get("File").empty())
+    return nullptr;
+  auto loads = std::make_shared<RecordedLoads>();
+  loads->reader_ = std::make_unique<io::LoadReader>(
+    prm.get("File"), read_double(prm, "Averaging interval"));
+  if (loads->reader_->n_facets() == 0 || loads->reader_->times().empty())
+    throw InputError("Loads/Recorded/File = \"" + prm.get("File") +
+                     "\" has no facets or no times");
+  loads->offset_ = read_double(prm, "Time offset");
+  loads->largest_distance_ = read_double(prm, "Largest distance");
+  const std::string mirror = prm.get("Mirror");
+  if (mirror != "none")
+    for (unsigned int d = 0; d < 3; ++d)
+      loads->mirrored_[d] = mirror.find("xyz"[d]) != std::string::npos;
+  loads->keep_impulse_ = prm.get_bool("Keep impulse");
+  return loads;
+}
+
+
+void RecordedLoads::reinit(const std::vector<Point<3>> &middles,
+                           const std::vector<Tensor<1, 3>> &areas,
+                           const MPI_Comm communicator)
+{
+  communicator_ = communicator;
+  areas_ = areas;
+  const io::LoadFile::Facets &facets = reader_->facets();
+  std::vector<Point<3>> places;
+  Tensor<1, 3> side;
+  for (std::size_t i = 0; i < reader_->n_facets(); ++i)
+  {
+    places.push_back(point_at(facets.centroids, i));
+    side += places.back();
+  }
+  const auto tree = dealii::pack_rtree_of_indices(places);
+  source_.assign(middles.size(), none);
+  distances_.assign(middles.size(), 0.);
+  for (std::size_t i = 0; i < middles.size(); ++i)
+  {
+    Point<3> place = middles[i];
+    Tensor<1, 3> area = areas[i];
+    for (unsigned int d = 0; d < 3; ++d)
+      if (mirrored_[d] && place[d] * side[d] < 0.)
+      {
+        place[d] *= -1.;
+        area[d] *= -1.;
+      }
+    double best = std::numeric_limits<double>::max();
+    const auto query = boost::geometry::index::nearest(place, n_candidates);
+    for (auto found = tree.qbegin(query); found != tree.qend(); ++found)
+    {
+      const bool faces =
+        area * Tensor<1, 3>(point_at(facets.normals, *found)) > 0.;
+      // Those that face away are taken only when no other is near.
+      const double distance =
+        place.distance(places[*found]) + (faces ? 0. : largest_distance_);
+      if (distance < best)
+      {
+        best = distance;
+        source_[i] = static_cast<std::uint32_t>(*found);
+      }
+    }
+    distances_[i] = place.distance(places[source_[i]]);
+    if (distances_[i] > largest_distance_)
+      source_[i] = none;
+  }
+  first_ = count_ = 0;
+  measure_impulses();
+}
+
+
+void RecordedLoads::set_time(const double time)
+{
+  const std::vector<double> &ends = reader_->times();
+  const double now = time + offset_;
+  const auto middle = [&](const std::size_t i) {
+    return i == 0 ? 0.5 * ends[0] : 0.5 * (ends[i - 1] + ends[i]);
+  };
+  // Nothing before the first sample, nothing after the last one.
+  after_ = std::upper_bound(ends.begin(), ends.end(), now) - ends.begin();
+  if (after_ < ends.size() && middle(after_) <= now)
+    ++after_;
+  started_ = after_ < ends.size() ? 1. : 0.;
+  if (started_ == 0.)
+    return;
+  before_ = after_ == 0 ? 0 : after_ - 1;
+  const double begin = after_ == 0 ? 0. : middle(before_);
+  weight_ = (now - begin) / (middle(after_) - begin);
+  if (before_ < first_ || after_ >= first_ + count_)
+  {
+    first_ = before_;
+    count_ = std::min(samples_at_once, ends.size() - first_);
+    samples_ = reader_->read(first_, count_);
+  }
+}
+
+
+double RecordedLoads::pressure(const std::size_t facet) const
+{
+  if (started_ == 0. || source_[facet] == none)
+    return 0.;
+  const float *row = &samples_[source_[facet] * count_];
+  const double now = row[after_ - first_];
+  const double old = after_ == 0 ? 0. : double(row[before_ - first_]);
+  return factor_ * ((1. - weight_) * old + weight_ * now);
+}
+
+
+void RecordedLoads::measure_impulses()
+{
+  const std::vector<double> &ends = reader_->times();
+  std::vector<double> impulse(reader_->n_facets(), 0.); // per area
+  for (std::size_t first = 0; first < ends.size(); first += samples_at_once)
+  {
+    const std::size_t count = std::min(samples_at_once, ends.size() - first);
+    const std::vector<float> samples = reader_->read(first, count);
+    for (std::size_t t = 0; t < count; ++t)
+    {
+      const std::size_t sample = first + t;
+      const double step = ends[sample] - (sample == 0 ? 0. : ends[sample - 1]);
+      for (std::size_t i = 0; i < impulse.size(); ++i)
+        impulse[i] += step * double(samples[i * count + t]);
+    }
+  }
+  sum_impulses(impulse);
+  const double ratio = mapped_impulse_ * recorded_impulse_ /
+                       std::max(recorded_impulse_.norm_square(), 1e-300);
+  const bool mends = std::abs(ratio - 1.) < largest_mended;
+  factor_ = keep_impulse_ && mends ? 1. / ratio : 1.;
+  log_line((keep_impulse_ && !mends ? "WARNING: " : "") +
+           std::string("recorded loads: their impulse on this surface is ") +
+           brief(ratio) +
+           " of the recorded one, and pressures get the factor " +
+           brief(factor_));
+}
+
+
+void RecordedLoads::sum_impulses(const std::vector<double> &impulse)
+{
+  const io::LoadFile::Facets &facets = reader_->facets();
+  recorded_impulse_ = mapped_impulse_ = Tensor<1, 3>();
+  double recorded = 0., arriving = 0.; // without directions
+  for (std::size_t i = 0; i < impulse.size(); ++i)
+  {
+    recorded_impulse_ -=
+      impulse[i] * facets.areas[i] * Tensor<1, 3>(point_at(facets.normals, i));
+    recorded += std::abs(impulse[i]) * facets.areas[i];
+  }
+  for (unsigned int d = 0; d < 3; ++d)
+    if (mirrored_[d])
+    {
+      recorded *= 2.;
+      recorded_impulse_ *= 2.;
+      recorded_impulse_[d] = 0.;
+    }
+  for (std::size_t i = 0; i < source_.size(); ++i)
+    if (source_[i] != none)
+    {
+      mapped_impulse_ -= impulse[source_[i]] * areas_[i];
+      // The areas of stairs are too large, their projections are not.
+      const Tensor<1, 3> normal = point_at(facets.normals, source_[i]);
+      double projection = 0.;
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        const double part = areas_[i][d] * normal[d];
+        projection += mirrored_[d] ? std::abs(part) : part;
+      }
+      arriving += std::abs(impulse[source_[i]]) * std::max(0., projection);
+    }
+  std::vector<double> sum(mapped_impulse_.begin_raw(),
+                          mapped_impulse_.end_raw());
+  sum.push_back(arriving);
+  dealii::Utilities::MPI::sum(sum, communicator_, sum);
+  std::copy(sum.begin(), sum.end() - 1, mapped_impulse_.begin_raw());
+  if (sum.back() < least_arriving * recorded)
+    throw InputError(
+      "Loads/Recorded/File: " + brief(100. * sum.back() / recorded, 2) +
+      " % of the recorded impulse arrives on this body, less than " +
+      brief(100. * least_arriving) +
+      " %; it must be in the place of the recorded one (Body/Shift and "
+      "Rotation, or the mesh's file), and Loads/Recorded/Mirror and Largest "
+      "distance, now " +
+      brief(largest_distance_) + " m, must reach all facets");
+}
+
+
+std::vector<NamedValue> RecordedLoads::audit() const
+{
+  double largest = 0., unmatched = 0., distance = 0.;
+  for (std::size_t i = 0; i < source_.size(); ++i)
+  {
+    largest = std::max(largest, distances_[i]);
+    distance += distances_[i];
+    unmatched += source_[i] == none ? 1. : 0.;
+  }
+  std::vector<double> sums{distance, unmatched, double(source_.size())};
+  dealii::Utilities::MPI::sum(sums, communicator_, sums);
+  largest = dealii::Utilities::MPI::max(largest, communicator_);
+  std::vector<NamedValue> values{
+    {"loads_unmatched_facets", "-", sums[1]},
+    {"loads_largest_distance", "m", largest},
+    {"loads_mean_distance", "m", sums[0] / std::max(1., sums[2])},
+    {"loads_impulse_factor", "-", factor_}};
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    const std::string axis(1, "xyz"[d]);
+    values.push_back(
+      {"loads_recorded_impulse_" + axis, "N s", recorded_impulse_[d]});
+    values.push_back(
+      {"loads_mapped_impulse_" + axis, "N s", factor_ * mapped_impulse_[d]});
+  }
+  return values;
+}
+} // namespace contrecoup::solid

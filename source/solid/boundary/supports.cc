@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameter_tree.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/solid/boundary/supports.h>
+
+#include <set>
+
+namespace contrecoup::solid
+{
+void Supports::declare_parameters(ParameterHandler &prm)
+{
+  const Section section(prm, "Supports");
+  const Section support(prm, "Support *");
+  declare_string(prm,
+                 "Where",
+                 "0",
+                 "muParser expression of x, y, z that is true at the nodes "
+                 "that are supported.");
+  declare_string(prm,
+                 "Directions",
+                 "x, y, z",
+                 "Components that are held or moved, separated by commas.");
+  for (const std::string axis : {"x", "y", "z"})
+    declare_string(prm,
+                   "Velocity " + axis,
+                   "0",
+                   "[m/s] Prescribed velocity as a muParser expression of x, "
+                   "y, z (of the undeformed body), t and pi; 0 holds.");
+}
+
+
+void Supports::parse_parameters(ParameterHandler &prm)
+{
+  for (const std::string &name : item_names(prm, "Supports/Support"))
+  {
+    const Section section(prm, "Supports");
+    const Section one(prm, "Support " + name);
+    const std::string path = "Supports/Support " + name;
+    Support support{
+      name, Expression(path + "/Where", prm.get("Where")), {}, {}};
+    for (const std::string &axis : split(prm.get("Directions"), ','))
+    {
+      const auto place = std::string("xyz").find(axis);
+      if (axis.size() != 1 || place == std::string::npos)
+        throw InputError(path + "/Directions = \"" + prm.get("Directions") +
+                         "\" must be some of x, y, z, separated by commas");
+      support.directions.push_back(static_cast<unsigned int>(place));
+    }
+    for (const std::string axis : {"x", "y", "z"})
+      support.velocity.emplace_back(path + "/Velocity " + axis,
+                                    prm.get("Velocity " + axis));
+    supports_.push_back(std::move(support));
+  }
+}
+
+
+void Supports::reinit(const SolidMesh &mesh)
+{
+  entries_.clear();
+  std::set<std::pair<std::uint32_t, unsigned int>> taken;
+  std::vector<unsigned char> hangs(mesh.nodes.size(), 0);
+  for (const HexMesh::HangingNode &one : mesh.hanging_nodes)
+    hangs[one.node] = 1;
+  for (unsigned int s = 0; s < supports_.size(); ++s)
+    for (std::uint32_t i = 0; i < mesh.nodes.size(); ++i)
+      if (hangs[i] == 0 && supports_[s].where.value(mesh.nodes[i]) != 0.)
+        for (const unsigned int direction : supports_[s].directions)
+          if (taken.insert({i, direction}).second)
+            entries_.push_back(
+              {i, direction, s, mesh.owned[i] != 0, mesh.nodes[i], 0.});
+}
+
+
+template <typename Real>
+void Supports::set_forces(NodeFields<Real> &nodes,
+                          const double time,
+                          const double before,
+                          const double next)
+{
+  for (Entry &entry : entries_)
+  {
+    Real &force = nodes.force_of(entry.node)[entry.direction];
+    const double rest = double(force) - entry.reaction;
+    const Expression &velocity =
+      supports_[entry.support].velocity[entry.direction];
+    const double wanted =
+      velocity.is_zero() ? 0. : velocity.value(entry.place, time + 0.5 * next);
+    const double now = nodes.velocity_of(entry.node)[entry.direction];
+    const double mass = 1. / double(nodes.inverse_mass_of(entry.node));
+    force = static_cast<Real>(mass * (wanted - now) / (0.5 * (before + next)));
+    entry.reaction = double(force) - rest;
+  }
+}
+
+
+void Supports::forget()
+{
+  for (Entry &entry : entries_)
+    entry.reaction = 0.;
+}
+
+
+template <typename Real>
+void Supports::hold(NodeFields<Real> &nodes) const
+{
+  for (const Entry &entry : entries_)
+    nodes.force_of(entry.node)[entry.direction] = Real();
+}
+
+
+template <typename Real>
+double Supports::power(const NodeFields<Real> &nodes) const
+{
+  double sum = 0.;
+  for (const Entry &entry : entries_)
+    if (entry.counted)
+      sum +=
+        entry.reaction * double(nodes.velocity_of(entry.node)[entry.direction]);
+  return sum;
+}
+
+
+template void Supports::set_forces(NodeFields<double> &,
+                                   const double,
+                                   const double,
+                                   const double);
+template void Supports::set_forces(NodeFields<float> &,
+                                   const double,
+                                   const double,
+                                   const double);
+template void Supports::hold(NodeFields<double> &) const;
+template void Supports::hold(NodeFields<float> &) const;
+template double Supports::power(const NodeFields<double> &) const;
+template double Supports::power(const NodeFields<float> &) const;
+} // namespace contrecoup::solid

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/solid/boundary/surroundings.h>
+
+namespace contrecoup::solid
+{
+namespace
+{
+  /// Sum of a function of the node's number and its mass [kg] over the nodes
+  /// that this rank counts.
+  template <typename Real, typename Function>
+  double sum_over(const NodeFields<Real> &nodes,
+                  const std::vector<unsigned char> &counted,
+                  const Function &function)
+  {
+    double sum = 0.;
+    for (std::size_t i = 0; i < counted.size(); ++i)
+      if (counted[i] != 0)
+        sum += function(i, 1. / double(nodes.inverse_mass_of(i)));
+    return sum;
+  }
+} // namespace
+
+
+void Surroundings::declare_parameters(ParameterHandler &prm)
+{
+  {
+    const Section section(prm, "Gravity");
+    declare_list(prm,
+                 "Acceleration",
+                 "0, 0, 0",
+                 3,
+                 3,
+                 -1e6,
+                 1e6,
+                 "m/s^2",
+                 "Of free fall, as 0, 0, -9.81; within the milliseconds of a "
+                 "blast it matters little.");
+  }
+  const Section section(prm, "Ground");
+  declare_bool(prm,
+               "Active",
+               "false",
+               "Whether there is rigid ground without friction below the "
+               "body.");
+  declare_double(
+    prm, "Height", "0", -1e6, 1e6, "m", "Of the ground's surface, in z.");
+  declare_double(prm,
+                 "Stiffness",
+                 "0.02",
+                 1e-6,
+                 0.5,
+                 "-",
+                 "Of a node's spring against the ground, as part of its mass "
+                 "times 4 / step^2; energy may change by about this part of "
+                 "that of the nodes that hit the ground, which sink in the "
+                 "less the stiffer it is.");
+}
+
+
+void Surroundings::parse_parameters(ParameterHandler &prm)
+{
+  {
+    const Section section(prm, "Gravity");
+    gravity_ = read_point<3>(prm, "Acceleration");
+    has_gravity_ = gravity_.norm() > 0.;
+  }
+  const Section section(prm, "Ground");
+  has_ground_ = prm.get_bool("Active");
+  height_ = read_double(prm, "Height");
+  part_ = read_double(prm, "Stiffness");
+}
+
+
+void Surroundings::set_step(const double step, const double used)
+{
+  if (has_ground_ && !(used + part_ <= 1.))
+    throw InputError("Ground/Stiffness = " + brief(part_) +
+                     " makes steps unstable; beside the body, which takes " +
+                     brief(used) + ", at most " + brief(1. - used) +
+                     " is left; a smaller Elements/Step safety leaves more");
+  stiffness_ = 4. * part_ / (step * step);
+}
+
+
+template <typename Real>
+double Surroundings::depth(const NodeFields<Real> &nodes,
+                           const std::size_t node) const
+{
+  const Real *place = &nodes.place[nodes.place_width * node];
+  return height_ - (double(place[2]) + double(place[5]));
+}
+
+
+template <typename Real>
+void Surroundings::add_forces(NodeFields<Real> &nodes) const
+{
+  if (!has_gravity_ && !has_ground_)
+    return;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
+    const double inverse_mass = nodes.inverse_mass_of(i);
+    if (!(inverse_mass > 0.))
+      continue;
+    Real *force = nodes.force_of(i);
+    if (has_gravity_)
+      for (unsigned int d = 0; d < 3; ++d)
+        force[d] += static_cast<Real>(gravity_[d] / inverse_mass);
+    if (has_ground_)
+      force[2] += static_cast<Real>(stiffness_ / inverse_mass *
+                                    std::max(0., depth(nodes, i)));
+  }
+}
+
+
+template <typename Real>
+double Surroundings::power(const NodeFields<Real> &nodes,
+                           const std::vector<unsigned char> &counted) const
+{
+  return has_gravity_ ? sum_over(nodes,
+                                 counted,
+                                 [&](const std::size_t i, const double mass) {
+                                   double product = 0.;
+                                   for (unsigned int d = 0; d < 3; ++d)
+                                     product += gravity_[d] *
+                                                double(nodes.velocity_of(i)[d]);
+                                   return product * mass;
+                                 })
+                      : 0.;
+}
+
+
+template <typename Real>
+double
+Surroundings::contact_energy(const NodeFields<Real> &nodes,
+                             const std::vector<unsigned char> &counted) const
+{
+  return has_ground_
+           ? sum_over(nodes,
+                      counted,
+                      [&](const std::size_t i, const double mass) {
+                        const double below = std::max(0., depth(nodes, i));
+                        return 0.5 * stiffness_ * below * below * mass;
+                      })
+           : 0.;
+}
+
+
+template <typename Real>
+double
+Surroundings::contact_force(const NodeFields<Real> &nodes,
+                            const std::vector<unsigned char> &counted) const
+{
+  return has_ground_ ? sum_over(nodes,
+                                counted,
+                                [&](const std::size_t i, const double mass) {
+                                  return stiffness_ *
+                                         std::max(0., depth(nodes, i)) * mass;
+                                })
+                     : 0.;
+}
+
+
+template void Surroundings::add_forces(NodeFields<double> &) const;
+template void Surroundings::add_forces(NodeFields<float> &) const;
+template double Surroundings::power(const NodeFields<double> &,
+                                    const std::vector<unsigned char> &) const;
+template double Surroundings::power(const NodeFields<float> &,
+                                    const std::vector<unsigned char> &) const;
+template double
+Surroundings::contact_energy(const NodeFields<double> &,
+                             const std::vector<unsigned char> &) const;
+template double
+Surroundings::contact_energy(const NodeFields<float> &,
+                             const std::vector<unsigned char> &) const;
+template double
+Surroundings::contact_force(const NodeFields<double> &,
+                            const std::vector<unsigned char> &) const;
+template double
+Surroundings::contact_force(const NodeFields<float> &,
+                            const std::vector<unsigned char> &) const;
+} // namespace contrecoup::solid

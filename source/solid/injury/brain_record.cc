@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/io/binary_records.h>
+#include <contrecoup/solid/injury/brain_record.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <unordered_map>
+
+namespace contrecoup::solid
+{
+void BrainRecord::save(std::ostream &out) const
+{
+  io::put_list(out,
+               std::vector<double>{double(n_steps),
+                                   last_time,
+                                   sums.cavitation_dose,
+                                   sums.rough,
+                                   sums.smooth,
+                                   largest_spin[0],
+                                   largest_spin[1],
+                                   largest_spin[2]});
+  io::put_list(out, pieces);
+  io::put_list(out, times);
+  io::put_list(out, speeds);
+}
+
+
+void BrainRecord::restore(std::istream &in,
+                          const std::string &file,
+                          const unsigned int rank,
+                          const MPI_Comm communicator)
+{
+  std::vector<double> numbers;
+  std::vector<BrainPiece> saved;
+  io::take_list(in, file, numbers);
+  io::take_list(in, file, saved);
+  io::take_list(in, file, times);
+  io::take_list(in, file, speeds);
+  if (numbers.size() != 8 || times.size() != speeds.size())
+    throw InputError("Checkpoint file " + file + " belongs to another scene");
+  n_steps = static_cast<std::uint64_t>(numbers[0]);
+  last_time = numbers[1];
+  // The sums of a rank go on at the rank of the same number, so that a run on
+  // as many ranks as before adds in the same order.
+  if (rank % dealii::Utilities::MPI::n_mpi_processes(communicator) ==
+      dealii::Utilities::MPI::this_mpi_process(communicator))
+  {
+    sums.cavitation_dose += numbers[2];
+    sums.rough += numbers[3];
+    sums.smooth += numbers[4];
+  }
+  largest_spin = {{numbers[5], numbers[6], numbers[7]}};
+  std::unordered_map<std::uint32_t, std::size_t> here;
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    here[pieces[i].cell] = i;
+  for (const BrainPiece &piece : saved)
+    if (here.count(piece.cell) > 0)
+      pieces[here[piece.cell]] = piece;
+}
+} // namespace contrecoup::solid

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/numerics/blast_injury.h>
+#include <contrecoup/numerics/chest_wall.h>
+#include <contrecoup/numerics/load_injury.h>
+#include <contrecoup/solid/injury/chest_injury.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace contrecoup::solid
+{
+void ChestInjury::declare_parameters(dealii::ParameterHandler &prm)
+{
+  declare_list(prm,
+               "Chest",
+               "0.12, 0, 1.3",
+               3,
+               3,
+               -1e6,
+               1e6,
+               "m",
+               "Place of the chest: pressure is that on the nearest loaded "
+               "facet.");
+  declare_double(prm,
+                 "Chest radius",
+                 "0.06",
+                 0.,
+                 1.,
+                 "m",
+                 "The chest wall's velocity in the mesh is that of the outer "
+                 "facets so near to the place of the chest, as a mean.");
+  declare_double(
+    prm, "Body mass", "78.5", 1., 500., "kg", "For limits that scale with it.");
+}
+
+
+void ChestInjury::parse_parameters(dealii::ParameterHandler &prm)
+{
+  place_ = read_point<3>(prm, "Chest");
+  radius_ = read_double(prm, "Chest radius");
+  mass_ = read_double(prm, "Body mass");
+}
+
+
+void ChestInjury::follow(const double time,
+                         const double pressure,
+                         const double wall_velocity)
+{
+  times_.push_back(time);
+  pressures_.push_back(pressure);
+  wall_velocities_.push_back(wall_velocity);
+}
+
+
+std::vector<InjuryMeasure> ChestInjury::measures() const
+{
+  if (times_.size() < 2)
+    return {};
+  const LoadInjury injury = load_injury(times_, pressures_, mass_);
+  const double velocity = injury.chest_wall_velocity;
+  std::vector<InjuryMeasure> list{
+    {{"injury_chest_pressure_peak", "Pa", injury.peak},
+     "none of its own",
+     "as loaded, on the facet nearest to the place of the chest"},
+    {{"injury_chest_wall_velocity", "m/s", velocity},
+     "3.6: slight, 7.5: moderate, 12.8: lethal for half (Axelsson and Yelverton "
+     "1996)",
+     "model of one mass"},
+    {{"injury_chest_wall_velocity_mesh",
+      "m/s",
+      *std::max_element(wall_velocities_.begin(), wall_velocities_.end())},
+     "none of its own: those of the model are of the model's velocity",
+     "of the skin before the chest in this mesh, a mean over its neighbourhood; "
+     "bars of ribs coarser than 5 mm are too stiff or broken"},
+    {{"injury_adjusted_severity", "-", thorax_injury_index(velocity)},
+     "0.2 to 1: slight (recalled)",
+     "of that velocity"}};
+  if (injury.positive_phase > 0.)
+    list.push_back(
+      {{"injury_lung_exposure", "-", injury.lung_exposure},
+       "0.2: lung injury begins, 1: half die (Bowen et al. 1968, recalled)",
+       "for long bodies near no wall; takes the first positive phase of the "
+       "pressure on the chest"});
+  list.push_back({{"injury_eardrum_rupture", "-", injury.eardrum_rupture},
+                  "a probability",
+                  "takes the pressure on the chest for that at the ear"});
+  return list;
+}
+
+
+void ChestInjury::restore(std::vector<double> times,
+                          std::vector<double> pressures,
+                          std::vector<double> wall_velocities)
+{
+  times_ = std::move(times);
+  pressures_ = std::move(pressures);
+  wall_velocities_ = std::move(wall_velocities);
+}
+} // namespace contrecoup::solid

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/io/binary_records.h>
+#include <contrecoup/io/checked_file.h>
+#include <contrecoup/solid/body/stress_invariants.h>
+#include <contrecoup/solid/body/tissue_measures.h>
+#include <contrecoup/solid/injury/injury_report.h>
+#include <contrecoup/solid/motion/mean_motion.h>
+
+#include <filesystem>
+#include <sstream>
+
+namespace contrecoup::solid
+{
+namespace
+{
+  using dealii::Tensor;
+
+  constexpr std::uint32_t none = -1;
+
+  std::string file_of(const std::string &folder, const unsigned int rank)
+  {
+    return folder + "/injury." + std::to_string(rank) + ".bin";
+  }
+} // namespace
+
+
+template <typename Real>
+void InjuryReport<Real>::declare_parameters(ParameterHandler &prm)
+{
+  const Section section(prm, "Injury");
+  declare_bool(prm,
+               "Active",
+               "false",
+               "Whether strains and pressures of the brain, motion of the "
+               "head and pressure on the chest are followed for injury.csv.");
+  declare_selection(prm,
+                    "Pressure",
+                    "averaged",
+                    peak_pressure_names(),
+                    "In the brain: that of each element, or its average over "
+                    "the corners and the elements around these, which removes "
+                    "pressures that alternate from element to element and a "
+                    "tenth of waves as short as ten elements.");
+  declare_integer(prm,
+                  "Every steps",
+                  "10",
+                  1,
+                  1000000,
+                  "Steps from one look at the body to the next; peaks between "
+                  "are missed.");
+  ChestInjury::declare_parameters(prm);
+}
+
+
+template <typename Real>
+void InjuryReport<Real>::parse_parameters(ParameterHandler &prm)
+{
+  const Section section(prm, "Injury");
+  active_ = prm.get_bool("Active");
+  averaged_ = prm.get("Pressure") == peak_pressure_names()[0];
+  interval_ = read_unsigned(prm, "Every steps");
+  chest_.parse_parameters(prm);
+}
+
+
+template <typename Real>
+void InjuryReport<Real>::reinit(const SolidBody<Real> &body)
+{
+  const SolidMesh &mesh = body.mesh();
+  brain_ = static_cast<unsigned int>(
+    std::find(mesh.tissues.begin(), mesh.tissues.end(), Tissue::brain) -
+    mesh.tissues.begin());
+  average_.reinit(mesh, body.exchange(), brain_);
+  piece_of_cell_.assign(mesh.cells.size(), none);
+  record_.pieces.clear();
+  for (const std::uint32_t cell : average_.cells())
+  {
+    piece_of_cell_[cell] = static_cast<std::uint32_t>(record_.pieces.size());
+    BrainPiece piece;
+    piece.cell = mesh.global_cell[cell];
+    piece.volume = average_.volumes()[record_.pieces.size()];
+    record_.pieces.push_back(piece);
+  }
+  chest_wall_.reinit(
+    mesh, chest_.place(), chest_.radius(), body.communicator());
+  record_.last_time = body.time();
+}
+
+
+template <typename Real>
+void InjuryReport<Real>::follow(const SolidBody<Real> &body)
+{
+  if (++record_.n_steps % interval_ != 0)
+    return;
+  follow_brain(body, body.time() - record_.last_time);
+  record_.last_time = body.time();
+  follow_head(body);
+  chest_.follow(body.time(),
+                body.loads().pressure_near(chest_.place(), body.communicator()),
+                chest_wall_.inward_velocity(body.nodes()));
+}
+
+
+template <typename Real>
+void InjuryReport<Real>::follow_brain(const SolidBody<Real> &body,
+                                      const double span)
+{
+  std::vector<double> pressures(record_.pieces.size());
+  body.elements().visit(
+    body.nodes(),
+    body.times(),
+    [&](const std::uint32_t cell, const ElementValues &element) {
+      const std::uint32_t i = piece_of_cell_[cell];
+      pressures[i] = pressure_of(element.stress);
+      record_.pieces[i].peak_strain =
+        raised_to_principal(record_.pieces[i].peak_strain, element.strain);
+    },
+    brain_);
+  take_pressures(span,
+                 pressures,
+                 average_.average(pressures),
+                 averaged_,
+                 record_.pieces,
+                 record_.sums);
+}
+
+
+template <typename Real>
+void InjuryReport<Real>::follow_head(const SolidBody<Real> &body)
+{
+  // Each element of the brain is a mass in its middle.
+  MeanMotion motion;
+  const SolidMesh &mesh = body.mesh();
+  for (std::size_t i = 0; i < record_.pieces.size(); ++i)
+  {
+    Tensor<1, 3> place, velocity;
+    for (const std::uint32_t node : mesh.cells[average_.cells()[i]])
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        place[d] += (mesh.nodes[node][d] +
+                     double(body.nodes().displacement_of(node)[d])) /
+                    8.;
+        velocity[d] += double(body.nodes().velocity_of(node)[d]) / 8.;
+      }
+    motion.add(record_.pieces[i].volume, place, velocity);
+  }
+  if (!motion.find(body.communicator()))
+    return;
+  raise_spin(record_.largest_spin, motion.turning());
+  const Tensor<1, 3> &velocity = motion.velocity();
+  record_.times.push_back(body.time());
+  record_.speeds.push_back({{velocity[0], velocity[1], velocity[2]}});
+}
+
+
+template <typename Real>
+std::vector<InjuryMeasure>
+InjuryReport<Real>::measures(const SolidBody<Real> &body) const
+{
+  std::vector<InjuryMeasure> list;
+  add_brain(body, list);
+  add_head(list);
+  const auto &tissues = body.mesh().tissues;
+  if (std::find(tissues.begin(), tissues.end(), Tissue::lung) != tissues.end())
+    for (const InjuryMeasure &measure : chest_.measures())
+      list.push_back(measure);
+  return list;
+}
+
+
+template <typename Real>
+void InjuryReport<Real>::add_brain(const SolidBody<Real> &body,
+                                   std::vector<InjuryMeasure> &list) const
+{
+  for (const InjuryMeasure &measure :
+       brain_measures(record_.pieces, record_.sums, body.communicator()))
+    list.push_back(measure);
+}
+
+
+template <typename Real>
+void InjuryReport<Real>::add_head(std::vector<InjuryMeasure> &list) const
+{
+  if (record_.times.size() < 2)
+    return;
+  list.push_back(
+    head_motion_measure(record_.times,
+                        record_.speeds,
+                        "the mean motion of the brain; made for impacts, not "
+                        "blasts"));
+  list.push_back(head_turning_measure(record_.largest_spin,
+                                      "the mean turning of the brain"));
+}
+
+
+template <typename Real>
+void InjuryReport<Real>::save(const SolidBody<Real> &body,
+                              const std::string &folder) const
+{
+  const unsigned int rank =
+    dealii::Utilities::MPI::this_mpi_process(body.communicator());
+  io::write_file(file_of(folder, rank), [&](std::ostream &out) {
+    record_.save(out);
+    io::put_list(out, chest_.times());
+    io::put_list(out, chest_.pressures());
+    io::put_list(out, chest_.wall_velocities());
+  });
+}
+
+
+template <typename Real>
+void InjuryReport<Real>::restore(const SolidBody<Real> &body,
+                                 const std::string &folder)
+{
+  reinit(body);
+  for (unsigned int rank = 0; std::filesystem::exists(file_of(folder, rank));
+       ++rank)
+  {
+    const std::string file = file_of(folder, rank);
+    std::istringstream in(io::read_file(file));
+    record_.restore(in, file, rank, body.communicator());
+    std::array<std::vector<double>, 3> chest;
+    for (std::vector<double> &values : chest)
+      io::take_list(in, file, values);
+    chest_.restore(
+      std::move(chest[0]), std::move(chest[1]), std::move(chest[2]));
+  }
+}
+
+
+template class InjuryReport<double>;
+template class InjuryReport<float>;
+} // namespace contrecoup::solid

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/solid/motion/node_motion.h>
+
+#include <algorithm>
+#include <array>
+
+namespace contrecoup::solid
+{
+namespace
+{
+  /// As many of the four numbers of a node as fit into lanes.
+  template <typename Real>
+  constexpr std::size_t width = n_lanes<Real> < 4 ? n_lanes<Real> : 4;
+  template <typename Real>
+  using Part = dealii::VectorizedArray<Real, width<Real>>;
+
+  template <typename Real>
+  Part<Real> load(const Real *values)
+  {
+    Part<Real> result;
+    result.load(values);
+    return result;
+  }
+
+  /// Whether no force acts on the nodes from @p first to @p last.
+  template <typename Real>
+  bool free_of_forces(const NodeFields<Real> &nodes,
+                      const std::size_t first,
+                      const std::size_t last)
+  {
+    bool free = true;
+    for (const Real *f = nodes.force_of(first); f != nodes.force_of(last); ++f)
+      free = free && *f == Real();
+    return free;
+  }
+} // namespace
+
+
+template <typename Real>
+double move_nodes(NodeFields<Real> &nodes,
+                  const std::vector<unsigned char> &counted,
+                  const double before,
+                  const double next)
+{
+  constexpr std::size_t n_parts = 4 / width<Real>;
+  constexpr std::size_t block = NodeFields<Real>::block;
+  const Part<Real> zero = Real(0.);
+  const Real half = Real(0.5 * (before + next));
+  const Real work_before = Real(0.5 * before), work_next = Real(0.5 * next);
+  // The fourth of a node's displacements is something else, and stays.
+  std::array<Part<Real>, n_parts> step;
+  step.fill(Part<Real>(Real(next)));
+  step.back()[width<Real> - 1] = Real(0.);
+  double work = 0.;
+  for (std::size_t first = 0; first < counted.size(); first += block)
+  {
+    const std::size_t last = std::min(first + block, counted.size());
+    unsigned char &awake = nodes.awake[first / block];
+    if (awake == 0 && free_of_forces(nodes, first, last))
+      continue;
+    awake = 1;
+    std::array<Part<Real>, n_parts> sum;
+    sum.fill(zero);
+    for (std::size_t i = first; i < last; ++i)
+      for (std::size_t k = 0; k < n_parts; ++k)
+      {
+        const std::size_t at = k * width<Real>;
+        const Part<Real> force = load(nodes.force_of(i) + at);
+        const Part<Real> old = load(nodes.velocity_of(i) + at);
+        // The fourth of a force is zero, so masses stay.
+        const Part<Real> velocity =
+          old + (half * nodes.inverse_mass_of(i)) * force;
+        const Part<Real> displacement =
+          load(nodes.displacement_of(i) + at) + step[k] * velocity;
+        velocity.store(nodes.velocity_of(i) + at);
+        displacement.store(nodes.displacement_of(i) + at);
+        zero.store(nodes.force_of(i) + at);
+        sum[k] +=
+          Real(counted[i]) * force * (work_before * old + work_next * velocity);
+      }
+    for (const Part<Real> &part : sum)
+      for (std::size_t lane = 0; lane < width<Real>; ++lane)
+        work += double(part[lane]);
+  }
+  return work;
+}
+
+
+template <typename Real>
+double work_until_now(const NodeFields<Real> &nodes,
+                      const std::vector<unsigned char> &counted,
+                      const double before)
+{
+  double work = 0.;
+  for (std::size_t i = 0; i < counted.size(); ++i)
+    if (counted[i] != 0)
+      for (unsigned int d = 0; d < 3; ++d)
+        work += 0.5 * before * double(nodes.force_of(i)[d]) *
+                double(nodes.velocity_of(i)[d]);
+  return work;
+}
+
+
+template double move_nodes(NodeFields<double> &,
+                           const std::vector<unsigned char> &,
+                           const double,
+                           const double);
+template double move_nodes(NodeFields<float> &,
+                           const std::vector<unsigned char> &,
+                           const double,
+                           const double);
+template double work_until_now(const NodeFields<double> &,
+                               const std::vector<unsigned char> &,
+                               const double);
+template double work_until_now(const NodeFields<float> &,
+                               const std::vector<unsigned char> &,
+                               const double);
+} // namespace contrecoup::solid

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/timers.h>
+#include <contrecoup/solid/motion/solid_body.h>
+
+namespace contrecoup::solid
+{
+template <typename Real>
+void SolidBody<Real>::reinit(
+  const HexMesh &mesh,
+  const std::function<std::vector<SolidMaterial>(const std::vector<Tissue> &)>
+    &find_materials,
+  const ElementOptions &options,
+  const Supports &supports,
+  const SurfaceLoads &loads,
+  const MPI_Comm communicator)
+{
+  communicator_ = communicator;
+  mesh_ = distribute(mesh, communicator);
+  exchange_.reinit(mesh_, communicator);
+  operator_.reinit(mesh_, find_materials(mesh_.tissues), options);
+  operator_.reinit_nodes(nodes_);
+  skips_quiet_ = options.skip_quiet;
+  set_masses();
+  supports_ = supports;
+  supports_.reinit(mesh_);
+  loads_ = loads;
+  loads_.reinit(mesh_, communicator);
+}
+
+
+template <typename Real>
+void SolidBody<Real>::set_masses()
+{
+  std::vector<double> masses = operator_.nodal_masses();
+  mass_scaling_.reinit(
+    mesh_, operator_.materials(), smallest_step_, communicator_);
+  mass_scaling_.add_to(masses);
+  for (const HexMesh::HangingNode &one : mesh_.hanging_nodes)
+  {
+    for (std::size_t i = 0; i < one.masters.size(); ++i)
+      masses[one.masters[i]] += one.weights[i] * masses[one.node];
+    masses[one.node] = 0.;
+  }
+  exchange_.add(masses.data(), 1, 1);
+  counted_ = mesh_.owned;
+  for (const HexMesh::HangingNode &one : mesh_.hanging_nodes)
+  {
+    masses[one.node] = 0.;
+    counted_[one.node] = 0;
+  }
+  double mass = 0.;
+  for (std::size_t i = 0; i < masses.size(); ++i)
+  {
+    nodes_.inverse_mass_of(i) =
+      masses[i] > 0. ? static_cast<Real>(1. / masses[i]) : Real();
+    mass += counted_[i] * masses[i];
+  }
+  mass_ = dealii::Utilities::MPI::sum(mass, communicator_);
+}
+
+
+template <typename Real>
+void SolidBody<Real>::gather_hanging(Real *values,
+                                     const unsigned int width,
+                                     const unsigned int stride)
+{
+  for (const HexMesh::HangingNode &one : mesh_.hanging_nodes)
+    for (unsigned int d = 0; d < width; ++d)
+    {
+      Real &own = values[stride * std::size_t(one.node) + d];
+      for (std::size_t i = 0; i < one.masters.size(); ++i)
+        values[stride * std::size_t(one.masters[i]) + d] +=
+          static_cast<Real>(one.weights[i]) * own;
+      own = Real();
+    }
+}
+
+
+template <typename Real>
+void SolidBody<Real>::move_hanging()
+{
+  for (const HexMesh::HangingNode &one : mesh_.hanging_nodes)
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      Real displacement{}, velocity{};
+      for (std::size_t i = 0; i < one.masters.size(); ++i)
+      {
+        const Real weight = static_cast<Real>(one.weights[i]);
+        displacement += weight * nodes_.displacement_of(one.masters[i])[d];
+        velocity += weight * nodes_.velocity_of(one.masters[i])[d];
+      }
+      nodes_.displacement_of(one.node)[d] = displacement;
+      nodes_.velocity_of(one.node)[d] = velocity;
+      if (displacement != Real())
+        nodes_.awake[one.node / nodes_.block] = 1;
+    }
+}
+
+
+template <typename Real>
+void SolidBody<Real>::assemble()
+{
+  {
+    const TimerScope timer("elements");
+    operator_.add_forces(nodes_, times_);
+    computed_ += operator_.batches().n_awake();
+    offered_ += operator_.batches().n_batches();
+  }
+  const TimerScope timer("loads");
+  loads_.set_time(time_);
+  loads_.add_forces(nodes_);
+  gather_hanging(nodes_.force.data(), 3, nodes_.width);
+  exchange_.add(nodes_.force.data(), 3, nodes_.width);
+  surroundings_.add_forces(nodes_);
+  supports_.forget();
+}
+
+
+template <typename Real>
+void SolidBody<Real>::start(const double time)
+{
+  time_ = time;
+  relaxed_time_ = time;
+  times_ = StepTimes();
+  move_hanging();
+  nodes_.find_awake();
+  if (!skips_quiet_)
+    operator_.batches().wake_all();
+  assemble();
+  const EnergyBalance now = balance();
+  initial_energy_ = now.sum.kinetic + now.sum.internal() + now.contact;
+  find_least_dilatations();
+  past_.reset();
+}
+
+
+template <typename Real>
+void SolidBody<Real>::book_step_change(const double before, const double next)
+{
+  double sum = 0.;
+  for (std::size_t i = 0; i < counted_.size(); ++i)
+    if (counted_[i] != 0)
+      for (unsigned int d = 0; d < 3; ++d)
+        sum += double(nodes_.inverse_mass_of(i)) *
+               double(nodes_.force_of(i)[d]) * double(nodes_.force_of(i)[d]);
+  step_change_ += 0.125 * (before * before - next * next) * sum;
+}
+
+
+template <typename Real>
+void SolidBody<Real>::take_step(const double step)
+{
+  supports_.set_forces(nodes_, time_, times_.before, step);
+  if (step != times_.before)
+    book_step_change(times_.before, step);
+  {
+    const TimerScope timer("nodes");
+    nodal_work_ += move_nodes(nodes_, counted_, times_.before, step);
+    move_hanging();
+  }
+  const auto power = [&]() {
+    return loads_.power(nodes_) + supports_.power(nodes_) +
+           surroundings_.power(nodes_, counted_);
+  };
+  external_work_ += 0.5 * step * power();
+  time_ += step;
+  times_.before = step;
+  times_.relax_before = time_ - relaxed_time_;
+  times_.relax_after = 0.5 * step;
+  assemble();
+  relaxed_time_ = time_ + times_.relax_after;
+  supports_.set_forces(nodes_, time_, step, step);
+  external_work_ += 0.5 * step * power();
+}
+
+
+template <typename Real>
+EnergyBalance SolidBody<Real>::balance() const
+{
+  EnergyBalance balance;
+  balance.tissues = operator_.energies(nodes_, times_);
+  if (mass_scaling_.active())
+  {
+    const std::vector<Real> squares =
+      operator_.velocity_squares(nodes_, times_);
+    for (unsigned int k = 0; k < balance.tissues.size(); ++k)
+      balance.tissues[k].kinetic += mass_scaling_.kinetic_energy(k, squares);
+  }
+  std::vector<double> numbers{external_work_,
+                              nodal_work_ +
+                                work_until_now(nodes_, counted_, times_.before),
+                              step_change_,
+                              surroundings_.contact_energy(nodes_, counted_)};
+  for (const TissueEnergies &one : balance.tissues)
+    numbers.insert(numbers.end(),
+                   {one.kinetic,
+                    one.stored,
+                    one.hourglass,
+                    one.bulk_viscosity,
+                    one.relaxation});
+  dealii::Utilities::MPI::sum(numbers, communicator_, numbers);
+  balance.external_work = numbers[0];
+  balance.contact = numbers[3];
+  balance.nodal_internal_work = numbers[0] - numbers[1] - balance.contact;
+  balance.initial = initial_energy_;
+  balance.step_change = numbers[2];
+  const double *next = &numbers[4];
+  for (TissueEnergies &one : balance.tissues)
+  {
+    one = {next[0], next[1], next[2], next[3], next[4]};
+    next += 5;
+    balance.sum.kinetic += one.kinetic;
+    balance.sum.stored += one.stored;
+    balance.sum.hourglass += one.hourglass;
+    balance.sum.bulk_viscosity += one.bulk_viscosity;
+    balance.sum.relaxation += one.relaxation;
+  }
+  return balance;
+}
+
+
+template <typename Real>
+double SolidBody<Real>::quiet_part() const
+{
+  std::vector<double> sums{computed_, offered_};
+  dealii::Utilities::MPI::sum(sums, communicator_, sums);
+  return sums[1] > 0. ? 1. - sums[0] / sums[1] : 0.;
+}
+
+
+template <typename Real>
+double SolidBody<Real>::ground_force() const
+{
+  return dealii::Utilities::MPI::sum(
+    surroundings_.contact_force(nodes_, counted_), communicator_);
+}
+
+
+template <typename Real>
+dealii::Tensor<1, 3> SolidBody<Real>::momentum() const
+{
+  std::vector<double> sum(3, 0.);
+  for (std::size_t i = 0; i < counted_.size(); ++i)
+    if (counted_[i] != 0)
+      for (unsigned int d = 0; d < 3; ++d)
+        sum[d] +=
+          double(nodes_.velocity_of(i)[d]) / double(nodes_.inverse_mass_of(i));
+  dealii::Utilities::MPI::sum(sum, communicator_, sum);
+  dealii::Tensor<1, 3> momentum;
+  for (unsigned int d = 0; d < 3; ++d)
+    momentum[d] = sum[d];
+  return momentum;
+}
+
+
+template class SolidBody<double>;
+template class SolidBody<float>;
+} // namespace contrecoup::solid

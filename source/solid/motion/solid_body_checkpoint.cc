@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/io/binary_records.h>
+#include <contrecoup/io/checked_file.h>
+#include <contrecoup/solid/motion/solid_body.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <sstream>
+#include <unordered_map>
+
+namespace contrecoup::solid
+{
+/// What every file of a checkpoint says first.
+template <typename Real>
+struct SolidBody<Real>::Numbers
+{
+  std::uint64_t n_nodes;
+  std::uint64_t n_cells;
+  std::uint64_t n_global_nodes;
+  std::uint64_t n_global_cells;
+  std::uint64_t n_tissues;
+  std::uint64_t n_relaxed; ///< of a viscoelastic element
+  std::uint64_t n_damped;
+  std::uint64_t number_size;
+  double time;
+  double relaxed_time;
+  StepTimes times;
+  double external_work;
+  double nodal_work;
+  double step_change;
+  double initial_energy;
+};
+
+
+namespace
+{
+  using io::put;
+  using io::take;
+
+  std::string file_of(const std::string &folder, const unsigned int rank)
+  {
+    return folder + "/solid." + std::to_string(rank) + ".bin";
+  }
+
+  /// Displacement, velocity and force, and what supports added to the latter.
+  template <typename Real>
+  struct NodeRecord
+  {
+    std::uint32_t node;
+    std::array<Real, 9> values;
+    std::array<double, 3> reaction;
+  };
+
+  /// Dilatation, viscous pressure and relaxed strains, of up to 8 points.
+  template <typename Real>
+  struct CellRecord
+  {
+    std::uint32_t cell;
+    std::array<Real, 50> values;
+
+    /// Bytes that are used with @p n_relaxed relaxed strains.
+    static std::streamsize size(const std::uint64_t n_relaxed)
+    {
+      return static_cast<std::streamsize>(offsetof(CellRecord, values) +
+                                          sizeof(Real) * (2 + n_relaxed));
+    }
+  };
+
+  /// Damping forces on hourglass modes.
+  template <typename Real>
+  struct DampingRecord
+  {
+    std::uint32_t cell;
+    std::array<Real, 12> values;
+  };
+
+  template <typename Real>
+  std::array<Real, 9> node_values(const NodeFields<Real> &nodes,
+                                  const std::size_t i)
+  {
+    std::array<Real, 9> values;
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      values[d] = nodes.displacement_of(i)[d];
+      values[3 + d] = nodes.velocity_of(i)[d];
+      values[6 + d] = nodes.force_of(i)[d];
+    }
+    return values;
+  }
+
+  /// Calls @p function with each number of an element's state.
+  template <typename Batches, typename Function>
+  void for_each_state(Batches &batches,
+                      const std::uint32_t cell,
+                      const Function &function)
+  {
+    const std::uint32_t slot = batches.slot(cell);
+    const unsigned int batch = slot / batches.n, lane = slot % batches.n;
+    function(0, batches.dilatation[batch][lane]);
+    function(1, batches.viscous_pressure[batch][lane]);
+    for (const auto &range : batches.ranges())
+      if (range.viscoelastic && batch >= range.begin && batch < range.end)
+        for (unsigned int k = 0; k < batches.n_relaxed(); ++k)
+          function(2 + k, batches.relaxed_of(range, batch)[k][lane]);
+  }
+
+  /// Calls @p function with the place of an element's damping forces and its
+  /// lane, if it has any.
+  template <typename Batches, typename Function>
+  void for_damping(Batches &batches,
+                   const std::uint32_t cell,
+                   const Function &function)
+  {
+    const std::uint32_t slot = batches.slot(cell);
+    const unsigned int batch = slot / batches.n, lane = slot % batches.n;
+    for (const auto &range : batches.ranges())
+      if (range.damped && batch >= range.begin && batch < range.end)
+        function(
+          &batches.damping[range.first_damping + 12 * (batch - range.begin)],
+          lane);
+  }
+
+  /// Reads @p n records; @p cells are those of this rank by global number.
+  template <typename Real>
+  void
+  take_damping(std::istream &in,
+               const std::uint64_t n,
+               const std::unordered_map<std::uint32_t, std::uint32_t> &cells,
+               HexBatches<Real> &batches)
+  {
+    for (std::uint64_t i = 0; i < n; ++i)
+    {
+      DampingRecord<Real> record;
+      take(in, record);
+      const auto found = cells.find(record.cell);
+      if (found != cells.end())
+        for_damping(
+          batches, found->second, [&](auto *forces, const unsigned int lane) {
+            for (unsigned int k = 0; k < 12; ++k)
+              forces[k][lane] = record.values[k];
+          });
+    }
+  }
+} // namespace
+
+
+template <typename Real>
+void SolidBody<Real>::save(const std::string &folder) const
+{
+  const unsigned int rank =
+    dealii::Utilities::MPI::this_mpi_process(communicator_);
+  std::vector<std::array<double, 3>> reactions(mesh_.nodes.size());
+  Supports supports = supports_;
+  supports.for_each_reaction(
+    [&](const std::uint32_t node, const unsigned int d, const double value) {
+      reactions[node][d] = value;
+    });
+  std::vector<DampingRecord<Real>> damping;
+  for (std::size_t i = 0; i < mesh_.cells.size(); ++i)
+    for_damping(
+      operator_.batches(), i, [&](const auto *forces, const unsigned int lane) {
+        damping.push_back({mesh_.global_cell[i], {}});
+        for (unsigned int k = 0; k < 12; ++k)
+          damping.back().values[k] = forces[k][lane];
+      });
+  io::write_file(file_of(folder, rank), [&](std::ostream &out) {
+    put(out,
+        Numbers{mesh_.nodes.size(),
+                mesh_.cells.size(),
+                mesh_.n_global_nodes,
+                mesh_.n_global_cells,
+                mesh_.tissues.size(),
+                operator_.batches().n_relaxed(),
+                damping.size(),
+                sizeof(Real),
+                time_,
+                relaxed_time_,
+                times_,
+                external_work_,
+                nodal_work_,
+                step_change_,
+                initial_energy_});
+    for (const TissueEnergies &one : operator_.losses())
+      put(out, one);
+    for (std::size_t i = 0; i < mesh_.nodes.size(); ++i)
+      put(out,
+          NodeRecord<Real>{
+            mesh_.global_node[i], node_values(nodes_, i), reactions[i]});
+    for (std::size_t i = 0; i < mesh_.cells.size(); ++i)
+    {
+      CellRecord<Real> record{mesh_.global_cell[i], {}};
+      for_each_state(
+        operator_.batches(), i, [&](const unsigned int k, const Real value) {
+          record.values[k] = value;
+        });
+      out.write(reinterpret_cast<const char *>(&record),
+                CellRecord<Real>::size(operator_.batches().n_relaxed()));
+    }
+    for (const DampingRecord<Real> &record : damping)
+      put(out, record);
+  });
+}
+
+
+template <typename Real>
+void SolidBody<Real>::restore(const std::string &folder)
+{
+  std::vector<std::array<double, 3>> reactions(mesh_.nodes.size());
+  std::unordered_map<std::uint32_t, std::uint32_t> node, cell;
+  for (std::size_t i = 0; i < mesh_.nodes.size(); ++i)
+    node[mesh_.global_node[i]] = i;
+  for (std::size_t i = 0; i < mesh_.cells.size(); ++i)
+    cell[mesh_.global_cell[i]] = i;
+  for (unsigned int rank = 0; std::filesystem::exists(file_of(folder, rank));
+       ++rank)
+  {
+    std::ifstream in(file_of(folder, rank), std::ios::binary);
+    const Numbers numbers = read_numbers(in, file_of(folder, rank));
+    for (std::uint64_t i = 0; i < numbers.n_nodes; ++i)
+    {
+      NodeRecord<Real> record;
+      take(in, record);
+      const auto found = node.find(record.node);
+      if (found == node.end())
+        continue;
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        nodes_.displacement_of(found->second)[d] = record.values[d];
+        nodes_.velocity_of(found->second)[d] = record.values[3 + d];
+        nodes_.force_of(found->second)[d] = record.values[6 + d];
+        reactions[found->second][d] = record.reaction[d];
+      }
+    }
+    for (std::uint64_t i = 0; i < numbers.n_cells; ++i)
+    {
+      CellRecord<Real> record;
+      in.read(reinterpret_cast<char *>(&record),
+              CellRecord<Real>::size(numbers.n_relaxed));
+      const auto found = cell.find(record.cell);
+      if (found != cell.end())
+        for_each_state(
+          operator_.batches(),
+          found->second,
+          [&](const unsigned int k, Real &value) { value = record.values[k]; });
+    }
+    take_damping(in, numbers.n_damped, cell, operator_.batches());
+    if (!in)
+      throw InputError("Checkpoint file " + file_of(folder, rank) +
+                       " ends too early");
+  }
+  supports_.for_each_reaction([&](const std::uint32_t i,
+                                  const unsigned int d,
+                                  double &value) { value = reactions[i][d]; });
+  loads_.set_time(time_);
+  // Elements may remember what nodes do not show.
+  nodes_.find_awake();
+  operator_.batches().wake_all();
+  operator_.find_least_dilatations();
+  find_least_dilatations();
+  past_.reset();
+}
+
+
+template <typename Real>
+typename SolidBody<Real>::Numbers
+SolidBody<Real>::read_numbers(std::istream &in, const std::string &file)
+{
+  Numbers numbers;
+  take(in, numbers);
+  if (!in || numbers.n_global_nodes != mesh_.n_global_nodes ||
+      numbers.n_global_cells != mesh_.n_global_cells ||
+      numbers.n_tissues != mesh_.tissues.size() ||
+      numbers.n_relaxed != operator_.batches().n_relaxed() ||
+      numbers.number_size != sizeof(Real))
+    throw InputError("Checkpoint file " + file + " belongs to another scene");
+  time_ = numbers.time;
+  relaxed_time_ = numbers.relaxed_time;
+  times_ = numbers.times;
+  initial_energy_ = numbers.initial_energy;
+  std::vector<TissueEnergies> losses(operator_.losses().size());
+  for (TissueEnergies &one : losses)
+    take(in, one);
+  // Sums over ranks go on at the first one.
+  if (dealii::Utilities::MPI::this_mpi_process(communicator_) != 0)
+    return numbers;
+  external_work_ += numbers.external_work;
+  nodal_work_ += numbers.nodal_work;
+  step_change_ += numbers.step_change;
+  for (std::size_t i = 0; i < losses.size(); ++i)
+  {
+    operator_.losses()[i].hourglass += losses[i].hourglass;
+    operator_.losses()[i].bulk_viscosity += losses[i].bulk_viscosity;
+    operator_.losses()[i].relaxation += losses[i].relaxation;
+  }
+  return numbers;
+}
+
+
+template class SolidBody<double>;
+template class SolidBody<float>;
+} // namespace contrecoup::solid

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/gather.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/solid/body/node_backup.h>
+#include <contrecoup/solid/motion/solid_body.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace contrecoup::solid
+{
+namespace
+{
+  /// Steps from one copy of the state to the next: many, for copies to cost
+  /// less than a hundredth of the steps.
+  constexpr std::size_t steps_between_copies = 500;
+
+  /// The part of its undeformed volume that an element must keep, and that of
+  /// the most compressed one of its tissue in one step.
+  constexpr double least_allowed = 1e-3;
+  constexpr double least_in_a_step = 0.8;
+} // namespace
+
+
+/// A state that the body had, and what was done since.
+template <typename Real>
+struct SolidBody<Real>::Past
+{
+  NodeBackup<Real> nodes;
+  HexMemory<Lanes<Real>> memory;
+  std::vector<TissueEnergies> losses;
+  Supports supports;
+  double time, relaxed_time;
+  StepTimes times;
+  double external_work, nodal_work, step_change;
+  std::vector<double> steps; ///< sizes of steps since [s]
+};
+
+
+template <typename Real>
+void SolidBody<Real>::keep()
+{
+  if (!past_)
+    past_ = std::make_shared<Past>();
+  past_->nodes.keep(nodes_);
+  past_->memory = operator_.batches();
+  past_->losses = operator_.losses();
+  past_->supports = supports_;
+  past_->time = time_;
+  past_->relaxed_time = relaxed_time_;
+  past_->times = times_;
+  past_->external_work = external_work_;
+  past_->nodal_work = nodal_work_;
+  past_->step_change = step_change_;
+  past_->steps.clear();
+}
+
+
+template <typename Real>
+void SolidBody<Real>::go_back()
+{
+  past_->nodes.put_back(nodes_);
+  static_cast<HexMemory<Lanes<Real>> &>(operator_.batches()) = past_->memory;
+  operator_.losses() = past_->losses;
+  supports_ = past_->supports;
+  time_ = past_->time;
+  relaxed_time_ = past_->relaxed_time;
+  times_ = past_->times;
+  external_work_ = past_->external_work;
+  nodal_work_ = past_->nodal_work;
+  step_change_ = past_->step_change;
+  loads_.set_time(time_);
+  for (const double step : past_->steps)
+    take_step(step);
+  find_least_dilatations();
+  keep();
+}
+
+
+template <typename Real>
+void SolidBody<Real>::find_least_dilatations()
+{
+  least_dilatations_ = operator_.least_dilatations();
+  dealii::Utilities::MPI::min(
+    least_dilatations_, communicator_, least_dilatations_);
+}
+
+
+template <typename Real>
+bool SolidBody<Real>::is_physical(const std::vector<double> &before) const
+{
+  for (std::size_t i = 0; i < before.size(); ++i)
+    if (!(1. + least_dilatations_[i] >
+          std::max(least_allowed, least_in_a_step * (1. + before[i]))))
+      return false;
+  return true;
+}
+
+
+template <typename Real>
+typename SolidBody<Real>::Advance
+SolidBody<Real>::advance(const double step, const unsigned int largest_retries)
+{
+  if (!past_ || past_->steps.size() >= steps_between_copies)
+    keep();
+  const std::vector<double> before = least_dilatations_;
+  Advance result{step, 0};
+  for (;;)
+  {
+    take_step(result.step);
+    find_least_dilatations();
+    if (is_physical(before))
+      break;
+    if (result.retries >= largest_retries)
+      give_up(result);
+    go_back();
+    result.step *= 0.5;
+    ++result.retries;
+  }
+  past_->steps.push_back(result.step);
+  for (std::size_t i = 0; i < least_dilatations_.size(); ++i)
+    least_volume_ = std::min(least_volume_, 1. + least_dilatations_[i]);
+  return result;
+}
+
+
+template <typename Real>
+void SolidBody<Real>::give_up(const Advance &failed)
+{
+  // The most compressed element; numbers that are not finite come first.
+  double least = std::numeric_limits<double>::infinity();
+  std::uint32_t cell = 0;
+  for (std::uint32_t i = 0; i < mesh_.cells.size(); ++i)
+  {
+    const double value = operator_.dilatation(i);
+    const double dilatation = std::isfinite(value) ? value : -1e300;
+    if (dilatation < least)
+    {
+      least = dilatation;
+      cell = i;
+    }
+  }
+  std::ostringstream text;
+  if (!mesh_.cells.empty())
+    describe(cell, text);
+  go_back();
+  if (!mesh_.cells.empty())
+  {
+    const ElementValues before = operator_.values(nodes_, times_, cell);
+    text << "; before the step it had " << brief(1. + before.dilatation)
+         << " of it, and the pressure "
+         << brief(-(before.stress[0] + before.stress[1] + before.stress[2]) /
+                  3.)
+         << " Pa";
+  }
+  const auto values = gather_arrays(communicator_, std::vector<double>{least});
+  const auto texts = gather_texts(communicator_, text.str());
+  const auto found = std::min_element(values.begin(), values.end());
+  std::ostringstream message;
+  message << "The body turned unphysical at time " << time_
+          << " s although the step was reduced to " << brief(failed.step)
+          << " s; " << texts[found - values.begin()];
+  throw NumericsError(message.str());
+}
+
+
+template <typename Real>
+void SolidBody<Real>::describe(const std::uint32_t cell,
+                               std::ostream &text) const
+{
+  dealii::Point<3> centre;
+  for (const std::uint32_t node : mesh_.cells[cell])
+    centre += mesh_.nodes[node] / 8.;
+  text << "element " << mesh_.global_cell[cell] << " of "
+       << name_of(mesh_.tissues[mesh_.tissue[cell]]) << " at (" << centre
+       << ") m would be left with " << brief(1. + operator_.dilatation(cell))
+       << " of its volume, where more than " << brief(least_allowed)
+       << ", and 0.8 of the least before, are allowed";
+}
+
+
+template <typename Real>
+double SolidBody<Real>::compressed_step() const
+{
+  double step = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < least_dilatations_.size(); ++i)
+  {
+    const SolidMaterial &material = operator_.materials()[i];
+    if (material.gas.exists() && i < element_steps_.size())
+      step = std::min(
+        step,
+        element_steps_[i] /
+          std::sqrt(std::max(1., material.stiffening(least_dilatations_[i]))));
+  }
+  return step;
+}
+
+
+template class SolidBody<double>;
+template class SolidBody<float>;
+} // namespace contrecoup::solid

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/solid/motion/batch_loop.h>
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace contrecoup::solid
+{
+namespace
+{
+  /// The least modulus against hourglass modes, over the bulk modulus: what
+  /// fluids have.
+  constexpr double fluid_hourglass = 1e-6;
+
+  /// Velocities of the corners of a batch.
+  template <typename Real>
+  HexVectors<Lanes<Real>> corner_velocities(const Real *velocity,
+                                            const unsigned int *offsets)
+  {
+    std::array<std::array<Lanes<Real>, 4>, 8> loaded;
+    load_vectors(velocity, offsets, loaded);
+    HexVectors<Lanes<Real>> v;
+    for (unsigned int corner = 0; corner < 8; ++corner)
+      for (unsigned int d = 0; d < 3; ++d)
+        v[corner][d] = loaded[corner][d];
+    return v;
+  }
+} // namespace
+
+
+template <typename Real>
+void SolidOperator<Real>::reinit(const SolidMesh &mesh,
+                                 const std::vector<SolidMaterial> &materials,
+                                 const ElementOptions &options)
+{
+  mesh_ = &mesh;
+  materials_ = materials;
+  options_ = options;
+  std::vector<bool> viscoelastic, damped;
+  for (const SolidMaterial &material : materials)
+  {
+    viscoelastic.push_back(material.is_viscoelastic());
+    damped.push_back(!full() && hourglass(material).has_damper());
+  }
+  batches_.reinit(mesh, viscoelastic, damped, full() ? 8 : 1);
+  losses_.assign(materials.size(), {});
+  least_dilatations_.assign(materials.size(), 0.);
+}
+
+
+template <typename Real>
+void SolidOperator<Real>::reinit_nodes(NodeFields<Real> &nodes) const
+{
+  HexBatches<Real>::reinit_nodes(*mesh_, nodes);
+}
+
+
+template <typename Real>
+std::vector<double> SolidOperator<Real>::nodal_masses() const
+{
+  std::vector<double> masses(mesh_->nodes.size(), 0.);
+  for (std::size_t i = 0; i < mesh_->cells.size(); ++i)
+  {
+    HexVectors<double> x;
+    for (unsigned int c = 0; c < 8; ++c)
+      for (unsigned int d = 0; d < 3; ++d)
+        x[c][d] = mesh_->nodes[mesh_->cells[i][c]][d];
+    const double mass =
+      materials_[mesh_->tissue[i]].density * hex_geometry(to_modes(x)).volume;
+    for (const std::uint32_t node : mesh_->cells[i])
+      masses[node] += mass / 8.;
+  }
+  return masses;
+}
+
+
+template <typename Real>
+Hourglass<Lanes<Real>>
+SolidOperator<Real>::hourglass(const SolidMaterial &material) const
+{
+  const double shear = std::max(material.instantaneous_shear,
+                                fluid_hourglass * material.bulk_modulus);
+  const double factor = options_.hourglass_coefficient;
+  double viscosity = 0.;
+  Hourglass<Lane> hourglass;
+  hourglass.kind = options_.hourglass;
+  hourglass.stiffness = Real(0.);
+  switch (options_.hourglass)
+  {
+    case HourglassKind::none:
+      hourglass.kind = HourglassKind::stiffness;
+      break;
+    case HourglassKind::viscous:
+      viscosity =
+        factor * hourglass_damper * std::sqrt(material.density * shear);
+      break;
+    case HourglassKind::stiffness:
+      hourglass.stiffness = Real(factor * hourglass_spring * shear);
+      break;
+    case HourglassKind::assumed_strain:
+      hourglass.stiffness = Real(factor * shear);
+  }
+  if (options_.hourglass_damping > 0. &&
+      material.bulk_modulus >
+        nearly_incompressible * material.instantaneous_shear)
+  {
+    viscosity += options_.hourglass_damping / 64. * material.density *
+                 material.dilatational_speed();
+    hourglass.damped = true;
+  }
+  hourglass.viscosity = Real(viscosity);
+  return hourglass;
+}
+
+
+template <typename Real>
+HexModel<Lanes<Real>> SolidOperator<Real>::model(const SolidMaterial &material,
+                                                 const StepTimes &times) const
+{
+  const double tau = material.relaxation_time;
+  HexModel<Lane> model;
+  model.law.bulk = Real(material.bulk_modulus);
+  model.law.gas = material.gas;
+  model.law.twice_shear = Real(2. * material.instantaneous_shear);
+  model.law.twice_relaxing = Real(2. * material.relaxing_shear);
+  model.law.decay_before = Real(std::exp(-times.relax_before / tau));
+  model.law.decay_after = Real(std::exp(-times.relax_after / tau));
+  model.law.dissipation_per_strain =
+    Real((times.relax_before + times.relax_after) / tau);
+  const double wave = material.density * material.dilatational_speed();
+  model.viscosity.linear = Real(options_.linear_viscosity * wave);
+  model.viscosity.quadratic =
+    Real(options_.quadratic_viscosity * material.density);
+  model.viscosity.inverse_step =
+    Real(times.before > 0. ? 1. / times.before : 0.);
+  model.step = Real(times.before);
+
+  model.hourglass = hourglass(material);
+  // As with bulk viscosity, nothing is damped before the first step.
+  if (!(times.before > 0.))
+    model.hourglass.viscosity = Real(0.);
+  return model;
+}
+
+
+template <typename Real>
+HexModel<Lanes<Real>>
+SolidOperator<Real>::linear_model(const SolidMaterial &material) const
+{
+  HexModel<Lane> model = this->model(material, StepTimes());
+  model.law.gas = GasFilling();
+  return model;
+}
+
+
+template <typename Real>
+Lanes<Real> SolidOperator<Real>::secant_bulk(const SolidLaw<Lane> &law,
+                                             const NodeFields<Real> &nodes,
+                                             const unsigned int batch) const
+{
+  HexVectors<Lane> x, u;
+  load_corners(nodes.place.data(), batches_.offsets(batch, 0), x, u);
+  const Matrix3<Lane> h = mean_gradient(hex_geometry(to_modes(x)), to_modes(u));
+  const Lane dilatation = options_.kinematics == SolidKinematics::small_strain
+                            ? h[0][0] + h[1][1] + h[2][2]
+                            : finite_dilatation(h, cofactor(h));
+  return law.bulk *
+         apply([&](const double value) { return law.gas.secant(value); },
+               dilatation);
+}
+
+
+template <typename Real>
+template <SolidKinematics kinematics, bool viscoelastic>
+void SolidOperator<Real>::add_range(const Range &range,
+                                    NodeFields<Real> &nodes,
+                                    const HexModel<Lane> &model,
+                                    TissueEnergies &losses)
+{
+  add_batches<viscoelastic>(range,
+                            nodes,
+                            model,
+                            losses,
+                            [&](const HexModel<Lane> &model_now,
+                                const unsigned int batch,
+                                const HexVectors<Lane> &x,
+                                const HexVectors<Lane> &u,
+                                HexState<Lane> &state,
+                                HexHeat<Lane> &heat) {
+                              const auto velocities = [&]() {
+                                return corner_velocities(
+                                  nodes.velocity.data(),
+                                  batches_.offsets(batch, 0));
+                              };
+                              return one_point_forces<kinematics, viscoelastic>(
+                                model_now, x, u, velocities, state, heat);
+                            });
+}
+
+
+template <typename Real>
+template <SolidKinematics kinematics>
+void SolidOperator<Real>::add_all(NodeFields<Real> &nodes,
+                                  const StepTimes &times)
+{
+  for (const Range &range : batches_.ranges())
+  {
+    const HexModel<Lane> model = this->model(materials_[range.tissue], times);
+    if (range.viscoelastic)
+      add_range<kinematics, true>(range, nodes, model, losses_[range.tissue]);
+    else
+      add_range<kinematics, false>(range, nodes, model, losses_[range.tissue]);
+  }
+}
+
+
+template <typename Real>
+void SolidOperator<Real>::add_forces(NodeFields<Real> &nodes,
+                                     const StepTimes &times)
+{
+  least_dilatations_.assign(materials_.size(), 0.);
+  if (full())
+    add_full_forces(nodes, times);
+  else if (options_.kinematics == SolidKinematics::small_strain)
+    add_all<SolidKinematics::small_strain>(nodes, times);
+  else if (options_.kinematics == SolidKinematics::finite_rotation)
+    add_all<SolidKinematics::finite_rotation>(nodes, times);
+  else
+    add_all<SolidKinematics::neo_hookean>(nodes, times);
+  // A dilatation that is not a number is in the heat of bulk viscosity as well.
+  for (std::size_t i = 0; i < losses_.size(); ++i)
+    if (!std::isfinite(losses_[i].internal()))
+      least_dilatations_[i] = -std::numeric_limits<double>::infinity();
+}
+
+
+template <typename Real>
+void SolidOperator<Real>::find_least_dilatations()
+{
+  least_dilatations_.assign(materials_.size(), 0.);
+  for (const Range &range : batches_.ranges())
+    for (unsigned int batch = range.begin; batch < range.end; ++batch)
+      least_dilatations_[range.tissue] =
+        std::min(least_dilatations_[range.tissue],
+                 least_of<Real>(batches_.dilatation[batch]));
+}
+
+
+template <typename Real>
+void SolidOperator<Real>::add_linear_forces(NodeFields<Real> &nodes)
+{
+  // Without a step there is no viscosity, and state is only what it needs.
+  batches_.wake_all();
+  TissueEnergies unused;
+  if (full())
+    add_full_linear_forces(nodes);
+  else
+    for (const Range &range : batches_.ranges())
+      add_range<SolidKinematics::small_strain, false>(
+        range, nodes, linear_model(materials_[range.tissue]), unused);
+  batches_.reset_state();
+}
+
+
+template class SolidOperator<double>;
+template class SolidOperator<float>;
+} // namespace contrecoup::solid

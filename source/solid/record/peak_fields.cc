@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/io/checked_file.h>
+#include <contrecoup/solid/body/stress_invariants.h>
+#include <contrecoup/solid/body/tissue_measures.h>
+#include <contrecoup/solid/record/peak_fields.h>
+
+#include <filesystem>
+#include <sstream>
+#include <unordered_map>
+
+namespace contrecoup::solid
+{
+namespace
+{
+  /// The peaks of an element in a checkpoint.
+  struct Record
+  {
+    std::uint32_t cell; ///< in the whole mesh
+    std::array<float, 4> peaks;
+  };
+
+  std::string file_of(const std::string &folder, const unsigned int rank)
+  {
+    return folder + "/peaks." + std::to_string(rank) + ".bin";
+  }
+} // namespace
+
+
+template <typename Real>
+const std::array<std::string, PeakFields<Real>::n_fields>
+  PeakFields<Real>::names{{"highest_pressure",
+                           "lowest_pressure",
+                           "largest_von_mises_stress",
+                           "largest_principal_strain"}};
+
+
+template <typename Real>
+void PeakFields<Real>::declare_parameters(ParameterHandler &prm)
+{
+  const Section section(prm, "Peaks");
+  declare_bool(prm,
+               "Active",
+               "false",
+               "Whether fields hold what each element went through, highest "
+               "and lowest pressure, largest von Mises stress and principal "
+               "strain, and the summary their extremes in each tissue with the "
+               "strain that 95 % of it never exceeded.");
+  declare_selection(prm,
+                    "Pressure",
+                    "averaged",
+                    peak_pressure_names(),
+                    "That of each element, or its average over the corners and "
+                    "the elements of the same tissue around these, as "
+                    "Injury/Pressure has it.");
+  declare_integer(prm,
+                  "Every steps",
+                  "10",
+                  1,
+                  1000000,
+                  "Steps from one look at the elements to the next; peaks "
+                  "between are missed.");
+}
+
+
+template <typename Real>
+void PeakFields<Real>::parse_parameters(ParameterHandler &prm)
+{
+  const Section section(prm, "Peaks");
+  active_ = prm.get_bool("Active");
+  averaged_ = prm.get("Pressure") == peak_pressure_names()[0];
+  interval_ = read_unsigned(prm, "Every steps");
+}
+
+
+template <typename Real>
+void PeakFields<Real>::reinit(const SolidBody<Real> &body)
+{
+  for (std::vector<float> &field : fields_)
+    field.assign(body.mesh().cells.size(), 0.F);
+  averages_.assign(body.mesh().tissues.size(), {});
+  for (unsigned int k = 0; k < averages_.size(); ++k)
+    averages_[k].reinit(body.mesh(), body.exchange(), k);
+  n_steps_ = 0;
+}
+
+
+template <typename Real>
+void PeakFields<Real>::follow(const SolidBody<Real> &body)
+{
+  if (++n_steps_ % interval_ != 0)
+    return;
+  std::vector<float> pressures(body.mesh().cells.size(), 0.F);
+  for (unsigned int k = 0; k < averages_.size(); ++k)
+  {
+    body.elements().visit_moved(
+      body.nodes(),
+      body.times(),
+      [&](const std::uint32_t cell, const ElementValues &element) {
+        pressures[cell] = static_cast<float>(pressure_of(element.stress));
+        float &stress = fields_[2][cell], &strain = fields_[3][cell];
+        stress =
+          std::max(stress, static_cast<float>(von_mises(element.stress)));
+        strain =
+          static_cast<float>(raised_to_principal(strain, element.strain));
+      },
+      k);
+    const std::vector<std::uint32_t> &cells = averages_[k].cells();
+    std::vector<double> values(cells.size());
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      values[i] = pressures[cells[i]];
+    if (averaged_)
+      values = averages_[k].average(values);
+    for (std::size_t i = 0; i < cells.size(); ++i)
+    {
+      const auto pressure = static_cast<float>(values[i]);
+      float &highest = fields_[0][cells[i]], &lowest = fields_[1][cells[i]];
+      highest = std::max(highest, pressure);
+      lowest = std::min(lowest, pressure);
+    }
+  }
+}
+
+
+template <typename Real>
+std::vector<NamedValue>
+PeakFields<Real>::measures(const SolidBody<Real> &body) const
+{
+  static const std::array<std::string, n_fields> units{{"Pa", "Pa", "Pa", "-"}};
+  std::vector<NamedValue> list;
+  for (unsigned int k = 0; k < averages_.size(); ++k)
+  {
+    const Tissue tissue = body.mesh().tissues[k];
+    const std::vector<std::uint32_t> &cells = averages_[k].cells();
+    for (unsigned int n = 0; n < n_fields; ++n)
+    {
+      // All fields but the lowest pressure rise from zero.
+      const float sign = n == 1 ? -1.F : 1.F;
+      float extreme = 0.F;
+      for (const std::uint32_t cell : cells)
+        extreme = std::max(extreme, sign * fields_[n][cell]);
+      list.push_back(
+        {tissue_column(names[n], tissue),
+         units[n],
+         sign * dealii::Utilities::MPI::max(extreme, body.communicator())});
+    }
+    std::vector<double> strains;
+    for (const std::uint32_t cell : cells)
+      strains.push_back(fields_[3][cell]);
+    list.push_back(
+      {tissue_column("principal_strain_95", tissue),
+       "-",
+       percentile(strains, averages_[k].volumes(), 0.95, body.communicator())});
+  }
+  return list;
+}
+
+
+template <typename Real>
+void PeakFields<Real>::save(const SolidBody<Real> &body,
+                            const std::string &folder) const
+{
+  const unsigned int rank =
+    dealii::Utilities::MPI::this_mpi_process(body.communicator());
+  std::vector<Record> records;
+  for (std::size_t i = 0; i < fields_[0].size(); ++i)
+    records.push_back(
+      {body.mesh().global_cell[i],
+       {{fields_[0][i], fields_[1][i], fields_[2][i], fields_[3][i]}}});
+  io::write_file(file_of(folder, rank), [&](std::ostream &out) {
+    const std::uint64_t size = records.size();
+    out.write(reinterpret_cast<const char *>(&n_steps_), sizeof(n_steps_));
+    out.write(reinterpret_cast<const char *>(&size), sizeof(size));
+    out.write(reinterpret_cast<const char *>(records.data()),
+              static_cast<std::streamsize>(size * sizeof(Record)));
+  });
+}
+
+
+template <typename Real>
+void PeakFields<Real>::restore(const SolidBody<Real> &body,
+                               const std::string &folder)
+{
+  reinit(body);
+  std::unordered_map<std::uint32_t, std::size_t> here;
+  for (std::size_t i = 0; i < body.mesh().cells.size(); ++i)
+    here[body.mesh().global_cell[i]] = i;
+  for (unsigned int rank = 0; std::filesystem::exists(file_of(folder, rank));
+       ++rank)
+  {
+    std::istringstream in(io::read_file(file_of(folder, rank)));
+    std::uint64_t size = 0;
+    in.read(reinterpret_cast<char *>(&n_steps_), sizeof(n_steps_));
+    in.read(reinterpret_cast<char *>(&size), sizeof(size));
+    for (std::uint64_t i = 0; in && i < size; ++i)
+    {
+      Record record;
+      in.read(reinterpret_cast<char *>(&record), sizeof(record));
+      const auto found = here.find(record.cell);
+      if (found != here.end())
+        for (unsigned int k = 0; k < n_fields; ++k)
+          fields_[k][found->second] = record.peaks[k];
+    }
+    if (!in)
+      throw InputError("Checkpoint file " + file_of(folder, rank) +
+                       " belongs to another scene");
+  }
+}
+
+
+template class PeakFields<double>;
+template class PeakFields<float>;
+} // namespace contrecoup::solid

@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/bounds.h>
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameter_tree.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/solid/body/stress_invariants.h>
+#include <contrecoup/solid/record/solid_probes.h>
+
+#include <istream>
+#include <limits>
+#include <ostream>
+
+namespace contrecoup::solid
+{
+namespace
+{
+  const std::vector<std::string> statistics{"maximum",
+                                            "minimum",
+                                            "last",
+                                            "arrival",
+                                            "frequency"};
+
+  /// Names of the quantities, for parameter files.
+  std::vector<std::string> quantity_names()
+  {
+    std::vector<std::string> names;
+    for (const ProbeQuantity &quantity : probe_quantities())
+      names.push_back(quantity.name);
+    return names;
+  }
+
+  /// The rank with the least distance gets true.
+  bool is_nearest(const double distance, const MPI_Comm communicator)
+  {
+    struct
+    {
+      double value;
+      int rank;
+    } mine, all;
+    mine.value = distance;
+    mine.rank = dealii::Utilities::MPI::this_mpi_process(communicator);
+    MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE_INT, MPI_MINLOC, communicator);
+    return all.rank == mine.rank;
+  }
+} // namespace
+
+
+const std::vector<ProbeQuantity> &probe_quantities()
+{
+  static const std::vector<ProbeQuantity> quantities{{"displacement_x", "m"},
+                                                     {"displacement_y", "m"},
+                                                     {"displacement_z", "m"},
+                                                     {"velocity_x", "m/s"},
+                                                     {"velocity_y", "m/s"},
+                                                     {"velocity_z", "m/s"},
+                                                     {"pressure", "Pa"},
+                                                     {"von_mises_stress", "Pa"},
+                                                     {"principal_strain", "-"},
+                                                     {"stress_xx", "Pa"},
+                                                     {"stress_yy", "Pa"},
+                                                     {"stress_zz", "Pa"},
+                                                     {"stress_xy", "Pa"},
+                                                     {"stress_yz", "Pa"},
+                                                     {"stress_zx", "Pa"}};
+  return quantities;
+}
+
+
+void SolidProbes::declare_parameters(ParameterHandler &prm)
+{
+  {
+    const Section section(prm, "Probes");
+    declare_points(prm,
+                   "Points",
+                   "",
+                   "m",
+                   "Places of the undeformed body: motion is that of the "
+                   "nearest node, stresses and strains those of the element "
+                   "with the nearest middle.");
+  }
+  const Section section(prm, "Measures");
+  const Section measure(prm, "Measure *");
+  declare_integer(prm, "Probe", "1", 1, 100000, "Number of the probe, from 1.");
+  declare_selection(prm,
+                    "Quantity",
+                    "displacement_x",
+                    quantity_names(),
+                    "What is measured of what the probe reads.");
+  declare_selection(prm,
+                    "Statistic",
+                    "maximum",
+                    statistics,
+                    "Over all steps: the largest or smallest value, that at "
+                    "the end, the time [s] when it first passes the "
+                    "threshold, or how often per second it rises through it.");
+  declare_double(prm,
+                 "First time",
+                 "0",
+                 0.,
+                 bounds::time,
+                 "s",
+                 "Steps before it do not count.");
+  // Of any quantity, whose bounds are smaller or the same.
+  declare_double(prm,
+                 "Threshold",
+                 "0",
+                 -bounds::energy,
+                 bounds::energy,
+                 "-",
+                 "Of arrival and frequency, in the unit of the quantity.");
+  declare_double(prm,
+                 "Expected",
+                 "0",
+                 -bounds::energy,
+                 bounds::energy,
+                 "-",
+                 "What the measure should be; errors in summary.json are "
+                 "relative to it. 0: no error is given.");
+}
+
+
+void SolidProbes::parse_parameters(ParameterHandler &prm)
+{
+  {
+    const Section section(prm, "Probes");
+    for (const dealii::Point<3> &point : read_points<3>(prm, "Points"))
+      places_.push_back({point, false, 0, false, 0});
+  }
+  const std::size_t n_quantities = probe_quantities().size();
+  values_.assign(n_quantities * places_.size(), 0.);
+  for (const std::string &name : item_names(prm, "Measures/Measure"))
+  {
+    const Section section(prm, "Measures");
+    const Section item(prm, "Measure " + name);
+    const unsigned int probe = read_unsigned(prm, "Probe");
+    if (probe > places_.size())
+      throw InputError(
+        "Measures/Measure " + name + "/Probe = " + std::to_string(probe) +
+        ", but Probes/Points has " + std::to_string(places_.size()));
+    const std::vector<std::string> names = quantity_names();
+    const auto quantity =
+      std::find(names.begin(), names.end(), prm.get("Quantity"));
+    Measure measure;
+    measure.name = name;
+    measure.column = static_cast<unsigned int>(n_quantities * (probe - 1) +
+                                               (quantity - names.begin()));
+    measure.statistic = prm.get("Statistic");
+    measure.expected = read_double(prm, "Expected");
+    measure.first_time = read_double(prm, "First time");
+    measure.threshold = read_double(prm, "Threshold");
+    measures_.push_back(measure);
+  }
+}
+
+
+void SolidProbes::reinit(const SolidMesh &mesh, const MPI_Comm communicator)
+{
+  for (Place &place : places_)
+  {
+    double least = std::numeric_limits<double>::max();
+    for (std::uint32_t i = 0; i < mesh.nodes.size(); ++i)
+    {
+      const double distance = mesh.nodes[i].distance_square(place.point);
+      if (distance < least)
+      {
+        least = distance;
+        place.node = i;
+      }
+    }
+    place.has_node = is_nearest(least, communicator);
+    least = std::numeric_limits<double>::max();
+    for (std::uint32_t i = 0; i < mesh.cells.size(); ++i)
+    {
+      dealii::Point<3> middle;
+      for (const std::uint32_t node : mesh.cells[i])
+        middle += mesh.nodes[node] / 8.;
+      const double distance = middle.distance_square(place.point);
+      if (distance < least)
+      {
+        least = distance;
+        place.cell = i;
+      }
+    }
+    place.has_cell = is_nearest(least, communicator);
+  }
+}
+
+
+template <typename Real>
+void SolidProbes::read(const SolidBody<Real> &body)
+{
+  std::fill(values_.begin(), values_.end(), 0.);
+  double *value = values_.data();
+  for (const Place &place : places_)
+  {
+    if (place.has_node)
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        value[d] = body.nodes().displacement_of(place.node)[d];
+        value[3 + d] = body.nodes().velocity_of(place.node)[d];
+      }
+    if (place.has_cell)
+    {
+      const ElementValues element =
+        body.elements().values(body.nodes(), body.times(), place.cell);
+      value[6] = pressure_of(element.stress);
+      value[7] = von_mises(element.stress);
+      value[8] = largest_principal(element.strain);
+      for (unsigned int k = 0; k < 6; ++k)
+        value[9 + k] = element.stress[k];
+    }
+    value += probe_quantities().size();
+  }
+  dealii::Utilities::MPI::sum(values_, body.communicator(), values_);
+  for (Measure &measure : measures_)
+    measure.take(values_[measure.column], body.time());
+}
+
+
+void SolidProbes::Measure::take(const double now, const double time)
+{
+  if (time < first_time)
+    return;
+  const bool first = n_read == 0.;
+  if (statistic == "maximum")
+    value = first ? now : std::max(value, now);
+  else if (statistic == "minimum")
+    value = first ? now : std::min(value, now);
+  else if (statistic == "last")
+    value = now;
+  else if (!first && last < threshold && now >= threshold)
+  {
+    value = last_time + (time - last_time) * (threshold - last) / (now - last);
+    if (n_crossings == 0.)
+      first_crossing = value;
+    ++n_crossings;
+  }
+  last = now;
+  last_time = time;
+  ++n_read;
+}
+
+
+double SolidProbes::Measure::result() const
+{
+  if (statistic == "arrival")
+    return first_crossing;
+  if (statistic == "frequency")
+    return n_crossings < 2. ? 0.
+                            : (n_crossings - 1.) / (value - first_crossing);
+  return value;
+}
+
+
+std::vector<NamedValue> SolidProbes::values() const
+{
+  std::vector<NamedValue> result;
+  const auto &quantities = probe_quantities();
+  for (std::size_t i = 0; i < values_.size(); ++i)
+  {
+    const ProbeQuantity &quantity = quantities[i % quantities.size()];
+    result.push_back({"probe_" + std::to_string(i / quantities.size() + 1) +
+                        "_" + quantity.name,
+                      quantity.unit,
+                      values_[i]});
+  }
+  return result;
+}
+
+
+std::vector<NamedValue> SolidProbes::measured() const
+{
+  std::vector<NamedValue> result;
+  for (const Measure &measure : measures_)
+    result.push_back({measure.name, "", measure.result()});
+  return result;
+}
+
+
+std::vector<NamedValue> SolidProbes::errors() const
+{
+  std::vector<NamedValue> result;
+  for (const Measure &measure : measures_)
+    if (measure.expected != 0.)
+      result.push_back(
+        {measure.name, "-", measure.result() / measure.expected - 1.});
+  return result;
+}
+
+
+void SolidProbes::save(std::ostream &stream) const
+{
+  for (const Measure &m : measures_)
+    for (const double number : {m.value,
+                                m.last,
+                                m.last_time,
+                                m.first_crossing,
+                                m.n_crossings,
+                                m.n_read})
+      stream.write(reinterpret_cast<const char *>(&number), sizeof(number));
+}
+
+
+void SolidProbes::load(std::istream &stream)
+{
+  for (Measure &m : measures_)
+    for (double *number : {&m.value,
+                           &m.last,
+                           &m.last_time,
+                           &m.first_crossing,
+                           &m.n_crossings,
+                           &m.n_read})
+      stream.read(reinterpret_cast<char *>(number), sizeof(*number));
+}
+
+
+template void SolidProbes::read(const SolidBody<double> &);
+template void SolidProbes::read(const SolidBody<float> &);
+} // namespace contrecoup::solid

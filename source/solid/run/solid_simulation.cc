@@ -1,0 +1,489 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/log.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/text.h>
+#include <contrecoup/base/timers.h>
+#include <contrecoup/io/checked_file.h>
+#include <contrecoup/solid/body/tissue_measures.h>
+#include <contrecoup/solid/boundary/load_place.h>
+#include <contrecoup/solid/run/solid_output.h>
+#include <contrecoup/solid/run/solid_simulation.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace contrecoup::solid
+{
+namespace
+{
+  /// Element updates per second and core, for estimates only.
+  constexpr double typical_speed = 1.5e7;
+
+  /// Bytes of an element with its nodes and a share of the mesh.
+  constexpr double typical_memory = 900.;
+
+  /// Hourglass energy over internal energy that is worth a word.
+  constexpr double notable_hourglass = 0.05;
+
+  /// After so many steps it is asked what the deformed body allows.
+  constexpr double steps_between_checks = 50.;
+
+  /// What a step that was halved grows by from one to the next.
+  constexpr double regrowth = 1.02;
+} // namespace
+
+
+const std::vector<std::string> &solid_precision_names()
+{
+  static const std::vector<std::string> names{"double", "single"};
+  return names;
+}
+
+
+template <typename Real>
+void SolidSimulation<Real>::declare_parameters(ParameterHandler &prm)
+{
+  MeshDescription::declare_parameters(prm);
+  SolidMaterials::declare_parameters(prm);
+  ElementOptions::declare_parameters(prm);
+  {
+    const Section section(prm, "Elements");
+    declare_selection(prm,
+                      "Precision",
+                      "double",
+                      solid_precision_names(),
+                      "Of state and arithmetic; energies are summed in "
+                      "double.");
+    declare_double(prm,
+                   "Step safety",
+                   "0.9",
+                   0.01,
+                   1.,
+                   "-",
+                   "Part of the stable step that is taken.");
+    declare_double(prm,
+                   "Smallest step",
+                   "0",
+                   0.,
+                   1.,
+                   "s",
+                   "Mass scaling: elements that alone would need a smaller "
+                   "step get mass until they do not; 0: none is added. What "
+                   "was added is false inertia, and is reported by tissue.");
+  }
+  Supports::declare_parameters(prm);
+  SurfaceLoads::declare_parameters(prm);
+  Surroundings::declare_parameters(prm);
+  InitialMotion::declare_parameters(prm);
+  ReferenceMotion::declare_parameters(prm);
+  SolidProbes::declare_parameters(prm);
+  InjuryReport<Real>::declare_parameters(prm);
+  PeakFields<Real>::declare_parameters(prm);
+  const Section section(prm, "Energy audit");
+  declare_double(prm,
+                 "Largest residual",
+                 "0.01",
+                 0.,
+                 1e6,
+                 "-",
+                 "The run fails when at its end this part of the energy, by "
+                 "elements and nodes against the work of loads, is missing.");
+  declare_double(prm,
+                 "Largest hourglass part",
+                 "0.1",
+                 0.,
+                 1e6,
+                 "-",
+                 "The run fails when at its end hourglass control has this "
+                 "part of the internal energy; 0.05 is a warning.");
+}
+
+
+template <typename Real>
+void SolidSimulation<Real>::parse_parameters(ParameterHandler &prm)
+{
+  mesh_description_.parse_parameters(prm);
+  materials_.parse_parameters(prm);
+  options_.parse_parameters(prm);
+  {
+    const Section section(prm, "Elements");
+    safety_ = read_double(prm, "Step safety");
+    smallest_step_ = read_double(prm, "Smallest step");
+  }
+  supports_.parse_parameters(prm);
+  loads_.parse_parameters(prm);
+  check_load_place(prm);
+  surroundings_.parse_parameters(prm);
+  initial_.parse_parameters(prm);
+  reference_.parse_parameters(prm);
+  probes_.parse_parameters(prm);
+  injury_.parse_parameters(prm);
+  peaks_.parse_parameters(prm);
+  {
+    const Section section(prm, "Energy audit");
+    largest_residual_ = read_double(prm, "Largest residual");
+    largest_hourglass_ = read_double(prm, "Largest hourglass part");
+  }
+  const Section section(prm, "Time");
+  end_time_ = read_double(prm, "End time");
+}
+
+
+template <typename Real>
+CostEstimate SolidSimulation<Real>::estimate()
+{
+  CostEstimate cost;
+  cost.cells = mesh_description_.estimate_elements();
+  cost.unknowns = 3. * cost.cells;
+  cost.memory = typical_memory * cost.cells * (sizeof(Real) == 4 ? 0.7 : 1.);
+  const double step = mesh_description_.estimate_step(materials_);
+  cost.steps = end_time_ / (safety_ * options_.step_factor() * step);
+  cost.seconds = cost.steps * cost.cells / typical_speed /
+                 dealii::Utilities::MPI::n_mpi_processes(communicator_);
+  return cost;
+}
+
+
+template <typename Real>
+void SolidSimulation<Real>::build()
+{
+  HexMesh mesh;
+  {
+    const TimerScope timer("mesh");
+    mesh = mesh_description_.create();
+  }
+  body_.set_smallest_step(smallest_step_ / (safety_ * options_.step_factor()));
+  body_.reinit(
+    mesh,
+    [this](const std::vector<Tissue> &tissues) {
+      return materials_.find(tissues);
+    },
+    options_,
+    supports_,
+    loads_,
+    communicator_);
+  certificate_ = body_.certify_step();
+  stable_step_ = safety_ * options_.step_factor() * certificate_.body_step;
+  // What bulk viscosity takes of the step is the body's own part as well.
+  const double factor = options_.step_factor();
+  surroundings_.set_step(stable_step_,
+                         1. - factor * factor * (1. - safety_ * safety_));
+  body_.set_surroundings(surroundings_);
+  probes_.reinit(body_.mesh(), communicator_);
+  if (injury_.active())
+    injury_.reinit(body_);
+  if (peaks_.active())
+    peaks_.reinit(body_);
+}
+
+
+template <typename Real>
+void SolidSimulation<Real>::setup()
+{
+  build();
+  report_step();
+  initial_.set(body_.mesh(), body_.nodes());
+  body_.start(0.);
+  if (probes_.measures())
+    probes_.read(body_);
+  audit_energy();
+}
+
+
+template <typename Real>
+void SolidSimulation<Real>::report_step() const
+{
+  std::ostringstream line;
+  line << "step " << brief(stable_step_) << " s: " << brief(safety_)
+       << " of what the body allows, "
+       << brief(options_.step_factor() * certificate_.body_step)
+       << " s (highest frequency within "
+       << brief(100. * certificate_.uncertainty, 2) << " % after "
+       << certificate_.iterations << " iterations); alone, element "
+       << certificate_.element << " of " << name_of(certificate_.tissue)
+       << " at (" << certificate_.place << ") m "
+       << (body_.mass_scaling().active() ? "without added mass " : "")
+       << "would allow "
+       << brief(options_.step_factor() * certificate_.element_step) << " s";
+  log_line(line.str());
+  const std::vector<NamedValue> &scaled = body_.mass_scaling().report();
+  for (std::size_t i = 0; i < scaled.size(); i += 2)
+    if (scaled[i].value > 0.)
+      log_line("mass scaling: " + brief(scaled[i].value) + " elements, " +
+               brief(scaled[i + 1].value) + " kg more (" + scaled[i + 1].name +
+               ")");
+}
+
+
+template <typename Real>
+StepReport SolidSimulation<Real>::advance(const double largest_step)
+{
+  StepReport report;
+  // Steps that were halved already leave so many retries.
+  const double left = options_.largest_retries + std::log2(reduction_);
+  const auto made =
+    body_.advance(std::min(allowed_step(), largest_step),
+                  static_cast<unsigned int>(std::max(0., std::ceil(left))));
+  report.step_size = made.step;
+  report.retries = made.retries;
+  reduction_ = std::min(
+    1., std::ldexp(reduction_, -static_cast<int>(made.retries)) * regrowth);
+  report.updates = static_cast<double>(body_.mesh().n_global_cells);
+  if (injury_.active())
+  {
+    const TimerScope timer("injury");
+    injury_.follow(body_);
+  }
+  if (peaks_.active())
+  {
+    const TimerScope timer("peaks");
+    peaks_.follow(body_);
+  }
+  if (probes_.measures())
+    probes_.read(body_);
+  return report;
+}
+
+
+template <typename Real>
+double SolidSimulation<Real>::allowed_step()
+{
+  if (steps_until_check_ == 0.)
+  {
+    const TimerScope timer("step size");
+    // Half of what safety leaves is for deformations: only then is it less.
+    const double deformed = 0.5 * (1. + safety_) * options_.step_factor() *
+                            body_.deformed_step(certificate_.body_step);
+    if (deformed < stable_step_ && deformed_step_ >= stable_step_)
+      log_line("time " + brief(body_.time()) +
+               " s: deformed elements allow steps of " + brief(deformed) +
+               " s only");
+    deformed_step_ = deformed;
+    steps_until_check_ = steps_between_checks;
+  }
+  steps_until_check_ -= 1.;
+  return std::min({reduction_ * stable_step_,
+                   deformed_step_,
+                   safety_ * options_.step_factor() * body_.compressed_step()});
+}
+
+
+template <typename Real>
+EnergyBalance SolidSimulation<Real>::audit_energy()
+{
+  const TimerScope timer("energy audit");
+  EnergyBalance balance = body_.balance();
+  energy_scale_ =
+    std::max({energy_scale_,
+              balance.initial,
+              std::abs(balance.external_work),
+              balance.sum.kinetic + std::abs(balance.sum.internal())});
+  return balance;
+}
+
+
+template <typename Real>
+std::vector<NamedValue> SolidSimulation<Real>::history()
+{
+  const EnergyBalance balance = audit_energy();
+  const TissueEnergies &sum = balance.sum;
+  const dealii::Tensor<1, 3> momentum = body_.momentum();
+  std::vector<NamedValue> values{
+    {"mass", "kg", body_.mass(), true},
+    {"kinetic_energy", "J", sum.kinetic},
+    {"internal_energy", "J", sum.internal()},
+    {"stored_energy", "J", sum.stored},
+    {"hourglass_energy", "J", sum.hourglass},
+    {"bulk_viscosity_energy", "J", sum.bulk_viscosity},
+    {"relaxation_energy", "J", sum.relaxation},
+    {"external_work", "J", balance.external_work},
+    {"nodal_internal_work", "J", balance.nodal_internal_work},
+    {"step_change_energy", "J", balance.step_change},
+    {"energy_residual", "J", balance.residual()},
+    {"momentum_x", "N s", momentum[0]},
+    {"momentum_y", "N s", momentum[1]},
+    {"momentum_z", "N s", momentum[2]}};
+  if (surroundings_.has_ground())
+  {
+    values.push_back({"contact_energy", "J", balance.contact});
+    values.push_back({"ground_force", "N", body_.ground_force()});
+  }
+  const std::vector<Tissue> &tissues = body_.mesh().tissues;
+  if (tissues.size() > 1)
+    for (std::size_t i = 0; i < tissues.size(); ++i)
+    {
+      const TissueEnergies &one = balance.tissues[i];
+      values.push_back(
+        {tissue_column("kinetic_energy", tissues[i]), "J", one.kinetic});
+      values.push_back(
+        {tissue_column("internal_energy", tissues[i]), "J", one.internal()});
+      values.push_back(
+        {tissue_column("hourglass_energy", tissues[i]), "J", one.hourglass});
+    }
+  if (injury_.active())
+    for (const NamedValue &value : injury_.history(body_))
+      values.push_back(value);
+  return values;
+}
+
+
+template <typename Real>
+std::vector<NamedValue> SolidSimulation<Real>::probes()
+{
+  if (probes_.empty())
+    return {};
+  if (!probes_.measures())
+    probes_.read(body_);
+  return probes_.values();
+}
+
+
+template <typename Real>
+std::string SolidSimulation<Real>::write_fields(const std::string &folder,
+                                                const unsigned int index)
+{
+  return write_solid(body_, peaks_, folder, index);
+}
+
+
+template <typename Real>
+std::vector<NamedValue> SolidSimulation<Real>::errors()
+{
+  std::vector<NamedValue> values = reference_.errors(body_);
+  for (const NamedValue &value : probes_.errors())
+    values.push_back(value);
+  return values;
+}
+
+
+template <typename Real>
+std::vector<NamedValue> SolidSimulation<Real>::assumptions()
+{
+  const EnergyBalance balance = audit_energy();
+  const double scale = std::max(energy_scale_, 1e-300);
+  std::vector<NamedValue> values{
+    {"energy_residual", "-", balance.residual() / scale},
+    {"nodal_work_difference",
+     "-",
+     (balance.nodal_internal_work + balance.initial - balance.sum.internal()) /
+       scale},
+    {"hourglass_part",
+     "-",
+     balance.sum.hourglass / std::max(balance.sum.internal(), 1e-3 * scale)},
+    {"quiet_elements", "-", body_.quiet_part()},
+    {"stable_step", "s", stable_step_},
+    {"element_step", "s", certificate_.element_step},
+    {"body_step", "s", certificate_.body_step},
+    {"least_volume", "-", body_.least_volume()}};
+  for (const NamedValue &value : probes_.measured())
+    values.push_back(value);
+  for (const NamedValue &value : body_.mass_scaling().report())
+    values.push_back(value);
+  for (const NamedValue &value : body_.loads().audit())
+    values.push_back(value);
+  if (injury_.active())
+    for (const InjuryMeasure &measure : injury_.measures(body_))
+      values.push_back(measure.value);
+  if (peaks_.active())
+    for (const NamedValue &value : peaks_.measures(body_))
+      values.push_back(value);
+  return values;
+}
+
+
+template <typename Real>
+void SolidSimulation<Real>::report_injury(const std::string &folder)
+{
+  if (!injury_.active())
+    return;
+  const auto measures = injury_.measures(body_);
+  for (const InjuryMeasure &measure : measures)
+    log_line("  " + measure.value.name + " = " + brief(measure.value.value) +
+             " " + measure.value.unit + " (" + measure.threshold + ")");
+  if (dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
+    io::write_file(folder + "/injury.csv",
+                   [&](std::ostream &out) { out << to_csv(measures); });
+}
+
+
+template <typename Real>
+void SolidSimulation<Real>::finish(const std::string &folder)
+{
+  report_injury(folder);
+  const EnergyBalance balance = audit_energy();
+  if (energy_scale_ == 0.)
+    return;
+  const double residual = std::abs(balance.residual()) / energy_scale_;
+  log_line("energy: " + brief(balance.sum.kinetic) + " J kinetic, " +
+           brief(balance.sum.internal()) + " J internal, work of loads " +
+           brief(balance.external_work) + " J, missing " +
+           brief(100. * residual, 3) + " %");
+  if (!(residual <= largest_residual_))
+    throw NumericsError(
+      "energy audit: " + brief(100. * residual) +
+      " % of the energy is missing; Energy audit/Largest residual allows " +
+      brief(100. * largest_residual_) + " %");
+  const double part = balance.sum.hourglass /
+                      std::max(balance.sum.internal(), 1e-3 * energy_scale_);
+  if (part > largest_hourglass_)
+    throw NumericsError(
+      "energy audit: hourglass control has " + brief(100. * part) +
+      " % of the internal energy; Energy audit/Largest hourglass part allows " +
+      brief(100. * largest_hourglass_) + " %");
+  if (part > notable_hourglass)
+    log_line("WARNING: hourglass control has " + brief(100. * part) +
+             " % of the internal energy");
+}
+
+
+template <typename Real>
+std::pair<std::uint64_t, std::uint64_t> SolidSimulation<Real>::size() const
+{
+  return {body_.mesh().n_global_cells, 3 * body_.mesh().n_global_nodes};
+}
+
+
+template <typename Real>
+void SolidSimulation<Real>::save(const std::string &folder)
+{
+  body_.save(folder);
+  if (injury_.active())
+    injury_.save(body_, folder);
+  if (peaks_.active())
+    peaks_.save(body_, folder);
+  if (dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
+    io::write_file(folder + "/probes.bin", [&](std::ostream &out) {
+      for (const double value :
+           {energy_scale_, reduction_, deformed_step_, steps_until_check_})
+        out.write(reinterpret_cast<const char *>(&value), sizeof(value));
+      probes_.save(out);
+    });
+}
+
+
+template <typename Real>
+void SolidSimulation<Real>::restore(const std::string &folder)
+{
+  build();
+  body_.restore(folder);
+  if (injury_.active())
+    injury_.restore(body_, folder);
+  if (peaks_.active())
+    peaks_.restore(body_, folder);
+  std::istringstream stream(io::read_file(folder + "/probes.bin"));
+  for (double *value :
+       {&energy_scale_, &reduction_, &deformed_step_, &steps_until_check_})
+    stream.read(reinterpret_cast<char *>(value), sizeof(*value));
+  probes_.load(stream);
+  if (!stream)
+    throw InputError("Checkpoint file " + folder +
+                     "/probes.bin belongs to another scene");
+}
+
+
+template class SolidSimulation<double>;
+template class SolidSimulation<float>;
+} // namespace contrecoup::solid
