@@ -214,7 +214,7 @@ namespace coupling
                              4. * parameters_.distance_spacing,
                              path("distance.vti"));
         if (parameters_.draw)
-          io::draw("plot_anatomy.py", folder_, "pictures", "pictures");
+          io::draw("anatomy", folder_, "pictures", "pictures");
         write_summary(report);
         log_line("results in " + folder_ + " after " + duration(seconds()));
         Log::instance().check();

@@ -95,7 +95,7 @@ io::ApplicationDescription blast_application()
           create_any,
           {},
           coarsen_scene,
-          "plot_run.py",
+          "run",
           files};
 }
 } // namespace contrecoup::coupling

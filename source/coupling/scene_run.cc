@@ -322,7 +322,7 @@ void SceneRun::conclude()
 {
   print_audit(*scene_, command_.output_folder);
   if (scene_->parameters().draws_report)
-    io::draw("report.py", command_.output_folder, "report", "report.html");
+    io::draw("report", command_.output_folder, "report", "report.html");
   log_line("results in " + command_.output_folder);
   Log::instance().check();
 }

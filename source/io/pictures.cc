@@ -22,17 +22,18 @@ namespace io
     }
   } // namespace
 
-  void draw(const std::string &script,
+  void draw(const std::string &picture_command,
             const std::string &folder,
             const std::string &what,
             const std::string &where)
   {
-    const std::string path = std::string(CONTRECOUP_PLOT_FOLDER) + "/" + script;
+    const std::string program =
+      quoted(CONTRECOUP_PLOT_PROGRAM) + " " + picture_command;
     const std::string command =
-      quoted(path) + " " + quoted(folder) + " > /dev/null 2>&1";
+      program + " " + quoted(folder) + " > /dev/null 2>&1";
     log_line(std::system(command.c_str()) == 0
                ? what + " in " + folder + "/" + where
-               : "no " + what + ": \"" + path + "\" failed");
+               : "no " + what + ": " + program + " failed");
   }
 } // namespace io
 } // namespace contrecoup

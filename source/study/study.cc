@@ -349,12 +349,11 @@ void Study::conclude(const StudyResult &result)
 
 void Study::draw() const
 {
-  const std::string script =
-    std::string(CONTRECOUP_PLOT_FOLDER) + "/plot_study.py";
   try
   {
     const io::TemporaryFolder temporary;
-    const ProcessText text = run_process({script, folder_}, temporary.path());
+    const ProcessText text = run_process(
+      {CONTRECOUP_PLOT_PROGRAM, "study", folder_}, temporary.path());
     if (text.end.exit_code != 0 || text.end.signal != 0)
       throw SystemError(text.errors);
   }

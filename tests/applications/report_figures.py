@@ -17,7 +17,7 @@ STAGES = ("anatomy", "blast", "biomechanics")
 KNOWN_DIFFERENCES = os.path.join(
     os.path.dirname(os.path.dirname(os.path.dirname(
         os.path.abspath(__file__)))),
-    "applications", "plot", "known_differences.csv")
+    "applications", "plot", "report", "known_differences.csv")
 
 # Rows of the injury table, by names of injury.csv.
 TITLES = {

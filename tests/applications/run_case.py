@@ -253,16 +253,16 @@ def wedge(case):
 
 def reflection(case):
     """Bounds of 'regular_up_to', the ground range [m] up to which a blast from
-    --height is reflected regularly, see triple_point.py."""
+    --height is reflected regularly, see plot.py triple_point."""
     output = case.straight()
-    script = os.path.join(REPOSITORY, "applications", "plot",
-                          "triple_point.py")
-    run = subprocess.run([script, output, case.options.height],
-                         capture_output=True, text=True)
+    program = os.path.join(REPOSITORY, "applications", "plot", "plot.py")
+    run = subprocess.run(
+        [program, "triple_point", output, case.options.height],
+        capture_output=True, text=True)
     print(run.stdout, run.stderr)
     found = re.search(r"Regular reflection up to .* ([0-9.]+) m", run.stdout)
     if run.returncode != 0 or not found:
-        raise Failed("triple_point.py found no end of regular reflection")
+        raise Failed("plot.py triple_point found no end of regular reflection")
     for bound in case.options.bound:
         check_bound({"regular_up_to": float(found[1])}, bound)
 

@@ -18,8 +18,8 @@ import zlib
 
 import numpy
 
-PLOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..",
-                    "applications", "plot")
+APPLICATIONS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..",
+                            "..", "applications")
 
 # Samples of a large array that a reference keeps.
 N_SAMPLES = 24
@@ -77,8 +77,8 @@ def read_mesh(path):
     with open(path, "rb") as file:
         content = file.read()
     if b"<AppendedData" in content:
-        sys.path.insert(0, PLOT)
-        import vtk_file
+        sys.path.append(APPLICATIONS)
+        from plot.readers import vtk_file
         return vtk_file.read(path)
     found = {}
     for match in re.finditer(rb'<DataArray type="(\w+)"([^>]*)format="binary"'

@@ -295,7 +295,7 @@ class ResultTest(SelfTest):
                    "--bound=regular_up_to < 1.25")
         self.accepts(*options)
         self.rejects("is not < 1.25", *options, flaw="far")
-        self.rejects("triple_point.py", "reflection", "--set=Writes=stem",
+        self.rejects("plot.py triple_point", "reflection", "--set=Writes=stem",
                      "--height=1")
 
     def test_arrival(self):

@@ -32,6 +32,9 @@ ROOMS = {"gas": ["octree", "state", "conditions", "explosive", "body", "kernel",
          "ale": ["mesh", "lagrange", "exact", "rezone", "head", "particles",
                  "run"]}
 
+# Those of the Python package applications/plot.
+PLOT_ROOMS = ["readers", "analysis", "figures", "report", "commands"]
+
 LONGEST_HEADER = 250
 LONGEST_SOURCE = 500
 LONGEST_MAIN = 40
@@ -121,6 +124,32 @@ def rooms(root):
                     match[2] not in order[:order.index(room) + 1]):
                 problems.append(f"{path}:{number}: room '{room}' may not "
                                 f"include room '{match[2]}'")
+    return problems
+
+
+def plot_rooms(root):
+    """Rooms of the Python package import only downwards."""
+    package = os.path.join("applications", "plot")
+    problems = []
+    for here, folders, names in os.walk(os.path.join(root, package)):
+        folders[:] = sorted(set(folders) - {"__pycache__"})
+        room = os.path.relpath(here, os.path.join(root, package))
+        if room == ".":
+            continue
+        if room not in PLOT_ROOMS:
+            problems.append(f"{package}/{room}: not a room, known are: "
+                            + ", ".join(PLOT_ROOMS))
+            continue
+        below = PLOT_ROOMS[:PLOT_ROOMS.index(room) + 1]
+        for name in sorted(names):
+            path = os.path.join(package, room, name)
+            if not name.endswith(".py"):
+                continue
+            for number, line in enumerate(lines_of(root, path), 1):
+                match = re.match(r"\s*(?:from|import) plot\b\.?(\w*)", line)
+                if match and match[1] not in below:
+                    problems.append(f"{path}:{number}: room '{room}' may not "
+                                    f"import '{match[1] or 'plot'}'")
     return problems
 
 
@@ -245,8 +274,8 @@ def formatting(root):
 
 
 CHECKS = {check.__name__: check for check in
-          (layers, rooms, lengths, functions, mirror, licence, parameters,
-           formatting)}
+          (layers, rooms, plot_rooms, lengths, functions, mirror, licence,
+           parameters, formatting)}
 
 
 def main(arguments):

@@ -68,8 +68,8 @@ class TreeTest(unittest.TestCase):
             self.assertIn(word, problems[0])
 
     def test_good_tree(self):
-        for name in ("layers", "rooms", "lengths", "functions", "mirror", "licence",
-                     "parameters"):
+        for name in ("layers", "rooms", "plot_rooms", "lengths", "functions",
+                     "mirror", "licence", "parameters"):
             self.assertEqual(check_tree.CHECKS[name](self.root), [], name)
 
     def test_upward_include(self):
@@ -104,6 +104,20 @@ class TreeTest(unittest.TestCase):
     def test_file_outside_rooms(self):
         self.write("source/gas/mesh.cc", GOOD_SOURCE)
         self.expect("rooms", "'None' is not a room of 'gas'")
+
+    def test_upward_import_in_python(self):
+        self.write("applications/plot/figures/style.py",
+                   "import os\nfrom plot.readers import files\n")
+        self.assertEqual(check_tree.plot_rooms(self.root), [])
+        for line in ("from plot.report import page", "import plot.report.page",
+                     "from plot import command_line"):
+            self.write("applications/plot/figures/style.py",
+                       "import os\n" + line + "\n")
+            self.expect("plot_rooms", "style.py:2", "'figures'", "import '")
+
+    def test_unknown_room_in_python(self):
+        self.write("applications/plot/attic/style.py", "import os\n")
+        self.expect("plot_rooms", "plot/attic: not a room")
 
     def test_unknown_layer(self):
         self.write("source/extra/two.cc", GOOD_SOURCE)

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""Damages each file that report.py reads, and shows that it makes a page
-without them or refuses them in one line that names the file, with exit code 1
-and without a page; never with a traceback."""
+"""Damages each file that the report of a scene reads, and shows that it makes a
+page without them or refuses them in one line that names the file, with exit
+code 1 and without a page; never with a traceback."""
 
 import contextlib
 import copy
@@ -22,13 +22,13 @@ import numpy as np
 import tiny_scene
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(
-    os.path.dirname(os.path.abspath(__file__)))), "applications", "plot"))
+    os.path.dirname(os.path.abspath(__file__)))), "applications"))
 
-import look  # noqa: E402 (after the path of the module)
-import report  # noqa: E402
-import report_body  # noqa: E402
-import report_data  # noqa: E402
-import report_page  # noqa: E402
+from plot import command_line  # noqa: E402 (after the path of the package)
+from plot.figures import style  # noqa: E402
+from plot.readers.files import BrokenInput  # noqa: E402
+from plot.readers.scene import Scene  # noqa: E402
+from plot.report import body_sections, page as html_page  # noqa: E402
 
 JSON_FILES = ("scene.json", "blast/summary.json", "biomechanics/summary.json")
 TABLES = {
@@ -41,7 +41,7 @@ TABLES = {
     "biomechanics/probes.csv":
         lambda scene: scene.biomechanics.table("probes.csv"),
     "biomechanics/injury.csv": lambda scene: scene.measures(),
-    "anatomy/quality.csv": lambda scene: report_body.mesh(scene)}
+    "anatomy/quality.csv": lambda scene: body_sections.mesh(scene)}
 PLANE = "blast/fields/plane_y_0_pressure_0001"
 ARRAYS = ("blast/loads.h5", PLANE + ".npy", PLANE + ".json",
           "biomechanics/fields/solid_0001.vtu")
@@ -52,19 +52,19 @@ WRONG = {"words": "x", "number": 7.5, "list": [[]], "object": {"x": []},
 
 
 def draw_nothing(figure, path):
-    """Instead of look.save(): the files are read all the same."""
-    look.plt.close(figure)
+    """Instead of style.save(): the files are read all the same."""
+    style.plt.close(figure)
     if not isinstance(path, str):
         path.write(b"picture")
 
 
 def paint_roughly(figure, _kind):
-    """Instead of report_page.render(): all is painted, in few dots and without a
+    """Instead of page.render(): all is painted, in few dots and without a
     search for the best places."""
     stream = io.BytesIO()
     figure.set_layout_engine("none")
     figure.savefig(stream, format="png", dpi=20)
-    look.plt.close(figure)
+    style.plt.close(figure)
     return stream.getvalue()
 
 
@@ -137,12 +137,12 @@ class DamageTest(unittest.TestCase):
         page = os.path.join(folder, "report.html")
         if os.path.exists(page):
             os.remove(page)
-        with unittest.mock.patch.object(look, "save", draw_nothing), \
-                unittest.mock.patch.object(report_page, "render",
+        with unittest.mock.patch.object(style, "save", draw_nothing), \
+                unittest.mock.patch.object(html_page, "render",
                                            paint_roughly), \
                 contextlib.redirect_stdout(io.StringIO()), \
                 contextlib.redirect_stderr(io.StringIO()) as errors:
-            code = report.main([folder])
+            code = command_line.run("plot.py", ["report", folder])
         words = f"{name}, {what}: {errors.getvalue()}"
         self.assertEqual(os.path.exists(page), code == 0, words)
         if code == 0:
@@ -172,7 +172,7 @@ class DamageTest(unittest.TestCase):
             self.judge(folder, "scene.json", "not damaged", True)
             self.assertTrue(os.path.exists(os.path.join(folder,
                                                         "report.html")))
-        scene = report_data.Scene(self.whole)
+        scene = Scene(self.whole)
         self.assertTrue(scene.loads() and scene.pressure_planes())
         self.assertEqual(len(scene.field_list()), 3)
 
@@ -262,9 +262,9 @@ class DamageTest(unittest.TestCase):
             whole = file.read()
         try:
             put(path, content)
-            scene = report_data.Scene(self.whole)
+            scene = Scene(self.whole)
             with self.subTest(file=name, damage=what), self.assertRaisesRegex(
-                    report_data.BrokenInput,
+                    BrokenInput,
                     re.escape(os.path.splitext(path)[0])) as refusal:
                 read(scene)
             self.assertNotIn("\n", str(getattr(refusal, "exception", "")))

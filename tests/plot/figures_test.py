@@ -16,11 +16,11 @@ import tiny_scene
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path += [os.path.join(HERE, "..", "applications"),
-             os.path.join(HERE, "..", "..", "applications", "plot")]
+             os.path.join(HERE, "..", "..", "applications")]
 
-import report  # noqa: E402 (after the paths of the modules)
-import report_figures  # noqa: E402
+import report_figures  # noqa: E402 (after the paths of the modules)
 import report_reader  # noqa: E402
+from plot import command_line  # noqa: E402
 
 CHECKS = (report_figures.check_facts, report_figures.check_injury,
           report_figures.check_headline, report_figures.check_gauges,
@@ -46,7 +46,7 @@ class FiguresTest(unittest.TestCase):
         tiny_scene.write(os.path.join(cls.home.name, "anatomy",
                                       "summary.json"), "{}")
         with contextlib.redirect_stdout(io.StringIO()):
-            report.main([cls.home.name])
+            command_line.run("plot.py", ["report", cls.home.name])
         cls.files = report_figures.Files(cls.home.name)
         with open(os.path.join(cls.home.name, "report.html"),
                   encoding="utf-8") as file:

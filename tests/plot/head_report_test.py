@@ -21,13 +21,13 @@ import damage_test
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path += [os.path.join(HERE, "..", "applications"),
-             os.path.join(HERE, "..", "..", "applications", "plot")]
+             os.path.join(HERE, "..", "..", "applications")]
 
 import head_figures  # noqa: E402 (after the paths of the modules)
-import head_run  # noqa: E402
-import plot_head  # noqa: E402
-import report_page  # noqa: E402
 import report_reader  # noqa: E402
+from plot import command_line  # noqa: E402
+from plot.readers import cuts, head_run  # noqa: E402
+from plot.report import page as html_page  # noqa: E402
 
 OUTPUT = None
 # Columns of tables whose figures are all checked, by section.
@@ -42,14 +42,14 @@ UNCHECKED = "largest mean over"
 
 
 class Made:
-    """What plot_head.py made of a folder, with figures painted roughly."""
+    """What plot.py head made of a folder, with figures painted roughly."""
 
     def __init__(self, folder):
         with contextlib.redirect_stdout(io.StringIO()), \
                 contextlib.redirect_stderr(io.StringIO()) as errors, \
-                unittest.mock.patch.object(report_page, "render",
+                unittest.mock.patch.object(html_page, "render",
                                            damage_test.paint_roughly):
-            self.code = plot_head.main([folder])
+            self.code = command_line.run("plot.py", ["head", folder])
         self.errors = errors.getvalue()
 
 
@@ -124,7 +124,7 @@ class DamageTest(unittest.TestCase):
     def refuses(self, name):
         made = Made(self.folder)
         self.assertEqual(made.code, 1)
-        self.assertRegex(made.errors, rf"^plot_head.py: .*{name}: .*\n$")
+        self.assertRegex(made.errors, rf"^plot.py head: .*{name}: .*\n$")
         self.assertFalse(os.path.exists(self.path("report.html")))
 
     def test_cut_files(self):
@@ -174,7 +174,7 @@ class CutTest(unittest.TestCase):
     def test_cube(self):
         for axis, shown in ((0, (1, 2)), (1, (0, 2)), (2, (0, 1))):
             for place in (0., 0.3, 0.999):
-                polygons, owners = head_run.cut_hexahedra(
+                polygons, owners = cuts.cut_hexahedra(
                     np.stack([self.CUBE + 2., self.CUBE]), axis, place, shown)
                 self.assertAlmostEqual(self.area(polygons), 1.)
                 self.assertEqual(set(owners), {1})
@@ -184,7 +184,7 @@ class CutTest(unittest.TestCase):
         up = np.ones(3) / np.sqrt(3.)
         right = np.array([1., -1., 0.]) / np.sqrt(2.)
         turn = np.stack([right, np.cross(up, right), up])
-        polygons, _ = head_run.cut_hexahedra(
+        polygons, _ = cuts.cut_hexahedra(
             ((self.CUBE - 0.5) @ turn.T)[None], 2, 0., (0, 1))
         self.assertAlmostEqual(self.area(polygons), 0.75 * np.sqrt(3.))
 
@@ -197,7 +197,7 @@ class CutTest(unittest.TestCase):
         points = run.arrays(run.fields()[0][1])["points"]
         for axis, shown, part in ((0, (1, 2), 0.5), (1, (0, 2), 0.5),
                                   (2, (0, 1), 0.25)):
-            polygons, _ = head_run.cut_hexahedra(points, axis, 0.0123, shown)
+            polygons, _ = cuts.cut_hexahedra(points, axis, 0.0123, shown)
             circle = part * np.pi * (0.091**2 - 0.0123**2)
             self.assertLess(self.area(polygons), circle)
             self.assertGreater(self.area(polygons), 0.97 * circle)
@@ -206,12 +206,12 @@ class CutTest(unittest.TestCase):
         """The middle of a wedge is its section."""
         wedge = self.CUBE * (1., 0.06, 1.)
         wedge[:, 1] = (wedge[:, 1] - 0.03) * (0.01 + wedge[:, 0])
-        polygons, _ = head_run.cut_hexahedra(wedge[None], 1, 0., (0, 2))
+        polygons, _ = cuts.cut_hexahedra(wedge[None], 1, 0., (0, 2))
         self.assertAlmostEqual(self.area(polygons), 1.)
 
     def test_beside(self):
-        polygons, owners = head_run.cut_hexahedra(self.CUBE[None], 0, 1.5,
-                                                  (1, 2))
+        polygons, owners = cuts.cut_hexahedra(self.CUBE[None], 0, 1.5,
+                                              (1, 2))
         self.assertEqual((len(polygons), len(owners)), (0, 0))
 
 

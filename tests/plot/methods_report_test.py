@@ -16,11 +16,11 @@ import unittest
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path += [os.path.join(HERE, "..", "applications"),
-             os.path.join(HERE, "..", "..", "applications", "plot")]
+             os.path.join(HERE, "..", "..", "applications")]
 
-import head_run  # noqa: E402 (after the paths of the modules)
-import plot_methods  # noqa: E402
-import report_methods  # noqa: E402
+from plot import command_line  # noqa: E402 (after the paths of the modules)
+from plot.readers.head_run import HeadRun  # noqa: E402
+from plot.report import methods_report  # noqa: E402
 
 OUTPUT = None
 FACTOR = 1.2
@@ -54,15 +54,15 @@ class MethodsTest(unittest.TestCase):
     def run_script(self, *arguments):
         with contextlib.redirect_stdout(io.StringIO()) as told, \
                 contextlib.redirect_stderr(io.StringIO()) as errors:
-            code = plot_methods.main(list(arguments))
+            code = command_line.run("plot.py", ["methods", *arguments])
         return code, told.getvalue(), errors.getvalue()
 
     def test_differences_are_those_of_the_tables(self):
-        pair = report_methods.Pair(head_run.HeadRun(OUTPUT),
-                                   head_run.HeadRun(self.other))
+        pair = methods_report.Pair(HeadRun(OUTPUT),
+                                   HeadRun(self.other))
         self.assertEqual(pair.names, ["MPM 1", "MPM 2"])
         seen = 0
-        for name, unit, values in report_methods.quantities(pair):
+        for name, unit, values in methods_report.quantities(pair):
             if values[0] and (unit == "Pa" or name.startswith("largest contact "
                                                               "force")):
                 self.assertAlmostEqual(values[1] / values[0], FACTOR, 9, name)

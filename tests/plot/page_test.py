@@ -14,9 +14,9 @@ import page_checks
 import tiny_scene
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(
-    os.path.dirname(os.path.abspath(__file__)))), "applications", "plot"))
+    os.path.dirname(os.path.abspath(__file__)))), "applications"))
 
-import report  # noqa: E402 (after the path of the module)
+from plot import command_line  # noqa: E402 (after the path of the package)
 
 DOT = ("data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAA"
        "CklEQVR4nGNgAAAAAgABSK+kcQAAAABJRU5ErkJggg==")
@@ -77,7 +77,7 @@ class PageTest(unittest.TestCase):
     def test_report(self):
         scene = os.path.join(self.folder, "scene")
         tiny_scene.write_all(scene)
-        self.assertEqual(report.main([scene]), 0)
+        self.assertEqual(command_line.run("plot.py", ["report", scene]), 0)
         self.assertEqual(page_checks.find_faults(
             self.window, os.path.join(scene, "report.html"), self.folder), [])
 

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""The charge of the paper by ALE and by blast, as compare_radial.py tables it:
+"""The charge of the paper by ALE and by blast, as plot.py compare_radial tables it:
 radial_test.py ALE_AT_REST ALE_EACH_MICROSECOND ALE_SMOOTHED BLAST, each a folder
 of runs with the folders that are named below. Widths, peaks and impulses have what
 was found and a tenth more, peaks and impulses as differences from shells of
@@ -21,10 +21,10 @@ import unittest
 import numpy as np
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path.append(os.path.join(HERE, "..", "..", "applications", "plot"))
+sys.path.append(os.path.join(HERE, "..", "..", "applications"))
 
-import compare_radial  # noqa: E402 (after the paths of the modules)
-import radial  # noqa: E402
+from plot import command_line  # noqa: E402 (after the path of the package)
+from plot.readers import radial  # noqa: E402
 
 PEAK, IMPULSE = 7.709, 79.70  # MPa, Pa s
 CONSTANT = 1e-10
@@ -52,7 +52,7 @@ def tables(*arguments):
     """Exit code, tables (rows of words by the first one) and errors."""
     with contextlib.redirect_stdout(io.StringIO()) as out, \
             contextlib.redirect_stderr(io.StringIO()) as errors:
-        code = compare_radial.main(list(arguments))
+        code = command_line.run("plot.py", ["compare_radial", *arguments])
     found = []
     for block in out.getvalue().split("\n\n"):
         rows = [[word.strip() for word in line.strip("|").split("|")]

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""Shows that report.py makes a page of a tiny scene that needs nothing besides
+"""Shows that plot.py report makes a page of a tiny scene that needs nothing besides
 itself and says what the files say, that it lives with missing files and refuses
 broken ones in one line."""
 
@@ -23,29 +23,28 @@ import damage_test
 import tiny_scene
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(
-    os.path.dirname(os.path.abspath(__file__)))), "applications", "plot"))
+    os.path.dirname(os.path.abspath(__file__)))), "applications"))
 
-import loads  # noqa: E402 (after the path of the module)
-import look  # noqa: E402
-import planes  # noqa: E402
-import report  # noqa: E402
-import report_data  # noqa: E402
-import report_page  # noqa: E402
-import report_signals  # noqa: E402
+from plot import command_line  # noqa: E402 (after the path of the package)
+from plot.analysis import signals  # noqa: E402
+from plot.figures import (body_loads, body_views, plane_cuts,  # noqa: E402
+                          style)
+from plot.readers.scene import Scene  # noqa: E402
+from plot.report import page as html_page  # noqa: E402
 
 
 class Made:
-    """What a call of report.py on a folder gave."""
+    """What a call of plot.py report on a folder gave."""
 
     def __init__(self, folder, paints=False):
         """Where words alone are looked at, figures are painted roughly."""
-        save, render = (look.save, report_page.render) if paints else (
+        save, render = (style.save, html_page.render) if paints else (
             damage_test.draw_nothing, damage_test.paint_roughly)
         with contextlib.redirect_stdout(io.StringIO()), \
                 contextlib.redirect_stderr(io.StringIO()) as errors, \
-                unittest.mock.patch.object(look, "save", save), \
-                unittest.mock.patch.object(report_page, "render", render):
-            self.code = report.main([folder])
+                unittest.mock.patch.object(style, "save", save), \
+                unittest.mock.patch.object(html_page, "render", render):
+            self.code = command_line.run("plot.py", ["report", folder])
         self.errors = errors.getvalue()
         path = os.path.join(folder, "report.html")
         self.page = None
@@ -149,16 +148,17 @@ class ReportTest(unittest.TestCase):
 
     def test_one_scale(self):
         """Pictures of several times have one colour scale."""
-        scene = report_data.Scene(self.whole)
+        scene = Scene(self.whole)
         figures = []
         with unittest.mock.patch.object(
-                look, "save", lambda figure, _: figures.append(figure)):
+                style, "save", lambda figure, _: figures.append(figure)):
+            views = body_views.views_of(scene.loads(), scene.blast.folder)
             cuts = scene.pressure_planes()["plane_y_0_pressure"]
-            planes.draw_planes(cuts, None, one_scale=True)
-            planes.draw_planes(cuts, None)
-            loads.draw_times(scene.loads(), scene.views(), None,
-                             one_scale=True)
-            loads.draw_times(scene.loads(), scene.views(), None)
+            plane_cuts.draw_planes(cuts, None, one_scale=True)
+            plane_cuts.draw_planes(cuts, None)
+            body_loads.draw_times(scene.loads(), views, None,
+                                  one_scale=True)
+            body_loads.draw_times(scene.loads(), views, None)
         limits = []
         for figure in figures[:2]:
             shown = [image.norm for axis in figure.axes
@@ -168,12 +168,12 @@ class ReportTest(unittest.TestCase):
             bars = [axis.get_ylim() for axis in figure.axes
                     for bar in axis.child_axes for axis in [bar]]
             limits.append(set(bars))
-            self.assertEqual(len(bars), loads.MOST_TIMES)
+            self.assertEqual(len(bars), body_loads.MOST_TIMES)
         self.assertEqual([len(found) for found in limits[::2]], [1, 1])
         self.assertEqual([len(found) for found in limits[1::2]],
-                         [2, loads.MOST_TIMES])
+                         [2, body_loads.MOST_TIMES])
         for figure in figures:
-            look.plt.close(figure)
+            style.plt.close(figure)
 
     def test_numbers(self):
         self.expect(
@@ -189,7 +189,7 @@ class ReportTest(unittest.TestCase):
         """What blast found is shown, with the digits that it has had."""
         front, back = (tiny_scene.HARM[name][1] for name in ("chest", "back"))
         self.expect(self.text, "10.8 m/s in front",
-                    f"{report_page.number(0.5 * (front + back))} m/s as the",
+                    f"{html_page.number(0.5 * (front + back))} m/s as the",
                     "0.26 of what half", "a probability of 79 %", "0.788",
                     "peak 175 kPa", "0.264")
 
@@ -217,15 +217,15 @@ class ReportTest(unittest.TestCase):
         """A wave whose turning points and phases are known."""
         time = np.linspace(0., 4., 4001)
         values = np.where(time > 1., np.cos(np.pi * (time - 1.)), 0.)
-        tops, dips = report_signals.extrema(time, values, 0.5)
+        tops, dips = signals.extrema(time, values, 0.5)
         self.assertEqual([round(x, 2) for x, _ in tops + dips],
                          [1., 3., 2.])
-        phase = report_signals.positive_phase(time, values)
+        phase = signals.positive_phase(time, values)
         begin, end, impulse = phase
-        self.assertFalse(report_signals.is_cut(time, values, phase))
+        self.assertFalse(signals.is_cut(time, values, phase))
         time, values = time[:1400], values[:1400]
-        self.assertTrue(report_signals.is_cut(
-            time, values, report_signals.positive_phase(time, values)))
+        self.assertTrue(signals.is_cut(
+            time, values, signals.positive_phase(time, values)))
         self.assertAlmostEqual(begin, 1., delta=2e-3)
         self.assertAlmostEqual(end, 1.5, delta=2e-3)
         self.assertAlmostEqual(impulse, 1. / np.pi, delta=2e-3)

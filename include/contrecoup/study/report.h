@@ -15,7 +15,7 @@ std::string to_csv(const StudyParameters &parameters,
 std::string to_markdown(const StudyParameters &parameters,
                         const StudyResult &result);
 
-/// All of it for plot_study.py.
+/// All of it for plot.py study.
 std::string to_json(const StudyParameters &parameters,
                     const StudyResult &result);
 

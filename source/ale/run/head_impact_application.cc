@@ -128,7 +128,7 @@ io::ApplicationDescription head_impact_application()
           create,
           {"Scheme/Largest number of retries"},
           coarsen,
-          "plot_head.py",
+          "head",
           files};
 }
 } // namespace contrecoup::ale

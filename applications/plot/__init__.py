@@ -1,0 +1,11 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""Pictures and reports of what runs left in their output folders. A room
+imports only itself and the rooms above it in this list:
+
+    readers     files of runs as objects; no pictures
+    analysis    what histories and fields say: arrivals, peaks, paths
+    figures     one module for each kind of picture
+    report      sections and pages in HTML
+    commands    one module for each command of plot.py
+"""

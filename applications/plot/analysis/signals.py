@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""What histories say: arrivals, phases, peaks."""
+
+import numpy as np
+
+ARRIVED = 0.05  # of the largest absolute value
+
+
+def arrival(time, values, part=ARRIVED):
+    """When a history first reaches a part of its largest absolute value; None
+    for one that is zero throughout."""
+    size = np.abs(values)
+    if not size.max() > 0.:
+        return None
+    return float(time[np.argmax(size >= part * size.max())])
+
+
+def positive_phase(time, values):
+    """When the first positive phase begins and ends, and its impulse: until
+    the overpressure is first back at zero."""
+    begin = arrival(time, np.maximum(values, 0.))
+    if begin is None:
+        return None
+    first = int(np.searchsorted(time, begin))
+    after = np.flatnonzero(values[first:] <= 0.)
+    last = first + int(after[0]) if after.size else len(time) - 1
+    start = max(first - 1, 0)
+    while start > 0 and values[start] > 0.:
+        start -= 1
+    part = slice(start, last + 1)
+    impulse = float(np.trapz(np.maximum(values[part], 0.), time[part]))
+    return begin, float(time[last]), impulse
+
+
+def is_cut(time, values, phase):
+    """Whether the end of the run cuts off a positive_phase()."""
+    return phase[1] >= time[-1] and values[-1] > 0.
+
+
+def rise_time(time, values):
+    """From a tenth to nine tenths of the first peak that has half of the
+    largest value at least [s]."""
+    top = values.max()
+    first = int(np.argmax(values >= 0.5 * top))
+    while first + 1 < len(values) and values[first + 1] > values[first]:
+        first += 1
+    before = values[:first + 1]
+    low = int(np.argmax(before >= 0.1 * values[first]))
+    high = int(np.argmax(before >= 0.9 * values[first]))
+    return float(time[high] - time[low])
+
+
+def extrema(time, values, smallest):
+    """Turning points that stand out by @p smallest, as (time, value) in two
+    lists: tops and dips."""
+    tops, dips = [], []
+    high = low = 0
+    rising = None
+    for i in range(1, len(values)):
+        if values[i] > values[high]:
+            high = i
+        if values[i] < values[low]:
+            low = i
+        if rising is not False and values[high] - values[i] > smallest:
+            if rising:
+                tops.append((float(time[high]), float(values[high])))
+            rising, low = False, i
+        elif rising is not True and values[i] - values[low] > smallest:
+            if rising is False:
+                dips.append((float(time[low]), float(values[low])))
+            rising, high = True, i
+    return tops, dips
+
+
+def smooth(time, values, span):
+    """Running mean over @p span [s]."""
+    step = float(np.median(np.diff(time)))
+    count = max(1, int(round(span / step)))
+    kernel = np.ones(count) / count
+    padded = np.pad(values, (count // 2, count - 1 - count // 2), mode="edge")
+    return np.convolve(padded, kernel, mode="valid")
+
+
+def find_peaks(time, over):
+    """Indices of the first peak and of the second one: the top of the largest
+    rise after the first peak, if that is a tenth of the peak at least."""
+    if np.max(over) <= 0.:
+        return None, None
+    # The first peak ends where a fifth of it is lost again.
+    first = 0
+    for i in range(1, len(over)):
+        if over[i] > over[first]:
+            first = i
+        elif over[i] < 0.8 * over[first] and over[first] > 0.3 * np.max(over):
+            break
+    later = over[first:]
+    rise = later - np.minimum.accumulate(later)
+    second = first + int(np.argmax(rise))
+    if np.max(rise) < 0.1 * over[first] or second == first:
+        return first, None
+    return first, second

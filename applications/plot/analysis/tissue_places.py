@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""Names of the places in the tissue where biomechanics took histories."""
+
+import numpy as np
+
+from plot.readers import files
+
+SOFT, SKIN, SKELETON, BRAIN, CORD, FLUID, LUNG, HEART, LIVER = range(1, 10)
+NAMES = {SOFT: "soft tissue", SKIN: "skin", SKELETON: "skeleton",
+         BRAIN: "brain", CORD: "spinal cord", FLUID: "cerebrospinal fluid",
+         LUNG: "lung", HEART: "heart", LIVER: "liver", 10: "water",
+         11: "gelatin", 12: "polycarbonate"}
+NEAR = 0.07  # m, from a named place of the skin
+# What scene calls places, what a report calls them, and their tissue.
+GIVEN = {"coup": ("brain, coup", BRAIN),
+         "contrecoup": ("brain, contrecoup", BRAIN),
+         "brain": ("brain, inside", BRAIN), "skull": ("skull", SKELETON),
+         "lung left": ("left lung", LUNG), "lung right": ("right lung", LUNG),
+         "spinal cord": ("spinal cord", CORD)}
+
+
+class Place:
+    """One probe in the body."""
+
+    def __init__(self, number, point, tissue):
+        self.column = f"probe_{number}_"
+        self.point, self.tissue = point, tissue
+        self.name = NAMES.get(tissue, "body")
+        self.remark = ""  # on what is there instead
+
+    def title(self):
+        """The name, and what the mesh has there if it is something else."""
+        return self.name + self.remark
+
+
+def find_places(scene):
+    """The probes of biomechanics with names: those of scene.json; else the
+    brain's nearest to the charge is "coup", its farthest "contrecoup"."""
+    points = files.points_of(
+        scene.biomechanics.parameters.get("Probes/Points"))
+    if not len(points):
+        return []
+    given = [str(place.get("name"))
+             for place in scene.list_of("tissue_places")]
+    tissues = _tissues(scene, points)
+    if len(given) == len(points):
+        return [_given_place(*known) for known in
+                zip(range(1, len(points) + 1), points, given, tissues)]
+    places = [Place(number, point, tissue) for number, (point, tissue)
+              in enumerate(zip(points, tissues), 1)]
+    _name_brain(scene, places)
+    known = scene.loads().places() if scene.loads() else {}
+    for place in places:
+        if place.tissue == LUNG:
+            place.name = ("left" if place.point[1] > 0. else "right") + " lung"
+        elif place.tissue in (SOFT, SKIN, SKELETON):
+            _name_by_skin(place, known)
+    _number_doubles(places)
+    return places
+
+
+def _given_place(number, point, name, found):
+    """@p found is the tissue of the element there: organs that are thinner
+    than an element may have none."""
+    title, tissue = GIVEN.get(name, (name, 0))
+    place = Place(number, point, tissue)
+    place.name = title
+    if 0 not in (found, tissue) and found != tissue:
+        place.remark = f" (an element of {NAMES.get(found, 'other tissue')})"
+    return place
+
+
+def _tissues(scene, points):
+    """Tissue of the element with the nearest middle to each point."""
+    best = np.full(len(points), np.inf)
+    tissues = np.zeros(len(points), dtype=int)
+    fields = scene.field_list()
+    if not fields:
+        return tissues
+    for piece in fields[0][1]:
+        mesh = scene.field([piece])[0]
+        cells = mesh["connectivity"].reshape(-1, 8)
+        # Elements are nearly cubes: two opposite corners give the middle.
+        middles = 0.5 * (mesh["points"][cells[:, 0]]
+                         + mesh["points"][cells[:, 6]])
+        for i, point in enumerate(points):
+            square = np.sum((middles - point) ** 2, axis=1)
+            nearest = int(np.argmin(square))
+            if square[nearest] < best[i]:
+                best[i] = square[nearest]
+                tissues[i] = mesh["tissue"][nearest]
+    return tissues
+
+
+def _name_brain(scene, places):
+    brain = [place for place in places if place.tissue == BRAIN]
+    charge = scene.charge_place()
+    if len(brain) < 2 or charge is None:
+        return
+    middle = np.mean([place.point for place in brain], axis=0)
+    way = charge - middle
+    way[2] = 0.
+    brain.sort(key=lambda place: -np.dot(place.point - middle, way))
+    for place in brain:
+        place.name = "brain, inside"
+    brain[0].name = "brain, coup"
+    brain[-1].name = "brain, contrecoup"
+
+
+def _name_by_skin(place, known):
+    """Soft tissue at the chest, skull at the forehead."""
+    if not known:
+        return
+    name = min(known, key=lambda key: np.linalg.norm(known[key]
+                                                     - place.point))
+    if np.linalg.norm(known[name] - place.point) < NEAR:
+        place.name = f"{NAMES[place.tissue]} at the {name}"
+
+
+def _number_doubles(places):
+    names = [place.name for place in places]
+    for name in set(names):
+        same = [place for place in places if place.name == name]
+        if len(same) > 1:
+            for number, place in enumerate(same, 1):
+                place.name = f"{name} {number}"
+
+
+def named(places, end):
+    """The place whose name ends like this, or None."""
+    for place in places:
+        if place.name.endswith(end):
+            return place
+    return None

@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""Calls commands by their names. A command is a module of plot.commands: its
+docstring is the help text, the parameters of its main() are the arguments."""
+
+import importlib
+import inspect
+import os
+import pkgutil
+import sys
+
+from plot import commands
+from plot.figures import style
+from plot.readers.files import BrokenInput
+
+HELP = ("--help", "-h")
+
+
+def names():
+    """All commands."""
+    return sorted(module.name for module in
+                  pkgutil.iter_modules(commands.__path__))
+
+
+def load(name):
+    return importlib.import_module(f"plot.commands.{name}")
+
+
+def usage(main):
+    """The arguments of a command: FOLDER, [FOLDER] or [FOLDERS...]."""
+    words = []
+    for parameter in inspect.signature(main).parameters.values():
+        word = parameter.name.upper()
+        if parameter.kind is parameter.VAR_POSITIONAL:
+            word = f"[{word}...]"
+        elif parameter.default is not parameter.empty:
+            word = f"[{word}]"
+        words.append(word)
+    return " ".join(words)
+
+
+def values_of(main, arguments):
+    """The arguments, those that main() annotates with float as numbers. Raises
+    TypeError if there are too few or too many, BrokenInput for no number."""
+    bound = inspect.signature(main).bind(*arguments)
+    for name, value in bound.arguments.items():
+        if bound.signature.parameters[name].annotation is float:
+            try:
+                bound.arguments[name] = float(value)
+            except ValueError as problem:
+                raise BrokenInput(f"{name.upper()} must be a number, not "
+                                  f"'{value}'") from problem
+    return bound.args
+
+
+def run(script, arguments, documentation=""):
+    """Runs a command; returns the exit code. @p script is the path of plot.py,
+    whose first argument is the command, or of a link to it, which is called
+    like the command, with or without "plot_" before it. @p documentation is the
+    help text on all commands."""
+    program = os.path.basename(script)
+    name = os.path.splitext(program)[0]
+    if name == "plot":
+        if not arguments or arguments[0] in HELP:
+            print(documentation.strip() + "\n\nCommands:\n  "
+                  + "\n  ".join(f"{name} {usage(load(name).main)}"
+                                for name in names()),
+                  file=sys.stdout if arguments else sys.stderr)
+            return 0 if arguments else 1
+        name, *arguments = arguments
+        program += " " + name
+    name = name.removeprefix("plot_")
+    if name not in names():
+        print(f"plot.py: there is no command '{name}'; there are: "
+              + ", ".join(names()), file=sys.stderr)
+        return 1
+    command = load(name)
+    if any(word in HELP for word in arguments):
+        print(command.__doc__.strip())
+        return 0
+    try:
+        values = values_of(command.main, arguments)
+    except TypeError:
+        print(f"usage: {program} {usage(command.main)}", file=sys.stderr)
+        return 1
+    except BrokenInput as problem:
+        print(f"{program}: {problem}", file=sys.stderr)
+        return 1
+    style.set_up()
+    try:
+        command.main(*values)
+    except (BrokenInput, OSError) as problem:
+        print(f"{program}: {problem}", file=sys.stderr)
+        return 1
+    return 0

@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""Draws what a study found: plot.py study OUTPUT_FOLDER
+
+Reads study.json there and writes, as PNG and SVG, pictures/work_precision
+(error against cost and against unknowns) or pictures/stability_map (what
+became of each variant over the plane of two factors).
+"""
+
+import json
+import os
+
+from plot.readers.files import BrokenInput
+from plot.figures import stability_map, style, work_precision
+
+
+def main(output_folder):
+    path = os.path.join(output_folder, "study.json")
+    if not os.path.exists(path):
+        raise BrokenInput(f"{output_folder} has no study.json; is it the "
+                          "output folder of a study?")
+    with open(path, encoding="utf-8") as file:
+        study = json.load(file)
+    pictures = style.pictures_folder(output_folder)
+    if study["mode"] == "stability map":
+        stability_map.draw_stability_map(study, pictures)
+    elif any(row["error"] for row in study["rows"]):
+        work_precision.draw_work_precision(study, pictures)

@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""Pictures of the mesh of a body: from outside, cut by tissue, its quality."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.collections import PolyCollection
+from matplotlib.patches import Patch
+
+from plot.readers import fields
+from plot.figures import style
+
+# By the numbers of tissues: none, soft tissue, skin, skeleton, brain, spinal
+# cord, cerebrospinal fluid, lung, heart, liver, water, gelatin, polycarbonate.
+TISSUE_COLOURS = ["#ffffff", "#e8b9a0", "#c98d70", "#f2ecd9", "#d98cb3",
+                  "#a6458a", "#8ecae6", "#7fb7a4", "#b5362f", "#7d3c2a",
+                  "#5aa9e6", "#f4d58d", "#9aa5b1"]
+# Name of a view, axes to the right and up with signs, and the axis of depth
+# with the sign that points to the eye.
+VIEWS = [("front", (1, 1), (2, 1), (0, 1)),
+         ("left side", (0, -1), (2, 1), (1, 1)),
+         ("back", (1, -1), (2, 1), (0, -1))]
+
+
+def render(mesh, view, pixels=700):
+    """Brightness of the nearest facet in each pixel, and the extent."""
+    _, (right, right_sign), (up, up_sign), (depth, depth_sign) = view
+    corners = mesh["points"][mesh["connectivity"].reshape(-1, 4)]
+    low = mesh["points"].min(axis=0)
+    high = mesh["points"].max(axis=0)
+    height = high[up] - low[up]
+    width = high[right] - low[right]
+    size = max(height, width) / pixels
+    shape = (int(height / size) + 2, int(width / size) + 2)
+    normals = mesh["normal"].reshape(-1, 3)
+    light = np.zeros(3)
+    light[depth], light[up], light[right] = (
+        0.75 * depth_sign, 0.5 * up_sign, -0.43 * right_sign)
+    bright = 0.25 + 0.75 * np.clip(normals @ light, 0., 1.)
+    nearest = np.full(shape, -np.inf)
+    picture = np.full(shape, np.nan)
+    edge = np.linalg.norm(corners[:, 1] - corners[:, 0], axis=1).max()
+    n = int(np.ceil(edge / size)) + 1
+    for s in (np.arange(n) + 0.5) / n:
+        for t in (np.arange(n) + 0.5) / n:
+            points = ((1 - s) * (1 - t) * corners[:, 0]
+                      + s * (1 - t) * corners[:, 1]
+                      + s * t * corners[:, 2] + (1 - s) * t * corners[:, 3])
+            across = (points[:, right] - low[right] if right_sign > 0
+                      else high[right] - points[:, right])
+            column = (across / size).astype(int)
+            row = ((points[:, up] - low[up]) / size).astype(int)
+            away = depth_sign * points[:, depth]
+            order = np.argsort(away, kind="stable")
+            row, column, away = row[order], column[order], away[order]
+            # The last of several facets in one pixel is the nearest.
+            closer = away > nearest[row, column]
+            row, column, away = row[closer], column[closer], away[closer]
+            picture[row, column] = bright[order][closer]
+            nearest[row, column] = away
+    return picture, (0., shape[1] * size, 0., shape[0] * size)
+
+
+def draw_outside(mesh, path):
+    pictures = [render(mesh, view) for view in VIEWS]
+    widths = [extent[1] for _, extent in pictures]
+    height = max(extent[3] for _, extent in pictures)
+    figure, axes = plt.subplots(
+        1, len(VIEWS), gridspec_kw={"width_ratios": widths},
+        figsize=(min(14., 6. * sum(widths) / height + 1.5), 6.5))
+    for axis, view, (picture, extent) in zip(axes, VIEWS, pictures):
+        axis.imshow(picture, cmap="copper", vmin=-0.2, vmax=1.1,
+                    extent=extent, interpolation="nearest")
+        axis.set_title(view[0])
+        axis.set_axis_off()
+    style.save(figure, path)
+
+
+def draw_cut(axis, mesh, normal, place):
+    """Where the plane x_normal = place cuts cells, by tissue."""
+    connectivity = mesh["connectivity"].reshape(-1, 8)
+    ends = mesh["points"][:, normal][connectivity]
+    cut = np.flatnonzero((ends.min(axis=1) <= place)
+                         & (ends.max(axis=1) > place))
+    others = [d for d in range(3) if d != normal]
+    corners = mesh["points"][connectivity[cut]]
+    # The four edges along the normal, around the cell.
+    begin, end = (corners[:, list(side)] for side in fields.EDGES[normal])
+    height = end[:, :, normal] - begin[:, :, normal]
+    part = np.clip((place - begin[:, :, normal])
+                   / np.where(height == 0., 1., height), 0., 1.)[:, :, None]
+    polygons = ((1. - part) * begin + part * end)[:, :, others]
+    tissues = mesh["tissue"][cut]
+    axis.add_collection(PolyCollection(
+        polygons, facecolors=np.array(TISSUE_COLOURS)[tissues],
+        edgecolors="#00000030", linewidths=0.1))
+    axis.set_aspect("equal")
+    axis.autoscale_view()
+    axis.grid(False)
+    axis.set_xlabel(f"{'xyz'[others[0]]} [m]")
+    axis.set_ylabel(f"{'xyz'[others[1]]} [m]")
+    axis.set_title(f"{'xyz'[normal]} = {place:.3f} m")
+    return set(tissues)
+
+
+def draw_cuts(mesh, names, path):
+    low = mesh["points"].min(axis=0)
+    high = mesh["points"].max(axis=0)
+    size = high - low
+    # Just beside the planes of symmetry, where no element has its faces.
+    middle = 0.5 * (low + high) + 1e-4 * size
+    tall = size[2] > 2. * size[1]
+    cuts = [(1, middle[1]), (0, middle[0]), (2, middle[2])]
+    if tall:
+        cuts = [(1, 1e-4), (0, -0.02), (2, low[2] + 0.955 * size[2]),
+                (2, low[2] + 0.72 * size[2])]
+        figure = plt.figure(figsize=(12., 7.5))
+        grid = figure.add_gridspec(2, 4, width_ratios=[1., 1.2, 1.2, 0.5])
+        axes = [figure.add_subplot(grid[:, 0]), figure.add_subplot(grid[:, 1]),
+                figure.add_subplot(grid[0, 2]), figure.add_subplot(grid[1, 2])]
+    else:
+        figure, axes = plt.subplots(1, 4, figsize=(13., 4.5))
+        axes[3].set_axis_off()
+    seen = set()
+    for axis, (normal, place) in zip(axes, cuts):
+        seen |= draw_cut(axis, mesh, normal, place)
+    figure.legend(handles=[Patch(facecolor=TISSUE_COLOURS[number],
+                                 edgecolor=style.GREY, label=names[number])
+                           for number in sorted(seen)],
+                  loc="center right", fontsize=8)
+    style.save(figure, path)
+
+
+def draw_quality(rows, path):
+    rows = [row for row in rows if row["kind"] == "part"]
+    names = [row["name"] for row in rows]
+    columns = [("volume [m^3]", 1e3, "volume [litre]", True),
+               ("smallest scaled Jacobian", 1., "smallest scaled Jacobian",
+                False),
+               ("time step [s]", 1e6, "time step [µs]", True)]
+    figure, axes = plt.subplots(1, 3, sharey=True,
+                                figsize=(11., 0.3 * len(rows) + 1.5))
+    for axis, (key, factor, label, logarithmic), colour in zip(
+            axes, columns, style.COLOURS):
+        values = [factor * float(row[key]) for row in rows]
+        axis.barh(names, values, color=colour)
+        axis.set_xlabel(label)
+        if logarithmic:
+            axis.set_xscale("log")
+        for place, value in enumerate(values):
+            axis.annotate(f" {value:.3g}", (value, place), va="center",
+                          fontsize=8)
+        axis.margins(x=0.25)
+    axes[0].invert_yaxis()
+    style.save(figure, path)

@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""Maps of a whole run: peak overpressure, impulse, arrival and duration of the
+blast in planes and along lines of gauges."""
+
+import glob
+import os
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.colors import LogNorm, Normalize
+from matplotlib.ticker import MaxNLocator
+
+from plot.readers import tables
+from plot.figures import style
+
+QUANTITIES = ("peak_overpressure", "impulse", "arrival", "duration")
+
+
+def take_maps(found):
+    """Moves the maps out of what planes.open_planes() gave: by the common
+    beginning of their names, a dictionary by quantity."""
+    maps = {}
+    for name in list(found):
+        quantity = found[name][0].quantity
+        if quantity in QUANTITIES and name.endswith("_" + quantity):
+            stem = name[:-len(quantity) - 1]
+            maps.setdefault(stem, {})[quantity] = found.pop(name)[0]
+    return maps
+
+
+def draw_maps(maps, path):
+    """A panel for each quantity; grey where the blast has not arrived."""
+    names = [name for name in QUANTITIES if name in maps]
+    first = maps[names[0]]
+    left, right, bottom, top = first.extent()
+    side = 4.6
+    panel = np.clip((side - 1.) * (top - bottom) / (right - left), 1.2, 8.)
+    figure, axes = plt.subplots(2, 2, squeeze=False, sharex=True, sharey=True,
+                                figsize=(2. * side, 2. * (panel + 0.6)))
+    for axis in axes.flat[len(names):]:
+        axis.set_axis_off()
+    arrived = maps["arrival"].values > 0. if "arrival" in maps else None
+    for axis, name in zip(axes.flat, names):
+        _draw_panel(figure, axis, maps[name], arrived)
+    for axis in axes[:, 0]:
+        axis.set_ylabel(style.label(first.axes[1], "m"))
+    for axis in axes[-1, :]:
+        axis.set_xlabel(style.label(first.axes[0], "m"))
+    style.save(figure, path)
+
+
+def _draw_panel(figure, axis, plane, arrived):
+    values = np.array(plane.values)
+    if arrived is not None:
+        values[~arrived] = np.nan
+    axis.set_facecolor("#cccccc")
+    axis.set_title(plane.quantity.replace("_", " "))
+    axis.grid(False)
+    if not np.any(np.isfinite(values)):
+        return
+    # Near the charge, and where the front stood at the end, values are off
+    # the scale that matters elsewhere.
+    low, high = np.nanpercentile(values, [4., 99.])
+    factor, unit = style.scale_unit(plane.unit, np.nanpercentile(values, 90.))
+    low, high = low * factor, high * factor
+    spread = (plane.quantity in ("peak_overpressure", "impulse")
+              and high > 5. * low > 0.)
+    if spread:
+        low = max(low, high / 200.)
+    if not high > low:
+        high = low + 1.
+    image = axis.imshow(values * factor, extent=plane.extent(),
+                        norm=(LogNorm if spread else Normalize)(low, high),
+                        cmap=style.SEQUENTIAL, interpolation="nearest")
+    _draw_contours(axis, plane, values * factor, low, high, spread)
+    bar = figure.colorbar(image, ax=axis, extend="both", pad=0.02,
+                          fraction=0.05)
+    bar.set_label(unit, fontsize=9)
+    if spread:
+        style.label_decades(bar.ax.yaxis)
+    bar.outline.set_visible(False)
+
+
+def _draw_contours(axis, plane, values, low, high, spread):
+    if spread:
+        levels = [m * 10. ** e for e in range(-3, 9) for m in (1., 2., 5.)]
+    else:
+        levels = MaxNLocator(7).tick_values(low, high)
+    levels = [level for level in levels if low < level < high]
+    if not levels or plane.quantity == "duration":
+        return
+    x = np.linspace(plane.lower[0], plane.upper[0], values.shape[1])
+    y = np.linspace(plane.lower[1], plane.upper[1], values.shape[0])
+    lines = axis.contour(x, y, values, levels, colors="white",
+                         linewidths=0.6, alpha=0.8)
+    axis.clabel(lines, fontsize=7, fmt="%g")
+
+
+def draw_gauge_lines(folder, pictures):
+    """A picture for each line of gauges, each quantity over the distance
+    from its beginning."""
+    for path in sorted(glob.glob(os.path.join(folder, "fields",
+                                              "gauges_line_*.csv"))):
+        name = os.path.basename(path)[:-len(".csv")]
+        _draw_gauge_line(tables.Table(path),
+                         os.path.join(pictures, name + ".png"))
+
+
+def _draw_gauge_line(table, path):
+    places = np.stack([table[axis] for axis in "xyz" if axis in table])
+    way = np.linalg.norm(places - places[:, :1], axis=0)
+    arrived = table["arrival"] > 0.
+    figure, axes = plt.subplots(2, 2, sharex=True, figsize=(8., 5.))
+    for axis, name in zip(axes.flat, QUANTITIES):
+        values = np.where(arrived, table[name], np.nan)
+        axis.set_title(name.replace("_", " "))
+        if not np.any(arrived):
+            continue
+        factor, unit = style.scale_unit(table.unit(name),
+                                        np.nanpercentile(values, 90.))
+        axis.plot(way, values * factor)
+        axis.set_ylabel(unit)
+        if name == "peak_overpressure" and np.nanmin(values) > 0.:
+            axis.set_yscale("log")
+    begin = ", ".join(f"{x:g}" for x in places[:, 0])
+    end = ", ".join(f"{x:g}" for x in places[:, -1])
+    for axis in axes[-1, :]:
+        axis.set_xlabel("along the line [m]")
+    figure.suptitle(f"Gauges from ({begin}) to ({end}) m", x=0.01, ha="left")
+    style.save(figure, path)

@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""Pictures of pressure in cuts through a body, with its energies and probes."""
+
+import csv
+import os
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.collections import PolyCollection
+
+from plot.readers import fields, vtk_file
+from plot.figures import style
+
+
+def draw_pressures(panels, head_only, path):
+    """What cut_fields() gave, of the whole body or of its upper 0.3 m."""
+    top = max(shape[:, :, 1].max() for _, shape, _ in panels)
+    bottom = min(shape[:, :, 1].min() for _, shape, _ in panels)
+    low = max(bottom, top - 0.3) if head_only else bottom
+    shown = [values[shape[:, :, 1].min(axis=1) >= low]
+             for _, shape, values in panels]
+    largest = np.percentile(np.abs(np.concatenate(shown)), 99.8)
+    factor, unit = style.scale_unit("Pa", largest)
+    norm = style.about_zero(largest * factor)
+    columns = min(4, len(panels)) if head_only else len(panels)
+    rows = -(-len(panels) // columns)
+    figure, axes = plt.subplots(
+        rows, columns, figsize=(3. * columns, 3.2 * rows) if head_only
+        else (1.6 * columns, 6.), squeeze=False)
+    for axis in axes.flat:
+        axis.set_axis_off()
+    for axis, (time, shape, values) in zip(axes.flat, panels):
+        axis.add_collection(PolyCollection(
+            shape, array=values * factor, cmap=style.DIVERGING, norm=norm,
+            edgecolors="face", linewidths=0.1))
+        axis.set_aspect("equal")
+        axis.autoscale_view()
+        if head_only:
+            axis.set_ylim(low, top + 0.01)
+        axis.set_title(f"{1e3 * time:.2f} ms")
+    figure.colorbar(axes[0, 0].collections[0], ax=axes, shrink=0.7,
+                    label=f"pressure [{unit}]")
+    style.save(figure, path)
+
+
+def draw_energies(folder, path):
+    with open(os.path.join(folder, "history.csv"), newline="",
+              encoding="utf-8") as file:
+        rows = list(csv.reader(file))
+    names = [name.split(" [")[0] for name in rows[0]]
+    table = np.array(rows[1:], dtype=float)
+    time = 1e3 * table[:, names.index("time")]
+    figure, axis = plt.subplots(figsize=(7., 4.))
+    for name in ("external_work", "kinetic_energy", "stored_energy",
+                 "hourglass_energy", "bulk_viscosity_energy",
+                 "relaxation_energy", "energy_residual"):
+        axis.plot(time, table[:, names.index(name)],
+                  label=name.replace("_", " "))
+    axis.set_xlabel("time [ms]")
+    axis.set_ylabel("energy [J]")
+    axis.legend()
+    style.save(figure, path)
+
+
+def draw_probes(folder, time, pressures, references, path):
+    """Pressures by name over time, with measured extremes [kPa] by name."""
+    figure = plt.figure(figsize=(9., 6.))
+    outputs = fields.open_fields(folder)
+    grid = figure.add_gridspec(2, max(1, len(outputs)), height_ratios=[2, 1])
+    axis = figure.add_subplot(grid[0, :])
+    for name, values in pressures.items():
+        line, = axis.plot(1e3 * time, 1e-3 * values, label=name)
+        if name in references:
+            axis.axhline(references[name], color=line.get_color(),
+                         linewidth=0.8, linestyle="--")
+    axis.set_xlabel("time [ms]")
+    axis.set_ylabel("pressure [kPa]")
+    axis.legend(ncol=3)
+    norm = style.about_zero(0.8e-3 * max(np.abs(values).max()
+                                         for values in pressures.values()))
+    for number, (when, pieces) in enumerate(outputs):
+        part = figure.add_subplot(grid[1, number])
+        part.set_axis_off()
+        part.set_title(f"{1e3 * when:.2f} ms")
+        for piece in pieces:
+            mesh = vtk_file.read(piece)
+            shape, found = fields.cut(mesh, 1e-4)
+            part.add_collection(PolyCollection(
+                shape, array=1e-3 * mesh["pressure"][found], norm=norm,
+                cmap=style.DIVERGING, edgecolors="face", linewidths=0.1))
+        part.set_aspect("equal")
+        part.autoscale_view()
+    if outputs:
+        figure.colorbar(part.collections[0], ax=figure.axes[1:],
+                        label="pressure [kPa]", shrink=0.9)
+    style.save(figure, path)

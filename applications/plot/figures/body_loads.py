@@ -1,0 +1,227 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""Pictures of loads on a rigid body, and of their histories at named places."""
+
+import os
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.colors import LogNorm, Normalize
+
+from plot.readers import tables
+from plot.readers.loads import Loads
+from plot.analysis import signals
+from plot.figures import body_views, style
+
+MOST_TIMES = 6
+
+
+def draw(folder, pictures):
+    """All pictures of the loads of a run, if it recorded some."""
+    path = os.path.join(folder, "loads.h5")
+    if not os.path.exists(path):
+        return
+    loads = Loads(path)
+    views = body_views.views_of(loads, folder)
+    if views is not None:
+        draw_times(loads, views, os.path.join(pictures, "body_pressure.png"))
+        draw_measures(loads, views, os.path.join(pictures, "body_maps.png"))
+    gauges = tables.open_table(folder, "load_gauges.csv")
+    if gauges is not None:
+        draw_gauges(gauges, loads, views,
+                    os.path.join(pictures, "body_gauges.png"))
+
+
+def pick_times(loads):
+    """Times from when the front meets the body until it has passed it, denser
+    at the beginning."""
+    arrivals = loads.measure("arrival")
+    arrivals = arrivals[arrivals > 0.]
+    if arrivals.size == 0:
+        return loads.times[-1:]
+    first, last = np.percentile(arrivals, [2., 98.])
+    parts = np.linspace(0.15, 1., MOST_TIMES) ** 1.5
+    times = first + 1.6 * (last - first) * parts
+    return np.unique(np.minimum(times, loads.times[-1]))
+
+
+def draw_times(loads, views, path, one_scale=False):
+    """Overpressure at up to six times, each with its own colour scale or all
+    with one."""
+    times = pick_times(loads)
+    columns = min(3, len(times))
+    rows = -(-len(times) // columns)
+    figure, axes = _panels(views, rows, columns)
+    shown = [loads.overpressure(time) for time in times]
+    # Corners, as between foot and ground, are off the scale that matters.
+    spans = np.array([np.percentile(values, [0.2, 99.5]) for values in shown])
+    if one_scale:
+        spans[:] = spans[:, 0].min(), spans[:, 1].max()
+    for axis, time, values, (low, high) in zip(axes, times, shown, spans):
+        factor, unit = style.scale_unit("Pa", max(-low, high))
+        low, high = low * factor, high * factor
+        norm = style.about_zero(max(-low, high, 1e-9))
+        _draw_body(figure, axis, views, values * factor, norm,
+                   style.DIVERGING, unit, (low, high))
+        time_factor, time_unit = style.scale_unit("s", times[-1])
+        axis.set_title(f"{time * time_factor:.3g} {time_unit}")
+    figure.suptitle("Overpressure on the body", x=0.01, ha="left")
+    style.save(figure, path)
+
+
+def draw_measures(loads, views, path):
+    names = [name for name in ("peak", "impulse", "arrival") if name in loads]
+    figure, axes = _panels(views, 1, len(names))
+    arrived = loads.measure("arrival") > 0.
+    titles = {"peak": "peak overpressure", "impulse": "positive impulse",
+              "arrival": "arrival"}
+    units = {"peak": "Pa", "impulse": "Pa s", "arrival": "s"}
+    for axis, name in zip(axes, names):
+        values = np.where(arrived, loads.measure(name), np.nan)
+        axis.set_title(titles[name])
+        if not np.any(arrived):
+            continue
+        low, high = np.nanpercentile(values, [1., 99.5])
+        factor, unit = style.scale_unit(units[name], high)
+        low, high = low * factor, high * factor
+        is_wide = name != "arrival" and high > 5. * low > 0.
+        norm = (LogNorm if is_wide else Normalize)(
+            low, high if high > low else low + 1.)
+        _draw_body(figure, axis, views, values * factor, norm,
+                   style.SEQUENTIAL, unit, None)
+    style.save(figure, path)
+
+
+def _panels(views, rows, columns):
+    """Axes for pictures of the body from all sides."""
+    width, height = views.extent()
+    side = 4.6
+    figure, axes = plt.subplots(
+        rows, columns, squeeze=False,
+        figsize=(side * columns, (side - 0.9) * rows * height / width
+                 + 0.7 * rows + 0.2))
+    for axis in axes.flat:
+        axis.set_axis_off()
+    return figure, list(axes.flat)
+
+
+def _draw_body(figure, axis, views, values, norm, colours, unit, limits):
+    """The body from all sides, in the colours of values of its facets."""
+    picture = views.paint(values, norm, plt.get_cmap(colours))
+    axis.set_axis_on()
+    axis.set_xticks([])
+    axis.set_yticks([])
+    for spine in axis.spines.values():
+        spine.set_visible(False)
+    axis.grid(False)
+    axis.imshow(picture, extent=(0., views.extent()[0], 0.,
+                                 views.extent()[1]))
+    for name, place in views.labels():
+        axis.annotate(name, (place, 0.), (0, -4), textcoords="offset points",
+                      ha="center", va="top", fontsize=8, color=style.GREY)
+    bar = figure.colorbar(
+        plt.cm.ScalarMappable(norm, colours),
+        cax=axis.inset_axes([1.02, 0.05, 0.025, 0.9]))
+    bar.set_label(unit, fontsize=9)
+    bar.ax.tick_params(labelsize=8)
+    if limits is not None and limits[1] > limits[0]:
+        bar.ax.set_ylim(*limits)
+    if isinstance(norm, LogNorm):
+        style.label_decades(bar.ax.yaxis)
+    bar.outline.set_visible(False)
+
+
+def draw_gauges(gauges, loads, views, path):
+    """A panel for each place; the body with the places beside them."""
+    names = gauges.others("time")
+    if not names or len(gauges["time"]) < 3:
+        return
+    columns = min(len(names), 2 if len(names) < 5 else 3)
+    rows = -(-len(names) // columns)
+    width = 3.1 * columns
+    figure = plt.figure(
+        figsize=(width + 2.6 * (views is not None),
+                 max(1.45 * rows, 3.) + 0.9))
+    part = figure
+    if views is not None:
+        body, part = figure.subfigures(1, 2, width_ratios=[2.6, width])
+        _draw_places(body, loads, views, names)
+    axes = part.subplots(rows, columns, squeeze=False, sharex=True)
+    for axis in axes.flat[len(names):]:
+        axis.set_axis_off()
+    shown = _time_span(gauges, names)
+    time_factor, time_unit = style.scale_unit("s", gauges["time"][-1])
+    for number, (axis, name) in enumerate(zip(axes.flat, names)):
+        _draw_history(axis, gauges, name, style.COLOURS[number % 6])
+        axis.set_title(f"{number + 1}  {name}", fontsize=10)
+        axis.set_xlim(shown[0] * time_factor, shown[1] * time_factor)
+        if number + columns >= len(names):
+            axis.set_xlabel(style.label("time", time_unit))
+            axis.tick_params(labelbottom=True)
+    figure.suptitle("Overpressure at places on the body; first and second "
+                    "peak marked", x=0.01, ha="left")
+    style.save(figure, path)
+
+
+def _time_span(gauges, names):
+    """From shortly before the first arrival to the end."""
+    time = gauges["time"]
+    over = np.abs(np.stack([gauges[name] for name in names]))
+    arrived = np.flatnonzero(over.max(axis=0) > 0.01 * over.max())
+    begin = time[arrived[0]] if arrived.size else time[0]
+    return max(begin - 0.05 * (time[-1] - begin), time[0]), time[-1]
+
+
+def _draw_history(axis, gauges, name, colour):
+    time, over = gauges["time"], gauges[name]
+    factor, unit = style.scale_unit("Pa", np.max(np.abs(over)))
+    time_factor = style.scale_unit("s", time[-1])[0]
+    axis.axhline(0., color=style.GREY, linewidth=0.6)
+    axis.fill_between(time * time_factor, 0., over * factor, color=colour,
+                      alpha=0.15, linewidth=0.)
+    axis.plot(time * time_factor, over * factor, color=colour, linewidth=1.2)
+    for index, marker in zip(signals.find_peaks(time, over), "ov"):
+        if index is None:
+            continue
+        place = (time[index] * time_factor, over[index] * factor)
+        axis.plot(*place, marker=marker, markersize=4, color=colour)
+        is_late = time[index] > 0.7 * time[-1]
+        # The second label stays below the first where peaks are as high.
+        drop = 8 if marker == "v" and over[index] > 0.8 * np.max(over) else -1
+        axis.annotate(f"{place[1]:.3g} at {place[0]:.3g}", place,
+                      (-6 if is_late else 6, -drop),
+                      textcoords="offset points",
+                      fontsize=8, ha="right" if is_late else "left")
+    axis.set_ylabel(unit)
+    axis.margins(y=0.15)
+
+
+def _draw_places(figure, loads, views, names):
+    """Where the places are, seen from in front and from behind."""
+    places = loads.places()
+    known = [name for name in names if name in places]
+    for axis, side in zip(figure.subplots(2, 1), (0, 2)):
+        axis.set_axis_off()
+        width, height = views.side_extent(side)
+        axis.imshow(views.paint_side(side), extent=(0., width, 0., height))
+        axis.set_title(views.names()[side], fontsize=10)
+        spots = {name: views.spot(side, places[name]) for name in known}
+        for is_right in (False, True):
+            names_here = [name for name, spot in spots.items()
+                          if spot is not None
+                          and (spot[0] >= 0.49 * width) == is_right]
+            names_here.sort(key=lambda name: -spots[name][1])
+            level = np.inf
+            for name in names_here:
+                # Numbers stand beside the body, apart from each other.
+                level = min(spots[name][1], level - 0.06 * height)
+                axis.plot(*spots[name], marker="o", markersize=3.5,
+                          color="black", markeredgecolor="white",
+                          markeredgewidth=0.5)
+                axis.annotate(
+                    str(names.index(name) + 1), spots[name],
+                    ((1.15 if is_right else -0.15) * width, level),
+                    fontsize=9, ha="center", va="center",
+                    arrowprops={"arrowstyle": "-", "linewidth": 0.5,
+                                "color": style.GREY})
+        axis.set_xlim(-0.25 * width, 1.25 * width)

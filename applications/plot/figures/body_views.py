@@ -1,0 +1,211 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""A body from four sides whose surface is known by its facets alone: a centre,
+a normal and an area each."""
+
+import functools
+
+import numpy as np
+
+from plot.readers.loads import mirror_planes
+
+# Name of a view, axes to the right and up with signs, and the axis of depth
+# with the sign that points to the eye.
+VIEWS = [("front", (1, 1), (2, 1), (0, 1)), ("left", (0, -1), (2, 1), (1, 1)),
+         ("back", (1, -1), (2, 1), (0, -1)),
+         ("right", (0, 1), (2, 1), (1, -1))]
+GAP = 0.06  # between two views, over the height
+# Pixels in the width of the largest facet, at most: more show its edge alone.
+FINEST = 40.
+
+
+@functools.lru_cache(maxsize=1)
+def views_of(loads, folder):
+    """Those of the body whose loads a run in @p folder recorded; None without
+    any, or in two dimensions."""
+    if loads is None or loads.is_flat or not len(loads.areas):
+        return None
+    return BodyViews(loads.centroids, loads.normals, loads.areas,
+                     mirror_planes(folder, loads.centroids))
+
+
+class BodyViews:
+    """The body from four sides, each with what facets its pixels show."""
+
+    def __init__(self, centroids, normals, areas, planes, pixels=560):
+        facets = np.arange(len(areas))
+        for axis, place in planes:
+            mirrored = centroids.copy(), normals.copy()
+            mirrored[0][:, axis] = 2. * place - centroids[:, axis]
+            mirrored[1][:, axis] *= -1.
+            centroids = np.concatenate([centroids, mirrored[0]])
+            normals = np.concatenate([normals, mirrored[1]])
+            facets = np.concatenate([facets, facets])
+        self.low = centroids.min(axis=0)
+        self.high = centroids.max(axis=0)
+        spacing = _spacings(centroids, areas[facets])
+        self.pixel = max((self.high - self.low)[2] / pixels,
+                         spacing.max() / FINEST)
+        self.sides = [
+            _Side(view, self.low, self.high, self.pixel, centroids, normals,
+                  spacing, facets) for view in VIEWS]
+
+    def names(self):
+        return [view[0] for view in VIEWS]
+
+    def extent(self):
+        """Width and height of the picture of all views [m]."""
+        height = self.side_extent(0)[1]
+        widths = [self.side_extent(side)[0] for side in range(len(VIEWS))]
+        return sum(widths) + (len(widths) - 1) * self._gap(), height
+
+    def side_extent(self, side):
+        rows, columns = self.sides[side].shape
+        return columns * self.pixel, rows * self.pixel
+
+    def labels(self):
+        """Names of the views, and where their middles are [m]."""
+        begin = 0.
+        for side, name in enumerate(self.names()):
+            width = self.side_extent(side)[0]
+            yield name, begin + 0.5 * width
+            begin += width + self._gap()
+
+    def paint(self, values, norm, colours):
+        """Red, green, blue of all views; values by facet."""
+        rows = self.sides[0].shape[0]
+        gap = np.ones((rows, int(self._gap() / self.pixel), 3))
+        parts = []
+        for side in self.sides:
+            parts += [side.paint(values, norm, colours), gap]
+        return np.concatenate(parts[:-1], axis=1)
+
+    def paint_side(self, side):
+        """The body alone, in grey."""
+        return self.sides[side].paint(None, None, None)
+
+    def spot(self, side, point):
+        """Where a point of the surface is in a view [m]; None where it cannot
+        be seen."""
+        return self.sides[side].spot(point)
+
+    def _gap(self):
+        return GAP * (self.high - self.low)[2]
+
+
+def _spacings(centroids, areas):
+    """Distance between facets around each [m]: cells of one size have facets
+    of all sizes up to that of the cell's face."""
+    size = 4. * np.sqrt(np.percentile(areas, 95))
+    block = np.floor((centroids - centroids.min(axis=0)) / size).astype(int)
+    _, number = np.unique(block, axis=0, return_inverse=True)
+    number = number.ravel()
+    largest = np.zeros(number.max() + 1)
+    np.maximum.at(largest, number, areas)
+    return np.sqrt(largest[number]) / 1.1
+
+
+class _Side:
+    """One view: which facets each pixel shows with what weight."""
+
+    def __init__(self, view, low, high, pixel, centroids, normals, spacing,
+                 facets):
+        _, self.right, self.up, self.depth = view
+        self.low, self.high, self.pixel = low, high, pixel
+        margin = np.max(spacing)
+        self.origin = [
+            -margin + (low[axis] if sign > 0 else -high[axis])
+            for axis, sign in (self.right, self.up)]
+        self.shape = tuple(
+            int((high[axis] - low[axis] + 2. * margin) / pixel) + 1
+            for axis in (self.up[0], self.right[0]))
+        towards = self.depth[1] * normals[:, self.depth[0]]
+        seen = towards > 0.
+        self._spread(centroids[seen], normals[seen], spacing[seen],
+                     facets[seen])
+
+    def _project(self, points):
+        """Pixels, as rows and columns, and closeness to the eye [m]."""
+        across = self.right[1] * points[:, self.right[0]] - self.origin[0]
+        above = self.up[1] * points[:, self.up[0]] - self.origin[1]
+        return ((above / self.pixel).astype(int),
+                (across / self.pixel).astype(int),
+                self.depth[1] * points[:, self.depth[0]])
+
+    def _spread(self, centroids, normals, spacing, facets):
+        """Lets every facet be a round patch with a soft edge, in its own
+        plane; of patches one behind the other the nearest shows."""
+        first = np.cross(normals, np.eye(3)[np.abs(normals).argmin(axis=1)])
+        first /= np.linalg.norm(first, axis=1)[:, None]
+        second = np.cross(normals, first)
+        reach = 0.9
+        count = int(np.ceil(2. * reach * spacing.max(initial=0.)
+                            / self.pixel)) + 1
+        steps = np.linspace(-reach, reach, max(count, 3))
+        pixels, closeness, weights, numbers = [], [], [], []
+        for s in steps:
+            for t in steps:
+                if s * s + t * t > reach * reach:
+                    continue
+                points = centroids + spacing[:, None] * (s * first
+                                                         + t * second)
+                row, column, close = self._project(points)
+                inside = ((row >= 0) & (row < self.shape[0]) & (column >= 0)
+                          & (column < self.shape[1]))
+                pixels.append((row * self.shape[1] + column)[inside])
+                closeness.append(close[inside])
+                weights.append(np.full(np.count_nonzero(inside),
+                                       np.exp(-4. * (s * s + t * t))))
+                numbers.append(np.flatnonzero(inside))
+        pixels, closeness, weights, numbers = map(
+            np.concatenate, (pixels, closeness, weights, numbers))
+        nearest = np.full(self.shape[0] * self.shape[1], -np.inf)
+        np.maximum.at(nearest, pixels, closeness)
+        shown = closeness > nearest[pixels] - 1.2 * spacing[numbers]
+        self.pixels, self.weights = pixels[shown], weights[shown]
+        self.facets = facets[numbers[shown]]
+        self.nearest = nearest.reshape(self.shape)
+        self.total = np.bincount(self.pixels, self.weights, nearest.size)
+        self.light = self._shade(normals, numbers[shown])
+
+    def _mean(self, values):
+        """Weighted mean in each pixel of values by patch."""
+        known = np.isfinite(values)
+        sums = np.bincount(self.pixels[known],
+                           (self.weights * values)[known], self.total.size)
+        total = np.bincount(self.pixels[known], self.weights[known],
+                            self.total.size)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            return (sums / total).reshape(self.shape)
+
+    def _shade(self, normals, numbers):
+        """Brightness of a body that is lit from above beside the eye."""
+        lamp = np.zeros(3)
+        lamp[self.depth[0]] = 0.8 * self.depth[1]
+        lamp[self.up[0]] = 0.45 * self.up[1]
+        lamp[self.right[0]] = -0.4 * self.right[1]
+        normal = np.stack([self._mean(normals[numbers, d]) for d in range(3)])
+        with np.errstate(invalid="ignore"):
+            normal /= np.linalg.norm(normal, axis=0)
+        light = np.tensordot(lamp, normal, 1)
+        return 0.62 + 0.38 * np.clip(light, 0., 1.)
+
+    def paint(self, values, norm, colours):
+        """Red, green, blue; grey without values, white beside the body."""
+        picture = np.ones(self.shape + (3,))
+        body = self.total.reshape(self.shape) > 0.
+        grey = np.full(self.shape + (3,), 0.8)
+        if values is not None:
+            mean = self._mean(values[self.facets])
+            known = np.isfinite(mean)
+            grey[known] = colours(norm(mean[known]))[:, :3]
+        picture[body] = (grey * self.light[:, :, None])[body]
+        return picture
+
+    def spot(self, point):
+        row, column, close = (x[0] for x in self._project(point[None, :]))
+        tolerance = 0.02 * (self.high - self.low)[2]
+        if (not (0 <= row < self.shape[0] and 0 <= column < self.shape[1])
+                or close < self.nearest[row, column] - tolerance):
+            return None
+        return (column + 0.5) * self.pixel, (row + 0.5) * self.pixel

@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""Pictures of plane cuts through fields, and of their lowest row of samples."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.colors import PowerNorm
+from matplotlib.ticker import MaxNLocator
+
+from plot.figures import style
+
+MOST_PANELS = 6
+
+
+def _pick(planes):
+    """Evenly spread planes, the first one only if there are few."""
+    if len(planes) > MOST_PANELS:
+        planes = planes[1:]
+    picks = np.unique(np.linspace(0, len(planes) - 1, MOST_PANELS).round())
+    return [planes[int(pick)] for pick in picks]
+
+
+def _background(planes):
+    """The undisturbed pressure: the commonest value at the start."""
+    values = planes[0].values[np.isfinite(planes[0].values)]
+    found, counts = np.unique(values, return_counts=True)
+    if counts.max() > 0.02 * values.size:
+        return float(found[counts.argmax()])
+    return float(np.median(values))
+
+
+def _time(plane, planes):
+    """The time of a plane, in one unit for all planes."""
+    factor, unit = style.scale_unit("s", planes[-1].time)
+    return f"{plane.time * factor:.3g} {unit}"
+
+
+def _name(plane):
+    return "over" * (plane.quantity == "pressure") + plane.quantity
+
+
+def _shown(plane, background):
+    """What is drawn: overpressure for a pressure, else the quantity."""
+    if plane.quantity == "pressure":
+        return plane.values - background
+    return plane.values
+
+
+def largest_overpressure(planes):
+    """[Pa], of those that are drawn."""
+    background = _background(planes)
+    return max(float(np.nanmax(_shown(plane, background)))
+               for plane in _pick(planes))
+
+
+def draw_planes(planes, path, one_scale=False):
+    """The quantity at up to six times, each with its own colour scale or all
+    with one."""
+    background = _background(planes)
+    picked = _pick(planes)
+    shown = [_shown(plane, background) for plane in picked]
+    together = np.concatenate([values[np.isfinite(values)]
+                               for values in shown])
+    columns = 1 if len(picked) < 3 else 3
+    rows = -(-len(picked) // columns)
+    width = planes[0].upper[0] - planes[0].lower[0]
+    height = planes[0].upper[1] - planes[0].lower[1]
+    side = 8. if columns == 1 else 4.4
+    panel = np.clip((side - 1.) * height / width, 1.2, 8.)
+    figure, axes = plt.subplots(
+        rows, columns, squeeze=False, sharex=True, sharey=True,
+        figsize=(side * columns, (panel + 0.6) * rows))
+    for axis in axes.flat[len(picked):]:
+        axis.set_axis_off()
+    for number, (plane, values) in enumerate(zip(picked, shown), 1):
+        axis = axes.flat[number - 1]
+        image = _draw_panel(axis, plane, values, together if one_scale
+                            else values[np.isfinite(values)])
+        # The scale of all stands at the end of each row.
+        if not one_scale or number in (len(picked), -(-number // columns)
+                                       * columns):
+            _draw_bar(figure, axis, plane, image)
+        axis.set_title(_time(plane, picked))
+    for axis in axes[:, 0]:
+        axis.set_ylabel(style.label(planes[0].axes[1], "m"))
+    for axis in axes[-1, :]:
+        axis.set_xlabel(style.label(planes[0].axes[0], "m"))
+    style.save(figure, path)
+
+
+def _draw_panel(axis, plane, values, scaled_by):
+    """Colours reach from the least to the largest of @p scaled_by."""
+    largest = np.max(np.abs(scaled_by))
+    factor, unit = style.scale_unit(plane.unit, largest)
+    low, high = np.min(scaled_by) * factor, np.max(scaled_by) * factor
+    if low == high:
+        high = low + 1.
+    if plane.quantity == "pressure":
+        colours, norm = style.DIVERGING, style.about_zero(max(-low, high))
+    else:
+        colours, norm = style.SEQUENTIAL, PowerNorm(0.5, low, high)
+    image = axis.imshow(values * factor, extent=plane.extent(), norm=norm,
+                        cmap=colours, interpolation="bilinear")
+    axis.set_facecolor(style.BODY)
+    axis.grid(False)
+    return image, unit, (low, high)
+
+
+def _draw_bar(figure, axis, plane, drawn):
+    image, unit, limits = drawn
+    bar = figure.colorbar(image, cax=axis.inset_axes([1.02, 0., 0.03, 1.]))
+    bar.set_label(style.label(_name(plane), unit), fontsize=9)
+    bar.ax.yaxis.set_major_locator(MaxNLocator(5))
+    bar.ax.set_ylim(*limits)
+    bar.outline.set_visible(False)
+
+
+def draw_lines(planes, path):
+    """The quantity along the first axis at the lower edge of the planes,
+    which is the ground in a vertical cut, at up to six times."""
+    background = _background(planes)
+    picked = _pick(planes)
+    largest = max(np.nanmax(np.abs(_shown(plane, background)[0]))
+                  for plane in picked)
+    factor, unit = style.scale_unit(planes[0].unit, largest)
+    figure, axis = plt.subplots(figsize=(7., 3.8))
+    colours = plt.get_cmap("viridis")(np.linspace(0., 0.9, len(picked)))
+    for plane, colour in zip(picked, colours):
+        axis.plot(plane.positions(), _shown(plane, background)[0] * factor,
+                  color=colour, label=_time(plane, picked))
+    first = planes[0]
+    axis.set_title(f"{_name(first)} along the lowest samples, "
+                   f"{first.axes[1]} = {first.lower[1]:.2g} m")
+    axis.set_xlabel(style.label(first.axes[0], "m"))
+    axis.set_ylabel(style.label(_name(first), unit))
+    axis.legend(title="time")
+    style.save(figure, path)

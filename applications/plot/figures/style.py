@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""The style of all pictures: fonts, colours, units."""
+
+import os
+
+import matplotlib
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.colors import FuncNorm
+from matplotlib.ticker import FormatStrFormatter, LogLocator, NullLocator
+
+matplotlib.use("Agg")
+
+# Okabe and Ito (2008): told apart by people with any colour vision.
+COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9",
+           "#000000", "#F0E442"]
+GREY = "#666666"
+BODY = "#8a8a8a"  # where there is no gas
+
+# Both are readable with any colour vision.
+SEQUENTIAL = "magma"
+DIVERGING = "RdBu_r"  # white where nothing happens
+
+_PREFIXES = [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1., ""), (1e-3, "m"),
+             (1e-6, "µ"), (1e-9, "n")]
+_PREFIXED_UNITS = {"s", "Pa", "J", "W", "m", "N", "Pa s"}
+
+
+def set_up():
+    """Fonts, colours and axes of all figures from now on."""
+    plt.rcParams.update({
+        "figure.dpi": 150,
+        "savefig.dpi": 150,
+        "figure.constrained_layout.use": True,
+        "font.family": "DejaVu Sans",
+        "font.size": 10,
+        "axes.titlesize": 11,
+        "axes.titlelocation": "left",
+        "axes.titleweight": "bold",
+        "axes.spines.top": False,
+        "axes.spines.right": False,
+        "axes.grid": True,
+        "axes.axisbelow": True,
+        "axes.prop_cycle": matplotlib.cycler(color=COLOURS),
+        "grid.color": "#dddddd",
+        "grid.linewidth": 0.6,
+        "lines.linewidth": 1.5,
+        "legend.frameon": False,
+        "legend.fontsize": 9,
+        "image.origin": "lower",
+    })
+
+
+def scale_unit(unit, largest):
+    """Factor and unit in which numbers up to @p largest are easy to read:
+    (1e-3, "kPa") for pascals of 1e5."""
+    if unit == "-":
+        return 1., ""
+    if unit not in _PREFIXED_UNITS or not largest > 0.:
+        return 1., unit
+    for size, prefix in _PREFIXES:
+        if largest >= size:
+            return 1. / size, prefix + unit
+    return 1., unit
+
+
+def label(name, unit):
+    """An axis label: name and unit."""
+    name = name.replace("_", " ")
+    unit = unit.replace("^2", "²").replace("^3", "³")
+    return f"{name} [{unit}]" if unit else name
+
+
+def about_zero(largest):
+    """Square roots to both sides of zero, so that weak waves show as well."""
+    return FuncNorm((lambda x: np.sign(x) * np.sqrt(np.abs(x)),
+                     lambda x: np.sign(x) * x * x), -largest, largest)
+
+
+def label_decades(axis):
+    """Marks a logarithmic axis with plain numbers."""
+    axis.set_major_locator(LogLocator(subs=(1., 2., 5.)))
+    axis.set_major_formatter(FormatStrFormatter("%g"))
+    axis.set_minor_locator(NullLocator())
+
+
+def pictures_folder(output_folder):
+    """Where pictures of a run go; makes it."""
+    folder = os.path.join(output_folder, "pictures")
+    os.makedirs(folder, exist_ok=True)
+    return folder
+
+
+def save(figure, path):
+    """To a file, whose path is printed, or to a stream."""
+    # Colour bars inside of axes are not seen by the constrained layout.
+    figure.savefig(path, bbox_inches="tight")
+    plt.close(figure)
+    if isinstance(path, str):
+        print(path)

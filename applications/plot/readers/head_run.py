@@ -1,0 +1,260 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""What a run of head_impact with a head left on the disk: its layers, the plane
+that it hits, its histories, cuts through its fields."""
+
+import os
+
+import numpy as np
+
+from plot.readers import cuts, fields, files, vtk_file
+from plot.readers.stage import Stage
+
+# Times of the published pictures of a head against a wall [s].
+PUBLISHED_TIMES = (1e-4, 5e-4, 1e-3, 5e-3)
+LEAST_PANELS = 4
+# Beside a plane of symmetry, where cells have a face, over the head's size.
+BESIDE = 1e-4
+# What layers are called as tissues of a file.
+LAYERS = {"cerebrospinal fluid": "csf", "skeleton": "skull"}
+
+
+class Plane:
+    """A rigid plane."""
+
+    def __init__(self, stage, name):
+        self.name = name
+        point, normal = (stage.parameter(f"Plane {name}/{entry}")
+                         for entry in ("Point", "Normal"))
+        if point is None or normal is None or len(point) != 3 \
+                or len(normal) != 3:
+            raise ValueError(f"Plane {name} has no point and normal")
+        self.point = np.array(point)
+        self.normal = normal / np.linalg.norm(normal)
+        self.friction = (stage.parameter(f"Plane {name}/Friction") or [0.])[0]
+
+
+class Cut:
+    """What a plane cuts of the cells at one time: polygons in the plane, cells
+    that they belong to, and the fields in these cells."""
+
+    def __init__(self, time, polygons, values, centres):
+        self.time, self.polygons = time, polygons
+        self.values, self.centres = values, centres
+
+
+class HeadRun(Stage):
+    """The folder of a run."""
+
+    def __init__(self, folder):
+        super().__init__(folder)
+        self.history = self.table("history.csv")
+        self.probes = self.table("probes.csv")
+        names = [key[len("Region "):-len("/Layer")] for key in self.parameters
+                 if key.startswith("Region ") and key.endswith("/Layer")]
+        self.regions = names
+        self.layer_of = {name: layer_named(
+            self.parameters[f"Region {name}/Layer"], name) for name in names}
+        with files.reading(self.path("parameters.prm")):
+            self.planes = [
+                Plane(self, key[len("Plane "):-len("/Normal")])
+                for key in self.parameters
+                if key.startswith("Plane ") and key.endswith("/Normal")]
+        self.wedge_axis = self.parameters.get("Mesh/Wedge axis", "none")
+        self.mirrors = [axis for axis, name in enumerate("xyz") if name in
+                        self.parameters.get("Mesh/Symmetry planes", "")
+                        or self.wedge_axis not in ("none", name)]
+        self._fields = None
+
+    def is_head(self):
+        """Whether there is anything that this can tell of: a layered head, or a
+        file with a brain or CSF."""
+        return self.history is not None and (self.is_layered() or (
+            self.is_file() and any(self.region(layer)
+                                   for layer in ("brain", "csf"))))
+
+    def is_layered(self):
+        return self.parameters.get("Mesh/Kind") == "layered head"
+
+    def is_file(self):
+        return self.parameters.get("Mesh/Kind") in ("file", "body")
+
+    def region(self, layer):
+        """The name of the region of a layer, "brain", "csf", "skull" or
+        "scalp"; None if there is none."""
+        for name, known in self.layer_of.items():
+            if known == layer:
+                return name
+        return None
+
+    def is_solid(self, name):
+        return f"largest_shear_strain_{name}" in self.history
+
+    def impact(self):
+        """The plane that is hit: the first one; None without any."""
+        return self.planes[0] if self.planes else None
+
+    def column(self, quantity, layer):
+        """A column of history.csv, or None."""
+        name = f"{quantity}_{self.region(layer)}"
+        return self.history[name] if name in self.history else None
+
+    def normal_velocity(self):
+        """Mean velocity of everything away from the plane over time
+        [m/s]."""
+        momentum = np.stack([self.history[f"momentum_{axis}"]
+                             for axis in "xyz"], axis=1)
+        return momentum @ self.impact().normal / self.history["mass"]
+
+    def contact(self, name):
+        """What the summary says of the contact, of every step; None if nothing
+        touched the planes."""
+        return self.found("assumptions", name)
+
+    def last_contact(self):
+        """When the planes last pushed; None if never, or at the end."""
+        end = self.contact("contact_end")
+        return end if end is not None and end < self.history["time"][-1] \
+            else None
+
+    def rebound(self):
+        """When the momentum along the plane's normal changes its sign, straight
+        between rows; None if it does not."""
+        return first_crossing(self.history["time"], self.normal_velocity())
+
+    def fields(self):
+        """Times and files of the outputs; [] without."""
+        if not os.path.exists(self.path("fields.pvd")):
+            return []
+        if self._fields is None:
+            with files.reading(self.path("fields.pvd")):
+                self._fields = fields.list_fields(self.folder)
+        return self._fields
+
+    def picked(self):
+        """The outputs to show: at the times of the published pictures, and
+        others where these are few."""
+        later = [entry for entry in self.fields() if entry[0] > 0.]
+        chosen = {entry[0]: entry for time in PUBLISHED_TIMES
+                  for entry in later if abs(entry[0] - time) <= 0.02 * time}
+        others = [entry for entry in later if entry[0] not in chosen]
+        missing = min(LEAST_PANELS - len(chosen), len(others))
+        if missing > 0:
+            for number in np.linspace(len(others) - 1, 0, missing):
+                entry = others[int(round(number))]
+                chosen[entry[0]] = entry
+        return [chosen[time] for time in sorted(chosen)]
+
+    def cut_axes(self):
+        """The axis normal to the cut, and those to the right and up: the cut
+        holds the plane's normal, and is a plane of symmetry if one is, or the
+        middle of a wedge."""
+        normal = np.abs(self.impact().normal) if self.planes \
+            else np.array([0., 0., 1.])
+        along = [axis for axis in (1, 0, 2) if normal[axis] < 0.5]
+        through = next((axis for axis in along if axis in self.mirrors),
+                       along[0])
+        if self.wedge_axis != "none":
+            through = ("xyz".index(self.wedge_axis) + 2) % 3
+        right, up = (axis for axis in range(3) if axis != through)
+        return through, right, up
+
+    def has_particles(self):
+        """Whether the fields are points, not cells."""
+        return self.parameters.get("Method") == "mpm"
+
+    def spacing(self):
+        """Of particles at the start [m]."""
+        size = (self.parameter("MPM/Cell size") or [0.])[0]
+        return size / max(self.parameter("MPM/Particles a cell") or [1.])
+
+    def arrays(self, pieces):
+        """Arrays of one output, of all its pieces: cells x corners x
+        components; particles are cells of one corner."""
+        read = vtk_file.read_points if self.has_particles() \
+            else vtk_file.read_cells
+        parts = []
+        for piece in pieces:
+            with files.reading(piece):
+                parts.append(read(piece))
+        found = {name: np.concatenate([part[name] for part in parts])
+                 for name in parts[0]}
+        return {name: values[:, None] for name, values in found.items()} \
+            if self.has_particles() else found
+
+    def middle(self, points):
+        """Where cuts and mirrors are: a layered head's is at the origin; a file
+        has planes of symmetry at its lower sides, and is cut in its middle."""
+        result = np.zeros(3)
+        if not self.is_file():
+            return result
+        low, high = points.min(axis=(0, 1)), points.max(axis=(0, 1))
+        through = self.cut_axes()[0]
+        result[through] = 0.5 * (low + high)[through]
+        result[self.mirrors] = low[self.mirrors]
+        return result
+
+    def cut(self, entry):
+        """The Cut of an output, mirrored to the whole head."""
+        time, pieces = entry
+        arrays = self.arrays(pieces)
+        arrays["points"] = arrays["points"] - self.middle(arrays["points"])
+        through, right, up = self.cut_axes()
+        if self.has_particles():
+            polygons, owners = cuts.cut_particles(
+                arrays["points"][:, 0], through, through in self.mirrors,
+                self.spacing(), [right, up])
+        else:
+            # The middle of a wedge is within its cells.
+            place = BESIDE * np.ptp(arrays["points"]) \
+                if self.wedge_axis == "none" else 0.
+            polygons, owners = cuts.cut_hexahedra(
+                arrays["points"], through, place, (right, up))
+        shown = np.unique(owners)
+        values = {name: found[:, :, 0].mean(axis=1)[owners]
+                  for name, found in arrays.items()
+                  if name not in ("points", "velocity")}
+        velocity = arrays["velocity"].mean(axis=1)
+        values["velocity"] = velocity[owners][:, [right, up]]
+        centres = {
+            "place": arrays["points"].mean(axis=1)[shown][:, [right, up]],
+            "velocity": velocity[shown][:, [right, up]],
+            "region": arrays["region"][shown, 0, 0]}
+        for number, axis in enumerate((right, up)):
+            if axis in self.mirrors:
+                polygons, values, centres = _mirrored(number, polygons, values,
+                                                      centres)
+        return Cut(time, polygons, values, centres)
+
+
+def layer_named(layer, region):
+    """The layer that a region's entry Layer names: tissues of a file by their
+    names, numbers and nothing by the region's."""
+    word = " ".join(layer.lower().replace("_", " ").split())
+    if not word or word.isdigit():
+        word = region.lower()
+    return LAYERS.get(word, word)
+
+
+def first_crossing(time, values):
+    """When values first rise from below zero to above, or None."""
+    after = np.flatnonzero((values[1:] > 0.) & (values[:-1] <= 0.))
+    if not after.size or values[after[0]] == values[after[0] + 1]:
+        return None
+    i = after[0]
+    part = values[i] / (values[i] - values[i + 1])
+    return float(time[i] + part * (time[i + 1] - time[i]))
+
+
+def _mirrored(number, polygons, values, centres):
+    """Everything and its image, whose coordinate of that @p number is
+    opposite."""
+    sign = np.ones(2)
+    sign[number] = -1.
+    values = {name: np.concatenate([found, found * sign if found.ndim > 1
+                                    else found])
+              for name, found in values.items()}
+    centres = {name: np.concatenate([found, found * sign if found.ndim > 1
+                                     else found])
+               for name, found in centres.items()}
+    return np.concatenate([polygons, polygons * sign]), values, centres

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""Loads on a rigid body: loads.h5."""
+
+import os
+
+import numpy as np
+
+from plot.readers import files
+
+
+class Loads:
+    """The facets of a body and what the blast did to each."""
+
+    def __init__(self, path):
+        import h5py  # which runs without a body do not need
+        self.file = h5py.File(path, "r")
+        self.is_flat = self.file.attrs["units"].decode().startswith("m, m,")
+        self.centroids = self.file["centroid"][:]
+        self.normals = self.file["normal"][:]
+        self.areas = self.file["area"][:]
+        self.times = self.file["time"][:]
+        self._check()
+
+    def _check(self):
+        """Raises ValueError where data sets are missing or do not fit."""
+        facets, times = len(self.areas), len(self.times)
+        directions = self.centroids.shape[-1]
+        wanted = {"centroid": (facets, directions),
+                  "normal": (facets, directions), "area": (facets,),
+                  "time": (times,), "overpressure": (facets, times),
+                  "peak": (facets,), "arrival": (facets,),
+                  "impulse": (facets,)}
+        for name, shape in wanted.items():
+            data = self.file.get(name)
+            if data is None or data.shape != shape or data.dtype.kind != "f":
+                raise ValueError(f'the data set "{name}" is missing or not '
+                                 f"of {' x '.join(map(str, shape))} numbers")
+
+    def __contains__(self, name):
+        return name in self.file
+
+    def measure(self, name):
+        return self.file[name][:]
+
+    def overpressure(self, time):
+        """Sample that a time is in, for all facets."""
+        return self.file["overpressure"][:, self.index(time)]
+
+    def index(self, time):
+        return min(np.searchsorted(self.times, time), len(self.times) - 1)
+
+    def places(self):
+        """Names and places of the gauges."""
+        text = self.file.attrs.get("gauges", b"").decode()
+        places = {}
+        for entry in filter(None, text.split("; ")):
+            name, numbers = entry.split(":")
+            places[name] = np.array([float(x) for x in numbers.split(",")])
+        return places
+
+
+def mirror_planes(folder, centroids):
+    """Planes of symmetry that cut the body of a run: axis and place."""
+    path = os.path.join(folder, "parameters.prm")
+    if not os.path.exists(path):
+        return []
+    entries = files.read_parameters(path)
+    size = np.ptp(centroids, axis=0).max()
+    # The facets next to the plane are about half of their width away.
+    near = max(0.02, 1. / np.sqrt(len(centroids))) * size
+    planes = []
+    for axis, name in enumerate("xyz"):
+        for side, corner in (("low", "Lower corner"), ("high",
+                                                       "Upper corner")):
+            if entries.get(f"Boundaries/{name} {side}") != "symmetry":
+                continue
+            numbers = entries[f"Domain/{corner}"].split(",")
+            place = float(numbers[axis])
+            if np.abs(centroids[:, axis] - place).min() < near:
+                planes.append((axis, place))
+    return planes

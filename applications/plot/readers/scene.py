@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""What a scene left in its output folder. Whatever is missing is None or empty;
+what is there and cannot be read is a BrokenInput."""
+
+import os
+
+import numpy as np
+
+from plot.readers import (fields, files, json_shape, loads, planes, vtk_file)
+from plot.readers.stage import Stage, read_measures
+
+STAGES = ("anatomy", "blast", "biomechanics")
+# What blast finds of the loads on a place.
+HARM = ("peak", "positive phase", "chest wall velocity", "lung exposure",
+        "eardrum rupture")
+
+
+class Scene:
+    """A scene with its stages."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        self.facts = files.read_json(os.path.join(folder, "scene.json"),
+                                     json_shape.SCENE)
+        self.anatomy, self.blast, self.biomechanics = (
+            Stage(os.path.join(folder, self._folder_of(name)))
+            for name in STAGES)
+        if not self.facts and not any(
+                stage.exists for stage in
+                (self.anatomy, self.blast, self.biomechanics)):
+            raise files.BrokenInput(
+                f"{folder}: neither scene.json nor a stage's folder ("
+                + ", ".join(STAGES) + ") is in it")
+        self._loads, self._fields = None, None
+
+    def _folder_of(self, name):
+        for stage in self.list_of("stages"):
+            if stage.get("name") == name and stage.get("folder"):
+                return stage["folder"]
+        return name
+
+    def list_of(self, name):
+        """A list of objects in scene.json, [] if missing."""
+        entries = self.facts.get(name) or []
+        return [entry for entry in entries if isinstance(entry, dict)]
+
+    def fact(self, name):
+        """A number of scene.json, or None."""
+        return files.as_number(self.facts.get(name))
+
+    def charge_place(self):
+        place = self.facts.get("charge_place")
+        if isinstance(place, list) and len(place) == 3:
+            return np.array(place, dtype=float)
+        place = self.blast.parameter("Charges/Charge 1/Center")
+        return np.array(place) if place and len(place) == 3 else None
+
+    def charge_mass(self):
+        """[kg], or None."""
+        return self._number("charge_mass", self.blast,
+                            "Charges/Charge 1/Mass")
+
+    def cell_size(self):
+        """Cells at the skin [m], or None."""
+        return self.fact("cell_size_at_body")
+
+    def element_size(self):
+        """[m], or None."""
+        return self._number("element_size", self.biomechanics,
+                            "Mesh/Element size")
+
+    def _number(self, name, stage, entry):
+        """Of scene.json; of what a stage was given where that is missing, for
+        stages that were run one by one."""
+        known = self.fact(name)
+        return (stage.parameter(entry) or [None])[0] if known is None \
+            else known
+
+    def explosive(self):
+        return self.facts.get("explosive") or self.blast.parameters.get(
+            "Material/Explosive") or "explosive"
+
+    def loads(self):
+        """loads.h5, or None."""
+        path = self.blast.path("loads.h5")
+        if self._loads is None and os.path.exists(path):
+            with files.reading(path):
+                self._loads = loads.Loads(path)
+        return self._loads
+
+    def has_no_gauges(self):
+        """Whether loads were recorded, but at no named place."""
+        known = self.loads()
+        return known is not None and not known.places()
+
+    def mirror_factor(self):
+        """How many times the recorded part of the body is the whole."""
+        known = self.loads()
+        if known is None:
+            return 1
+        return 2 ** len(loads.mirror_planes(self.blast.folder,
+                                            known.centroids))
+
+    def pressure_planes(self):
+        """Plane cuts of pressure by name."""
+        with files.reading(self.blast.path("fields")):
+            found = planes.open_planes(self.blast.folder)
+        return {name: cuts for name, cuts in found.items()
+                if cuts[0].quantity == "pressure"}
+
+    def field_list(self):
+        """Times and files of what biomechanics wrote; [] without."""
+        path = self.biomechanics.path("fields.pvd")
+        if self._fields is None:
+            self._fields = []
+            if os.path.exists(path):
+                with files.reading(path):
+                    self._fields = fields.list_fields(
+                        self.biomechanics.folder)
+        return self._fields
+
+    def field(self, pieces):
+        """Arrays of one output, of all its pieces."""
+        parts = []
+        for piece in pieces:
+            with files.reading(piece):
+                parts.append(vtk_file.read(piece))
+        return parts
+
+    def gauge_injury(self):
+        """What loads on named places do to a person there: numbers by place
+        and name, without units."""
+        path = self.blast.path("gauge_injury.csv")
+        if not os.path.exists(path):
+            return {}
+        with files.reading(path), open(path, newline="",
+                                       encoding="utf-8") as file:
+            found = {row.pop("place"): {
+                name.split(" [")[0]: float(value)
+                for name, value in row.items()}
+                for row in files.rows_of(file)}
+            for harm in found.values():
+                for name in HARM:
+                    if not np.isfinite(harm[name]):
+                        raise ValueError(f"{name}: no number")
+        return found
+
+    def measures(self):
+        """Measures of injury by name."""
+        return read_measures(self.biomechanics.path("injury.csv"))

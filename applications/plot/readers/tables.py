@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""Tables of a run: history.csv, probes.csv and others, with units."""
+
+import csv
+import json
+import os
+import re
+
+import numpy as np
+
+from plot.readers import files
+
+
+class Table:
+    """Columns by name, with units; the header reads 'name [unit],...'."""
+
+    def __init__(self, path):
+        with open(path, newline="", encoding="utf-8") as file:
+            header = next(csv.reader(file))
+            self.values = np.loadtxt(file, delimiter=",", ndmin=2)
+        self.names, self.units = [], []
+        for entry in header:
+            match = re.fullmatch(r"\s*(.*?)\s*(?:\[(.*)\])?\s*", entry)
+            self.names.append(match[1])
+            self.units.append(match[2] or "-")
+        if self.values.shape[1] != len(header):
+            raise ValueError(f"{path}: {len(header)} names for "
+                             f"{self.values.shape[1]} columns")
+
+    def __contains__(self, name):
+        return name in self.names
+
+    def __getitem__(self, name):
+        return self.values[:, self.names.index(name)]
+
+    def unit(self, name):
+        return self.units[self.names.index(name)]
+
+    def others(self, *names):
+        return [name for name in self.names if name not in names]
+
+
+def open_table(folder, name):
+    """history.csv and the like; None if missing."""
+    path = os.path.join(folder, name)
+    if not os.path.exists(path):
+        return None
+    with files.reading(path):
+        return Table(path)
+
+
+def probe_pressures(folder, names):
+    """Time [s], and pressures [Pa] of as many probes by these names."""
+    table = open_table(folder, "probes.csv")
+    if table is None:
+        raise files.BrokenInput(f"{folder} has no probes.csv")
+    columns = [f"probe_{number}_pressure" for number in
+               range(1, len(names) + 1)]
+    for column in columns:
+        if column not in table:
+            raise files.BrokenInput(f"{folder}/probes.csv has no {column}")
+    return table["time"], {name: table[column]
+                           for name, column in zip(names, columns)}
+
+
+def open_references(folder):
+    """What the reference of a run says of each probe, by the probe's name:
+    quantities such as peak_overpressure and arrival."""
+    path = os.path.join(folder, "summary.json")
+    if not os.path.exists(path):
+        return {}
+    with open(path, encoding="utf-8") as file:
+        known = json.load(file).get("assumptions", {})
+    references = {}
+    for name, value in known.items():
+        match = re.fullmatch(r"(probe_\d+)_reference_(\w+)", name)
+        if match:
+            references.setdefault(match[1], {})[match[2]] = value
+    return references

@@ -1,0 +1,377 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""What was taken for granted and whether it held, how far results are to be
+trusted, what they cost, and how to have them again."""
+
+import csv
+import math
+import os
+
+from plot.readers import files
+from plot.report import injury_thresholds, page
+
+KNOWN = os.path.join(os.path.dirname(os.path.abspath(__file__)),
+                     "known_differences.csv")
+BODY, SKIN = "Mesh/Element size", "cells at the skin"
+
+
+class Differences:
+    """How much a measure changed when cells or elements were halved, from
+    known_differences.csv."""
+
+    def __init__(self, path=KNOWN):
+        self.rows = []
+        if not os.path.exists(path):
+            return
+        with files.reading(path), open(path, newline="",
+                                       encoding="utf-8") as file:
+            lines = [line for line in file if not line.startswith("#")]
+            for row in csv.DictReader(lines):
+                for key in ("coarse", "fine", "at coarse", "at fine"):
+                    row[key] = float(row[key])
+                self.rows.append(row)
+
+    def find(self, measure, varied, size):
+        """The row with the coarse size nearest to @p size, or None."""
+        rows = [row for row in self.rows if row["measure"] == measure
+                and row["varied"] == varied]
+        if not rows or not size:
+            return None
+        return min(rows, key=lambda row: abs(math.log(row["coarse"] / size)))
+
+    def error(self, measure, varied, size):
+        """Relative error at @p size, by first-order extrapolation: of a method
+        of first order the error at h is the difference from h to h / 2 twice,
+        and grows like h. None if unknown."""
+        row = self.find(measure, varied, size)
+        if row is None or row["at fine"] == 0.:
+            return None
+        ratio = row["fine"] / row["coarse"]
+        difference = abs(row["at coarse"] / row["at fine"] - 1.)
+        return difference / (1. - ratio) * size / row["coarse"]
+
+
+def uncertainty(scene, measure, differences):
+    """Relative uncertainty of a measure by cells and elements together, and
+    which of them are known."""
+    parts, names = [], []
+    for varied, size in ((SKIN, scene.cell_size()),
+                         (BODY, scene.element_size())):
+        error = differences.error(measure, varied, size)
+        if error is not None:
+            parts.append(error)
+            names.append("gas cells" if varied == SKIN else "elements")
+    if not parts:
+        return None, ""
+    return math.sqrt(sum(error ** 2 for error in parts)), " and ".join(names)
+
+
+def plan(scene):
+    """The plan and its audit: scene.json's, and that of the blast."""
+    parts = []
+    audited = scene.list_of("audit")
+    if audited:
+        parts.append(page.table(
+            ("item", "decision", "what was estimated and found", "estimate",
+             "found", "limit", "holds", "decided otherwise by"),
+            [_planned(row) for row in audited]))
+    elif scene.list_of("plan"):
+        parts.append(page.table(
+            ("item", "decision", "estimate before", "decided otherwise by"),
+            [(row.get("item", ""), row.get("decision", ""),
+              row.get("estimate", ""), page.tag("code", row.get("entry", "")))
+             for row in scene.list_of("plan")]))
+    told = {row.get("item") for row in audited}
+    known = audit_table(scene.blast, told)
+    if known:
+        parts += [page.tag("h3", "What the blast took for granted"), known]
+    return parts or [page.missing("plan and audit in scene.json and the "
+                                  "blast's summary.json")]
+
+
+def audit_table(stage, told=()):
+    """What a stage took for granted and whether it held, besides what is told
+    already; None without any."""
+    rows = [_audit_row(name, entry) for name, entry in
+            (stage.summary.get("assumptions") or {}).items()
+            if isinstance(entry, dict) and name not in told]
+    return page.table(
+        ("item", "decision", "what was estimated and measured",
+         "estimate", "measured", "limit", "holds", "decided otherwise by"),
+        rows, numbers=(3, 4)) if rows else None
+
+
+def _planned(row):
+    """A row of scene.json's audit; every entry is words already."""
+    def word(key):
+        return str(row.get(key) or "–")
+
+    return (word("item").replace("_", " "), word("decision"),
+            word("quantity"), word("estimate"), word("found"), word("limit"),
+            _holds(row.get("holds")), page.tag("code", word("entry")))
+
+
+def _holds(value):
+    if value is None:
+        return "not judged"
+    return page.tag("span", "yes" if value else "no",
+                    kind="good" if value else "bad")
+
+
+def _audit_row(name, entry):
+    unit = entry.get("unit", "-")
+
+    def shown(value, write=page.quantity):
+        value = files.as_number(value)
+        return "–" if value is None else write(value, unit)
+
+    limit = "–"
+    for key, word in (("at_most", "at most "), ("at_least", "at least ")):
+        if files.as_number(entry.get(key)) is not None:
+            limit = word + shown(entry[key], page.plain)
+    judged = None if limit == "–" else entry.get("holds")
+    return (name.replace("_", " "), entry.get("decision", ""),
+            entry.get("quantity", ""), shown(entry.get("estimate")),
+            shown(entry.get("measured")), limit, _holds(judged),
+            page.tag("code", str(entry.get("entry", ""))))
+
+
+def statement(scene):
+    """What is known of the error at this setting."""
+    parts = [page.paragraph(
+        "Errors come from three sources, which are told apart here: the "
+        "numerics (cells, elements, recording), the model (how the explosive "
+        "burns, what tissue is made of), and the thresholds, which other "
+        "models and animals gave.")]
+    free = _free_air(scene)
+    if free:
+        parts += [page.tag("h3", "Against measurements in free air"), free]
+    differences = Differences()
+    rows = _difference_rows(scene, differences)
+    if rows:
+        parts += [
+            page.tag("h3", "What halving the cells changed"),
+            page.table(
+                ("measure", "varied", "from", "to", "change",
+                 "hence error here"), rows,
+                "Measured once on the scene of five pounds of C-4 and "
+                "the phantom; the error here is extrapolated to first order "
+                "from the sizes nearest to those of this run. Where the scene "
+                "is another, it is a guess.", numbers=(2, 3, 4, 5))]
+    checks = _checks(scene)
+    if checks:
+        parts += [page.tag("h3", "What this run checked itself"),
+                  page.bullets(checks)]
+    return parts
+
+
+def _free_air(scene):
+    rows = []
+    for quantity, unit in (("peak_overpressure", "Pa"), ("impulse", "Pa s"),
+                           ("arrival", "s"), ("duration", "s")):
+        number = 1
+        while scene.blast.found("assumptions",
+                                f"probe_{number}_{quantity}") is not None:
+            stem = f"probe_{number}_"
+            here = scene.blast.found("assumptions", stem + quantity)
+            known = scene.blast.found("assumptions",
+                                      stem + "reference_" + quantity)
+            if known:
+                rows.append((_probe_place(scene, number),
+                             quantity.replace("_", " "),
+                             page.quantity(here, unit),
+                             page.quantity(known, unit),
+                             page.number(100. * (here / known - 1.), 2)
+                             + " %"))
+            number += 1
+    if not rows:
+        return None
+    return page.table(
+        ("where", "what", "found", "Kingery and Bulmash", "difference"), rows,
+        "The reference is the blast of a sphere in free air (C. N. Kingery, "
+        "G. Bulmash, ARBRL-TR-02555, 1984). Ground and body add to the "
+        "impulse and duration at the probe; its peak and arrival are those of "
+        "the free wave.", numbers=(2, 3, 4))
+
+
+def _probe_place(scene, number):
+    """Where a probe in the air is."""
+    points = (scene.blast.parameters.get("Probes/Points") or "").split(";")
+    charge = scene.charge_place()
+    try:
+        point = [float(x) for x in points[number - 1].split(",")]
+    except (IndexError, ValueError):
+        point = []
+    if len(point) != 3 or charge is None:
+        return f"probe {number}"
+    away = math.dist(point, charge)
+    place = ", ".join(f"{round(x, 3) + 0.:g}" for x in point).replace("-", "−")
+    return f"({place}) m, {page.quantity(away, 'm')} from the charge"
+
+
+def _round_off(part):
+    """A part in per cent, where no more than round-off may be left."""
+    return "0" if abs(part) < 1e-9 else page.number(100. * part, 2)
+
+
+def _difference_rows(scene, differences):
+    rows = []
+    for measure in dict.fromkeys(row["measure"] for row in differences.rows):
+        for varied, size in ((SKIN, scene.cell_size()),
+                             (BODY, scene.element_size())):
+            row = differences.find(measure, varied, size)
+            error = differences.error(measure, varied, size)
+            if row is None or error is None:
+                continue
+            change = row["at fine"] / row["at coarse"] - 1. \
+                if row["at coarse"] else math.nan
+            rows.append((
+                injury_thresholds.title(measure),
+                "elements" if varied == BODY else varied,
+                f"{1e3 * row['coarse']:g} mm", f"{1e3 * row['fine']:g} mm",
+                page.number(100. * change, 2) + " %",
+                "± " + page.percent(error)))
+    return rows
+
+
+def _checks(scene):
+    found = scene.biomechanics.found
+    items = []
+    residual = found("assumptions", "energy_residual")
+    if residual is not None:
+        items.append(f"Energy of the body: {page.number(100 * abs(residual))}"
+                     " % missing.")
+    unmatched = found("assumptions", "loads_unmatched_facets")
+    largest = found("assumptions", "loads_largest_distance")
+    mean = found("assumptions", "loads_mean_distance")
+    if None not in (unmatched, largest, mean):
+        items.append(
+            f"Loads: {page.number(unmatched)} facets of the body without a "
+            f"recorded one; the others are {page.number(1e3 * mean)} mm from "
+            f"theirs on average, {page.number(1e3 * largest)} mm at most.")
+    recorded = found("assumptions", "loads_recorded_impulse_x")
+    mapped = found("assumptions", "loads_mapped_impulse_x")
+    if recorded and mapped:
+        factor = found("assumptions", "loads_impulse_factor")
+        mended = "" if factor is None else (
+            ", after one factor on all pressures, "
+            f"{page.number(factor)}, that makes the impulses agree")
+        items.append(
+            f"Impulse along x: {page.quantity(recorded, 'N s')} recorded on "
+            f"the whole body, {page.quantity(mapped, 'N s')} on the elements "
+            f"({page.number(100. * (mapped / recorded - 1.), 2)} %){mended}.")
+    loss = scene.blast.found("assumptions", "loads_sampled_peak_loss")
+    if loss is not None:
+        items.append(f"Recording misses {_round_off(loss)} % of a facet's "
+                     "peak at most.")
+    rough = scene.measures().get("injury_pressure_roughness")
+    if rough is not None:
+        items.append(
+            "Pressures of the brain's single elements less their averages are "
+            f"{page.number(rough.value, 2)} times the averages (root mean "
+            "square): that part alternates from element to element and is no "
+            "pressure. The measures of injury take averages.")
+    return items
+
+
+def cost(scene):
+    """A row for each stage."""
+    rows = []
+    listed = {stage.get("name"): stage for stage in scene.list_of("stages")}
+    for name, stage in (("anatomy", scene.anatomy), ("blast", scene.blast),
+                        ("biomechanics", scene.biomechanics)):
+        told = listed.pop(name, {})
+        if not told and not stage.exists:
+            continue
+        rows.append(cost_row(name, told, stage))
+    rows += [cost_row(str(name), told, None)
+             for name, told in listed.items()]
+    if not rows:
+        return [page.missing("stages in scene.json")]
+    return [cost_table(rows)]
+
+
+def cost_table(rows):
+    """Of cost_row()s."""
+    return page.table(
+        ("stage", "status", "wall time", "core time", "memory", "disk",
+         "size"), rows, "Wall time depends on what else the machine does, "
+        "core time less.", numbers=(2, 3, 4, 5))
+
+
+def cost_row(name, told, stage):
+    """What a stage took."""
+    summary = stage.summary if stage else {}
+    performance = summary.get("performance") or {}
+
+    def value(key, other):
+        known = files.as_number(told.get(key))
+        return known if known is not None \
+            else files.as_number(performance.get(other))
+
+    disk = files.as_number(told.get("disk"))
+    if disk is None and stage and stage.exists:
+        disk = float(sum(os.path.getsize(os.path.join(here, file))
+                         for here, _, names in os.walk(stage.folder)
+                         for file in names))
+    sizes = [f"{page.count(summary[key])} {word}" for key, word in
+             (("cells", "cells"), ("unknowns", "unknowns"),
+              ("steps", "steps")) if summary.get(key) is not None]
+    return (name, str(told.get("status") or summary.get("status") or "–"),
+            _duration(value("wall_seconds", "wall_seconds")),
+            _duration(value("core_seconds", "core_seconds")),
+            _bytes(value("peak_memory", "peak_memory_bytes")), _bytes(disk),
+            ", ".join(sizes))
+
+
+def _duration(seconds):
+    if seconds is None:
+        return "–"
+    if seconds < 60.:
+        return f"{page.number(seconds, 2)} s"
+    if seconds < 3600.:
+        return f"{int(seconds // 60)} min {int(seconds % 60):02d} s"
+    return f"{int(seconds // 3600)} h {int(seconds % 3600 // 60):02d} min"
+
+
+def _bytes(count):
+    if count is None:
+        return "–"
+    for size, unit in ((1e9, "GB"), (1e6, "MB"), (1e3, "kB")):
+        if count >= size:
+            return f"{page.number(count / size, 2)} {unit}"
+    return f"{int(count)} B"
+
+
+def reproduce(scene):
+    """Command, version, and what the parameter file had."""
+    facts = scene.facts
+    command = facts.get("command")
+    parts = []
+    if command:
+        ranks = facts.get("ranks") or 1
+        if ranks > 1 and "mpirun" not in command:
+            command = f"mpirun -np {ranks} {command}"
+        parts.append(page.tag("pre", command))
+    rows = []
+    for name, stage in (("scene", None), ("anatomy", scene.anatomy),
+                        ("blast", scene.blast),
+                        ("biomechanics", scene.biomechanics)):
+        known = facts if stage is None else stage.summary
+        if known.get("version"):
+            rows.append((name, known["version"],
+                         page.tag("code", known.get("git_revision", "–")),
+                         known.get("ranks", "–")))
+    if rows:
+        parts.append(page.table(("what", "version", "revision", "ranks"),
+                                rows))
+    for name in ("", "anatomy", "blast", "biomechanics"):
+        path = os.path.join(scene.folder, name, "parameters.prm")
+        if os.path.exists(path):
+            with files.reading(path), open(
+                    path, encoding="utf-8") as file:
+                text = file.read()
+            parts.append(page.folded_file(
+                os.path.join(name, "parameters.prm")
+                + ": every entry as used", text))
+    return parts or [page.missing("scene.json and the parameter files")]

@@ -1,0 +1,233 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""The blast in the air and on the skin: pictures, histories, resultant force,
+what is conserved."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+from plot.readers import files, loads
+from plot.analysis import signals
+from plot.figures import body_loads, body_views, plane_cuts, style
+from plot.report import page
+
+
+def air(scene):
+    """Pressure on plane cuts."""
+    found = scene.pressure_planes()
+    if not found:
+        return [page.missing("plane cuts of pressure in blast/fields")]
+    parts = []
+    for name, cuts in sorted(found.items()):
+        picked = _pick(scene, cuts)
+        picture = page.drawn(plane_cuts.draw_planes, picked,
+                             one_scale=True)
+        axis, place = (name.split("_") + ["", ""])[1:3]
+        parts.append(page.figure(
+            picture,
+            f"Maps of overpressure in the plane {axis} = {place} m, after "
+            f"{page.moments([cut.time for cut in picked])}; the largest is "
+            + page.quantity(plane_cuts.largest_overpressure(picked), "Pa")
+            + ".",
+            f"Overpressure in the air in the plane {axis} = {place} m at "
+            "several times, one scale for all: red above, blue below the "
+            "ambient pressure, square-root colours so that weak waves "
+            "show. The body, where there is no gas, is grey."))
+    return parts
+
+
+def _pick(scene, cuts):
+    """Six times around and after the arrival at the body, denser at first."""
+    known = scene.loads()
+    begin = 0.
+    if known is not None and np.any(known.measure("arrival") > 0.):
+        arrivals = known.measure("arrival")
+        begin = float(arrivals[arrivals > 0.].min())
+    # The last one before the arrival is the first picture.
+    first = max([i for i, cut in enumerate(cuts) if cut.time < begin] or [0])
+    later = cuts[first:]
+    if len(later) <= plane_cuts.MOST_PANELS:
+        return later
+    wanted = np.linspace(0., 1., plane_cuts.MOST_PANELS) ** 2 * (len(later) - 1)
+    numbers = []
+    for index in wanted.astype(int):
+        numbers.append(max(index, numbers[-1] + 1 if numbers else 0))
+    return [later[index] for index in numbers]
+
+
+def skin(scene):
+    """The body from four sides."""
+    known = scene.loads()
+    views = body_views.views_of(known, scene.blast.folder)
+    if known is None or views is None:
+        return [page.missing("loads.h5 of a body in the blast's folder")]
+    with files.reading(scene.blast.path("loads.h5")):
+        moments = body_loads.pick_times(known)
+        times = page.drawn(body_loads.draw_times, known, views, one_scale=True)
+        measures = page.drawn(body_loads.draw_measures, known, views)
+        largest = page.quantity(float(known.measure("peak").max()), "Pa")
+    return [
+        page.figure(times, "The body from in front, left, behind and right, "
+                    "coloured by the overpressure on its skin after "
+                    f"{page.moments(moments)}.",
+                    "Overpressure on the skin while the wave passes, "
+                    "from four sides, one scale for all times, square-root "
+                    "colours."),
+        page.figure(measures, "The body from four sides, coloured by peak "
+                    f"overpressure, {largest} at most, by positive impulse "
+                    "and by arrival.",
+                    "What each part of the skin got during the "
+                    "whole run: largest overpressure, impulse of the positive "
+                    "phase, and when the wave arrived.")]
+
+
+def histories(scene):
+    """Overpressure at named places, and the resultant force."""
+    gauges = scene.blast.table("load_gauges.csv")
+    parts = []
+    if scene.has_no_gauges():
+        parts.append(page.paragraph(
+            "No place on the skin was named (entry Blast/Loads/Gauges), so "
+            "none has a history of its own.", kind="note"))
+    elif gauges is None or len(gauges.values) < 3 or scene.loads() is None:
+        parts.append(page.missing("load_gauges.csv of the blast"))
+    else:
+        parts.append(page.figure(
+            page.drawn(body_loads.draw_gauges, gauges, scene.loads(),
+                       body_views.views_of(scene.loads(),
+                                           scene.blast.folder)),
+            "Curves of overpressure over time, one chart for each of "
+            + ", ".join(gauges.others("time")) + "; their peaks are in the "
+            "table below.",
+            "Overpressure at named places of the skin, means over patches "
+            "around them; dots: the first peak, triangles: the second, later "
+            "one, in kPa at ms. The places are numbered on the body."))
+        parts.append(_gauge_table(scene, gauges))
+    force = resultant(scene)
+    if force is not None:
+        parts.append(page.figure(
+            _draw_force(*force),
+            "Two charts over time: the force on the body, "
+            + page.quantity(float(np.abs(force[1]).max()), "N")
+            + " at most along an axis, and the momentum.",
+            "Resultant force of the overpressure on the whole body, along the "
+            "three axes, and the momentum that it has given so far; that of "
+            "the air's flow past the body is in it.", "svg"))
+    return parts
+
+
+def _gauge_table(scene, gauges):
+    rows = []
+    time = gauges["time"]
+    for name in gauges.others("time"):
+        phase = signals.positive_phase(time, gauges[name])
+        if phase is None:
+            continue
+        lowest = float(gauges[name].min())
+        rows.append((
+            name, page.number(1e3 * phase[0]),
+            page.number(1e-3 * float(gauges[name].max())),
+            page.number(phase[2]),
+            ("≥ " if signals.is_cut(time, gauges[name], phase) else "")
+            + page.number(1e3 * (phase[1] - phase[0])),
+            page.number(1e-3 * lowest) if lowest < -1. else "–",
+            page.number(1e6 * signals.rise_time(time, gauges[name]), 2)))
+    return page.table(
+        ("place", "arrival [ms]", "peak [kPa]", "impulse [Pa s]",
+         "positive phase [ms]", "lowest [kPa]", "rise time [µs]"), rows,
+        "Arrival: a twentieth of the peak; impulse and positive phase: until "
+        "the overpressure is first back at zero (≥: the run ended before); "
+        "lowest –: never below the ambient pressure; rise from a tenth to "
+        "nine tenths of the first peak, which cells and patches lengthen.",
+        numbers=range(1, 7))
+
+
+def resultant(scene):
+    """Times and force [N] of the overpressure on the whole body, or None."""
+    known = scene.loads()
+    if known is None or known.is_flat or not len(known.areas):
+        return None
+    force = np.zeros((len(known.times), 3))
+    weights = known.normals * known.areas[:, None]
+    block = 4096
+    with files.reading(scene.blast.path("loads.h5")):
+        for begin in range(0, len(known.areas), block):
+            part = known.file["overpressure"][begin:begin + block]
+            force -= part.T.astype(float) @ weights[begin:begin + block]
+    force *= scene.mirror_factor()
+    for axis, _ in loads.mirror_planes(
+            scene.blast.folder, known.centroids):
+        force[:, axis] = 0.
+    return known.times, force
+
+
+def _draw_force(time, force):
+    steps = np.diff(time, prepend=0.)[:, None]
+    momentum = np.cumsum(force * steps, axis=0)
+    figure, axes = plt.subplots(1, 2, figsize=(9., 3.3))
+    for axis, values, name, unit in (
+            (axes[0], 1e-3 * force, "force", "kN"),
+            (axes[1], momentum, "momentum", "N s")):
+        for d, colour in zip(range(3), style.COLOURS):
+            axis.plot(1e3 * time, values[:, d], color=colour,
+                      label="xyz"[d], linewidth=1.2)
+        axis.set_xlabel("time [ms]")
+        axis.set_ylabel(f"{name} [{unit}]")
+        axis.legend()
+    return figure
+
+
+def conservation(scene):
+    """What the gas kept, lost and gave to the body."""
+    summary = scene.blast.summary
+    if not summary:
+        return [page.missing("summary.json of the blast")]
+    rows = []
+    totals = summary.get("conservation") or {}
+    for key, value in totals.items():
+        if not key.endswith("_first"):
+            continue
+        name = key[:-len("_first")]
+        last = files.as_number(totals.get(name + "_last"))
+        change = files.as_number(
+            totals.get(name + "_relative_change"))
+        unit = "J" if "energy" in name else "kg"
+        value = files.as_number(value)
+        if value is None or last is None or change is None:
+            continue
+        rows.append((name.replace("_", " "), page.quantity(value, unit, 4),
+                     page.quantity(last, unit, 4),
+                     page.number(100. * change) + " %"))
+    parts = [page.table(
+        ("in the domain of the gas", "at the start", "at the end", "change"),
+        rows, numbers=(1, 2, 3))]
+    parts.append(page.paragraph(_open_sides(scene)))
+    rows = []
+    for name, text in (
+            ("loads_impulse_difference", "impulse on the body: facets against "
+             "the momentum that the gas lost"),
+            ("loads_force_difference", "the same of the force, root mean "
+             "square over time"),
+            ("loads_sampled_peak_loss", "part of a peak that the recorded "
+             "samples miss, worst facet")):
+        value = scene.blast.found("assumptions", name)
+        if value is not None:
+            rows.append((text, page.number(100. * value, 2) + " %"))
+    if rows:
+        parts.append(page.table(("check of the loads", "difference"), rows,
+                                numbers=(1,)))
+    return parts
+
+
+def _open_sides(scene):
+    sides = [key.split("/")[1] for key, value
+             in scene.blast.parameters.items()
+             if key.startswith("Boundaries/") and value == "open"]
+    if not sides:
+        return ("No side of the domain is open: what changes in a closed "
+                "domain is an error.")
+    return ("The sides " + ", ".join(sorted(sides)) + " are open. What leaves "
+            "there counts as a change, of products as well when they get that "
+            "far. In closed domains mass and energy "
+            "are kept to 10⁻¹² in double and 10⁻⁷ in single precision, which "
+            "the tests of the code show.")

@@ -1,0 +1,389 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""What happens inside of the body: stress waves, histories in the tissue, the
+audit of the energy, the mesh."""
+
+import os
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.collections import PolyCollection
+from matplotlib.colors import Normalize
+
+from plot.readers import fields, files
+from plot.analysis import signals, tissue_places
+from plot.figures import body_cuts, style
+from plot.report import page
+
+MOST_TIMES = 8
+# The parasagittal plane: so far from y = 0 [m], but at most such a part of the
+# body's half width, which matters for a head alone.
+BESIDE = 0.0801
+MOST_BESIDE = 0.4
+HEAD_ALONE = 0.4  # m, least height of what is more than a head
+# Fields of what each element went through, titles, units, colours, and whether
+# they have two signs.
+PEAKS = (("highest_pressure", "highest pressure", "Pa", True),
+         ("lowest_pressure", "lowest pressure", "Pa", True),
+         ("largest_von_mises_stress", "largest von Mises stress", "Pa", False),
+         ("largest_principal_strain", "largest principal strain", "-", False))
+ENERGIES = (("external_work", "work of the loads"),
+            ("kinetic_energy", "kinetic"), ("stored_energy", "stored"),
+            ("relaxation_energy", "lost in relaxation"),
+            ("bulk_viscosity_energy", "bulk viscosity"),
+            ("hourglass_energy", "hourglass control"),
+            ("energy_residual", "missing"))
+
+
+def waves(scene):
+    """Pressure in the sagittal plane at several times."""
+    outputs = _pick(scene)
+    if not outputs:
+        return [page.missing("fields of biomechanics")]
+    with files.reading(scene.biomechanics.path("fields")):
+        points = np.concatenate([mesh["points"] for mesh in
+                                 scene.field(outputs[0][1])])
+        place = min(BESIDE, MOST_BESIDE * points[:, 1].max())
+        is_head = np.ptp(points[:, 2]) < HEAD_ALONE
+        # Beside the plane of symmetry, where elements have no faces.
+        panels = fields.cut_fields(outputs, 1e-4)
+        whole = page.drawn(body_cuts.draw_pressures, panels, is_head)
+        head = None if is_head else page.drawn(body_cuts.draw_pressures,
+                                               panels, True)
+        beside = page.drawn(body_cuts.draw_pressures, fields.cut_fields(
+            outputs, place), is_head)
+        tissues = _tissues_at(outputs[0][1], place)
+    times = page.moments([time for time, _ in outputs])
+    parts = [
+        page.figure(whole, "The body cut along its middle, coloured by the "
+                    f"pressure in its tissues after {times}.",
+                    "Pressure in the sagittal plane (cut beside y = "
+                    "0), one scale for all times: red is compression, blue "
+                    "tension, square-root colours. Skeleton, which is stiff, "
+                    "stands out."),
+        page.figure(beside, f"The body cut {place:.3g} m beside its middle, "
+                    f"coloured by the pressure after {times}.",
+                    "The same in a parasagittal plane, y = "
+                    f"{place:.3g} m, through {tissues}.")]
+    if head is not None:
+        parts.append(page.figure(
+            head, "The head cut along its middle, coloured by the pressure "
+            f"after {times}.",
+            "The head in the sagittal plane, with a scale of its own."))
+    return parts + [page.paragraph(
+        "Pressures are averaged over the corners and the elements around "
+        "them: what alternates from one element to the next, as it may in "
+        "nearly incompressible tissue, is no pressure.", kind="note"),
+        *_peaks(scene)]
+
+
+def _tissues_at(pieces, place):
+    """What a parasagittal plane cuts, in words."""
+    numbers = fields.cut_values(pieces, place, "tissue")[1]
+    names = [tissue_places.NAMES.get(int(number), "other tissue")
+             for number in np.unique(numbers)]
+    return " and ".join(filter(None, (", ".join(names[:-1]), names[-1])))
+
+
+def _peaks(scene):
+    """What each element of the head went through, if that was kept."""
+    pieces = scene.field_list()[-1][1]
+    found = []
+    for name, title, unit, is_signed in PEAKS:
+        with files.reading(scene.biomechanics.path("fields")):
+            cut = fields.cut_values(pieces, 1e-4, name)
+        if cut is not None:
+            found.append((title, unit, is_signed, *cut))
+    if not found:
+        return []
+    averaged = scene.biomechanics.parameters.get("Peaks/Pressure") == "averaged"
+    return [page.figure(
+        _draw_peaks(found),
+        "The head cut along its middle, coloured by "
+        + ", ".join(title for title, *_ in found) + ".",
+        "What each element of the head went through until the end, in the "
+        "sagittal plane. Pressures are " + (
+            "averages, as above." if averaged else "those of single elements, "
+            "not averages: what alternates is none."))]
+
+
+def _draw_peaks(found):
+    figure, axes = plt.subplots(1, len(found), squeeze=False,
+                                figsize=(3. * len(found), 3.))
+    for axis, (title, unit, is_signed, polygons, values) in zip(axes.flat,
+                                                                found):
+        low = max(polygons[:, :, 1].max() - 0.3, polygons[:, :, 1].min())
+        shown = values[polygons[:, :, 1].min(axis=1) >= low]
+        largest = float(np.percentile(np.abs(shown), 99.5)) or 1.
+        factor, unit = style.scale_unit(unit, largest)
+        norm = style.about_zero(largest * factor) if is_signed \
+            else Normalize(0., largest * factor)
+        axis.add_collection(PolyCollection(
+            polygons, array=values * factor, norm=norm, edgecolors="face",
+            cmap=style.DIVERGING if is_signed else style.SEQUENTIAL,
+            linewidths=0.1))
+        axis.set_aspect("equal")
+        axis.autoscale_view()
+        axis.set_ylim(low, polygons[:, :, 1].max() + 0.01)
+        axis.set_axis_off()
+        axis.set_title(title, fontsize=9)
+        figure.colorbar(axis.collections[0], ax=axis, shrink=0.7,
+                        label=unit or None)
+    return figure
+
+
+def _pick(scene):
+    """Outputs from the arrival on, denser at the beginning."""
+    outputs = scene.field_list()
+    begin = 0.
+    probes = scene.biomechanics.table("probes.csv")
+    if probes is not None:
+        columns = [name for name in probes.names if name.endswith("_pressure")]
+        size = np.abs(np.stack([probes[name] for name in columns])) \
+            if columns else np.zeros((1, len(probes.values)))
+        struck = size.max(axis=0) > 0.02 * size.max()
+        begin = float(probes["time"][np.argmax(struck)])
+    later = [field for field in outputs if field[0] >= begin] or outputs[-1:]
+    if len(later) <= MOST_TIMES:
+        return later
+    wanted = np.linspace(0., 1., MOST_TIMES) ** 1.5 * (len(later) - 1)
+    numbers = []
+    for index in wanted.astype(int):
+        # Each output once, the early ones all.
+        numbers.append(max(index, numbers[-1] + 1 if numbers else 0))
+    return [later[index] for index in numbers if index < len(later)]
+
+
+def histories(scene):
+    """Pressure and strain over time where probes are."""
+    probes = scene.biomechanics.table("probes.csv")
+    if probes is None:
+        return [page.missing("probes.csv of biomechanics")]
+    places = tissue_places.find_places(scene)
+    groups = [("In the brain", [place for place in places if place.tissue
+                                == tissue_places.BRAIN]),
+              ("Lungs", [place for place in places if place.tissue
+                         == tissue_places.LUNG]),
+              ("Elsewhere", [place for place in places if place.tissue not in
+                             (tissue_places.BRAIN, tissue_places.LUNG)])]
+    groups = [group for group in groups if group[1]]
+    if not groups:
+        return [page.missing("named probes in Probes/Points of biomechanics")]
+    parts = []
+    brain = [place for place in groups[0][1]
+             if place.tissue == tissue_places.BRAIN]
+    if brain:
+        parts.append(page.figure(
+            _draw_first(probes, brain),
+            "Curves of pressure over time in "
+            + ", ".join(place.title() for place in brain) + ".",
+            "The brain's pressure in the first 2.5 ms after the wave reaches "
+            "it. Dotted: −100 kPa, where fluid may cavitate, which the model "
+            "does not.", "svg"))
+    parts += [page.figure(
+        _draw_histories(probes, groups),
+        "Curves of pressure over the whole time at "
+        f"{len(places)} places, charts for: "
+        + ", ".join(title.lower() for title, _ in groups)
+        + "; the extremes are in the table below.",
+        "Pressure in single elements over time; compression is positive. The "
+        "coup is the side of the brain towards the charge, the contrecoup the "
+        "opposite one.", "svg")]
+    rows = []
+    for place in places:
+        pressure = probes[place.column + "pressure"]
+        strain = probes[place.column + "principal_strain"]
+        shift = np.sqrt(sum(probes[f"{place.column}displacement_{axis}"] ** 2
+                            for axis in "xyz"))
+        rows.append((
+            place.title(), page.Html(",\u00a0".join(
+                f"{round(x, 3) + 0.:g}".replace("-", "−")
+                for x in place.point)),
+            page.number(1e-3 * float(pressure.max())),
+            page.number(1e-3 * float(pressure.min())),
+            page.number(1e-3 * float(
+                probes[place.column + "von_mises_stress"].max())),
+            page.number(100. * float(strain.max())),
+            page.number(1e3 * float(shift.max()))))
+    parts.append(page.table(
+        ("place", "x, y, z [m]", "highest pressure [kPa]",
+         "lowest pressure [kPa]", "von Mises stress [kPa]",
+         "largest strain [%]", "displacement [mm]"), rows,
+        numbers=range(2, 7)))
+    return parts
+
+
+def _draw_first(probes, places):
+    """The first waves, before echoes of echoes."""
+    time = probes["time"]
+    begins = [signals.arrival(time, probes[place.column + "pressure"])
+              for place in places]
+    begin = min((x for x in begins if x is not None), default=0.)
+    part = (time >= begin - 1e-4) & (time <= begin + 2.5e-3)
+    figure, axis = plt.subplots(figsize=(9., 3.3))
+    for place in places:
+        axis.plot(1e3 * time[part],
+                  1e-3 * probes[place.column + "pressure"][part],
+                  label=place.title(), linewidth=1.2)
+    axis.axhline(-100., color=style.GREY, linewidth=0.8, linestyle=":")
+    axis.set_xlabel("time [ms]")
+    axis.set_ylabel("pressure [kPa]")
+    axis.legend(loc="upper left", bbox_to_anchor=(1., 1.))
+    return figure
+
+
+def _draw_histories(probes, groups):
+    time = 1e3 * probes["time"]
+    figure, axes = plt.subplots(len(groups), 1, sharex=True, squeeze=False,
+                                figsize=(9., 2.5 * len(groups) + 0.6))
+    size = [np.abs(probes[place.column + "pressure"])
+            for _, places in groups for place in places]
+    struck = np.max(size, axis=0) > 0.01 * np.max(size)
+    begin = time[np.argmax(struck)]
+    for axis, (title, places) in zip(axes.flat, groups):
+        largest = max(np.abs(probes[place.column + "pressure"]).max()
+                      for place in places)
+        factor, unit = style.scale_unit("Pa", largest)
+        for place in places:
+            axis.plot(time, factor * probes[place.column + "pressure"],
+                      linewidth=0.9, label=place.title())
+        if places[0].tissue == tissue_places.BRAIN:
+            axis.axhline(-1e5 * factor, color=style.GREY, linewidth=0.8,
+                         linestyle=":")
+        axis.set_title(title)
+        axis.set_ylabel(f"pressure [{unit}]")
+        axis.legend(loc="upper left", bbox_to_anchor=(1., 1.))
+    axes[-1, 0].set_xlim(max(0., begin - 0.3), time[-1])
+    axes[-1, 0].set_xlabel("time [ms]")
+    return figure
+
+
+def energy(scene):
+    """Table and picture of the energy, and whether its audit holds."""
+    history = scene.biomechanics.table("history.csv")
+    if history is None or "external_work" not in history:
+        return [page.missing("history.csv of biomechanics")]
+    known = [(name, text) for name, text in ENERGIES if name in history]
+    work = max(abs(float(history["external_work"][-1])), 1e-300)
+    rows = [(text, page.quantity(float(history[name][-1]), "J", 4),
+             page.number(100. * float(history[name][-1]) / work) + " %")
+            for name, text in known]
+    parts = [_verdict(scene),
+             page.table(("energy at the end", "value",
+                         "of the work of the loads"), rows, numbers=(1, 2)),
+             page.figure(
+                 _draw_energy(history, known),
+                 "Two charts of energy over time: of the whole body by kind, "
+                 "and of its internal energy by tissue.",
+                 "Energy of the whole body over time, and who has the "
+                 "internal one. The work of the loads must be the sum of all "
+                 "others; what is missing is drawn as well.", "svg")]
+    return parts
+
+
+def _verdict(scene):
+    residual = scene.biomechanics.found("assumptions", "energy_residual")
+    part = scene.biomechanics.found("assumptions", "hourglass_part")
+    if residual is None or part is None:
+        return page.missing("the audit in summary.json of biomechanics")
+    limits = [(scene.biomechanics.parameter(f"Energy audit/{name}")
+               or [usual])[0] for name, usual in
+              (("Largest residual", 0.01), ("Largest hourglass part", 0.1))]
+    holds = abs(residual) <= limits[0] and part <= limits[1]
+    return page.paragraph(
+        page.tag("span", "The audit holds" if holds else
+                 "The audit does not hold",
+                 kind="good" if holds else "bad"),
+        f": {page.number(100. * abs(residual), 2)} % of the energy is missing "
+        f"(allowed {page.number(100. * limits[0])} %), hourglass control has "
+        f"{page.number(100. * part, 2)} % of the internal energy (allowed "
+        f"{page.number(100. * limits[1])} %, a warning from 5 %).")
+
+
+def _draw_energy(history, known):
+    time = 1e3 * history["time"]
+    figure, axes = plt.subplots(1, 2, figsize=(9.4, 3.7))
+    for name, text in known:
+        axes[0].plot(time, history[name], label=text,
+                     linestyle="--" if name == "energy_residual" else "-")
+    axes[0].set_title("whole body")
+    tissues = [name[len("internal_energy_"):] for name in history.names
+               if name.startswith("internal_energy_")]
+    for number, tissue in enumerate(tissues):
+        axes[1].plot(time, history["internal_energy_" + tissue],
+                     color=style.COLOURS[number % 7], label=tissue.replace(
+                         "_", " "), linestyle="-" if number < 7 else "--")
+    axes[1].set_title("internal energy by tissue")
+    for axis in axes:
+        axis.set_xlabel("time [ms]")
+        axis.set_ylabel("energy [J]")
+        axis.legend(fontsize=8, loc="upper center", ncols=3,
+                    bbox_to_anchor=(0.5, -0.17))
+    return figure
+
+
+def mesh(scene):
+    """Volumes, masses and quality by tissue."""
+    path = scene.anatomy.path("quality.csv")
+    if not os.path.exists(path):
+        return [page.missing("anatomy/quality.csv")]
+    with files.reading(path), open(path, newline="",
+                                   encoding="utf-8") as file:
+        kinds = list(files.rows_of(file))
+        kinds = [row for row in kinds if row["kind"] == "tissue"] or kinds
+        rows = [(row["name"], page.count(int(row["elements"])),
+                 page.number(1e3 * float(row["volume [m^3]"])),
+                 page.number(float(row["mass [kg]"])),
+                 page.number(float(row["smallest scaled Jacobian"]), 2),
+                 page.number(1e6 * float(row["time step [s]"])))
+                for row in kinds]
+    parts = []
+    for name in ("cuts.png", "body.png"):
+        picture = os.path.join(scene.anatomy.folder, "pictures", name)
+        if os.path.exists(picture):
+            with open(picture, "rb") as file:
+                parts.append(page.figure(
+                    file.read(), "Cuts through the body, coloured by tissue: "
+                    + ", ".join(row[0] for row in rows) + ".",
+                    "The body in cuts, by tissue, as anatomy "
+                    "made it."))
+            break
+    parts.append(page.table(
+        ("tissue", "elements", "volume [litre]", "mass [kg]",
+         "smallest scaled Jacobian", "time step alone [µs]"), rows,
+        numbers=range(1, 6)))
+    return parts
+
+
+def largest_displacement(scene):
+    """Largest displacement of any node at the last output [m], its time, and
+    the tissue of an element there; None without fields."""
+    outputs = scene.field_list()
+    if not outputs:
+        return None
+    largest, tissue = 0., 0
+    for mesh_part in scene.field(outputs[-1][1]):
+        shift = mesh_part["displacement"].reshape(-1, 3)
+        size = np.sqrt((shift ** 2).sum(1))
+        node = int(np.argmax(size))
+        if size[node] > largest:
+            largest = float(size[node])
+            cell = int(np.argmax(mesh_part["connectivity"] == node)) // 8
+            tissue = int(mesh_part["tissue"][cell])
+    return largest, outputs[-1][0], tissue
+
+
+def tissue_pressures(scene):
+    """By tissue the 95th percentile of the size of the pressure [Pa] over its
+    elements, largest over all outputs."""
+    found = {}
+    for _, pieces in scene.field_list():
+        values = {}
+        for part in scene.field(pieces):
+            for tissue in np.unique(part["tissue"]):
+                values.setdefault(int(tissue), []).append(
+                    np.abs(part["pressure"][part["tissue"] == tissue]))
+        for tissue, lists in values.items():
+            size = float(np.percentile(np.concatenate(lists), 95.))
+            found[tissue] = max(found.get(tissue, 0.), size)
+    return found

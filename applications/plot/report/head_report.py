@@ -1,0 +1,504 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""The sections of the report on a head that hits a plane."""
+
+import os
+
+import numpy as np
+
+from plot.readers import files, stage
+from plot.figures import head_figures
+from plot.report import (accuracy, head_paper, injury_table, injury_thresholds,
+                         page)
+
+# Entries of the parameter file that say what a region is made of.
+CONSTANTS = {
+    "tait": (("Density", "kg/m^3"), ("Bulk modulus", "Pa"),
+             ("Exponent", "-"), ("Least pressure", "Pa")),
+    "elastic": (("Density", "kg/m^3"), ("Young modulus", "Pa"),
+                ("Poisson ratio", "-"), ("Kinematics", "")),
+    "viscoelastic": (("Density", "kg/m^3"), ("Bulk modulus", "Pa"),
+                     ("Shear modulus", "Pa"),
+                     ("Long-term shear modulus", "Pa"),
+                     ("Relaxation time", "s"), ("Kinematics", "")),
+    "tissue": (("Tissue", ""), ("Tissue set", ""), ("Kinematics", ""))}
+FLOW_TIMES = (1e-3, 5e-3)
+
+
+def build(run, folder):
+    """The page; its pictures are left in @p folder as well."""
+    parts = page.Page("Impact of a head" if run.planes else "Motion of a head",
+                      _subtitle(run))
+    judged = judge(run)
+    parts.open_with(answer(run, judged))
+    parts.section("The head and its wall", *scene(run))
+    parts.section("Cuts", *cuts(run, folder))
+    if run.planes:
+        parts.section("Contact and rebound", *contact(run, folder))
+    parts.section("Pressure and strain over time", *histories(run, folder))
+    parts.section("Energy", *energy(run, folder))
+    parts.section("Injury", *injury(run, judged))
+    if head_paper.applies(run):
+        parts.section("Against the paper", *head_paper.section(run))
+    parts.section("Parameters and assumptions", *assumptions(run))
+    parts.section("Cost", accuracy.cost_table(
+        [accuracy.cost_row("head_impact", {}, run)]))
+    parts.section("How to reproduce", *reproduce(run))
+    return parts.render()
+
+
+def _subtitle(run):
+    version = run.summary.get("version", "")
+    revision = run.summary.get("git_revision")
+    return f"Contrecoup {version}" + (f" ({revision})" if revision else "") \
+        + " · head_impact"
+
+
+def figure(folder, name, drawn, description, caption):
+    """A figure of the page, which is a file of the folder as well."""
+    content = page.render(drawn, "png")
+    path = os.path.join(folder, name + ".png")
+    with open(path, "wb") as file:
+        file.write(content)
+    print(path)
+    return page.figure(content, description, caption)
+
+
+def _symmetry(run):
+    """What is computed of the head, in words."""
+    if run.wedge_axis != "none":
+        return f"a wedge of the head about {run.wedge_axis}, one cell thick,"
+    return ("the whole head", "half of the head", "a quarter of the head",
+            "an eighth of the head")[len(run.mirrors)]
+
+
+def extreme(run, quantity, layer, take):
+    """The extremum of a column and when it is reached."""
+    column = run.column(quantity, layer)
+    index = int(take(column))
+    return float(column[index]), float(run.history["time"][index])
+
+
+def largest_force(run):
+    """Of the whole head, of running means; and when."""
+    force = head_figures.smoothed(run, run.history["contact_force"])
+    index = int(np.argmax(force))
+    return float(force[index]), float(run.history["time"][index])
+
+
+def answer(run, judged):
+    """What happened, in a few plain sentences."""
+    mass = float(run.history["mass"][0])
+    text = [f"A head of {page.quantity(mass, 'kg')}"]
+    if run.planes:
+        speed = -float(run.normal_velocity()[0])
+        text[0] += (f" hits a rigid plane at {page.quantity(speed, 'm/s')}.")
+        rebound, end = run.rebound(), run.last_contact()
+        force, when = largest_force(run)
+        text.append(
+            f"The plane pushes with {page.quantity(force, 'N')} at most, after "
+            f"{page.milliseconds(when)}; " + (
+                "the head does not rebound until the end of the run"
+                if rebound is None else
+                f"the head rebounds at {page.milliseconds(rebound)}")
+            + (f" and has left the plane at {page.milliseconds(end)}."
+               if end is not None else "."))
+    else:
+        text[0] += " moves; there is no plane."
+    for layer, name in (("csf", "The CSF's pressure"),
+                        ("brain", "The brain's")):
+        if run.region(layer):
+            low, at_low = extreme(run, "least_pressure", layer, np.argmin)
+            high, at_high = extreme(run, "largest_pressure", layer, np.argmax)
+            text.append(
+                f"{name} reaches from {page.quantity(low, 'Pa')} "
+                f"({page.milliseconds(at_low)}) to "
+                f"{page.quantity(high, 'Pa')} ({page.milliseconds(at_high)}).")
+    strain = injury_table.find(judged, "injury_strain_95")
+    if strain is not None:
+        text.append("95\u00a0% of the brain is strained by less than "
+                    f"{page.number(100. * strain.value)}\u00a0%"
+                    + (f", which means: {strain.meaning()}."
+                       if strain.meaning() else "."))
+    end = float(run.history["time"][-1])
+    return page.tag(
+        "div", page.paragraph(" ".join(text)), page.paragraph(
+            f"The run ends after {page.milliseconds(end)}. Largest and least "
+            "values are those of single cells, of the rows of history.csv; the "
+            "error that the mesh makes has not been estimated."),
+        kind="answer")
+
+
+def scene(run):
+    """Layers and plane."""
+    rows = []
+    for name in run.regions:
+        key = f"Region {name}/"
+        material = run.parameters.get(key + "Material", "")
+        constants = []
+        for entry, unit in CONSTANTS.get(material, (("Density", "kg/m^3"),)):
+            value = run.parameters.get(key + entry)
+            number = run.parameter(key + entry)
+            if value:
+                constants.append(f"{entry}: " + (
+                    page.plain(number[0], unit).replace("^3", "³")
+                    if number else value))
+        rows.append((name, _thickness(run, name), material,
+                     "; ".join(constants)))
+    parts = [page.table(("layer", "size", "material", "constants"), rows,
+                        widths=(12, 30, 14, 44))]
+    told = (f"{_symmetry(run).capitalize()} is computed"
+            + (": planes of symmetry, "
+               + ("lower sides of the mesh" if run.is_file() else
+                  "through its centre") + ", are normal to "
+               + " and ".join("xyz"[axis] for axis in run.mirrors)
+               + ". Forces, areas, masses and energies are those of the whole "
+               "head; pictures show both sides."
+               if run.mirrors else "."))
+    parts.append(page.paragraph(told))
+    for plane in run.planes:
+        words = " through ({}) m with normal ({})".format(
+            *(", ".join(page.number(float(x)) for x in vector)
+              for vector in (plane.point, plane.normal)))
+        parts.append(page.paragraph(
+            f"Rigid plane “{plane.name}”{words}, " + (
+                f"coefficient of friction {page.number(plane.friction)}."
+                if plane.friction > 0. else "without friction.")))
+    if len(run.planes) > 1:
+        parts.append(page.paragraph(
+            "Force, area and work are those of all planes together; velocities "
+            f"are along the normal of “{run.planes[0].name}”."))
+    return parts
+
+
+def _thickness(run, name):
+    """The size of a region's layer, or what it is of a file."""
+    layer = run.layer_of[name]
+    if run.is_file():
+        known = run.parameters.get(f"Region {name}/Layer") or name
+        return f"“{known}” of the file"
+    if layer == "brain":
+        axes = run.parameter("Mesh/Semi-axes") or []
+        return "semi-axes " + ", ".join(f"{1e3 * axis:g}" for axis in axes) \
+            + " mm"
+    for entry in ("CSF", "Skull", "Scalp"):
+        thickness = run.parameter(f"Mesh/{entry} thickness")
+        if entry.lower() == layer and thickness:
+            cells = run.parameters.get(f"Mesh/{entry} cells", "–")
+            return f"{1e3 * thickness[0]:g} mm thick, {cells} cells across"
+    return "–"
+
+
+def cuts(run, folder):
+    """Pressure, shear strain and flow in the plane of the impact."""
+    chosen = run.picked()
+    if not chosen:
+        return [page.missing("fields after the start; Output/Fields interval "
+                             "says how often they are written")]
+    found = [run.cut(entry) for entry in chosen]
+    through = "xyz"[run.cut_axes()[0]]
+    times = page.moments([time for time, _ in chosen])
+    where = ("through the middle of the mesh" if run.is_file() else
+             "through the head's centre") + f", normal to {through}"
+    parts = [figure(
+        folder, "head_pressure", head_figures.draw_pressure(run, found),
+        f"The head cut along its middle above the wall, coloured by the "
+        f"pressure after {times}.",
+        f"Pressure in a cut {where}, one scale for all times with square-root "
+        "colours: red is compression, blue tension. The scale is that of brain "
+        "and CSF, which the skull's pressure goes beyond.")]
+    if any(run.is_solid(name) for name in run.regions):
+        parts.append(figure(
+            folder, "head_shear_strain", head_figures.draw_shear(run, found),
+            "The head cut along its middle, coloured by the shear strain of "
+            f"its solids after {times}.",
+            "Largest engineering shear strain of brain and skull in the same "
+            "cut, one scale for all times with square-root colours; the CSF "
+            "bears no shear and is pale."))
+    if run.region("csf"):
+        flow = [cut for cut in found if any(
+            abs(cut.time - time) <= 0.02 * time for time in FLOW_TIMES)] \
+            or found[-2:]
+        parts.append(figure(
+            folder, "head_speed", head_figures.draw_speed(run, flow),
+            "The ring of CSF in the head's cut, coloured by its speed with "
+            "arrows along its velocity after "
+            f"{page.moments([cut.time for cut in flow])}.",
+            "Speed of the CSF with arrows, as it is (left) and less the "
+            "skull's mean velocity (right), which shows how it flows around "
+            "the brain. Arrows and colours have one scale on either side."))
+    return parts
+
+
+def contact(run, folder):
+    """Force, area and momentum."""
+    force, when = largest_force(run)
+    velocity = run.normal_velocity()
+    rebound, end = run.rebound(), run.last_contact()
+    rows = []
+    if run.contact("contact_begin") is not None:
+        rows = [
+            ("contact begins", "–",
+             page.milliseconds(run.contact("contact_begin"))),
+            ("largest contact force of a step", page.quantity(
+                run.contact("peak_contact_force"), "N"),
+             page.milliseconds(run.contact("peak_contact_force_time"))),
+            (f"largest mean over {page.quantity(head_figures.SPAN, 's')}",
+             page.quantity(force, "N"), page.milliseconds(when)),
+            ("largest contact area", page.number(
+                1e4 * run.contact("peak_contact_area")) + " cm²",
+             "–"),
+            ("impulse of the contact force", page.quantity(
+                run.contact("contact_impulse"), "N s"), "–")]
+    rows += [
+        ("velocity towards the plane at the start",
+         page.quantity(-float(velocity[0]), "m/s"), page.milliseconds(0.)),
+        ("momentum along the normal changes its sign", "–",
+         "not until the end" if rebound is None
+         else page.milliseconds(rebound)),
+        ("contact ends", "–", "not until the end" if end is None
+         else page.milliseconds(end)),
+        ("velocity from the plane at the end",
+         page.quantity(float(velocity[-1]), "m/s"),
+         page.milliseconds(float(run.history["time"][-1])))]
+    return [
+        page.table(("what", "whole head", "when"), rows, numbers=(1, 2)),
+        figure(folder, "contact", head_figures.draw_contact(run),
+               "Two curves over time: the force between head and wall, and "
+               "the area in contact.",
+               "Contact force and area of the whole head, from history.csv. "
+               "Nodes reach and leave the plane one by one, hence the steps "
+               "of the area."),
+        figure(folder, "momentum", head_figures.draw_velocity(run),
+               "Curves of mean velocity along the plane's normal over time, "
+               "of the whole head and its solid layers.",
+               "Momentum along the plane's normal over mass, of the whole "
+               "head and of its solid layers: the head rebounds where it "
+               "changes its sign.")]
+
+
+def histories(run, folder):
+    """Extrema of the layers, and probes."""
+    parts = []
+    if run.region("csf") or run.region("brain"):
+        parts.append(figure(
+            folder, "pressures", head_figures.draw_pressures(run),
+            "Curves of the largest and the least pressure over time in CSF "
+            "and brain.",
+            "Largest and least pressure of all cells of CSF and brain over "
+            "time, from history.csv."))
+    parts.append(figure(
+        folder, "shear_strain", head_figures.draw_strains(run),
+        "Curves over time of the largest shear strain of each solid layer, "
+        "and of the largest speed of the CSF.",
+        "Largest shear strain of the solid layers, and largest speed of the "
+        "CSF over time, from history.csv."))
+    parts.append(_extrema(run))
+    points = files.points_of(run.parameters.get("Probes/Points", ""))
+    if run.probes is None or not len(points):
+        return parts
+    names = ["({})".format(", ".join(f"{1e3 * x + 0.:g}" for x in point)
+                           .replace("-", "−")) + " mm" for point in points]
+    parts.append(figure(
+        folder, "head_probes", head_figures.draw_probes(run, names),
+        f"Curves of pressure over time in {len(points)} cells.",
+        "Pressure in the cells that were nearest to these places at the "
+        "start, from probes.csv."))
+    rows = []
+    for number, name in enumerate(names):
+        column = run.probes[f"pressure_{number + 1}"]
+        high, low = int(column.argmax()), int(column.argmin())
+        rows.append((name, *(text for index in (high, low) for text in (
+            page.quantity(float(column[index]), "Pa"),
+            page.milliseconds(float(run.probes["time"][index]))))))
+    parts.append(page.table(
+        ("probe", "highest pressure", "when it is highest", "lowest pressure",
+         "when it is lowest"), rows, numbers=(1, 2, 3, 4)))
+    return parts
+
+
+def _extrema(run):
+    """Each extremum of the layers with its time."""
+    rows = []
+    for name in run.regions:
+        for quantity, take, unit in (
+                ("least_pressure", np.argmin, "Pa"),
+                ("largest_pressure", np.argmax, "Pa"),
+                ("largest_shear_strain", np.argmax, "%"),
+                ("largest_speed", np.argmax, "m/s"),
+                ("void_volume", np.argmax, "m^3")):
+            column = f"{quantity}_{name}"
+            if column not in run.history:
+                continue
+            index = int(take(run.history[column]))
+            value = float(run.history[column][index])
+            if unit == "%":
+                shown = page.number(100. * value) + " %"
+            elif unit == "m^3":
+                shown = page.number(1e6 * value) + " cm³"
+            else:
+                shown = page.quantity(value, unit)
+            rows.append((
+                name, "largest void of the whole layer" if unit == "m^3"
+                else quantity.replace("_", " "), shown,
+                page.milliseconds(float(run.history["time"][index]))))
+    return page.table(("layer", "what", "value", "when"), rows,
+                      numbers=(2, 3))
+
+
+def ledger(run):
+    """Names and columns of the energies of the whole head [J]."""
+    history = run.history
+    found = [("kinetic", history["kinetic_energy"]),
+             ("internal", history["internal_energy"]),
+             ("both", history["kinetic_energy"] + history["internal_energy"]),
+             ("work of planes and body forces", history["external_work"])]
+    if "contact_work" in history:
+        found += [("thereof planes, along their normals",
+                   history["contact_work"]),
+                  ("thereof friction", history["friction_work"])]
+    if "interface_work" in history:
+        found.append(("made up between fluid and solid",
+                      history["interface_work"]))
+    for name in ("stored_energy", "transfer_loss", "contact_loss"):
+        if name in history:
+            found.append((name.replace("_", " "), history[name]))
+    found.append(("missing", history["energy_residual"]))
+    return found
+
+
+def energy(run, folder):
+    """The ledger as a table and a picture."""
+    known = ledger(run)
+    time = run.history["time"]
+    rebound = run.rebound() if run.planes else None
+    moments = [("at the start", 0), ("at the end", len(time) - 1)]
+    if rebound is not None:
+        moments.insert(1, ("at the rebound",
+                           int(np.searchsorted(time, rebound))))
+    rows = [(name, *(page.quantity(float(column[index]), "J", 4)
+                     for _, index in moments)) for name, column in known]
+    residual = run.found("assumptions", "energy_residual")
+    parts = []
+    if residual is not None:
+        part = abs(residual)
+        parts.append(page.paragraph(
+            "What is missing in the ledger is "
+            + (f"{page.number(part, 2)} of the energy" if part > 0.
+               else "nothing") + ": the sum of kinetic and internal energy "
+            "changes by the work of planes and body forces, to round-off. "
+            "Energy of hourglass control and artificial viscosity is "
+            "internal."))
+    return parts + [
+        page.table(("energy of the whole head",
+                    *(name for name, _ in moments)), rows,
+                   numbers=range(1, 1 + len(moments))),
+        figure(folder, "energy", head_figures.draw_energy(run, known),
+               "Curves of kinetic and internal energy, their sum, and the "
+               "work of planes over time.",
+               "Energy of the whole head over time, from history.csv.")]
+
+
+def judge(run):
+    """Measures of injury.csv beside their thresholds."""
+    judged = []
+    for name, measure in measures(run).items():
+        title, thresholds, source, _ = injury_thresholds.KNOWN.get(
+            name, (injury_thresholds.title(name), [], measure.threshold, ""))
+        judged.append(injury_table.Judged(
+            name, measure.value, measure.unit,
+            (title, thresholds, source, measure.limits), None, ""))
+    return judged
+
+
+def measures(run):
+    """What injury.csv holds."""
+    return stage.read_measures(run.path("injury.csv"))
+
+
+def injury(run, judged):
+    """The injury table."""
+    if not judged:
+        return [page.missing("injury.csv: the run has neither a brain nor a "
+                             "skull that Injury/Brain and Injury/Skull name")]
+    told = ("Of the brain's cells and the skull's mean motion, from "
+            "injury.csv.")
+    if run.mirrors:
+        told += (f" What is computed, {_symmetry(run).rstrip(',')}, has the "
+                 "measures of the whole head: parts of the brain are the same "
+                 "on all sides of a plane of symmetry, the skull moves along "
+                 "it and turns about its normal, with two planes not at all.")
+    return [injury_table.table_of(judged), page.paragraph(
+        told + " Thresholds are given as they are commonly cited.",
+        kind="note")]
+
+
+def assumptions(run):
+    """The plan and its audit, and the numbers of the run."""
+    parts = []
+    known = accuracy.audit_table(run)
+    if known:
+        parts.append(known)
+    rows = [(name.replace("_", " "), page.number(float(value)))
+            for name, value in (run.summary.get("assumptions") or {}).items()
+            if files.as_number(value) is not None
+            and not name.startswith(("injury_", "contact_", "peak_contact_"))]
+    settings = mesh_settings(run)
+    settings.append(("rows of history.csv",
+                     page.count(len(run.history["time"]))))
+    settings += [(f"least pressure of {name}",
+                  run.parameters.get(f"Region {name}/Least pressure", "none"))
+                 for name in run.regions
+                 if run.parameters.get(f"Region {name}/Material") == "tait"]
+    parts.append(page.table(("what", "value"), settings + rows, numbers=(1,)))
+    parts.append(page.paragraph(
+        "The head has neither neck nor membranes nor vessels, its layers "
+        + ("slip along each other without parting" if slips(run) else
+           "are bonded") + ", and planes are rigid."))
+    return parts
+
+
+def mesh_settings(run):
+    """How the head is discretised."""
+    if run.has_particles():
+        return [("particles in all", page.count(run.summary.get("cells") or 0)),
+                ("cell size of the grid",
+                 page.quantity((run.parameter("MPM/Cell size") or [0.])[0],
+                               "m"))] + [
+            (name.lower(), run.parameters.get(f"MPM/{name}", "–"))
+            for name in ("Basis", "Transfer", "Update", "Series order",
+                         "Smoothing", "Fields")]
+    mesh = ("file", os.path.basename(run.parameters.get("Mesh/File", "–"))) \
+        if run.is_file() else (
+            "cell size at the brain's surface, about",
+            page.quantity((run.parameter("Mesh/Cell size") or [0.])[0], "m"))
+    return [
+        ("cells in all", page.count(run.summary.get("cells") or 0)), mesh,
+        ("smoothing of the fluid's mesh", run.parameters.get("Rezone/Kind",
+                                                             "–")),
+        ("its interval", page.quantity(
+            (run.parameter("Rezone/Interval") or [np.nan])[0], "s"))]
+
+
+def slips(run):
+    """Whether layers slip along each other."""
+    by_interface = any(
+        run.parameters.get(f"Region {name}/Interface") == "slip"
+        for name in run.regions)
+    if not run.has_particles():
+        return by_interface
+    fields = run.parameters.get("MPM/Fields", "")
+    return by_interface if fields == "by interface" else fields == "slip"
+
+
+def reproduce(run):
+    """The parameter file as used."""
+    parts = [page.paragraph(
+        f"Ranks: {run.summary.get('ranks', '–')}. Tables beside this page: "
+        "history.csv, probes.csv, injury.csv; pictures in the folder "
+        "pictures.")]
+    with files.reading(run.path("parameters.prm")), open(
+            run.path("parameters.prm"), encoding="utf-8") as file:
+        parts.append(page.folded_file("parameters.prm: every entry as used",
+                                      file.read()))
+    return parts

@@ -1,0 +1,185 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""Measures of injury with their errors and thresholds, and what they say
+together."""
+
+from plot.report import accuracy, injury_thresholds, page
+from plot.report.injury_thresholds import KNOWN
+
+# What the report takes from the skin itself instead of these.
+REPLACED = ("injury_chest_pressure_peak", "injury_chest_wall_velocity",
+            "injury_adjusted_severity", "injury_lung_exposure",
+            "injury_eardrum_rupture")
+# Told with the checks of the run.
+NO_INJURY = ("injury_pressure_roughness",)
+GROUPS = (("Ears", ("ear_",)),
+          ("Chest and lungs", ("chest_", "injury_chest", "injury_lung",
+                               "lung_")),
+          ("Brain and head", ("injury_",)))
+
+
+class Judged:
+    """A measure beside its thresholds."""
+
+    def __init__(self, name, value, unit, known, error, error_of):
+        self.name, self.value, self.unit = name, value, unit
+        self.title, self.thresholds, self.source, self.limits = known
+        self.error, self.error_of = error, error_of
+
+    def exceeded(self, value=None):
+        """Number of thresholds that a value, or this one's, exceeds."""
+        value = self.value if value is None else value
+        return sum(value < limit if limit < 0. else value > limit
+                   for limit, _ in self.thresholds)
+
+    def meaning(self):
+        """What the worst exceeded threshold means, "" below all."""
+        count = self.exceeded()
+        return self.thresholds[count - 1][1] if count else ""
+
+    def is_certain(self):
+        """Whether the estimated error leaves the verdict as it is; None if no
+        error is known."""
+        if self.error is None:
+            return None
+        return all(self.exceeded(self.value * (1. + sign * self.error))
+                   == self.exceeded() for sign in (-1., 1.))
+
+
+def judge(scene):
+    """All measures, those of the skin first."""
+    differences = accuracy.Differences()
+    judged = []
+
+    def add(name, value, unit, known, known_by=None):
+        error, of = accuracy.uncertainty(scene, known_by or name,
+                                         differences)
+        judged.append(Judged(name, value, unit, known, error, of))
+
+    _add_skin(scene, add)
+    for name, measure in scene.measures().items():
+        has_skin = any(entry.name.startswith("chest_") for entry in judged)
+        if name in NO_INJURY or has_skin and name in REPLACED:
+            continue
+        known = KNOWN.get(name) or (
+            injury_thresholds.title(name), [],
+            measure.threshold, measure.limits)
+        add(name, measure.value, measure.unit, known)
+    return judged
+
+
+def _add_skin(scene, add):
+    """Measures of the recorded loads alone: eardrums, chest wall, lung."""
+    places = scene.gauge_injury()
+    for name, found in places.items():
+        if name.endswith("ear"):
+            words, thresholds, source, limits = KNOWN["ear_rupture"]
+            add("ear_rupture_" + name, found["eardrum rupture"], "-",
+                (words.replace("an eardrum", f"the {name}drum"), thresholds,
+                 source,
+                 f"peak {page.quantity(found['peak'], 'Pa')}; {limits}"),
+                "ear_rupture")
+    if "chest" not in places:
+        return
+    front = places["chest"]["chest wall velocity"]
+    add("chest_wall_front", front, "m/s", KNOWN["chest_wall_front"])
+    if "back" in places:
+        back = places["back"]["chest wall velocity"]
+        add("chest_wall_mean", 0.5 * (front + back), "m/s",
+            KNOWN["chest_wall_mean"])
+    if places["chest"]["positive phase"] > 0.:
+        add("lung_exposure", places["chest"]["lung exposure"], "-",
+            KNOWN["injury_lung_exposure"])
+
+
+def find(judged, name):
+    """The measure of that name, or None."""
+    for entry in judged:
+        if entry.name == name:
+            return entry
+    return None
+
+
+def table(scene, judged):
+    """The injury table, by parts of the body."""
+    if not judged:
+        wanted = "injury.csv of biomechanics"
+        if not scene.has_no_gauges():
+            wanted += " and gauge_injury.csv of the blast"
+        return [page.missing(wanted)]
+    parts, left = [], list(judged)
+    for title, beginnings in GROUPS:
+        group = [entry for entry in left if entry.name.startswith(beginnings)]
+        left = [entry for entry in left if entry not in group]
+        if group:
+            parts.append(page.tag("h3", title))
+            parts.append(table_of(group))
+    parts.append(_disagreement(scene, judged))
+    parts.append(page.paragraph(
+        "Errors are parts of the value (a probability ends at 1 all the same) "
+        "and those of the numerics alone, extrapolated from runs of the man "
+        "before five pounds of C-4 with halved cells and elements (see the "
+        "section on accuracy); for other scenes they are guesses. Thresholds "
+        "are given as they are commonly cited; tissue properties and "
+        "thresholds are less certain than the numerics.", kind="note"))
+    return [part for part in parts if part]
+
+
+def table_of(group):
+    """A table of some judged measures."""
+    return page.table(
+        ("measure", "value and its estimated error",
+         "thresholds and their source", "verdict",
+         "what the measure does not say"),
+        [_row(entry) for entry in group], widths=(20, 14, 29, 15, 22))
+
+
+def _row(entry):
+    lines = [page.escape(f"{page.plain(limit, entry.unit)}: {meaning}")
+             for limit, meaning in entry.thresholds]
+    lines.append(page.tag("small", entry.source))
+    value = [page.tag("b", _shown(entry.value, entry.unit))]
+    if entry.error is not None:
+        value += [page.escape("±\u00a0" + page.percent(entry.error)),
+                  page.tag("small", f"by {entry.error_of}")]
+    else:
+        value.append(page.tag("small", "error not measured"))
+    return (entry.title, page.Html("<br>".join(value)),
+            page.Html("<br>".join(lines)), _verdict(entry), entry.limits)
+
+
+def _shown(value, unit):
+    if unit == "-" and abs(value) >= 0.9995 and abs(value) < 1.:
+        return ">\u00a00.999"
+    return page.quantity(value, unit)
+
+
+def _verdict(entry):
+    if not entry.thresholds:
+        return "not judged"
+    count = entry.exceeded()
+    kind = "good" if count == 0 else \
+        "bad" if count == len(entry.thresholds) else "mid"
+    word = "above: " + entry.meaning() if count else "below"
+    if entry.thresholds[0][0] < 0. and count:
+        word = "exceeded: " + entry.meaning()
+    certain = entry.is_certain()
+    note = "" if certain is None else "; the error does not change this" \
+        if certain else "; a threshold lies within the error"
+    return page.Html(page.tag("span", word, kind=kind) + page.escape(note))
+
+
+def _disagreement(scene, judged):
+    """A word when facet and patch make different things of the chest."""
+    here = find(judged, "chest_wall_front")
+    there = scene.measures().get("injury_chest_wall_velocity")
+    if here is None or there is None or here.value <= 0.:
+        return None
+    ratio = there.value / here.value
+    if abs(ratio - 1.) < 0.15:
+        return None
+    return page.paragraph(
+        page.tag("span", "Take care: ", kind="bad"),
+        f"the facet nearest to the chest gives {page.number(there.value)} "
+        f"m/s, the mean over the patch around it {page.number(here.value)} "
+        "m/s from the same recorded loads. This report uses the patch.")

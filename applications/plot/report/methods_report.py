@@ -1,0 +1,302 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""The report that puts two runs of one head beside one another."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+from plot.readers import files
+from plot.analysis import signals
+from plot.figures import head_figures, style
+from plot.report import accuracy, head_report, page
+
+NAMES = {"ale": "ALE", "mpm": "MPM"}
+RASTER = 160  # places along the longer side of difference fields
+AGREEMENT = 0.1
+SPAN = 5e-4  # of running means at probes, which leave no ringing [s]
+
+
+class Pair:
+    """The first run, which the second is compared with."""
+
+    def __init__(self, first, second):
+        self.runs = (first, second)
+        names = [name_of(run) for run in self.runs]
+        self.names = names if names[0] != names[1] else [
+            f"{name} {number}" for number, name in enumerate(names, 1)]
+
+    def both(self, function):
+        return [function(run) for run in self.runs]
+
+
+def name_of(run):
+    return NAMES.get(run.parameters.get("Method", "ale"), "?")
+
+
+def build(pair, folder):
+    """The page; its pictures are left in @p folder as well."""
+    rows = quantities(pair)
+    parts = page.Page("One head, two methods: " + " and ".join(pair.names),
+                      " · ".join(run.folder for run in pair.runs))
+    parts.open_with(answer(pair, rows))
+    parts.section("Quantities", table(pair, rows))
+    parts.section("Contact", *contact(pair, folder))
+    parts.section("Pressures", *pressures(pair, folder))
+    parts.section("Cuts", *cuts(pair, folder))
+    parts.section("Energy and cost", *energy(pair))
+    return parts.render()
+
+
+def quantities(pair):
+    """Names, units and the values of both runs; None where one has none."""
+    rows = [("mass", "kg", pair.both(
+        lambda run: float(run.history["mass"][0])))]
+    if all(run.planes for run in pair.runs):
+        rows += [
+            ("largest contact force, mean over 50 µs", "N", pair.both(
+                lambda run: head_report.largest_force(run)[0])),
+            ("largest contact area", "m^2", pair.both(largest_area)),
+            ("contact impulse", "N s", pair.both(
+                lambda run: run.contact("contact_impulse"))),
+            ("momentum changes its sign", "s", pair.both(
+                lambda run: run.rebound())),
+            ("contact ends", "s", pair.both(lambda run: run.last_contact()))]
+    for layer in ("csf", "brain"):
+        for quantity, take in (("least_pressure", np.argmin),
+                               ("largest_pressure", np.argmax)):
+            if all(run.region(layer) for run in pair.runs):
+                rows.append((
+                    f"{quantity.replace('_', ' ')} of {layer}", "Pa",
+                    pair.both(lambda run, q=quantity, l=layer, t=take:
+                              head_report.extreme(run, q, l, t)[0])))
+    if all(run.region("csf") for run in pair.runs):
+        rows.append(("largest speed of csf", "m/s", pair.both(
+            lambda run: float(run.column("largest_speed", "csf").max()))))
+    for number, name in enumerate(probe_names(pair)):
+        for span in (0., SPAN):
+            rows += [(
+                f"{word} pressure at {name}" + (
+                    f", mean over {page.quantity(span, 's')}" if span else ""),
+                "Pa", pair.both(lambda run, n=number, t=take, s=span: float(
+                    t(probe(run, n, s)))))
+                for word, take in (("least", np.min), ("largest", np.max))]
+    return rows
+
+
+def probe(run, number, span):
+    """Pressure at a probe, as running means over a span unless it is 0."""
+    time, values = run.probes["time"], run.probes[f"pressure_{number + 1}"]
+    if not span or len(time) < 5:
+        return values
+    even = np.linspace(time[0], time[-1], 2 * len(time))
+    return signals.smooth(even, np.interp(even, time, values), span)
+
+
+def largest_area(run):
+    """Of running means, of the whole head."""
+    area = head_figures.smoothed(run, run.history["contact_area"])
+    return float(area.max())
+
+
+def probe_names(pair):
+    """Of places that both runs follow; [] unless these are the same."""
+    texts = pair.both(lambda run: run.parameters.get("Probes/Points", ""))
+    if texts[0] != texts[1] or any(run.probes is None for run in pair.runs):
+        return []
+    return ["({})".format(", ".join(f"{1e3 * x + 0.:g}" for x in point)
+                          .replace("-", "−")) + " mm"
+            for point in files.points_of(texts[0])]
+
+
+def difference(values):
+    """Of the second from the first, over the first; None if unknown."""
+    if None in values or not values[0]:
+        return None
+    return values[1] / values[0] - 1.
+
+
+def table(pair, rows):
+    shown = []
+    for name, unit, values in rows:
+        part = difference(values)
+        shown.append((name, *(
+            "–" if value is None else page.milliseconds(value) if unit == "s"
+            else page.number(1e4 * value) + " cm²" if unit == "m^2"
+            else page.quantity(value, unit) for value in values),
+            "–" if part is None else f"{100. * part:+.1f} %"))
+    return page.table(("whole head", *pair.names, "difference"), shown,
+                      "Pressures are extrema over cells or particles, and over "
+                      "rows of the history.", numbers=(1, 2, 3))
+
+
+def answer(pair, rows):
+    parts = {name: difference(values) for name, _, values in rows}
+    known = {name: part for name, part in parts.items()
+             if part is not None and name != "mass"}
+    close = [name for name, part in known.items() if abs(part) <= AGREEMENT]
+    far = sorted((name for name in known if name not in close),
+                 key=lambda name: -abs(known[name]))
+    text = (f"{len(close)} of {len(known)} quantities of {pair.names[1]} are "
+            f"within {100. * AGREEMENT:.0f} % of those of {pair.names[0]}.")
+    if far:
+        text += " Farthest: " + "; ".join(
+            f"{name} {100. * known[name]:+.0f} %" for name in far[:3]) + "."
+    seconds = pair.both(lambda run: files.as_number(
+        (run.summary.get("performance") or {}).get("core_seconds")))
+    if None not in seconds and seconds[0] > 0.:
+        ratio = page.number(seconds[1] / seconds[0])
+        text += (f" {pair.names[1]} took {ratio} times the processor time of "
+                 f"{pair.names[0]}.")
+    return page.tag("div", page.paragraph(text), kind="answer")
+
+
+def _histories(pair, panels):
+    """A figure of panels side by side: title, unit, and for each run a curve
+    of its history: time and values."""
+    figure, axes = plt.subplots(1, len(panels), squeeze=False,
+                                figsize=(4.7 * len(panels), 3.1))
+    for axis, (title, unit, curves) in zip(axes[0], panels):
+        largest = max(np.abs(values).max() for _, values in curves) or 1.
+        factor, shown = style.scale_unit(unit, largest) if unit != "m^2" \
+            else (1e4, "cm²")
+        axis.axhline(0., color=style.GREY, linewidth=0.7)
+        for name, (time, values), colour in zip(pair.names, curves,
+                                                style.COLOURS):
+            axis.plot(1e3 * time, factor * values, label=name, color=colour,
+                      linewidth=1.)
+        axis.set_title(title)
+        axis.set_ylabel(f"[{shown}]")
+        axis.set_xlabel("time [ms]")
+        axis.legend()
+    return figure
+
+
+def contact(pair, folder):
+    if not all(run.planes for run in pair.runs):
+        return [page.missing("planes")]
+    panels = [(title, unit, pair.both(lambda run, c=column: (
+        run.history["time"],
+        head_figures.smoothed(run, run.history[c]))))
+        for title, unit, column in (
+            ("contact force", "N", "contact_force"),
+            ("contact area", "m^2", "contact_area"))]
+    return [head_report.figure(
+        folder, "contact_of_both", _histories(pair, panels),
+        "Curves of contact force and area over time by both methods.",
+        "Contact force and area of the whole head, means over 50 µs.")]
+
+
+def pressures(pair, folder):
+    parts = []
+    for layer in ("csf", "brain"):
+        if not all(run.region(layer) for run in pair.runs):
+            continue
+        panels = [(f"{word} pressure of {layer}", "Pa", pair.both(
+            lambda run, q=quantity, l=layer: (run.history["time"],
+                                              run.column(q, l))))
+                  for word, quantity in (("least", "least_pressure"),
+                                         ("largest", "largest_pressure"))]
+        parts.append(head_report.figure(
+            folder, f"pressures_{layer}", _histories(pair, panels),
+            f"Curves of the least and largest pressure of {layer} by both "
+            "methods.", f"Least and largest pressure of {layer}."))
+    names = probe_names(pair)
+    for begin in range(0, len(names), 2):
+        panels = [(name, "Pa", pair.both(lambda run, n=number: (
+            run.probes["time"], run.probes[f"pressure_{n + 1}"])))
+            for number, name in list(enumerate(names))[begin:begin + 2]]
+        parts.append(head_report.figure(
+            folder, f"probes_{begin // 2 + 1}", _histories(pair, panels),
+            "Curves of pressure at probes by both methods.",
+            "Pressure at probes."))
+    return parts or [page.missing("a brain and its CSF in both runs")]
+
+
+def cuts(pair, folder):
+    """Pressure by both methods at the same times, and the difference."""
+    chosen = [(a, b) for a in pair.runs[0].picked()
+              for b in pair.runs[1].fields()
+              if abs(a[0] - b[0]) <= 0.01 * a[0]]
+    if not chosen:
+        return [page.missing("fields of both runs at the same times")]
+    found = [[run.cut(entry) for run, entry in zip(pair.runs, entries)]
+             for entries in chosen]
+    drawn = _draw_cuts(pair, found)
+    return [head_report.figure(
+        folder, "pressure_of_both", drawn,
+        "Rows of cuts through the head, coloured by pressure: by the first "
+        "method, the second, and their difference.",
+        "Pressure in a cut through the head's centre: "
+        f"{pair.names[0]}, {pair.names[1]}, and the second less the first in "
+        "brain and CSF; one scale, that of brain and CSF.")]
+
+
+def _inside(run, cut):
+    return head_figures.of_layers(run, cut.values, ("brain", "csf"))
+
+
+def _draw_cuts(pair, found):
+    largest = max(np.percentile(np.abs(
+        cut.values["pressure"][_inside(run, cut)]), 99.5)
+        for cuts_of_time in found
+        for run, cut in zip(pair.runs, cuts_of_time)) or 1.
+    factor, unit = style.scale_unit("Pa", largest)
+    norm = style.about_zero(largest * factor)
+    figure, axes = plt.subplots(3, len(found), squeeze=False,
+                                figsize=(2.5 * len(found) + 0.9, 8.2))
+    for number, cuts_of_time in enumerate(found):
+        for row, (run, cut) in enumerate(zip(pair.runs, cuts_of_time)):
+            shown = head_figures.add_polygons(
+                axes[row, number], cut, slice(None),
+                cut.values["pressure"] * factor, cmap=style.DIVERGING,
+                norm=norm)
+        values, extent = _rasters(pair, cuts_of_time)
+        axes[2, number].imshow(
+            factor * (values[1] - values[0]), origin="lower", extent=extent,
+            cmap=style.DIVERGING, norm=norm)
+        for row, title in enumerate((*pair.names, "difference")):
+            axis = axes[row, number]
+            axis.set_aspect("equal")
+            axis.set_xlim(extent[0], extent[1])
+            axis.set_ylim(extent[2], extent[3])
+            axis.set_axis_off()
+            axis.set_title(f"{title}, {1e3 * cuts_of_time[0].time:.3g} ms",
+                           fontsize=9)
+    figure.colorbar(shown, ax=axes, shrink=0.6, extend="both", pad=0.02,
+                    label=f"pressure [{unit}]")
+    return figure
+
+
+def _rasters(pair, cuts_of_time):
+    """Pressure of brain and CSF of both runs on one raster, NaN elsewhere, and
+    its extent."""
+    points = cuts_of_time[0].polygons.reshape(-1, 2)
+    low, high = points.min(axis=0), points.max(axis=0)
+    size = (high - low).max() / RASTER
+    n = np.ceil((high - low) / size).astype(int)
+    values = []
+    for run, cut in zip(pair.runs, cuts_of_time):
+        part = _inside(run, cut)
+        image = np.full((n[1], n[0]), np.nan)
+        # Places in the box around each polygon, which are small and convex.
+        for polygon, value in zip(cut.polygons[part],
+                                  cut.values["pressure"][part]):
+            first = np.floor((polygon.min(axis=0) - low) / size).astype(int)
+            last = np.ceil((polygon.max(axis=0) - low) / size).astype(int)
+            first, last = np.maximum(first, 0), np.minimum(last, n)
+            image[first[1]:last[1], first[0]:last[0]] = value
+        values.append(image)
+    return values, (low[0], high[0], low[1], high[1])
+
+
+def energy(pair):
+    ledgers = [dict(head_report.ledger(run)) for run in pair.runs]
+    rows = [(name, *(page.quantity(float(ledger[name][-1]), "J", 4)
+                     if name in ledger else "–" for ledger in ledgers))
+            for name in dict.fromkeys([*ledgers[0], *ledgers[1]])]
+    return [
+        page.table(("energy of the whole head at the end", *pair.names), rows,
+                   numbers=(1, 2)),
+        accuracy.cost_table([
+            accuracy.cost_row(name, {}, run)
+            for name, run in zip(pair.names, pair.runs)])]

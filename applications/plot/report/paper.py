@@ -1,0 +1,462 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""The published simulation of five pounds of C-4 before a man, statement by
+statement, beside what a run of that scene finds: X. G. Tan, R. N. Saunders,
+A. Bagchi, COUPLED PROBLEMS 2017, sections 3.2 and 3.3."""
+
+import numpy as np
+
+from plot.analysis import signals, tissue_places
+from plot.report import blast_sections, body_sections, page
+
+SOURCE = ("X. G. Tan, R. N. Saunders, A. Bagchi: Coupled modeling for "
+          "investigation of blast induced traumatic brain injury, COUPLED "
+          "PROBLEMS 2017")
+HEAD = ("forehead", "vertex", "occiput", "eye", "temple", "ear")
+CAVITATION = -1e5
+AGREES, PARTLY, DIFFERS, OPEN = "agrees", "partly", "differs", "not told"
+
+
+class Statement:
+    """A statement of the paper, what was found, and why it differs."""
+
+    def __init__(self, quote, found, verdict, reason=""):
+        self.quote, self.found = quote, found
+        self.verdict, self.reason = verdict, reason
+
+
+def is_that_scene(scene):
+    """Whether a scene is the published one."""
+    mass, distance = scene.charge_mass(), scene.fact("distance")
+    return (scene.explosive().lower() in ("c-4", "c4")
+            and mass is not None and 2.2 <= mass <= 2.3
+            and distance is not None and 2.2 <= distance <= 2.5
+            and scene.facts.get("body") == "phantom")
+
+
+def section(scene):
+    """The table of all statements."""
+    statements = []
+    gauges = scene.blast.table("load_gauges.csv")
+    if gauges is not None:
+        statements += _steps(scene) + _passage(scene) + _head(scene, gauges)
+        statements += _places(scene, gauges)
+    probes = scene.biomechanics.table("probes.csv")
+    if probes is not None:
+        statements += _body(scene, probes) + _brain(scene, probes)
+    if not statements:
+        return [page.missing("histories of blast and biomechanics")]
+    return [
+        page.paragraph(
+            f"This is the scene of {SOURCE}. "
+            f"{counted(statements, 'sections 3.2 and 3.3')}"),
+        table(statements)]
+
+
+def counted(statements, where):
+    """How many statements agree, in a sentence."""
+    count = {verdict: sum(entry.verdict == verdict for entry in statements)
+             for verdict in (AGREES, PARTLY, DIFFERS, OPEN)}
+    return (f"Of {len(statements)} statements of its {where}, "
+            f"{count[AGREES]} agree with this run, {count[PARTLY]} in part, "
+            f"{count[DIFFERS]} do not, and {count[OPEN]} cannot be told from "
+            "it. What was found is computed from this run's tables.")
+
+
+def table(statements):
+    """Each statement beside what was found."""
+    kinds = {AGREES: "good", PARTLY: "mid", DIFFERS: "bad", OPEN: "note"}
+    return page.table(
+        ("as published", "as found here", "verdict",
+         "likely reason of the difference"),
+        [(f"“{entry.quote}”", entry.found,
+          page.tag("span", entry.verdict, kind=kinds[entry.verdict]),
+          entry.reason or "–") for entry in statements],
+        widths=(27, 32, 9, 32))
+
+
+def _steps(scene):
+    """Step sizes of gas and solid."""
+    found = []
+    for stage, quote, published, why in (
+            (scene.blast, "The time step size is about 0.1 micro-sec", 0.1e-6,
+             "the blast's cells are larger, and only the smallest ones and the "
+             "fastest waves set the step"),
+            (scene.biomechanics, "The time step size is 0.08 micro-sec",
+             0.08e-6, "the body's elements are cubes without slivers, and the "
+             "step comes from the highest frequency of the whole body")):
+        table = stage.table("history.csv")
+        if table is None or "step" not in table or table["step"][-1] <= 0:
+            continue
+        late = table["time"] > 0.5 * table["time"][-1]
+        begin = int(np.argmax(late))
+        steps = table["step"][-1] - table["step"][begin]
+        if steps <= 0:
+            continue
+        size = (table["time"][-1] - table["time"][begin]) / steps
+        close = 0.5 < size / published < 2.
+        found.append(Statement(
+            quote, f"{page.quantity(size, 's')} in the second half of the "
+            + ("blast" if stage is scene.blast else "body's motion"),
+            AGREES if close else DIFFERS, "" if close else why))
+    return found
+
+
+def _passage(scene):
+    """How long the blast loads the body."""
+    force = blast_sections.resultant(scene)
+    if force is None:
+        return []
+    time, values = force
+    size = np.sqrt((values ** 2).sum(1))
+    top = int(np.argmax(size))
+    weak = np.flatnonzero(size[top:] < 0.1 * size[top])
+    strong = np.flatnonzero(size > 0.1 * size[top])
+    first, last = time[strong[0]], time[strong[-1]]
+    until = time[top + weak[0]] if weak.size else time[-1]
+    held = last - first
+    return [Statement(
+        "It takes just a few milliseconds for the blast wave to pass through "
+        "the human body … the resultant forces on the human body diminish "
+        "rapidly",
+        f"the resultant force, {page.quantity(float(size[top]), 'N')} at most,"
+        f" falls below a tenth of that {page.milliseconds(until - first)} "
+        "after its onset, and stays below from "
+        f"{page.milliseconds(held)} on",
+        AGREES if held < 5e-3 else PARTLY if until - first < 5e-3
+        else DIFFERS,
+        "" if held < 5e-3 else "the negative phase and the wave from the "
+        "ground load the body again")]
+
+
+def _head(scene, gauges):
+    """Phases and peaks at the head."""
+    time = gauges["time"]
+    here = [name for name in gauges.others("time")
+            if name.endswith(HEAD) and gauges[name].max() > 0.]
+    if "forehead" not in here:
+        return []
+    peak = {name: float(gauges[name].max()) for name in here}
+    found = [_phases(time, gauges, here)]
+    others = {name: peak[name] for name in here if name != "forehead"}
+    larger = [name for name in others if others[name] > peak["forehead"]]
+    found.append(Statement(
+        "The reflected pressure peak at forehead is much higher than other "
+        "locations",
+        f"forehead {_kpa(peak['forehead'])}; " + ", ".join(
+            f"{name} {_kpa(value)}" for name, value in others.items()),
+        AGREES if not larger else PARTLY,
+        "" if not larger else "hollows as " + " and ".join(larger)
+        + " hold the wave and have more; a smooth head has none"))
+    found += _rear(gauges, peak)
+    found += _incident(scene, peak)
+    found += _ground(scene, gauges)
+    return found
+
+
+def _kpa(value):
+    return f"{page.number(1e-3 * value)} kPa"
+
+
+def _phases(time, gauges, here):
+    rises = [1e6 * signals.rise_time(time, gauges[name]) for name in here]
+    lowest = [float(gauges[name].min()) for name in here]
+    both = sum(value < -2e3 for value in lowest)
+    return Statement(
+        "The calculated pressures on the head surface have a sharp rise and "
+        "experience both positive and negative phases",
+        f"rises of {page.number(min(rises), 2)} to "
+        f"{page.number(max(rises), 2)} µs; pressure falls below the ambient "
+        f"at {both} of {len(here)} places, to {_kpa(min(lowest))}",
+        AGREES if both == len(here) else PARTLY if both else DIFFERS)
+
+
+def _rear(gauges, peak):
+    temple = next((name for name in peak if name.endswith("temple")), None)
+    if temple is None or "occiput" not in peak:
+        return []
+    behind, beside = peak["occiput"], peak[temple]
+    agrees = behind > beside
+    ear = next((name for name in peak if name.endswith("ear")), None)
+    text = f"occiput {_kpa(behind)}, temple {_kpa(beside)}"
+    if ear:
+        text += f", ear {_kpa(peak[ear])}"
+    return [Statement(
+        "The calculated pressure at the rear portion of head surface is "
+        "higher than the temple, because of the diffraction of the shock "
+        "front", text,
+        AGREES if agrees else PARTLY if ear and behind > peak[ear]
+        else DIFFERS,
+        "" if agrees else "it depends on the place called temple: what lies "
+        "before the middle of the head still sees the incident wave, what "
+        "lies behind it, as the ear, does not; waves from both sides meet at "
+        "the rear")]
+
+
+def _incident(scene, peak):
+    temple = next((name for name in peak if name.endswith("temple")), None)
+    side_on = scene.blast.found("assumptions", "probe_1_peak_overpressure")
+    known = scene.blast.found("assumptions",
+                              "probe_1_reference_peak_overpressure")
+    if temple is None or side_on is None:
+        return []
+    ratio = peak[temple] / (known or side_on)
+    return [Statement(
+        "The peak pressure at the temple is similar to the incident peak "
+        "pressure",
+        f"temple {_kpa(peak[temple])}; beside him {_kpa(side_on)}"
+        + (f", Kingery and Bulmash {_kpa(known)}" if known else ""),
+        AGREES if abs(ratio - 1.) < 0.25 else DIFFERS,
+        "" if abs(ratio - 1.) < 0.25 else "the skin is not parallel to the "
+        "wave there, or cells are too coarse")]
+
+
+def _ground(scene, gauges):
+    """When the ground's reflection reaches the forehead."""
+    time = gauges["time"]
+    _, second = signals.find_peaks(time, gauges["forehead"])
+    if second is None:
+        return [Statement("The ground reflection reaches the forehead at "
+                          "4.8ms", "no second front was found there", DIFFERS,
+                          "cells are too coarse for it")]
+    moment = float(time[second])
+    charge = scene.charge_place()
+    places = scene.loads().places() if scene.loads() else {}
+    path = ""
+    if charge is not None and "forehead" in places:
+        way = np.linalg.norm(charge * [1., 1., -1.] - places["forehead"])
+        path = f"its path is {way:.2f} m; "
+    return [Statement(
+        "The ground reflection reaches the forehead at 4.8ms",
+        f"second front at {page.milliseconds(moment)}",
+        AGREES if abs(moment - 4.8e-3) < 0.3e-3 else DIFFERS,
+        "" if abs(moment - 4.8e-3) < 0.3e-3 else path + "it runs through air "
+        "that the first front has heated and set in motion, and therefore "
+        "faster than a wave in cold air, for which Kingery and Bulmash give "
+        "4.6 ms")]
+
+
+def _places(scene, gauges):
+    """Order of arrival, hollows, the lower leg."""
+    time = gauges["time"]
+    names = [name for name in gauges.others("time") if gauges[name].max() > 0.]
+    peak = {name: float(gauges[name].max()) for name in names}
+    begin = {name: signals.arrival(time, np.maximum(gauges[name], 0.))
+             for name in names}
+    order = sorted(names, key=lambda name: begin[name])
+    front = [name for name in order[:4]]
+    chest_first = "chest" in order[:2]
+    found = [Statement(
+        "The blast pressure reaches the face and the chest first since they "
+        "are closer to the explosive",
+        "first " + ", ".join(f"{name} {page.milliseconds(begin[name])}"
+                             for name in front),
+        AGREES if chest_first and any(
+            name in order[:5] for name in ("forehead", "left eye"))
+        else PARTLY if chest_first else DIFFERS,
+        "" if chest_first else "another part of the body is closer")]
+    eye = next((name for name in names if name.endswith("eye")), None)
+    if eye and "forehead" in peak and "throat" in peak and "chest" in peak:
+        higher = [peak[eye] > peak["forehead"], peak["throat"] > peak["chest"]]
+        found.append(Statement(
+            "reflects around concave regions (eye socket, lower neck, and "
+            "groin)",
+            f"eye {_kpa(peak[eye])} against forehead "
+            f"{_kpa(peak['forehead'])}, throat {_kpa(peak['throat'])} against "
+            f"chest {_kpa(peak['chest'])}",
+            AGREES if all(higher) else PARTLY if any(higher) else DIFFERS,
+            "" if all(higher) else "the hollow is shallow, and farther from "
+            "the charge"))
+    shin = next((name for name in names if name.endswith("shin")), None)
+    if shin:
+        found.append(_leg(time, gauges, shin))
+    return found
+
+
+def _leg(time, gauges, shin):
+    first, second = signals.find_peaks(time, gauges[shin])
+    both = second is not None
+    values = gauges[shin]
+    second_is_higher = both and values[second] > values[first]
+    text = f"{shin}: first front {_kpa(float(values[first]))}"
+    if both:
+        text += (f" at {page.milliseconds(float(time[first]))}, second one "
+                 f"{_kpa(float(values[second]))} at "
+                 f"{page.milliseconds(float(time[second]))}")
+    return Statement(
+        "The high pressure on the lower leg was caused by the ground "
+        "reflection", text, AGREES if second_is_higher else
+        PARTLY if both else OPEN,
+        "" if second_is_higher else "only one front was found: it is a Mach "
+        "stem, or cells do not part the two" if not both else "")
+
+
+def _body(scene, probes):
+    """Stress waves and motion of the whole body."""
+    places = tissue_places.find_places(scene)
+    found = _soft_and_stiff(scene)
+    found += _first_struck(places, probes)
+    coup = tissue_places.named(places, ", coup")
+    if coup is not None:
+        values = np.abs(probes[coup.column + "pressure"])
+        top = int(np.argmax(values))
+        shift = max(np.sqrt(sum(
+            probes[f"{place.column}displacement_{axis}"][top] ** 2
+            for axis in "xyz")) for place in places)
+        found.append(Statement(
+            "The high-amplitude stress wave propagated inside the human "
+            "body prior to any visible displacement of human body",
+            "pressure at the coup is largest at "
+            f"{page.milliseconds(float(probes['time'][top]))}; no probe has "
+            f"moved by more than {page.quantity(float(shift), 'm')} then",
+            AGREES if shift < 5e-3 else DIFFERS))
+    shift = body_sections.largest_displacement(scene)
+    if shift is not None:
+        few = 5e-3 <= shift[0] < 0.05
+        found.append(Statement(
+            "the maximum displacement is a few centimeters, which justifies "
+            "the one-way coupling strategy",
+            f"{page.quantity(shift[0], 'm')} at most after "
+            f"{page.milliseconds(shift[1])}, in "
+            + tissue_places.NAMES.get(shift[2], "other tissue"),
+            AGREES if few else PARTLY if 1e-3 < shift[0] < 0.1 else DIFFERS,
+            "" if few else "the softest parts move most; the body "
+            "neither stands on the ground nor has weight"))
+    return found
+
+
+def _soft_and_stiff(scene):
+    pressures = body_sections.tissue_pressures(scene)
+    bone = pressures.get(tissue_places.SKELETON)
+    lung = pressures.get(tissue_places.LUNG)
+    if bone is None or lung is None:
+        return []
+    listed = sorted(pressures, key=lambda tissue: -pressures[tissue])
+    return [Statement(
+        "A stiff material like the skeleton has the higher pressure, while "
+        "the pressure in a softer material like the lung is much lower",
+        "95th percentile of the size over the elements, largest of all "
+        "outputs: " + ", ".join(
+            f"{tissue_places.NAMES.get(tissue, 'body')} "
+            f"{page.quantity(pressures[tissue], 'Pa', 2)}"
+            for tissue in listed),
+        AGREES if bone > 3. * lung and listed[0] == tissue_places.SKELETON
+        else PARTLY if bone > lung else DIFFERS,
+        "" if listed[0] == tissue_places.SKELETON else
+        f"{tissue_places.NAMES.get(listed[0])} is shut in by bone and hardly "
+        "compressible, so that pressure stays in it")]
+
+
+def _first_struck(places, probes):
+    begins = {}
+    for place in places:
+        begin = signals.arrival(probes["time"],
+                                probes[place.column + "pressure"])
+        if begin is not None:
+            begins[place.name] = begin
+    coup = begins.get("brain, coup")
+    contrecoup = begins.get("brain, contrecoup")
+    if coup is None or contrecoup is None:
+        return []
+    order = sorted(begins, key=lambda name: begins[name])
+    return [Statement(
+        "the blast wave first reaches the chest and front lobe of the brain",
+        ", ".join(f"{name} {page.milliseconds(begins[name])}"
+                  for name in order),
+        AGREES if coup < contrecoup and "chest" in order[0] else
+        PARTLY if coup < contrecoup else DIFFERS,
+        "" if any("chest" in name for name in begins) or coup > contrecoup
+        else "no place in the chest's wall was followed")]
+
+
+def _brain(scene, probes):
+    """The five facts of coup and contrecoup, in the first 2.5 ms."""
+    places = tissue_places.find_places(scene)
+    near = tissue_places.named(places, ", coup")
+    far = tissue_places.named(places, "contrecoup")
+    if near is None or far is None:
+        return []
+    time = probes["time"]
+    coup = probes[near.column + "pressure"]
+    counter = probes[far.column + "pressure"]
+    begin = signals.arrival(time, coup)
+    if begin is None:
+        return []
+    part = (time >= begin - 1e-4) & (time <= begin + 2.5e-3)
+    time, coup, counter = time[part], coup[part], counter[part]
+    delay = signals.arrival(time, counter) - signals.arrival(time, coup)
+    # What matters is slower than the transit of a few elements.
+    coup, counter = (signals.smooth(time, values, 2e-5)
+                     for values in (coup, counter))
+    size = max(np.abs(counter).max(), 1.)
+    tops, dips = signals.extrema(time, counter, 0.15 * size)
+    found = [_delay(delay, near, far), _sign(time, counter, size, tops, dips),
+             _higher(coup, counter)]
+    return found + _peaks(tops, dips)
+
+
+def _delay(delay, near, far):
+    way = float(np.linalg.norm(near.point - far.point))
+    close = 0.05e-3 < delay < 0.2e-3
+    return Statement(
+        "there was about a 0.1 millisecond time delay of pressure onset "
+        "between coup and contrecoup sites",
+        f"{page.milliseconds(delay, 2)} between the probes, which are "
+        f"{way:.2f} m apart", AGREES if close else DIFFERS,
+        "" if close else "the skull is faster than the brain and takes the "
+        "wave around it; sound in the brain of table 1 needs "
+        f"{page.milliseconds(way / 1480., 2)} for that way")
+
+
+def _sign(time, counter, size, tops, dips):
+    first = int(np.argmax(np.abs(counter) > 0.1 * size))
+    negative = counter[first] < 0.
+    # What comes before may be too weak to stand out.
+    weak = not negative and dips and (not tops or dips[0][0] < tops[0][0])
+    return Statement(
+        "the negative pressure occurred first in the contrecoup site",
+        f"its first swing, {page.quantity(float(counter[first]), 'Pa', 2)} at "
+        f"{page.milliseconds(float(time[first]))}, is "
+        + ("negative" if negative else "positive")
+        + (", but weak; the first that stands out, "
+           f"{page.quantity(dips[0][1], 'Pa', 2)} at "
+           f"{page.milliseconds(dips[0][0])}, is negative" if weak else ""),
+        AGREES if negative else PARTLY if weak else DIFFERS,
+        "" if negative else "compression through the skull's base and the "
+        "neck arrives before the skull is pushed away from the brain there")
+
+
+def _higher(coup, counter):
+    above = counter.max() > coup.max()
+    return Statement(
+        "the positive peak pressure in the contrecoup site was higher than "
+        "the coup site",
+        f"contrecoup {page.quantity(float(counter.max()), 'Pa')}, coup "
+        f"{page.quantity(float(coup.max()), 'Pa')}",
+        AGREES if above else DIFFERS,
+        "" if above else "the wave spreads while it passes the brain; a "
+        "focus at the far side, as in an ellipsoid, is weak in a head of "
+        "this shape")
+
+
+def _peaks(tops, dips):
+    highs = [value for _, value in tops if value > 0.][:6]
+    falling = len(highs) >= 3 and all(
+        after < before for before, after in zip(highs[:3], highs[1:3]))
+    shown = ", ".join(_kpa(value) for value in highs) or "none"
+    deep = [value for _, value in dips if value < CAVITATION]
+    return [
+        Statement(
+            "at the contrecoup site three positive peaks are gradually "
+            "weakening", f"positive peaks within 2.5 ms: {shown}",
+            AGREES if falling else PARTLY if len(highs) >= 3 else DIFFERS,
+            "" if falling else "other waves, through neck and skull, come on "
+            "top of the echoes inside of the head"),
+        Statement(
+            "three negative pressure dips occurred over the cavitation limit "
+            "of -100kPa",
+            f"{len(deep)} dips below −100 kPa within 2.5 ms"
+            + (", the deepest " + _kpa(min(deep)) if deep else ""),
+            AGREES if len(deep) == 3 else PARTLY if deep else DIFFERS,
+            "" if len(deep) == 3 else "without cavitation in the model "
+            "tension swings back unhindered" if len(deep) > 3 else "")]

@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""The report on a scene: all its sections, in order."""
+
+from plot.report import (accuracy, blast_sections, body_sections, headline,
+                         injury_table, page, paper, scene_sections)
+
+
+def build(scene):
+    """All sections."""
+    facts = scene.facts
+    title = str(facts.get("title") or "Report of a blast on a body")
+    parts = page.Page(title, _subtitle(facts))
+    judged = injury_table.judge(scene)
+    parts.open_with(headline.answer(scene, judged))
+    parts.section("The scene", *scene_sections.section(scene))
+    parts.section("What happens when", *scene_sections.timeline(scene))
+    parts.section("Pressure in the air", *blast_sections.air(scene))
+    parts.section("Pressure on the skin", *blast_sections.skin(scene))
+    parts.section("Histories on the skin", *blast_sections.histories(scene))
+    # What was not asked for is not missing.
+    has_body = scene.biomechanics.exists or facts.get(
+        "question") in (None, "injury")
+    if has_body:
+        parts.section("Stress waves in the body", *body_sections.waves(scene))
+        parts.section("Histories in the tissue",
+                      *body_sections.histories(scene))
+    parts.section("Injury", *injury_table.table(scene, judged))
+    if paper.is_that_scene(scene):
+        parts.section("Beside the published simulation",
+                      *paper.section(scene))
+    if has_body:
+        parts.section("Energy of the body", *body_sections.energy(scene))
+    parts.section("Conservation of the gas",
+                  *blast_sections.conservation(scene))
+    parts.section("What was taken for granted", *accuracy.plan(scene))
+    parts.section("Accuracy", *accuracy.statement(scene))
+    parts.section("The body's mesh", *body_sections.mesh(scene))
+    parts.section("Cost", *accuracy.cost(scene))
+    parts.section("How to reproduce", *accuracy.reproduce(scene))
+    return parts.render()
+
+
+def _subtitle(facts):
+    parts = ["Contrecoup"]
+    if facts.get("version"):
+        parts[0] += f" {facts['version']}"
+    if facts.get("git_revision"):
+        parts[0] += f" ({facts['git_revision']})"
+    for key, word in (("question", "question"), ("accuracy", "accuracy")):
+        if facts.get(key):
+            parts.append(f"{word}: {facts[key]}")
+    return " · ".join(parts)

@@ -1,0 +1,317 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""The scene drawn to scale, and what happens when."""
+
+import re
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.patches import Circle
+
+from plot.analysis import signals, tissue_places
+from plot.figures import body_views, style
+from plot.report import page
+
+# kg/m^3, for the size of the charge on the drawing.
+EXPLOSIVE_DENSITY = {"tnt": 1630., "c-4": 1601., "petn": 1770.}
+# After the onset of pressure in tissue, when waves pass that are not echoes
+# of echoes yet [s].
+FIRST_WAVES = 2.5e-3
+
+
+def facts(scene):
+    """A table of what the scene is."""
+    rows = []
+
+    def add(name, value):
+        if value not in (None, "", "–"):
+            rows.append((name, value))
+
+    mass, place = scene.charge_mass(), scene.charge_place()
+    if mass is not None:
+        add("charge", f"{page.quantity(mass, 'kg', 4)} of "
+            f"{scene.explosive().upper()}")
+    if place is not None:
+        add("its centre", "(" + ", ".join(f"{x:.4g}" for x in place) + ") m")
+    for name, key, unit in (("distance to the body", "distance", "m"),
+                            ("height above ground", "height", "m")):
+        if scene.fact(key) is not None:
+            add(name, page.quantity(scene.fact(key), unit, 4))
+    add("body", scene.facts.get("body"))
+    add("plane of symmetry", scene.facts.get("symmetry"))
+    if scene.fact("end_time") is not None:
+        add("followed until", page.milliseconds(scene.fact("end_time")))
+    add("question", scene.facts.get("question"))
+    add("accuracy", scene.facts.get("accuracy"))
+    if scene.cell_size():
+        add("gas cells at the skin",
+            f"{page.number(1e3 * scene.cell_size())} mm")
+    if scene.element_size():
+        add("elements of the body",
+            f"{page.number(1e3 * scene.element_size())} mm")
+    return page.table(("what", "value"), rows)
+
+
+def section(scene):
+    """Facts and drawing."""
+    parts = [facts(scene)]
+    remarks = [_sentence(str(remark))
+               for remark in scene.facts.get("remarks") or []]
+    if scene.facts.get("body") == "image":
+        remarks.append("The body is what the images hold: where they end it "
+                       "is cut off, and the blast passes there, too.")
+    if remarks:
+        parts.append(page.bullets(remarks))
+    if scene.charge_place() is None:
+        parts.append(page.missing("the place of the charge, so that nothing "
+                                  "can be drawn"))
+        return parts
+    ways = "" if _target(scene) is None else (
+        "The line to the charge is the way of the direct wave, the bent one "
+        "that of its reflection by the ground to the same place. ")
+    parts.append(page.figure(
+        _draw(scene), f"Drawing of the {scene.explosive().upper()} charge, "
+        f"{page.quantity(float(scene.charge_place()[2]), 'm')} above the "
+        "ground, and of the body before it, seen from the side.",
+        f"The scene from the side, to scale. {ways}In grey: the "
+        "body as the gas met it.", "svg", "92%"))
+    return parts
+
+
+def _sentence(text):
+    """A line of the log as a sentence on a page."""
+    text = text.replace("m^2", "m²").replace("m^3", "m³")
+    return text[:1].upper() + text[1:] + ("" if text.endswith(".") else ".")
+
+
+def _draw(scene):
+    charge = scene.charge_place()
+    figure, axis = plt.subplots(figsize=(8.4, 5.2))
+    target = _target(scene)
+    _draw_body(scene, axis)
+    radius = _charge_radius(scene)
+    axis.add_patch(Circle((charge[0], charge[2]), radius, zorder=4,
+                          color=style.COLOURS[1]))
+    axis.annotate(
+        f"{page.quantity(scene.charge_mass(), 'kg', 4)} "
+        f"{scene.explosive().upper()}", (charge[0], charge[2] + radius),
+        (0, 6), textcoords="offset points", ha="center", va="bottom")
+    if target is not None:
+        _draw_ways(axis, charge, target)
+    left = min(-0.6, axis.get_xlim()[0], charge[0] - 0.5)
+    right = max(charge[0], target[0] if target is not None else 0.) + 0.5
+    axis.axhspan(-0.2, 0., color="#cfc9be", linewidth=0.)
+    axis.set_xlim(left, right)
+    axis.set_ylim(-0.2, max(2., charge[2] + 0.6))
+    axis.set_aspect("equal")
+    axis.set_xlabel("x [m]")
+    axis.set_ylabel("z [m]")
+    return figure
+
+
+def _target(scene):
+    """A place of the body that the drawn ways lead to."""
+    known = scene.loads()
+    if known is None:
+        return None
+    places = known.places()
+    for name in ("forehead", "chest"):
+        if name in places:
+            return places[name]
+    return next(iter(places.values()), None)
+
+
+def _draw_body(scene, axis):
+    views = body_views.views_of(scene.loads(), scene.blast.folder)
+    if views is None:
+        return
+    side = views.names().index("right")
+    width, height = views.side_extent(side)
+    left, low = views.sides[side].origin
+    axis.imshow(views.paint_side(side), zorder=1, interpolation="bilinear",
+                extent=(left, left + width, low, low + height))
+    axis.grid(False)
+
+
+def _charge_radius(scene):
+    density = EXPLOSIVE_DENSITY.get(scene.explosive().lower(), 1600.)
+    return (3. * (scene.charge_mass() or 1.)
+            / (4. * np.pi * density)) ** (1. / 3.)
+
+
+def _draw_ways(axis, charge, target):
+    direct = np.linalg.norm(charge - target)
+    image = charge * np.array([1., 1., -1.])
+    bent = np.linalg.norm(image - target)
+    part = charge[2] / (charge[2] + target[2])
+    ground = charge[0] + part * (target[0] - charge[0])
+    axis.plot([charge[0], target[0]], [charge[2], target[2]],
+              color=style.COLOURS[0], linewidth=1.2)
+    axis.plot([charge[0], ground, target[0]], [charge[2], 0., target[2]],
+              color=style.COLOURS[0], linewidth=1.2, linestyle="--")
+    middle = 0.5 * (charge + target)
+    axis.annotate(f"{direct:.2f} m", (middle[0], middle[2]), (0, 6),
+                  textcoords="offset points", ha="center",
+                  color=style.COLOURS[0])
+    axis.annotate(f"{bent:.2f} m by the ground", (ground, -0.02),
+                  ha="center", va="top", color="black", fontsize=9)
+    axis.annotate("", (charge[0], 0.), (charge[0], charge[2]),
+                  arrowprops={"arrowstyle": "<->", "color": style.GREY})
+    axis.annotate(f"{charge[2]:.2f} m", (charge[0], 0.5 * charge[2]), (5, 0),
+                  textcoords="offset points", va="center", color=style.GREY)
+
+
+class Event:
+    """Something that happened: a bar from begin to end, or a moment."""
+
+    def __init__(self, lane, what, begin, end=None, mark=None, detail=""):
+        self.lane, self.what, self.begin, self.end = lane, what, begin, end
+        self.mark, self.detail = mark, detail
+        self.is_cut = False  # whether it goes on after the run
+
+
+def events(scene):
+    """All events, by lanes: in the air, on the skin, in the tissue."""
+    found = [Event("air", "detonation", 0.)]
+    found += _hand_overs(scene)
+    found += _skin_events(scene)
+    found += _tissue_events(scene)
+    return found
+
+
+def _hand_overs(scene):
+    """Ends of the stages in fewer dimensions: the first is before the front
+    meets the ground, another before it meets the body."""
+    found = re.findall(
+        r"first stage ends at (\S+) s with its front at (\S+) m",
+        scene.blast.log())
+    return [Event("air", f"front {float(radius):.2f} m from the charge",
+                  float(time), detail="a stage in fewer dimensions ends")
+            for time, radius in found]
+
+
+def _skin_events(scene):
+    gauges = scene.blast.table("load_gauges.csv")
+    found = []
+    if gauges is None:
+        return found
+    time = gauges["time"]
+    for name in gauges.others("time"):
+        phase = signals.positive_phase(time, gauges[name])
+        if phase is None:
+            continue
+        first, second = signals.find_peaks(time, gauges[name])
+        peak = page.quantity(float(gauges[name].max()), "Pa")
+        found.append(Event(
+            "skin", name, phase[0], phase[1],
+            None if second is None else float(time[second]),
+            f"peak {peak}, impulse {page.quantity(phase[2], 'Pa s')}"))
+        found[-1].is_cut = signals.is_cut(time, gauges[name], phase)
+    return sorted(found, key=lambda event: event.begin)
+
+
+def _tissue_events(scene):
+    probes = scene.biomechanics.table("probes.csv")
+    found = []
+    if probes is None:
+        return found
+    time = probes["time"] + _offset(scene)
+    for place in tissue_places.find_places(scene):
+        values = probes[place.column + "pressure"]
+        begin = signals.arrival(time, values)
+        if begin is None:
+            continue
+        near = (time >= begin) & (time <= begin + FIRST_WAVES)
+        largest = int(np.argmax(np.where(near, np.abs(values), 0.)))
+        found.append(Event(
+            "tissue", place.title(), begin, None, float(time[largest]),
+            f"{page.quantity(float(values[largest]), 'Pa')} then; from "
+            f"{page.quantity(float(values.min()), 'Pa')} to "
+            f"{page.quantity(float(values.max()), 'Pa')} in the whole run"))
+    return sorted(found, key=lambda event: event.begin)
+
+
+def _offset(scene):
+    """Recorded time at which biomechanics begins [s]."""
+    return (scene.biomechanics.parameter("Loads/Recorded/Time offset")
+            or [0.])[0]
+
+
+def timeline(scene):
+    """Picture and table of the events."""
+    found = events(scene)
+    if len(found) < 2:
+        return [page.missing("histories of the blast and of biomechanics")]
+    rows = []
+    for event in sorted(found, key=lambda event: event.begin):
+        if event.lane == "skin":
+            text = f"{event.what}: the wave arrives"
+            if event.mark is not None:
+                text += f", second front at {page.milliseconds(event.mark)}"
+            text += ", positive phase " + (
+                "goes on at the end of the run" if event.is_cut else
+                f"ends at {page.milliseconds(event.end)}")
+        elif event.lane == "tissue":
+            text = (f"{event.what}: pressure sets in, largest of the first "
+                    f"waves at {page.milliseconds(event.mark)}")
+        else:
+            text = event.what
+        rows.append((page.milliseconds(event.begin), text, event.detail))
+    caption = "What happens when, from the detonation on. "
+    lanes = {event.lane for event in found}
+    if "skin" in lanes:
+        caption += ("Bars: positive phases on the skin; triangles: the second "
+                    "front there, which the ground or the body itself has "
+                    "reflected. ")
+    if "tissue" in lanes:
+        caption += ("Lines in the tissue go from the onset of pressure to its "
+                    "largest value, of either sign, within 2.5 ms. ")
+    return [page.figure(
+        _draw_timeline(found), "Chart of what happens when, from "
+        f"{page.milliseconds(min(event.begin for event in found))} to "
+        + page.milliseconds(max(event.end or event.mark or event.begin
+                                for event in found))
+        + "; all of it is in the table below.", caption + "Dotted lines: (a) "
+        + "; ".join(f"({'abcdefgh'[i + 1]}) {event.what}" if i >= 0 else
+                    event.what for i, event in enumerate(
+                        (event for event in found if event.lane == "air"),
+                        -1)) + ".", "svg"),
+        page.folded_table("All events as a table", page.table(
+            ("time", "what", "how much"), rows, numbers=(0,)))]
+
+
+def _draw_timeline(found):
+    last = max(event.end or event.mark or event.begin for event in found)
+    rows = [event for event in found if event.lane != "air"]
+    figure, axis = plt.subplots(figsize=(9., 0.29 * len(rows) + 1.5))
+    for row, event in enumerate(rows):
+        if event.lane == "skin":
+            axis.barh(row, 1e3 * (event.end - event.begin),
+                      left=1e3 * event.begin, height=0.6,
+                      color=style.COLOURS[0], alpha=0.75)
+            if event.mark is not None:
+                axis.plot(1e3 * event.mark, row, marker="v", markersize=5,
+                          color="white", markeredgecolor="black",
+                          markeredgewidth=0.7)
+        else:
+            axis.plot([1e3 * event.begin, 1e3 * event.mark], [row, row],
+                      color=style.COLOURS[1], marker="|", linewidth=2.)
+            axis.plot(1e3 * event.mark, row, marker="o", markersize=4,
+                      color=style.COLOURS[1])
+    air = [event for event in found if event.lane == "air"]
+    last_place = -np.inf
+    for letter, event in zip("abcdefgh", air):
+        is_close = event.begin - last_place < 0.04 * last
+        last_place = event.begin
+        axis.axvline(1e3 * event.begin, color="black", linewidth=0.9,
+                     linestyle=":")
+        axis.annotate(f"({letter})", (1e3 * event.begin, -0.65),
+                      (6 if is_close else 0, 3),
+                      textcoords="offset points", ha="center", fontsize=9,
+                      annotation_clip=False)
+    axis.set_yticks(range(len(rows)), [event.what for event in rows])
+    axis.set_ylim(len(rows) - 0.4, -0.8)
+    axis.set_xlim(0., 1.03e3 * last)
+    axis.set_xlabel("time since the detonation [ms]")
+    axis.grid(axis="y", visible=False)
+    return figure
