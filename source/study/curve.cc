@@ -83,6 +83,32 @@ double arrival(const Curve &curve)
   return curve.times.back();
 }
 
+Curve averaged(const Curve &curve, const double width)
+{
+  const std::vector<double> &times = curve.times;
+  std::vector<double> integrals(times.size(), 0.);
+  for (std::size_t i = 1; i < times.size(); ++i)
+    integrals[i] = integrals[i - 1] + 0.5 * (times[i] - times[i - 1]) *
+                                        (curve.values[i] + curve.values[i - 1]);
+  const auto integral_to = [&](const double time) {
+    const auto after = std::upper_bound(times.begin(), times.end(), time);
+    const auto i = static_cast<std::size_t>(
+      std::max<std::ptrdiff_t>(after - times.begin() - 1, 0));
+    return integrals[i] +
+           0.5 * (time - times[i]) * (curve.values[i] + at(curve, time));
+  };
+  Curve result = curve;
+  for (std::size_t i = 0; i < times.size(); ++i)
+  {
+    const double begin = std::max(times.front(), times[i] - 0.5 * width);
+    const double end = std::min(times.back(), times[i] + 0.5 * width);
+    if (end > begin)
+      result.values[i] =
+        (integral_to(end) - integral_to(begin)) / (end - begin);
+  }
+  return result;
+}
+
 double relative_difference(const Curve &curve, const Curve &reference)
 {
   const double end = std::min(curve.times.back(), reference.times.back());

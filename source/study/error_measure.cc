@@ -137,6 +137,15 @@ void ErrorMeasure::declare_parameters(ParameterHandler &prm)
                  "",
                  "Instead, the output folder of a run that was made before.");
   declare_double(prm,
+                 "Averaging time",
+                 "0",
+                 0.,
+                 bounds::time,
+                 "s",
+                 "Curves are replaced by their means over this interval before "
+                 "they are compared, which leaves out oscillations that are "
+                 "faster; 0: as they are.");
+  declare_double(prm,
                  "Wanted error",
                  "0",
                  0.,
@@ -153,6 +162,7 @@ void ErrorMeasure::parse_parameters(ParameterHandler &prm)
   quantity_ = prm.get("Quantity");
   name_ = prm.get("Name");
   known_ = read_double(prm, "Known value");
+  averaging_time_ = read_double(prm, "Averaging time");
   wanted_ = read_double(prm, "Wanted error");
   reference_folder_ = prm.get("Reference folder");
   const std::string reference = prm.get("Reference");
@@ -188,8 +198,9 @@ std::string ErrorMeasure::of_curve() const
 Curve ErrorMeasure::curve(const std::string &folder) const
 {
   const bool is_probe = quantity_.compare(0, 5, "probe") == 0;
-  return read_curve(folder + (is_probe ? "/probes.csv" : "/history.csv"),
-                    name_);
+  const Curve recorded =
+    read_curve(folder + (is_probe ? "/probes.csv" : "/history.csv"), name_);
+  return averaging_time_ > 0. ? averaged(recorded, averaging_time_) : recorded;
 }
 
 bool ErrorMeasure::is_active() const

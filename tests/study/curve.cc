@@ -60,3 +60,29 @@ TEST(Curve, DifferenceIsRelativeToTheReferencesRise)
     value += 0.5;
   EXPECT_NEAR(relative_difference(shifted, wave), 2. / 2.25, 1e-12);
 }
+
+TEST(Curve, AverageIsTheMeanOverAnInterval)
+{
+  // A straight curve stays, but where the interval ends with the curve.
+  const Curve straight = {{0., 1., 3., 4.}, {0., 2., 6., 8.}};
+  const Curve same = averaged(straight, 2.);
+  EXPECT_EQ(same.times, straight.times);
+  EXPECT_NEAR(same.values[0], 1., 1e-12);
+  EXPECT_NEAR(same.values[1], 2., 1e-12);
+  EXPECT_NEAR(same.values[2], 6., 1e-12);
+  EXPECT_NEAR(same.values[3], 7., 1e-12);
+  // A tooth of area 1 within the interval.
+  const Curve tooth = {{0., 1., 2., 3., 4.}, {0., 0., 1., 0., 0.}};
+  EXPECT_NEAR(averaged(tooth, 2.).values[2], 0.5, 1e-12);
+  EXPECT_NEAR(averaged(tooth, 1.).values[2], 0.75, 1e-12);
+  // Oscillations of a period vanish where the interval is one.
+  Curve fast;
+  for (unsigned int i = 0; i <= 400; ++i)
+  {
+    fast.times.push_back(0.01 * i);
+    fast.values.push_back(3. + (i % 4 < 2 ? 1. : -1.));
+  }
+  const Curve slow = averaged(fast, 0.04);
+  for (unsigned int i = 2; i + 2 < slow.values.size(); ++i)
+    EXPECT_NEAR(slow.values[i], 3., 1e-12);
+}

@@ -91,6 +91,14 @@ TEST(ErrorMeasure, ComparesTablesAndPlanesOfRuns)
   EXPECT_DOUBLE_EQ(difference("history arrival", "p"), 0.);
   EXPECT_DOUBLE_EQ(difference("plane", "plane_p"), 1.);
   EXPECT_DOUBLE_EQ(difference("summary", "conservation.mass_last"), 0.);
+  // Means over 1 s of 1, 1 + f, 1: 1 + f / 4, 1 + 3 f / 4, 1 + f / 4.
+  EXPECT_DOUBLE_EQ(measure({"Kind=reference run",
+                            "Reference folder=" + other.path(),
+                            "Quantity=probe curve",
+                            "Name=p",
+                            "Averaging time=1"})
+                     .value(one.path(), summary),
+                   1.);
   EXPECT_THROW(difference("plane", "plane_q"), InputError);
   EXPECT_THROW(difference("probe peak", "q"), InputError);
   EXPECT_THROW(difference("history lowest", "q"), InputError);

@@ -37,6 +37,13 @@ double impulse(const Curve &curve);
 double arrival(const Curve &curve);
 
 /**
+ * The moving average of a curve, taken as straight between its points: at each
+ * of its times the mean over the interval of length @p width [s] around that
+ * time, as far as the curve covers it. Takes away what oscillates faster.
+ */
+Curve averaged(const Curve &curve, const double width);
+
+/**
  * Integral over time of the difference of two curves over that of the rise of
  * the reference above its first value [-], up to the earlier of the two ends,
  * both curves taken as straight between their points.

@@ -73,13 +73,15 @@ private:
   /// is none.
   std::string of_curve() const;
 
-  /// Of the run in this folder, from probes.csv or history.csv.
+  /// Of the run in this folder, from probes.csv or history.csv, averaged over
+  /// the averaging time.
   Curve curve(const std::string &folder) const;
 
   std::string kind_;
   std::string quantity_;
   std::string name_;
   double known_ = 0.;
+  double averaging_time_ = 0.; ///< of curves; 0: none [s]
   double wanted_ = 0.;
   std::optional<Settings> reference_settings_;
   std::string reference_folder_;
