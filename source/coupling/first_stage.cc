@@ -110,7 +110,8 @@ namespace
     bool is_burning() const override
     {
       auto *const before = stage_before(solver_);
-      return before != nullptr ? before->is_burning() : gas().is_burning();
+      return before != nullptr ? before->is_burning()
+                               : gas().core().is_burning();
     }
 
     bool is_ready() const override
@@ -125,7 +126,7 @@ namespace
 
     std::vector<GasState<dim>> gauges() override
     {
-      const GasState<stage_dim> ambient = gas().ambient();
+      const GasState<stage_dim> ambient = gas().scene().ambient();
       const auto &states = gas().probe_set().states();
       std::size_t next = 0;
       std::vector<GasState<dim>> result;
@@ -186,9 +187,9 @@ namespace
     /// Mass, energy, mass of products of gas at rest in the whole domain.
     std::array<double, 3> own_ambient() const
     {
-      const auto &mesh = gas().coarse_mesh();
-      const auto state =
-        gas::conserved_state(gas().ambient(), gas().material(), stage_dim + 3);
+      const auto &mesh = gas().scene().coarse_mesh;
+      const auto state = gas::conserved_state(
+        gas().scene().ambient(), gas().scene().material, stage_dim + 3);
       const double radius = mesh.upper_corner()[0];
       double volume = 4. / 3. * dealii::numbers::PI * radius * radius * radius;
       if constexpr (stage_dim == 2)

@@ -7,7 +7,7 @@
 #include <contrecoup/base/text.h>
 #include <contrecoup/coupling/stage_parameters.h>
 #include <contrecoup/gas/conditions/rigid_body.h>
-#include <contrecoup/gas/run/scene_places.h>
+#include <contrecoup/gas/scene/scene_places.h>
 #include <contrecoup/materials/gas_material.h>
 
 #include <algorithm>

@@ -149,7 +149,7 @@ double StagedSimulation<dim>::margin() const
 {
   // The front of the second stage is a subcell wide on either side.
   double margin = 0.;
-  const auto cell = scene_.smallest_cell();
+  const auto cell = scene_.core().smallest_cell();
   for (unsigned int d = 0; d < dim; ++d)
     margin = std::max(margin, 2. * cell[d]);
   // Cells so large are those of a trial of the costs, which must go on.
@@ -270,9 +270,9 @@ std::vector<NamedValue> StagedSimulation<dim>::history()
 {
   if (!first_)
     return scene_.history();
-  const auto &mesh = scene_.coarse_mesh();
-  const auto state =
-    gas::conserved_state(scene_.ambient(), scene_.material(), dim + 3);
+  const auto &mesh = scene_.scene().coarse_mesh;
+  const auto state = gas::conserved_state(
+    scene_.scene().ambient(), scene_.scene().material, dim + 3);
   double volume = 1.;
   for (unsigned int d = 0; d < dim; ++d)
     volume *= mesh.upper_corner()[d] - mesh.lower_corner()[d];
@@ -313,7 +313,7 @@ template <int dim>
 std::vector<NamedValue> StagedSimulation<dim>::assumptions()
 {
   if (first_)
-    return scene_.probe_measures();
+    return scene_.probe_set().measures(scene_.scene().reference);
   auto values = scene_.assumptions();
   values.push_back({"hand_over_time", "s", hand_over_time_});
   values.push_back({"hand_over_radius", "m", hand_over_radius_});
@@ -396,7 +396,7 @@ void StagedSimulation<dim>::save(const std::string &folder)
       write_number<std::uint64_t>(out, first_ ? 1 : 2);
       write_number(out, hand_over_time_);
       write_number(out, hand_over_radius_);
-      scene_.probe_set().save(out);
+      scene_.probe_set().save(out, folder);
     });
 }
 
@@ -409,7 +409,7 @@ void StagedSimulation<dim>::restore(const std::string &folder)
   read_number(stream, stage);
   read_number(stream, hand_over_time_);
   read_number(stream, hand_over_radius_);
-  scene_.probe_set().load(stream);
+  scene_.probe_set().load(stream, folder);
   if (!stream || stage < 1 || stage > 2)
     throw InputError("Checkpoint file " + stages_file<dim>(folder) +
                      " belongs to another scene");

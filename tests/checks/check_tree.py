@@ -26,8 +26,8 @@ for _upper in ("ale", "coupling", "study"):
     BELOW[_upper] = BELOW["gas"] | {"gas", "solid", "mpm"}
 
 # The rooms of a layer, lowest first: each may include itself and those before.
-ROOMS = {"gas": ["octree", "state", "conditions", "explosive", "body", "kernel",
-                 "record", "adaptation", "hand_over", "run"],
+ROOMS = {"gas": ["octree", "state", "conditions", "explosive", "scene", "body",
+                 "kernel", "record", "adaptation", "hand_over", "run"],
          "solid": ["body", "boundary", "motion", "record", "injury", "run"],
          "ale": ["mesh", "lagrange", "exact", "rezone", "head", "particles",
                  "run"]}

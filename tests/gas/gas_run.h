@@ -7,15 +7,13 @@
 #include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/gas/adaptation/adaptation.h>
 #include <contrecoup/gas/body/cut_leaves.h>
-#include <contrecoup/gas/conditions/boundary.h>
-#include <contrecoup/gas/conditions/rigid_body.h>
-#include <contrecoup/gas/explosive/charge_set.h>
 #include <contrecoup/gas/explosive/detonation.h>
 #include <contrecoup/gas/kernel/gas_operator.h>
 #include <contrecoup/gas/kernel/time_stepper.h>
 #include <contrecoup/gas/octree/leaf_box.h>
 #include <contrecoup/gas/octree/leaf_mesh.h>
 #include <contrecoup/gas/record/gas_measures.h>
+#include <contrecoup/gas/record/recorder.h>
 
 #include "run_lines.h"
 
@@ -33,38 +31,37 @@ using StateFunction = std::function<GasState<dim>(const dealii::Point<dim> &)>;
 /// set mesh, material, method, boundaries and adaptation; the test refines
 /// the mesh and gives the state.
 template <int dim>
-class GasRun
+class GasRun : public GasScene<dim>
 {
 public:
+  using Scene = GasScene<dim>;
+  using Scene::body;
+  using Scene::charges;
+  using Scene::coarse_mesh;
+  using Scene::initial_state;
+  using Scene::layout;
+  using Scene::material;
+  using Scene::points;
+  using Scene::scheme;
+
   explicit GasRun(const std::vector<std::string> &lines,
                   const MPI_Comm communicator = MPI_COMM_WORLD)
     : mesh(communicator)
   {
     dealii::ParameterHandler prm;
-    CoarseMesh<dim>::declare_parameters(prm);
-    GasMaterial::declare_parameters(prm);
-    Scheme::declare_parameters(prm);
+    Scene::declare_parameters(prm);
     QuietLeaves<dim>::declare_parameters(prm);
-    InitialState<dim>::declare_parameters(prm);
-    ReferenceSolution<dim>::declare_parameters(prm);
-    ChargeSet<dim>::declare_parameters(prm);
-    Boundary<dim>::declare_parameters(prm);
     AdaptationParameters::declare_parameters(prm);
-    RigidBody::declare_parameters(prm);
+    {
+      const Section section(prm, "Time");
+      prm.declare_entry("End time", "1");
+    }
     std::vector<Assignment> assignments;
     for (const std::string &line : lines)
       assignments.push_back(parse_override(line));
     apply_assignments(assignments, prm);
 
-    coarse_mesh.parse_parameters(prm);
-    material.parse_parameters(prm);
-    scheme.parse_parameters(
-      prm, dim, coarse_mesh.geometry() == Geometry::plane);
-    initial.parse_parameters(prm, material);
-    charges.parse_parameters(prm, material, coarse_mesh);
-    charges.check(scheme, initial);
-    reference.parse_parameters(prm, material);
-    boundary.parse_parameters(prm, material, coarse_mesh, initial, reference);
+    Scene::parse_parameters(prm);
     adaptation_parameters.parse_parameters(prm,
                                            dim,
                                            coarse_mesh.initial_refinement(),
@@ -72,13 +69,6 @@ public:
                                            scheme.kind ==
                                              Scheme::Kind::finite_volume,
                                            coarse_mesh.is_axis_aligned());
-    body.parse_parameters(prm);
-    layout = LeafLayout(dim,
-                        scheme.n_points,
-                        dim + 2 + (material.is_ideal() ? 0 : 1),
-                        scheme.precision);
-    points = LeafPoints<dim>(scheme, coarse_mesh.geometry());
-
     mesh.create(coarse_mesh, scheme.precision);
     mesh.triangulation().refine_global(coarse_mesh.initial_refinement());
     mesh.rebuild();
@@ -86,7 +76,7 @@ public:
                                      layout,
                                      scheme,
                                      material,
-                                     boundary,
+                                     this->boundary,
                                      body.empty() ? nullptr : &cut_leaves);
     stepper = std::make_unique<TimeStepper<dim>>(
       mesh, scheme, *gas_operator, QuietLeaves<dim>::parse_parameters(prm));
@@ -141,7 +131,8 @@ public:
   /// The gas around the charges, and these, ready to be lit.
   void set_charges()
   {
-    set_state([this](const dealii::Point<dim> &p) { return initial.value(p); });
+    set_state(
+      [this](const dealii::Point<dim> &p) { return initial_state.value(p); });
     charges.fill(mesh, points, field);
     field.fill_padding(mesh.n_owned());
     detonation.reinit(mesh, points, charges);
@@ -180,14 +171,14 @@ public:
     }
     if (changed)
       reinit();
-    stepper->set_front_shares(adaptation->front_shares(time));
+    size_ratios = adaptation->size_ratios(time);
     return changed;
   }
 
   /// See AdaptationPace.
   double front_share() const
   {
-    const auto rates = stepper->largest_rates();
+    const auto rates = stepper->largest_rates(size_ratios);
     return rates.fronts / rates.all;
   }
 
@@ -208,24 +199,29 @@ public:
     return result;
   }
 
-  CoarseMesh<dim> coarse_mesh;
-  GasMaterial material;
-  Scheme scheme;
-  InitialState<dim> initial;
-  ChargeSet<dim> charges;
+  /// The gas after a step of size @p step [s], for recorders.
+  GasSnapshot<dim> snapshot(const double step = 0.) const
+  {
+    return {*this,
+            mesh,
+            field,
+            cut_leaves,
+            stepper->quiet_leaves(),
+            time,
+            step,
+            0,
+            {}};
+  }
+
   Detonation<dim> detonation;
-  ReferenceSolution<dim> reference;
-  Boundary<dim> boundary;
-  RigidBody body;
   AdaptationParameters adaptation_parameters;
   LeafMesh<dim> mesh;
-  LeafLayout layout;
-  LeafPoints<dim> points;
   CutLeaves<dim> cut_leaves;
   GasField field;
   std::unique_ptr<GasOperator<dim>> gas_operator;
   std::unique_ptr<TimeStepper<dim>> stepper;
   std::unique_ptr<Adaptation<dim>> adaptation;
+  std::vector<double> size_ratios;
   double time = 0.;
 };
 } // namespace contrecoup::gas

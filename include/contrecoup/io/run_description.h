@@ -18,7 +18,7 @@ namespace io
 {
   /// Of what is in a checkpoint: run.json and the files of solvers. Raise it
   /// with any change of these, so that no other build takes them for its own.
-  constexpr int checkpoint_format = 4;
+  constexpr int checkpoint_format = 5;
 
   /// What a checkpoint keeps besides the solver's files: run.json.
   struct RunDescription

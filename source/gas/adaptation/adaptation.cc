@@ -22,6 +22,7 @@ Adaptation<dim>::Adaptation(const AdaptationParameters &parameters,
   , mesh_(mesh)
   , points_(points)
   , material_(material)
+  , pace_(parameters)
 {
   weigh_leaves();
 }

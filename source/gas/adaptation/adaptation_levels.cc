@@ -54,7 +54,7 @@ SizeLimits::Levels Adaptation<dim>::narrowed(const unsigned int leaf,
 
 
 template <int dim>
-std::vector<double> Adaptation<dim>::front_shares(const double time) const
+std::vector<double> Adaptation<dim>::size_ratios(const double time) const
 {
   std::vector<double> result(mesh_.n_owned());
   for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)

@@ -4,7 +4,7 @@
 #include <contrecoup/base/bounds.h>
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameters.h>
-#include <contrecoup/gas/adaptation/adaptation.h>
+#include <contrecoup/gas/adaptation/adaptation_parameters.h>
 
 #include <algorithm>
 

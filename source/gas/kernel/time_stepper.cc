@@ -27,7 +27,6 @@ void TimeStepper<dim>::reinit(GasField &field)
   visit_precision(precision_, [&](const auto real) {
     signal_rates<std::decay_t<decltype(real)>>().resize(mesh_.first_ghost());
   });
-  front_shares_.clear();
   compute_sensors(field);
   quiet_leaves_.reinit(field, operator_.driven_leaves());
   for (const unsigned int batch : operator_.still_batches())
@@ -61,15 +60,16 @@ void TimeStepper<dim>::compute_sensors(GasField &field)
 
 
 template <int dim>
-typename TimeStepper<dim>::Rates TimeStepper<dim>::largest_rates() const
+typename TimeStepper<dim>::Rates
+TimeStepper<dim>::largest_rates(const std::vector<double> &size_ratios) const
 {
   std::vector<double> largest = {0., 0.};
   for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
   {
     const double rate = signal_rate(leaf);
-    const double share = front_shares_.empty() ? 1. : front_shares_[leaf];
+    const double ratio = size_ratios.empty() ? 1. : size_ratios[leaf];
     largest[0] = std::max(largest[0], rate);
-    largest[1] = std::max(largest[1], share * rate);
+    largest[1] = std::max(largest[1], ratio * rate);
   }
   dealii::Utilities::MPI::max(largest, mesh_.communicator(), largest);
   return {largest[0], largest[1]};

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/timers.h>
 #include <contrecoup/gas/record/blast_maps.h>
+#include <contrecoup/gas/record/gas_measures.h>
 #include <contrecoup/gas/state/leaf_sampling.h>
 #include <contrecoup/gas/state/primitive.h>
 
@@ -22,6 +25,28 @@ std::array<double, 4> map_values(const BlastMeasures &measures)
 
 
 template <int dim>
+void BlastMaps<dim>::declare_parameters(ParameterHandler &prm)
+{
+  const Section section(prm, "Output");
+  declare_bool(prm,
+               "Maps",
+               "false",
+               "Whether the fields hold peak overpressure, positive-phase "
+               "impulse, arrival and duration of the blast at every point; "
+               "they cost some per cent of the run time.");
+}
+
+
+template <int dim>
+void BlastMaps<dim>::parse_parameters(ParameterHandler &prm,
+                                      const GasScene<dim> & /*scene*/)
+{
+  const Section section(prm, "Output");
+  wanted_ = prm.get_bool("Maps");
+}
+
+
+template <int dim>
 void BlastMaps<dim>::reinit(const unsigned int n_points,
                             const unsigned int n_leaves)
 {
@@ -34,23 +59,56 @@ void BlastMaps<dim>::reinit(const unsigned int n_points,
 
 
 template <int dim>
+void BlastMaps<dim>::mesh_changed(const GasSnapshot<dim> &gas)
+{
+  const auto &tria = gas.mesh.triangulation();
+  const typename LeafMesh<dim>::CellIterator last(
+    &tria, 0, tria.n_cells(0) - 1);
+  ambient_ =
+    gas.scene.initial_state.ambient_pressure(last->vertex((1U << dim) - 1));
+}
+
+
+template <int dim>
+void BlastMaps<dim>::begin(const GasSnapshot<dim> &gas)
+{
+  if (wanted_)
+    reinit(gas.scene.layout.n_points, gas.mesh.n_owned());
+}
+
+
+template <int dim>
+void BlastMaps<dim>::go_on_from(const KnownRecord<dim> &record,
+                                const GasSnapshot<dim> &gas)
+{
+  for (unsigned int leaf = 0; !empty() && leaf < gas.mesh.n_owned(); ++leaf)
+  {
+    const LeafBox<dim> box = leaf_box(gas.mesh, leaf);
+    for (unsigned int q = 0; q < n_points_; ++q)
+      if (const auto known = record(gas.scene.place(box, q)))
+        set_record(leaf, q, converted<float>(*known));
+  }
+}
+
+
+template <int dim>
 template <typename Gas>
 void BlastMaps<dim>::update_group(const unsigned int group,
-                                  const GasField &field,
-                                  const Gas &gas,
-                                  const double time,
-                                  const double step)
+                                  const GasSnapshot<dim> &gas,
+                                  const Gas &model)
 {
   constexpr unsigned int nc = n_conserved<dim, Gas>;
-  const auto now = static_cast<float>(time);
-  const auto passed = static_cast<float>(step);
+  const GasField &field = gas.field;
+  const auto now = static_cast<float>(gas.time);
+  const auto passed = static_cast<float>(gas.step);
   const auto smallest = static_cast<float>(Record::threshold * ambient_);
   for (unsigned int q = 0; q < n_points_; ++q)
   {
     std::array<Lanes<double>, nc> u;
     for (unsigned int c = 0; c < nc; ++c)
       u[c] = field.values(group * W, c, q);
-    Lanes<double> pressure = to_primitive<dim>(gas, u)[Component<dim>::energy];
+    Lanes<double> pressure =
+      to_primitive<dim>(model, u)[Component<dim>::energy];
     for (unsigned int lane = 0; lane < W && field.burn() != nullptr; ++lane)
       pressure[lane] = field.exerted_pressure(
         pressure[lane], field.burned(group * W + lane, q));
@@ -79,34 +137,32 @@ void BlastMaps<dim>::update_group(const unsigned int group,
 
 
 template <int dim>
-void BlastMaps<dim>::update(const LeafMesh<dim> &mesh,
-                            const GasField &field,
-                            const GasMaterial &material,
-                            const double time,
-                            const double step,
-                            const QuietLeaves<dim> *quiet_leaves)
+void BlastMaps<dim>::add_step(const GasSnapshot<dim> &gas)
 {
+  if (empty())
+    return;
+  const TimerScope timer("maps");
   // Quiet leaves hold the ambient state of the run, which need not be that of
   // the maps: then every leaf counts.
   const auto is_passed_over = [&](const unsigned int first) {
-    const unsigned int end = std::min(first + W, mesh.n_owned());
+    const unsigned int end = std::min(first + W, gas.mesh.n_owned());
     for (unsigned int leaf = first; leaf < end; ++leaf)
-      if (quiet_leaves == nullptr || !quiet_leaves->is_quiet(leaf))
+      if (!gas.quiet_leaves.is_quiet(leaf))
         return false;
-    std::vector<double> state(field.layout().n_components);
+    std::vector<double> state(gas.field.layout().n_components);
     for (unsigned int c = 0; c < state.size(); ++c)
-      state[c] = field.values(first, c, 0)[0];
+      state[c] = gas.field.values(first, c, 0)[0];
     const double pressure =
-      primitive_state<dim>(state.data(), material).pressure;
+      primitive_state<dim>(state.data(), gas.scene.material).pressure;
     return std::abs(pressure - ambient_) < Record::threshold * ambient_;
   };
   std::visit(
-    [&](const auto &gas) {
-      for (unsigned int leaf = 0; leaf < mesh.n_owned(); leaf += W)
+    [&](const auto &model) {
+      for (unsigned int leaf = 0; leaf < gas.mesh.n_owned(); leaf += W)
         if (!is_passed_over(leaf))
-          update_group(leaf / W, field, gas, time, step);
+          update_group(leaf / W, gas, model);
     },
-    material.model());
+    gas.scene.material.model());
 }
 
 

@@ -69,28 +69,15 @@ void GaugeRasters<dim>::declare_parameters(ParameterHandler &prm)
 
 template <int dim>
 void GaugeRasters<dim>::parse_parameters(ParameterHandler &prm,
-                                         const CoarseMesh<dim> &mesh)
+                                         const GasScene<dim> &scene)
 {
   rasters_.clear();
-  places_.clear();
+  std::vector<dealii::Point<dim>> places;
   const Section section(prm, "Probes");
-  parse_list("Lines", prm.get("Lines"), 1);
+  parse_list("Lines", prm.get("Lines"), 1, places);
   if (dim > 1 || !prm.get("Gauge planes").empty())
-    parse_list("Gauge planes", prm.get("Gauge planes"), 2);
-  for (const auto &place : places_)
-    for (unsigned int d = 0; d < dim && mesh.is_axis_aligned(); ++d)
-      if (place[d] < mesh.lower_corner()[d] ||
-          place[d] > mesh.upper_corner()[d])
-      {
-        std::ostringstream message;
-        message << "Probes: the gauge " << place
-                << " m of a line or plane is outside of the domain, "
-                << mesh.lower_corner() << " m to " << mesh.upper_corner()
-                << " m";
-        throw InputError(message.str());
-      }
-  ambient_.assign(places_.size(), 0.);
-  records_.assign(places_.size(), {});
+    parse_list("Gauge planes", prm.get("Gauge planes"), 2, places);
+  gauges_.place(places, scene, "Probes/Lines and Gauge planes: the gauge");
   is_shared_ = true;
 }
 
@@ -98,7 +85,8 @@ void GaugeRasters<dim>::parse_parameters(ParameterHandler &prm,
 template <int dim>
 void GaugeRasters<dim>::parse_list(const std::string &entry,
                                    const std::string &text,
-                                   const unsigned int n_counts)
+                                   const unsigned int n_counts,
+                                   std::vector<dealii::Point<dim>> &places)
 {
   for (const auto &item : split(text, ';'))
   {
@@ -111,7 +99,7 @@ void GaugeRasters<dim>::parse_list(const std::string &entry,
                   point<dim>(parts[1], where),
                   {{0, 0}},
                   {{0, 0}},
-                  places_.size()};
+                  places.size()};
     const auto counts = numbers(parts[2], where);
     if (counts.size() != n_counts)
       throw InputError(where + "write " + std::to_string(n_counts) +
@@ -137,84 +125,67 @@ void GaugeRasters<dim>::parse_list(const std::string &entry,
                          "\" must differ in two coordinates");
       raster.axes = {{axes[0], axes[1]}};
     }
-    add_gauges(raster);
+    for (const auto &place : raster.places())
+      places.push_back(place);
+    rasters_.push_back(raster);
   }
 }
 
 
 template <int dim>
-void GaugeRasters<dim>::add_gauges(Raster raster)
+std::vector<dealii::Point<dim>> GaugeRasters<dim>::Raster::places() const
 {
   const auto along = [](const unsigned int i, const unsigned int n) {
     return static_cast<double>(i) / (n - 1);
   };
-  if (raster.counts[1] == 0)
-    for (unsigned int i = 0; i < raster.counts[0]; ++i)
-      places_.push_back(raster.begin + along(i, raster.counts[0]) *
-                                         (raster.end - raster.begin));
-  else
-    for (unsigned int j = 0; j < raster.counts[1]; ++j)
-      for (unsigned int i = 0; i < raster.counts[0]; ++i)
+  std::vector<dealii::Point<dim>> result;
+  for (unsigned int j = 0; j < std::max(counts[1], 1U); ++j)
+    for (unsigned int i = 0; i < counts[0]; ++i)
+      if (counts[1] == 0)
+        result.push_back(begin + along(i, counts[0]) * (end - begin));
+      else
       {
-        dealii::Point<dim> place = raster.begin;
-        const unsigned int a = raster.axes[0], b = raster.axes[1];
-        place[a] +=
-          along(i, raster.counts[0]) * (raster.end[a] - raster.begin[a]);
-        place[b] +=
-          along(j, raster.counts[1]) * (raster.end[b] - raster.begin[b]);
-        places_.push_back(place);
+        dealii::Point<dim> place = begin;
+        const unsigned int a = axes[0], b = axes[1];
+        place[a] += along(i, counts[0]) * (end[a] - begin[a]);
+        place[b] += along(j, counts[1]) * (end[b] - begin[b]);
+        result.push_back(place);
       }
-  rasters_.push_back(raster);
+  return result;
 }
 
 
 template <int dim>
-void GaugeRasters<dim>::set_ambient(const InitialState<dim> &initial_state)
+void GaugeRasters<dim>::mesh_changed(const GasSnapshot<dim> &gas)
 {
-  for (std::size_t i = 0; i < places_.size(); ++i)
-    ambient_[i] = initial_state.ambient_pressure(places_[i]);
-}
-
-
-template <int dim>
-void GaugeRasters<dim>::reinit(const LeafMesh<dim> &mesh,
-                               const LeafPoints<dim> &points)
-{
-  if (empty())
-    return;
   share();
-  communicator_ = mesh.communicator();
-  sampler_.reinit(places_, mesh, points);
+  communicator_ = gas.mesh.communicator();
+  gauges_.mesh_changed(gas);
 }
 
 
 template <int dim>
-void GaugeRasters<dim>::add(const GasField &field,
-                            const GasMaterial &material,
-                            const double time,
-                            const double step)
+void GaugeRasters<dim>::go_on_from(const KnownRecord<dim> &record,
+                                   const GasSnapshot<dim> & /*gas*/)
 {
-  if (empty())
+  for (std::size_t i = 0; i < gauges_.size(); ++i)
+    if (const auto known = record(gauges_.places()[i]))
+      gauges_.records()[i] = *known;
+}
+
+
+template <int dim>
+void GaugeRasters<dim>::add_step(const GasSnapshot<dim> &gas)
+{
+  if (rasters_.empty())
     return;
-  sampler_.for_each(
-    field, material, [&](const unsigned int i, const GasState<dim> &state) {
-      records_[i].add(state.pressure - ambient_[i],
-                      time,
-                      step,
-                      Record::threshold * ambient_[i]);
+  gauges_.sampler().for_each(
+    gas.field,
+    gas.scene.material,
+    [&](const unsigned int i, const GasState<dim> &state) {
+      gauges_.add(i, state.pressure, gas.time, gas.step);
     });
   is_shared_ = false;
-}
-
-
-template <int dim>
-void GaugeRasters<dim>::set_records(
-  const std::function<
-    std::optional<BlastRecord<double>>(const dealii::Point<dim> &)> &record)
-{
-  for (std::size_t i = 0; i < places_.size(); ++i)
-    if (const auto known = record(places_[i]))
-      records_[i] = *known;
 }
 
 
@@ -223,13 +194,15 @@ void GaugeRasters<dim>::share()
 {
   if (is_shared_)
     return;
-  std::vector<Record> mine(records_.size());
-  for (const unsigned int i : sampler_.local_places())
-    mine[i] = records_[i];
+  using Record = BlastRecord<double>;
+  std::vector<Record> &records = gauges_.records();
+  std::vector<Record> mine(records.size());
+  for (const unsigned int i : gauges_.sampler().local_places())
+    mine[i] = records[i];
   static_assert(sizeof(Record) == Record::n_values * sizeof(double));
   const dealii::ArrayView<double> target(
-    reinterpret_cast<double *>(records_.data()),
-    records_.size() * Record::n_values);
+    reinterpret_cast<double *>(records.data()),
+    records.size() * Record::n_values);
   dealii::Utilities::MPI::sum(
     dealii::ArrayView<const double>(
       reinterpret_cast<const double *>(mine.data()), target.size()),
@@ -240,35 +213,38 @@ void GaugeRasters<dim>::share()
 
 
 template <int dim>
-void GaugeRasters<dim>::save(std::ostream &stream) const
+void GaugeRasters<dim>::save(std::ostream &stream,
+                             const std::string & /*folder*/) const
 {
-  stream.write(reinterpret_cast<const char *>(records_.data()),
-               records_.size() * sizeof(Record));
+  gauges_.save(stream);
 }
 
 
 template <int dim>
-void GaugeRasters<dim>::load(std::istream &stream)
+void GaugeRasters<dim>::load(std::istream &stream,
+                             const std::string & /*folder*/)
 {
-  stream.read(reinterpret_cast<char *>(records_.data()),
-              records_.size() * sizeof(Record));
+  gauges_.load(stream);
   is_shared_ = true;
 }
 
 
 template <int dim>
-void GaugeRasters<dim>::write(const std::string &folder,
-                              const double time) const
+void GaugeRasters<dim>::write(const GasSnapshot<dim> &gas,
+                              const std::string &folder)
 {
+  share();
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+    return;
   unsigned int line = 0, plane = 0;
   for (const Raster &raster : rasters_)
     if (raster.counts[1] == 0)
       write_line(folder + "/gauges_line_" + std::to_string(++line) + ".csv",
                  raster,
-                 time);
+                 gas.time);
     else
       write_plane(
-        folder + "/gauges_plane_" + std::to_string(++plane), raster, time);
+        folder + "/gauges_plane_" + std::to_string(++plane), raster, gas.time);
 }
 
 
@@ -287,8 +263,8 @@ void GaugeRasters<dim>::write_line(const std::string &file,
     for (std::size_t i = raster.first; i < raster.first + raster.counts[0]; ++i)
     {
       for (unsigned int d = 0; d < dim; ++d)
-        out << brief(places_[i][d], 9) << ",";
-      const auto values = map_values(records_[i].measures(time));
+        out << brief(gauges_.places()[i][d], 9) << ",";
+      const auto values = map_values(gauges_.records()[i].measures(time));
       for (std::size_t k = 0; k < values.size(); ++k)
         out << (k == 0 ? "" : ",") << brief(values[k], 9);
       out << '\n';
@@ -318,7 +294,8 @@ void GaugeRasters<dim>::write_plane(const std::string &stem,
     samples.unit = map_quantities[k].second;
     samples.values.clear();
     for (std::size_t i = raster.first; i < raster.first + n; ++i)
-      samples.values.push_back(map_values(records_[i].measures(time))[k]);
+      samples.values.push_back(
+        map_values(gauges_.records()[i].measures(time))[k]);
     io::write_plane(stem + "_" + samples.quantity, samples);
   }
 }

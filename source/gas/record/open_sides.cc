@@ -11,9 +11,10 @@
 namespace contrecoup::gas
 {
 template <int dim>
-void OpenSides<dim>::reinit(const LeafMesh<dim> &mesh,
-                            const Boundary<dim> &boundary)
+void OpenSides<dim>::mesh_changed(const GasSnapshot<dim> &gas)
 {
+  const LeafMesh<dim> &mesh = gas.mesh;
+  communicator_ = mesh.communicator();
   for (auto &leaves : leaves_)
     leaves.clear();
   if (!mesh.coarse_mesh().is_axis_aligned())
@@ -23,28 +24,28 @@ void OpenSides<dim>::reinit(const LeafMesh<dim> &mesh,
          face != mesh.special_end(batch);
          ++face)
       if (face->kind == SpecialFace::Kind::boundary &&
-          boundary.kind(face->index) == Boundary<dim>::Kind::open)
+          gas.scene.boundary.kind(face->index) == Boundary<dim>::Kind::open)
         leaves_[face->index].push_back(batch * mesh.width() + face->lane);
 }
 
 
 template <int dim>
-void OpenSides<dim>::watch(const GasField &field,
-                           const GasMaterial &material,
-                           const double ambient_pressure,
-                           const double time)
+void OpenSides<dim>::add_step(const GasSnapshot<dim> &gas)
 {
+  if (gas.step_number % interval != 0)
+    return;
   const double smallest =
-    ambient_pressure * (1. + BlastRecord<double>::threshold);
-  const unsigned int n_points = field.layout().n_points;
+    gas.scene.ambient().pressure * (1. + BlastRecord<double>::threshold);
+  const LeafLayout &layout = gas.field.layout();
   const auto is_hit = [&](const unsigned int leaf) {
-    const auto values = field.leaf(leaf);
-    std::vector<double> u(field.layout().n_components);
-    for (unsigned int q = 0; q < n_points; ++q)
+    const auto values = gas.field.leaf(leaf);
+    std::vector<double> u(layout.n_components);
+    for (unsigned int q = 0; q < layout.n_points; ++q)
     {
       for (unsigned int c = 0; c < u.size(); ++c)
-        u[c] = values[c * n_points + q];
-      if (primitive_state<dim>(u.data(), material).pressure > smallest)
+        u[c] = values[c * layout.n_points + q];
+      if (primitive_state<dim>(u.data(), gas.scene.material).pressure >
+          smallest)
         return true;
     }
     return false;
@@ -52,20 +53,21 @@ void OpenSides<dim>::watch(const GasField &field,
   for (unsigned int side = 0; side < 2 * dim; ++side)
     if (arrivals_[side] == never &&
         std::any_of(leaves_[side].begin(), leaves_[side].end(), is_hit))
-      arrivals_[side] = time;
+      arrivals_[side] = gas.time;
 }
 
 
 template <int dim>
-void OpenSides<dim>::share(const MPI_Comm communicator)
+void OpenSides<dim>::share()
 {
   for (double &time : arrivals_)
-    time = dealii::Utilities::MPI::min(time, communicator);
+    time = dealii::Utilities::MPI::min(time, communicator_);
 }
 
 
 template <int dim>
-void OpenSides<dim>::save(std::ostream &stream) const
+void OpenSides<dim>::save(std::ostream &stream,
+                          const std::string & /*folder*/) const
 {
   stream.write(reinterpret_cast<const char *>(arrivals_.data()),
                sizeof(arrivals_));
@@ -73,7 +75,7 @@ void OpenSides<dim>::save(std::ostream &stream) const
 
 
 template <int dim>
-void OpenSides<dim>::load(std::istream &stream)
+void OpenSides<dim>::load(std::istream &stream, const std::string & /*folder*/)
 {
   stream.read(reinterpret_cast<char *>(arrivals_.data()), sizeof(arrivals_));
 }

@@ -36,50 +36,27 @@ void ProbeSet<dim>::declare_parameters(ParameterHandler &prm)
 
 template <int dim>
 void ProbeSet<dim>::parse_parameters(ParameterHandler &prm,
-                                     const CoarseMesh<dim> &mesh)
+                                     const GasScene<dim> &scene)
 {
   const Section section(prm, "Probes");
-  places_ = read_points<dim>(prm, "Points");
-  for (const auto &place : places_)
-    for (unsigned int d = 0; d < dim && mesh.is_axis_aligned(); ++d)
-      if (place[d] < mesh.lower_corner()[d] ||
-          place[d] > mesh.upper_corner()[d])
-      {
-        std::ostringstream message;
-        message << "Probes/Points: the point " << place
-                << " m is outside of the domain, " << mesh.lower_corner()
-                << " m to " << mesh.upper_corner() << " m";
-        throw InputError(message.str());
-      }
-  ambient_.assign(places_.size(), 0.);
-  records_.assign(places_.size(), {});
+  gauges_.place(
+    read_points<dim>(prm, "Points"), scene, "Probes/Points: the point");
+  for (const auto &place : places())
+    if (!scene.body.empty() && scene.body.value(place) < -1e-9)
+    {
+      std::ostringstream message;
+      message << "Probes/Points: the point " << place
+              << " m is in the rigid body, where there is no gas";
+      throw InputError(message.str());
+    }
 }
 
 
 template <int dim>
-void ProbeSet<dim>::set_ambient(const InitialState<dim> &initial_state)
+void ProbeSet<dim>::add_step(const GasSnapshot<dim> &gas)
 {
-  for (std::size_t i = 0; i < places_.size(); ++i)
-    ambient_[i] = initial_state.ambient_pressure(places_[i]);
-}
-
-
-template <int dim>
-void ProbeSet<dim>::reinit(const LeafMesh<dim> &mesh,
-                           const LeafPoints<dim> &points)
-{
-  if (!places_.empty())
-    sampler_.reinit(places_, mesh, points);
-}
-
-
-template <int dim>
-void ProbeSet<dim>::read(const GasField &field,
-                         const GasMaterial &material,
-                         const double time)
-{
-  if (!places_.empty())
-    take(sampler_.sample(field, material), time);
+  if (!places().empty())
+    take(gauges_.sampler().sample(gas.field, gas.scene.material), gas.time);
 }
 
 
@@ -88,15 +65,9 @@ void ProbeSet<dim>::take(const std::vector<GasState<dim>> &states,
                          const double time)
 {
   states_ = states;
-  for (std::size_t i = 0; i < places_.size(); ++i)
-  {
-    Record &record = records_[i];
-    record.blast.add(states_[i].pressure - ambient_[i],
-                     time,
-                     time - record.last_time,
-                     BlastRecord<double>::threshold * ambient_[i]);
-    record.last_time = time;
-  }
+  for (std::size_t i = 0; i < states_.size(); ++i)
+    gauges_.add(i, states_[i].pressure, time, time - last_time_);
+  last_time_ = time;
 }
 
 
@@ -124,8 +95,8 @@ template <int dim>
 std::vector<BlastMeasures> ProbeSet<dim>::blasts() const
 {
   std::vector<BlastMeasures> result;
-  for (const Record &record : records_)
-    result.push_back(record.blast.measures(record.last_time));
+  for (const auto &record : gauges_.records())
+    result.push_back(record.measures(last_time_));
   return result;
 }
 
@@ -135,7 +106,8 @@ std::vector<NamedValue>
 ProbeSet<dim>::measures(const ReferenceSolution<dim> &reference) const
 {
   std::vector<NamedValue> values;
-  for (std::size_t i = 0; i < records_.size(); ++i)
+  const auto found = blasts();
+  for (std::size_t i = 0; i < found.size(); ++i)
   {
     const auto add = [&](const std::string &prefix,
                          const BlastMeasures &measures,
@@ -147,26 +119,26 @@ ProbeSet<dim>::measures(const ReferenceSolution<dim> &reference) const
                             map_quantities[k].second,
                             numbers[k]});
     };
-    add("", records_[i].blast.measures(records_[i].last_time), true);
+    add("", found[i], true);
     if (reference.has_arrivals())
-      add("reference_", reference.arrival(places_[i]), false);
+      add("reference_", reference.arrival(places()[i]), false);
   }
   return values;
 }
 
 
 template <int dim>
-std::vector<NamedValue>
-ProbeSet<dim>::errors(const ReferenceSolution<dim> &reference) const
+std::vector<NamedValue> ProbeSet<dim>::errors(const GasSnapshot<dim> &gas) const
 {
+  const auto &reference = gas.scene.reference;
   std::vector<NamedValue> values;
   if (!reference.has_arrivals())
     return values;
-  for (std::size_t i = 0; i < records_.size(); ++i)
+  const auto found = blasts();
+  for (std::size_t i = 0; i < found.size(); ++i)
   {
-    const auto computed =
-      map_values(records_[i].blast.measures(records_[i].last_time));
-    const auto exact = map_values(reference.arrival(places_[i]));
+    const auto computed = map_values(found[i]);
+    const auto exact = map_values(reference.arrival(places()[i]));
     for (std::size_t k = 0; k < exact.size(); ++k)
       if (exact[k] != 0.)
         values.push_back({probe_name(i, map_quantities[k].first + "_relative"),
@@ -179,22 +151,23 @@ ProbeSet<dim>::errors(const ReferenceSolution<dim> &reference) const
 
 template <int dim>
 std::vector<std::string>
-ProbeSet<dim>::comparison(const ReferenceSolution<dim> &reference) const
+ProbeSet<dim>::report(const GasSnapshot<dim> &gas) const
 {
-  if (!reference.has_arrivals() || places_.empty())
+  const auto &reference = gas.scene.reference;
+  if (!reference.has_arrivals() || places().empty())
     return {};
+  const auto found = blasts();
   const double factors[] = {1e-3, 1., 1e3, 1e3};
   std::vector<std::string> lines = {
     "computed / " + reference.name() + " (difference):",
     "probe  peak [kPa]                 impulse [Pa s]             "
     "arrival [ms]               duration [ms]"};
-  for (std::size_t i = 0; i < records_.size(); ++i)
+  for (std::size_t i = 0; i < found.size(); ++i)
   {
     std::ostringstream line;
     line << std::left << std::setw(7) << i + 1;
-    const auto computed =
-      map_values(records_[i].blast.measures(records_[i].last_time));
-    const auto exact = map_values(reference.arrival(places_[i]));
+    const auto computed = map_values(found[i]);
+    const auto exact = map_values(reference.arrival(places()[i]));
     for (std::size_t k = 0; k < exact.size(); ++k)
     {
       std::ostringstream text;
@@ -214,18 +187,19 @@ ProbeSet<dim>::comparison(const ReferenceSolution<dim> &reference) const
 
 
 template <int dim>
-void ProbeSet<dim>::save(std::ostream &stream) const
+void ProbeSet<dim>::save(std::ostream &stream,
+                         const std::string & /*folder*/) const
 {
-  stream.write(reinterpret_cast<const char *>(records_.data()),
-               records_.size() * sizeof(Record));
+  stream.write(reinterpret_cast<const char *>(&last_time_), sizeof(last_time_));
+  gauges_.save(stream);
 }
 
 
 template <int dim>
-void ProbeSet<dim>::load(std::istream &stream)
+void ProbeSet<dim>::load(std::istream &stream, const std::string & /*folder*/)
 {
-  stream.read(reinterpret_cast<char *>(records_.data()),
-              records_.size() * sizeof(Record));
+  stream.read(reinterpret_cast<char *>(&last_time_), sizeof(last_time_));
+  gauges_.load(stream);
 }
 
 

@@ -3,12 +3,12 @@
 
 #include <contrecoup/base/bounds.h>
 #include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/gather.h>
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/base/timers.h>
-#include <contrecoup/gas/octree/leaf_box.h>
+#include <contrecoup/base/version.h>
 #include <contrecoup/gas/record/wall_loads.h>
-#include <contrecoup/gas/state/primitive.h>
+#include <contrecoup/io/checked_file.h>
+#include <contrecoup/io/load_file.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -60,151 +60,59 @@ void WallLoads<dim>::declare_parameters(ParameterHandler &prm)
 
 template <int dim>
 void WallLoads<dim>::parse_parameters(ParameterHandler &prm,
-                                      const RigidBody &body,
-                                      const CoarseMesh<dim> &domain)
+                                      const GasScene<dim> &scene)
 {
   const Section section(prm, "Loads");
   active_ = prm.get_bool("Record");
   interval_ = read_double(prm, "Interval");
   largest_loss_ = read_double(prm, "Largest loss of peaks");
   smallest_ = read_double(prm, "Smallest overpressure");
-  if (active_ && body.empty())
+  if (active_ && scene.body.empty())
     throw InputError("Loads/Record = true needs a Rigid body/Kind other than "
                      "none");
   if (active_)
-    gauges_.parse_parameters(
-      prm, body, domain.lower_corner(), domain.upper_corner());
+    gauges_.parse_parameters(prm,
+                             scene.body,
+                             scene.coarse_mesh.lower_corner(),
+                             scene.coarse_mesh.upper_corner());
 }
 
 
 template <int dim>
-void WallLoads<dim>::reinit(const LeafMesh<dim> &mesh,
-                            const LeafLayout &layout,
-                            const CutLeaves<dim> &cut_leaves,
-                            const RigidBody &body)
+void WallLoads<dim>::mesh_changed(const GasSnapshot<dim> &gas)
 {
   if (!active_)
     return;
   const TimerScope timer("loads");
-  communicator_ = mesh.communicator();
-  share();
-  facets_.clear();
-  std::vector<std::uint64_t> keys;
-  std::vector<double> geometry;
-  for (unsigned int leaf = 0; leaf < mesh.n_owned(); ++leaf)
-    if (cut_leaves.shape(leaf) != nullptr)
-      add_facets(leaf, mesh, layout, cut_leaves, body, keys, geometry);
-  number_facets(keys, geometry);
-  pressures_.assign(facets_.size(), 0.);
-}
-
-
-template <int dim>
-std::uint64_t WallLoads<dim>::key_of(const dealii::Point<dim> &place,
-                                     const CoarseMesh<dim> &domain)
-{
-  // Centres of cells differ by some millionths of the domain at least.
-  const auto &lower = domain.lower_corner(), &upper = domain.upper_corner();
-  std::uint64_t key = 0;
-  for (unsigned int d = 0; d < dim; ++d)
-    key = (key << 21) +
-          static_cast<std::uint64_t>((place[d] - lower[d]) /
-                                     (upper[d] - lower[d]) * (1U << 21));
-  return key;
-}
-
-
-template <int dim>
-void WallLoads<dim>::add_facets(const unsigned int leaf,
-                                const LeafMesh<dim> &mesh,
-                                const LeafLayout &layout,
-                                const CutLeaves<dim> &cut_leaves,
-                                const RigidBody &body,
-                                std::vector<std::uint64_t> &keys,
-                                std::vector<double> &geometry)
-{
-  // Parts of a cell's face that are round-off.
-  const double nothing = 1e-10;
-  const LeafBox<dim> box = leaf_box(mesh, leaf);
-  const dealii::Tensor<1, dim> size = box.extents / layout.n;
-  for (unsigned int q = 0; q < layout.n_points; ++q)
-  {
-    dealii::Tensor<1, dim> area;
-    if constexpr (dim > 1)
-      area = cut_leaves.wall({leaf, q});
-    if (area.norm() < nothing || cut_leaves.fractions()(leaf, q) == 0.)
-      continue;
-    dealii::Point<dim> place = box.origin;
-    const double volume = cut_leaves.cell_volume({leaf, q});
-    unsigned int rest = q;
-    for (unsigned int d = 0; d < dim; ++d)
-    {
-      place[d] += size[d] * (rest % layout.n + 0.5);
-      rest /= layout.n;
-      area[d] *= volume / size[d];
-    }
-    facets_.push_back({leaf, q, 0, area});
-    keys.push_back(key_of(place, mesh.coarse_mesh()));
-    // Known facets stay where they are: it is costly to find them.
-    const std::size_t known =
-      std::lower_bound(keys_.begin(), keys_.end(), keys.back()) - keys_.begin();
-    if (known < keys_.size() && keys_[known] == keys.back())
-    {
-      const auto values = geometry_.begin() + n_geometry * known;
-      geometry.insert(geometry.end(), values, values + n_geometry);
-      continue;
-    }
-    const dealii::Point<3> centroid = body.project(place);
-    for (unsigned int d = 0; d < 3; ++d)
-      geometry.push_back(centroid[d]);
-    for (unsigned int d = 0; d < 3; ++d)
-      geometry.push_back(d < dim ? area[d] : 0.);
-  }
-}
-
-
-template <int dim>
-void WallLoads<dim>::number_facets(const std::vector<std::uint64_t> &keys,
-                                   const std::vector<double> &geometry)
-{
-  std::vector<std::uint64_t> all;
-  for (const auto &of_rank : gather_arrays(communicator_, keys))
-    all.insert(all.end(), of_rank.begin(), of_rank.end());
-  std::sort(all.begin(), all.end());
-  if (records_.size() != all.size() || (!keys_.empty() && keys_ != all))
+  communicator_ = gas.mesh.communicator();
+  ambient_ = gas.scene.ambient().pressure;
+  share_records();
+  const bool was_found = facets_.n_global() > 0;
+  const bool are_others = facets_.mesh_changed(gas);
+  if (records_.size() != facets_.n_global() || (was_found && are_others))
   {
     if (totals_.time > 0.)
       throw InputError("Loads: the facets are not those of the checkpoint");
-    records_.assign(all.size(), {});
+    records_.assign(facets_.n_global(), {});
   }
-  keys_ = all;
-  geometry_.assign(n_geometry * keys_.size(), 0.);
-  for (std::size_t i = 0; i < facets_.size(); ++i)
-  {
-    facets_[i].number =
-      std::lower_bound(keys_.begin(), keys_.end(), keys[i]) - keys_.begin();
-    std::copy_n(&geometry[n_geometry * i],
-                n_geometry,
-                &geometry_[n_geometry * facets_[i].number]);
-  }
-  dealii::Utilities::MPI::sum(geometry_, communicator_, geometry_);
   std::vector<std::size_t> numbers;
-  for (const Facet &facet : facets_)
+  for (const auto &facet : facets_.owned())
     numbers.push_back(facet.number);
-  gauges_.reinit(geometry_, numbers);
+  gauges_.reinit(facets_.geometry(), numbers);
+  pressures_.assign(numbers.size(), 0.);
 }
 
 
 template <int dim>
-void WallLoads<dim>::share()
+void WallLoads<dim>::share_records()
 {
-  if (keys_.empty() ||
+  if (facets_.n_global() == 0 ||
       dealii::Utilities::MPI::n_mpi_processes(communicator_) == 1)
     return;
   constexpr std::size_t n = sizeof(Record) / sizeof(double);
   static_assert(n * sizeof(double) == sizeof(Record));
   std::vector<double> values(n * records_.size(), 0.);
-  for (const Facet &facet : facets_)
+  for (const auto &facet : facets_.owned())
     std::copy_n(reinterpret_cast<const double *>(&records_[facet.number]),
                 n,
                 &values[n * facet.number]);
@@ -215,77 +123,34 @@ void WallLoads<dim>::share()
 
 
 template <int dim>
-template <typename Gas>
-double WallLoads<dim>::wall_pressure(const Facet &facet,
-                                     const GasField &field,
-                                     const Gas &gas,
-                                     const RiemannFlux flux) const
+void WallLoads<dim>::add_step(const GasSnapshot<dim> &gas)
 {
-  using C = Component<dim>;
-  constexpr unsigned int nc = n_conserved<dim, Gas>;
-  std::array<double, nc> u;
-  for (unsigned int c = 0; c < nc; ++c)
-    u[c] = field.value(facet.leaf, c, facet.point);
-  auto inside = to_primitive<dim>(gas, u);
-  double speed = 0.;
-  for (unsigned int d = 0; d < dim; ++d)
-  {
-    speed += inside[C::momentum + d] * facet.area[d] / facet.area.norm();
-    inside[C::momentum + d] = 0.;
-  }
-  auto image = inside;
-  inside[C::momentum] = speed;
-  image[C::momentum] = -speed;
-  const double pressure =
-    numerical_flux(
-      flux, to_face_state<dim>(gas, inside), to_face_state<dim>(gas, image), 1.)
-      .momentum[0];
-  return field.exerted_pressure(pressure,
-                                field.burned(facet.leaf, facet.point));
-}
-
-
-template <int dim>
-void WallLoads<dim>::add(const GasField &field,
-                         const GasMaterial &material,
-                         const RiemannFlux flux,
-                         const double time,
-                         const double step,
-                         const QuietLeaves<dim> &quiet_leaves,
-                         const std::array<double, 6> &wall_force)
-{
+  if (!active_)
+    return;
   const TimerScope timer("loads");
-  totals_.time = time;
+  const double time = gas.time, step = gas.step;
   const double smallest = BlastRecord<double>::threshold * ambient_;
-  dealii::Tensor<1, 3> force;
-  std::visit(
-    [&](const auto &gas) {
-      for (std::size_t i = 0; i < facets_.size(); ++i)
-      {
-        const Facet &facet = facets_[i];
-        pressures_[i] = quiet_leaves.is_quiet(facet.leaf)
-                          ? 0.
-                          : wall_pressure(facet, field, gas, flux) - ambient_;
-      }
-    },
-    material.model());
+  totals_.time = time;
+  pressures_ = facets_.overpressures(gas, ambient_);
   if (is_waiting() && has_arrived())
     begin_samples(time - step, step);
   const bool is_peak = !is_waiting() && loses_peaks(time, step);
   if (is_peak && time - step > totals_.sample_begin)
     end_sample(time - step);
-  for (std::size_t i = 0; i < facets_.size(); ++i)
+  dealii::Tensor<1, 3> force;
+  for (std::size_t i = 0; i < pressures_.size(); ++i)
   {
-    Record &record = records_[facets_[i].number];
+    const auto &facet = facets_.owned()[i];
+    Record &record = records_[facet.number];
     record.blast.add(pressures_[i], time, step, smallest);
     // Over the step, the mean of begin and end.
     for (unsigned int d = 0; d < dim; ++d)
-      force[d] += 0.5 * (record.last + pressures_[i]) * facets_[i].area[d];
+      force[d] += 0.5 * (record.last + pressures_[i]) * facet.area[d];
     record.last = pressures_[i];
     record.sum += pressures_[i] * step;
   }
   add_gauges(time, step);
-  add_forces(force, wall_force, step);
+  add_forces(force, gas.wall_force, step);
   const double duration = time - totals_.sample_begin;
   if (is_peak || (!is_waiting() && duration >= interval_ * (1. - 1e-9)))
     end_sample(time);
@@ -313,10 +178,10 @@ bool WallLoads<dim>::loses_peaks(const double time, const double step)
   const double part = 1. - 0.5 * largest_loss_;
   const double duration = time - totals_.sample_begin;
   double loses = 0.;
-  for (std::size_t i = 0; i < facets_.size(); ++i)
+  for (std::size_t i = 0; i < pressures_.size(); ++i)
   {
     const double now = pressures_[i];
-    const Record &record = records_[facets_[i].number];
+    const Record &record = records_[facets_.owned()[i].number];
     const double peak = std::max(now, record.blast.peak);
     if (peak <= counted_part * totals_.highest ||
         record.sample_peak >= part * peak)
@@ -371,6 +236,213 @@ void WallLoads<dim>::add_forces(const dealii::Tensor<1, 3> &facet_force,
   totals_.largest_force = std::max(totals_.largest_force, gas.norm());
   totals_.largest_difference =
     std::max(totals_.largest_difference, (facets - gas).norm());
+}
+
+
+template <int dim>
+void WallLoads<dim>::begin_samples(const double time, const double step)
+{
+  // The last sample before is as short as those that follow: readers who draw
+  // lines between the middles of samples then stay at rest until here.
+  const double length = std::max(interval_, step);
+  const double round_off = 1e-9 * length;
+  totals_.sample_begin = 0.;
+  if (time - length > round_off)
+    end_sample(time - length);
+  if (time > round_off)
+    end_sample(time);
+}
+
+
+template <int dim>
+void WallLoads<dim>::end_sample(const double time)
+{
+  const std::size_t enough_to_write = 32 << 20;
+  const double duration = time - totals_.sample_begin;
+  const std::size_t row = samples_.size();
+  samples_.resize(row + records_.size(), 0.F);
+  for (const auto &facet : facets_.owned())
+  {
+    Record &record = records_[facet.number];
+    const double mean = record.sum / duration;
+    samples_[row + facet.number] = static_cast<float>(mean);
+    record.sample_peak = std::max(record.sample_peak, mean);
+    record.sum = 0.;
+  }
+  gauges_.end_sample(time,
+                     duration,
+                     dealii::Utilities::MPI::this_mpi_process(communicator_) ==
+                       0);
+  times_.push_back(time);
+  totals_.sample_begin = time;
+  const bool fills_chunks =
+    std::lround(totals_.n_times + times_.size()) % io::LoadFile::chunk_times ==
+    0;
+  if (fills_chunks && samples_.size() * sizeof(float) > enough_to_write)
+    share();
+}
+
+
+template <int dim>
+void WallLoads<dim>::finish()
+{
+  if (active_ && is_waiting())
+    totals_.sample_begin = 0.;
+  if (active_ && totals_.time > totals_.sample_begin)
+    end_sample(totals_.time);
+  share();
+  if (active_ && dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
+    gauges_.write_injury();
+}
+
+
+template <int dim>
+void WallLoads<dim>::share()
+{
+  if (!active_)
+    return;
+  if (file_.empty())
+  {
+    // A run without results, such as a trial of the costs.
+    times_.clear();
+    samples_.clear();
+    return;
+  }
+  const TimerScope timer("loads");
+  dealii::Utilities::MPI::sum(samples_, communicator_, samples_);
+  share_records();
+  if (dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
+  {
+    io::LoadFile file(file_);
+    if (totals_.n_times == 0.)
+      create_file();
+    file.append(times_, samples_);
+    write_measures();
+    gauges_.flush();
+  }
+  totals_.n_times += times_.size();
+  times_.clear();
+  samples_.clear();
+}
+
+
+template <int dim>
+void WallLoads<dim>::create_file() const
+{
+  io::LoadFile::Facets facets;
+  constexpr unsigned int n_geometry = WallFacets<dim>::n_geometry;
+  for (std::size_t i = 0; i < facets_.n_global(); ++i)
+  {
+    const double *values = &facets_.geometry()[n_geometry * i];
+    const double area =
+      dealii::Tensor<1, 3>({values[3], values[4], values[5]}).norm();
+    facets.areas.push_back(area);
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      facets.centroids.push_back(values[d]);
+      facets.normals.push_back(-values[3 + d] / area);
+    }
+  }
+  io::LoadFile(file_).create(
+    facets,
+    {{"application", "blast " + version() + " (" + git_revision() + ")"},
+     {"units", dim == 3 ? "m, m^2, s, Pa, Pa s" : "m, m, s, Pa, Pa s"},
+     {"overpressure_samples", "means since the time before"},
+     {"gauges", gauges_.description()}});
+}
+
+
+template <int dim>
+void WallLoads<dim>::write_measures()
+{
+  std::array<std::vector<double>, 4> values;
+  double highest = 0.;
+  for (const Record &record : records_)
+  {
+    const BlastMeasures measures = record.blast.measures(totals_.time);
+    values[0].push_back(measures.peak);
+    values[1].push_back(measures.impulse);
+    values[2].push_back(measures.arrival);
+    values[3].push_back(measures.duration);
+    highest = std::max(highest, measures.peak);
+  }
+  totals_.peak_loss = 0.;
+  for (const Record &record : records_)
+    if (record.blast.peak > counted_part * highest)
+      totals_.peak_loss = std::max(totals_.peak_loss,
+                                   1. - record.sample_peak / record.blast.peak);
+  io::LoadFile file(file_);
+  const char *const names[] = {"peak", "impulse", "arrival", "duration"};
+  for (unsigned int k = 0; k < 4; ++k)
+    file.write(names[k], values[k]);
+  io::LoadFile::Numbers numbers = {{"ambient_pressure_Pa", ambient_}};
+  for (const NamedValue &value : audit())
+    numbers.emplace_back(value.name, value.value);
+  file.write(numbers);
+}
+
+
+template <int dim>
+std::vector<NamedValue> WallLoads<dim>::audit() const
+{
+  const auto relative = [](const double part, const double whole) {
+    return whole > 0. ? part / whole : 0.;
+  };
+  std::vector<NamedValue> values = {
+    {"loads_facets", "-", double(facets_.n_global())}};
+  const std::array<const char *, 3> axes = {{"x", "y", "z"}};
+  for (unsigned int d = 0; d < dim; ++d)
+    values.push_back({std::string("loads_impulse_") + axes[d],
+                      dim == 3 ? "N s" : "N s/m",
+                      totals_.facet_impulse[d]});
+  values.push_back(
+    {"loads_impulse_difference",
+     "-",
+     relative((totals_.facet_impulse - totals_.gas_impulse).norm(),
+              totals_.gas_impulse.norm())});
+  values.push_back(
+    {"loads_force_difference",
+     "-",
+     relative(totals_.largest_difference, totals_.largest_force)});
+  values.push_back({"loads_sampled_peak_loss", "-", totals_.peak_loss});
+  for (const NamedValue &value : gauges_.measures(totals_.time))
+    values.push_back(value);
+  return values;
+}
+
+
+template <int dim>
+void WallLoads<dim>::save(std::ostream &stream, const std::string &folder) const
+{
+  if (!active_)
+    return;
+  const std::size_t n = records_.size();
+  stream.write(reinterpret_cast<const char *>(&totals_), sizeof(totals_));
+  stream.write(reinterpret_cast<const char *>(&n), sizeof(n));
+  stream.write(reinterpret_cast<const char *>(records_.data()),
+               n * sizeof(Record));
+  gauges_.save(stream);
+  if (totals_.n_times > 0. && !file_.empty())
+    io::copy_file(file_, folder + "/loads.h5");
+}
+
+
+template <int dim>
+void WallLoads<dim>::load(std::istream &stream, const std::string &folder)
+{
+  if (!active_)
+    return;
+  std::size_t n = 0;
+  stream.read(reinterpret_cast<char *>(&totals_), sizeof(totals_));
+  stream.read(reinterpret_cast<char *>(&n), sizeof(n));
+  if (!stream)
+    return;
+  records_.assign(n, {});
+  stream.read(reinterpret_cast<char *>(records_.data()), n * sizeof(Record));
+  gauges_.load(stream);
+  if (totals_.n_times > 0. &&
+      dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    io::copy_file(folder + "/loads.h5", file_);
 }
 
 

@@ -144,12 +144,6 @@ void GasOutput<dim>::declare_parameters(ParameterHandler &prm)
   {
     const Section section(prm, "Output");
     declare_bool(prm,
-                 "Maps",
-                 "false",
-                 "Whether the fields hold peak overpressure, positive-phase "
-                 "impulse, arrival and duration of the blast at every point; "
-                 "they cost some per cent of the run time.");
-    declare_bool(prm,
                  "Pictures",
                  "false",
                  "Whether a finished run draws the history, probes, planes, "
@@ -183,7 +177,6 @@ void GasOutput<dim>::parse_parameters(ParameterHandler &prm,
 {
   {
     const Section section(prm, "Output");
-    wants_maps_ = prm.get_bool("Maps");
     wants_volume_ = prm.get_bool("Volume fields");
   }
   const Section section(prm, "Pictures");
@@ -225,30 +218,33 @@ void GasOutput<dim>::parse_parameters(ParameterHandler &prm,
 
 
 template <int dim>
-std::string GasOutput<dim>::write(const GasSnapshot<dim> &gas) const
+std::string GasOutput<dim>::write(const GasSnapshot<dim> &gas,
+                                  const BlastMaps<dim> &maps,
+                                  const Target &target) const
 {
   for (const Plane &plane : planes_)
-    write_plane(plane, gas);
+    write_plane(plane, gas, maps, target);
   if (!wants_volume_)
     return "";
-  return write_leaves(gas);
+  return write_leaves(gas, maps, target);
 }
 
 
 template <int dim>
 std::vector<io::FieldName>
-GasOutput<dim>::field_names(const GasSnapshot<dim> &gas) const
+GasOutput<dim>::field_names(const GasSnapshot<dim> &gas,
+                            const bool has_maps) const
 {
   std::vector<io::FieldName> names = {{"density", "kg/m^3"},
                                       {"velocity", "m/s", true},
                                       {"pressure", "Pa"},
                                       {"sensor", "-"},
                                       {"level", "-"}};
-  if (gas.material.has_products())
+  if (gas.scene.material.has_products())
     names.push_back({"products", "-"});
-  if (shows_burned_)
+  if (!gas.scene.charges.empty())
     names.push_back({"burned", "-"});
-  if (!gas.maps.empty())
+  if (has_maps)
     for (const auto &[name, unit] : map_quantities)
       names.push_back({name, unit});
   if (gas.field.open_fractions() != nullptr)
@@ -258,13 +254,15 @@ GasOutput<dim>::field_names(const GasSnapshot<dim> &gas) const
 
 
 template <int dim>
-std::string GasOutput<dim>::write_leaves(const GasSnapshot<dim> &gas) const
+std::string GasOutput<dim>::write_leaves(const GasSnapshot<dim> &gas,
+                                         const BlastMaps<dim> &maps,
+                                         const Target &target) const
 {
-  io::FieldOutput<dim> output(field_names(gas));
+  io::FieldOutput<dim> output(field_names(gas, !maps.empty()));
   const LeafLayout &layout = gas.field.layout();
   const unsigned int n = std::max(1U, layout.n - 1);
   const unsigned int n_output = dealii::Utilities::pow(n + 1, dim);
-  const auto stencils = output_stencils(gas.points, n + 1);
+  const auto stencils = output_stencils(gas.scene.points, n + 1);
 
   for (unsigned int leaf = 0; is_writer<dim>() && leaf < gas.mesh.n_owned();
        ++leaf)
@@ -279,7 +277,7 @@ std::string GasOutput<dim>::write_leaves(const GasSnapshot<dim> &gas) const
       for (const auto &[q, weight] : stencils[o])
         for (unsigned int c = 0; c < layout.n_components; ++c)
           u[c] += weight * values[c * layout.n_points + q];
-      auto state = primitive_state<dim>(u.data(), gas.material);
+      auto state = primitive_state<dim>(u.data(), gas.scene.material);
       double burned = 0.;
       for (const auto &[q, weight] : stencils[o])
         burned += weight * gas.field.burned(leaf, q);
@@ -291,14 +289,14 @@ std::string GasOutput<dim>::write_leaves(const GasSnapshot<dim> &gas) const
       patch.data(row++, o) = state.pressure;
       patch.data(row++, o) = gas.field.sensor_of(leaf);
       patch.data(row++, o) = gas.mesh.cell(leaf)->level();
-      if (gas.material.has_products())
+      if (gas.scene.material.has_products())
         patch.data(row++, o) = state.products;
-      if (shows_burned_)
+      if (!gas.scene.charges.empty())
         patch.data(row++, o) = burned;
       // Nothing is interpolated in maps: as many places as points, or one.
-      if (!gas.maps.empty())
+      if (!maps.empty())
         for (const double value :
-             mapped(gas.maps, leaf, layout.n > 1 ? o : 0, gas.time))
+             mapped(maps, leaf, layout.n > 1 ? o : 0, gas.time))
           patch.data(row++, o) = value;
       if (gas.field.open_fractions() != nullptr)
         patch.data(row++, o) = open_fraction(gas.field, leaf, stencils[o]);
@@ -308,27 +306,29 @@ std::string GasOutput<dim>::write_leaves(const GasSnapshot<dim> &gas) const
   if (!is_writer<dim>())
     return "";
   return output.write_vtu(
-    gas.folder, "fields", gas.index, gas.mesh.communicator());
+    target.folder, "fields", target.index, gas.mesh.communicator());
 }
 
 
 template <int dim>
 void GasOutput<dim>::write_plane(const Plane &plane,
-                                 const GasSnapshot<dim> &gas) const
+                                 const GasSnapshot<dim> &gas,
+                                 const BlastMaps<dim> &maps,
+                                 const Target &target) const
 {
   if constexpr (dim > 1)
   {
     Raster<dim> raster(
       gas.mesh.coarse_mesh(), plane.direction, plane.position, resolution_);
     PointSampler<dim> sampler;
-    sampler.reinit(raster.places, gas.mesh, gas.points);
-    const auto states = sampler.sample(gas.field, gas.material);
-    const unsigned int n_maps = gas.maps.empty() ? 0 : map_quantities.size();
+    sampler.reinit(raster.places, gas.mesh, gas.scene.points);
+    const auto states = sampler.sample(gas.field, gas.scene.material);
+    const unsigned int n_maps = maps.empty() ? 0 : map_quantities.size();
     std::vector<double> records;
     if (n_maps > 0)
       records = sampler.nearest(
         n_maps, [&](const unsigned int leaf, const unsigned int q, double *to) {
-          const auto values = mapped(gas.maps, leaf, q, gas.time);
+          const auto values = mapped(maps, leaf, q, gas.time);
           std::copy_n(values.begin(), n_maps, to);
         });
     const std::vector<double> open = open_fractions(sampler, gas.field);
@@ -340,7 +340,7 @@ void GasOutput<dim>::write_plane(const Plane &plane,
                : "_" + axis_names.substr(plane.direction, 1) + "_" +
                    std::to_string(&plane - planes_.data());
     std::ostringstream number;
-    number << "_" << std::setw(4) << std::setfill('0') << gas.index;
+    number << "_" << std::setw(4) << std::setfill('0') << target.index;
     raster.samples.time = gas.time;
     const auto write = [&](const std::string &quantity,
                            const std::string &unit,
@@ -351,7 +351,8 @@ void GasOutput<dim>::write_plane(const Plane &plane,
       raster.samples.values.clear();
       for (std::size_t i = 0; i < states.size(); ++i)
         raster.samples.values.push_back(open[i] > 0. ? value(i) : no_gas);
-      io::write_plane(gas.folder + "/plane" + suffix + "_" + quantity + ending,
+      io::write_plane(target.folder + "/plane" + suffix + "_" + quantity +
+                        ending,
                       raster.samples);
     };
     write("pressure", "Pa", number.str(), [&](const std::size_t i) {

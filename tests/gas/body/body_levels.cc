@@ -80,7 +80,7 @@ double change_along_plane(const Lines &lines, const Tensor<1, dim> &velocity)
           "Boundaries/z low=initial",
           "Boundaries/z high=initial",
           "Domain/Initial refinement=" + std::to_string(dim == 3 ? 2 : 3)});
-  const GasState<dim> state = run.initial.value(Point<dim>());
+  const GasState<dim> state = run.initial_state.value(Point<dim>());
   EXPECT_NEAR((state.velocity - velocity).norm(), 0., 1e-12);
   run.set_state([&](const Point<dim> &) { return state; });
   EXPECT_GT(n_cut_faces(run), 0u);
@@ -280,12 +280,12 @@ TEST(BodyLevels, FrontsInLeavesThatAreSmallForTheBodyAloneHaveLessBuffer)
   std::array<unsigned int, 2> n_finer = {{0, 0}};
   for (const unsigned int later : {0U, 1U})
   {
-    const auto shares = run.adaptation->front_shares(later);
-    ASSERT_EQ(shares.size(), run.mesh.n_owned());
+    const auto ratios = run.adaptation->size_ratios(later);
+    ASSERT_EQ(ratios.size(), run.mesh.n_owned());
     for (unsigned int leaf = 0; leaf < run.mesh.n_owned(); ++leaf)
     {
       const int finer = run.mesh.cell(leaf)->level() - (4 - int(later));
-      EXPECT_EQ(shares[leaf], finer > 0 ? std::pow(0.5, finer) : 1.);
+      EXPECT_EQ(ratios[leaf], finer > 0 ? std::pow(0.5, finer) : 1.);
       n_finer[later] += finer > 0 ? 1 : 0;
     }
   }

@@ -111,7 +111,7 @@ TEST(BodyOfRevolution, FlowAlongATubeStays)
                  "Boundaries/y low=initial",
                  "Boundaries/y high=initial",
                  "Domain/Initial refinement=3"});
-  const GasState<2> state = run.initial.value(Point<2>());
+  const GasState<2> state = run.initial_state.value(Point<2>());
   run.set_state([&](const Point<2> &) { return state; });
   run.steps(40);
   EXPECT_LT(largest_change(run, state), 1e-11);

@@ -36,7 +36,7 @@ double change_along_plane(const Lines &lines, const Tensor<1, dim> &velocity)
                                 "Boundaries/z low=initial",
                                 "Boundaries/z high=initial",
                                 "Domain/Initial refinement=2"});
-  GasState<dim> state = run.initial.value(Point<dim>());
+  GasState<dim> state = run.initial_state.value(Point<dim>());
   EXPECT_NEAR((state.velocity - velocity).norm(), 0., 1e-12);
   run.set_state([&](const Point<dim> &) { return state; });
   run.steps(40);

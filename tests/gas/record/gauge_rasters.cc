@@ -35,8 +35,7 @@ public:
     for (const std::string &line : lines)
       assignments.push_back(parse_override(line));
     apply_assignments(assignments, prm);
-    gauges.parse_parameters(prm, run.coarse_mesh);
-    gauges.set_ambient(run.initial);
+    gauges.parse_parameters(prm, run);
   }
 
   /// Text of what save() would write.
@@ -44,7 +43,7 @@ public:
   {
     gauges.share();
     std::ostringstream stream;
-    gauges.save(stream);
+    gauges.save(stream, "");
     return stream.str();
   }
 
@@ -90,11 +89,11 @@ TEST(GaugeRasters, WriteLinesAndPlanes)
     state.pressure = 101325. + 1e5 * p[0];
     return state;
   });
-  scene.gauges.reinit(scene.run.mesh, scene.run.points);
-  scene.gauges.add(scene.run.field, scene.run.material, 2e-3, 1e-3);
-  scene.gauges.share();
+  scene.run.time = 2e-3;
+  scene.gauges.mesh_changed(scene.run.snapshot());
+  scene.gauges.add_step(scene.run.snapshot(1e-3));
   const std::string folder = make_folder();
-  scene.gauges.write(folder, 2e-3);
+  scene.gauges.write(scene.run.snapshot(), folder);
 
   std::ifstream line(folder + "/gauges_line_1.csv");
   std::string text;
@@ -141,17 +140,16 @@ TEST(GaugeRasters, RanksAndCheckpointsDoNotChangeABit)
       state.pressure = p.norm() < 0.4 ? 2e6 : 101325.;
       return state;
     });
-    scene->gauges.reinit(scene->run.mesh, scene->run.points);
+    scene->gauges.mesh_changed(scene->run.snapshot());
     return scene;
   };
   const auto go = [](Gauges<2> &scene, const unsigned int n) {
     for (unsigned int i = 0; i < n; ++i)
     {
       const auto result = scene.run.step();
-      scene.gauges.add(
-        scene.run.field, scene.run.material, scene.run.time, result.step);
+      scene.gauges.add_step(scene.run.snapshot(result.step));
       if (i % 3 == 2 && scene.run.adapt())
-        scene.gauges.reinit(scene.run.mesh, scene.run.points);
+        scene.gauges.mesh_changed(scene.run.snapshot());
     }
   };
   const auto alone = start(MPI_COMM_SELF), together = start(MPI_COMM_WORLD);
@@ -164,11 +162,11 @@ TEST(GaugeRasters, RanksAndCheckpointsDoNotChangeABit)
   go(*alone, 12);
   Gauges<2> fresh(lines);
   std::istringstream stream(middle);
-  fresh.gauges.load(stream);
+  fresh.gauges.load(stream, "");
   EXPECT_TRUE(stream);
   EXPECT_EQ(fresh.saved(), middle);
   std::swap(together->gauges, fresh.gauges);
-  together->gauges.reinit(together->run.mesh, together->run.points);
+  together->gauges.mesh_changed(together->run.snapshot());
   go(*together, 12);
   EXPECT_EQ(alone->saved(), together->saved());
 }

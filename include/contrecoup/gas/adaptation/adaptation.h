@@ -3,15 +3,13 @@
 
 #pragma once
 
+#include <contrecoup/gas/adaptation/adaptation_pace.h>
 #include <contrecoup/gas/adaptation/front_sensor.h>
 #include <contrecoup/gas/adaptation/leaf_transfer.h>
-#include <contrecoup/gas/adaptation/size_limits.h>
 #include <contrecoup/gas/conditions/rigid_body.h>
 #include <contrecoup/gas/record/blast_maps.h>
 #include <contrecoup/gas/state/gas_field.h>
 #include <contrecoup/gas/state/quiet_leaves.h>
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <boost/signals2/connection.hpp>
 
@@ -19,62 +17,10 @@
 
 namespace contrecoup::gas
 {
-/// Which leaves are halved or merged, as subsection "Adaptation" says.
-struct AdaptationParameters
-{
-  static void declare_parameters(dealii::ParameterHandler &prm);
-  /// @throws InputError when smallest and largest contradict each other.
-  void parse_parameters(dealii::ParameterHandler &prm,
-                        const unsigned int dim,
-                        const unsigned int initial_refinement,
-                        const unsigned int n_points,
-                        const bool is_finite_volume,
-                        const bool is_axis_aligned);
-
-  /**
-   * Finds in how many steps no shock that runs into gas at rest crosses the
-   * buffer.
-   * @param reach step size times signal rate sum_d (|u_d| + c) / h_d [-]
-   */
-  void find_buffer_steps(const double reach,
-                         const unsigned int dim,
-                         const unsigned int n_points);
-
-  enum class Sensor
-  {
-    bend,          ///< jump_sensor(): bends of density and pressure
-    pressure_bend, ///< the same of pressure alone, blind to contacts
-    blast          ///< front_sensor(): pressure fronts
-  };
-
-  bool active = false;
-  Sensor sensor = Sensor::bend;
-  unsigned int interval = 5;    ///< most steps in between; 0: no such limit
-  double buffer_steps = 1.;     ///< for fronts in leaves that set the step
-  unsigned int least_level = 0; ///< refinements of the coarse mesh
-  unsigned int most_level = 0;
-  double refine = 0.3;     ///< sensor above which leaves are halved
-  double coarsen = 0.1;    ///< sensor below which they are merged
-  double noise = 0.02;     ///< relative jump that counts as noise
-  unsigned int buffer = 1; ///< layers of leaves around marked ones
-  bool only_ahead = false; ///< whether these are only where fronts run to
-  /// A box whose leaves stay at this level at least; level 0: none.
-  unsigned int fine_level = 0;
-  std::vector<double> fine_lower; ///< [m]
-  std::vector<double> fine_upper; ///< [m]
-  SizeLimits limits;
-
-private:
-  void check(const unsigned int dim,
-             const unsigned int n_points,
-             const bool is_finite_volume,
-             const bool is_axis_aligned) const;
-};
-
 /**
  * Adapts the octree to the gas: marks leaves by a sensor, spreads the marks
- * ahead of the fronts, and carries the state over. Ranks share the leaves by
- * what these cost.
+ * ahead of the fronts, and carries the state over, as often as AdaptationPace
+ * says. Ranks share the leaves by what these cost.
  */
 template <int dim>
 class Adaptation
@@ -121,10 +67,53 @@ public:
   /// Halves the leaves in the fine box until they have its level.
   void refine_fine_box();
 
-  /// For each owned leaf, its edge length over that of the smallest leaf that
-  /// fronts may have there at time @p time [s], or one if it is not smaller: a
-  /// front in it has so much less of the buffer behind it [-].
-  std::vector<double> front_shares(const double time) const;
+  /// Whether the octree must adapt before the next step; never where the
+  /// parameters forbid it.
+  bool is_due() const
+  {
+    return parameters_.active && pace_.is_due();
+  }
+
+  /// Counts steps anew from @p time on [s].
+  void restart(const double time)
+  {
+    pace_.restart(time);
+  }
+
+  /// For each owned leaf at time @p time [s], the ratio of its edge length to
+  /// that of the smallest leaf that fronts may have there, at most 1: a front
+  /// in a smaller leaf, beside a body, has a buffer that is thinner by it [-].
+  std::vector<double> size_ratios(const double time) const;
+
+  /// Finds size_ratios() for steps from here on. Call after mesh and state
+  /// changed, and after adapt().
+  void update_size_ratios()
+  {
+    size_ratios_ =
+      parameters_.active ? size_ratios(pace_.start()) : std::vector<double>();
+  }
+
+  /// What update_size_ratios() found; empty: all are one.
+  const std::vector<double> &size_ratios() const
+  {
+    return size_ratios_;
+  }
+
+  /// Counts a step, see AdaptationPace::add_step().
+  void add_step(const double buffer_share)
+  {
+    pace_.add_step(buffer_share);
+  }
+
+  /// The count, for checkpoints.
+  void save(std::ostream &stream) const
+  {
+    pace_.save(stream);
+  }
+  void load(std::istream &stream)
+  {
+    pace_.load(stream);
+  }
 
   /// When it adapted last [s].
   double time() const
@@ -193,6 +182,8 @@ private:
   const GasMaterial material_;
   const RigidBody *body_ = nullptr;
   unsigned int initial_level_ = 0;
+  AdaptationPace pace_;
+  std::vector<double> size_ratios_;
   double time_ = 0.; ///< [s]
   QuietLeaves<dim> *quiet_leaves_ = nullptr;
   boost::signals2::scoped_connection weights_;

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/gas/adaptation/adaptation.h>
+#include <contrecoup/gas/adaptation/adaptation_parameters.h>
 
 #include <cstdint>
 #include <iosfwd>
@@ -26,13 +26,14 @@ public:
   {}
 
   /// Counts a step.
-  /// @param front_share how far a front may have run, in parts of what it runs
-  /// in leaves that set the step size, see TimeStepper::Rates [-]
-  void add_step(const double front_share)
+  /// @param share of the buffer that a front may have crossed, in parts of what
+  /// it crosses where leaves that set the step size have their smallest size,
+  /// see TimeStepper::Rates [-]
+  void add_step(const double share)
   {
     ++n_steps_;
-    travel_ += front_share;
-    last_share_ = front_share;
+    travel_ += share;
+    last_share_ = share;
   }
 
   /// Whether a front may else leave the buffer in the step that comes, if it

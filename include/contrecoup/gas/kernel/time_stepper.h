@@ -51,26 +51,23 @@ public:
   struct Rates
   {
     double all = 0.;    ///< of all leaves
-    double fronts = 0.; ///< each times its share, see set_front_shares()
+    double fronts = 0.; ///< each times its size ratio
   };
 
   /// Collective.
-  Rates largest_rates() const;
+  /// @param size_ratios see Adaptation; empty: all are one
+  Rates largest_rates(const std::vector<double> &size_ratios = {}) const;
 
-  /// Largest stable step from the current state [s]. Collective.
+  /// Largest stable step [s] from a state with the largest signal rate
+  /// @p rate [1/s].
+  double stable_step(const double rate) const
+  {
+    return scheme_.cfl * scheme_.stability_limit() / rate;
+  }
+  /// The same from the current state. Collective.
   double stable_step() const
   {
-    return stable_step(largest_rates());
-  }
-  double stable_step(const Rates &rates) const
-  {
-    return scheme_.cfl * scheme_.stability_limit() / rates.all;
-  }
-
-  /// Takes what Adaptation::front_shares() says of the leaves, until reinit().
-  void set_front_shares(std::vector<double> shares)
-  {
-    front_shares_ = std::move(shares);
+    return stable_step(largest_rates().all);
   }
 
   struct Result
@@ -138,7 +135,6 @@ private:
   Precision precision_ = Precision::double_precision; ///< of the field
   std::tuple<dealii::AlignedVector<double>, dealii::AlignedVector<float>>
     signal_rates_;
-  std::vector<double> front_shares_; ///< empty: all one
   QuietLeaves<dim> quiet_leaves_;
   unsigned int unphysical_leaf_ = no_leaf;
   std::array<double, 6> wall_force_; ///< see Result

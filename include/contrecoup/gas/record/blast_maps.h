@@ -3,10 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/gas/state/blast_record.h>
-#include <contrecoup/gas/state/gas_field.h>
-#include <contrecoup/gas/state/quiet_leaves.h>
-#include <contrecoup/materials/gas_material.h>
+#include <contrecoup/gas/record/recorder.h>
 
 #include <deal.II/base/aligned_vector.h>
 
@@ -21,10 +18,28 @@ namespace contrecoup::gas
  * its accumulation over the steps.
  */
 template <int dim>
-class BlastMaps
+class BlastMaps : public Recorder<dim>
 {
 public:
   using Record = BlastRecord<float>;
+
+  /// Declares "Output/Maps".
+  static void declare_parameters(dealii::ParameterHandler &prm);
+  void parse_parameters(dealii::ParameterHandler &prm,
+                        const GasScene<dim> &scene) override;
+
+  /// Whether the scene asks for maps.
+  bool wanted() const
+  {
+    return wanted_;
+  }
+
+  void mesh_changed(const GasSnapshot<dim> &gas) override;
+  void begin(const GasSnapshot<dim> &gas) override;
+  void go_on_from(const KnownRecord<dim> &record,
+                  const GasSnapshot<dim> &gas) override;
+  /// Passes leaves over that are quiet: nothing happens there.
+  void add_step(const GasSnapshot<dim> &gas) override;
 
   /// Room for @p n_leaves leaves where nothing has arrived.
   void reinit(const unsigned int n_points, const unsigned int n_leaves);
@@ -34,22 +49,6 @@ public:
   {
     return values_.empty();
   }
-
-  /// The pressure above which overpressures count [Pa].
-  void set_ambient(const double pressure)
-  {
-    ambient_ = pressure;
-  }
-
-  /// Takes the state at the end @p time of a step, both [s]. Leaves that are
-  /// quiet in @p quiet_leaves, if given, are passed over: nothing happens
-  /// there.
-  void update(const LeafMesh<dim> &mesh,
-              const GasField &field,
-              const GasMaterial &material,
-              const double time,
-              const double step,
-              const QuietLeaves<dim> *quiet_leaves = nullptr);
 
   /// Numbers of one leaf, [value][point].
   unsigned int n_leaf_values() const
@@ -84,15 +83,26 @@ private:
 
   template <typename Gas>
   void update_group(const unsigned int group,
-                    const GasField &field,
-                    const Gas &gas,
-                    const double time,
-                    const double step);
+                    const GasSnapshot<dim> &gas,
+                    const Gas &model);
 
+  bool wanted_ = false;
   unsigned int n_points_ = 1;
-  double ambient_ = 0.;
+  double ambient_ = 0.; ///< pressure [Pa]
   dealii::AlignedVector<float> values_;
 };
+
+
+/// A record in another precision.
+template <typename To, typename From>
+BlastRecord<To> converted(const BlastRecord<From> &record)
+{
+  return {To(record.peak),
+          To(record.arrival),
+          To(record.running),
+          To(record.impulse),
+          To(record.end)};
+}
 
 
 /// Names and units of what a map shows, in the order of map_values().

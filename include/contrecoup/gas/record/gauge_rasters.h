@@ -3,18 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/gas/conditions/initial_state.h>
-#include <contrecoup/gas/state/blast_record.h>
-#include <contrecoup/gas/state/point_sampler.h>
-
-#include <deal.II/base/parameter_handler.h>
-
-#include <array>
-#include <functional>
-#include <iosfwd>
-#include <optional>
-#include <string>
-#include <vector>
+#include <contrecoup/gas/record/blast_gauges.h>
 
 namespace contrecoup::gas
 {
@@ -26,55 +15,32 @@ namespace contrecoup::gas
  * through the gas itself.
  */
 template <int dim>
-class GaugeRasters
+class GaugeRasters : public Recorder<dim>
 {
 public:
   /// Declares entries of subsection "Probes".
   static void declare_parameters(dealii::ParameterHandler &prm);
 
   /// @throws InputError for a text that cannot be read and for gauges
-  /// outside the box @p mesh.
+  /// outside of the domain.
   void parse_parameters(dealii::ParameterHandler &prm,
-                        const CoarseMesh<dim> &mesh);
+                        const GasScene<dim> &scene) override;
 
-  bool empty() const
-  {
-    return places_.empty();
-  }
+  void mesh_changed(const GasSnapshot<dim> &gas) override;
+  void go_on_from(const KnownRecord<dim> &record,
+                  const GasSnapshot<dim> &gas) override;
+  void add_step(const GasSnapshot<dim> &gas) override;
 
-  /// The pressures before anything happens [Pa], from the initial state.
-  void set_ambient(const InitialState<dim> &initial_state);
+  /// Writes lines as gauges_line_N.csv and planes as
+  /// gauges_plane_N_QUANTITY.npy.
+  /// @throws SystemError when the disk is full
+  void write(const GasSnapshot<dim> &gas, const std::string &folder) override;
 
-  /// Call when the mesh changed. Collective.
-  void reinit(const LeafMesh<dim> &mesh, const LeafPoints<dim> &points);
-
-  /// Takes the state at the end @p time of a step, both [s].
-  void add(const GasField &field,
-           const GasMaterial &material,
-           const double time,
-           const double step);
-
-  /// Sets the records of all gauges for which @p record has one.
-  void set_records(const std::function<std::optional<BlastRecord<double>>(
-                     const dealii::Point<dim> &)> &record);
-
-  /// Gives every rank the records of all gauges. Collective.
-  void share();
-
-  /// The records, for checkpoints; call share() before save().
-  void save(std::ostream &stream) const;
-  void load(std::istream &stream);
-
-  /**
-   * Writes the measures at @p time [s]: lines as gauges_line_N.csv, planes as
-   * gauges_plane_N_QUANTITY.npy. Call share() before, and on one rank alone.
-   * @throws SystemError when the disk is full
-   */
-  void write(const std::string &folder, const double time) const;
+  void share() override;
+  void save(std::ostream &stream, const std::string &folder) const override;
+  void load(std::istream &stream, const std::string &folder) override;
 
 private:
-  using Record = BlastRecord<double>;
-
   /// A line (second count 0) or a plane of gauges.
   struct Raster
   {
@@ -82,12 +48,14 @@ private:
     std::array<unsigned int, 2> axes;   ///< of a plane
     std::array<unsigned int, 2> counts; ///< along the line or the axes
     std::size_t first;                  ///< gauge
+
+    std::vector<dealii::Point<dim>> places() const;
   };
 
   void parse_list(const std::string &entry,
                   const std::string &text,
-                  const unsigned int n_counts);
-  void add_gauges(Raster raster);
+                  const unsigned int n_counts,
+                  std::vector<dealii::Point<dim>> &places);
   void write_line(const std::string &file,
                   const Raster &raster,
                   const double time) const;
@@ -96,10 +64,7 @@ private:
                    const double time) const;
 
   std::vector<Raster> rasters_;
-  std::vector<dealii::Point<dim>> places_;
-  std::vector<double> ambient_; ///< [Pa]
-  std::vector<Record> records_;
-  PointSampler<dim> sampler_;
+  BlastGauges<dim> gauges_;
   MPI_Comm communicator_ = MPI_COMM_SELF;
   bool is_shared_ = true; ///< whether every rank has all records
 };

@@ -3,12 +3,9 @@
 
 #pragma once
 
-#include <contrecoup/gas/conditions/boundary.h>
-#include <contrecoup/gas/octree/leaf_mesh.h>
-#include <contrecoup/gas/state/gas_field.h>
+#include <contrecoup/gas/record/recorder.h>
 
 #include <array>
-#include <iosfwd>
 #include <limits>
 #include <vector>
 
@@ -20,44 +17,38 @@ namespace contrecoup::gas
  * up to `interval` steps late.
  */
 template <int dim>
-class OpenSides
+class OpenSides : public Recorder<dim>
 {
 public:
   static constexpr unsigned int interval = 8;
+
+  static constexpr double never = std::numeric_limits<double>::max();
 
   OpenSides()
   {
     arrivals_.fill(never);
   }
 
-  /// The sides of @p mesh that are open. Call when the mesh changed.
-  void reinit(const LeafMesh<dim> &mesh, const Boundary<dim> &boundary);
-
-  /// Looks at the gas at @p time [s].
-  void watch(const GasField &field,
-             const GasMaterial &material,
-             const double ambient_pressure,
-             const double time);
-
-  /// Makes the arrivals the same on all ranks. Collective.
-  void share(const MPI_Comm communicator);
+  void parse_parameters(dealii::ParameterHandler & /*prm*/,
+                        const GasScene<dim> & /*scene*/) override
+  {}
+  void mesh_changed(const GasSnapshot<dim> &gas) override;
+  void add_step(const GasSnapshot<dim> &gas) override;
+  void share() override;
+  void save(std::ostream &stream, const std::string &folder) const override;
+  void load(std::istream &stream, const std::string &folder) override;
 
   /// By side, 2 d and 2 d + 1 at the low and high end of direction d; time of
-  /// arrival [s], or `never`.
+  /// arrival [s], or `never`; of all ranks after share().
   const std::array<double, 2 * dim> &arrivals() const
   {
     return arrivals_;
   }
 
-  static constexpr double never = std::numeric_limits<double>::max();
-
-  /// The arrivals, for checkpoints, after share().
-  void save(std::ostream &stream) const;
-  void load(std::istream &stream);
-
 private:
   /// Leaves at open sides, by side.
   std::array<std::vector<unsigned int>, 2 * dim> leaves_;
   std::array<double, 2 * dim> arrivals_;
+  MPI_Comm communicator_ = MPI_COMM_SELF;
 };
 } // namespace contrecoup::gas

@@ -3,55 +3,42 @@
 
 #pragma once
 
-#include <contrecoup/base/simulation.h>
-#include <contrecoup/gas/conditions/initial_state.h>
-#include <contrecoup/gas/conditions/reference_solution.h>
-#include <contrecoup/gas/state/blast_record.h>
-#include <contrecoup/gas/state/point_sampler.h>
-
-#include <deal.II/base/parameter_handler.h>
-
-#include <iosfwd>
+#include <contrecoup/gas/record/blast_gauges.h>
 
 namespace contrecoup::gas
 {
 /**
- * Gauges at fixed places: what they read now, and peak overpressure,
- * impulse, arrival and duration of the blast at each so far.
+ * Gauges at fixed places that every rank knows: what they read now, and peak
+ * overpressure, impulse, arrival and duration of the blast at each so far.
  */
 template <int dim>
-class ProbeSet
+class ProbeSet : public Recorder<dim>
 {
 public:
   /// Declares subsection "Probes".
   static void declare_parameters(dealii::ParameterHandler &prm);
 
-  /// @throws InputError for a place outside the box @p mesh.
+  /// @throws InputError for a place outside of the domain or in the body.
   void parse_parameters(dealii::ParameterHandler &prm,
-                        const CoarseMesh<dim> &mesh);
+                        const GasScene<dim> &scene) override;
 
-  bool empty() const
+  void mesh_changed(const GasSnapshot<dim> &gas) override
   {
-    return places_.empty();
+    gauges_.mesh_changed(gas);
   }
+  void begin(const GasSnapshot<dim> &gas) override
+  {
+    add_step(gas);
+  }
+  void add_step(const GasSnapshot<dim> &gas) override;
 
-  /// The pressures before anything happens [Pa], from the initial state.
-  void set_ambient(const InitialState<dim> &initial_state);
-
-  /// Call when the mesh changed.
-  void reinit(const LeafMesh<dim> &mesh, const LeafPoints<dim> &points);
-
-  /// Reads all gauges; peaks and arrivals follow. Collective.
-  void
-  read(const GasField &field, const GasMaterial &material, const double time);
-
-  /// Takes states that were read elsewhere, one for each place, as read()
-  /// does.
+  /// Takes states that were read elsewhere at @p time [s], one for each place,
+  /// as add_step() does.
   void take(const std::vector<GasState<dim>> &states, const double time);
 
   const std::vector<dealii::Point<dim>> &places() const
   {
-    return places_;
+    return gauges_.places();
   }
 
   /// What was read last.
@@ -66,33 +53,26 @@ public:
   /// What the blast did at each probe so far.
   std::vector<BlastMeasures> blasts() const;
 
-  /// The same with names, and beside it what
-  /// @p reference says where it does.
+  /// The same with names, and beside it what @p reference says where it does.
   std::vector<NamedValue>
   measures(const ReferenceSolution<dim> &reference) const;
+  std::vector<NamedValue> measures(const GasSnapshot<dim> &gas) const override
+  {
+    return measures(gas.scene.reference);
+  }
 
   /// The relative differences of the two.
-  std::vector<NamedValue> errors(const ReferenceSolution<dim> &reference) const;
+  std::vector<NamedValue> errors(const GasSnapshot<dim> &gas) const override;
 
   /// The two side by side, a line for each probe; empty without reference.
-  std::vector<std::string>
-  comparison(const ReferenceSolution<dim> &reference) const;
+  std::vector<std::string> report(const GasSnapshot<dim> &gas) const override;
 
-  /// The peaks so far, for checkpoints.
-  void save(std::ostream &stream) const;
-  void load(std::istream &stream);
+  void save(std::ostream &stream, const std::string &folder) const override;
+  void load(std::istream &stream, const std::string &folder) override;
 
 private:
-  struct Record
-  {
-    double last_time = 0.; ///< [s]
-    BlastRecord<double> blast;
-  };
-
-  std::vector<dealii::Point<dim>> places_;
-  std::vector<double> ambient_;
-  std::vector<Record> records_;
+  BlastGauges<dim> gauges_;
+  double last_time_ = 0.; ///< [s]
   std::vector<GasState<dim>> states_;
-  PointSampler<dim> sampler_;
 };
 } // namespace contrecoup::gas

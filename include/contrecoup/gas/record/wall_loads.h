@@ -3,37 +3,23 @@
 
 #pragma once
 
-#include <contrecoup/base/simulation.h>
-#include <contrecoup/gas/body/cut_leaves.h>
 #include <contrecoup/gas/record/load_gauges.h>
-#include <contrecoup/gas/state/blast_record.h>
-#include <contrecoup/gas/state/gas_field.h>
-#include <contrecoup/gas/state/quiet_leaves.h>
-#include <contrecoup/materials/gas_material.h>
-#include <contrecoup/numerics/riemann_flux.h>
-
-#include <deal.II/base/parameter_handler.h>
-
-#include <iosfwd>
-#include <string>
-#include <vector>
+#include <contrecoup/gas/record/wall_facets.h>
 
 namespace contrecoup::gas
 {
 /**
- * The pressure of the gas on a rigid body, recorded as the run goes. The
- * facets are the pieces of the surface in the cells that it cuts; the pressure
- * on one is that of the Riemann problem between the gas in its cell and the
- * mirror image. Written to loads.h5, see io::LoadFile, and at named places to
- * load_gauges.csv, see LoadGauges, from when the wave arrives at the first
- * facet: the first sample is the mean of all time before.
+ * The pressure of the gas on the facets of a rigid body, see WallFacets,
+ * recorded as the run goes. Written to loads.h5, see io::LoadFile, and at named
+ * places to load_gauges.csv, see LoadGauges, from when the wave arrives at the
+ * first facet: the first sample is the mean of all time before.
  *
  * Audits itself: force and impulse of all facets against what the scheme took
  * from the gas. A staircase's facets take one pressure for all sides of a cell
  * together, and so differ by some per cent from its scheme.
  */
 template <int dim>
-class WallLoads
+class WallLoads : public Recorder<dim>
 {
 public:
   /// Declares subsection "Loads".
@@ -42,81 +28,43 @@ public:
   /// @throws InputError when there is no body to record the loads of, and
   /// for gauges that are not on it.
   void parse_parameters(dealii::ParameterHandler &prm,
-                        const RigidBody &body,
-                        const CoarseMesh<dim> &domain);
+                        const GasScene<dim> &scene) override;
 
-  bool active() const
-  {
-    return active_;
-  }
-
-  /// @param pressure ambient [Pa]
-  void set_ambient(const double pressure)
-  {
-    ambient_ = pressure;
-  }
-  void set_folder(const std::string &folder)
+  void set_output_folder(const std::string &folder) override
   {
     file_ = folder + "/loads.h5";
     gauges_.set_folder(folder);
   }
-
-  /// Finds the facets. Call when the mesh changed. Collective.
-  void reinit(const LeafMesh<dim> &mesh,
-              const LeafLayout &layout,
-              const CutLeaves<dim> &cut_leaves,
-              const RigidBody &body);
-
-  /// Takes the state at the end of a step. Collective.
-  /// @param wall_force of the step, see TimeStepper::Result
-  void add(const GasField &field,
-           const GasMaterial &material,
-           const RiemannFlux flux,
-           const double time,
-           const double step,
-           const QuietLeaves<dim> &quiet_leaves,
-           const std::array<double, 6> &wall_force);
-
-  /// Writes what is still in memory, or forgets it where there is no folder.
-  /// Collective.
-  void flush();
-
-  /// Ends the sample that is going on, and flushes. Collective.
-  void finish();
-
-  /// What is known so far, for checkpoints; call flush() before save().
-  void save(std::ostream &stream) const;
-  void load(std::istream &stream);
-
-  /// Keeps loads.h5 in the folder of a checkpoint, and brings it back after
-  /// load(): a run that was killed may have left it half-written. By one rank.
-  void save_file(const std::string &folder) const;
-  void restore_file(const std::string &folder) const;
+  void mesh_changed(const GasSnapshot<dim> &gas) override;
+  void add_step(const GasSnapshot<dim> &gas) override;
+  /// Writes samples that are in memory, or forgets them where there is no
+  /// folder.
+  void share() override;
+  /// Keeps loads.h5 in the folder of the checkpoint, and brings it back: a run
+  /// that was killed may have left it half-written.
+  void save(std::ostream &stream, const std::string &folder) const override;
+  void load(std::istream &stream, const std::string &folder) override;
+  /// Ends the sample that is going on, and writes.
+  void finish() override;
 
   /// Number and area of the facets, impulses and the audit, and what the
   /// gauges say.
-  std::vector<NamedValue> audit() const;
-
+  std::vector<NamedValue>
+  measures(const GasSnapshot<dim> & /*gas*/) const override
+  {
+    return active_ ? audit() : std::vector<NamedValue>();
+  }
   /// What the gauges say, for people; empty without loads.
-  std::vector<std::string> table() const
+  std::vector<std::string>
+  report(const GasSnapshot<dim> & /*gas*/) const override
   {
     return active_ ? gauges_.table(totals_.time) : std::vector<std::string>();
   }
 
 private:
-  static constexpr unsigned int n_geometry = 6; ///< numbers of a facet
-
   /// Peaks below this part of the highest do not count for the samples.
   static constexpr double counted_part = 0.05;
 
-  /// A facet in the leaves of this rank.
-  struct Facet
-  {
-    unsigned int leaf;
-    unsigned int point;
-    std::size_t number;          ///< among those of all ranks
-    dealii::Tensor<1, dim> area; ///< vector, into the body [m^(dim-1)]
-  };
   /// What is known of a facet.
   struct Record
   {
@@ -142,25 +90,8 @@ private:
   };
 
   /// Makes every rank know the records of all facets. Collective.
-  void share();
-  /// A number that tells the cell around a place apart from all others.
-  static std::uint64_t key_of(const dealii::Point<dim> &place,
-                              const CoarseMesh<dim> &domain);
-  void add_facets(const unsigned int leaf,
-                  const LeafMesh<dim> &mesh,
-                  const LeafLayout &layout,
-                  const CutLeaves<dim> &cut_leaves,
-                  const RigidBody &body,
-                  std::vector<std::uint64_t> &keys,
-                  std::vector<double> &geometry);
-  void number_facets(const std::vector<std::uint64_t> &keys,
-                     const std::vector<double> &geometry);
+  void share_records();
   void add_gauges(const double time, const double step);
-  template <typename Gas>
-  double wall_pressure(const Facet &facet,
-                       const GasField &field,
-                       const Gas &gas,
-                       const RiemannFlux flux) const;
   void add_forces(const dealii::Tensor<1, 3> &facet_force,
                   const std::array<double, 6> &wall_force,
                   const double step);
@@ -179,6 +110,7 @@ private:
   void end_sample(const double time);
   void create_file() const;
   void write_measures();
+  std::vector<NamedValue> audit() const;
 
   bool active_ = false;
   double interval_ = 0.;     ///< of samples [s]; 0: every step
@@ -188,11 +120,9 @@ private:
   std::string file_;
   MPI_Comm communicator_ = MPI_COMM_SELF;
 
-  std::vector<std::uint64_t> keys_; ///< places of all facets, in order
-  std::vector<double> geometry_;    ///< of all: centroid and area vector
-  std::vector<Facet> facets_;       ///< of this rank
-  std::vector<double> pressures_;   ///< on this rank's, after the step [Pa]
-  std::vector<Record> records_;     ///< of all; up to date for this rank's
+  WallFacets<dim> facets_;
+  std::vector<double> pressures_; ///< on this rank's, after the step [Pa]
+  std::vector<Record> records_;   ///< of all; up to date for this rank's
   LoadGauges gauges_;
   Totals totals_;
   std::vector<double> times_;  ///< not yet in the file [s]

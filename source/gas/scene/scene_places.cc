@@ -6,7 +6,7 @@
 #include <contrecoup/base/parameters.h>
 #include <contrecoup/base/text.h>
 #include <contrecoup/gas/explosive/charge.h>
-#include <contrecoup/gas/run/scene_places.h>
+#include <contrecoup/gas/scene/scene_places.h>
 
 #include <deal.II/base/quadrature_lib.h>
 

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/gas/record/blast_maps.h>
+#include <contrecoup/gas/record/gauge_rasters.h>
+#include <contrecoup/gas/record/open_sides.h>
+#include <contrecoup/gas/record/probe_set.h>
+#include <contrecoup/gas/record/wall_loads.h>
+
+#include <tuple>
+
+namespace contrecoup::gas
+{
+/// All recorders there are, in the order of checkpoints and of the summary.
+template <int dim>
+using RecorderList = std::tuple<ProbeSet<dim>,
+                                GaugeRasters<dim>,
+                                BlastMaps<dim>,
+                                OpenSides<dim>,
+                                WallLoads<dim>>;
+
+
+/// The recorders of a run.
+template <int dim>
+class Recorders
+{
+public:
+  static void declare_parameters(dealii::ParameterHandler &prm)
+  {
+    declare(prm, static_cast<RecorderList<dim> *>(nullptr));
+  }
+
+  /// A certain recorder, for those who need more of it than all have.
+  template <typename Kind>
+  Kind &get()
+  {
+    return std::get<Kind>(recorders_);
+  }
+  template <typename Kind>
+  const Kind &get() const
+  {
+    return std::get<Kind>(recorders_);
+  }
+
+  /// Calls @p function with each recorder.
+  template <typename Function>
+  void for_each(const Function &function)
+  {
+    std::apply([&](auto &...recorder) { (function(recorder), ...); },
+               recorders_);
+  }
+
+  /// What @p function gives for each recorder, a list, joined.
+  template <typename Item>
+  std::vector<Item>
+  collect(std::vector<Item> (Recorder<dim>::*function)(const GasSnapshot<dim> &)
+            const,
+          const GasSnapshot<dim> &gas) const
+  {
+    std::vector<Item> result;
+    const auto add = [&](const Recorder<dim> &recorder) {
+      for (Item &item : (recorder.*function)(gas))
+        result.push_back(std::move(item));
+    };
+    std::apply([&](auto &...recorder) { (add(recorder), ...); }, recorders_);
+    return result;
+  }
+
+private:
+  template <typename... Kinds>
+  static void declare(dealii::ParameterHandler &prm, std::tuple<Kinds...> *)
+  {
+    (Kinds::declare_parameters(prm), ...);
+  }
+
+  RecorderList<dim> recorders_;
+};
+} // namespace contrecoup::gas

@@ -1,0 +1,440 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/gather.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/timers.h>
+#include <contrecoup/gas/conditions/profile_field.h>
+#include <contrecoup/gas/record/gas_measures.h>
+#include <contrecoup/gas/run/cost_estimate.h>
+#include <contrecoup/gas/run/gas_checkpoint.h>
+#include <contrecoup/gas/run/gas_core.h>
+#include <contrecoup/gas/run/initial_fill.h>
+
+#include <sstream>
+
+namespace contrecoup::gas
+{
+namespace
+{
+  template <typename Number>
+  void write_number(std::ostream &stream, const Number &number)
+  {
+    stream.write(reinterpret_cast<const char *>(&number), sizeof(number));
+  }
+
+  template <typename Number>
+  void read_number(std::istream &stream, Number &number)
+  {
+    stream.read(reinterpret_cast<char *>(&number), sizeof(number));
+  }
+} // namespace
+
+
+template <int dim>
+GasCore<dim>::GasCore(const GasScene<dim> &scene, const MPI_Comm communicator)
+  : scene_(scene)
+  , mesh_(communicator)
+  , body_(scene, mesh_)
+{}
+
+
+template <int dim>
+void GasCore<dim>::declare_parameters(ParameterHandler &prm)
+{
+  QuietLeaves<dim>::declare_parameters(prm);
+  AdaptationParameters::declare_parameters(prm);
+}
+
+
+template <int dim>
+void GasCore<dim>::parse_parameters(ParameterHandler &prm)
+{
+  const Scheme &scheme = scene_.scheme;
+  skip_quiet_leaves_ = QuietLeaves<dim>::parse_parameters(prm);
+  adaptation_parameters_.parse_parameters(
+    prm,
+    dim,
+    scene_.coarse_mesh.initial_refinement(),
+    scheme.n_points,
+    scheme.kind == Scheme::Kind::finite_volume,
+    scene_.coarse_mesh.is_axis_aligned());
+  adaptation_parameters_.find_buffer_steps(
+    scheme.cfl * scheme.stability_limit(), dim, scheme.n_points);
+  const Section section(prm, "Charges");
+  afterburn_.parse_parameters(prm);
+  if (afterburn_.active() && scene_.material.is_ideal())
+    throw InputError("Charges/Afterburn needs Material/Equation of state = "
+                     "jwl in air, which knows products");
+}
+
+
+template <int dim>
+void GasCore<dim>::create_octree()
+{
+  mesh_.create(scene_.coarse_mesh, scene_.scheme.precision);
+  operator_ = make_gas_operator(mesh_,
+                                scene_.layout,
+                                scene_.scheme,
+                                scene_.material,
+                                scene_.boundary,
+                                body_.empty() ? nullptr : &body_.cut_leaves());
+  stepper_ = std::make_unique<TimeStepper<dim>>(
+    mesh_, scene_.scheme, *operator_, skip_quiet_leaves_);
+  adaptation_ = std::make_unique<Adaptation<dim>>(
+    adaptation_parameters_, mesh_, scene_.points, scene_.material);
+  if (!body_.empty())
+    adaptation_->set_body(scene_.body, scene_.coarse_mesh.initial_refinement());
+}
+
+
+template <int dim>
+void GasCore<dim>::refine_octree()
+{
+  mesh_.triangulation().refine_global(scene_.coarse_mesh.initial_refinement());
+  mesh_.rebuild();
+  adaptation_->refine_fine_box();
+  adaptation_->refine_at_body();
+}
+
+
+template <int dim>
+void GasCore<dim>::build_octree()
+{
+  create_octree();
+  refine_octree();
+  body_.mesh_changed();
+}
+
+
+template <int dim>
+std::vector<std::string> GasCore<dim>::set_up()
+{
+  create_octree();
+  time_ = scene_.initial_state.time();
+  if (scene_.initial_state.profile() != nullptr)
+    go_on_burning();
+  refine_octree();
+  if (adaptation_parameters_.active)
+    fit_mesh_to_initial_state();
+  adaptation_->restart(time_);
+  return set_initial_state();
+}
+
+
+template <int dim>
+void GasCore<dim>::go_on_burning()
+{
+  const ProfileField<dim> &profile = *scene_.initial_state.profile();
+  const auto part = profile.part_within(scene_.coarse_mesh.lower_corner(),
+                                        scene_.coarse_mesh.upper_corner());
+  const auto &data = profile.profile().data();
+  afterburn_.go_on_from(data.afterburn_fraction,
+                        part.value_or(1.) * data.afterburn_released);
+}
+
+
+template <int dim>
+void GasCore<dim>::fit_mesh_to_initial_state()
+{
+  while (adaptation_->refine_where([this](const unsigned int leaf) {
+    return varies_in_leaf(scene_, mesh_, leaf);
+  }))
+    ;
+  // The sensor then sees what distances alone cannot tell.
+  for (unsigned int level = 0; level < adaptation_parameters_.most_level;
+       ++level)
+  {
+    set_initial_state(true);
+    stepper_->update_ghosts(field_);
+    if (!adaptation_->adapt(field_))
+      break;
+  }
+}
+
+
+template <int dim>
+std::vector<std::string> GasCore<dim>::set_initial_state(const bool rough)
+{
+  const TimerScope timer("initial state");
+  field_.reinit(scene_.layout, mesh_.n_stored_batches());
+  cut_leaves();
+  const auto report = fill_initial_state(scene_, mesh_, field_, rough);
+  body_.fill_closed_cells(field_);
+  field_.fill_padding(mesh_.n_owned());
+  state_changed();
+  return report;
+}
+
+
+template <int dim>
+void GasCore<dim>::mesh_changed()
+{
+  cut_leaves();
+  state_changed();
+}
+
+
+template <int dim>
+void GasCore<dim>::cut_leaves()
+{
+  body_.mesh_changed();
+  if (!body_.empty())
+    field_.set_open_fractions(&body_.cut_leaves().fractions());
+}
+
+
+template <int dim>
+void GasCore<dim>::state_changed()
+{
+  if (!scene_.charges.empty() && !has_burned_)
+    detonation_.reinit(mesh_, scene_.points, scene_.charges);
+  update_burn();
+  stepper_->reinit(field_);
+  adaptation_->update_size_ratios();
+}
+
+
+template <int dim>
+void GasCore<dim>::update_burn()
+{
+  has_burned_ =
+    scene_.charges.empty() || has_burned_ || time_ > detonation_.end();
+  field_.set_burn(has_burned_ ? nullptr : &detonation_.burn(), time_);
+}
+
+
+template <int dim>
+StepReport GasCore<dim>::advance(const double largest_step)
+{
+  const auto &quiet = stepper_->quiet_leaves();
+  const auto rates = stepper_->largest_rates(adaptation_->size_ratios());
+  const double stable = stepper_->stable_step(rates.all);
+  const double n_before = quiet.n_possible();
+  const auto result =
+    stepper_->advance(field_, time_, std::min(stable, largest_step));
+  if (result.failed)
+    fail(result);
+  time_ += result.step;
+  ++n_steps_;
+  last_step_ = result.step;
+  wall_force_ = result.wall_force;
+  n_careful_steps_ += result.careful ? 1. : 0.;
+  count_work(quiet.n_possible() - n_before, result.step / stable);
+  adaptation_->add_step(rates.fronts / rates.all);
+  update_burn();
+  if (afterburn_.release(
+        time_, result.step, mesh_, scene_.points, scene_.material, field_))
+    stepper_->analyse(field_);
+
+  const double n_computed =
+    dealii::Utilities::MPI::sum(quiet.n_computed(), mesh_.communicator());
+  StepReport report;
+  report.step_size = result.step;
+  report.retries = result.retries;
+  report.updates = (n_computed - n_computed_) * scene_.layout.n_points *
+                   scene_.layout.n_components;
+  n_computed_ = n_computed;
+  return report;
+}
+
+
+template <int dim>
+void GasCore<dim>::count_work(const double n_computed, const double part)
+{
+  constexpr double memory = 0.99;
+  const double n_stages = scene_.scheme.time_stepping.stages.size();
+  n_made_ = memory * n_made_ + n_computed;
+  n_needed_ = memory * n_needed_ + part * n_stages * mesh_.n_owned();
+}
+
+
+template <int dim>
+void GasCore<dim>::fail(const typename TimeStepper<dim>::Result &result)
+{
+  // The first rank with a bad leaf speaks for all.
+  const std::string mine =
+    result.unphysical_leaf ? describe_leaf(*result.unphysical_leaf) : "";
+  std::string text;
+  for (const auto &candidate : gather_texts(mesh_.communicator(), mine))
+    if (text.empty())
+      text = candidate;
+  std::ostringstream message;
+  message << "The gas turned unphysical at time " << time_
+          << " s although the step was halved " << result.retries
+          << " times to " << result.step << " s" << text;
+  throw NumericsError(message.str());
+}
+
+
+template <int dim>
+std::string GasCore<dim>::describe_leaf(const unsigned int leaf)
+{
+  const LeafBox<dim> box = leaf_box(mesh_, leaf);
+  const auto values = field_.leaf(leaf);
+  std::ostringstream message;
+  message << "; in the leaf from " << box.origin << " m with edges "
+          << box.extents << " m, whose first point held before the step";
+  for (unsigned int c = 0; c < scene_.layout.n_components; ++c)
+    message << (c == 0 ? " " : ", ") << values[c * scene_.layout.n_points];
+  message << " (density, momentum, energy per volume)";
+  return message.str();
+}
+
+
+template <int dim>
+bool GasCore<dim>::adapt(BlastMaps<dim> &maps)
+{
+  if (!adaptation_->is_due())
+    return false;
+  adaptation_->restart(time_);
+  stepper_->update_ghosts(field_);
+  const bool changed =
+    adaptation_->adapt(field_, maps, time_, &stepper_->quiet_leaves());
+  if (changed)
+    mesh_changed();
+  else
+    adaptation_->update_size_ratios();
+  return changed;
+}
+
+
+template <int dim>
+void GasCore<dim>::save(std::ostream &stream) const
+{
+  write_number(stream, time_);
+  write_number(stream, n_steps_);
+  write_number(stream, has_burned_);
+  adaptation_->save(stream);
+  afterburn_.save(stream);
+}
+
+
+template <int dim>
+void GasCore<dim>::load(std::istream &stream)
+{
+  read_number(stream, time_);
+  read_number(stream, n_steps_);
+  read_number(stream, has_burned_);
+  adaptation_->load(stream);
+  afterburn_.load(stream);
+}
+
+
+template <int dim>
+void GasCore<dim>::restore_leaves(const std::string &folder,
+                                  BlastMaps<dim> *maps)
+{
+  create_octree();
+  gas::restore_leaves(mesh_, field_, scene_.layout, folder, maps);
+}
+
+
+template <int dim>
+GasSnapshot<dim> GasCore<dim>::snapshot() const
+{
+  return {scene_,
+          mesh_,
+          field_,
+          body_.cut_leaves(),
+          stepper_->quiet_leaves(),
+          time_,
+          last_step_,
+          n_steps_,
+          wall_force_};
+}
+
+
+template <int dim>
+std::vector<NamedValue> GasCore<dim>::totals() const
+{
+  std::vector<NamedValue> values =
+    gas_totals(mesh_, scene_.points, field_, scene_.material);
+  if (!afterburn_.active())
+    return values;
+  // What was in the gas from the beginning, without what was released later.
+  double initial = 0.;
+  for (NamedValue &value : values)
+    if (value.name == "energy")
+    {
+      value.conserved = false;
+      initial = value.value - afterburn_.released();
+    }
+  values.push_back({"energy_before_afterburn", "J", initial, true});
+  values.push_back({"afterburn_energy", "J", afterburn_.released()});
+  values.push_back({"afterburn_fraction", "-", afterburn_.fraction()});
+  return values;
+}
+
+
+template <int dim>
+double GasCore<dim>::skipped_updates() const
+{
+  const double n_possible = dealii::Utilities::MPI::sum(
+    stepper_->quiet_leaves().n_possible(), mesh_.communicator());
+  return n_possible > 0. ? 1. - n_computed_ / n_possible : 0.;
+}
+
+
+template <int dim>
+std::vector<NamedValue> GasCore<dim>::measures() const
+{
+  // Leaves whose sensor fired: shocked ones, or troubled Galerkin ones.
+  double troubled = 0.;
+  for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
+    troubled += field_.sensor_of(leaf) > 0. ? 1. : 0.;
+  troubled = dealii::Utilities::MPI::sum(troubled, mesh_.communicator());
+  return {{"troubled_leaves", "-", troubled / mesh_.n_global()},
+          {"careful_steps", "-", n_careful_steps_},
+          {"skipped_updates", "-", skipped_updates()}};
+}
+
+
+template <int dim>
+dealii::Tensor<1, dim> GasCore<dim>::smallest_cell() const
+{
+  const CoarseMesh<dim> &mesh = scene_.coarse_mesh;
+  dealii::Tensor<1, dim> result = mesh.upper_corner() - mesh.lower_corner();
+  const unsigned int level = adaptation_parameters_.active
+                               ? adaptation_parameters_.most_level
+                               : mesh.initial_refinement();
+  for (unsigned int d = 0; d < dim; ++d)
+    result[d] /= mesh.coarse_cells(d) * std::pow(2., level) * scene_.layout.n;
+  return result;
+}
+
+
+template <int dim>
+WorkForecast
+GasCore<dim>::expected_work(const double end_time,
+                            const dealii::Point<dim> &centre,
+                            const std::function<double(double)> &front) const
+{
+  const WorkForecaster<dim> forecaster(
+    mesh_,
+    *stepper_,
+    *adaptation_,
+    centre,
+    front,
+    signal_speed(scene_.ambient(), scene_.material));
+  const double made =
+    dealii::Utilities::MPI::sum(n_made_, mesh_.communicator());
+  const double needed =
+    dealii::Utilities::MPI::sum(n_needed_, mesh_.communicator());
+  // A leaf's unknowns in all Runge-Kutta stages of a step of stable size.
+  const double updates = (needed > 0. ? made / needed : 1.) *
+                         scene_.layout.n_points * scene_.layout.n_components *
+                         scene_.scheme.time_stepping.stages.size() /
+                         (scene_.scheme.cfl * scene_.scheme.stability_limit());
+  WorkForecast result = forecaster.forecast(time_, end_time);
+  for (auto &[until, work] : result)
+    work *= updates;
+  return result;
+}
+
+
+template class GasCore<1>;
+template class GasCore<2>;
+template class GasCore<3>;
+} // namespace contrecoup::gas

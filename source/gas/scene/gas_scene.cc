@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/log.h>
+#include <contrecoup/base/parameters.h>
+#include <contrecoup/gas/scene/gas_scene.h>
+#include <contrecoup/gas/scene/scene_places.h>
+
+#include <sstream>
+
+namespace contrecoup::gas
+{
+template <int dim>
+void GasScene<dim>::declare_parameters(ParameterHandler &prm)
+{
+  CoarseMesh<dim>::declare_parameters(prm);
+  GasMaterial::declare_parameters(prm);
+  Scheme::declare_parameters(prm);
+  InitialState<dim>::declare_parameters(prm);
+  ChargeSet<dim>::declare_parameters(prm);
+  ReferenceSolution<dim>::declare_parameters(prm);
+  Boundary<dim>::declare_parameters(prm);
+  RigidBody::declare_parameters(prm);
+}
+
+
+template <int dim>
+void GasScene<dim>::parse_parameters(ParameterHandler &prm)
+{
+  coarse_mesh.parse_parameters(prm);
+  material.parse_parameters(prm);
+  scheme.parse_parameters(prm, dim, coarse_mesh.geometry() == Geometry::plane);
+  scheme.check_mesh(coarse_mesh.is_axis_aligned());
+  initial_state.parse_parameters(prm, material);
+  charges.parse_parameters(prm, material, coarse_mesh);
+  charges.check(scheme, initial_state);
+  reference.parse_parameters(prm, material);
+  boundary.parse_parameters(
+    prm, material, coarse_mesh, initial_state, reference);
+  body.parse_parameters(prm);
+  if (!body.empty())
+    check_body();
+  check_places(prm, material, coarse_mesh, body);
+  if (!body.empty() && body.is_required())
+    for (const std::string &line : remarks_on_cuts(prm, coarse_mesh, body))
+      log_line(line);
+  layout = LeafLayout(dim,
+                      scheme.n_points,
+                      dim + 2 + (material.is_ideal() ? 0 : 1),
+                      scheme.precision);
+  points = LeafPoints<dim>(scheme, coarse_mesh.geometry());
+  {
+    const Section section(prm, "Material");
+    material_words = prm.get("Equation of state");
+    if (material.has_products())
+      material_words += ", " + prm.get("Explosive");
+  }
+  const Section section(prm, "Time");
+  end_time = read_double(prm, "End time");
+}
+
+
+template <int dim>
+void GasScene<dim>::check_body() const
+{
+  const unsigned int least_points = 4;
+  body.check(dim);
+  if (dim == 1 || !coarse_mesh.is_axis_aligned())
+    throw InputError("Rigid body/Kind: bodies need Domain/Mesh = box and "
+                     "Domain/Dimension = 2 or 3");
+  if (scheme.kind != Scheme::Kind::finite_volume)
+    throw InputError(
+      "Rigid body/Kind: bodies need Method/Scheme = finite volume");
+  if (scheme.n_points % 2 == 1 && body.most_levels() > 0)
+    throw InputError("Rigid body/Levels above 0 need an even number of "
+                     "Method/Subcells, not " +
+                     std::to_string(scheme.n_points));
+  if (scheme.n_points < least_points)
+    throw InputError(
+      "Rigid body/Kind: bodies need Method/Subcells of 4 or more, "
+      "not " +
+      std::to_string(scheme.n_points));
+}
+
+
+template <int dim>
+void GasScene<dim>::require_inside(const dealii::Point<dim> &place,
+                                   const std::string &what) const
+{
+  const auto &lower = coarse_mesh.lower_corner();
+  const auto &upper = coarse_mesh.upper_corner();
+  for (unsigned int d = 0; d < dim && coarse_mesh.is_axis_aligned(); ++d)
+    if (place[d] < lower[d] || place[d] > upper[d])
+    {
+      std::ostringstream message;
+      message << what << ' ' << place << " m is outside of the domain, "
+              << lower << " m to " << upper << " m";
+      throw InputError(message.str());
+    }
+}
+
+
+template <int dim>
+dealii::Point<dim> GasScene<dim>::place(const LeafBox<dim> &leaf,
+                                        const unsigned int q) const
+{
+  const auto index = points.indices(q);
+  dealii::Point<dim> x;
+  for (unsigned int d = 0; d < dim; ++d)
+    x[d] = points.position(index[d]);
+  return leaf.place(x);
+}
+
+
+template struct GasScene<1>;
+template struct GasScene<2>;
+template struct GasScene<3>;
+} // namespace contrecoup::gas
