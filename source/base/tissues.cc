@@ -5,6 +5,8 @@
 #include <contrecoup/base/text.h>
 #include <contrecoup/base/tissues.h>
 
+#include <algorithm>
+
 namespace contrecoup
 {
 const std::vector<std::string> &tissue_names()

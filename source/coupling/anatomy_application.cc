@@ -5,7 +5,6 @@
 #include <contrecoup/base/log.h>
 #include <contrecoup/base/memory.h>
 #include <contrecoup/base/parameter_tree.h>
-#include <contrecoup/base/processor_time.h>
 #include <contrecoup/base/signals.h>
 #include <contrecoup/base/text.h>
 #include <contrecoup/base/version.h>

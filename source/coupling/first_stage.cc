@@ -3,8 +3,6 @@
 
 #include <contrecoup/coupling/staged_simulation.h>
 
-#include <cmath>
-
 namespace contrecoup::coupling
 {
 namespace

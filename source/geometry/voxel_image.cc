@@ -3,13 +3,11 @@
 
 #include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/readable_file.h>
-#include <contrecoup/base/text.h>
 #include <contrecoup/geometry/voxel_image.h>
 
 #include <nifti/nifti1_io.h>
 #include <zlib.h>
 
-#include <filesystem>
 #include <memory>
 
 namespace contrecoup

@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/collective.h>
-#include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/log.h>
 #include <contrecoup/base/signals.h>
 #include <contrecoup/base/timers.h>

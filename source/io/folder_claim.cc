@@ -6,7 +6,6 @@
 #include <contrecoup/base/text.h>
 #include <contrecoup/io/folder_claim.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 

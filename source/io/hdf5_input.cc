@@ -5,7 +5,6 @@
 #include <contrecoup/base/readable_file.h>
 #include <contrecoup/io/hdf5_input.h>
 
-#include <cstdint>
 #include <filesystem>
 
 namespace contrecoup

@@ -6,7 +6,6 @@
 #include <contrecoup/io/load_file.h>
 
 #include <algorithm>
-#include <functional>
 
 namespace contrecoup
 {

@@ -7,7 +7,6 @@
 #include <contrecoup/base/text.h>
 #include <contrecoup/study/factor.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>

@@ -10,7 +10,6 @@
 
 #include <cmath>
 #include <csignal>
-#include <fstream>
 #include <new>
 #include <sstream>
 

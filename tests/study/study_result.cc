@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameter_tree.h>
 #include <contrecoup/io/temporary_folder.h>
 #include <contrecoup/study/report.h>

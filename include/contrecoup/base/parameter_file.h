@@ -15,7 +15,7 @@ struct Assignment
   std::string entry;
   std::string value;
   std::string origin;      ///< "\"file.prm\", line 7" or "--set"
-  std::string folder = ""; ///< of the parameter file; empty for --set
+  std::string folder = {}; ///< of the parameter file; empty for --set
 };
 
 /**

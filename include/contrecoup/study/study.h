@@ -51,7 +51,6 @@ private:
                io::FolderClaim &claim);
   void report(const Task &task);
   void write_results(const std::string &status, double seconds);
-  void use_reference();
   void conclude(const StudyResult &result);
   void draw() const;
   std::string path(const std::string &name) const;

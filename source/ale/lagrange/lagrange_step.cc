@@ -3,8 +3,6 @@
 
 #include <contrecoup/ale/lagrange/lagrange_step.h>
 #include <contrecoup/ale/mesh/cell_corners.h>
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/text.h>
 #include <contrecoup/numerics/hex8_corner_parts.h>
 
 #include <deal.II/base/mpi.h>

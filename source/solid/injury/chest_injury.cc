@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters.h>
-#include <contrecoup/numerics/blast_injury.h>
 #include <contrecoup/numerics/chest_wall.h>
 #include <contrecoup/numerics/load_injury.h>
 #include <contrecoup/solid/injury/chest_injury.h>

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
 #include <contrecoup/base/parameters.h>
-#include <contrecoup/base/text.h>
 #include <contrecoup/io/binary_records.h>
 #include <contrecoup/io/checked_file.h>
 #include <contrecoup/solid/body/stress_invariants.h>

@@ -8,7 +8,6 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <sstream>
 #include <unordered_map>
 
 namespace contrecoup::solid
@@ -33,7 +32,6 @@ struct SolidBody<Real>::Numbers
   double step_change;
   double initial_energy;
 };
-
 
 namespace
 {
