@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Checks of the source tree: check_tree.py CHECK [ROOT].
+"""Checks of the source tree: check_tree.py CHECK [ROOT [FOLDER...]].
 
 CHECK is one of the functions listed in CHECKS below. Each takes the root
-folder of the repository and returns a list of problems, one line each, that
+folder of the repository, tidy also the folders that libraries have their
+headers in, and returns a list of problems, one line each, that
 start with file (and line). Exit code 0: none, 1: some, 77: skipped, which in CI
 is 1.
 """
@@ -12,6 +13,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 
 # What each layer may include besides itself. Applications and the folders of
 # tests that are not named after a layer may include everything.
@@ -245,21 +247,20 @@ def parameters(root):
             if re.search(r"\badd_parameter\s*\(", line)]
 
 
-def clang_format():
-    """The name of a clang-format of version 14."""
-    for name in ("clang-format-14", "clang-format"):
+def clang_tool(tool):
+    """The name of a tool of LLVM 14."""
+    for name in (tool + "-14", tool):
         if shutil.which(name):
             version = subprocess.run([name, "--version"], check=True,
                                      capture_output=True, text=True).stdout
             if " 14." in version:
                 return name
-    raise Skip("clang-format 14 is not installed "
-               "(Debian 12: apt install clang-format)")
+    raise Skip(f"{tool} 14 is not installed (Debian 12: apt install {tool})")
 
 
 def formatting(root):
     """Every file is as clang-format 14 leaves it."""
-    name = clang_format()
+    name = clang_tool("clang-format")
     style = "file:" + os.path.join(os.path.abspath(root), ".clang-format")
     # One start for all of them: it takes longer than most files.
     run = subprocess.run(
@@ -273,22 +274,77 @@ def formatting(root):
             for path, line in sorted(first.items())]
 
 
+def is_cheap(root, path, known):
+    """Whether a file includes, by itself or by headers of the tree, no library
+    whose headers are in a folder of their own; @p known keeps answers by path.
+    Headers that the build makes are not in the tree."""
+    if path not in known:
+        known[path] = True  # for headers that include each other
+        known[path] = os.path.exists(os.path.join(root, path)) and all(
+            is_cheap(root, os.path.join("include", name), known)
+            if name.startswith("contrecoup/") else
+            "/" not in name.replace("sys/", "")
+            for line in lines_of(root, path)
+            for name in re.findall(r'^\s*#\s*include\s*[<"]([^>"]+)', line))
+    return known[path]
+
+
+def run_clang_tidy(root, files, folders):
+    """What it finds in @p files and the headers that they include; @p folders
+    are those of libraries' headers."""
+    run = subprocess.run(
+        [clang_tool("clang-tidy"), "--quiet", "--config-file="
+         + os.path.join(os.path.abspath(root), ".clang-tidy"), *files, "--",
+         "-std=c++17", "-Iinclude", *(
+             f"-isystem{path}" for path in folders
+             # Else the compiler's own headers do not find those of C.
+             if os.path.realpath(path) != "/usr/include")],
+        cwd=root, capture_output=True, text=True)
+    found = re.findall(r"^(\S+?):(\d+):\d+: (?:error|warning): (.*)$",
+                       run.stdout, re.M)
+    if run.returncode != 0 and not found:
+        raise RuntimeError(run.stdout + run.stderr)
+    # What does not compile has findings that mean nothing.
+    found = [finding for finding in found if "clang-diagnostic-error"
+             in finding[2]] or found
+    return {f"{os.path.relpath(os.path.join(root, path), root)}:{line}: {text}"
+            for path, line, text in found}
+
+
+def tidy(root, *folders):
+    """clang-tidy 14 finds nothing in the headers of the lowest layers, nor in
+    the sources that include neither deal.II nor Boost: these take a second each,
+    the others five to twenty, nearly all for headers of these libraries."""
+    known = {}
+    cheap = [path for path in cpp_files(root, ("source",))
+             if path.endswith(".cc") and is_cheap(root, path, known)]
+    problems = run_clang_tidy(root, cheap, folders)
+    headers = [os.path.relpath(path, "include")
+               for path in cpp_files(root, ("include",))
+               if layer_of(path) in ("base", "materials", "numerics")]
+    with tempfile.NamedTemporaryFile("w", suffix=".cc") as file:
+        file.write("".join(f"#include <{path}>\n" for path in headers))
+        file.flush()
+        problems |= run_clang_tidy(root, [file.name], folders)
+    return sorted(problems)
+
+
 CHECKS = {check.__name__: check for check in
           (layers, rooms, plot_rooms, lengths, functions, mirror, licence,
-           parameters, formatting)}
+           parameters, formatting, tidy)}
 
 
 def main(arguments):
-    if not 1 <= len(arguments) <= 2 or arguments[0] not in CHECKS:
-        print("usage: check_tree.py CHECK [ROOT]; CHECK is one of: "
+    if not arguments or arguments[0] not in CHECKS:
+        print("usage: check_tree.py CHECK [ROOT [FOLDER...]]; CHECK is one of: "
               + ", ".join(CHECKS), file=sys.stderr)
         return 2
-    root = arguments[1] if len(arguments) == 2 else "."
+    root = arguments[1] if len(arguments) > 1 else "."
     if not any(True for _ in cpp_files(root)):
         print(f"no .h or .cc files below {root}", file=sys.stderr)
         return 2
     try:
-        problems = CHECKS[arguments[0]](root)
+        problems = CHECKS[arguments[0]](root, *arguments[2:])
     except Skip as reason:
         print(f"skipped: {reason}")
         # Where a change is judged nothing may be left out unseen.

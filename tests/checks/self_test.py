@@ -162,7 +162,7 @@ class TreeTest(unittest.TestCase):
 
     def test_badly_formatted(self):
         try:
-            name = check_tree.clang_format()
+            name = check_tree.clang_tool("clang-format")
         except check_tree.Skip as reason:
             if os.environ.get("CI"):
                 raise
@@ -174,6 +174,29 @@ class TreeTest(unittest.TestCase):
         self.write("include/contrecoup/numerics/two.h",
                    TOP + "#pragma once\n\nint   two();\n")
         self.expect("formatting", "two.h:6")
+
+    def test_findings_of_clang_tidy(self):
+        """In a cheap source, and in a header of a low layer; not in a source
+        that includes a large library."""
+        try:
+            check_tree.clang_tool("clang-tidy")
+        except check_tree.Skip as reason:
+            if os.environ.get("CI"):
+                raise
+            self.skipTest(str(reason))
+        with open(os.path.join(REPOSITORY, ".clang-tidy")) as settings:
+            self.write(".clang-tidy", settings.read())
+        self.assertEqual(check_tree.tidy(self.root), [])
+        unused = "inline int one(int argument)\n{\n  return 1;\n}\n"
+        self.write("source/numerics/one.cc", TOP + "#include <vector>\n"
+                   "#include <deal.II/base/point.h>\n" + unused)
+        self.assertEqual(check_tree.tidy(self.root), [])
+        self.write("source/numerics/one.cc", TOP + "#include <vector>\n" + unused)
+        self.expect("tidy", "source/numerics/one.cc:5", "'argument' is unused")
+        os.remove(os.path.join(self.root, "source/numerics/one.cc"))
+        self.write("include/contrecoup/base/lanes.h",
+                   TOP + "#pragma once\n" + unused)
+        self.expect("tidy", "include/contrecoup/base/lanes.h:5")
 
 
 if __name__ == "__main__":
