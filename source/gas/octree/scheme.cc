@@ -150,9 +150,7 @@ void Scheme::declare_parameters(ParameterHandler &prm)
 }
 
 
-void Scheme::parse_parameters(ParameterHandler &prm,
-                              const unsigned int dim,
-                              const bool /*plane_geometry*/)
+void Scheme::parse_parameters(ParameterHandler &prm, const unsigned int dim)
 {
   const Section section(prm, "Method");
   kind = prm.get("Scheme") == "finite volume" ? Kind::finite_volume

@@ -30,7 +30,7 @@ void GasScene<dim>::parse_parameters(ParameterHandler &prm)
 {
   coarse_mesh.parse_parameters(prm);
   material.parse_parameters(prm);
-  scheme.parse_parameters(prm, dim, coarse_mesh.geometry() == Geometry::plane);
+  scheme.parse_parameters(prm, dim);
   scheme.check_mesh(coarse_mesh.is_axis_aligned());
   initial_state.parse_parameters(prm, material);
   charges.parse_parameters(prm, material, coarse_mesh);

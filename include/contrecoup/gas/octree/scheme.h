@@ -29,9 +29,7 @@ public:
   static void declare_parameters(dealii::ParameterHandler &prm);
 
   /// @throws InputError for combinations that do not exist.
-  void parse_parameters(dealii::ParameterHandler &prm,
-                        const unsigned int dim,
-                        const bool plane_geometry);
+  void parse_parameters(dealii::ParameterHandler &prm, const unsigned int dim);
 
   /// @throws InputError when the scheme does not work on boxes or, unless
   /// @p is_axis_aligned, on meshes of other shapes.
