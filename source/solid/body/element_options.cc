@@ -10,10 +10,9 @@ namespace contrecoup::solid
 {
 namespace
 {
-  /// In the order of Integration.
+  /// Names of the values of Integration, in the same order.
   const std::vector<std::string> integration_names{"one-point", "full"};
 
-  /// Of bulk.
   void declare_viscosity(ParameterHandler &prm)
   {
     declare_double(prm,
@@ -22,16 +21,16 @@ namespace
                    0.,
                    2.,
                    "-",
-                   "Part of the critical damping of compression in an element; "
-                   "takes that part off the stable step.");
+                   "Fraction of the critical damping of compression in an "
+                   "element; reduces the stable step by the same fraction.");
     declare_double(prm,
                    "Quadratic bulk viscosity",
                    "1.2",
                    0.,
                    10.,
                    "-",
-                   "Spreads shocks over some elements; nothing for waves of "
-                   "small strain.");
+                   "Spreads shocks over a few elements; no effect on waves "
+                   "of small strain.");
   }
 } // namespace
 
@@ -43,54 +42,55 @@ void ElementOptions::declare_parameters(ParameterHandler &prm)
                     "Kinematics",
                     "small strain",
                     solid_kinematics_names(),
-                    "small strain has no rotations; finite rotation is exact "
-                    "for turns of any size with small strains; neo-hookean "
-                    "also for large strains.");
+                    "small strain: no rotations; finite rotation: exact for "
+                    "arbitrary rotations with small strains; neo-hookean: "
+                    "also large strains.");
   declare_selection(prm,
                     "Integration",
                     "one-point",
                     integration_names,
-                    "full has 2 x 2 x 2 Gauss points for shear, one dilatation "
-                    "and no hourglass modes; it takes 2.5 times as long and is "
+                    "full: 2 x 2 x 2 Gauss points for shear, one dilatation "
+                    "and no hourglass modes; takes 2.5 times as long and is "
                     "too stiff in bending.");
   declare_selection(prm,
                     "Hourglass control",
                     "stiffness",
                     hourglass_names(),
-                    "What resists the modes that one integration point does "
-                    "not see; none leaves them to grow.");
+                    "Resistance to the hourglass modes of one-point "
+                    "integration; with none they grow freely.");
   declare_double(prm,
                  "Hourglass coefficient",
                  "1",
                  0.,
                  10.,
                  "-",
-                 "Times the resistance that comes from the shear modulus; "
-                 "1 makes bricks bend as they should, less is softer.");
+                 "Factor on the hourglass stiffness from the shear modulus; "
+                 "1 gives bricks their correct bending stiffness, less is "
+                 "softer.");
   declare_double(prm,
                  "Hourglass damping",
                  "0",
                  0.,
                  0.2,
                  "-",
-                 "Part of rho c h^2 that damps hourglass modes where the bulk "
-                 "modulus is above 100 times the shear modulus, as in the "
-                 "brain: takes the motion away whose pressures alternate from "
-                 "element to element, and some of shear waves of few "
-                 "elements.");
+                 "Fraction of rho c h^2 that damps hourglass modes where "
+                 "the bulk modulus exceeds 100 times the shear modulus, as "
+                 "in the brain. It removes motion with pressures that "
+                 "alternate from element to element, and damps shear waves "
+                 "of few elements.");
   declare_bool(prm,
                "Skip quiet",
                "true",
-               "Whether elements are passed over until one of their nodes, or "
-               "of those numbered beside it, has moved; the results are the "
-               "same.");
+               "Whether elements are skipped until one of their nodes, or "
+               "of the nodes in the same block of 64, has moved; results "
+               "are the same.");
   declare_integer(prm,
                   "Largest number of retries",
                   "10",
                   0,
                   50,
-                  "Times that a step after which an element has no volume, or "
-                  "numbers are not finite, is halved before the run gives up.");
+                  "How often a step may be halved when an element inverts "
+                  "or a value is not finite, before the run fails.");
   declare_viscosity(prm);
 }
 

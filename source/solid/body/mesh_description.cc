@@ -31,10 +31,24 @@ namespace
 
   void declare_box(ParameterHandler &prm)
   {
-    declare_list(
-      prm, "Lower corner", "0, 0, 0", 3, 3, -1e6, 1e6, "m", "Of the box.");
-    declare_list(
-      prm, "Upper corner", "1, 1, 1", 3, 3, -1e6, 1e6, "m", "Of the box.");
+    declare_list(prm,
+                 "Lower corner",
+                 "0, 0, 0",
+                 3,
+                 3,
+                 -1e6,
+                 1e6,
+                 "m",
+                 "Lower corner of the box.");
+    declare_list(prm,
+                 "Upper corner",
+                 "1, 1, 1",
+                 3,
+                 3,
+                 -1e6,
+                 1e6,
+                 "m",
+                 "Upper corner of the box.");
     declare_list(prm,
                  "Elements",
                  "4, 4, 4",
@@ -43,77 +57,83 @@ namespace
                  1.,
                  1e5,
                  "-",
-                 "Elements of the box along x, y and z.");
+                 "Number of elements of the box along x, y and z.");
     declare_string(prm,
                    "Refined where",
                    "",
-                   "Elements of the box whose centre makes this muParser "
-                   "expression of x, y, z true are halved; several, with ';' "
-                   "between, one after the other. Nodes hang where sizes "
-                   "differ.");
+                   "muParser expression of x, y, z: elements of the box "
+                   "with a true value at their centre are refined once. "
+                   "Several expressions, separated by ';', apply one after "
+                   "the other. Hanging nodes arise where sizes differ.");
     declare_double(prm,
                    "Distortion",
                    "0",
                    0.,
                    0.45,
                    "-",
-                   "Inner nodes of the box move at random by this part of "
-                   "the shortest edge.");
+                   "Inner nodes of the box are moved randomly by this "
+                   "fraction of the shortest edge.");
   }
 
   void declare_others(ParameterHandler &prm)
   {
-    declare_double(
-      prm, "Inner radius", "0.01", 1e-9, 1e6, "m", "Of the shell octant.");
+    declare_double(prm,
+                   "Inner radius",
+                   "0.01",
+                   1e-9,
+                   1e6,
+                   "m",
+                   "Inner radius of the shell octant.");
     declare_double(prm,
                    "Outer radius",
                    "0.1",
                    1e-9,
                    1e6,
                    "m",
-                   "Of the ball or shell octant, x, y, z >= 0.");
-    declare_integer(prm,
-                    "Refinements",
-                    "0",
-                    0,
-                    10,
-                    "Halvings of all elements of ball, shell or file, 0 to "
-                    "10.");
+                   "Outer radius of the ball or shell octant, x, y, z >= 0.");
+    declare_integer(
+      prm,
+      "Refinements",
+      "0",
+      0,
+      10,
+      "Number of global refinements of ball, shell or file, 0 to 10.");
     declare_file(prm,
                  "File",
                  "",
-                 "Hexahedra in a format that deal.II reads; the material "
-                 "number of a cell is that of its tissue, as `anatomy` "
-                 "writes mesh.msh.");
+                 "Hexahedral mesh in a format that deal.II reads; the "
+                 "material number of a cell is that of its tissue, as "
+                 "`anatomy` writes mesh.msh.");
     declare_double(prm,
                    "Element size",
                    "0.01",
                    1e-6,
                    1e3,
                    "m",
-                   "Edge of the elements of a body; with coarsening, of those "
-                   "at surfaces and interfaces.");
+                   "Edge length of the elements of a body; with coarsening, "
+                   "of those at surfaces and interfaces.");
     declare_integer(prm,
                     "Coarsening levels",
                     "0",
                     0,
                     6,
-                    "Times that elements of a body may double away from "
-                    "surfaces and interfaces, 0 to 6.");
+                    "How often the elements of a body may double in size "
+                    "away from surfaces and interfaces, 0 to 6.");
     declare_integer(prm,
                     "Smoothing iterations",
                     "0",
                     0,
                     1000,
-                    "Steps of Taubin's filter on surfaces and interfaces of a "
-                    "body, 0 (stairs) to 1000.");
+                    "Steps of Taubin smoothing of the surfaces and "
+                    "interfaces of a body, 0 (voxel stairs) to 1000.");
     declare_double(prm,
                    "Smallest scaled Jacobian",
                    "0.2",
                    0.01,
                    0.9,
                    "-",
-                   "Smoothing goes back where an element would have less.");
+                   "Smoothing is undone where it would reduce the scaled "
+                   "Jacobian of an element below this value.");
   }
 
   void declare_tissues(ParameterHandler &prm)
@@ -122,13 +142,13 @@ namespace
                       "Tissue",
                       "soft tissue",
                       {tissue_names().begin() + 1, tissue_names().end()},
-                      "What box, octants and patch are made of.");
+                      "Tissue of box, octants and patch.");
     const Section section(prm, "Region *");
     declare_selection(prm,
                       "Tissue",
                       "soft tissue",
                       {tissue_names().begin() + 1, tissue_names().end()},
-                      "What elements of this region are made of.");
+                      "Tissue of the elements of this region.");
     declare_string(prm,
                    "Where",
                    "1",
@@ -147,7 +167,7 @@ void MeshDescription::declare_parameters(ParameterHandler &prm)
                       "box",
                       kinds,
                       "patch is the unit cube of 7 elements of MacNeal and "
-                      "Harder; body is what section Body describes.");
+                      "Harder; body is the shape of section Body.");
     declare_box(prm);
     declare_others(prm);
     declare_tissues(prm);

@@ -19,26 +19,27 @@ namespace
                    0.,
                    1.,
                    "-",
-                   "Part of the undeformed volume that is gas, which stiffens "
-                   "as it is compressed, while the rest keeps its volume; the "
-                   "bulk modulus is then that of small strains. 0: pressure "
-                   "is proportional to the change of volume.");
+                   "Fraction of the undeformed volume that is gas. The gas "
+                   "stiffens under compression while the rest is "
+                   "incompressible; Bulk modulus is then the modulus at "
+                   "small strains. 0: pressure is proportional to the "
+                   "change of volume.");
     declare_double(prm,
                    "Gas exponent",
                    "1.4",
                    0.1,
                    10.,
                    "-",
-                   "Of the gas: 1.4 for air that keeps its heat, 1 for air "
-                   "that stays as warm as the tissue.");
-    declare_double(prm,
-                   "Modulus without gas",
-                   "2.2e9",
-                   1e-6,
-                   1e15,
-                   "Pa",
-                   "What gas that is squeezed out stiffens to, at least the "
-                   "bulk modulus.");
+                   "Polytropic exponent of the gas: 1.4 for adiabatic air, "
+                   "1 for isothermal air.");
+    declare_double(
+      prm,
+      "Modulus without gas",
+      "2.2e9",
+      1e-6,
+      1e15,
+      "Pa",
+      "Bulk modulus when all gas is squeezed out, not below Bulk modulus.");
   }
 
   void declare_custom(ParameterHandler &prm)
@@ -50,55 +51,49 @@ namespace
                    1e-6,
                    1e6,
                    "kg/m^3",
-                   "Mass per volume of the tissue that names this "
-                   "subsection.");
+                   "Mass density of the tissue of this subsection.");
     declare_double(prm,
                    "Young's modulus",
                    "0",
                    0.,
                    1e15,
                    "Pa",
-                   "With Poisson's ratio in place of bulk and shear modulus; "
-                   "0: those count.");
+                   "With Poisson's ratio replaces bulk and shear modulus; "
+                   "0: use Bulk modulus and Shear modulus.");
     declare_double(prm,
                    "Poisson's ratio",
                    "0.3",
                    -0.999,
                    0.4999999,
                    "-",
-                   "Used with Young's modulus.");
-    declare_double(prm,
-                   "Bulk modulus",
-                   "2.2e9",
-                   1e-6,
-                   1e15,
-                   "Pa",
-                   "Resistance to changes of volume.");
+                   "Only used with Young's modulus.");
+    declare_double(
+      prm, "Bulk modulus", "2.2e9", 1e-6, 1e15, "Pa", "At small strains.");
     declare_double(prm,
                    "Shear modulus",
                    "0",
                    0.,
                    1e15,
                    "Pa",
-                   "G_0, at once after a strain.");
+                   "Instantaneous shear modulus G_0.");
     declare_double(prm,
                    "Relaxing shear modulus",
                    "0",
                    0.,
                    1e15,
                    "Pa",
-                   "The part of G_0 that is gone in the end.");
+                   "The part of G_0 that relaxes to zero.");
     declare_double(prm,
                    "Relaxation time",
                    "0.006",
                    1e-12,
                    1e6,
                    "s",
-                   "In which all but 1/e of that part goes.");
+                   "Time in which the relaxing part decays to 1/e.");
     declare_gas(prm);
   }
 
-  /// @throws InputError when the gas is stiffer than what holds it
+  /// @throws InputError when the gas is stiffer than the tissue around it
   GasFilling read_gas(ParameterHandler &prm,
                       const double bulk_modulus,
                       const std::string &name)
@@ -116,7 +111,7 @@ namespace
     return {part, read_double(prm, "Gas exponent"), stiffest};
   }
 
-  /// Words of "Bulk law".
+  /// Choices of "Bulk law".
   const std::vector<std::string> bulk_laws{"of the tissue", "linear"};
 } // namespace
 
@@ -128,24 +123,25 @@ void SolidMaterials::declare_parameters(ParameterHandler &prm)
                     "Set",
                     "paper",
                     tissue_set_names(),
-                    "Properties of tissues: those of the paper's table 1, or "
-                    "wave speeds as measured on tissue.");
+                    "Tissue properties: table 1 of the paper, or measured "
+                    "wave speeds of tissue.");
   declare_selection(prm,
                     "Reading of G1",
                     "relaxing branch",
                     {"relaxing branch", "long-term modulus"},
-                    "What the paper's G1 = 33 kPa of the brain is: the part "
-                    "that relaxes (16 kPa are left, as published for brain), "
-                    "or what is left.");
+                    "Meaning of the paper's G1 = 33 kPa of the brain: the "
+                    "part that relaxes (leaving 16 kPa, as published for "
+                    "brain), or the long-term modulus.");
   declare_selection(prm,
                     "Bulk law",
                     bulk_laws[0],
                     bulk_laws,
-                    "Pressure by volume: the air in the physiological lung "
-                    "stiffens as it is compressed (p v^1.4 = const), other "
-                    "tissues of the sets have constant moduli; linear gives "
-                    "all of them a constant modulus, with which the lung "
-                    "gives way under more than some hundred kilopascals.");
+                    "Pressure as a function of volume. of the tissue: the "
+                    "air in the physiological lung stiffens under "
+                    "compression (p v^1.4 = const), other tissues of the "
+                    "sets have constant moduli. linear: all have constant "
+                    "moduli; the lung then collapses under more than some "
+                    "hundred kilopascals.");
   declare_custom(prm);
 }
 

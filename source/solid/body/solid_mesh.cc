@@ -15,7 +15,7 @@ namespace
 {
   constexpr std::uint32_t none = -1;
 
-  /// The lower 21 bits of @p x, two zeros between each.
+  /// Spreads the lower 21 bits of @p x with two zeros between them.
   std::uint64_t spread(std::uint64_t x)
   {
     x &= 0x1fffff;
@@ -26,7 +26,7 @@ namespace
     return (x | x << 2) & 0x1249249249249249ULL;
   }
 
-  /// Cells of the mesh along a Morton curve through their centres.
+  /// Cell numbers, sorted along a Morton curve through cell centres.
   std::vector<std::uint32_t> curve(const HexMesh &mesh)
   {
     dealii::Point<3> lower = mesh.nodes.front(), upper = lower;
@@ -61,8 +61,8 @@ namespace
     return order;
   }
 
-  /// Whether an element can be integrated: its Jacobian is positive at all
-  /// Gauss points, even if a corner is folded.
+  /// Throws InputError unless the Jacobian of an element is positive at all
+  /// Gauss points. A folded corner alone is allowed.
   void refuse_inverted(const HexMesh &mesh, const std::uint32_t cell)
   {
     HexVectors<double> x;
@@ -189,7 +189,7 @@ namespace
         }
     }
 
-    /// Other ranks by node of this one.
+    /// The other ranks that share each local node.
     std::vector<std::set<int>> find_holders() const
     {
       std::vector<std::set<int>> holders(part_.nodes.size());
@@ -227,7 +227,7 @@ namespace
         }
       for (auto &[rank, nodes] : shared)
       {
-        // Both sides sort by the number in the whole mesh.
+        // Sorting by global number gives both ranks the same order.
         std::sort(nodes.begin(), nodes.end(), [&](const auto a, const auto b) {
           return part_.global_node[a] < part_.global_node[b];
         });
@@ -239,8 +239,8 @@ namespace
     unsigned int rank_;
     unsigned int n_ranks_;
     std::vector<std::uint32_t> order_;
-    std::vector<std::uint32_t> hanging_;    ///< number by node
-    std::vector<std::uint32_t> local_node_; ///< by node of the whole mesh
+    std::vector<std::uint32_t> hanging_; ///< number in hanging_nodes, by node
+    std::vector<std::uint32_t> local_node_; ///< by global node
     std::vector<std::size_t> tissue_of_part_;
     SolidMesh part_;
   };

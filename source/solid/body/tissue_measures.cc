@@ -13,7 +13,7 @@ namespace contrecoup::solid
 {
 namespace
 {
-  /// How close bisection comes, relative to the largest magnitude.
+  /// Tolerance of the bisection, relative to the largest magnitude.
   constexpr double tolerance = 1e-12;
 } // namespace
 
@@ -66,7 +66,7 @@ double percentile(const std::vector<double> &values,
     const double middle = 0.5 * (low + high);
     (reaches(middle) ? high : low) = middle;
   }
-  // The value of the sample, where bisection stopped above it.
+  // Bisection stops slightly above the wanted sample value.
   double value = -infinity;
   for (const double one : values)
     value = one <= high ? std::max(value, one) : value;

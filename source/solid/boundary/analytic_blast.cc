@@ -26,74 +26,83 @@ namespace
                    1e-6,
                    1e12,
                    "Pa",
-                   "Overpressure of the passing wave as it arrives.");
+                   "Peak overpressure of the incident wave at its arrival.");
     declare_double(prm,
                    "Duration",
                    "2e-3",
                    1e-12,
                    1e6,
                    "s",
-                   "Of the positive phase, everywhere the same.");
+                   "Duration of the positive phase, everywhere the same.");
     declare_double(
       prm, "Decay", "1", 0., 1e3, "-", "b in P (1 - s/T) exp(-b s/T).");
-    declare_list(prm,
-                 "Centre",
-                 "1e3, 0, 0",
-                 3,
-                 3,
-                 -1e9,
-                 1e9,
-                 "m",
-                 "Place of the charge; far away the front is plane.");
+    declare_list(
+      prm,
+      "Centre",
+      "1e3, 0, 0",
+      3,
+      3,
+      -1e9,
+      1e9,
+      "m",
+      "Position of the charge; a distant charge gives a plane front.");
     declare_double(
-      prm, "Speed", "400", 1e-3, 1e9, "m/s", "Of the front, which is even.");
+      prm, "Speed", "400", 1e-3, 1e9, "m/s", "Constant speed of the front.");
     declare_double(prm,
                    "First distance",
                    "0",
                    0.,
                    1e9,
                    "m",
-                   "Of the front from the charge at time 0.");
+                   "Distance of the front from the charge at time 0.");
     declare_selection(prm,
                       "Reflection",
                       "normal shock",
                       {"none", "normal shock"},
-                      "Whether facets that face the charge feel the peak "
-                      "behind a reflected shock in air, of the same duration "
-                      "and decay.");
+                      "Whether facets that face the charge feel the peak of "
+                      "a normally reflected shock in air, with the same "
+                      "duration and decay.");
     declare_double(prm,
                    "Ambient pressure",
                    "101325",
                    1.,
                    1e9,
                    "Pa",
-                   "Of the air, for the reflected shock.");
+                   "Ambient pressure of the air, for the reflected shock.");
     declare_bool(prm,
                  "Negative phase",
                  "false",
-                 "Whether the pulse goes on below the ambient pressure after "
-                 "its positive phase.");
+                 "Whether the pulse continues below the ambient pressure "
+                 "after its positive phase.");
   }
 
   void declare_tables(ParameterHandler &prm)
   {
     const Section section(prm, "Kingery Bulmash");
-    declare_double(prm, "Mass", "1", 1e-9, 1e9, "kg", "Of the charge of TNT.");
-    declare_list(
-      prm, "Centre", "3, 0, 0", 3, 3, -1e9, 1e9, "m", "Of the charge.");
+    declare_double(
+      prm, "Mass", "1", 1e-9, 1e9, "kg", "TNT mass of the charge.");
+    declare_list(prm,
+                 "Centre",
+                 "3, 0, 0",
+                 3,
+                 3,
+                 -1e9,
+                 1e9,
+                 "m",
+                 "Position of the charge.");
     declare_selection(prm,
                       "Set",
                       "spherical",
                       KingeryBulmash::sets,
-                      "Of the tables: in free air, on rigid ground, or simpler "
-                      "fits for the latter.");
+                      "Tables: spherical charge in free air, hemispherical "
+                      "on rigid ground, or simpler fits for the latter.");
     declare_double(prm,
                    "Start time",
                    "0",
                    0.,
                    1e6,
                    "s",
-                   "After the detonation, at which the run begins.");
+                   "Time from detonation to the start of the run.");
   }
 } // namespace
 

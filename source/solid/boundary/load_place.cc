@@ -18,7 +18,7 @@ namespace
   using dealii::Point;
   using dealii::Tensor;
 
-  /// Facets that are looked at, at most: their means need no more.
+  /// Largest number of facets in the means; more change nothing.
   constexpr std::size_t most_looked_at = 4000;
 
   Point<3> point_at(const std::vector<double> &numbers, const std::size_t i)
@@ -27,7 +27,7 @@ namespace
   }
 
 
-  /// The middle of the box around the facets and their mirror images.
+  /// Centre of the bounding box of facets and their mirror images.
   Point<3> middle_of(const io::LoadFile::Facets &facets,
                      const std::array<bool, 3> &mirrored)
   {
@@ -44,7 +44,7 @@ namespace
   }
 
 
-  /// The body that is meshed, or none.
+  /// The body to mesh, or null.
   BodyPointer read_body(ParameterHandler &prm)
   {
     {
@@ -59,7 +59,7 @@ namespace
   }
 
 
-  /// Three coordinates to a tenth of a millimetre.
+  /// Three coordinates, rounded to 0.1 mm.
   std::string told(const Tensor<1, 3> &vector)
   {
     std::vector<std::string> numbers;

@@ -19,19 +19,19 @@ namespace
 
   constexpr std::uint32_t none = -1;
 
-  /// Samples that are read at once.
+  /// Number of samples read at once.
   constexpr std::size_t samples_at_once = 64;
 
-  /// Nearest recorded facets among which one that faces the same way is
-  /// sought.
+  /// Number of nearest recorded facets that are searched for one with a
+  /// similar normal.
   constexpr unsigned int n_candidates = 12;
 
-  /// Largest relative difference of impulses that a factor mends; more means
-  /// that the surfaces are not the same.
+  /// Largest relative difference of impulses that the pressure factor
+  /// corrects; a larger one means different surfaces.
   constexpr double largest_mended = 0.1;
 
-  /// Part of the recorded impulse, summed without directions, that must arrive
-  /// at least.
+  /// Least fraction of the recorded impulse, summed as magnitudes, that must
+  /// arrive on this surface.
   constexpr double least_arriving = 0.5;
 
   const std::vector<std::string>
@@ -57,47 +57,46 @@ void RecordedLoads::declare_parameters(ParameterHandler &prm)
                  bounds::time,
                  "s",
                  "Recorded time at which this run begins.");
+  declare_double(prm,
+                 "Averaging interval",
+                 "0",
+                 0.,
+                 bounds::time,
+                 "s",
+                 "Samples are averaged over this time, which keeps "
+                 "impulses; it shows the effect of sparse recording. 0, or "
+                 "below the sampling interval: as recorded.");
   declare_double(
     prm,
-    "Averaging interval",
-    "0",
+    "Largest distance",
+    "0.05",
     0.,
-    bounds::time,
-    "s",
-    "Samples are merged to means over this time, which keeps "
-    "impulses and shows what seldom records would lose; 0, or less "
-    "than the samples last: as recorded.");
-  declare_double(prm,
-                 "Largest distance",
-                 "0.05",
-                 0.,
-                 bounds::length,
-                 "m",
-                 "Facets farther than this from any recorded one are not "
-                 "loaded.");
+    bounds::length,
+    "m",
+    "Facets farther than this from every recorded facet are not loaded.");
   declare_selection(prm,
                     "Mirror",
                     "none",
                     mirrors,
-                    "Directions across planes of symmetry through 0, on one "
-                    "side of which loads were recorded.");
+                    "Directions normal to the symmetry planes through 0, on "
+                    "one side of which loads were recorded.");
   declare_double(prm,
                  "Largest misfit",
                  "0.2",
                  0.,
                  1e6,
                  "-",
-                 "Mean distance of the recorded facets from the surface of "
-                 "the body that is meshed, in edges of these facets, above "
-                 "which the loads are refused as those of another body or "
-                 "place. A man in his place has 0, one who was turned by 180 "
-                 "degrees 0.3 of facets 34 mm wide and 0.6 of 17 mm.");
+                 "Loads are refused when the mean distance of the recorded "
+                 "facets from the surface of the body to mesh, in facet "
+                 "edges, exceeds this value: they belong to another body or "
+                 "place. A man at the recorded place has 0; turned by 180 "
+                 "degrees, 0.3 for facets 34 mm wide and 0.6 for 17 mm.");
   declare_bool(prm,
                "Keep impulse",
                "true",
-               "Whether pressures get a factor so that their impulse, along "
-               "the recorded one, is the recorded one; only when it is within "
-               "10 % without.");
+               "Whether one factor on all pressures makes the impulse, "
+               "along the direction of the recorded impulse, equal to the "
+               "recorded one; applies only if they differ by less than 10 %.");
 }
 
 
@@ -156,7 +155,7 @@ void RecordedLoads::reinit(const std::vector<Point<3>> &middles,
     {
       const bool faces =
         area * Tensor<1, 3>(point_at(facets.normals, *found)) > 0.;
-      // Those that face away are taken only when no other is near.
+      // Facets that face away count only if no other facet is near.
       const double distance =
         place.distance(places[*found]) + (faces ? 0. : largest_distance_);
       if (distance < best)
@@ -181,7 +180,7 @@ void RecordedLoads::set_time(const double time)
   const auto middle = [&](const std::size_t i) {
     return i == 0 ? 0.5 * ends[0] : 0.5 * (ends[i - 1] + ends[i]);
   };
-  // Nothing before the first sample, nothing after the last one.
+  // The load is zero before the first and after the last sample.
   after_ = std::upper_bound(ends.begin(), ends.end(), now) - ends.begin();
   if (after_ < ends.size() && middle(after_) <= now)
     ++after_;
@@ -244,7 +243,7 @@ void RecordedLoads::sum_impulses(const std::vector<double> &impulse)
 {
   const io::LoadFile::Facets &facets = reader_->facets();
   recorded_impulse_ = mapped_impulse_ = Tensor<1, 3>();
-  double recorded = 0., arriving = 0.; // without directions
+  double recorded = 0., arriving = 0.; // sums of magnitudes
   for (std::size_t i = 0; i < impulse.size(); ++i)
   {
     recorded_impulse_ -=
@@ -262,7 +261,7 @@ void RecordedLoads::sum_impulses(const std::vector<double> &impulse)
     if (source_[i] != none)
     {
       mapped_impulse_ -= impulse[source_[i]] * areas_[i];
-      // The areas of stairs are too large, their projections are not.
+      // Voxel stairs overestimate areas, but not their projections.
       const Tensor<1, 3> normal = point_at(facets.normals, source_[i]);
       double projection = 0.;
       for (unsigned int d = 0; d < 3; ++d)

@@ -15,21 +15,20 @@ void Supports::declare_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "Supports");
   const Section support(prm, "Support *");
-  declare_string(prm,
-                 "Where",
-                 "0",
-                 "muParser expression of x, y, z that is true at the nodes "
-                 "that are supported.");
-  declare_string(prm,
-                 "Directions",
-                 "x, y, z",
-                 "Components that are held or moved, separated by commas.");
+  declare_string(
+    prm,
+    "Where",
+    "0",
+    "muParser expression of x, y, z that is true at the supported nodes.");
+  declare_string(
+    prm, "Directions", "x, y, z", "Supported components, separated by commas.");
   for (const std::string axis : {"x", "y", "z"})
     declare_string(prm,
                    "Velocity " + axis,
                    "0",
-                   "[m/s] Prescribed velocity as a muParser expression of x, "
-                   "y, z (of the undeformed body), t and pi; 0 holds.");
+                   "[m/s] Prescribed velocity as a muParser expression of "
+                   "x, y, z (undeformed coordinates), t and pi; 0 holds the "
+                   "nodes.");
 }
 
 

@@ -19,8 +19,8 @@ namespace
 
   constexpr std::uint32_t none = -1;
 
-  /// Integrals of each node's shape function times the normal over a bilinear
-  /// facet [m^2].
+  /// Integral over a bilinear facet of each node's shape function times the
+  /// normal [m^2].
   std::array<Tensor<1, 3>, 4>
   nodal_areas(const std::array<Point<3>, 4> &corners)
   {
@@ -74,18 +74,18 @@ void SurfaceLoads::declare_parameters(ParameterHandler &prm)
                     "Kind",
                     "expression",
                     kinds,
-                    "What the pressure is: the expression, a wave of one shape "
-                    "from a charge, or measured blasts of TNT.");
+                    "Pressure from the expression, from a pulse of one "
+                    "shape spreading from a charge, or from TNT tables.");
   declare_string(prm,
                  "Where",
                  "1",
-                 "muParser expression of x, y, z that is true in the middle of "
-                 "the outer facets that are loaded.");
+                 "muParser expression of x, y, z that is true at the "
+                 "centres of the loaded boundary facets.");
   declare_string(prm,
                  "Pressure",
                  "0",
                  "[Pa] Overpressure as a muParser expression of x, y, z, t "
-                 "and pi; it pushes inwards.");
+                 "and pi; positive values push inwards.");
   AnalyticBlast::declare_parameters(prm);
 }
 
@@ -113,7 +113,7 @@ void SurfaceLoads::parse_parameters(ParameterHandler &prm)
                       kind == "expression"
                         ? nullptr
                         : AnalyticBlast::parse_parameters(prm, kind, path)});
-    // One that is not finite at the start is refused before anything is made.
+    // Refuse a value that is not finite before the mesh is built.
     const Load &parsed = loads_.back();
     if (!parsed.history && !parsed.pressure.depends_on_place())
       parsed.pressure.value(Point<3>());
@@ -238,8 +238,8 @@ double SurfaceLoads::pressure_near(const Point<3> &point,
   for (const Facet &facet : facets_)
     nearest = std::min(nearest, facet.middle.distance(point));
   nearest = dealii::Utilities::MPI::min(nearest, communicator);
-  // Of facets that are equally near, as beside a plane of symmetry, the mean;
-  // several loads on one facet add up.
+  // Average over equally near facets, as beside a symmetry plane; add several
+  // loads on one facet.
   std::vector<double> sums(2, 0.);
   std::set<std::size_t> numbers;
   for (const Facet &facet : facets_)

@@ -10,8 +10,7 @@ namespace contrecoup::solid
 {
 namespace
 {
-  /// Sum of a function of the node's number and its mass [kg] over the nodes
-  /// that this rank counts.
+  /// Sum of function(node, mass [kg]) over the counted nodes.
   template <typename Real, typename Function>
   double sum_over(const NodeFields<Real> &nodes,
                   const std::vector<unsigned char> &counted,
@@ -38,27 +37,26 @@ void Surroundings::declare_parameters(ParameterHandler &prm)
                  -1e6,
                  1e6,
                  "m/s^2",
-                 "Of free fall, as 0, 0, -9.81; within the milliseconds of a "
-                 "blast it matters little.");
+                 "Acceleration of free fall, as 0, 0, -9.81; within the "
+                 "milliseconds of a blast it matters little.");
   }
   const Section section(prm, "Ground");
   declare_bool(prm,
                "Active",
                "false",
-               "Whether there is rigid ground without friction below the "
-               "body.");
+               "Whether there is rigid frictionless ground below the body.");
   declare_double(
-    prm, "Height", "0", -1e6, 1e6, "m", "Of the ground's surface, in z.");
+    prm, "Height", "0", -1e6, 1e6, "m", "z coordinate of the ground.");
   declare_double(prm,
                  "Stiffness",
                  "0.02",
                  1e-6,
                  0.5,
                  "-",
-                 "Of a node's spring against the ground, as part of its mass "
-                 "times 4 / step^2; energy may change by about this part of "
-                 "that of the nodes that hit the ground, which sink in the "
-                 "less the stiffer it is.");
+                 "Penalty stiffness of the contact, as a fraction of nodal "
+                 "mass times 4 / step^2. Contact changes the energy of the "
+                 "nodes that hit the ground by about this fraction; a "
+                 "larger value reduces penetration.");
 }
 
 

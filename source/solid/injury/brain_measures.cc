@@ -27,9 +27,8 @@ namespace
                     "elements do not cavitate: tension goes on"});
   }
 
-  /// @param sums volumes, of all and with more than 15 and 25 % strain, and
-  /// that
-  ///   cavitated; what BrainSums has
+  /// @param sums volumes: of all, with more than 15 % and 25 % strain, and
+  /// cavitated; then the members of BrainSums
   void add_parts(const std::vector<double> &sums,
                  const double strain,
                  std::vector<InjuryMeasure> &list)
@@ -50,7 +49,8 @@ namespace
          "pressures of elements less their averages, over the "
          "averages: what alternates and is no pressure"});
     list.push_back({{"injury_strain_95", "-", strain},
-                    "0.19: half of mild injuries (Zhang et al. 2004, recalled)",
+                    "0.19: half of mild injuries (Zhang et al. 2004, "
+                    "recalled)",
                     model});
     list.push_back({{"injury_csdm_15", "-", sums[1] / volume},
                     "0.55 (SIMon 2003, recalled)",

@@ -43,8 +43,8 @@ void BrainRecord::restore(std::istream &in,
     throw InputError("Checkpoint file " + file + " belongs to another scene");
   n_steps = static_cast<std::uint64_t>(numbers[0]);
   last_time = numbers[1];
-  // The sums of a rank go on at the rank of the same number, so that a run on
-  // as many ranks as before adds in the same order.
+  // Rank r continues the sums of the saved rank r. A restart on as many ranks
+  // thus adds in the same order.
   if (rank % dealii::Utilities::MPI::n_mpi_processes(communicator) ==
       dealii::Utilities::MPI::this_mpi_process(communicator))
   {

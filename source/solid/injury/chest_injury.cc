@@ -21,18 +21,23 @@ void ChestInjury::declare_parameters(dealii::ParameterHandler &prm)
                -1e6,
                1e6,
                "m",
-               "Place of the chest: pressure is that on the nearest loaded "
-               "facet.");
+               "Position of the chest; the pressure is that on the nearest "
+               "loaded facet.");
   declare_double(prm,
                  "Chest radius",
                  "0.06",
                  0.,
                  1.,
                  "m",
-                 "The chest wall's velocity in the mesh is that of the outer "
-                 "facets so near to the place of the chest, as a mean.");
-  declare_double(
-    prm, "Body mass", "78.5", 1., 500., "kg", "For limits that scale with it.");
+                 "Radius around Chest within which the inward velocity of "
+                 "boundary facets is averaged.");
+  declare_double(prm,
+                 "Body mass",
+                 "78.5",
+                 1.,
+                 500.,
+                 "kg",
+                 "For injury limits that scale with body mass.");
 }
 
 
@@ -65,15 +70,15 @@ std::vector<InjuryMeasure> ChestInjury::measures() const
      "none of its own",
      "as loaded, on the facet nearest to the place of the chest"},
     {{"injury_chest_wall_velocity", "m/s", velocity},
-     "3.6: slight, 7.5: moderate, 12.8: lethal for half (Axelsson and Yelverton "
-     "1996)",
+     "3.6: slight, 7.5: moderate, 12.8: lethal for half (Axelsson and "
+     "Yelverton 1996)",
      "model of one mass"},
     {{"injury_chest_wall_velocity_mesh",
       "m/s",
       *std::max_element(wall_velocities_.begin(), wall_velocities_.end())},
      "none of its own: those of the model are of the model's velocity",
-     "of the skin before the chest in this mesh, a mean over its neighbourhood; "
-     "bars of ribs coarser than 5 mm are too stiff or broken"},
+     "of the skin before the chest in this mesh, a mean over its "
+     "neighbourhood; bars of ribs coarser than 5 mm are too stiff or broken"},
     {{"injury_adjusted_severity", "-", thorax_injury_index(velocity)},
      "0.2 to 1: slight (recalled)",
      "of that velocity"}};

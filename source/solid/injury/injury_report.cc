@@ -35,22 +35,21 @@ void InjuryReport<Real>::declare_parameters(ParameterHandler &prm)
                "Active",
                "false",
                "Whether strains and pressures of the brain, motion of the "
-               "head and pressure on the chest are followed for injury.csv.");
+               "head and pressure on the chest are recorded for injury.csv.");
   declare_selection(prm,
                     "Pressure",
                     "averaged",
                     peak_pressure_names(),
-                    "In the brain: that of each element, or its average over "
-                    "the corners and the elements around these, which removes "
-                    "pressures that alternate from element to element and a "
-                    "tenth of waves as short as ten elements.");
+                    "Pressure in the brain: of each element, or averaged "
+                    "over its corners and the elements around them. "
+                    "Averaging removes checkerboard pressures, and a tenth "
+                    "of waves as short as ten elements.");
   declare_integer(prm,
                   "Every steps",
                   "10",
                   1,
                   1000000,
-                  "Steps from one look at the body to the next; peaks between "
-                  "are missed.");
+                  "Steps between evaluations; peaks in between are missed.");
   ChestInjury::declare_parameters(prm);
 }
 
@@ -131,7 +130,7 @@ void InjuryReport<Real>::follow_brain(const SolidBody<Real> &body,
 template <typename Real>
 void InjuryReport<Real>::follow_head(const SolidBody<Real> &body)
 {
-  // Each element of the brain is a mass in its middle.
+  // Each element of the brain is a point mass at its centre.
   MeanMotion motion;
   const SolidMesh &mesh = body.mesh();
   for (std::size_t i = 0; i < record_.pieces.size(); ++i)

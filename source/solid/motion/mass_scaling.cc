@@ -45,7 +45,7 @@ void MassScaling::reinit(const SolidMesh &mesh,
         x[c][d] = mesh.nodes[mesh.cells[i][c]][d];
     const HexGeometry<double> geometry = hex_geometry(to_modes(x));
     const unsigned int tissue = mesh.tissue[i];
-    // The square of the step over 4 / omega^2.
+    // Factor on the density: (smallest_step * omega / 2)^2.
     const double wanted = 0.25 * smallest_step * smallest_step *
                           element_square_frequency(geometry, materials[tissue]);
     if (wanted <= 1.)

@@ -53,7 +53,7 @@ bool MeanMotion::find(const MPI_Comm communicator,
   for (unsigned int d = 0; d < 3; ++d)
     if (is_mirrored[d])
     {
-      // Mirror images turn about the normal of their plane alone.
+      // A body and its mirror image turn about the plane's normal only.
       velocity_[d] = 0.;
       for (unsigned int e = 0; e < 3; ++e)
         if (e != d)

@@ -10,7 +10,7 @@ namespace contrecoup::solid
 {
 namespace
 {
-  /// As many of the four numbers of a node as fit into lanes.
+  /// Number of a node's four values in one vector register.
   template <typename Real>
   constexpr std::size_t width = n_lanes<Real> < 4 ? n_lanes<Real> : 4;
   template <typename Real>
@@ -24,7 +24,7 @@ namespace
     return result;
   }
 
-  /// Whether no force acts on the nodes from @p first to @p last.
+  /// Whether all forces on the nodes first to last - 1 are zero.
   template <typename Real>
   bool free_of_forces(const NodeFields<Real> &nodes,
                       const std::size_t first,
@@ -49,7 +49,7 @@ double move_nodes(NodeFields<Real> &nodes,
   const Part<Real> zero = Real(0.);
   const Real half = Real(0.5 * (before + next));
   const Real work_before = Real(0.5 * before), work_next = Real(0.5 * next);
-  // The fourth of a node's displacements is something else, and stays.
+  // The fourth entry beside the displacements is no displacement.
   std::array<Part<Real>, n_parts> step;
   step.fill(Part<Real>(Real(next)));
   step.back()[width<Real> - 1] = Real(0.);
@@ -69,7 +69,7 @@ double move_nodes(NodeFields<Real> &nodes,
         const std::size_t at = k * width<Real>;
         const Part<Real> force = load(nodes.force_of(i) + at);
         const Part<Real> old = load(nodes.velocity_of(i) + at);
-        // The fourth of a force is zero, so masses stay.
+        // The fourth entry of a force is zero, so that masses are unchanged.
         const Part<Real> velocity =
           old + (half * nodes.inverse_mass_of(i)) * force;
         const Part<Real> displacement =

@@ -12,7 +12,7 @@
 
 namespace contrecoup::solid
 {
-/// What every file of a checkpoint says first.
+/// Header of each checkpoint file: global values.
 template <typename Real>
 struct SolidBody<Real>::Numbers
 {
@@ -21,7 +21,8 @@ struct SolidBody<Real>::Numbers
   std::uint64_t n_global_nodes;
   std::uint64_t n_global_cells;
   std::uint64_t n_tissues;
-  std::uint64_t n_relaxed; ///< of a viscoelastic element
+  /// relaxed strain components per viscoelastic element
+  std::uint64_t n_relaxed;
   std::uint64_t n_damped;
   std::uint64_t number_size;
   double time;
@@ -43,7 +44,7 @@ namespace
     return folder + "/solid." + std::to_string(rank) + ".bin";
   }
 
-  /// Displacement, velocity and force, and what supports added to the latter.
+  /// Displacement, velocity, force, and the reaction part of the force.
   template <typename Real>
   struct NodeRecord
   {
@@ -52,14 +53,14 @@ namespace
     std::array<double, 3> reaction;
   };
 
-  /// Dilatation, viscous pressure and relaxed strains, of up to 8 points.
+  /// Dilatation, viscous pressure and relaxed strains at up to 8 points.
   template <typename Real>
   struct CellRecord
   {
     std::uint32_t cell;
     std::array<Real, 50> values;
 
-    /// Bytes that are used with @p n_relaxed relaxed strains.
+    /// Number of bytes used with @p n_relaxed relaxed strain components.
     static std::streamsize size(const std::uint64_t n_relaxed)
     {
       return static_cast<std::streamsize>(offsetof(CellRecord, values) +
@@ -67,7 +68,7 @@ namespace
     }
   };
 
-  /// Damping forces on hourglass modes.
+  /// Hourglass damping forces.
   template <typename Real>
   struct DampingRecord
   {
@@ -89,7 +90,7 @@ namespace
     return values;
   }
 
-  /// Calls @p function with each number of an element's state.
+  /// Calls @p function with each history variable of an element.
   template <typename Batches, typename Function>
   void for_each_state(Batches &batches,
                       const std::uint32_t cell,
@@ -105,8 +106,8 @@ namespace
           function(2 + k, batches.relaxed_of(range, batch)[k][lane]);
   }
 
-  /// Calls @p function with the place of an element's damping forces and its
-  /// lane, if it has any.
+  /// Calls @p function(index, lane) for the damping forces of an element, if
+  /// it has any.
   template <typename Batches, typename Function>
   void for_damping(Batches &batches,
                    const std::uint32_t cell,
@@ -121,7 +122,7 @@ namespace
           lane);
   }
 
-  /// Reads @p n records; @p cells are those of this rank by global number.
+  /// Reads @p n records. @p cells maps global to local cell numbers.
   template <typename Real>
   void
   take_damping(std::istream &in,
@@ -253,7 +254,7 @@ void SolidBody<Real>::restore(const std::string &folder)
                                   const unsigned int d,
                                   double &value) { value = reactions[i][d]; });
   loads_.set_time(time_);
-  // Elements may remember what nodes do not show.
+  // History variables may differ from zero where nodes are at rest.
   nodes_.find_awake();
   operator_.batches().wake_all();
   operator_.find_least_dilatations();
@@ -281,7 +282,7 @@ SolidBody<Real>::read_numbers(std::istream &in, const std::string &file)
   std::vector<TissueEnergies> losses(operator_.losses().size());
   for (TissueEnergies &one : losses)
     take(in, one);
-  // Sums over ranks go on at the first one.
+  // Rank 0 continues the sums over all saved ranks.
   if (dealii::Utilities::MPI::this_mpi_process(communicator_) != 0)
     return numbers;
   external_work_ += numbers.external_work;

@@ -14,18 +14,18 @@ namespace contrecoup::solid
 {
 namespace
 {
-  /// Steps from one copy of the state to the next: many, for copies to cost
-  /// less than a hundredth of the steps.
+  /// Steps between copies of the state; so many keep the cost of copies below
+  /// 1 %.
   constexpr std::size_t steps_between_copies = 500;
 
-  /// The part of its undeformed volume that an element must keep, and that of
-  /// the most compressed one of its tissue in one step.
+  /// Least volume of an element over its undeformed volume, and the least
+  /// ratio of the most compressed element's volumes after and before a step.
   constexpr double least_allowed = 1e-3;
   constexpr double least_in_a_step = 0.8;
 } // namespace
 
 
-/// A state that the body had, and what was done since.
+/// A copy of an earlier state, and the steps made since.
 template <typename Real>
 struct SolidBody<Real>::Past
 {
@@ -36,7 +36,7 @@ struct SolidBody<Real>::Past
   double time, relaxed_time;
   StepTimes times;
   double external_work, nodal_work, step_change;
-  std::vector<double> steps; ///< sizes of steps since [s]
+  std::vector<double> steps; ///< sizes of the steps since the copy [s]
 };
 
 
@@ -130,7 +130,7 @@ SolidBody<Real>::advance(const double step, const unsigned int largest_retries)
 template <typename Real>
 void SolidBody<Real>::give_up(const Advance &failed)
 {
-  // The most compressed element; numbers that are not finite come first.
+  // Find the most compressed element; values that are not finite come first.
   double least = std::numeric_limits<double>::infinity();
   std::uint32_t cell = 0;
   for (std::uint32_t i = 0; i < mesh_.cells.size(); ++i)

@@ -10,13 +10,13 @@ namespace contrecoup::solid
 {
 namespace
 {
-  /// Most steps of Lanczos' method; the largest frequency needs far fewer.
+  /// Limit of Lanczos iterations; the largest frequency needs far fewer.
   constexpr unsigned int most_iterations = 200;
 
-  /// Relative uncertainty of the frequency that is good enough.
+  /// Relative uncertainty of the frequency at which iterations stop.
   constexpr double tolerance = 2e-3;
 
-  /// A number from -1 to 1 that belongs to a node and direction.
+  /// Pseudo-random number in [-1, 1] of a node and direction.
   double scatter(const std::uint64_t node, const unsigned int direction)
   {
     std::uint64_t x = (3 * node + direction + 1) * 0x9e3779b97f4a7c15ULL;
@@ -25,8 +25,8 @@ namespace
     return static_cast<double>(x >> 11) / 4503599627370496. - 1.;
   }
 
-  /// The largest eigenvalue of a symmetric tridiagonal matrix by bisection
-  /// (Sturm's sequence), and the last entry of its unit eigenvector.
+  /// Largest eigenvalue of a symmetric tridiagonal matrix by bisection with
+  /// Sturm sequences, and the last entry of its unit eigenvector.
   std::pair<double, double>
   largest_eigenvalue(const std::vector<double> &diagonal,
                      const std::vector<double> &off)
@@ -43,7 +43,7 @@ namespace
     for (unsigned int iteration = 0; iteration < 100; ++iteration)
     {
       const double middle = 0.5 * (low + high);
-      bool above = false; // an eigenvalue
+      bool above = false; // whether an eigenvalue exceeds the midpoint
       double pivot = middle - diagonal[0];
       for (std::size_t i = 1; i < n && !above; ++i)
       {
@@ -52,7 +52,7 @@ namespace
       }
       (above || pivot <= 0. ? low : high) = middle;
     }
-    // The eigenvector from its first entry, by the rows of the matrix.
+    // The rows of the matrix give the eigenvector from its first entry.
     std::vector<double> v(n, 1.);
     double square = 1.;
     for (std::size_t i = 0; i + 1 < n; ++i)
@@ -69,7 +69,7 @@ namespace
 template <typename Real>
 double SolidBody<Real>::lanczos_step(double &before, double &next)
 {
-  // One vector is in the displacements, the one before in the velocities.
+  // Displacements hold the current Lanczos vector, velocities the previous.
   operator_.add_linear_forces(nodes_);
   gather_hanging(nodes_.force.data(), 3, nodes_.width);
   exchange_.add(nodes_.force.data(), 3, nodes_.width);
@@ -104,7 +104,7 @@ double SolidBody<Real>::lanczos_step(double &before, double &next)
       for (unsigned int d = 0; d < 3; ++d)
         nodes_.displacement_of(i)[d] /= static_cast<Real>(next);
   before = next;
-  // Hanging nodes follow, with no part in the sums.
+  // Hanging nodes follow their masters and have no part in the sums.
   for (const HexMesh::HangingNode &one : mesh_.hanging_nodes)
     for (unsigned int d = 0; d < 3; ++d)
     {
@@ -154,7 +154,7 @@ double SolidBody<Real>::largest_square_frequency(double &uncertainty,
     diagonal.push_back(lanczos_step(before, next));
     const auto [value, last] = largest_eigenvalue(diagonal, off);
     result = value;
-    // An eigenvalue is within this of the one that was found.
+    // An eigenvalue lies within this bound of the computed value.
     uncertainty = 0.5 * next * last / value;
     if (!(next > 1e-12 * value) || (n > 5 && uncertainty < tolerance))
       break;

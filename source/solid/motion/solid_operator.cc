@@ -10,8 +10,7 @@ namespace contrecoup::solid
 {
 namespace
 {
-  /// The least modulus against hourglass modes, over the bulk modulus: what
-  /// fluids have.
+  /// Least hourglass modulus over the bulk modulus, used for fluids.
   constexpr double fluid_hourglass = 1e-6;
 
   /// Velocities of the corners of a batch.
@@ -138,7 +137,7 @@ HexModel<Lanes<Real>> SolidOperator<Real>::model(const SolidMaterial &material,
   model.step = Real(times.before);
 
   model.hourglass = hourglass(material);
-  // As with bulk viscosity, nothing is damped before the first step.
+  // As bulk viscosity, damping starts with the first step.
   if (!(times.before > 0.))
     model.hourglass.viscosity = Real(0.);
   return model;
@@ -229,7 +228,7 @@ void SolidOperator<Real>::add_forces(NodeFields<Real> &nodes,
     add_all<SolidKinematics::finite_rotation>(nodes, times);
   else
     add_all<SolidKinematics::neo_hookean>(nodes, times);
-  // A dilatation that is not a number is in the heat of bulk viscosity as well.
+  // A dilatation that is not finite also spoils the bulk viscosity loss.
   for (std::size_t i = 0; i < losses_.size(); ++i)
     if (!std::isfinite(losses_[i].internal()))
       least_dilatations_[i] = -std::numeric_limits<double>::infinity();
@@ -251,7 +250,7 @@ void SolidOperator<Real>::find_least_dilatations()
 template <typename Real>
 void SolidOperator<Real>::add_linear_forces(NodeFields<Real> &nodes)
 {
-  // Without a step there is no viscosity, and state is only what it needs.
+  // Compute all batches; without a step, there is no viscosity.
   batches_.wake_all();
   TissueEnergies unused;
   if (full())

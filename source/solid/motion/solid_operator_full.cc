@@ -13,7 +13,7 @@ void SolidOperator<Real>::add_full_range(const Range &range,
                                          const HexModel<Lane> &model,
                                          TissueEnergies &losses)
 {
-  // Each point has relaxed strains of its own.
+  // Each integration point has its own relaxed strains.
   add_batches<false>(
     range,
     nodes,

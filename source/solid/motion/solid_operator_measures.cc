@@ -17,7 +17,7 @@ namespace
     return sum;
   }
 
-  /// Energy of hourglass springs [J].
+  /// Energy stored in hourglass modes [J].
   template <SolidKinematics kinematics, typename Number>
   Number hourglass_energy(const Hourglass<Number> &control,
                           const HexVectors<Number> &x,
@@ -42,8 +42,8 @@ namespace
     return energy;
   }
 
-  /// The strain of the relaxing branch at the present, from where it is
-  /// stored: after the half step to come.
+  /// Relaxed strain at the present, from the stored value at the middle of the
+  /// next step.
   template <typename Number>
   Symmetric3<Number> relaxed_now(const Number *stored,
                                  const Symmetric3<Number> &measure,
@@ -55,8 +55,7 @@ namespace
     return now;
   }
 
-  /// What relaxation will turn into heat in the half step to come, which is
-  /// booked already [J/m^3].
+  /// Relaxation loss of the coming half step, which is booked already [J/m^3].
   template <typename Number>
   Number half_step_loss(const SolidLaw<Number> &law,
                         const SolidStrain<Number> &strain,
@@ -77,8 +76,8 @@ namespace
            contract(stretch, rate);
   }
 
-  /// Energy stored by a displacement gradient, and what half_step_loss() says
-  /// [J/m^3]. @param stored the relaxed strain, if there is one
+  /// Strain energy density of a displacement gradient, and half_step_loss()
+  /// [J/m^3]. @param stored relaxed strain, or null
   template <SolidKinematics kinematics, typename Number>
   std::pair<Number, Number> energy_density(const SolidLaw<Number> &law,
                                            const Matrix3<Number> &h,
@@ -96,7 +95,7 @@ namespace
     return {stored_energy<kinematics>(law, strain, relaxed), loss};
   }
 
-  /// Stress of the shear branch [Pa]; arguments as above.
+  /// Shear stress [Pa]; arguments as in energy_density().
   template <SolidKinematics kinematics, typename Number>
   Symmetric3<Number> shear_stress(const SolidLaw<Number> &law,
                                   const Matrix3<Number> &h,
@@ -113,7 +112,7 @@ namespace
     return shear;
   }
 
-  /// Cauchy's stress P F^T / J of a first Piola-Kirchhoff stress.
+  /// Cauchy stress P F^T / J of a first Piola-Kirchhoff stress P.
   template <typename Number>
   Symmetric3<Number> cauchy_stress(const Matrix3<Number> &h,
                                    const Matrix3<Number> &p,
@@ -132,8 +131,8 @@ namespace
     return s;
   }
 
-  /// How stiff an element is over what it was when undeformed: of volume, as
-  /// the squares of its gradients times the modulus, and of shear.
+  /// Ratio of deformed to undeformed element stiffness: from gradients and
+  /// modulus of compression, and from shear.
   template <typename Number>
   Number stiffening(const SolidMaterial &material,
                     const bool finite,
@@ -167,7 +166,7 @@ namespace
            Number(lame + shear);
   }
 
-  /// Whether lanes of a batch hold elements; they are the first ones.
+  /// Number of lanes that hold elements; they are the first ones.
   template <typename Real>
   unsigned int count_filled(const HexBatches<Real> &batches,
                             const unsigned int batch)
@@ -253,7 +252,7 @@ SolidOperator<Real>::velocity_squares(const NodeFields<Real> &nodes,
     for (unsigned int d = 0; d < 3; ++d)
       squares[i] += v[d] * (v[d] + factor * f[d]);
   }
-  // The inertia of nodes that hang is that of their masters.
+  // Masters carry the inertia of hanging nodes.
   for (const HexMesh::HangingNode &one : mesh_->hanging_nodes)
   {
     squares[one.node] = Real();
@@ -307,7 +306,7 @@ double SolidOperator<Real>::deformed_step(const NodeFields<Real> &nodes,
     const double shear = material.instantaneous_shear;
     const double stiffest =
       std::max(0., material.bulk_modulus - 2. / 3. * shear) + 2. * shear;
-    // The square of an element's own step over that of the body.
+    // Squared ratio of an element's own stable step to that of the body.
     const Lane own =
       Real(material.density / (2. * stiffest * body_step * body_step));
     for (unsigned int batch = range.begin; batch < range.end; ++batch)

@@ -33,14 +33,14 @@ void InitialMotion::declare_parameters(ParameterHandler &prm)
     declare_string(prm,
                    "Displacement " + axis,
                    "0",
-                   "[m] At the start, as a muParser expression of x, y, z and "
-                   "pi; strains that come with it are sudden.");
+                   "[m] Initial displacement as a muParser expression of x, "
+                   "y, z and pi; its strains act suddenly.");
   for (const std::string &axis : axes)
-    declare_string(prm,
-                   "Velocity " + axis,
-                   "0",
-                   "[m/s] At the start, as a muParser expression of x, y, z "
-                   "and pi.");
+    declare_string(
+      prm,
+      "Velocity " + axis,
+      "0",
+      "[m/s] Initial velocity as a muParser expression of x, y, z and pi.");
 }
 
 
@@ -71,21 +71,22 @@ void InitialMotion::set(const SolidMesh &mesh, NodeFields<Real> &nodes) const
 void ReferenceMotion::declare_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "Reference");
-  declare_bool(prm,
-               "Displacement",
-               "false",
-               "Whether the displacements below are measured against.");
+  declare_bool(
+    prm,
+    "Displacement",
+    "false",
+    "Whether errors against the reference displacements below are computed.");
   for (const std::string &axis : axes)
     declare_string(prm,
                    "Displacement " + axis,
                    "0",
-                   "[m] What theory says, as a muParser expression of x, y, z "
-                   "(of the undeformed body), t and pi.");
+                   "[m] Reference displacement as a muParser expression of "
+                   "x, y, z (undeformed coordinates), t and pi.");
   declare_string(prm,
                  "Pressure",
                  "",
-                 "[Pa] What theory says of the pressure in elements, as a "
-                 "muParser expression of x, y, z, t and pi; empty: nothing.");
+                 "[Pa] Reference pressure of elements as a muParser "
+                 "expression of x, y, z, t and pi; empty: none.");
 }
 
 

@@ -45,24 +45,23 @@ void PeakFields<Real>::declare_parameters(ParameterHandler &prm)
   declare_bool(prm,
                "Active",
                "false",
-               "Whether fields hold what each element went through, highest "
-               "and lowest pressure, largest von Mises stress and principal "
-               "strain, and the summary their extremes in each tissue with the "
-               "strain that 95 % of it never exceeded.");
+               "Whether fields hold the extreme values of each element over "
+               "time: highest and lowest pressure, largest von Mises stress "
+               "and principal strain. The summary then has their extremes "
+               "in each tissue, and the 95th percentile of strain.");
   declare_selection(prm,
                     "Pressure",
                     "averaged",
                     peak_pressure_names(),
-                    "That of each element, or its average over the corners and "
-                    "the elements of the same tissue around these, as "
-                    "Injury/Pressure has it.");
+                    "Pressure of each element, or averaged over its corners "
+                    "and the elements of the same tissue around them, as in "
+                    "Injury/Pressure.");
   declare_integer(prm,
                   "Every steps",
                   "10",
                   1,
                   1000000,
-                  "Steps from one look at the elements to the next; peaks "
-                  "between are missed.");
+                  "Steps between evaluations; peaks in between are missed.");
 }
 
 
@@ -137,7 +136,7 @@ PeakFields<Real>::measures(const SolidBody<Real> &body) const
     const std::vector<std::uint32_t> &cells = averages_[k].cells();
     for (unsigned int n = 0; n < n_fields; ++n)
     {
-      // All fields but the lowest pressure rise from zero.
+      // All fields but the lowest pressure start from zero and grow.
       const float sign = n == 1 ? -1.F : 1.F;
       float extreme = 0.F;
       for (const std::uint32_t cell : cells)

@@ -32,7 +32,7 @@ namespace
     return names;
   }
 
-  /// The rank with the least distance gets true.
+  /// True on the rank with the smallest distance, and there only.
   bool is_nearest(const double distance, const MPI_Comm communicator)
   {
     struct
@@ -77,9 +77,10 @@ void SolidProbes::declare_parameters(ParameterHandler &prm)
                    "Points",
                    "",
                    "m",
-                   "Places of the undeformed body: motion is that of the "
-                   "nearest node, stresses and strains those of the element "
-                   "with the nearest middle.");
+                   "Probe positions in the undeformed body; displacement "
+                   "and velocity are those of the nearest node, stresses "
+                   "and strains those of the element with the nearest "
+                   "centre.");
   }
   const Section section(prm, "Measures");
   const Section measure(prm, "Measure *");
@@ -88,37 +89,39 @@ void SolidProbes::declare_parameters(ParameterHandler &prm)
                     "Quantity",
                     "displacement_x",
                     quantity_names(),
-                    "What is measured of what the probe reads.");
+                    "Measured quantity of the probe.");
   declare_selection(prm,
                     "Statistic",
                     "maximum",
                     statistics,
-                    "Over all steps: the largest or smallest value, that at "
-                    "the end, the time [s] when it first passes the "
-                    "threshold, or how often per second it rises through it.");
+                    "Over all steps: largest or smallest value, value at "
+                    "the end, time [s] at which the threshold is first "
+                    "crossed, or frequency [Hz] of rising through the "
+                    "threshold.");
   declare_double(prm,
                  "First time",
                  "0",
                  0.,
                  bounds::time,
                  "s",
-                 "Steps before it do not count.");
-  // Of any quantity, whose bounds are smaller or the same.
-  declare_double(prm,
-                 "Threshold",
-                 "0",
-                 -bounds::energy,
-                 bounds::energy,
-                 "-",
-                 "Of arrival and frequency, in the unit of the quantity.");
+                 "Steps before this time do not count.");
+  // These bounds admit values of every quantity.
+  declare_double(
+    prm,
+    "Threshold",
+    "0",
+    -bounds::energy,
+    bounds::energy,
+    "-",
+    "Threshold of arrival and frequency, in the unit of the quantity.");
   declare_double(prm,
                  "Expected",
                  "0",
                  -bounds::energy,
                  bounds::energy,
                  "-",
-                 "What the measure should be; errors in summary.json are "
-                 "relative to it. 0: no error is given.");
+                 "Expected value of the measure; summary.json has the "
+                 "relative error. 0: no error is given.");
 }
 
 

@@ -83,7 +83,7 @@ namespace
       file.add("CellData", cell_names[k], values[k]);
   }
 
-  /// The file that names the pieces of all ranks.
+  /// Writes the .pvtu file, which names the pieces of all ranks.
   void write_master(const std::string &name,
                     const std::vector<std::string> &pieces,
                     const std::vector<std::string> &fields)

@@ -22,16 +22,16 @@ namespace
   /// Element updates per second and core, for estimates only.
   constexpr double typical_speed = 1.5e7;
 
-  /// Bytes of an element with its nodes and a share of the mesh.
+  /// Memory per element with its nodes and a part of the mesh [bytes].
   constexpr double typical_memory = 900.;
 
-  /// Hourglass energy over internal energy that is worth a word.
+  /// Ratio of hourglass to internal energy above which a warning is given.
   constexpr double notable_hourglass = 0.05;
 
-  /// After so many steps it is asked what the deformed body allows.
+  /// Steps between evaluations of the stable step of the deformed body.
   constexpr double steps_between_checks = 50.;
 
-  /// What a step that was halved grows by from one to the next.
+  /// Growth factor from step to step after a step was halved.
   constexpr double regrowth = 1.02;
 } // namespace
 
@@ -55,24 +55,24 @@ void SolidSimulation<Real>::declare_parameters(ParameterHandler &prm)
                       "Precision",
                       "double",
                       solid_precision_names(),
-                      "Of state and arithmetic; energies are summed in "
-                      "double.");
+                      "Floating point type of state and arithmetic; "
+                      "energies are summed in double.");
     declare_double(prm,
                    "Step safety",
                    "0.9",
                    0.01,
                    1.,
                    "-",
-                   "Part of the stable step that is taken.");
+                   "Fraction of the stable step that is used.");
     declare_double(prm,
                    "Smallest step",
                    "0",
                    0.,
                    1.,
                    "s",
-                   "Mass scaling: elements that alone would need a smaller "
-                   "step get mass until they do not; 0: none is added. What "
-                   "was added is false inertia, and is reported by tissue.");
+                   "Mass scaling: elements with a stable step below this "
+                   "value get additional mass. 0: none. The added mass is "
+                   "false inertia, and is reported by tissue.");
   }
   Supports::declare_parameters(prm);
   SurfaceLoads::declare_parameters(prm);
@@ -89,16 +89,17 @@ void SolidSimulation<Real>::declare_parameters(ParameterHandler &prm)
                  0.,
                  1e6,
                  "-",
-                 "The run fails when at its end this part of the energy, by "
-                 "elements and nodes against the work of loads, is missing.");
+                 "The run fails if the energy balance of elements and nodes "
+                 "against the work of loads misses more than this fraction "
+                 "at the end.");
   declare_double(prm,
                  "Largest hourglass part",
                  "0.1",
                  0.,
                  1e6,
                  "-",
-                 "The run fails when at its end hourglass control has this "
-                 "part of the internal energy; 0.05 is a warning.");
+                 "The run fails if hourglass energy exceeds this fraction "
+                 "of internal energy at the end; 0.05 is a warning.");
 }
 
 
@@ -167,7 +168,7 @@ void SolidSimulation<Real>::build()
     communicator_);
   certificate_ = body_.certify_step();
   stable_step_ = safety_ * options_.step_factor() * certificate_.body_step;
-  // What bulk viscosity takes of the step is the body's own part as well.
+  // Bulk viscosity reduces the step that remains for the body itself.
   const double factor = options_.step_factor();
   surroundings_.set_step(stable_step_,
                          1. - factor * factor * (1. - safety_ * safety_));
@@ -222,7 +223,7 @@ template <typename Real>
 StepReport SolidSimulation<Real>::advance(const double largest_step)
 {
   StepReport report;
-  // Steps that were halved already leave so many retries.
+  // Halvings of earlier steps count against the limit of retries.
   const double left = options_.largest_retries + std::log2(reduction_);
   const auto made =
     body_.advance(std::min(allowed_step(), largest_step),
@@ -254,7 +255,8 @@ double SolidSimulation<Real>::allowed_step()
   if (steps_until_check_ == 0.)
   {
     const TimerScope timer("step size");
-    // Half of what safety leaves is for deformations: only then is it less.
+    // Deformation may use half of the margin that the safety factor leaves
+    // before the step is reduced.
     const double deformed = 0.5 * (1. + safety_) * options_.step_factor() *
                             body_.deformed_step(certificate_.body_step);
     if (deformed < stable_step_ && deformed_step_ >= stable_step_)
@@ -429,10 +431,11 @@ void SolidSimulation<Real>::finish(const std::string &folder)
   const double part = balance.sum.hourglass /
                       std::max(balance.sum.internal(), 1e-3 * energy_scale_);
   if (part > largest_hourglass_)
-    throw NumericsError(
-      "energy audit: hourglass control has " + brief(100. * part) +
-      " % of the internal energy; Energy audit/Largest hourglass part allows " +
-      brief(100. * largest_hourglass_) + " %");
+    throw NumericsError("energy audit: hourglass control has " +
+                        brief(100. * part) +
+                        " % of the internal energy; Energy audit/Largest "
+                        "hourglass part allows " +
+                        brief(100. * largest_hourglass_) + " %");
   if (part > notable_hourglass)
     log_line("WARNING: hourglass control has " + brief(100. * part) +
              " % of the internal energy");

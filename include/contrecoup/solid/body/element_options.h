@@ -10,14 +10,14 @@
 
 namespace contrecoup::solid
 {
-/// Where stresses of an element are found.
+/// Quadrature of an element's internal forces.
 enum class Integration
 {
-  one_point, ///< in one point, with hourglass control
-  full       ///< shear in 2 x 2 x 2 points, one dilatation
+  one_point, ///< one point, with hourglass control
+  full       ///< 2 x 2 x 2 points for shear, one mean dilatation
 };
 
-/// How elements are integrated: subsection "Elements".
+/// Formulation of the elements: subsection "Elements".
 struct ElementOptions
 {
   Integration integration = Integration::one_point;
@@ -25,16 +25,17 @@ struct ElementOptions
   HourglassKind hourglass = HourglassKind::stiffness;
   double hourglass_coefficient = 1.;
   double hourglass_damping = 0.;
-  bool skip_quiet = true; ///< elements where nothing has moved
+  bool skip_quiet = true; ///< leave out elements whose nodes never moved
   double linear_viscosity = 0.06;
   double quadratic_viscosity = 1.2;
-  unsigned int largest_retries = 10; ///< halvings of a step
+  /// number of times that a step may be halved
+  unsigned int largest_retries = 10;
 
   static void declare_parameters(dealii::ParameterHandler &prm);
   void parse_parameters(dealii::ParameterHandler &prm);
 
-  /// What is left of the stable step beside bulk viscosity: the factor
-  /// sqrt(1 + xi^2) - xi with xi = linear_viscosity.
+  /// Factor by which linear bulk viscosity reduces the stable step: sqrt(1 +
+  /// xi^2) - xi with xi = linear_viscosity.
   double step_factor() const;
 };
 } // namespace contrecoup::solid

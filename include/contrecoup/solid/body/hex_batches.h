@@ -15,8 +15,9 @@
 
 namespace contrecoup::solid
 {
-/// What elements remember, by batch: of viscoelastic ones 6 relaxed strains for
-/// each point in a row, of damped ones 12 forces.
+/// History variables of the elements, one entry per batch. Viscoelastic
+/// batches store 6 components of relaxed strain for each integration point,
+/// damped batches store 12 hourglass damping forces.
 template <typename Lane>
 struct HexMemory
 {
@@ -27,9 +28,9 @@ struct HexMemory
 };
 
 /**
- * The elements of a rank, as many side by side as the processor has lanes, all
- * of one tissue. Lanes that are left over belong to a cube of nodes of their
- * own, behind those of the mesh, which never moves.
+ * The elements of this rank in batches of n elements of the same tissue, one
+ * element per SIMD lane. Unused lanes of the last batch of a tissue compute a
+ * dummy cube, whose nodes follow those of the mesh and never move.
  */
 template <typename Real>
 class HexBatches : public HexMemory<Lanes<Real>>
@@ -42,27 +43,27 @@ public:
   using HexMemory<Lane>::damping;
   static constexpr unsigned int n = n_lanes<Real>;
 
-  /// Batches of one tissue.
+  /// The batches of one tissue.
   struct Range
   {
     unsigned int tissue;
     unsigned int begin;
     unsigned int end;
     bool viscoelastic;
-    unsigned int first_relaxed; ///< place of the first one's relaxed strain
+    unsigned int first_relaxed; ///< index of the first batch's relaxed strain
     bool damped;
-    unsigned int first_damping; ///< place of the first one's damping forces
+    unsigned int first_damping; ///< index of the first batch's damping forces
   };
 
-  /// @param viscoelastic whether each tissue needs memory of strains
-  /// @param damped whether each tissue has dampers of hourglass modes
-  /// @param n_points of integration, each with a memory of its own
+  /// @param viscoelastic whether a tissue stores relaxed strains, by tissue
+  /// @param damped whether a tissue has hourglass damping, by tissue
+  /// @param n_points number of integration points that store relaxed strains
   void reinit(const SolidMesh &mesh,
               const std::vector<bool> &viscoelastic,
               const std::vector<bool> &damped,
               const unsigned int n_points);
 
-  /// Sets coordinates of the mesh and of the nodes for spare lanes.
+  /// Sets the coordinates of the mesh nodes and of the dummy cube's nodes.
   static void reinit_nodes(const SolidMesh &mesh, NodeFields<Real> &nodes);
 
   const std::vector<Range> &ranges() const
@@ -75,31 +76,31 @@ public:
     return static_cast<unsigned int>(dilatation.size());
   }
 
-  /// NodeFields::width times the nodes, of a corner in all lanes.
+  /// NodeFields::width times the node number of @p corner, for each lane.
   const unsigned int *offsets(const unsigned int batch,
                               const unsigned int corner) const
   {
     return &offsets_[(8 * batch + corner) * n];
   }
 
-  /// The cell of the mesh in a lane; lanes to spare have none.
+  /// The mesh cell in a lane, or `spare` for an unused lane.
   std::uint32_t cell(const unsigned int batch, const unsigned int lane) const
   {
     return cells_[batch * n + lane];
   }
   static constexpr std::uint32_t spare = -1;
 
-  /// The place of each cell of the mesh: batch times n, plus lane.
+  /// Position of a mesh cell: batch * n + lane.
   std::uint32_t slot(const std::uint32_t cell) const
   {
     return slots_[cell];
   }
 
-  /// Bytes that elements need, without nodes.
+  /// Memory of the elements without their nodes [bytes].
   double memory() const;
 
-  /// Whether a batch must be computed: whether one of its nodes was ever
-  /// displaced. It is awake from then on.
+  /// Whether a batch must be computed, because one of its nodes was ever
+  /// displaced. A batch that is awake stays awake.
   bool is_awake(const unsigned int batch, const NodeFields<Real> &nodes)
   {
     if (awake_[batch] == 0)
@@ -107,19 +108,19 @@ public:
     return awake_[batch] != 0;
   }
 
-  /// Whether it is, as when it was last asked for.
+  /// The result of the last call of is_awake().
   bool was_awake(const unsigned int batch) const
   {
     return awake_[batch] != 0;
   }
 
-  /// How many batches are awake.
+  /// Number of batches that are awake.
   unsigned int n_awake() const
   {
     return n_awake_;
   }
 
-  /// From now on all are.
+  /// Marks all batches as awake.
   void wake_all();
 
   /// The relaxed strains of a viscoelastic batch.
@@ -134,7 +135,7 @@ public:
                     6 * n_points_ * (batch - range.begin)];
   }
 
-  /// How many of them an element has.
+  /// Number of relaxed strain components of one element.
   unsigned int n_relaxed() const
   {
     return 6 * n_points_;
@@ -172,7 +173,7 @@ public:
           state.damping[k];
   }
 
-  /// The state of elements at rest.
+  /// Resets the history variables to those of elements at rest.
   void reset_state();
 
 private:
@@ -188,7 +189,8 @@ private:
 };
 
 
-/// Numbers of corners of a batch: @p place of positions and displacements.
+/// Gathers positions @p x and displacements @p u of a batch's corners [m] from
+/// NodeFields::place.
 template <typename Real>
 inline DEAL_II_ALWAYS_INLINE void load_corners(const Real *place,
                                                const unsigned int *offsets,
@@ -212,7 +214,7 @@ inline DEAL_II_ALWAYS_INLINE void load_corners(const Real *place,
   }
 }
 
-/// Four numbers of each corner, from forces or velocities.
+/// Gathers four numbers per corner from NodeFields::force or velocity.
 template <typename Real>
 inline DEAL_II_ALWAYS_INLINE void
 load_vectors(const Real *values,
@@ -225,7 +227,7 @@ load_vectors(const Real *values,
       4, values, offsets + n * corner, result[corner].data());
 }
 
-/// Takes internal forces of a batch off those of its nodes.
+/// Subtracts the internal forces of a batch from its nodes' forces.
 template <typename Real>
 inline DEAL_II_ALWAYS_INLINE void
 subtract_forces(Real *force,
@@ -239,7 +241,7 @@ subtract_forces(Real *force,
     for (unsigned int d = 0; d < 3; ++d)
       values[d] = -internal[corner][d];
     values[3] = Real();
-    // One lane after the other: lanes may share a node.
+    // One lane after the other, because lanes may share a node.
     dealii::vectorized_transpose_and_store(
       true, 4, values, offsets + n * corner, force);
   }

@@ -18,30 +18,28 @@
 
 namespace contrecoup::solid
 {
-/**
- * The hexahedra of a scene: subsections "Mesh" and, for the mesh of a body as
- * `anatomy` makes it, "Body".
- */
+/// The hexahedral mesh of a scene: subsection "Mesh", and "Body" for a mesh of
+/// the body that `anatomy` builds.
 class MeshDescription
 {
 public:
   static void declare_parameters(dealii::ParameterHandler &prm);
 
-  /// @throws InputError when entries do not go together
+  /// @throws InputError for contradictory entries
   void parse_parameters(dealii::ParameterHandler &prm);
 
   /// Builds the mesh. @throws InputError when a file cannot be used
   HexMesh create() const;
 
-  /// About how many elements create() would make.
+  /// Estimates the number of elements of create().
   double estimate_elements() const;
 
-  /// About the stable step [s], from the size of the smallest elements and
-  /// the fastest tissue.
+  /// Estimates the stable step [s] from the smallest element size and the
+  /// largest wave speed.
   double estimate_step(const SolidMaterials &materials) const;
 
 private:
-  /// A tissue that takes the place of the others where its expression holds.
+  /// Elements with a true expression get this tissue; later regions win.
   struct Region
   {
     Tissue tissue;

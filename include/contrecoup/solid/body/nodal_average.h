@@ -13,44 +13,44 @@
 namespace contrecoup::solid
 {
 /**
- * Averages over neighbours of what some elements have: a node has the mean of
- * its elements, weighted with their volumes, and an element the mean of its
- * corners.
+ * Volume-weighted averaging of an element quantity: each node takes the mean
+ * of its elements, weighted with their volumes, and each element takes the
+ * mean of its corners.
  *
- * Pressures of elements whose corners carry all velocities are not unique
- * where matter is nearly incompressible: those that alternate from element to
- * element push no node between them. In a regular mesh this average removes
- * them exactly, as it multiplies a wave by cos^2(k h / 2) along each edge; a
- * wave of ten elements loses a tenth. The pressure is that of Bonet and
- * Burton, Commun. Numer. Meth. Engng. 14 (1998) 437, here for measures alone,
- * not for forces.
+ * One-point pressures in nearly incompressible matter contain checkerboard
+ * modes, which alternate from element to element and exert no nodal force. On
+ * a regular mesh this average removes the checkerboard modes exactly: it
+ * multiplies a wave by cos^2(k h / 2) along each edge, so that a wave of ten
+ * elements loses a tenth of its amplitude. The averaged pressure is that of
+ * Bonet and Burton, Commun. Numer. Meth. Engng. 14 (1998) 437. It is used for
+ * measures only, not for forces.
  */
 class NodalAverage
 {
 public:
   using Corners = std::array<std::uint32_t, 8>;
-  /// Adds up what ranks found, a number at each node of the mesh of this rank;
-  /// those of its elements get the sum.
+  /// Sums the values at shared nodes over all ranks. The vector has one value
+  /// per node of this rank's mesh and receives the sums.
   using AddRanks = std::function<void(dealii::AlignedVector<double> &)>;
 
   /**
-   * @param corners of the elements: nodes of the mesh of this rank
+   * @param corners node numbers of each element, in this rank's mesh
    * @param volumes of the elements [m^3]
-   * @param n_nodes of the mesh of this rank
-   * @param add_ranks none: no other rank has nodes of this one
+   * @param n_nodes number of nodes of this rank's mesh
+   * @param add_ranks may be empty if no other rank shares nodes
    */
   void reinit(std::vector<Corners> corners,
               std::vector<double> volumes,
               const std::size_t n_nodes,
               AddRanks add_ranks);
 
-  /// By element [m^3].
+  /// Volume of each element [m^3].
   const std::vector<double> &volumes() const
   {
     return volumes_;
   }
 
-  /// The average of @p values, by element. Collective.
+  /// Returns the average of @p values, both by element. Collective.
   std::vector<double> average(const std::vector<double> &values) const;
 
 private:
@@ -60,8 +60,8 @@ private:
   AddRanks add_ranks_;
   std::size_t n_mesh_nodes_ = 0;
   std::vector<double> volumes_;
-  std::vector<std::uint32_t> nodes_;    ///< of the elements
-  std::vector<Corners> at_;             ///< in nodes_, by element
-  std::vector<double> inverse_volumes_; ///< around nodes_ [1/m^3]
+  std::vector<std::uint32_t> nodes_;    ///< nodes of the elements, each once
+  std::vector<Corners> at_;             ///< positions of the corners in nodes_
+  std::vector<double> inverse_volumes_; ///< per node of nodes_ [1/m^3]
 };
 } // namespace contrecoup::solid

@@ -10,8 +10,8 @@
 
 namespace contrecoup::solid
 {
-/// What steps change of NodeFields: displacements, velocities and forces,
-/// without places and masses.
+/// A copy of the node fields that time steps change: displacements, velocities
+/// and forces, but not positions and masses.
 template <typename Real>
 class NodeBackup
 {
@@ -29,7 +29,7 @@ public:
     awake_ = nodes.awake;
   }
 
-  /// @param nodes as many as were kept
+  /// @param nodes has the size that keep() saw
   void put_back(NodeFields<Real> &nodes) const
   {
     for (std::size_t i = 0; i < nodes.size(); ++i)

@@ -7,16 +7,16 @@
 
 namespace contrecoup::solid
 {
-/// Adds up what ranks found at the nodes that they share, in the order of the
-/// ranks: all get the same bits.
+/// Sums values at nodes that ranks share. The summation follows the order of
+/// ranks, so all ranks obtain bitwise identical sums.
 class NodeExchange
 {
 public:
   void reinit(const SolidMesh &mesh, MPI_Comm communicator);
 
   /**
-   * @p values holds @p stride numbers for each node, the first @p width of
-   * which are added. Collective.
+   * Sums the first @p width of @p stride values per node over all ranks.
+   * Collective.
    */
   template <typename Real>
   void
@@ -33,6 +33,6 @@ private:
   MPI_Comm communicator_ = MPI_COMM_SELF;
   int rank_ = 0;
   std::vector<SolidMesh::Neighbor> neighbors_;
-  std::vector<std::uint32_t> shared_; ///< each node once
+  std::vector<std::uint32_t> shared_; ///< shared nodes, each once
 };
 } // namespace contrecoup::solid

@@ -12,9 +12,10 @@
 namespace contrecoup::solid
 {
 /**
- * What nodes carry. Displacements are stored, not coordinates, so that their
- * digits are not lost in single precision. A node has 8 numbers in one place,
- * which kernels load at once, and twice 4 in others.
+ * Positions, displacements, velocities, forces and masses of nodes. Storing
+ * displacements instead of current coordinates avoids cancellation in single
+ * precision. Position and displacement form one array of 8 numbers per node,
+ * which kernels load at once; forces and velocities are arrays of 4.
  */
 template <typename Real>
 struct NodeFields
@@ -22,17 +23,18 @@ struct NodeFields
   static constexpr unsigned int place_width = 8;
   static constexpr unsigned int width = 4;
 
-  dealii::AlignedVector<Real> place;    ///< x, y, z, u_x, u_y, u_z, 0, 0 [m]
-  dealii::AlignedVector<Real> force;    ///< three components, 0 [N]
-  dealii::AlignedVector<Real> velocity; ///< three [m/s], 1 / mass [1/kg]
+  dealii::AlignedVector<Real> place; ///< x, y, z, u_x, u_y, u_z, 0, 0 [m]
+  dealii::AlignedVector<Real> force; ///< f_x, f_y, f_z, 0 [N]
+  /// v_x, v_y, v_z [m/s], 1 / mass [1/kg]
+  dealii::AlignedVector<Real> velocity;
 
-  /// Nodes in a block of `awake`.
+  /// Number of nodes in a block of `awake`.
   static constexpr std::size_t block = 64;
-  /// Whether any node of a block was ever displaced, or began with a velocity:
-  /// elsewhere elements have no forces and no memory.
+  /// Whether any node of a block was ever displaced or had an initial
+  /// velocity. Elements of other blocks have no forces and zero history.
   std::vector<unsigned char> awake;
 
-  /// All zero, for @p n_nodes.
+  /// Sizes all fields for @p n_nodes nodes and sets them to zero.
   void reinit(const std::size_t n_nodes)
   {
     place.resize(place_width * n_nodes);
@@ -44,7 +46,7 @@ struct NodeFields
     awake.assign(n_nodes / block + 1, 0);
   }
 
-  /// Looks for all nodes that are displaced or have a velocity.
+  /// Marks the blocks of all nodes with a displacement or velocity.
   void find_awake()
   {
     for (std::size_t i = 0; i < size(); ++i)

@@ -13,24 +13,24 @@
 
 namespace contrecoup::solid
 {
-/// What each tissue is made of: subsection "Materials".
+/// Material of each tissue: subsection "Materials".
 class SolidMaterials
 {
 public:
   static void declare_parameters(dealii::ParameterHandler &prm);
 
-  /// @throws InputError for numbers that are no solid
+  /// @throws InputError for properties that no stable solid has
   void parse_parameters(dealii::ParameterHandler &prm);
 
   /// @throws InputError for a tissue without properties
   SolidMaterial find(Tissue tissue) const;
 
-  /// The materials of tissues, in their order.
+  /// Materials of several tissues, in the order of @p tissues.
   std::vector<SolidMaterial> find(const std::vector<Tissue> &tissues) const;
 
 private:
   std::string set_;
-  bool has_gas_ = true; ///< in the tissues of the set that hold some
+  bool has_gas_ = true; ///< whether the lung of a set contains air
   bool g1_is_long_term_ = false;
   std::map<Tissue, SolidMaterial> custom_;
 };

@@ -13,16 +13,16 @@
 namespace contrecoup::solid
 {
 /**
- * The hexahedra of one rank with all of their nodes. Ranks share nodes but no
- * cells: what cells do to shared nodes is added up by NodeExchange, and each
- * rank then moves them alike.
+ * One rank's part of the mesh: its hexahedra and all of their nodes. Ranks
+ * share nodes but no cells. NodeExchange sums cell contributions to shared
+ * nodes, and each rank then moves its copy of a shared node identically.
  *
- * Cells of one tissue follow each other, along a Morton curve; nodes are
- * numbered as cells first need them.
+ * Cells are sorted by tissue and, within a tissue, along a Morton curve. Nodes
+ * are numbered in the order in which cells first use them.
  */
 struct SolidMesh
 {
-  /// Nodes that another rank has as well, in the same order there.
+  /// The nodes shared with another rank, in the same order on both ranks.
   struct Neighbor
   {
     int rank;
@@ -30,16 +30,16 @@ struct SolidMesh
   };
 
   std::vector<dealii::Point<3>> nodes; ///< [m]
-  std::vector<HexMesh::Cell> cells;    ///< of nodes of this rank
-  std::vector<unsigned char> tissue;   ///< of each cell, index in `tissues`
-  std::vector<Tissue> tissues;         ///< that are anywhere in the mesh
+  std::vector<HexMesh::Cell> cells;    ///< node numbers are local
+  std::vector<unsigned char> tissue;   ///< index in `tissues`, by cell
+  std::vector<Tissue> tissues;         ///< all tissues of the whole mesh
   std::vector<HexMesh::Facet> boundary;
-  /// Those whose cells are here; their masters are, too.
+  /// Hanging nodes of this rank's cells; their masters are local as well.
   std::vector<HexMesh::HangingNode> hanging_nodes;
 
   std::vector<std::uint32_t> global_node;
   std::vector<std::uint32_t> global_cell;
-  /// Whether this rank counts a node: one of those that have it does.
+  /// Whether this rank owns a node; each node has exactly one owner.
   std::vector<unsigned char> owned;
   std::vector<Neighbor> neighbors; ///< by rank, ascending
   std::uint64_t n_global_nodes = 0;
@@ -47,8 +47,8 @@ struct SolidMesh
 };
 
 /**
- * The part of this rank: cells along a Morton curve in pieces of equal
- * numbers. Every rank must give the same mesh.
+ * Distributes the mesh: each rank receives an equal piece of the Morton curve
+ * through all cells. All ranks must pass the same mesh.
  * @throws InputError for an inverted cell, naming it
  */
 SolidMesh distribute(const HexMesh &mesh, MPI_Comm communicator);

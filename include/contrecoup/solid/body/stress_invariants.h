@@ -6,8 +6,7 @@
 #include <contrecoup/materials/small_matrix.h>
 
 /**
- * @file
- * Invariants of stress and strain, as reports quote them.
+ * @file Invariants of stress and strain for reports.
  */
 
 namespace contrecoup::solid
@@ -15,9 +14,9 @@ namespace contrecoup::solid
 /// Largest of the three principal values of a symmetric matrix.
 double largest_principal(const Symmetric3<double> &matrix);
 
-/// Von Mises' stress [Pa].
+/// Von Mises stress [Pa].
 double von_mises(const Symmetric3<double> &stress);
 
-/// Minus a third of the trace [Pa].
+/// Pressure: minus a third of the trace [Pa].
 double pressure_of(const Symmetric3<double> &stress);
 } // namespace contrecoup::solid

@@ -13,33 +13,31 @@
 
 namespace contrecoup::solid
 {
-/**
- * The outer facets whose middles are within a radius of a place, and how fast
- * they move into the body.
- */
+/// The boundary facets whose centres lie within a radius of a point, and their
+/// mean inward velocity.
 class SurfacePatch
 {
 public:
-  /// Takes the nearest facet alone where none is within @p radius [m].
-  /// Collective.
+  /// Selects the facets. Without any within @p radius [m], the nearest facet
+  /// is selected alone. Collective.
   void reinit(const SolidMesh &mesh,
               const dealii::Point<3> &place,
               double radius,
               MPI_Comm communicator);
 
-  /// Mean over the area of the velocity against the outer normal of the
-  /// undeformed surface [m/s]; 0 without any surface. Collective.
+  /// Area-weighted mean of the velocity against the outer normal of the
+  /// undeformed surface [m/s]; 0 without boundary facets. Collective.
   template <typename Real>
   double inward_velocity(const NodeFields<Real> &nodes) const;
 
-  /// Of all ranks [m^2].
+  /// Area of the patch on all ranks [m^2].
   double area() const
   {
     return area_;
   }
 
 private:
-  /// A facet of this rank with its area vector, outwards [m^2].
+  /// A facet of this rank with its outward area vector [m^2].
   struct Facet
   {
     std::array<std::uint32_t, 4> nodes;

@@ -11,18 +11,17 @@
 
 namespace contrecoup::solid
 {
-/// Averages over neighbours of what the elements of one tissue have, as
-/// NodalAverage does.
+/// NodalAverage restricted to the elements of one tissue.
 class TissueAverage
 {
 public:
-  /// @param tissue index in the mesh; one that it does not have is empty
-  /// @param exchange of the mesh, is kept
+  /// @param tissue index in SolidMesh::tissues; beyond its end: no elements
+  /// @param exchange of the mesh; must outlive this object
   void reinit(const SolidMesh &mesh,
               const NodeExchange &exchange,
               const unsigned int tissue);
 
-  /// The elements of the tissue, ascending: numbers in the mesh of this rank.
+  /// Elements of the tissue, ascending, by local cell number.
   const std::vector<std::uint32_t> &cells() const
   {
     return cells_;
@@ -34,7 +33,8 @@ public:
     return average_.volumes();
   }
 
-  /// The average of @p values, by cells(). Collective.
+  /// Returns the average of @p values; both are indexed as cells().
+  /// Collective.
   std::vector<double> average(const std::vector<double> &values) const
   {
     return average_.average(values);

@@ -12,36 +12,36 @@
 #include <vector>
 
 /**
- * @file
- * What measures of tissues share.
+ * @file Helper functions for measures of tissues.
  */
 
 namespace contrecoup::solid
 {
-/// Words for the pressures that peaks are taken of: averaged over neighbours as
-/// by TissueAverage, or of elements.
+/// Choices for the pressure whose peaks are recorded: averaged as by
+/// TissueAverage, or of each element.
 const std::vector<std::string> &peak_pressure_names();
 
-/// "quantity_tissue", with underscores for blanks.
+/// The column name "quantity_tissue", with underscores for blanks.
 std::string tissue_column(const std::string &quantity, const Tissue tissue);
 
 /**
- * The value below which a part of a weighted sample of all ranks lies, as
- * weighted_percentile() has it, without bringing the sample to one place: by
- * bisection, within 1e-12 of the largest magnitude. Collective.
+ * Weighted percentile of a sample distributed over all ranks, as
+ * weighted_percentile() defines it. Bisection finds it to 1e-12 of the largest
+ * magnitude without gathering the sample. Collective.
  *
  * @param values of this rank
- * @param weights of these, such as volumes
- * @param part from 0 to 1 [-]
- * @return 0 for weights that are all zero
+ * @param weights of the values, such as volumes
+ * @param part fraction of the total weight below the result, 0 to 1
+ * @return 0 if all weights are zero
  */
 double percentile(const std::vector<double> &values,
                   const std::vector<double> &weights,
                   const double part,
                   const MPI_Comm communicator);
 
-/// The larger one of @p value and the largest principal value of a symmetric
-/// matrix, which is only found when a bound lets it be the larger one.
+/// Returns the larger of @p value and the largest principal value of @p
+/// matrix. The eigenvalue is computed only if a cheap upper bound exceeds @p
+/// value.
 double raised_to_principal(const double value,
                            const Symmetric3<double> &matrix);
 } // namespace contrecoup::solid

@@ -15,28 +15,28 @@
 namespace contrecoup::solid
 {
 /**
- * The blast of a charge, as formulas have it: facets that face the charge feel
- * the reflected wave by the square of the cosine (pressure_at_angle()), others
- * the passing one. Nothing stands in another's shadow, and nothing flows around
- * the body.
+ * Blast loads from formulas. A facet facing the charge combines incident and
+ * reflected pressure with the square of the cosine (pressure_at_angle());
+ * other facets get the incident pressure. There is no shielding, and no flow
+ * around the body.
  */
 class AnalyticBlast : public PressureHistory
 {
 public:
-  /// Words of the kinds.
+  /// Names of the kinds of blast.
   static const std::vector<std::string> kinds;
 
   /// Declares subsections "Friedlander" and "Kingery Bulmash".
   static void declare_parameters(dealii::ParameterHandler &prm);
 
   /// @param kind one of kinds
-  /// @param path of the current subsection, for messages
+  /// @param path of the current subsection, for error messages
   static std::shared_ptr<AnalyticBlast>
   parse_parameters(dealii::ParameterHandler &prm,
                    const std::string &kind,
                    const std::string &path);
 
-  /// @throws InputError where the tables have no figure
+  /// @throws InputError outside the range of the tables
   void reinit(const std::vector<dealii::Point<3>> &middles,
               const std::vector<dealii::Tensor<1, 3>> &areas,
               MPI_Comm communicator) override;
@@ -51,7 +51,7 @@ public:
   }
 
 private:
-  /// What passes and what a wall that faces the charge feels.
+  /// Incident wave, and the wave on a wall that faces the charge.
   struct Waves
   {
     Friedlander incident;
@@ -74,13 +74,14 @@ private:
 
   bool from_tables_ = false;
   std::string set_;
-  double mass_ = 0.;       ///< of TNT [kg]
-  double start_time_ = 0.; ///< of the run, after the detonation [s]
+  double mass_ = 0.; ///< of TNT [kg]
+  /// time from detonation to the start of the run [s]
+  double start_time_ = 0.;
 
   Friedlander pulse_;
-  double speed_ = 0.;          ///< of the front [m/s]
-  double first_distance_ = 0.; ///< of the front at time 0 [m]
-  double ambient_ = 0.;        ///< [Pa]; 0: nothing is reflected
+  double speed_ = 0.;          ///< speed of the front [m/s]
+  double first_distance_ = 0.; ///< of the front from the charge at time 0 [m]
+  double ambient_ = 0.;        ///< [Pa]; 0: no reflection
   bool negative_phase_ = false;
 
   std::vector<Facet> facets_;

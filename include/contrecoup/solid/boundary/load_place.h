@@ -12,28 +12,29 @@
 
 namespace contrecoup::solid
 {
-/// How facets that another run recorded lie on the surface of a body, as means
-/// over their area.
+/// Position of recorded facets relative to the surface of a body, as
+/// area-weighted means.
 struct LoadPlace
 {
-  double facet_edge = 0.; ///< of a square as large as the mean facet [m]
-  double distance = 0.;   ///< of their middles from the surface [m]
-  double agreement = 0.;  ///< cosine between their normals and the surface's
-  /// From the middle of the box around the body to that around the facets, of
-  /// both halves where loads are mirrored [m].
+  double facet_edge = 0.; ///< edge of a square with the mean facet area [m]
+  double distance = 0.;   ///< from facet centres to the surface [m]
+  double agreement = 0.;  ///< cosine between facet and surface normals
+  /// Vector from the centre of the body's bounding box to that of the facets,
+  /// including mirrored facets [m].
   dealii::Tensor<1, 3> offset;
 };
 
-/// Measures it. @param mirrored directions across planes of symmetry through 0
+/// Measures the position of facets. @param mirrored coordinate directions in
+/// which facets are mirrored across a symmetry plane through 0
 LoadPlace measure_load_place(const io::LoadFile::Facets &facets,
                              const Shape &surface,
                              const std::array<bool, 3> &mirrored);
 
 /**
- * Refuses recorded loads (subsection "Loads/Recorded") that are not those of
- * the body that is meshed (Mesh/Kind = body), where it is, before it is meshed.
- * Does nothing without such loads or such a body.
- * @throws InputError that says how far off they are
+ * Checks before meshing that recorded loads (subsection "Loads/Recorded") fit
+ * the surface of the body to mesh (Mesh/Kind = body). Does nothing without
+ * recorded loads or such a body.
+ * @throws InputError that states the misfit
  */
 void check_load_place(dealii::ParameterHandler &prm);
 } // namespace contrecoup::solid

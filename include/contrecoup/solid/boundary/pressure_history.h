@@ -11,25 +11,26 @@
 
 namespace contrecoup::solid
 {
-/// Pressures on facets over time, such as those that another run recorded.
+/// Interface: pressure on facets as a function of time.
 class PressureHistory
 {
 public:
   virtual ~PressureHistory() = default;
 
-  /// Takes the facets of this rank, by their middles [m] and area vectors out
-  /// of the body [m^2]. Collective.
+  /// Sets the facets of this rank: centres [m] and outward area vectors [m^2].
+  /// Collective.
   virtual void reinit(const std::vector<dealii::Point<3>> &middles,
                       const std::vector<dealii::Tensor<1, 3>> &areas,
                       MPI_Comm communicator) = 0;
 
-  /// Goes to a time [s]; times ascend.
+  /// Sets the current time [s]; times must not decrease.
   virtual void set_time(double time) = 0;
 
-  /// Overpressure on a facet at that time [Pa].
+  /// Overpressure on a facet at the current time [Pa].
   virtual double pressure(std::size_t facet) const = 0;
 
-  /// What there is to say of how the loads were brought here. Collective.
+  /// Checks of the mapping of loads onto the facets, for the summary.
+  /// Collective.
   virtual std::vector<NamedValue> audit() const = 0;
 };
 } // namespace contrecoup::solid

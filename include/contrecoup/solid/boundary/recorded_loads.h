@@ -17,11 +17,11 @@
 namespace contrecoup::solid
 {
 /**
- * The loads that another run recorded: each facet has the pressure of the
- * nearest recorded one that faces the same way. Between the middles of
- * samples, which are means over time, pressures are linear, so that their
- * impulse is kept. One factor makes the impulse on this surface that on the
- * recorded one.
+ * Loads recorded by another run. Each facet takes the pressure of the nearest
+ * recorded facet with a similar normal. Recorded samples are means over time
+ * intervals; pressure is interpolated linearly between the midpoints of
+ * intervals, which conserves impulse. One global factor matches the impulse on
+ * this surface to that on the recorded surface.
  */
 class RecordedLoads : public PressureHistory
 {
@@ -29,8 +29,8 @@ public:
   /// Declares entries of the current subsection.
   static void declare_parameters(dealii::ParameterHandler &prm);
 
-  /// Reads them. Empty without a file.
-  /// @throws InputError when the file is none of loads
+  /// Reads the entries; returns null without a file.
+  /// @throws InputError when the file holds no loads
   static std::shared_ptr<RecordedLoads>
   parse_parameters(dealii::ParameterHandler &prm);
 
@@ -40,40 +40,42 @@ public:
   void set_time(double time) override;
   double pressure(std::size_t facet) const override;
 
-  /// How well the facets fit, the factor of pressures, and the impulse of all
-  /// samples on the recorded surface and, with the factor, on this one.
-  /// Collective.
+  /// Distances of the facets, the pressure factor, and the impulse of all
+  /// samples on the recorded surface and, including the factor, on this
+  /// surface. Collective.
   std::vector<NamedValue> audit() const override;
 
 private:
   void measure_impulses();
-  /// Sums of impulses per area of the recorded facets. Collective.
-  /// @throws InputError when too little of them arrives
+  /// Integrates impulses per area of the recorded facets over both surfaces.
+  /// Collective. @throws InputError when too little impulse arrives
   void sum_impulses(const std::vector<double> &impulse);
 
   std::unique_ptr<io::LoadReader> reader_;
-  double offset_ = 0.; ///< of recorded times [s]
+  double offset_ = 0.; ///< recorded time at the start of this run [s]
   double largest_distance_ = 0.;
-  std::array<bool, 3> mirrored_{}; ///< across planes of symmetry through 0
+  /// directions with a symmetry plane through 0
+  std::array<bool, 3> mirrored_{};
   bool keep_impulse_ = true;
-  double factor_ = 1.; ///< of pressures
+  double factor_ = 1.; ///< on all pressures
 
   MPI_Comm communicator_ = MPI_COMM_SELF;
-  std::vector<std::uint32_t> source_; ///< by facet of this rank
+  /// recorded facet of each facet of this rank
+  std::vector<std::uint32_t> source_;
   std::vector<dealii::Tensor<1, 3>> areas_;
   std::vector<double> distances_;
 
-  /// Samples in memory, [facet][time].
+  /// Samples in memory: index [facet][time].
   std::size_t first_ = 0;
   std::size_t count_ = 0;
   std::vector<float> samples_;
-  /// Numbers of the samples around the time and the weight of the second.
+  /// The two samples around the current time, and the second one's weight.
   std::size_t before_ = 0;
   std::size_t after_ = 0;
   double weight_ = 0.;
-  double started_ = 0.; ///< 0 before the first sample
+  double started_ = 0.; ///< 0 before the first sample, then 1
 
-  dealii::Tensor<1, 3> recorded_impulse_; ///< with mirrored facets [N s]
+  dealii::Tensor<1, 3> recorded_impulse_; ///< including mirrored facets [N s]
   dealii::Tensor<1, 3> mapped_impulse_;   ///< without the factor [N s]
 };
 } // namespace contrecoup::solid

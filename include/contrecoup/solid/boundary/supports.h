@@ -14,7 +14,7 @@
 
 namespace contrecoup::solid
 {
-/// Nodes that are held, or moved as an expression says: subsection "Supports".
+/// Nodes with prescribed velocity components: subsection "Supports".
 class Supports
 {
 public:
@@ -25,24 +25,25 @@ public:
 
   void reinit(const SolidMesh &mesh);
 
-  /// Sets forces so that supported components have their velocity in the
-  /// middle of the next step, whatever they were made of before.
-  /// @param time at the begin of the next step [s]
-  /// @param before, next sizes of the steps around it [s]
+  /// Sets the forces on supported components so that the next step gives them
+  /// the prescribed velocity. The previous reaction in the force is replaced.
+  /// @param time at the beginning of the next step [s]
+  /// @param before size of the last step [s]
+  /// @param next size of the next step [s]
   template <typename Real>
   void set_forces(NodeFields<Real> &nodes,
                   const double time,
                   const double before,
                   const double next);
 
-  /// Call when the forces of nodes were computed anew.
+  /// Sets all reactions to zero. Call after forces were assembled anew.
   void forget();
 
-  /// Forces zero where nodes are supported: for frequencies.
+  /// Sets forces on supported components to zero, for the eigenvalue solver.
   template <typename Real>
   void hold(NodeFields<Real> &nodes) const;
 
-  /// Calls @p function with node, direction and reaction [N] of each supported
+  /// Calls @p function(node, direction, reaction [N]) for each supported
   /// component.
   template <typename Function>
   void for_each_reaction(const Function &function)
@@ -51,8 +52,8 @@ public:
       function(entry.node, entry.direction, entry.reaction);
   }
 
-  /// Power of the supports with the nodes' velocities [W], of nodes that this
-  /// rank counts.
+  /// Power of the reactions with the current velocities [W], summed over the
+  /// nodes that this rank owns.
   template <typename Real>
   double power(const NodeFields<Real> &nodes) const;
 
@@ -72,7 +73,7 @@ private:
     unsigned int support;
     bool counted;
     dealii::Point<3> place;
-    double reaction; ///< in the node's force [N]
+    double reaction; ///< part of the nodal force [N]
   };
 
   std::vector<Support> supports_;

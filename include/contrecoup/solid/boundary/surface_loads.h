@@ -18,8 +18,8 @@
 namespace contrecoup::solid
 {
 /**
- * Pressures on the surface: subsection "Loads". Each facet has the force
- * p n A, shared by its nodes as their shape functions say, with areas and
+ * Pressure loads on the surface: subsection "Loads". The force p n A of a
+ * facet is distributed to its nodes by their shape functions, with areas and
  * normals of the undeformed body.
  */
 class SurfaceLoads
@@ -30,26 +30,26 @@ public:
 
   void reinit(const SolidMesh &mesh, MPI_Comm communicator);
 
-  /// Makes the forces of this rank's facets at a time [s].
+  /// Computes the pressures and nodal forces of this rank at a time [s].
   void set_time(double time);
 
-  /// Adds them.
+  /// Adds the nodal forces to @p nodes.
   template <typename Real>
   void add_forces(NodeFields<Real> &nodes) const;
 
-  /// Their power with the nodes' velocities [W], of this rank.
+  /// Power of the loads with the current velocities [W], of this rank.
   template <typename Real>
   double power(const NodeFields<Real> &nodes) const;
 
-  /// What there is to say of recorded loads. Collective.
+  /// Checks of recorded loads, for the summary. Collective.
   std::vector<NamedValue> audit() const;
 
-  /// Pressure on the loaded facet whose middle is nearest to a point [Pa], the
-  /// mean of several that are equally near, 0 without any. Collective.
+  /// Pressure on the loaded facet whose centre is nearest to @p point [Pa];
+  /// the mean of equally near facets, 0 without loads. Collective.
   double pressure_near(const dealii::Point<3> &point,
                        MPI_Comm communicator) const;
 
-  /// Their sum, of this rank [N].
+  /// Total load of this rank [N].
   dealii::Tensor<1, 3> total() const;
 
 private:
@@ -58,26 +58,26 @@ private:
     std::string name;
     Expression where;
     Expression pressure;
-    std::shared_ptr<PressureHistory> history; ///< in place of the expression
+    std::shared_ptr<PressureHistory> history; ///< replaces the expression
   };
 
-  /// A facet under pressure and the area vectors of its nodes.
+  /// A loaded facet with the area vectors of its nodes [m^2].
   struct Facet
   {
-    std::size_t boundary; ///< among the outer facets of this rank
-    std::size_t number;   ///< among the facets of its load
+    std::size_t boundary; ///< index among the boundary facets of this rank
+    std::size_t number;   ///< index among the facets of its load
     unsigned int load;
     dealii::Point<3> middle;
-    std::array<unsigned int, 4> entry; ///< in forces_
+    std::array<unsigned int, 4> entry; ///< indices in forces_
     std::array<dealii::Tensor<1, 3>, 4> area;
-    double pressure; ///< at the time that was set [Pa]
+    double pressure; ///< at the current time [Pa]
   };
 
   void add_facets(const SolidMesh &mesh, unsigned int load);
 
   std::vector<Load> loads_;
   std::vector<Facet> facets_;
-  std::vector<std::uint32_t> nodes_; ///< that have forces
+  std::vector<std::uint32_t> nodes_; ///< loaded nodes
   std::vector<std::uint32_t> entry_of_node_;
   std::vector<dealii::Tensor<1, 3>> forces_;
 };

@@ -13,9 +13,9 @@
 namespace contrecoup::solid
 {
 /**
- * Gravity, and rigid ground without friction on which the body may stand or
- * bounce: subsections "Gravity" and "Ground". A node below the ground is pushed
- * back by a spring in proportion to its mass.
+ * Gravity, and rigid frictionless ground: subsections "Gravity" and "Ground".
+ * The contact is a penalty method: a spring with stiffness proportional to the
+ * node's mass pushes each node below the ground back.
  */
 class Surroundings
 {
@@ -23,35 +23,36 @@ public:
   static void declare_parameters(dealii::ParameterHandler &prm);
   void parse_parameters(dealii::ParameterHandler &prm);
 
-  /// Whether there is ground.
+  /// Whether the scene has ground.
   bool has_ground() const
   {
     return has_ground_;
   }
 
   /**
-   * Gives the springs their stiffness by mass, a part of 4 / @p step^2.
-   * @param step that is stable [s]
-   * @param used what the body itself has of that at most, (omega step)^2 / 4
-   * @throws InputError when there is not so much left
+   * Sets the penalty stiffness per mass, a given fraction of 4 / @p step^2.
+   * @param step the stable step [s]
+   * @param used largest (omega step)^2 / 4 of the body itself
+   * @throws InputError when body and springs exceed the stability limit
    */
   void set_step(const double step, const double used);
 
-  /// Adds its forces to those of all other kinds, which each rank has in full.
+  /// Adds gravity and contact forces. Call after the exchange over ranks,
+  /// since each rank adds them in full to its copies of shared nodes.
   template <typename Real>
   void add_forces(NodeFields<Real> &nodes) const;
 
-  /// Power of gravity [W], of the nodes that count on this rank.
+  /// Power of gravity [W], summed over nodes with @p counted set.
   template <typename Real>
   double power(const NodeFields<Real> &nodes,
                const std::vector<unsigned char> &counted) const;
 
-  /// What the springs of the ground hold [J], of nodes that count.
+  /// Energy stored in the contact springs [J], summed over counted nodes.
   template <typename Real>
   double contact_energy(const NodeFields<Real> &nodes,
                         const std::vector<unsigned char> &counted) const;
 
-  /// Force of the ground on the body, upwards [N], of nodes that count.
+  /// Upward contact force on the body [N], summed over counted nodes.
   template <typename Real>
   double contact_force(const NodeFields<Real> &nodes,
                        const std::vector<unsigned char> &counted) const;
@@ -63,8 +64,8 @@ private:
   dealii::Tensor<1, 3> gravity_; ///< [m/s^2]
   bool has_gravity_ = false;
   bool has_ground_ = false;
-  double height_ = 0.;    ///< of the ground [m]
-  double part_ = 0.;      ///< of 4 / step^2
-  double stiffness_ = 0.; ///< by mass [1/s^2]
+  double height_ = 0.;    ///< z of the ground [m]
+  double part_ = 0.;      ///< fraction of 4 / step^2
+  double stiffness_ = 0.; ///< per mass [1/s^2]
 };
 } // namespace contrecoup::solid

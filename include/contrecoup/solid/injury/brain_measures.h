@@ -14,8 +14,7 @@
 #include <vector>
 
 /**
- * @file
- * Measures of injury of the head that solvers share, with their thresholds.
+ * @file Head injury measures and their thresholds, for all solvers.
  */
 
 namespace contrecoup::solid
@@ -23,16 +22,16 @@ namespace contrecoup::solid
 /// Pressure below which fluid may cavitate [Pa].
 constexpr double cavitation_pressure = -100e3;
 
-/// What a part of the brain went through.
+/// Extreme values that one element or particle of the brain has seen.
 struct BrainPiece
 {
-  std::uint32_t cell = 0; ///< in the whole mesh
+  std::uint32_t cell = 0; ///< number in the whole mesh
   double volume = 0.;     ///< [m^3]
   double peak_strain = 0.;
   double peak_pressure = 0.;
   double lowest_pressure = 0.;
 
-  /// Raises and lowers the extrema.
+  /// Updates the extreme pressures.
   void take_pressure(const double pressure)
   {
     peak_pressure = std::max(peak_pressure, pressure);
@@ -40,22 +39,23 @@ struct BrainPiece
   }
 };
 
-/// Sums over the brain and the time, of this rank.
+/// Integrals over the brain's volume and over time, of this rank.
 struct BrainSums
 {
-  double cavitation_dose = 0.; ///< volume times time [m^3 s]
-  /// Squares of pressures less their averages, and of the latter, by volume
-  /// and time [Pa^2 m^3 s]; zero where nothing is averaged.
+  /// volume times time below cavitation_pressure [m^3 s]
+  double cavitation_dose = 0.;
+  /// Integrals of (p - average)^2 and of average^2 over volume and time [Pa^2
+  /// m^3 s]; zero without averaging.
   double rough = 0.;
   double smooth = 0.;
 };
 
 /**
- * Notes pressures that pieces have had for so long.
- * @param span [s]
+ * Records the pressures of a time interval.
+ * @param span length of the interval [s]
  * @param pressures of the pieces [Pa]
- * @param averages of these over neighbours [Pa]
- * @param averaged whether extrema are those of the averages
+ * @param averages of the pressures over neighbours [Pa]
+ * @param averaged whether extreme values use the averages
  */
 void take_pressures(const double span,
                     const std::vector<double> &pressures,
@@ -64,27 +64,28 @@ void take_pressures(const double span,
                     std::vector<BrainPiece> &pieces,
                     BrainSums &sums);
 
-/// Of all ranks' pieces; none without any. Collective.
+/// Injury measures from the pieces of all ranks; empty without pieces.
+/// Collective.
 std::vector<InjuryMeasure> brain_measures(const std::vector<BrainPiece> &pieces,
                                           const BrainSums &sums,
                                           const MPI_Comm communicator);
 
-/// The head injury criterion of velocities [m/s] at these times [s].
-/// @param motion of what, in a few words
+/// Head injury criterion (HIC) of a velocity history [m/s] at @p times [s].
+/// @param motion describes what moves, for the report
 InjuryMeasure
 head_motion_measure(const std::vector<double> &times,
                     const std::vector<std::array<double, 3>> &velocities,
                     const std::string &motion);
 
-/// Raises the largest angular velocities about the axes [rad/s].
+/// Updates the largest absolute angular velocities about each axis [rad/s].
 void raise_spin(std::array<double, 3> &largest,
                 const dealii::Tensor<1, 3> &turning);
 
-/// The brain injury criterion of the largest angular velocities [rad/s].
-/// @param turning of what, in a few words
+/// Brain injury criterion (BrIC) of the largest angular velocities [rad/s].
+/// @param turning describes what turns, for the report
 InjuryMeasure head_turning_measure(const std::array<double, 3> &largest,
                                    const std::string &turning);
 
-/// A table of measures, for injury.csv.
+/// The measures as a table for injury.csv.
 std::string to_csv(const std::vector<InjuryMeasure> &measures);
 } // namespace contrecoup::solid

@@ -12,24 +12,25 @@
 
 namespace contrecoup::solid
 {
-/// What a brain, and the head around it, went through so far.
+/// Recorded history of the brain and of the motion of the head.
 struct BrainRecord
 {
   std::uint64_t n_steps = 0;
-  double last_time = 0.;                ///< that the brain was looked at [s]
-  BrainSums sums;                       ///< of this rank
-  std::array<double, 3> largest_spin{}; ///< of the head [rad/s]
-  std::vector<BrainPiece> pieces;       ///< of this rank
-  std::vector<double> times;            ///< of the speeds [s]
-  std::vector<std::array<double, 3>> speeds; ///< of the head [m/s]
+  double last_time = 0.;                     ///< of the last recording [s]
+  BrainSums sums;                            ///< of this rank
+  std::array<double, 3> largest_spin{};      ///< of the head, by axis [rad/s]
+  std::vector<BrainPiece> pieces;            ///< of this rank
+  std::vector<double> times;                 ///< of `speeds` [s]
+  std::vector<std::array<double, 3>> speeds; ///< velocity of the head [m/s]
 
   void save(std::ostream &out) const;
 
   /**
-   * Takes up what @p rank had saved: the pieces that are here, and its sums if
-   * they are to go on here. To be called for each rank that saved, in order.
-   * @param file for messages
-   * @throws InputError for what is no record
+   * Reads the record that @p rank saved: the pieces that are local now, and
+   * the sums on the rank that continues them. Call for each saved rank, in
+   * order.
+   * @param file for error messages
+   * @throws InputError when the stream holds no record
    */
   void restore(std::istream &in,
                const std::string &file,

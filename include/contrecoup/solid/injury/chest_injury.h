@@ -13,9 +13,9 @@
 namespace contrecoup::solid
 {
 /**
- * Follows the pressure on the chest and says what it does to chest wall, lung
- * and eardrum, by models that know nothing of the mesh; beside them, how fast
- * the skin of the mesh moved there. Entries of the subsection "Injury".
+ * Records the pressure on the chest and computes injury of chest wall, lung
+ * and eardrum by models that do not depend on the mesh. Also records the
+ * inward velocity of the mesh's chest wall. Subsection "Injury".
  */
 class ChestInjury
 {
@@ -26,28 +26,28 @@ public:
   /// Reads the entries of the current subsection.
   void parse_parameters(dealii::ParameterHandler &prm);
 
-  /// Where the pressure on the chest is wanted.
+  /// Point at which the chest pressure is read [m].
   const dealii::Point<3> &place() const
   {
     return place_;
   }
 
-  /// How far around it the motion of the chest wall is averaged [m].
+  /// Radius around place() for the mean velocity of the chest wall [m].
   double radius() const
   {
     return radius_;
   }
 
-  /// Call at increasing times [s] with the overpressure there [Pa] and the
-  /// inward velocity of the skin around [m/s].
+  /// Records overpressure [Pa] and inward velocity of the chest wall [m/s] at
+  /// a time [s]; times must increase.
   void
   follow(const double time, const double pressure, const double wall_velocity);
 
-  /// Empty before the second call of follow().
+  /// Injury measures; empty before the second call of follow().
   std::vector<InjuryMeasure> measures() const;
 
-  /// What was followed: times [s], as many overpressures [Pa] and inward
-  /// velocities [m/s].
+  /// Recorded times [s]; pressures() [Pa] and wall_velocities() [m/s] have the
+  /// same size.
   const std::vector<double> &times() const
   {
     return times_;
@@ -62,7 +62,7 @@ public:
     return wall_velocities_;
   }
 
-  /// Goes on from what these were.
+  /// Restores the record of a checkpoint.
   void restore(std::vector<double> times,
                std::vector<double> pressures,
                std::vector<double> wall_velocities);

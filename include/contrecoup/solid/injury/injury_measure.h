@@ -9,11 +9,11 @@
 
 namespace contrecoup::solid
 {
-/// A measure of injury with what it is compared to.
+/// An injury measure with its threshold from the literature.
 struct InjuryMeasure
 {
   NamedValue value;
-  std::string threshold; ///< with its source
-  std::string limits;    ///< of what it says
+  std::string threshold; ///< including its source
+  std::string limits;    ///< limits of its validity
 };
 } // namespace contrecoup::solid

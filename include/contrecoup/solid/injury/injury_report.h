@@ -17,10 +17,8 @@
 
 namespace contrecoup::solid
 {
-/**
- * Follows what injures: strains and pressures in the brain, motion of the head,
- * pressure on the chest. Subsection "Injury".
- */
+/// Records injury measures: strain and pressure in the brain, motion of the
+/// head, pressure on the chest. Subsection "Injury".
 template <typename Real>
 class InjuryReport
 {
@@ -28,7 +26,7 @@ public:
   static void declare_parameters(dealii::ParameterHandler &prm);
   void parse_parameters(dealii::ParameterHandler &prm);
 
-  /// Whether anything is followed.
+  /// Whether recording is active.
   bool active() const
   {
     return active_;
@@ -40,14 +38,14 @@ public:
   /// Call after each step. Collective.
   void follow(const SolidBody<Real> &body);
 
-  /// Of the brain as it is now, by volume: the principal strain that 95 % of it
-  /// does not exceed, and the pressures that 95 % and 5 % do not. Collective.
+  /// Percentiles by volume of the brain at the present: 95 % of principal
+  /// strain, 95 % and 5 % of pressure. Collective.
   std::vector<NamedValue> history(const SolidBody<Real> &body) const;
 
-  /// What was found so far. Collective.
+  /// All measures recorded so far. Collective.
   std::vector<InjuryMeasure> measures(const SolidBody<Real> &body) const;
 
-  /// Of this rank, into and from @p folder.
+  /// Saves the record of this rank to @p folder, or restores it.
   void save(const SolidBody<Real> &body, const std::string &folder) const;
   void restore(const SolidBody<Real> &body, const std::string &folder);
 
@@ -59,12 +57,13 @@ private:
   void add_head(std::vector<InjuryMeasure> &list) const;
 
   bool active_ = false;
-  bool averaged_ = true; ///< whether pressures are
+  bool averaged_ = true; ///< pressures, over neighbours
   unsigned int interval_ = 10;
   ChestInjury chest_;
   SurfacePatch chest_wall_;
-  unsigned int brain_ = 0; ///< index of the tissue; number of tissues: none
-  TissueAverage average_;  ///< over the brain
+  /// index of the tissue; number of tissues if there is none
+  unsigned int brain_ = 0;
+  TissueAverage average_; ///< of the brain
   std::vector<std::uint32_t> piece_of_cell_;
   BrainRecord record_;
 };

@@ -8,16 +8,16 @@
 #include <algorithm>
 
 /**
- * @file
- * The loop over elements that sources of SolidOperator share.
+ * @file The element loop shared by the sources of SolidOperator.
  */
 
 namespace contrecoup::solid
 {
-/// Batches whose losses are added up before they go into a double.
+/// Number of batches whose losses are summed in Real before they are added in
+/// double.
 inline constexpr unsigned int batches_at_once = 32;
 
-/// The sum of all lanes in double.
+/// Sum over all lanes in double.
 template <typename Real>
 double sum_of(const Lanes<Real> &values)
 {
@@ -27,7 +27,7 @@ double sum_of(const Lanes<Real> &values)
   return sum;
 }
 
-/// The least of all lanes and zero.
+/// Minimum over all lanes and zero.
 template <typename Real>
 double least_of(const Lanes<Real> &values)
 {

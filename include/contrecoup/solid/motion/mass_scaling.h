@@ -12,22 +12,21 @@
 
 namespace contrecoup::solid
 {
-/// A bound of the square of the largest angular frequency [1/s^2] of an element
-/// alone: exact for a cube.
+/// Upper bound of the squared largest angular frequency of a single free
+/// element [1/s^2]; exact for a cube.
 double element_square_frequency(const HexGeometry<double> &geometry,
                                 const SolidMaterial &material);
 
-/**
- * Mass that is added to elements whose own stable step is too small. It is no
- * inertia that the body has: what was added is to be reported, by tissue.
- */
+/// Mass scaling: adds mass to elements whose own stable step is too small. The
+/// added mass is false inertia, so it is reported by tissue.
 class MassScaling
 {
 public:
   /**
+   * Computes the added masses. Collective.
    * @param materials by tissue of the mesh
-   * @param smallest_step that an element shall have alone [s]; 0 adds nothing
-   * Collective.
+   * @param smallest_step least stable step of a single element [s]; 0: no
+   * scaling
    */
   void reinit(const SolidMesh &mesh,
               const std::vector<SolidMaterial> &materials,
@@ -39,23 +38,23 @@ public:
     return active_;
   }
 
-  /// Adds what the elements of this rank got to the masses of their nodes [kg].
+  /// Adds the added mass of this rank's elements to the nodal masses [kg].
   void add_to(std::vector<double> &masses) const;
 
-  /// Kinetic energy of the added mass of a tissue [J], of this rank, from the
-  /// squares of nodes' velocities [m^2/s^2].
+  /// Kinetic energy of the added mass of a tissue [J], of this rank. @param
+  /// squares squared velocity of each node [m^2/s^2]
   template <typename Real>
   double kinetic_energy(const unsigned int tissue,
                         const std::vector<Real> &squares) const;
 
-  /// Number of scaled elements and added mass, by tissue of all ranks.
+  /// Number of scaled elements and added mass by tissue, of all ranks.
   const std::vector<NamedValue> &report() const
   {
     return report_;
   }
 
 private:
-  /// An element's node with its share.
+  /// Mass that scaled elements add to a node.
   struct Share
   {
     std::uint32_t node;

@@ -11,23 +11,23 @@
 
 namespace contrecoup::solid
 {
-/// The rigid motion that has the momentum and the moment of momentum of matter:
-/// velocity of its centre, and the rate at which it turns.
+/// The rigid motion with the same momentum and angular momentum as a set of
+/// point masses: velocity of the centre of mass, and angular velocity.
 class MeanMotion
 {
 public:
   using Vector = dealii::Tensor<1, 3>;
 
-  /// Adds a mass in a point.
+  /// Adds a point mass.
   /// @param mass in any unit
   void add(const double mass, const Vector &place, const Vector &velocity);
 
   /**
-   * Adds up all ranks. Collective.
-   * @param is_mirrored by axis, whether what was added is the half of a body
-   *   that is the same on the other side of a plane normal to it: the motion is
-   *   that of the whole
-   * @return whether there is any mass
+   * Sums over all ranks and solves for the motion. Collective.
+   * @param is_mirrored by axis: whether the masses are one half of a body that
+   * is symmetric about a plane normal to the axis; the motion is then that of
+   * the whole body
+   * @return whether the total mass is positive
    */
   bool find(const MPI_Comm communicator,
             const std::array<bool, 3> &is_mirrored = {{false, false, false}});
@@ -36,15 +36,15 @@ public:
   {
     return velocity_;
   }
-  /// 0 for matter on a line [rad/s].
+  /// Angular velocity [rad/s]; 0 for masses on a line.
   const Vector &turning() const
   {
     return turning_;
   }
 
 private:
-  /// Mass, first moments, momentum, moment of momentum, squares of places, and
-  /// products x y, y z, z x.
+  /// Mass, first moments, momentum, angular momentum, squares of coordinates,
+  /// and products x y, y z, z x.
   std::vector<double> sums_ = std::vector<double>(16, 0.);
   Vector velocity_, turning_;
 };

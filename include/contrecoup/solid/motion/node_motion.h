@@ -10,14 +10,15 @@
 namespace contrecoup::solid
 {
 /**
- * One step of central differences: velocities in the middle of the next step
- * from forces at the present, displacements at its end; forces are then zero.
- * Blocks of nodes that move from then on are awake; those that have no forces
- * and are not are passed over, which is the same.
+ * One central-difference step: computes velocities at the middle of the next
+ * step from the present forces, then displacements at its end, and sets forces
+ * to zero. Marks blocks of moving nodes as awake. Blocks that are neither
+ * awake nor loaded are skipped, which does not change results.
+ * @param counted whether this rank counts a node in sums
  * @param before size of the last step [s]
- * @param next size of the next one [s]
- * @return work of the forces from the middle of the last step to the middle
- *   of the next one, of nodes that are counted here [J]
+ * @param next size of the next step [s]
+ * @return work of the forces on counted nodes from the middle of the last step
+ * to the middle of the next one [J]
  */
 template <typename Real>
 double move_nodes(NodeFields<Real> &nodes,
@@ -25,7 +26,8 @@ double move_nodes(NodeFields<Real> &nodes,
                   const double before,
                   const double next);
 
-/// The part of that work in the half step that ends at the present [J].
+/// The part of the work of move_nodes() in the half step that ends at the
+/// present [J].
 template <typename Real>
 double work_until_now(const NodeFields<Real> &nodes,
                       const std::vector<unsigned char> &counted,

@@ -15,34 +15,34 @@
 
 namespace contrecoup::solid
 {
-/// What the elements and the assembled body allow as a step.
+/// Stable step of the assembled body, and of its most restrictive element.
 struct StepCertificate
 {
-  double body_step = 0.;        ///< 2 / omega of the body [s]
-  double uncertainty = 0.;      ///< of omega, relative
-  double element_step = 0.;     ///< least of any element alone [s]
-  std::uint32_t element = 0;    ///< that element, in the whole mesh
-  Tissue tissue = Tissue::none; ///< of it
-  dealii::Point<3> place;       ///< of it [m]
+  double body_step = 0.;     ///< 2 / omega_max of the body [s]
+  double uncertainty = 0.;   ///< of omega_max, relative
+  double element_step = 0.;  ///< smallest step of any single element [s]
+  std::uint32_t element = 0; ///< the element with that step, in the whole mesh
+  Tissue tissue = Tissue::none; ///< tissue of the element
+  dealii::Point<3> place;       ///< centre of the element [m]
   unsigned int iterations = 0;
 };
 
-/// Energies of all ranks [J].
+/// Energies summed over all ranks [J].
 struct EnergyBalance
 {
   std::vector<TissueEnergies> tissues;
   TissueEnergies sum;
-  double external_work = 0.; ///< of loads, moved supports and gravity
+  double external_work = 0.; ///< by loads, moving supports and gravity
   double contact = 0.;       ///< in the springs of the ground
-  /// Work of the elements' forces as their nodes felt it: what the sums over
-  /// elements should be.
+  /// Work of internal forces on the nodes; should equal the sum of element
+  /// energies.
   double nodal_internal_work = 0.;
   double initial = 0.; ///< kinetic and stored energy at the start
-  /// What changes of the step size did to the energy that central differences
-  /// conserve, which is H - dt^2 / 8 f M^-1 f.
+  /// Change by varying step sizes of the energy that central differences
+  /// conserve, H - dt^2 / 8 f M^-1 f.
   double step_change = 0.;
 
-  /// What is missing in the energy of elements and nodes.
+  /// Energy that is missing in the balance of elements and nodes.
   double residual() const
   {
     return sum.kinetic + sum.internal() + contact - external_work - initial -
@@ -50,23 +50,21 @@ struct EnergyBalance
   }
 };
 
-/**
- * A deformable body: mesh, state, and its steps by central differences with a
- * lumped mass. Every function is collective.
- */
+/// A deformable body: mesh, state, and explicit central-difference time steps
+/// with a lumped mass. Every function is collective.
 template <typename Real>
 class SolidBody
 {
 public:
-  /// Elements that alone would have a smaller stable step [s] get mass until
-  /// they have it; 0: none do. Call before reinit().
+  /// Enables mass scaling for elements with a stable step below @p step [s];
+  /// 0: none. Call before reinit().
   void set_smallest_step(const double step)
   {
     smallest_step_ = step;
   }
 
   /**
-   * Builds the part of this rank, at rest.
+   * Builds this rank's part of the body, at rest.
    * @throws InputError for inverted elements
    */
   void reinit(
@@ -78,55 +76,57 @@ public:
     const SurfaceLoads &loads,
     MPI_Comm communicator);
 
-  /// The longest stable step without bulk viscosity. Only at rest: uses the
-  /// displacements and velocities as memory and leaves them zero.
+  /// The largest stable step without bulk viscosity, by Lanczos iteration.
+  /// Call at rest only: the method uses displacements and velocities as work
+  /// vectors and sets them to zero.
   StepCertificate certify_step();
 
-  /// Gravity and ground, whose step was set.
+  /// Sets gravity and ground; Surroundings::set_step() must have been called.
   void set_surroundings(const Surroundings &surroundings)
   {
     surroundings_ = surroundings;
   }
 
-  /// Part of the elements' updates so far that was not computed, as nothing
-  /// had moved there; since the start or the last restart.
+  /// Fraction of element updates that were skipped because nothing had moved
+  /// there, since the start or the last restart.
   double quiet_part() const;
 
   /// Force of the ground on the body [N].
   double ground_force() const;
 
-  /// Makes the forces of a state that was set from outside, at its time.
+  /// Computes the forces of a state that was set from outside. @param time of
+  /// the state [s]
   void start(const double time);
 
-  /// A step that was made.
+  /// A completed step.
   struct Advance
   {
-    double step;          ///< its size [s]
-    unsigned int retries; ///< times that it was halved
+    double step;          ///< size [s]
+    unsigned int retries; ///< number of times that it was halved
   };
 
   /**
-   * One step of at most this size: the state is put back, and the step halved,
-   * when an element would have no volume, or the most compressed one of a
-   * tissue lose a fifth of it, or numbers would not be finite.
-   * @throws NumericsError, naming the element, when so many retries do not
-   *   help; the state is then that before the step
+   * Makes one step of at most the size @p step. The step is halved and
+   * repeated if an element inverts, if the most compressed element of a tissue
+   * loses a fifth of its volume, or if a value is not finite.
+   * @throws NumericsError, naming the element, when @p largest_retries
+   * halvings do not help; the state is then that before the step
    */
   Advance advance(const double step, const unsigned int largest_retries = 10);
 
-  /// What elements with gas allow as a step now: the least of any of their
-  /// tissue, at the largest compression of it [s].
+  /// Smallest stable step of any element of the tissues with gas, at the
+  /// largest compression of the tissue [s].
   double compressed_step() const;
 
-  /// SolidOperator's deformed_step() of all ranks.
+  /// SolidOperator::deformed_step(), minimum over all ranks.
   double deformed_step(const double body_step) const
   {
     return dealii::Utilities::MPI::min(
       operator_.deformed_step(nodes_, body_step), communicator_);
   }
 
-  /// The least volume of an element so far, over its undeformed one [-]; since
-  /// the start or the last restart.
+  /// Smallest ratio of an element's volume to its undeformed volume since the
+  /// start or the last restart.
   double least_volume() const
   {
     return least_volume_;
@@ -176,25 +176,25 @@ public:
     return mass_scaling_;
   }
 
-  /// Mass of all ranks, with what was added [kg].
+  /// Mass of all ranks including mass scaling [kg].
   double mass() const
   {
     return mass_;
   }
 
-  /// Momentum of all ranks in the middle of the last step [N s].
+  /// Total momentum of all ranks in the middle of the last step [N s].
   dealii::Tensor<1, 3> momentum() const;
 
-  /// Writes the state of this rank into @p folder. @throws SystemError
+  /// Writes this rank's state to @p folder. @throws SystemError
   void save(const std::string &folder) const;
 
-  /// Reads the state, which any number of ranks wrote.
+  /// Reads the state written by any number of ranks.
   /// @throws InputError when it belongs to another scene
   void restore(const std::string &folder);
 
 private:
-  struct Numbers; ///< of the whole body, in checkpoints
-  struct Past;    ///< a state to step back to
+  struct Numbers; ///< global values in a checkpoint
+  struct Past;    ///< an earlier state for retries
 
   void take_step(const double step);
   void keep();
@@ -222,19 +222,20 @@ private:
   Supports supports_;
   SurfaceLoads loads_;
   Surroundings surroundings_;
-  double smallest_step_ = 0.; ///< that elements shall have alone [s]
+  double smallest_step_ = 0.; ///< of a single element, for mass scaling [s]
   MassScaling mass_scaling_;
-  std::vector<unsigned char> counted_; ///< nodes with inertia of this rank
+  /// nodes that this rank counts in sums; hanging nodes have no inertia
+  std::vector<unsigned char> counted_;
   bool skips_quiet_ = true;
-  double computed_ = 0.; ///< batches, of this rank
-  double offered_ = 0.;  ///< the same with quiet ones
+  double computed_ = 0.; ///< number of computed batches, of this rank
+  double offered_ = 0.;  ///< number of computed and skipped batches
   double mass_ = 0.;
   double time_ = 0.;
-  double relaxed_time_ = 0.; ///< to which relaxed strains were brought [s]
+  double relaxed_time_ = 0.; ///< time of the stored relaxed strains [s]
   StepTimes times_;
   double external_work_ = 0.; ///< of this rank
-  double nodal_work_ = 0.;    ///< of all forces, of this rank
-  double step_change_ = 0.;   ///< of the energy, of this rank
+  double nodal_work_ = 0.;    ///< work of all forces, of this rank [J]
+  double step_change_ = 0.;   ///< see EnergyBalance, of this rank [J]
   double initial_energy_ = 0.;
   std::shared_ptr<Past> past_;
   std::vector<double> least_dilatations_; ///< by tissue, of all ranks

@@ -10,14 +10,15 @@
 
 namespace contrecoup::solid
 {
-/// Where the energy of a tissue is, or went [J].
+/// Energies of a tissue [J].
 struct TissueEnergies
 {
   double kinetic = 0.;
-  double stored = 0.;    ///< in strains
-  double hourglass = 0.; ///< in hourglass modes, or lost in their dampers
+  double stored = 0.; ///< elastic strain energy
+  /// stored in hourglass modes, or dissipated by their damping
+  double hourglass = 0.;
   double bulk_viscosity = 0.;
-  double relaxation = 0.; ///< lost in Prony branches
+  double relaxation = 0.; ///< dissipated in Prony branches
 
   double internal() const
   {
@@ -25,27 +26,26 @@ struct TissueEnergies
   }
 };
 
-/// The state of an element, for output.
+/// Strain and stress of one element, for output.
 struct ElementValues
 {
-  Symmetric3<double> strain; ///< Green's, or the small one [-]
-  Symmetric3<double> stress; ///< Cauchy's [Pa]
+  Symmetric3<double> strain; ///< Green-Lagrange, or infinitesimal strain [-]
+  Symmetric3<double> stress; ///< Cauchy stress [Pa]
   double dilatation = 0.;
   double volume = 0.; ///< undeformed [m^3]
 };
 
-/// The step that led to the present, and how far relaxation goes.
+/// Sizes of the time steps that forces and relaxation need.
 struct StepTimes
 {
-  double before = 0.;       ///< size of the last step; 0: none was made [s]
-  double relax_before = 0.; ///< from where relaxed strains stand to now [s]
-  double relax_after = 0.;  ///< half of the next step [s]
+  double before = 0.; ///< size of the last step [s]; 0 before the first
+  /// from the time of stored relaxed strains to now [s]
+  double relax_before = 0.;
+  double relax_after = 0.; ///< half of the next step [s]
 };
 
-/**
- * Internal forces of a rank's elements, and what can be said of these.
- * Knows neither other ranks nor loads.
- */
+/// Internal forces of this rank's elements, their energies, and their strains
+/// and stresses. Independent of other ranks and of loads.
 template <typename Real>
 class SolidOperator
 {
@@ -55,53 +55,56 @@ public:
               const std::vector<SolidMaterial> &materials,
               const ElementOptions &options);
 
-  /// Coordinates, and everything else zero.
+  /// Sets node coordinates, and all other fields to zero.
   void reinit_nodes(NodeFields<Real> &nodes) const;
 
-  /// An eighth of each element's mass at its corners [kg].
+  /// Lumped masses of the nodes [kg]: an eighth of each adjacent element's
+  /// mass.
   std::vector<double> nodal_masses() const;
 
-  /// Adds internal forces, and brings the elements' state to the present.
+  /// Adds internal forces to @p nodes and advances the history variables to
+  /// the present.
   void add_forces(NodeFields<Real> &nodes, const StepTimes &times);
 
-  /// The least dilatation of each tissue's elements in the last add_forces();
-  /// minus infinity when numbers were not finite.
+  /// Minimum dilatation over each tissue's elements at the last call of
+  /// add_forces(); minus infinity if a value was not finite.
   const std::vector<double> &least_dilatations() const
   {
     return least_dilatations_;
   }
 
-  /// Finds these in the elements' memory.
+  /// Recomputes least_dilatations() from the history variables.
   void find_least_dilatations();
 
-  /// The dilatation that an element remembers.
+  /// The stored dilatation of an element.
   double dilatation(const std::uint32_t cell) const
   {
     const std::uint32_t slot = batches_.slot(cell);
     return batches_.dilatation[slot / n_lanes<Real>][slot % n_lanes<Real>];
   }
 
-  /// Adds the forces of small displacements of a body at rest, with the
-  /// instantaneous moduli; changes no state.
+  /// Adds linear elastic forces for small displacements from rest, with
+  /// instantaneous moduli. Does not change history variables.
   void add_linear_forces(NodeFields<Real> &nodes);
 
-  /// Energies by tissue, of this rank. Kinetic ones are half of v(before) M
-  /// v(after a step) around the present, which is conserved exactly.
+  /// Energies by tissue, of this rank. Kinetic energy is half of v(t - dt / 2)
+  /// M v(t + dt / 2), which central differences conserve exactly.
   std::vector<TissueEnergies> energies(const NodeFields<Real> &nodes,
                                        const StepTimes &times) const;
 
   /**
-   * What deformed elements allow as a step [s], where at rest the body allows
-   * @p body_step and each element alone its own: of no element less than it
-   * allows alone now, nor than the body's step by the square root of what it
-   * has stiffened. Of this rank; an estimate, since neighbours are not looked
-   * at.
+   * Estimates the stable step of the deformed elements of this rank [s]: the
+   * minimum of @p body_step and, over all elements, max(body_step, step_e) /
+   * sqrt(s_e), where step_e is the stable step of the single undeformed
+   * element and s_e >= 1 the factor by which deformation stiffens the element.
+   * Interaction with neighbours is ignored.
+   * @param body_step stable step of the undeformed body [s]
    */
   double deformed_step(const NodeFields<Real> &nodes,
                        const double body_step) const;
 
-  /// Calls @p function for each element (number in the mesh of this rank), or
-  /// for those of one tissue (index in the mesh).
+  /// Calls @p function(local cell number, values) for each element, or for
+  /// those of one tissue (index in SolidMesh::tissues).
   void visit(
     const NodeFields<Real> &nodes,
     const StepTimes &times,
@@ -109,15 +112,15 @@ public:
     const unsigned int tissue = all_tissues) const;
   static constexpr unsigned int all_tissues = -1;
 
-  /// The same for those of one tissue near which something has moved; all
-  /// others have no strain and no stress.
+  /// As visit(), for the elements of one tissue that are awake; all others
+  /// have zero strain and stress.
   void visit_moved(
     const NodeFields<Real> &nodes,
     const StepTimes &times,
     const std::function<void(std::uint32_t, const ElementValues &)> &function,
     const unsigned int tissue) const;
 
-  /// One element.
+  /// Values of one element.
   ElementValues values(const NodeFields<Real> &nodes,
                        const StepTimes &times,
                        const std::uint32_t cell) const;
@@ -136,7 +139,7 @@ public:
     return materials_;
   }
 
-  /// What was turned into heat so far, for checkpoints.
+  /// Dissipated energies by tissue, for checkpoints.
   std::vector<TissueEnergies> &losses()
   {
     return losses_;
@@ -146,7 +149,7 @@ public:
     return losses_;
   }
 
-  /// v(before) v(after a step) of each node [m^2/s^2].
+  /// v(t - dt / 2) v(t + dt / 2) of each node [m^2/s^2].
   std::vector<Real> velocity_squares(const NodeFields<Real> &nodes,
                                      const StepTimes &times) const;
 
@@ -154,17 +157,17 @@ private:
   using Lane = Lanes<Real>;
   using Range = typename HexBatches<Real>::Range;
 
-  /// What resists hourglass modes of a material.
+  /// Hourglass control of a material.
   Hourglass<Lane> hourglass(const SolidMaterial &material) const;
   HexModel<Lane> model(const SolidMaterial &material,
                        const StepTimes &times) const;
 
-  /// The model of small strains of a body at rest.
+  /// The linear elastic model of a body at rest.
   HexModel<Lane> linear_model(const SolidMaterial &material) const;
 
-  /// Adds the forces of batches that are awake, which @p find_forces gives
-  /// for a model, batch, corners, displacements, state and heat; with relaxed
-  /// strains in the state of viscoelastic ones.
+  /// Loop over the awake batches of a tissue: adds the forces that @p
+  /// find_forces(model, batch, corners, displacements, state, heat) returns.
+  /// The state includes relaxed strains if @p viscoelastic.
   template <bool viscoelastic, typename Forces>
   void add_batches(const Range &range,
                    NodeFields<Real> &nodes,
@@ -179,13 +182,12 @@ private:
   template <SolidKinematics kinematics>
   void add_all(NodeFields<Real> &nodes, const StepTimes &times);
 
-  /// What a batch has in place of K where gas makes its pressure: the pressure
-  /// over the dilatation [Pa].
+  /// Secant bulk modulus of a tissue with gas: pressure over dilatation [Pa].
   Lane secant_bulk(const SolidLaw<Lane> &law,
                    const NodeFields<Real> &nodes,
                    const unsigned int batch) const;
 
-  /// Whether shear is integrated in eight points.
+  /// Whether shear is integrated at 2 x 2 x 2 points.
   bool full() const
   {
     return options_.integration == Integration::full;

@@ -14,7 +14,7 @@
 
 namespace contrecoup::solid
 {
-/// Displacements and velocities at the start: subsection "Initial state".
+/// Initial displacements and velocities: subsection "Initial state".
 class InitialMotion
 {
 public:
@@ -30,7 +30,7 @@ private:
 };
 
 
-/// The displacements that theory has: subsection "Reference".
+/// Reference displacements and pressure: subsection "Reference".
 class ReferenceMotion
 {
 public:
@@ -38,10 +38,10 @@ public:
   void parse_parameters(dealii::ParameterHandler &prm);
 
   /**
-   * displacement_L2 (relative to the norm of the reference, weighted with
-   * masses), displacement_maximum (relative to the largest displacement of the
-   * reference), and pressure_L1 (mean absolute error over the mean absolute
-   * pressure of the reference), where they are given. Collective.
+   * The errors against the given references: displacement_L2 (relative to the
+   * norm of the reference, weighted with masses), displacement_maximum
+   * (relative to the largest reference displacement), and pressure_L1 (mean
+   * absolute error over the mean absolute reference pressure). Collective.
    */
   template <typename Real>
   std::vector<NamedValue> errors(const SolidBody<Real> &body) const;
@@ -54,7 +54,7 @@ private:
   void add_pressure(const SolidBody<Real> &body,
                     std::vector<NamedValue> &errors) const;
 
-  std::vector<Expression> displacement_; ///< empty: not given
+  std::vector<Expression> displacement_; ///< empty: no reference
   std::optional<Expression> pressure_;
 };
 } // namespace contrecoup::solid

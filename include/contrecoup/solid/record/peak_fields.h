@@ -16,9 +16,9 @@
 namespace contrecoup::solid
 {
 /**
- * What each element went through so far: highest and lowest pressure, largest
- * von Mises stress and largest principal strain, for the fields, and by tissue
- * for the summary. Subsection "Peaks".
+ * Extreme values of each element over time: highest and lowest pressure,
+ * largest von Mises stress, largest principal strain. They are output as
+ * fields, and by tissue in the summary. Subsection "Peaks".
  */
 template <typename Real>
 class PeakFields
@@ -32,7 +32,7 @@ public:
   static void declare_parameters(dealii::ParameterHandler &prm);
   void parse_parameters(dealii::ParameterHandler &prm);
 
-  /// Whether peaks are kept.
+  /// Whether peaks are recorded.
   bool active() const
   {
     return active_;
@@ -44,25 +44,25 @@ public:
   /// Call after each step. Collective.
   void follow(const SolidBody<Real> &body);
 
-  /// Of each tissue, as "highest_pressure_brain": the extremes of its elements
-  /// and, as "principal_strain_95_brain", the largest principal strain that 95
-  /// % of its volume never exceeded. Collective.
+  /// For each tissue, as "highest_pressure_brain": the extreme values over its
+  /// elements and, as "principal_strain_95_brain", the volume-weighted 95th
+  /// percentile of the elements' largest principal strain. Collective.
   std::vector<NamedValue> measures(const SolidBody<Real> &body) const;
 
-  /// A field by elements of this rank, by its number in names.
+  /// Field @p number of names, by local element.
   const std::vector<float> &field(const unsigned int number) const
   {
     return fields_[number];
   }
 
-  /// Of this rank, into and from @p folder; any number of ranks wrote.
-  /// @throws InputError for files of another scene
+  /// Saves this rank's peaks to @p folder, or restores what any number of
+  /// ranks saved. @throws InputError for files of another scene
   void save(const SolidBody<Real> &body, const std::string &folder) const;
   void restore(const SolidBody<Real> &body, const std::string &folder);
 
 private:
   bool active_ = false;
-  bool averaged_ = true; ///< whether pressures are
+  bool averaged_ = true; ///< pressures, over neighbours
   unsigned int interval_ = 10;
   std::uint64_t n_steps_ = 0;
   std::vector<TissueAverage> averages_; ///< by tissue

@@ -12,37 +12,36 @@
 
 namespace contrecoup::solid
 {
-/// What a probe reads, in the order of its columns.
+/// Name and unit of a column of a probe.
 struct ProbeQuantity
 {
   std::string name;
   std::string unit;
 };
 
-/// displacement and velocity of the nearest node; pressure, von Mises stress,
-/// largest principal strain and the six stresses of the nearest element.
+/// The columns: displacement and velocity of the nearest node; pressure, von
+/// Mises stress, largest principal strain and the six stress components of the
+/// nearest element.
 const std::vector<ProbeQuantity> &probe_quantities();
 
-/**
- * Gauges in the body, subsection "Probes", and what is measured with them over
- * time, subsection "Measures".
- */
+/// Probes in the body, subsection "Probes", and statistics of their signals
+/// over time, subsection "Measures".
 class SolidProbes
 {
 public:
   static void declare_parameters(dealii::ParameterHandler &prm);
 
-  /// @throws InputError for a measure of a probe that is not there
+  /// @throws InputError for a measure of a missing probe
   void parse_parameters(dealii::ParameterHandler &prm);
 
-  /// Finds nodes and elements next to the probes. Collective.
+  /// Finds the node and the element nearest to each probe. Collective.
   void reinit(const SolidMesh &mesh, MPI_Comm communicator);
 
-  /// Reads all probes; measures follow. Collective.
+  /// Reads all probes and updates the measures. Collective.
   template <typename Real>
   void read(const SolidBody<Real> &body);
 
-  /// Whether read() is to be called in every step.
+  /// Whether read() must be called after every step.
   bool measures() const
   {
     return !measures_.empty();
@@ -53,13 +52,13 @@ public:
     return places_.empty();
   }
 
-  /// What was read last, "probe_1_pressure" and so on.
+  /// The last values read, named "probe_1_pressure" and so on.
   std::vector<NamedValue> values() const;
 
-  /// Measured numbers by the name of their measure.
+  /// Results of the measures, by name.
   std::vector<NamedValue> measured() const;
 
-  /// The same over what was expected, less 1.
+  /// Relative errors of the measures against their expected values.
   std::vector<NamedValue> errors() const;
 
   void save(std::ostream &stream) const;
@@ -83,7 +82,7 @@ private:
     double expected;
     double first_time;
     double threshold;
-    /// What was seen so far: extremum, or times of crossings.
+    /// State of the statistic: extreme value, or times of crossings.
     double value = 0.;
     double last = 0.;
     double last_time = 0.;

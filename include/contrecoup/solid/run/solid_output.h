@@ -10,12 +10,12 @@
 namespace contrecoup::solid
 {
 /**
- * Writes the body for ParaView: `solid_0012.vtu`, or a piece for each rank and
- * `solid_0012.pvtu`. Points are those of the undeformed body; displacement and
- * velocity stand at nodes, tissue, pressure, von Mises stress and largest
- * principal strain in elements, and the peaks that are kept. Collective.
- * @return the file to open, without folder
- * @throws SystemError
+ * Writes the body for ParaView: `solid_0012.vtu`, or one piece per rank and
+ * `solid_0012.pvtu`. Points are those of the undeformed body. Point data are
+ * displacement and velocity; cell data are tissue, pressure, von Mises stress,
+ * largest principal strain and the recorded peaks. Collective.
+ * @return name of the file to open, without folder
+ * @throws SystemError when the disk fails
  */
 template <typename Real>
 std::string write_solid(const SolidBody<Real> &body,

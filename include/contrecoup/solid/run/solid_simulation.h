@@ -16,12 +16,13 @@
 
 namespace contrecoup::solid
 {
-/// Words of "Elements/Precision".
+/// Choices of "Elements/Precision".
 const std::vector<std::string> &solid_precision_names();
 
 /**
- * Stress waves in a body: mesh, materials, loads, steps, energy audit, output.
- * @tparam Real of the state and the arithmetic of elements
+ * The solid solver: explicit dynamics of a deformable body with materials,
+ * supports, loads, energy audit and output.
+ * @tparam Real number type of the state and of element arithmetic
  */
 template <typename Real>
 class SolidSimulation : public Simulation
@@ -79,7 +80,7 @@ private:
   InjuryReport<Real> injury_;
   PeakFields<Real> peaks_;
   double safety_ = 0.9;
-  double smallest_step_ = 0.; ///< for mass scaling [s]
+  double smallest_step_ = 0.; ///< of an element, for mass scaling [s]
   double largest_residual_ = 0.01;
   double largest_hourglass_ = 0.1;
   double end_time_ = 0.;
@@ -87,9 +88,10 @@ private:
   SolidBody<Real> body_;
   StepCertificate certificate_;
   double stable_step_ = 0.;
-  double reduction_ = 1.; ///< of the step, after one was halved
+  double reduction_ = 1.; ///< factor on the step after retries
   double deformed_step_ = std::numeric_limits<double>::infinity();
-  double steps_until_check_ = 0.; ///< of what deformed elements allow
-  double energy_scale_ = 0.;      ///< largest energy so far [J]
+  /// until the next check of deformed elements
+  double steps_until_check_ = 0.;
+  double energy_scale_ = 0.; ///< largest energy so far [J]
 };
 } // namespace contrecoup::solid
