@@ -11,7 +11,7 @@ namespace contrecoup::ale
 {
 namespace
 {
-  /// Sums over the points of a cell, by volume.
+  /// Volume-weighted sums over the points of a cell.
   struct CellSums
   {
     double volume = 0., density = 0., pressure = 0., velocity_error = 0.;
@@ -58,7 +58,7 @@ std::vector<NamedValue> flow_errors(const ExactFlow &flow,
                                     const AleState &state,
                                     const double radius)
 {
-  // Density, velocity, pressure, volume.
+  // Errors of density, velocity and pressure; volume.
   std::vector<double> sums(4, 0.);
   for (std::size_t c = 0; c < space.n_own_cells(); ++c)
   {

@@ -23,9 +23,9 @@ void NohFlow::declare_parameters(ParameterHandler &prm)
                  "-",
                  "Ratio of specific heats of the gas.");
   declare_double(
-    prm, "Density", "1", 1e-6, 1e6, "kg/m^3", "Of the gas at the start.");
+    prm, "Density", "1", 1e-6, 1e6, "kg/m^3", "Initial density of the gas.");
   declare_double(
-    prm, "Speed", "1", 1e-6, 1e6, "m/s", "Of the gas that runs inwards.");
+    prm, "Speed", "1", 1e-6, 1e6, "m/s", "Initial inward speed of the gas.");
 }
 
 

@@ -15,7 +15,7 @@ namespace contrecoup::ale
 {
 namespace
 {
-  /// A flow that can be chosen.
+  /// A flow that Reference/Kind may name.
   struct Kind
   {
     std::string name, section;
@@ -54,23 +54,25 @@ void Reference::declare_parameters(ParameterHandler &prm)
                                  "probe displacements"};
   for (const Kind &kind : flows)
     names.push_back(kind.name);
-  declare_selection(
-    prm,
-    "Kind",
-    "none",
-    names,
-    "Solution that the run is compared with: at the probes, of a liquid in a "
-    "rigid sphere that is decelerated, or in an elastic shell that hits a wall; "
-    "everywhere, of gases that meet, an implosion, a blast, vortices, a liquid "
-    "that a wall stops, or of a table. Of particles also expressions, the "
-    "front of a region over time, how far regions reach in the end, and displacements at probes. Only the entries of its subsection count.");
+  declare_selection(prm,
+                    "Kind",
+                    "none",
+                    names,
+                    "Solution that the run is compared with. At the probes: "
+                    "a liquid in a rigid sphere that is decelerated, or in "
+                    "an elastic shell that hits a wall. In all cells: shock "
+                    "tube, implosion, point explosion, vortices, a liquid "
+                    "stopped by a wall, or a table. For particles also "
+                    "expressions, the front of a region over time, final "
+                    "extents of regions, and displacements at probes. Only "
+                    "the entries of the chosen subsection count.");
   declare_double(prm,
                  "Largest radius",
                  "1e6",
                  1e-9,
                  1e6,
                  "m",
-                 "Of the ball around the origin in which a flow is compared.");
+                 "A flow is compared within this distance from the origin.");
   {
     const Section sphere(prm, "Rigid sphere");
     SpherePeaks::declare_parameters(prm);

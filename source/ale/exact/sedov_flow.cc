@@ -16,14 +16,14 @@ void SedovFlow::declare_parameters(ParameterHandler &prm)
                  "-",
                  "Ratio of specific heats of the gas.");
   declare_double(
-    prm, "Density", "1", 1e-6, 1e6, "kg/m^3", "Of the gas at the start.");
+    prm, "Density", "1", 1e-6, 1e6, "kg/m^3", "Initial density of the gas.");
   declare_double(prm,
                  "Energy",
                  "0.851072",
                  1e-12,
                  1e18,
                  "J",
-                 "Of the blast, in all directions.");
+                 "Energy of the explosion in all directions.");
 }
 
 

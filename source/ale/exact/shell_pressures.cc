@@ -14,18 +14,34 @@ namespace contrecoup::ale
 void ShellPressures::declare_parameters(ParameterHandler &prm)
 {
   declare_double(
-    prm, "Fluid radius", "0.079", 1e-6, 1e6, "m", "Of the liquid.");
+    prm, "Fluid radius", "0.079", 1e-6, 1e6, "m", "Inner shell radius.");
+  declare_double(prm,
+                 "Fluid density",
+                 "1000",
+                 1e-6,
+                 1e6,
+                 "kg/m^3",
+                 "Density of the liquid.");
   declare_double(
-    prm, "Fluid density", "1000", 1e-6, 1e6, "kg/m^3", "Of the liquid.");
+    prm, "Thickness", "0.007", 1e-9, 1e6, "m", "Thickness of the shell.");
   declare_double(
-    prm, "Thickness", "0.007", 1e-9, 1e6, "m", "Of the shell around it.");
+    prm, "Shell density", "1800", 1e-6, 1e6, "kg/m^3", "Shell density.");
+  declare_double(prm,
+                 "Young modulus",
+                 "6.5e9",
+                 1.,
+                 1e15,
+                 "Pa",
+                 "Young's modulus of the shell.");
+  declare_double(prm,
+                 "Poisson ratio",
+                 "0.22",
+                 0.,
+                 0.49,
+                 "-",
+                 "Poisson's ratio of the shell.");
   declare_double(
-    prm, "Shell density", "1800", 1e-6, 1e6, "kg/m^3", "Of the shell.");
-  declare_double(
-    prm, "Young modulus", "6.5e9", 1., 1e15, "Pa", "Of the shell.");
-  declare_double(prm, "Poisson ratio", "0.22", 0., 0.49, "-", "Of the shell.");
-  declare_double(
-    prm, "Speed", "3", 1e-9, 1e6, "m/s", "Before the impact, along -z.");
+    prm, "Speed", "3", 1e-9, 1e6, "m/s", "Speed before the impact, along -z.");
 }
 
 
@@ -90,7 +106,7 @@ ShellPressures::errors(const Peaks &parts,
                        const double mass,
                        const MPI_Comm communicator) const
 {
-  // Ranks without a probe have what it had at a restart, and no place.
+  // Other ranks hold a probe's restored amplitude, but no position.
   const auto largest = [&](const double value) {
     return dealii::Utilities::MPI::max(value, communicator);
   };
@@ -110,7 +126,7 @@ ShellPressures::errors(const Peaks &parts,
   std::vector<NamedValue> result{{"acceleration", "-", acceleration - 1.}};
   for (std::size_t i = 0; i + 1 < amplitudes.size(); i += 2)
   {
-    // Not known where a restart made no step.
+    // Unknown if the run made no step since a restart.
     if (distances[i] == 0.)
       continue;
     double exact = 0., rigid = 0.;

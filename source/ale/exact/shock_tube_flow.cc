@@ -24,18 +24,18 @@ void ShockTubeFlow::declare_parameters(ParameterHandler &prm)
                  -1e6,
                  1e6,
                  "m",
-                 "x where the gases meet at the start.");
+                 "Initial x of the interface between the gases.");
   for (const char *const name : {"Left", "Right"})
-    declare_list(prm,
-                 name,
-                 "1, 0, 1",
-                 3,
-                 3,
-                 -1e12,
-                 1e12,
-                 "-",
-                 "Density [kg/m^3], velocity [m/s] and pressure [Pa] of a "
-                 "gas.");
+    declare_list(
+      prm,
+      name,
+      "1, 0, 1",
+      3,
+      3,
+      -1e12,
+      1e12,
+      "-",
+      "Density [kg/m^3], velocity [m/s] and pressure [Pa] of this gas.");
   declare_double(prm,
                  "Gamma",
                  "1.4",

@@ -11,19 +11,21 @@ namespace contrecoup::ale
 {
 void SpherePeaks::declare_parameters(ParameterHandler &prm)
 {
-  declare_double(prm, "Radius", "0.09", 1e-6, 1e6, "m", "Of the sphere.");
-  declare_double(prm, "Density", "1000", 1e-6, 1e6, "kg/m^3", "Of the liquid.");
   declare_double(
-    prm, "Sound speed", "1483", 1e-3, 1e6, "m/s", "In the liquid.");
+    prm, "Radius", "0.09", 1e-6, 1e6, "m", "Radius of the sphere.");
+  declare_double(
+    prm, "Density", "1000", 1e-6, 1e6, "kg/m^3", "Density of the liquid.");
+  declare_double(
+    prm, "Sound speed", "1483", 1e-3, 1e6, "m/s", "Sound speed of liquid.");
   declare_double(prm,
                  "Deceleration",
                  "1000",
                  0.,
                  1e9,
                  "m/s^2",
-                 "The largest of the sphere, half a sine.");
+                 "Peak of the half-sine deceleration of the sphere.");
   declare_double(
-    prm, "Duration", "1e-3", 1e-9, 1e3, "s", "Of the deceleration.");
+    prm, "Duration", "1e-3", 1e-9, 1e3, "s", "Duration of the deceleration.");
 }
 
 
@@ -80,7 +82,7 @@ void SpherePeaks::take(const dealii::Point<3> &place,
 std::vector<NamedValue> SpherePeaks::errors(const Peaks &peaks,
                                             const MPI_Comm communicator)
 {
-  // Where the pressure only falls, its peak is small.
+  // Relative to the largest peak: where pressure only falls, peaks vanish.
   double largest = 0., difference = 0.;
   for (const auto &peak : peaks)
   {

@@ -11,8 +11,8 @@ void TableFlow::declare_parameters(ParameterHandler &prm)
   declare_file(prm,
                "File",
                "",
-               "Table of radius [m], density [kg/m^3], velocity away from the "
-               "origin [m/s] and pressure [Pa] at the end time.");
+               "Table of radius [m], density [kg/m^3], radial velocity "
+               "[m/s] and pressure [Pa] at the end time.");
 }
 
 

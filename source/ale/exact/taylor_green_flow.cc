@@ -10,13 +10,14 @@ namespace contrecoup::ale
 {
 void TaylorGreenFlow::declare_parameters(ParameterHandler &prm)
 {
-  declare_double(prm, "Density", "1", 1e-6, 1e6, "kg/m^3", "Of the fluid.");
   declare_double(
-    prm, "Speed", "1", 1e-6, 1e6, "m/s", "The largest of the vortices.");
+    prm, "Density", "1", 1e-6, 1e6, "kg/m^3", "Density of the fluid.");
   declare_double(
-    prm, "Pressure", "1", 1e-6, 1e12, "Pa", "Mean over each square.");
+    prm, "Speed", "1", 1e-6, 1e6, "m/s", "Largest speed of the vortices.");
   declare_double(
-    prm, "Side", "1", 1e-6, 1e6, "m", "Of the square of each vortex.");
+    prm, "Pressure", "1", 1e-6, 1e12, "Pa", "Mean pressure over each square.");
+  declare_double(
+    prm, "Side", "1", 1e-6, 1e6, "m", "Side of the square of each vortex.");
 }
 
 

@@ -16,13 +16,18 @@ void WaterHammerFlow::declare_parameters(ParameterHandler &prm)
                  1e-6,
                  1e6,
                  "kg/m^3",
-                 "Of the liquid without pressure.");
+                 "Density of the liquid at zero pressure.");
   declare_double(
-    prm, "Bulk modulus", "2.2e9", 1., 1e15, "Pa", "K_0 of Tait's law.");
+    prm, "Bulk modulus", "2.2e9", 1., 1e15, "Pa", "K_0 of the Tait equation.");
   declare_double(
-    prm, "Exponent", "7.15", 1.0001, 100., "-", "n of Tait's law.");
-  declare_double(
-    prm, "Speed", "3", 1e-6, 1e6, "m/s", "Of the liquid towards the wall.");
+    prm, "Exponent", "7.15", 1.0001, 100., "-", "n of the Tait equation.");
+  declare_double(prm,
+                 "Speed",
+                 "3",
+                 1e-6,
+                 1e6,
+                 "m/s",
+                 "Speed of the liquid towards the wall.");
 }
 
 
@@ -33,7 +38,7 @@ std::unique_ptr<ExactFlow> WaterHammerFlow::create(const ParameterHandler &prm)
   flow->speed_ = read_double(prm, "Speed");
   const double modulus = read_double(prm, "Bulk modulus");
   const double n = read_double(prm, "Exponent");
-  // The integral of c d(rho) / rho with c^2 = K_0 / rho_0 (rho / rho_0)^(n-1).
+  // Integral of c d(rho) / rho with c^2 = K_0 / rho_0 (rho / rho_0)^(n-1).
   const double sound_speed = std::sqrt(modulus / flow->density_);
   const double ratio =
     std::pow(1. + 0.5 * (n - 1.) * flow->speed_ / sound_speed, 2. / (n - 1.));

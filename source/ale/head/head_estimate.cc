@@ -15,7 +15,7 @@ namespace
   constexpr double scalp_thickness = 0.005; ///< [m]
   constexpr double scalp_density = 1100.;   ///< [kg/m^3]
 
-  /// Of the sphere with the volume of the ellipsoid [m].
+  /// Radius of the sphere with the volume of the ellipsoid [m].
   double radius_of(const Axes &axes)
   {
     return std::cbrt(axes[0] * axes[1] * axes[2]);
@@ -26,7 +26,7 @@ namespace
     return 4. / 3. * dealii::numbers::PI * axes[0] * axes[1] * axes[2];
   }
 
-  /// How fast the matter at the origin runs into a plane [m/s].
+  /// Normal speed of the matter at the origin towards a plane [m/s].
   double impact_speed(const RegionDescriptions &regions,
                       const ContactPlanes &planes)
   {
@@ -36,7 +36,7 @@ namespace
     return speed;
   }
 
-  /// The skull between two ellipsoids as the shell.
+  /// The skull, between two ellipsoids, as a spherical shell.
   std::optional<ShellImpact> shell_impact(const Axes &inner,
                                           const Axes &outer,
                                           const Region &skull,

@@ -30,28 +30,27 @@ void HeadMeasures::declare_parameters(ParameterHandler &prm)
   declare_string(prm,
                  "Brain",
                  "brain",
-                 "Region whose strains and pressures are followed for "
-                 "injury.csv, if there is one of this name.");
+                 "Region whose strains and pressures are recorded for "
+                 "injury.csv, if a region has this name.");
   declare_string(prm,
                  "Skull",
                  "skull",
-                 "Region whose mean motion is followed for injury.csv, if "
-                 "there is one of this name; else that of the brain is.");
+                 "Region whose mean motion is recorded for injury.csv; if "
+                 "no region has this name, that of the brain is recorded.");
   declare_selection(prm,
                     "Pressure",
                     "averaged",
                     solid::peak_pressure_names(),
-                    "In the brain: that of each cell, or its average over the "
-                    "corners and the cells of the brain around these, which "
-                    "removes pressures that alternate from cell to cell and a "
-                    "tenth of waves as short as ten cells.");
+                    "Pressure in the brain: of each cell, or averaged over "
+                    "its corners and the brain cells around them. Averaging "
+                    "removes checkerboard pressures, and a tenth of waves "
+                    "as short as ten cells.");
   declare_integer(prm,
                   "Every steps",
                   "10",
                   1,
                   1000000,
-                  "Steps from one look at the head to the next; peaks between "
-                  "are missed.");
+                  "Steps between evaluations; peaks in between are missed.");
 }
 
 
@@ -160,7 +159,7 @@ void HeadMeasures::follow_brain(const LagrangeStep &lagrange,
 
 void HeadMeasures::follow_motion(const HexSpace &space, const AleState &state)
 {
-  // Each cell is a mass in its middle.
+  // Each cell is a point mass at its centre.
   solid::MeanMotion motion;
   for (std::size_t c = 0; c < space.n_own_cells(); ++c)
     if (space.region(c) == moving_region())

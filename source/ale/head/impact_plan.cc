@@ -14,22 +14,21 @@ namespace
 {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-  /// Of water at 37 C [m^2/s].
+  /// Kinematic viscosity of water at 37 C [m^2/s].
   constexpr double kinematic_viscosity = 0.7e-6;
 
-  /// Pressure below the ambient one at which water cavitates, at the latest if
-  /// it has germs [Pa].
+  /// Gauge pressure at which water with nuclei cavitates [Pa].
   constexpr double cavitation_pressure = -1e5;
 
   constexpr double gravity = 9.80665;
 
-  /// Coefficient of friction of skin on a wall, about [-].
+  /// Approximate friction coefficient of skin on a wall [-].
   constexpr double usual_friction = 0.3;
 
-  /// Part of the energy that may be left out [-].
+  /// Fraction of the energy that may be neglected [-].
   constexpr double small_part = 0.05;
 
-  /// Regions whose liquid bears any tension.
+  /// Numbers of regions with a liquid that sustains any tension.
   std::vector<std::size_t> tense_liquids(const std::vector<Region> &regions)
   {
     std::vector<std::size_t> result;
@@ -82,8 +81,8 @@ double ImpactPlan::expected_tension(const Region &region) const
 
 double ImpactPlan::expected_friction() const
 {
-  // A body that rebounds as it came gets at most twice its momentum along the
-  // normal, and friction the coefficient's part of that.
+  // A fully rebounding body receives at most twice its normal momentum, and
+  // friction at most that impulse times the coefficient.
   double largest = 0.;
   for (const ContactPlane &plane : planes)
   {
@@ -118,7 +117,7 @@ void ImpactPlan::add_contact(std::vector<Assumption> &items) const
 {
   if (planes.empty())
     return;
-  // That of a head that is at the plane at the start.
+  // Contact time of a head that touches the plane at the start.
   items.push_back(
     {"contact",
      "followed until the end time",

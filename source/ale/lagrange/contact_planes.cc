@@ -30,8 +30,15 @@ namespace
 void ContactPlanes::declare_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "Plane *");
-  declare_list(
-    prm, "Point", "0, 0, 0", 3, 3, -1e6, 1e6, "m", "Of the rigid plane.");
+  declare_list(prm,
+               "Point",
+               "0, 0, 0",
+               3,
+               3,
+               -1e6,
+               1e6,
+               "m",
+               "A point on the rigid plane.");
   declare_list(prm,
                "Normal",
                "0, 0, 1",
@@ -40,14 +47,15 @@ void ContactPlanes::declare_parameters(ParameterHandler &prm)
                -1e6,
                1e6,
                "-",
-               "Of the plane, of any length, into the side of the matter.");
-  declare_double(prm,
-                 "Friction",
-                 "0",
-                 0.,
-                 10.,
-                 "-",
-                 "Coulomb's coefficient between the plane and free surfaces.");
+               "Normal of the plane towards the matter, of any length.");
+  declare_double(
+    prm,
+    "Friction",
+    "0",
+    0.,
+    10.,
+    "-",
+    "Coulomb friction coefficient between the plane and free surfaces.");
 }
 
 
@@ -99,7 +107,7 @@ void ContactPlanes::require_outside(
       plane.normal * (vector_at(position, node) -
                       static_cast<const dealii::Tensor<1, 3> &>(plane.point)));
   deepest = dealii::Utilities::MPI::min(deepest, space_->communicator());
-  // Round-off of a mesh that touches the plane.
+  // Tolerates the round-off of a mesh that touches the plane.
   constexpr double tolerance = 1e-9;
   if (deepest < -tolerance)
     throw InputError("Plane " + plane.name +

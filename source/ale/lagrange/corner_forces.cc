@@ -15,10 +15,10 @@ namespace
   constexpr unsigned int width = AleState::width;
   using Lane = CellBatches::Lane;
 
-  /// Least modulus against hourglass modes over the bulk modulus.
+  /// Least hourglass modulus over the bulk modulus.
   constexpr double least_hourglass = 1e-6;
 
-  /// Three numbers of the corners of a batch.
+  /// Gathers three components at the corners of a batch.
   HexVectors<Lane> gather(const dealii::AlignedVector<double> &field,
                           const unsigned int *offsets)
   {
@@ -99,7 +99,7 @@ void CornerForces::store(const unsigned int batch,
       for (unsigned int d = 0; d < 3; ++d)
         stored[3 * corner + d] = forces[corner][d];
     values[3] = Lane(0.);
-    // One lane after the other: lanes may share a node.
+    // One lane after the other, because lanes may share a node.
     dealii::vectorized_transpose_and_store(
       true, width, values, batches_.offsets(batch, corner), force.data());
   }
@@ -247,7 +247,7 @@ bool CornerForces::do_work(const dealii::AlignedVector<double> &before,
       const unsigned int *cells = batches_.cells(batch);
       const Lane energy = gather_cells(before.data(), cells) + step * power;
       energy.scatter(cells, after.data());
-      // A NaN is not greater.
+      // The comparison is false for NaN.
       is_finite =
         is_finite &&
         all_greater(energy, Lane(-std::numeric_limits<double>::max())) &&

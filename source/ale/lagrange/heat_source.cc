@@ -14,8 +14,8 @@ void HeatSource::declare_parameters(ParameterHandler &prm)
   declare_string(prm,
                  "Power",
                  "0",
-                 "By volume [W/m^3], a muParser expression of x, y, z, t; "
-                 "booked as external work.");
+                 "Power density [W/m^3], a muParser expression of x, y, z, "
+                 "t; counts as external work.");
 }
 
 

@@ -19,7 +19,7 @@ namespace
 {
   constexpr unsigned int width = AleState::width;
 
-  /// In the order of the enumeration.
+  /// Names of the values of CouplingScheme, in the same order.
   const std::vector<std::string> names{"monolithic",
                                        "loose",
                                        "fixed relaxation",
@@ -41,31 +41,32 @@ void InterfaceCoupling::declare_parameters(ParameterHandler &prm)
                     "Scheme",
                     "monolithic",
                     names,
-                    "monolithic: fluids and solids move together; the others "
-                    "solve them in turn, to show where that fails: loose once "
-                    "a step, fixed relaxation and Aitken until they agree.");
+                    "monolithic: fluids and solids are solved together. The "
+                    "partitioned schemes show where partitioning fails: "
+                    "loose iterates once a step, fixed relaxation and "
+                    "aitken to convergence.");
   declare_double(prm,
                  "Relaxation",
                  "0.5",
                  1e-3,
                  2.,
                  "-",
-                 "Part of a correction that fixed relaxation makes, and Aitken "
-                 "at first; it converges below 2 / (1 + ratio of added mass).");
+                 "Relaxation factor of fixed relaxation, and the first one "
+                 "of Aitken; converges below 2 / (1 + added mass ratio).");
   declare_double(prm,
                  "Tolerance",
                  "1e-8",
                  1e-14,
                  0.1,
                  "-",
-                 "To which fluids and solids agree, over the acceleration of "
-                 "the solid without added mass.");
+                 "Convergence criterion: change of acceleration over the "
+                 "acceleration of the solid without added mass.");
   declare_integer(prm,
                   "Largest iterations",
                   "50",
                   1,
                   10000,
-                  "After which a step without agreement ends the run.");
+                  "The run fails when a step needs more iterations.");
 }
 
 
@@ -146,7 +147,7 @@ void InterfaceCoupling::require_interface(
 
 void InterfaceCoupling::find_nodes(const std::vector<Region> &regions)
 {
-  // The mass of solids, and whether there are fluids.
+  // Per node: mass of solids, and number of fluid cells.
   FieldExchange exchange;
   exchange.reinit(space_->nodes(), 2);
   dealii::AlignedVector<double> shares(exchange.size());
@@ -177,7 +178,7 @@ void InterfaceCoupling::find_nodes(const std::vector<Region> &regions)
 
 void InterfaceCoupling::find_free_directions(const SlipWalls &walls)
 {
-  // Walls change velocities by a projection, and by their own motion.
+  // Walls apply a projection plus their own motion; subtract the motion.
   dealii::AlignedVector<double> moved(width * space_->n_nodes());
   walls.apply(moved, 0.);
   for (unsigned int d = 0; d < 3; ++d)
@@ -254,7 +255,7 @@ bool InterfaceCoupling::iterate()
       node.residual = residual;
     }
     dealii::Utilities::MPI::sum(sums, space_->communicator(), sums);
-    // Cells without finite forces are found as such.
+    // Let the step detect forces that are not finite.
     if (!std::isfinite(sums[1]))
       return true;
     if (k == 1)

@@ -83,7 +83,7 @@ void InterfaceCoupling::restore(const std::string &folder)
   if (n_found != nodes_.size())
     throw InputError("Checkpoint file " + file_of(folder, 0) +
                      " belongs to another scene");
-  // With one rank the sum goes on to the last bit.
+  // The first rank continues the sum; on one rank, bitwise.
   if (dealii::Utilities::MPI::this_mpi_process(space_->communicator()) != 0)
     record_.work = 0.;
 }

@@ -153,7 +153,7 @@ bool LagrangeStep::try_step(AleState &state,
                             const Start &start,
                             const double step)
 {
-  // The forces are those of the start.
+  // These forces are those of the start of the step.
   if (!coupling_.balance(start.velocity, true, force_))
     return false;
   const double begin = state.time;
@@ -177,7 +177,7 @@ bool LagrangeStep::try_step(AleState &state,
   const double work = move_by_mean(state, start, step);
   const bool is_finite =
     forces_.do_work(start.energy, mean_, step, state.energy, false);
-  // Those that the next step starts from.
+  // Forces for the start of the next step.
   add_forces(state, 0.);
   if (!all(is_finite && forces_.has_volumes()))
     return false;

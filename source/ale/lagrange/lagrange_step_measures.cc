@@ -18,7 +18,7 @@ namespace
 {
   constexpr unsigned int width = AleState::width;
 
-  /// The text of the first rank that owns what it is about, on all ranks.
+  /// Broadcasts the text of the lowest rank with @p is_owner.
   std::string text_of_owner(const MPI_Comm communicator,
                             const bool is_owner,
                             const std::string &text)
@@ -40,7 +40,7 @@ double LagrangeStep::external_work() const
 
 void LagrangeStep::set_external_work(const double work)
 {
-  // With one rank the sum goes on to the last bit.
+  // The first rank continues the sum; on one rank, bitwise.
   const auto rank =
     dealii::Utilities::MPI::this_mpi_process(space_->communicator());
   work_ = rank == 0 ? work : 0.;
@@ -110,7 +110,7 @@ AleTotals LagrangeStep::totals(const AleState &state) const
 
 void LagrangeStep::give_up(const AleState &state, const double step) const
 {
-  // The cell with the least volume, of all ranks.
+  // Find the cell with the smallest volume on all ranks.
   double least = std::numeric_limits<double>::max();
   std::size_t worst = 0;
   for (std::size_t c = 0; c < space_->n_own_cells(); ++c)

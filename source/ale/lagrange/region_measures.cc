@@ -14,7 +14,7 @@ namespace
 {
   constexpr unsigned int width = AleState::width;
 
-  /// Those of a region: extrema, and sums over its cells.
+  /// Extreme values of a region, and sums over its cells.
   struct Extrema
   {
     double most_negative_pressure = -std::numeric_limits<double>::max();

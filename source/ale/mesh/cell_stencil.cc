@@ -10,7 +10,7 @@ namespace contrecoup::ale
 {
 namespace
 {
-  /// Puts lists behind each other.
+  /// Concatenates lists, with the index of the first entry of each.
   void join_lists(const std::vector<std::vector<std::uint32_t>> &lists,
                   std::vector<std::uint32_t> &first,
                   std::vector<std::uint32_t> &values)
@@ -30,7 +30,7 @@ namespace
            space.region(face.inside) != space.region(face.outside);
   }
 
-  /// Which face of a cell this is.
+  /// Local number of the face in the cell.
   unsigned int face_number(const HexSpace::Cell &cell,
                            const HexSpace::Face &face)
   {
@@ -92,7 +92,7 @@ void CellStencil::find_inside(const HexSpace &space)
 void CellStencil::find_faces(const HexSpace &space)
 {
   Lists faces(space.n_own_cells()), opposite(space.n_own_cells());
-  // The cell across each face of the own cells; no_cell: it is a wall.
+  // Neighbour across each face of owned cells; no_cell at walls.
   std::vector<std::array<std::uint32_t, 6>> across(space.n_own_cells());
   for (auto &cells : across)
     cells.fill(HexSpace::no_cell);

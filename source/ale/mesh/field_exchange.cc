@@ -11,7 +11,7 @@ namespace contrecoup::ale
 {
 namespace
 {
-  /// @p width indices for each.
+  /// Replaces each index by @p width consecutive indices.
   dealii::IndexSet widened(const dealii::IndexSet &set,
                            const unsigned int width)
   {

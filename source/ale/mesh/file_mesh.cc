@@ -22,7 +22,7 @@ namespace
   using dealii::Point;
   using Mesh = dealii::Triangulation<3>;
 
-  /// deal.II's vertex for each corner of HexMesh.
+  /// deal.II's vertex number of each corner of HexMesh.
   constexpr unsigned int vertex_of_corner[] = {0, 1, 3, 2, 4, 5, 7, 6};
 
   std::string told(const Point<3> &place)
@@ -33,7 +33,7 @@ namespace
 
   constexpr unsigned int no_piece = -1;
 
-  /// The number of each cell's piece: cells that faces join.
+  /// Number of the face-connected set of each cell.
   std::vector<unsigned int> find_pieces(const Mesh &mesh)
   {
     std::vector<unsigned int> piece(mesh.n_cells(), no_piece);
@@ -62,8 +62,8 @@ namespace
     return piece;
   }
 
-  /// Tells @p meet of each two pieces that have one of the numbered parts of
-  /// cells in common.
+  /// Calls @p meet for each two sets of cells that share one of the numbered
+  /// parts (vertices or edges).
   template <typename Part, typename Meet>
   void find_contacts(const Mesh &mesh,
                      const std::vector<unsigned int> &piece,
@@ -83,7 +83,7 @@ namespace
       }
   }
 
-  /// Vertices of faces of the boundary.
+  /// Vertices of boundary faces.
   std::vector<Point<3>> boundary_vertices(const Mesh &mesh)
   {
     std::vector<bool> is_used(mesh.n_vertices(), false);
@@ -105,17 +105,19 @@ void FileMesh::declare_parameters(ParameterHandler &prm)
   declare_file(prm,
                "File",
                "",
-               "Hexahedra in a format that deal.II reads, lengths in m, as "
-               "`anatomy` writes mesh.msh. Regions name their materials; "
-               "numbers of faces of the surface are names of sides.");
+               "Hexahedral mesh in a format that deal.II reads, with "
+               "lengths in m, as `anatomy` writes mesh.msh. Regions refer "
+               "to its materials; numbers of surface faces are names of "
+               "sides.");
   declare_double(prm,
                  "Smallest scaled Jacobian",
                  "0.1",
                  1e-6,
                  0.9,
                  "-",
-                 "A file with a worse cell is refused; 1 is a box, 0 a folded "
-                 "cell. Smoothed meshes of `anatomy` have 0.2 at least.");
+                 "Files with a smaller scaled Jacobian are refused; a box "
+                 "has 1, a folded cell 0. Smoothed meshes of `anatomy` have "
+                 "at least 0.2.");
 }
 
 
@@ -197,7 +199,7 @@ void FileMesh::measure_cells(const Mesh &mesh, Findings &found) const
 
 void FileMesh::refuse_hanging_nodes(const Mesh &mesh) const
 {
-  // A smaller neighbour's node is amid an edge or a face that is no one's.
+  // A hanging node lies at the middle of an edge or boundary face.
   const auto vertices = boundary_vertices(mesh);
   const auto tree = dealii::pack_rtree(vertices);
   const auto check = [&](const Point<3> &middle, const double size) {
@@ -314,7 +316,7 @@ void FileMesh::cut_by_plane(Mesh &mesh, const unsigned int axis) const
         return false;
     return true;
   };
-  // Twice what the mesh covers, seen along the axis.
+  // Twice the area of the mesh's projection along the axis.
   double seen = 0., flat = 0.;
   for (const auto &face : mesh.active_face_iterators())
     if (face->at_boundary())
@@ -330,7 +332,7 @@ void FileMesh::cut_by_plane(Mesh &mesh, const unsigned int axis) const
         face->set_boundary_id(1 + axis);
       }
     }
-  // A whole body has no more there than what its roundness leaves.
+  // A whole rounded body has less flat area than this fraction.
   constexpr double least_part = 0.5;
   if (flat < least_part * 0.5 * seen)
     refuse("Mesh/Symmetry planes has " + std::string(1, "xyz"[axis]) +

@@ -17,7 +17,7 @@ namespace contrecoup::ale
 {
 namespace
 {
-  /// Where deal.II has the corners of HexMesh.
+  /// deal.II's vertex number of each corner of HexMesh.
   constexpr unsigned int corner_of[8] = {0, 1, 3, 2, 4, 5, 7, 6};
 } // namespace
 
@@ -84,7 +84,7 @@ std::vector<bool> HexSpace::find_double_vertices() const
                            vertices_->n_ghost_indices());
   if (std::find(slides_.begin(), slides_.end(), true) == slides_.end())
     return result;
-  // Cells of regions that slide, and others, around a vertex.
+  // Per vertex: number of cells of sliding, and of other regions.
   FieldExchange exchange;
   exchange.reinit(*vertices_, 2);
   dealii::AlignedVector<double> count(exchange.size());
@@ -131,7 +131,7 @@ HexSpace::numbers_of_nodes(const std::vector<bool> &is_double) const
   const int error = MPI_Exscan(
     &n_pairs, &n_pairs_before, 1, MPI_UINT64_T, MPI_SUM, communicator());
   AssertThrowMPI(error);
-  // Doubles hold them exactly.
+  // Doubles represent these integers exactly.
   FieldExchange exchange;
   exchange.reinit(*vertices_, 2);
   dealii::AlignedVector<double> numbers(exchange.size());
@@ -224,7 +224,7 @@ void HexSpace::number_cells(const dealii::Triangulation<3> &mesh)
       positions_[node] = cell->vertex(v);
       if (sliding == no_cell)
         continue;
-      // Of copies of both the cells of one side may be elsewhere.
+      // The cells of one side may be missing among ghost copies.
       node_numbers_[sliding] = number + mesh.n_vertices();
       positions_[sliding] = cell->vertex(v);
     }
@@ -245,7 +245,7 @@ void HexSpace::find_faces()
       continue;
     for (const unsigned int f : cell->face_indices())
     {
-      // The cell of the smaller number gives the face its corners.
+      // The cell with the smaller number defines the face's orientation.
       Face face{local(cell), no_cell, {}, 0};
       unsigned int number = f;
       if (cell->at_boundary(f))
@@ -280,7 +280,7 @@ void HexSpace::find_cells_around()
   for (std::size_t n = 0; n < n_nodes(); ++n)
     first_around_[n + 1] += first_around_[n];
   around_.assign(first_around_.back(), 0);
-  // In the order of the mesh, whatever the ranks are.
+  // Global order makes the result independent of the ranks.
   std::vector<std::uint32_t> order(cells_.size());
   for (std::uint32_t c = 0; c < order.size(); ++c)
     order[c] = c;

@@ -15,11 +15,11 @@ namespace contrecoup::ale
 {
 namespace
 {
-  /// Edges of the cells of the inner cube over those at the brain's surface.
+  /// Ratio of cell edges in the inner cube to those at the brain surface.
   constexpr double cube_part = 0.5;
 
-  /// Of the sides of a wedge: what radial motion has too much of kinetic energy
-  /// is its square.
+  /// Slope of the sides of a wedge. The relative error of the kinetic energy
+  /// of radial motion is the square of the slope.
   constexpr double wedge_slope = 0.03;
 } // namespace
 
@@ -34,7 +34,7 @@ void LayeredHead::declare_parameters(ParameterHandler &prm)
                1e-6,
                1e3,
                "m",
-               "Of the brain of a layered head.");
+               "Semi-axes of the brain of a layered head.");
   for (const auto &[name, value] :
        {std::pair<std::string, std::string>("CSF", "0.004"),
         {"Skull", "0.007"},
@@ -46,18 +46,23 @@ void LayeredHead::declare_parameters(ParameterHandler &prm)
                    0.,
                    1e3,
                    "m",
-                   name == "Scalp" ? "0: there is none."
-                                   : "Above 0, of a layered head.");
-    declare_integer(
-      prm, name + " cells", "2", 1, 1000, "Across this layer, 1 to 1000.");
+                   name == "Scalp" ? "0: no scalp."
+                                   : "Positive, of a layered head.");
+    declare_integer(prm,
+                    name + " cells",
+                    "2",
+                    1,
+                    1000,
+                    "Cells across this layer, 1 to 1000.");
   }
-  declare_double(prm,
-                 "Cell size",
-                 "0.004",
-                 1e-6,
-                 1e3,
-                 "m",
-                 "At the brain's surface, about; cells within are smaller.");
+  declare_double(
+    prm,
+    "Cell size",
+    "0.004",
+    1e-6,
+    1e3,
+    "m",
+    "Approximate cell size at the brain surface; inner cells are smaller.");
   declare_symmetry_planes(prm);
 }
 
@@ -86,7 +91,7 @@ void LayeredHead::parse_parameters(ParameterHandler &prm)
                largest = std::max({brain[0], brain[1], brain[2]});
   if (size > smallest)
     throw InputError("Mesh/Cell size must be below Mesh/Semi-axes");
-  // A quarter of the circumference has the cells of the cube's edge.
+  // A quarter of the circumference has the cells of two cube edges.
   ball_.cells_along_cube =
     2 * static_cast<unsigned int>(std::max(
           1., std::round(0.25 * dealii::numbers::PI * largest / size)));
@@ -128,7 +133,7 @@ void LayeredHead::find_wedge(ParameterHandler &prm)
 double LayeredHead::part() const
 {
   const double part = computed_part(ball_.is_halved);
-  // Of cells with straight edges, which a quarter has four of.
+  // Of four straight cells to a quarter of the circumference.
   return ball_.wedge_axis > 2
            ? part
            : 4. * part * ball_.wedge_slope / dealii::numbers::PI;

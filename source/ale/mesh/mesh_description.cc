@@ -30,16 +30,16 @@ namespace
                       "Kind",
                       "wall",
                       {"wall", "free", "clamped"},
-                      "Matter slides along a wall without friction; at a free "
-                      "side nothing presses; a clamped one, of particles "
-                      "(Method = mpm) alone, holds what touches it. Sides that "
-                      "are not named are walls, but for the surface of a head "
-                      "or a file, which is free.");
+                      "wall: matter slides without friction; free: no load; "
+                      "clamped: holds the matter that touches the side, "
+                      "with particles (Method = mpm) only. Unnamed sides "
+                      "are walls, but the surface of a head or a file is "
+                      "free.");
     declare_string(prm,
                    "Velocity",
                    "0",
-                   "Of the wall along its outward normal [m/s], a muParser "
-                   "expression of t.");
+                   "Velocity of the wall along its outward normal [m/s], a "
+                   "muParser expression of t.");
   }
 } // namespace
 
@@ -52,15 +52,29 @@ void MeshDescription::declare_parameters(ParameterHandler &prm)
                       "Kind",
                       "box",
                       kinds,
-                      "A box of bricks, the half at x >= 0 of a ball around "
-                      "the origin, a head of brain, CSF, skull and scalp "
-                      "around the origin, the mesh of a file, or, for "
-                      "particles (Method = mpm) alone, a body: subsection "
-                      "Body.");
-    declare_list(
-      prm, "Lower corner", "0, 0, 0", 3, 3, -1e6, 1e6, "m", "Of the box.");
-    declare_list(
-      prm, "Upper corner", "1, 1, 1", 3, 3, -1e6, 1e6, "m", "Of the box.");
+                      "A box; the half at x >= 0 of a ball around the "
+                      "origin; a layered head of brain, CSF, skull and "
+                      "scalp around the origin; the mesh of a file; or, "
+                      "with particles (Method = mpm) only, a body of "
+                      "subsection Body.");
+    declare_list(prm,
+                 "Lower corner",
+                 "0, 0, 0",
+                 3,
+                 3,
+                 -1e6,
+                 1e6,
+                 "m",
+                 "Lower corner of the box.");
+    declare_list(prm,
+                 "Upper corner",
+                 "1, 1, 1",
+                 3,
+                 3,
+                 -1e6,
+                 1e6,
+                 "m",
+                 "Upper corner of the box.");
     declare_list(prm,
                  "Elements",
                  "10, 10, 10",
@@ -69,22 +83,24 @@ void MeshDescription::declare_parameters(ParameterHandler &prm)
                  1.,
                  1e5,
                  "-",
-                 "Cells of the box along x, y and z.");
-    declare_double(prm, "Radius", "0.09", 1e-6, 1e6, "m", "Of the half ball.");
+                 "Number of cells of the box along x, y and z.");
+    declare_double(
+      prm, "Radius", "0.09", 1e-6, 1e6, "m", "Radius of the half ball.");
     declare_integer(prm,
                     "Refinements",
                     "3",
                     0,
                     8,
-                    "Halvings of the six cells of the half ball, 0 to 8.");
+                    "Global refinements of the half ball's six cells, 0 to "
+                    "8.");
     for (const char *const name : {"x", "y", "z"})
       declare_string(prm,
                      std::string("Position ") + name,
                      name,
-                     "Where the mesh's node at x, y, z goes before the start "
-                     "[m], a muParser expression of x, y, z: a box becomes a "
-                     "wedge, a cone, or skewed. Places elsewhere are those "
-                     "after it.");
+                     "Initial position of the mesh node x, y, z [m], a "
+                     "muParser expression of x, y, z: makes a box a wedge, "
+                     "a cone or skewed. Other entries refer to the moved "
+                     "nodes.");
     LayeredHead::declare_parameters(prm);
     FileMesh::declare_parameters(prm);
   }
@@ -144,7 +160,7 @@ void MeshDescription::parse_parameters(ParameterHandler &prm)
 
 const std::vector<std::string> &MeshDescription::side_names() const
 {
-  // In the order of deal.II's boundary ids.
+  // Ordered by deal.II's boundary ids.
   static const std::vector<std::string> box{"x-", "x+", "y-", "y+", "z-", "z+"},
     half_ball{"sphere", "plane"},
     head{"surface", "plane x", "plane y", "plane z"};
@@ -227,8 +243,8 @@ void MeshDescription::clamp(const dealii::types::boundary_id side,
                         (kind_ == "layered head" && side > 0);
   if (!is_plane)
     throw InputError("Side " + name +
-                     "/Kind = clamped: planes hold matter, sides of a box, the "
-                     "plane of a half ball and those of a layered head");
+                     "/Kind = clamped: planes hold matter, sides of a box, "
+                     "the plane of a half ball and those of a layered head");
   clamped_.insert(side);
 }
 
@@ -303,9 +319,9 @@ void MeshDescription::create(dealii::Triangulation<3> &mesh) const
                      "/Kind = clamped: sides hold particles alone, Method = "
                      "mpm; for Method = ale, take wall or free");
   if (kind_ == "body")
-    throw InputError("Mesh/Kind = body is filled with particles, Method = mpm; "
-                     "for Method = ale, let anatomy make a mesh of the body "
-                     "and give it as a file");
+    throw InputError("Mesh/Kind = body is filled with particles, Method = "
+                     "mpm; for Method = ale, let anatomy make a mesh of the "
+                     "body and give it as a file");
   if (kind_ == "layered head")
   {
     head_.create(mesh);
@@ -328,7 +344,7 @@ void MeshDescription::create(dealii::Triangulation<3> &mesh) const
     dealii::GridGenerator::flatten_triangulation(coarse, mesh);
   }
   move_nodes(mesh);
-  // Regions are set by their expressions, not by octants.
+  // Expressions set the regions, not deal.II's octant ids.
   for (const auto &cell : mesh.active_cell_iterators())
     cell->set_material_id(0);
 }

@@ -11,7 +11,7 @@ namespace contrecoup::ale
 {
 namespace
 {
-  /// Below 1 inside of an ellipsoid around the origin.
+  /// Level set of an ellipsoid around the origin: below 1 inside.
   double ellipsoid(const dealii::Point<3> &place,
                    const std::array<double, 3> &semi_axes)
   {

@@ -31,29 +31,31 @@ namespace
     declare_string(prm,
                    "Layer",
                    "any",
-                   "Where the region is: brain, csf, skull or scalp of a "
-                   "layered head; of a file a material by its number or its "
-                   "name, which is that of a tissue in files of `anatomy`; "
-                   "any is the whole mesh.");
+                   "Layer of the region: brain, csf, skull or scalp of a "
+                   "layered head; number or name of a material of a file, "
+                   "which is the tissue in files of `anatomy`; any is the "
+                   "whole mesh.");
     declare_string(prm,
                    "Density",
                    "1.2",
-                   "At the start [kg/m^3], a muParser expression of x, y, z; "
-                   "of Tait's liquid that without pressure, a number.");
+                   "Initial density [kg/m^3], a muParser expression of x, "
+                   "y, z; for a Tait liquid its density at zero pressure, a "
+                   "number.");
     declare_string(prm,
                    "Pressure",
                    "0",
-                   "At the start [Pa], a muParser expression of x, y, z.");
+                   "Initial pressure [Pa], a muParser expression of x, y, z.");
     declare_string(prm,
                    "Products",
                    "0",
-                   "Mass fraction of explosive products at the start [-], a "
+                   "Initial mass fraction of explosive products [-], a "
                    "muParser expression of x, y, z.");
     for (const char *const name : {"Velocity x", "Velocity y", "Velocity z"})
-      declare_string(prm,
-                     name,
-                     "0",
-                     "At the start [m/s], a muParser expression of x, y, z.");
+      declare_string(
+        prm,
+        name,
+        "0",
+        "Initial velocity [m/s], a muParser expression of x, y, z.");
   }
 } // namespace
 
@@ -127,7 +129,8 @@ void RegionDescriptions::check_layers(const MeshLayers &layers) const
       throw InputError("Region " + description.region.name +
                        "/Layer: the mesh has no \"" + description.layer +
                        "\", " +
-                       (layers.empty() ? "because it is no layered head or file"
+                       (layers.empty() ? "because it is no layered head or "
+                                         "file"
                                        : "but " + join(known, ", ")));
 }
 
@@ -270,7 +273,7 @@ void RegionDescriptions::fill(const HexSpace &space, AleState &state) const
   {
     const double *x = &state.position[width * n];
     const dealii::Point<3> place(x[0], x[1], x[2]);
-    // Where regions meet, the mean of their velocities by mass.
+    // Interface nodes get the mass-weighted mean of the regions' velocities.
     double mass = 0.;
     dealii::Tensor<1, 3> momentum;
     for (const std::uint32_t cell : space.cells_around(n))

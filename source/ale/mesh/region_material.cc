@@ -29,85 +29,84 @@ namespace
                    1.0001,
                    100.,
                    "-",
-                   "Ratio of specific heats of the ideal gas, or the air.");
+                   "Ratio of specific heats of ideal gas or air.");
     declare_selection(prm,
                       "Explosive",
                       "tnt",
                       explosive_names(),
-                      "Whose products jwl and jwl in air are.");
-    declare_double(prm,
-                   "Bulk modulus",
-                   "2.2e9",
-                   1.,
-                   1e15,
-                   "Pa",
-                   "K_0 of Tait's liquid at rest, and of viscoelastic matter.");
+                      "Explosive of the products in jwl and jwl in air.");
     declare_double(
-      prm, "Exponent", "7.15", 1.0001, 100., "-", "n of Tait's liquid.");
+      prm,
+      "Bulk modulus",
+      "2.2e9",
+      1.,
+      1e15,
+      "Pa",
+      "K_0 of a Tait liquid at zero pressure, and of viscoelastic solids.");
+    declare_double(
+      prm, "Exponent", "7.15", 1.0001, 100., "-", "n of a Tait liquid.");
     declare_string(prm,
                    "Least pressure",
                    "none",
-                   "At which Tait's liquid cavitates [Pa], at most 0; none: it "
-                   "bears any tension.");
+                   "Pressure at which a Tait liquid cavitates [Pa], at most "
+                   "0; none: it sustains any tension.");
   }
 
   void declare_solid(ParameterHandler &prm)
   {
-    declare_double(
-      prm,
-      "Young modulus",
-      "6.5e9",
-      1e-3,
-      1e15,
-      "Pa",
-      "E of elastic matter and johnson-cook; that of copper is 124e9.");
+    declare_double(prm,
+                   "Young modulus",
+                   "6.5e9",
+                   1e-3,
+                   1e15,
+                   "Pa",
+                   "E of elastic solids and johnson-cook; copper has 124e9.");
     declare_double(prm,
                    "Poisson ratio",
                    "0.22",
                    -0.9,
                    0.499999,
                    "-",
-                   "Of elastic matter and johnson-cook; that of copper is "
-                   "0.34.");
+                   "Of elastic solids and johnson-cook; copper has 0.34.");
     declare_double(prm,
                    "Shear modulus",
                    "49e3",
                    1e-3,
                    1e15,
                    "Pa",
-                   "G_0 of viscoelastic matter, that of sudden strains.");
-    declare_double(prm,
-                   "Long-term shear modulus",
-                   "16e3",
-                   0.,
-                   1e15,
-                   "Pa",
-                   "Of viscoelastic matter after a long time.");
+                   "Instantaneous shear modulus G_0 of viscoelastic solids.");
     declare_double(
       prm,
-      "Relaxation time",
-      "6e-3",
-      1e-9,
-      1e6,
-      "s",
-      "In which viscoelastic matter goes from one shear modulus to "
-      "the other.");
-    declare_selection(prm,
-                      "Tissue",
-                      "brain",
-                      tissue_names(),
-                      "Whose density and moduli a tissue has.");
+      "Long-term shear modulus",
+      "16e3",
+      0.,
+      1e15,
+      "Pa",
+      "Shear modulus of viscoelastic solids after full relaxation.");
+    declare_double(prm,
+                   "Relaxation time",
+                   "6e-3",
+                   1e-9,
+                   1e6,
+                   "s",
+                   "Time constant of the relaxation of viscoelastic solids.");
+    declare_selection(
+      prm,
+      "Tissue",
+      "brain",
+      tissue_names(),
+      "Tissue whose density and moduli Material = tissue uses.");
     declare_selection(prm,
                       "Tissue set",
                       "paper",
                       tissue_set_names(),
-                      "From which these are taken.");
-    declare_selection(prm,
-                      "Kinematics",
-                      "finite rotation",
-                      solid_kinematics_names(),
-                      "How solids measure strains; johnson-cook is neo-hookean "
-                      "in any case.");
+                      "Property set of the tissue.");
+    declare_selection(
+      prm,
+      "Kinematics",
+      "finite rotation",
+      solid_kinematics_names(),
+      "Strain measure of solids; johnson-cook is always neo-hookean.");
   }
 
   void declare_strength(ParameterHandler &prm)
@@ -118,9 +117,10 @@ namespace
                    0.,
                    1e12,
                    "Pa",
-                   "A of johnson-cook, (A + B e^n) (1 + C ln(max(1, e' / "
-                   "e'_0))) (1 - T*^m) of the plastic strain e, its rate and "
-                   "the temperature; the numbers are those of OFHC copper.");
+                   "A of johnson-cook: (A + B e^n) (1 + C ln(max(1, e' / "
+                   "e'_0))) (1 - T*^m), with plastic strain e, its rate e' "
+                   "and homologous temperature T*. Defaults are those of "
+                   "OFHC copper.");
     declare_double(
       prm, "Hardening modulus", "292e6", 0., 1e12, "Pa", "B of johnson-cook.");
     declare_double(
@@ -133,7 +133,7 @@ namespace
                    1e-9,
                    1e9,
                    "1/s",
-                   "e'_0 of johnson-cook, below which rates do not count.");
+                   "e'_0 of johnson-cook; lower rates have no effect.");
   }
 
   void declare_softening(ParameterHandler &prm)
@@ -146,23 +146,30 @@ namespace
                    1.,
                    1e5,
                    "K",
-                   "Where T* of johnson-cook is 1.");
-    declare_double(prm,
-                   "Reference temperature",
-                   "298",
-                   0.,
-                   1e5,
-                   "K",
-                   "Where T* of johnson-cook is 0; that of the start.");
+                   "Temperature at which T* of johnson-cook is 1.");
     declare_double(
-      prm, "Heat capacity", "383", 1., 1e6, "J/(kg K)", "Of johnson-cook.");
+      prm,
+      "Reference temperature",
+      "298",
+      0.,
+      1e5,
+      "K",
+      "Temperature at which T* of johnson-cook is 0; the initial one.");
     declare_double(prm,
-                   "Heating part",
-                   "0.9",
-                   0.,
+                   "Heat capacity",
+                   "383",
                    1.,
-                   "-",
-                   "Of the plastic work of johnson-cook, which warms it.");
+                   1e6,
+                   "J/(kg K)",
+                   "Specific heat capacity of johnson-cook.");
+    declare_double(
+      prm,
+      "Heating part",
+      "0.9",
+      0.,
+      1.,
+      "-",
+      "Fraction of plastic work of johnson-cook that becomes heat.");
   }
 
   void declare_viscosity(ParameterHandler &prm)
@@ -173,37 +180,35 @@ namespace
                    0.,
                    10.,
                    "-",
-                   "Artificial, in compression: times density, cell length "
-                   "and sound speed. 0.5 for shocks in gases; 0.06 leaves "
-                   "sound in liquids and solids undamped.");
+                   "Linear artificial viscosity in compression, times "
+                   "density, cell length and sound speed: 0.5 for shocks in "
+                   "gases; 0.06 leaves sound in liquids and solids undamped.");
     declare_double(prm,
                    "Quadratic viscosity",
                    "2",
                    0.,
                    10.,
                    "-",
-                   "Artificial, in compression: times density, square of the "
-                   "cell length and rate of compression.");
-    declare_double(
-      prm,
-      "Hourglass coefficient",
-      "0.1",
-      0.,
-      1.,
-      "-",
-      "Of the damper on velocities that one integration point "
-      "does not see; of solids only where K is above 100 G. It "
-      "damps shear the more the larger K / G is: at 1e6 half a "
-      "swing of twelve cells loses a quarter, without it nothing.");
+                   "Quadratic artificial viscosity in compression, times "
+                   "density, squared cell length and compression rate.");
+    declare_double(prm,
+                   "Hourglass coefficient",
+                   "0.1",
+                   0.,
+                   1.,
+                   "-",
+                   "Viscous hourglass control; in solids only where K "
+                   "exceeds 100 G. Its damping of shear grows with K / G: "
+                   "at 1e6, half a period of a wave of twelve cells loses a "
+                   "quarter of its amplitude, without it nothing.");
     declare_double(prm,
                    "Hourglass stiffness",
                    "1",
                    0.,
                    10.,
                    "-",
-                   "Of the springs of solids against displacements that one "
-                   "integration point does not see; 1 gives a cube the energy "
-                   "of its shear.");
+                   "Hourglass stiffness of solids; 1 gives a cube the "
+                   "energy of its shear.");
   }
 
   /// The entry Density as a number.
@@ -219,7 +224,7 @@ namespace
 
   Tait parse_tait(ParameterHandler &prm, const std::string &name)
   {
-    // In no liquid: its constants are missing, and those of air stand there.
+    // Larger than in any liquid: reveals default constants of air.
     constexpr double largest_sound_speed = 2e4;
     const std::string least = prm.get("Least pressure");
     const double density = read_density(prm, name),
@@ -344,10 +349,11 @@ void declare_region_material(ParameterHandler &prm)
                     "Material",
                     "ideal gas",
                     materials,
-                    "Fluids: jwl are the products of an explosive, jwl in air "
-                    "their mixture with air. Solids: elastic and viscoelastic "
-                    "have the moduli below, a tissue those of its name; "
-                    "johnson-cook is a metal that yields, of particles.");
+                    "Fluids: jwl are the products of an explosive, jwl in "
+                    "air their mixture with air. Solids: elastic and "
+                    "viscoelastic have the moduli below, tissue those of "
+                    "the named tissue. johnson-cook is an elastic-plastic "
+                    "metal, with particles only.");
   declare_fluid(prm);
   declare_solid(prm);
   declare_strength(prm);
@@ -357,10 +363,9 @@ void declare_region_material(ParameterHandler &prm)
                     "Interface",
                     "stick",
                     {"stick", "slip"},
-                    "Of fluids, at other regions. stick: both share their "
-                    "nodes; slip: the fluid slides along them without "
-                    "friction, and never parts from them. Regions that slip "
-                    "stick to each other.");
+                    "Interface of a fluid with other regions. stick: shared "
+                    "nodes; slip: frictionless sliding without separation. "
+                    "Slipping regions stick to each other.");
 }
 
 

@@ -98,7 +98,7 @@ void SlipWalls::set_normal_parts(dealii::AlignedVector<double> &velocity,
   while (begin < wall_nodes_.size())
   {
     const std::uint32_t node = wall_nodes_[begin].node;
-    // Gram and Schmidt: each direction that the walls before leave free.
+    // Gram-Schmidt orthogonalisation of the normals of a node's walls.
     std::array<dealii::Tensor<1, 3>, 3> fixed;
     std::array<double, 3> value{};
     unsigned int n_fixed = 0;

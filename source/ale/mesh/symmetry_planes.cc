@@ -15,17 +15,17 @@ void declare_symmetry_planes(ParameterHandler &prm)
   declare_string(prm,
                  "Symmetry planes",
                  "",
-                 "Axes to which planes of symmetry are normal: x, y, z, or "
-                 "none. Of a layered head only the positive side of its "
-                 "centre is computed; the mesh of a file must end with a flat "
-                 "side where its coordinate is least.");
+                 "Axes normal to symmetry planes: x, y, z, or none. Of a "
+                 "layered head, the half on the positive side of its centre "
+                 "is computed; the mesh of a file must end at a flat side "
+                 "at its smallest coordinate.");
   declare_selection(prm,
                     "Wedge axis",
                     "none",
                     {"none", "x", "y", "z"},
-                    "Of a layered head that is round about this axis, and hits "
-                    "along it, a wedge one cell thick is computed; planes of "
-                    "symmetry through the axis are then implied.");
+                    "Computes a wedge one cell thick of a layered head that "
+                    "is axisymmetric about this axis and hits along it; "
+                    "implies symmetry planes through the axis.");
 }
 
 

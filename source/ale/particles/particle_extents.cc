@@ -19,7 +19,7 @@ namespace
 
   const std::vector<std::string> extent_axes{"x", "y", "z"};
 
-  /// Of the far face of a cube that has become as long as the particle.
+  /// Position of the far face of a particle's deformed cube domain.
   double reach(const mpm::ParticleBlock &block,
                const std::size_t p,
                const unsigned int direction)
@@ -38,21 +38,25 @@ namespace
 void ParticleExtents::declare_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "Extent *");
-  declare_string(prm, "Region", "bar", "Whose particles are looked at.");
-  declare_selection(
-    prm, "Direction", "x", extent_axes, "In which their faces are farthest.");
+  declare_string(prm, "Region", "bar", "Region of the particles.");
+  declare_selection(prm,
+                    "Direction",
+                    "x",
+                    extent_axes,
+                    "Direction in which the farthest particle face is "
+                    "sought.");
   declare_string(prm,
                  "Where",
                  "1",
-                 "muParser expression of x, y, z that is true at the present "
-                 "places of the particles that count.");
+                 "muParser expression of x, y, z that is true at the "
+                 "present positions of the particles that count.");
   declare_double(prm,
                  "Known",
                  "1",
                  1e-9,
                  1e6,
                  "m",
-                 "The farthest face at the end of the run.");
+                 "Known position of the farthest face at the end of the run.");
 }
 
 

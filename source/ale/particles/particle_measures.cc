@@ -13,9 +13,9 @@ namespace
 {
   namespace column = mpm::column;
 
-  /// Of a material: extrema, of which the first are of minus the pressure, the
-  /// pressure, the shear strain, the speed squared, the plastic strain and
-  /// work; and sums of mass, momentum, void, kinetic energy, plastic work.
+  /// Measures of a material. Extreme values: minus pressure, pressure, shear
+  /// strain, squared speed, plastic strain, plastic work. Sums: mass,
+  /// momentum, void, kinetic energy, plastic work.
   struct Findings
   {
     std::vector<double> most{-std::numeric_limits<double>::max(),

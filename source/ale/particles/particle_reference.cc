@@ -30,7 +30,7 @@ namespace
     return result;
   }
 
-  /// The distance of a vector from expressions; 0 without them.
+  /// Distance of a vector from its exact value; 0 without expressions.
   double distance(const std::vector<Expression> &exact,
                   dealii::Tensor<1, 3> value,
                   const dealii::Point<3> &place,
@@ -43,7 +43,7 @@ namespace
     return value.norm();
   }
 
-  /// Expressions of entries @p names, unless all of them are empty.
+  /// Parses the entries @p names; empty if all entries are empty.
   std::vector<Expression> parse_expressions(ParameterHandler &prm,
                                             const std::string &section,
                                             std::vector<std::string> names)
@@ -79,14 +79,14 @@ void ParticleReference::declare_parameters(ParameterHandler &prm)
                      name,
                      "",
                      what +
-                       ", a muParser expression of t and of x, y, z, where "
-                       "the particle was at the start; empty: not compared.");
+                       ", a muParser expression of t and of the initial x, y, "
+                       "z of the particle; empty: not compared.");
     };
     for (const std::string &name : with_axes("Displacement"))
-      declare(name, "Of particles [m]");
+      declare(name, "Particle displacement [m]");
     for (const std::string &name : with_axes("Velocity"))
-      declare(name, "Of particles [m/s]");
-    declare("Pressure", "In particles [Pa]");
+      declare(name, "Particle velocity [m/s]");
+    declare("Pressure", "Particle pressure [Pa]");
   }
   ParticleExtents::declare_parameters(prm);
   {
@@ -94,11 +94,21 @@ void ParticleReference::declare_parameters(ParameterHandler &prm)
     ProbeDisplacements::declare_parameters(prm);
   }
   const Section section(prm, "Front");
-  declare_string(prm, "Region", "water", "Whose front is followed.");
-  declare_selection(
-    prm, "Direction", "x", axes, "In which the front is farthest.");
-  declare_list(
-    prm, "Times", "0", 1, 1000, 0., 1e6, "s", "Known, one after the other.");
+  declare_string(prm, "Region", "water", "Region of the front.");
+  declare_selection(prm,
+                    "Direction",
+                    "x",
+                    axes,
+                    "Direction in which the front is the farthest face.");
+  declare_list(prm,
+               "Times",
+               "0",
+               1,
+               1000,
+               0.,
+               1e6,
+               "s",
+               "Times of known positions, in ascending order.");
   declare_list(prm,
                "Positions",
                "0",
@@ -107,7 +117,7 @@ void ParticleReference::declare_parameters(ParameterHandler &prm)
                -1e6,
                1e6,
                "m",
-               "Of the front at these times.");
+               "Known positions of the front at these times.");
 }
 
 
@@ -282,7 +292,7 @@ ParticleReference::errors(const std::vector<mpm::ParticleMaterial> &materials,
     return displacements_->errors(particles, communicator);
   if (!(time > 0.) || (!flow_ && !expressions_))
     return {};
-  // Of displacement or density, velocity, pressure; and the volume.
+  // Errors of displacement or density, velocity, pressure; volume.
   std::vector<double> sums(4, 0.);
   particles.for_each_block(
     [&](const unsigned int m, const mpm::ParticleBlock &block) {

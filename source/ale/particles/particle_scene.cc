@@ -12,10 +12,10 @@ namespace contrecoup::ale
 {
 namespace
 {
-  /// Volume stiffness over shear stiffness from where solids lock.
+  /// Ratio of bulk to shear modulus above which solids lock.
   constexpr double locking_ratio = 20.;
 
-  /// Cells around the matter that splines reach.
+  /// Margin of the grid around the matter for the support of splines.
   constexpr double margin_cells = 3.;
 
   const std::vector<std::string> smoothings{"liquids and gels", "all", "none"};
@@ -27,33 +27,39 @@ namespace
 
   void declare_grid(ParameterHandler &prm)
   {
-    declare_double(
-      prm, "Cell size", "0.004", 1e-6, 1e3, "m", "Of the background grid.");
-    declare_list(prm,
-                 "Particles a cell",
-                 "2, 2, 2",
-                 3,
-                 3,
-                 1.,
-                 10.,
-                 "-",
-                 "Along x, y and z; 2 each make 8 of a full cell.");
+    declare_double(prm,
+                   "Cell size",
+                   "0.004",
+                   1e-6,
+                   1e3,
+                   "m",
+                   "Cell size of the background grid.");
+    declare_list(
+      prm,
+      "Particles a cell",
+      "2, 2, 2",
+      3,
+      3,
+      1.,
+      10.,
+      "-",
+      "Particles per cell along x, y and z; 2, 2, 2 puts 8 into a full cell.");
     declare_selection(
       prm, "Basis", "cubic", mpm::basis_names(), "B-splines of the grid.");
     declare_string(prm,
                    "Fine regions",
                    "",
-                   "Names of regions with commas between them: where they are "
-                   "at the start, cells are halved for the whole run, in "
-                   "blocks of 2 x 2 x 2. Empty: nowhere.");
-    declare_double(prm,
-                   "Fine margin",
-                   "1",
-                   0.,
-                   100.,
-                   "-",
-                   "How far from these regions cells are halved, too, in whole "
-                   "cells.");
+                   "Names of regions, separated by commas: grid cells at "
+                   "their initial positions are halved for the whole run, "
+                   "in blocks of 2 x 2 x 2. Empty: none.");
+    declare_double(
+      prm,
+      "Fine margin",
+      "1",
+      0.,
+      100.,
+      "-",
+      "Margin around these regions with halved cells, in coarse cells.");
   }
 
   void declare_scheme(ParameterHandler &prm)
@@ -62,62 +68,60 @@ namespace
                       "Transfer",
                       "flip",
                       mpm::transfer_names(),
-                      "How particles get velocities from the grid: the nodes' "
-                      "(pic), their change (flip), with an affine part (apic), "
-                      "or corrected by the mass series (fmpm).");
-    declare_selection(
-      prm,
-      "Update",
-      "musl",
-      mpm::stress_update_names(),
-      "Stresses from the velocity before the step (usf), after "
-      "it (usl), or of the momentum of moved particles (musl).");
-    declare_integer(
-      prm,
-      "Series order",
-      "2",
-      1,
-      16,
-      "Terms of the mass series of flip and fmpm: 1 is the lumped "
-      "mass, which makes sound slow; each further one costs a "
-      "transfer to the particles and back.");
-    declare_double(
-      prm,
-      "Damping time",
-      "1e9",
-      1e-9,
-      1e9,
-      "s",
-      "In which flip's particles lose the motion that the grid does "
-      "not see, whatever the step size.");
+                      "Update of particle velocities from the grid: nodal "
+                      "velocity (pic), its change (flip), affine (apic), or "
+                      "with the mass series (fmpm).");
+    declare_selection(prm,
+                      "Update",
+                      "musl",
+                      mpm::stress_update_names(),
+                      "Stress update with the velocity before the step "
+                      "(usf), after the step (usl), or from the momentum of "
+                      "moved particles (musl).");
+    declare_integer(prm,
+                    "Series order",
+                    "2",
+                    1,
+                    16,
+                    "Terms of the mass series of flip and fmpm: 1 is the "
+                    "lumped mass, which slows sound waves; each further "
+                    "term costs a transfer to the particles and back.");
+    declare_double(prm,
+                   "Damping time",
+                   "1e9",
+                   1e-9,
+                   1e9,
+                   "s",
+                   "Time constant, independent of the step size, with which "
+                   "flip damps particle motion that the grid does not "
+                   "resolve.");
   }
 
   void declare_resampling(ParameterHandler &prm)
   {
-    declare_double(
-      prm,
-      "Split stretch",
-      "2",
-      1.1,
-      1e6,
-      "-",
-      "A particle of a solid that has become so many times as long "
-      "along a principal direction is split, and its halves likewise "
-      "later.");
+    declare_double(prm,
+                   "Split stretch",
+                   "2",
+                   1.1,
+                   1e6,
+                   "-",
+                   "A particle of a solid is split when its stretch along a "
+                   "principal direction exceeds this value.");
+    declare_integer(prm,
+                    "Merge above",
+                    "64",
+                    4,
+                    1000000,
+                    "Largest number of particles per region and cell, 4 to "
+                    "1000000, at least three times the initial number; "
+                    "above it four become two.");
     declare_integer(
       prm,
-      "Merge above",
-      "64",
-      4,
+      "Resample every steps",
+      "20",
+      0,
       1000000,
-      "Particles of a region in a cell, 4 to 1000000, and at least three "
-      "times those at the start; of more, four become two.");
-    declare_integer(prm,
-                    "Resample every steps",
-                    "20",
-                    0,
-                    1000000,
-                    "How often particles are split and merged; 0: never.");
+      "Steps between splitting and merging of particles; 0: never.");
   }
 
   void declare_fields(ParameterHandler &prm)
@@ -126,9 +130,9 @@ namespace
                       "Fields",
                       field_kinds[0],
                       field_kinds,
-                      "Velocities of regions: one for all, which stick; or one "
-                      "for each, which slip along each other or, as contact, "
-                      "may part. By interface: they slip if a region has "
+                      "Velocity fields: one for all regions, which stick; "
+                      "or one per region, which slip or, with contact, may "
+                      "also separate. By interface: slip if any region has "
                       "Interface = slip.");
     declare_double(prm,
                    "Friction",
@@ -136,14 +140,14 @@ namespace
                    0.,
                    10.,
                    "-",
-                   "Coulomb's coefficient between regions in contact.");
+                   "Coulomb friction coefficient between regions in contact.");
     declare_selection(prm,
                       "Smoothing",
                       "liquids and gels",
                       smoothings,
-                      "Materials whose volume strain and pressure are smoothed "
-                      "over linear splines against locking; gels are solids "
-                      "with a bulk modulus of more than 20 shear moduli.");
+                      "Materials whose volume strain and pressure are "
+                      "smoothed with linear splines against locking; gels "
+                      "are solids with a bulk modulus above 20 shear moduli.");
   }
 
   bool locks(const Region &region)
@@ -188,7 +192,7 @@ void ParticleScene::parse_parameters(ParameterHandler &prm)
   const auto numbers = read_list(prm, "Particles a cell");
   for (unsigned int d = 0; d < 3; ++d)
     source_.per_cell[d] = static_cast<unsigned int>(numbers[d]);
-  // Never those that are there at the start.
+  // At least three times the initial number, so as not to merge at the start.
   resampling_.most =
     std::max<double>(read_unsigned(prm, "Merge above"),
                      3. * numbers[0] * numbers[1] * numbers[2]);
@@ -228,7 +232,7 @@ void ParticleScene::make_materials(const RegionDescriptions &regions)
     material.quadratic_viscosity = region.viscosity.quadratic;
     material.is_smoothed =
       smoothing_ == "all" || (smoothing_ != "none" && locks(region));
-    // What may part has a pressure of its own.
+    // Materials that may separate need their own pressure field.
     material.smoothing_group = regions_part() ? materials_.size() : 0;
     material.field = fields_ == "one" ? 0 : materials_.size();
     materials_.push_back(material);
@@ -243,7 +247,7 @@ void ParticleScene::make_source(const MeshDescription &mesh,
   regions.check_layers(mesh.has_layers() ? layers : MeshLayers());
   if (!mesh.has_layers())
     layers = {MeshLayer()};
-  // Without expressions of the place, a table of the layers is faster.
+  // A table by layer is faster if nothing depends on the place.
   std::vector<int> of_layer;
   if (!regions.depends_on_place())
     for (const MeshLayer &layer : layers)
@@ -288,7 +292,7 @@ void ParticleScene::halve_cells()
   }
   if (fine_regions_.empty())
     return;
-  // One sample of a halved cell along each direction.
+  // Samples each halved cell once along each direction.
   box_.halving.blocks = [source = source_,
                          is_fine,
                          spacing = 0.5 * cell_size_,
@@ -333,7 +337,7 @@ void ParticleScene::make_box(const MeshDescription &mesh,
         "MPM/Cell size = " + brief(cell_size_) +
         " m: from wall to wall along " + std::string(1, "xyz"[d]) + " are " +
         brief(last - first) + " m, which must be a multiple of it");
-    // Walls are planes of nodes.
+    // Walls coincide with planes of nodes.
     box_.lower[d] =
       upper && !lower ? last - box_.n_cells[d] * cell_size_ : first;
   }
@@ -359,7 +363,7 @@ void ParticleScene::reinit(const MeshDescription &mesh,
 
 double ParticleScene::n_particles() const
 {
-  // Of a coarse lattice over the box.
+  // Sample a coarse lattice over the box.
   constexpr unsigned int n = 24;
   double count = 0.;
   for (unsigned int i = 0; i < n * n * n; ++i)

@@ -23,11 +23,11 @@ namespace
   namespace column = mpm::column;
   namespace mpi = dealii::Utilities::MPI;
 
-  /// Particle updates per second and core, for estimates only: that of the
-  /// quickstart's head, on a processor of 2021.
+  /// Particle updates per second and core, for estimates only: measured on the
+  /// quickstart's head with a processor of 2021.
   constexpr double typical_speed = 1e6;
 
-  /// Bytes of a particle with its part of the grid.
+  /// Memory per particle with its part of the grid [bytes].
   constexpr double typical_memory = 1200.;
 
   dealii::Point<3> place_of(const mpm::ParticleBlock &block,
@@ -125,7 +125,7 @@ void ParticleSimulation::find_probes()
         brief(probe_places_[i][1]) + ", " + brief(probe_places_[i][2]) +
         ") m is outside of the matter; the nearest particle is " + brief(all) +
         " m away");
-    // Of several as near, one of the lowest rank.
+    // Among equally near particles, one of the lowest rank counts.
     const unsigned int me = mpi::this_mpi_process(communicator_);
     const bool is_near = nearest <= all * (1. + 1e-12);
     if (mpi::min(is_near ? me : ~0u, communicator_) != me)
@@ -398,7 +398,8 @@ ImpactPlan ParticleSimulation::impact_plan() const
 
 Assumption ParticleSimulation::layer_resolution() const
 {
-  // Between fields that slip, two cells; else splines reach across.
+  // Slip between fields needs two cells; one field needs more, because spline
+  // supports overlap.
   constexpr double least_of_one_field = 4., least_of_several = 2.;
   const bool is_one = scene_.field_contact().n_fields() < 2;
   const auto [thickness, middle] = mesh_.thinnest_layer();

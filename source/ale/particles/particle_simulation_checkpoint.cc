@@ -18,25 +18,25 @@ namespace
 {
   namespace mpi = dealii::Utilities::MPI;
 
-  /// What every file of a checkpoint says first.
+  /// Header of each checkpoint file: global values.
   struct Numbers
   {
-    std::uint64_t n_particles; ///< all ranks
+    std::uint64_t n_particles; ///< on all ranks
     std::uint64_t n_materials;
-    std::uint64_t n_blocks; ///< of this file
+    std::uint64_t n_blocks; ///< in this file
     std::uint64_t n_steps, n_split, n_merged;
     double cell_size;
     double time;
     double initial_energy;
     double energy_scale;
-    mpm::EnergyLedger ledger; ///< of this file's rank
+    mpm::EnergyLedger ledger; ///< of the rank that wrote this file
     ContactMeasures contact;
     ContactRecord record;
     ContactRecord region_contact;
     FrontRecord front;
   };
 
-  /// Particles that follow.
+  /// Header of a block of particles.
   struct BlockHead
   {
     std::uint64_t tile;
@@ -100,7 +100,7 @@ void ParticleSimulation::restore_file(const std::string &file)
   io::take_list(in, file, least_pressures_);
   Peaks peaks;
   io::take_list(in, file, peaks);
-  // Every rank has those of all ranks; largest ones count.
+  // Each file has the peaks of all ranks; keep the largest.
   if (reference_.peaks().size() < peaks.size())
     reference_.peaks().resize(peaks.size(), {{0., 0.}});
   for (std::size_t i = 0; i < peaks.size(); ++i)
@@ -118,7 +118,7 @@ void ParticleSimulation::restore_file(const std::string &file)
   contact_record_ = numbers.record;
   region_contact_ = numbers.region_contact;
   reference_.record() = numbers.front;
-  // Sums over ranks are what counts.
+  // Only sums over ranks count, so the first rank takes all.
   if (mpi::this_mpi_process(communicator_) == 0)
   {
     mpm::EnergyLedger ledger = step_->ledger();
@@ -148,7 +148,7 @@ void ParticleSimulation::restore(const std::string &folder)
 {
   build_grid();
   unsigned int n_files = 0;
-  // Each rank takes what is in its tiles, whatever ranks wrote it.
+  // Each rank reads all files and keeps the particles in its tiles.
   while (std::filesystem::exists(file_of(folder, n_files)))
     restore_file(file_of(folder, n_files++));
   const std::uint64_t found =

@@ -20,7 +20,8 @@ namespace
 
 void ProbeDisplacements::declare_parameters(ParameterHandler &prm)
 {
-  declare_selection(prm, "Direction", "y", directions, "Of displacements.");
+  declare_selection(
+    prm, "Direction", "y", directions, "Direction of the displacements.");
   declare_list(prm,
                "Known",
                "0",
@@ -29,7 +30,8 @@ void ProbeDisplacements::declare_parameters(ParameterHandler &prm)
                -1e6,
                1e6,
                "m",
-               "Displacements of the matter at Probes/Points at the end.");
+               "Known final displacement of the material point at each of "
+               "Probes/Points.");
 }
 
 

@@ -78,7 +78,8 @@ void BoundedFlows::limit_masses(const dealii::AlignedVector<double> &fields,
       staying[flow.donor] -= std::abs(mass);
   }
   find_room(fields, 0, 1, volumes, low);
-  // Nor does a cell lose more mass than it has: what goes with it needs that.
+  // A cell must not lose more mass than it has, so that other fields stay
+  // bounded.
   for (std::size_t c = 0; c < n_own; ++c)
     room_[2 * c + 1] = std::max(0., std::min(room_[2 * c + 1], staying[c]));
   cut(mass_exchange_, 1, rest);
@@ -104,7 +105,7 @@ void BoundedFlows::limit_others(const dealii::AlignedVector<double> &fields,
   for (std::size_t c = 0; c < n_own; ++c)
     for (unsigned int f = 0; f < width; ++f)
       low[width * c + f] = masses[c] * fields[n_fields_ * c + 1 + f];
-  // Of the cell that loses mass, which need not be that which loses volume.
+  // The donor of mass may differ from the donor of volume.
   const auto mean_of = [&](const std::size_t i) {
     const double mass = carried_[n_fields_ * i];
     const HexSpace::Face &face = *flows_[i].face;
@@ -168,7 +169,7 @@ void BoundedFlows::cut(const FieldExchange &exchange,
                        const unsigned int width,
                        std::vector<double> &rest)
 {
-  // All that would come into a cell, and go out of it, and the part that may.
+  // Sums of inflow and outflow of each cell, then the admissible fractions.
   dealii::AlignedVector<double> parts(exchange.size());
   const auto place =
     [&](const std::size_t cell, const unsigned int f, const bool gains) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-// Before all of deal.II, as the precompiled header is not used here.
+// Before all of deal.II, since this file does not use the precompiled header.
 #include <contrecoup/base/lanes.h>
 
 #include <contrecoup/ale/mesh/ale_state.h>
@@ -64,7 +64,7 @@ private:
   void renew_preconditioner();
   /// Whether all nodes of a cell are prescribed.
   bool is_prescribed(const Cell &cell) const;
-  /// Finds cells_ and empty_rows_. Collective.
+  /// Computes cells_ and empty_rows_. Collective.
   void find_cells();
 
   HexSpace &space_;
@@ -74,8 +74,9 @@ private:
   dealii::AffineConstraints<double> constraints_;
   dealii::TrilinosWrappers::SparseMatrix matrix_;
   TrilinosVector right_side_, solution_;
-  std::vector<Cell> cells_; ///< own ones that are not prescribed as a whole
-  std::vector<dealii::types::global_dof_index> empty_rows_; ///< of the matrix
+  std::vector<Cell> cells_; ///< owned cells with free nodes
+  /// rows of the matrix without contributions
+  std::vector<dealii::types::global_dof_index> empty_rows_;
   dealii::TrilinosWrappers::PreconditionAMG preconditioner_;
   SmoothingMemory memory_;
 };
@@ -164,7 +165,7 @@ void ElasticSmoothing::System::add_cell(
   for (const unsigned int q : values.quadrature_point_indices())
     volume += values.JxW(q);
   const double stiffness = std::pow(volume, -options_.stiffening);
-  // Three components have the same gradients at a corner.
+  // The three components share the shape gradients.
   std::array<dealii::Tensor<1, 3>, 8> g;
   for (const unsigned int q : values.quadrature_point_indices())
   {
@@ -200,7 +201,7 @@ bool ElasticSmoothing::System::is_prescribed(const Cell &cell) const
 
 void ElasticSmoothing::System::find_cells()
 {
-  // Rows that no cell adds to belong to nodes amid prescribed ones.
+  // Rows without contributions belong to nodes among prescribed ones.
   std::vector<dealii::types::global_dof_index> dofs(24);
   TrilinosVector touched(own_, space_.communicator());
   for (const auto &cell : space_.node_dofs().active_cell_iterators())

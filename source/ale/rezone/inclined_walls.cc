@@ -40,8 +40,7 @@ InclinedWalls::InclinedWalls(
 unsigned int InclinedWalls::wall_around(const HexSpace::Face &face,
                                         const unsigned int corner) const
 {
-  // About what is lost where coordinates of a small cell are far from the
-  // origin.
+  // Relative round-off of a small cell far from the origin.
   constexpr double tolerance = 1e-9;
   const auto found = numbers_.find(face.boundary);
   if (face.outside != HexSpace::no_cell || found == numbers_.end())
@@ -65,7 +64,8 @@ void InclinedWalls::add_node(const std::uint32_t node,
                              std::array<bool, 3> &is_prescribed,
                              std::vector<InclinedNode> &inclined) const
 {
-  // Gauss and Jordan, of what a node is ahead of the matter: normal * way = 0.
+  // Gauss-Jordan elimination of normal * displacement = 0, for displacements
+  // relative to the matter.
   std::vector<std::pair<unsigned int, dealii::Tensor<1, 3>>> rows;
   for (unsigned int wall = 0; wall < size(); ++wall)
   {
@@ -77,7 +77,7 @@ void InclinedWalls::add_node(const std::uint32_t node,
         row[d] = 0.;
     for (const auto &[pivot, other] : rows)
       row -= row[pivot] * other;
-    // As in SlipWalls.
+    // The same tolerance as in SlipWalls.
     if (row.norm() < 1e-6)
       continue;
     unsigned int pivot = 0;

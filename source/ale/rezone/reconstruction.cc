@@ -14,16 +14,15 @@ namespace contrecoup::ale
 {
 namespace
 {
-  /// Whether the second differences @p a and @p b are those of one smooth
-  /// function.
+  /// Whether second differences @p a and @p b indicate a smooth extremum.
   bool alike(const double a, const double b)
   {
     return a * b > 0. && std::abs(b) > 0.5 * std::abs(a) &&
            std::abs(b) < 2. * std::abs(a);
   }
 
-  /// The part of a change that stays within @p least <= 0 and @p most >= 0, but
-  /// for the round-off of values of this size.
+  /// Largest fraction of a change that stays within @p least <= 0 and @p most
+  /// >= 0, with tolerance for round-off of values of this size.
   double allowed_part(const double change,
                       const double least,
                       const double most,
@@ -32,7 +31,7 @@ namespace
     const double room = (change > 0. ? most : -least) + 1e-13 * size;
     return std::abs(change) > room ? room / std::abs(change) : 1.;
   }
-  /// The vector that is nearly all of a symmetric matrix of rank one.
+  /// Eigenvector of the dominant eigenvalue of a nearly rank-one matrix.
   Vector3<double> direction_of(const Matrix3<double> &matrix)
   {
     unsigned int largest = 0;
@@ -46,11 +45,11 @@ namespace
     return result;
   }
 
-  /// The inverse of a sum of squares of directions, without those that are
-  /// hardly among them, as in a slab of one cell, where they would be noise.
+  /// Pseudo-inverse of a least squares matrix. Nearly singular directions, as
+  /// in a slab of one cell, are left out because they would be noise.
   Matrix3<double> inverse_where_known(Matrix3<double> sum)
   {
-    // The sine of an angle of a hundredth of a degree, squared.
+    // Squared sine of an angle of a hundredth of a degree.
     constexpr double least = 3e-8;
     const double trace = sum[0][0] + sum[1][1] + sum[2][2];
     Matrix3<double> c = cofactor(sum);
@@ -183,8 +182,8 @@ void Reconstruction::compute(const dealii::AlignedVector<double> &position,
   }
   for (const std::uint32_t c : cells_)
     limit_inside(fields, c);
-  // A cell at an edge takes counsel of cells at a side, and those of cells
-  // inside.
+  // Cells at edges use limited gradients of cells at sides, and these those of
+  // interior cells.
   for (unsigned int n_walls = 1; n_walls <= 3; ++n_walls)
   {
     gradient_exchange_.update_copies(gradients_);

@@ -15,7 +15,7 @@ namespace
 {
   constexpr unsigned int width = AleState::width;
 
-  /// Half of the square of a velocity.
+  /// Half of the squared velocity.
   double half_square(const double *v)
   {
     return 0.5 * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
@@ -80,12 +80,12 @@ void Remap::carry_face(const AleState &state,
     }
   if (!moves)
     return;
-  // The nodes are those of `inside`.
+  // The corner nodes of the face belong to `inside`.
   if (rests(face.inside) || (rests(face.outside) && !space_->is_sliding(face)))
     throw NumericsError("time " + exact(state.time) +
                         " s: the rezone would move a solid's node, at cell " +
                         std::to_string(space_->cell_number(face.inside)));
-  // What `inside` gains comes out of `outside`.
+  // What `inside` gains leaves `outside`.
   const auto swept = swept_moments(before, after);
   if (is_closed(face))
     return check_boundary(state, face, swept.volume);
@@ -101,8 +101,8 @@ void Remap::carry_face(const AleState &state,
     const double *g = reconstruction_.gradient(donor, f);
     return g[0] * moment[0] + g[1] * moment[1] + g[2] * moment[2];
   };
-  // Of the linear functions and the moment, not of a place where it would be: a
-  // face that turns has a moment without a volume.
+  // Integrate linear functions with the swept moments, not at a centroid: a
+  // rotating face has a first moment but zero volume.
   std::array<double, n_fields> carried;
   carried[0] = swept.volume * field[density] + change(density);
   for (unsigned int f = 1; f < n_fields; ++f)
@@ -160,7 +160,7 @@ void Remap::check_boundary(const AleState &state,
                            const HexSpace::Face &face,
                            const double swept) const
 {
-  // Nodes on curved walls are off by what they slid; matter is not carried.
+  // Sliding along a curved wall sweeps a small volume; nothing passes.
   constexpr double largest_part = 1e-3;
   if (std::abs(swept) > largest_part * reconstruction_.volume(face.inside))
     throw NumericsError(
@@ -216,7 +216,7 @@ void Remap::add_rest(const AleState &state, const double *v, double *sum)
   const double eighths = sum[3];
   if (state.wedge.active())
   {
-    // It is the same before and after, and keeps its velocity.
+    // This part of the mass does not change and keeps its velocity.
     const double rest = 1. / v[3] - sum[5];
     for (unsigned int d = 0; d < 3; ++d)
       sum[d] += rest * v[d];
@@ -271,7 +271,7 @@ void Remap::collect(AleState &state,
   walls.apply(state.velocity, state.time);
   ties_.find_normals(position, walls);
   ties_.apply(state.velocity);
-  // What the velocity of a node lacks of its kinetic energy, by mass.
+  // Kinetic energy per mass that averaging of nodal velocities loses.
   const auto heat = [&](const std::uint32_t c) {
     double result = 0.;
     for (const std::uint32_t node : space_->cell(c))

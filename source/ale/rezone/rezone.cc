@@ -20,7 +20,7 @@ namespace
 {
   constexpr unsigned int width = AleState::width;
 
-  /// In the order of the enumeration.
+  /// Names of the values of RezoneKind and RemapLimiter, in the same order.
   const std::vector<std::string> names{"none", "elastic", "back"};
   const std::vector<std::string> limiters{"keep smooth extrema", "strict"};
 
@@ -45,48 +45,50 @@ void Rezone::declare_parameters(ParameterHandler &prm)
                     "Kind",
                     "none",
                     names,
-                    "none: the mesh goes with the matter (Lagrange); elastic: "
-                    "nodes inside follow the boundary as if the mesh were "
-                    "elastic; back: all nodes go back to where they began "
-                    "(Euler).");
+                    "none: Lagrangian mesh; elastic: inner nodes follow the "
+                    "boundary by elastic smoothing; back: all nodes return "
+                    "to their initial positions (Eulerian).");
   declare_double(prm,
                  "Interval",
                  "0",
                  0.,
                  1e6,
                  "s",
-                 "Simulated time between two rezones; 0: each step.");
-  declare_selection(
-    prm,
-    "Limiter",
-    limiters[0],
-    limiters,
-    "Of what matter is taken for within cells where it is "
-    "carried over. keep smooth extrema: of second order at "
-    "them, and beyond the values around by up to a hundredth of "
-    "a jump; strict: no density, energy, mass fraction or "
-    "component of the velocity beyond those around, but of "
-    "order 1.4 at smooth peaks.");
+                 "Simulated time between rezones; 0: every step.");
+  declare_selection(prm,
+                    "Limiter",
+                    limiters[0],
+                    limiters,
+                    "Limiter of the reconstruction in the remap. keep "
+                    "smooth extrema: second order at smooth extrema, with "
+                    "overshoots of up to a hundredth of a jump. strict: no "
+                    "overshoots of density, energy, mass fraction or "
+                    "velocity components, but order 1.4 at smooth peaks.");
   declare_double(prm,
                  "Stiffening",
                  "1",
                  0.,
                  4.,
                  "-",
-                 "The elastic mesh is stiff in proportion to the inverse "
-                 "volume of its cells to this power; larger ones keep small "
-                 "cells in shape.");
-  declare_double(
-    prm, "Poisson's ratio", "0.3", 0., 0.49, "-", "Of the elastic mesh.");
-  declare_double(
-    prm,
-    "Tolerance",
-    "1e-6",
-    1e-14,
-    0.1,
-    "-",
-    "Relative residual of the elastic problem; less of it changed errors "
-    "by 1e-4 of them at most, also where cells are flat.");
+                 "Young's modulus of the mesh is the inverse cell volume to "
+                 "this power; larger values preserve the shape of small "
+                 "cells.");
+  declare_double(prm,
+                 "Poisson's ratio",
+                 "0.3",
+                 0.,
+                 0.49,
+                 "-",
+                 "Poisson's ratio of the elastic mesh.");
+  declare_double(prm,
+                 "Tolerance",
+                 "1e-6",
+                 1e-14,
+                 0.1,
+                 "-",
+                 "Relative residual of the elastic problem; a smaller one "
+                 "changed errors by at most 1e-4 of themselves, also with "
+                 "flat cells.");
 }
 
 
@@ -104,7 +106,7 @@ void Rezone::parse_parameters(ParameterHandler &prm)
 
 void Rezone::check_interval(const double step) const
 {
-  // Steps become shorter where cells are compressed.
+  // The margin allows for steps that shorten as cells are compressed.
   if (kind_ != RezoneKind::none && interval_ > 0. && interval_ < 0.1 * step)
     throw InputError("Rezone/Interval = " + brief(interval_) +
                      " s is far below the step, about " + brief(step) +
@@ -132,9 +134,9 @@ void Rezone::reinit(
   reference_ = state.position;
   due_ = state.time + interval_;
   if (kind_ == RezoneKind::back && has_interfaces())
-    throw InputError("Rezone/Kind = back needs a single region, as regions are "
-                     "not mixed; let Density and Pressure of one depend on x, "
-                     "y, z, or use elastic");
+    throw InputError("Rezone/Kind = back needs a single region, as regions "
+                     "are not mixed; let Density and Pressure of one depend "
+                     "on x, y, z, or use elastic");
   if (kind_ == RezoneKind::none)
     return;
   if (std::find(is_solid_.begin(), is_solid_.end(), false) == is_solid_.end())
@@ -212,7 +214,7 @@ void Rezone::find_prescribed(
     *space_, start_, boundaries, [this](const HexSpace::Face &face) {
       return axis_normal_to(face) < 0;
     });
-  // Three directions, all of them, and normal to each inclined wall.
+  // Per node: three directions, all directions, and each inclined wall.
   constexpr unsigned int all = 3;
   const unsigned int n = 4 + inclined.size();
   FieldExchange exchange;
@@ -242,7 +244,7 @@ void Rezone::find_prescribed(
         count[n * node + all] += 1.;
   exchange.add_copies(count);
   exchange.update_copies(count);
-  // Both nodes of a place are where regions meet.
+  // Both nodes of a sliding pair lie on an interface.
   for (const auto &[sliding, held] : space_->sliding_pairs())
     count[n * sliding + all] = count[n * held + all] = 1.;
   prescribed_ = PrescribedNodes();
@@ -266,7 +268,7 @@ bool Rezone::is_valid(const dealii::AlignedVector<double> &position) const
   int valid = 1;
   for (std::size_t c = 0; c < space_->n_own_cells() && valid == 1; ++c)
   {
-    // Solids keep their nodes, however they are deformed.
+    // Solids keep their nodes, however deformed.
     if (!is_solid_[space_->region(c)] &&
         !(smallest_corner_jacobian(corners_of(space_->cell(c), position)) > 0.))
       valid = 0;
@@ -287,12 +289,12 @@ dealii::AlignedVector<double> Rezone::smoothed(const AleState &state,
     for (unsigned int d = 0; d < 3; ++d)
     {
       const std::size_t i = width * n + d;
-      // To the last bit where nothing may be carried over.
+      // Fixed nodes must match bitwise, so that nothing is remapped.
       displacement[i] = prescribed_.components[n][d]
                           ? state.position[i]
                           : reference_[i] + displacement[i];
     }
-  // The solver is not exact, but walls are.
+  // The solver is inexact, but wall constraints must hold exactly.
   for (const InclinedNode &slide : prescribed_.inclined)
   {
     const std::size_t i = width * slide.node;
@@ -343,8 +345,8 @@ void Rezone::carry_over(AleState &state,
                         const dealii::AlignedVector<double> &position)
 {
   const TimerScope timer("rezone: remap");
-  // What leaves a cell is what its linear function says is there. Cells shrink
-  // on the way, so that each part is found where the one before has ended.
+  // The outflow is integrated from linear functions, so it must stay small.
+  // Cells shrink on the way: each substep starts from the last result.
   constexpr double largest_part = 0.5;
   constexpr unsigned int most_parts = 10000;
   for (unsigned int part = 0; part < most_parts; ++part)
@@ -372,7 +374,7 @@ bool Rezone::apply(AleState &state, const SlipWalls &walls)
     due_ += interval_;
   dealii::AlignedVector<double> position =
     kind_ == RezoneKind::back ? start_ : smoothed(state, walls);
-  // Back off where a cell would be inverted.
+  // Halve the displacement where a cell would invert.
   for (unsigned int i = 0; i < 6 && !is_valid(position); ++i)
     for (std::size_t k = 0; k < position.size(); ++k)
       position[k] = 0.5 * (position[k] + state.position[k]);

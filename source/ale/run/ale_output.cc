@@ -10,7 +10,7 @@ namespace
 {
   constexpr unsigned int width = AleState::width;
 
-  /// Where deal.II has the corners of HexMesh.
+  /// deal.II's vertex number of each corner of HexMesh.
   constexpr unsigned int corner_of[8] = {0, 1, 3, 2, 4, 5, 7, 6};
 } // namespace
 

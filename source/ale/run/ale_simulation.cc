@@ -20,11 +20,11 @@ namespace
 {
   constexpr unsigned int width = AleState::width;
 
-  /// Cell updates per second and core, for estimates only: that of the
-  /// quickstart's head, on a processor of 2021.
+  /// Cell updates per second and core, for estimates only: measured on the
+  /// quickstart's head with a processor of 2021.
   constexpr double typical_speed = 2.5e6;
 
-  /// Bytes of a cell with its nodes, a remap's numbers among them.
+  /// Memory per cell with its nodes and the data of the remap [bytes].
   constexpr double typical_memory = 2500.;
 } // namespace
 
@@ -45,40 +45,40 @@ void AleSimulation::declare_parameters(ParameterHandler &prm)
       declare_string(prm,
                      name,
                      "0",
-                     "Acceleration of everything [m/s^2], a muParser "
-                     "expression of t; of particles also of x, y, z, where "
-                     "they were at the start.");
+                     "Body force per mass [m/s^2], a muParser expression of "
+                     "t; with particles also of the initial x, y, z.");
   }
   {
     const Section section(prm, "Scheme");
-    declare_double(prm,
-                   "Courant number",
-                   "0.3",
-                   0.01,
-                   1.,
-                   "-",
-                   "Step size over what signals take to cross a cell.");
+    declare_double(
+      prm,
+      "Courant number",
+      "0.3",
+      0.01,
+      1.,
+      "-",
+      "Step size over the time that signals take to cross a cell.");
     declare_double(prm,
                    "Largest growth",
                    "1.2",
                    1.001,
                    10.,
                    "-",
-                   "Of the step size, from one step to the next.");
-    declare_integer(prm,
-                    "Largest number of retries",
-                    "10",
-                    0,
-                    50,
-                    "Times that a step is halved where a cell would be "
-                    "inverted, 0 to 50.");
+                   "Largest ratio of successive step sizes.");
+    declare_integer(
+      prm,
+      "Largest number of retries",
+      "10",
+      0,
+      50,
+      "How often a step may be halved when a cell inverts, 0 to 50.");
   }
   {
     const Section section(prm, "Output");
     declare_bool(prm,
                  "Pictures",
                  "false",
-                 "Whether a finished run draws its history and probes into the "
+                 "Whether a finished run draws history and probes into the "
                  "folder pictures, and of a head a report.");
   }
   const Section section(prm, "Probes");
@@ -86,7 +86,7 @@ void AleSimulation::declare_parameters(ParameterHandler &prm)
                  "Points",
                  "",
                  "m",
-                 "Places whose nearest cells at the start are followed.");
+                 "Probe positions; the initially nearest cell is recorded.");
 }
 
 
@@ -133,7 +133,7 @@ CostEstimate AleSimulation::estimate()
   cost.cells = mesh_description_.n_cells();
   cost.unknowns = 5. * cost.cells;
   cost.memory = typical_memory * cost.cells;
-  // The run loop refuses such a mesh, which must not be made before.
+  // The run loop refuses a mesh this large, so do not build it.
   const double available = available_memory(communicator_);
   if (available > 0. && cost.memory > available)
     return cost;
@@ -146,7 +146,7 @@ CostEstimate AleSimulation::estimate()
       "Coupling/Scheme = " +
       coupling_.name() + " takes; use monolithic");
   coupling_.require_interface(mesh, regions_.regions());
-  // A gas that is cold and at rest gets its speed from a wall.
+  // Cold gas at rest moves at the speed of a wall.
   const double speed = regions_.largest_speed(mesh) +
                        mesh_description_.largest_wall_speed(end_time_);
   cost.steps =
@@ -217,7 +217,7 @@ void AleSimulation::require_probe_inside(const std::size_t probe,
                                          const double distance,
                                          const std::uint32_t cell) const
 {
-  // From the centre of the largest of the cells that were found by the ranks.
+  // Use the largest of the cells that ranks have found.
   double diagonal = 0.;
   if (cell != HexSpace::no_cell)
     for (unsigned int i = 0; i < 4; ++i)
@@ -262,7 +262,7 @@ void AleSimulation::find_probe_cells()
         cell = c;
       }
     }
-    // Of several as near, the cell of the smallest number.
+    // Among equally near cells, the smallest cell number counts.
     const double all = dealii::Utilities::MPI::min(nearest, communicator_);
     require_probe_inside(i, all, cell);
     const bool is_here = nearest <= all * (1. + 1e-12);
@@ -288,7 +288,7 @@ StepReport AleSimulation::advance(const double largest_step)
   double largest = largest_step;
   if (last_step_ > 0.)
     largest = std::min(largest, growth_ * last_step_);
-  // About half of the heat before the step, the rest after it: of second order.
+  // Half of the heat before and half after the step: second order.
   const double begin = state_.time;
   const double first = 0.5 * std::min(largest, last_step_);
   heat(begin, first);
@@ -302,7 +302,7 @@ StepReport AleSimulation::advance(const double largest_step)
     lagrange_.coupling().require_stable(
       state_.time, totals.internal_energy + totals.kinetic_energy);
   }
-  // A step that was cut to end at a time of output says nothing of the next.
+  // A step cut short for output does not limit the next one.
   if (made < largest_step || last_step_ == 0. || made > last_step_)
     last_step_ = made;
   reference_.follow(space_, lagrange_, state_, probe_cells_, made);

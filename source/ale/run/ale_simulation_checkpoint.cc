@@ -18,7 +18,7 @@ namespace
 {
   constexpr unsigned int width = AleState::width;
 
-  /// What every file of a checkpoint says first.
+  /// Header of each checkpoint file: global values.
   struct Numbers
   {
     std::uint64_t n_nodes;
@@ -51,7 +51,7 @@ namespace
   struct CellRecord
   {
     std::uint32_t cell;
-    /// Mass, energy, products, and the strain of the relaxing branch.
+    /// Mass, energy, products, and relaxed strain.
     std::array<double, 9> values;
   };
 
@@ -137,7 +137,7 @@ void AleSimulation::restore_peaks(std::istream &in, const std::size_t n_peaks)
   {
     std::array<double, 2> peak{};
     take(in, peak);
-    // Those of the rank that followed the probe; others have none.
+    // Only the rank that recorded the probe has nonzero peaks.
     for (unsigned int k = 0; k < 2; ++k)
       peaks[i][k] = std::max(peaks[i][k], peak[k]);
   }

@@ -46,7 +46,7 @@ void AleSimulation::find_symmetry(ImpactPlan &plan) const
   std::array<bool, 3> would_do{};
   for (unsigned int d = 0; d < 3; ++d)
   {
-    // Across a plane of symmetry that is normal to this axis.
+    // Velocity across a symmetry plane normal to this axis.
     double motion =
       components[d] > 0. ? components[d] / plan.velocity.norm() : 0.;
     for (const ContactPlane &plane : plan.planes)

@@ -14,7 +14,7 @@ namespace contrecoup::ale
 {
 namespace
 {
-  /// Of the entry "Method".
+  /// Choices of the entry "Method".
   const std::string ale = "ale", mpm = "mpm";
 
   void declare_parameters(ParameterHandler &prm)
@@ -23,8 +23,8 @@ namespace
                       "Method",
                       ale,
                       {ale, mpm},
-                      "A mesh that goes with the matter and is smoothed (ale), "
-                      "or particles on a background grid (mpm).");
+                      "ale: a moving mesh with rezoning; mpm: particles on "
+                      "a background grid.");
     AleSimulation::declare_parameters(prm);
     ParticleScene::declare_parameters(prm);
     ParticleReference::declare_parameters(prm);
@@ -47,7 +47,7 @@ namespace
              : parsed<AleSimulation>(prm, communicator);
   }
 
-  /// Doubles the cells of the particles' grid.
+  /// Doubles the grid cell size of the particles.
   bool coarsen_grid(ParameterHandler &prm, const unsigned int levels)
   {
     const Section section(prm, "MPM");
@@ -56,8 +56,8 @@ namespace
     return true;
   }
 
-  /// Doubles the size of the cells of a head along its layers; those across
-  /// them stay, for they allow the shortest steps.
+  /// Doubles the cell size of a head along its layers. The cells across layers
+  /// stay, since they limit the step.
   bool coarsen_head(ParameterHandler &prm, const unsigned int levels)
   {
     const auto axes = read_list(prm, "Semi-axes");
@@ -68,7 +68,7 @@ namespace
     return true;
   }
 
-  /// Halves the cells of a box along each direction, or those of a ball.
+  /// Halves the number of cells of a box in each direction, or of a ball.
   bool coarsen(ParameterHandler &prm, const unsigned int levels)
   {
     if (prm.get("Method") == mpm)

@@ -10,7 +10,7 @@
 
 namespace contrecoup::ale
 {
-/// What is known of a flow at a place and time.
+/// State of a flow at a point and time.
 struct FlowState
 {
   double density = 0.;           ///< [kg/m^3]
@@ -18,16 +18,16 @@ struct FlowState
   double pressure = 0.;          ///< [Pa]
 };
 
-/// A flow that is known everywhere.
+/// Interface: a flow with an exact solution.
 class ExactFlow
 {
 public:
   virtual ~ExactFlow() = default;
 
-  /// @param time above 0 [s]
+  /// State at a point. @param time must be positive [s]
   virtual FlowState value(const dealii::Point<3> &place, double time) const = 0;
 
-  /// How many points along each edge of a cell its errors need.
+  /// Number of sampling points along each edge of a cell, for errors.
   virtual std::array<unsigned int, 3> samples() const
   {
     return {{4, 4, 4}};
@@ -35,9 +35,10 @@ public:
 };
 
 /**
- * Mean absolute errors by volume, of those cells whose centres are within
- * @p radius of the origin, over points in the cells: density and pressure, of
- * which cells know their means, and the trilinear velocity. Collective.
+ * Volume-weighted mean absolute errors over the cells whose centres lie within
+ * @p radius [m] of the origin, sampled at points in the cells: density and
+ * pressure, compared with the cells' constant values, and the trilinear
+ * velocity. Collective.
  */
 std::vector<NamedValue> flow_errors(const ExactFlow &flow,
                                     const HexSpace &space,

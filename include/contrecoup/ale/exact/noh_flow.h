@@ -18,7 +18,7 @@ class NohFlow : public ExactFlow
 public:
   static void declare_parameters(dealii::ParameterHandler &prm);
 
-  /// @throws InputError for constants without a physical meaning
+  /// @throws InputError for unphysical constants
   static std::unique_ptr<ExactFlow> create(const dealii::ParameterHandler &prm);
 
   FlowState value(const dealii::Point<3> &place, double time) const override;

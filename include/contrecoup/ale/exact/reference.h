@@ -9,42 +9,41 @@
 
 namespace contrecoup::ale
 {
-/**
- * The exact solution that a run is compared with: subsection "Reference", which
- * names one, and in which each has a subsection of its own.
- */
+/// The exact solution that a run is compared with: subsection "Reference",
+/// with a subsection for each kind of solution.
 class Reference
 {
 public:
   static void declare_parameters(dealii::ParameterHandler &prm);
 
-  /// @throws InputError for constants without a physical meaning
+  /// @throws InputError for unphysical constants
   void parse_parameters(dealii::ParameterHandler &prm);
 
-  /// Follows the pressures at @p probes, cells or HexSpace::no_cell, after a
-  /// step of @p step seconds.
+  /// Records the pressures at @p probes (cells, or HexSpace::no_cell) after a
+  /// step of size @p step [s].
   void follow(const HexSpace &space,
               const LagrangeStep &lagrange,
               const AleState &state,
               const std::vector<std::uint32_t> &probes,
               const double step);
 
-  /// Those of a flow, or at the probes. Collective.
+  /// Errors of the flow, or of the pressures at the probes. Collective.
   std::vector<NamedValue> errors(const HexSpace &space,
                                  const LagrangeStep &lagrange,
                                  const AleState &state) const;
 
-  /// The flow of Reference/Kind; none if that is no flow. @throws InputError
+  /// The flow of Reference/Kind, or null if the kind is no flow. @throws
+  /// InputError
   static std::unique_ptr<ExactFlow> parse_flow(dealii::ParameterHandler &prm);
 
-  /// For checkpoints.
+  /// Recorded peaks, for checkpoints.
   Peaks &peaks()
   {
     return peaks_;
   }
 
 private:
-  double radius_ = 0.; ///< within which flows are compared [m]
+  double radius_ = 0.; ///< flows are compared within this radius [m]
   std::unique_ptr<ExactFlow> flow_;
   std::unique_ptr<SpherePeaks> sphere_;
   std::unique_ptr<ShellPressures> shell_;

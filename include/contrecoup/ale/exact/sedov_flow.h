@@ -12,13 +12,13 @@
 
 namespace contrecoup::ale
 {
-/// Sedov's blast from the origin.
+/// Sedov's point explosion at the origin.
 class SedovFlow : public ExactFlow
 {
 public:
   static void declare_parameters(dealii::ParameterHandler &prm);
 
-  /// @throws InputError for constants without a physical meaning
+  /// @throws InputError for unphysical constants
   static std::unique_ptr<ExactFlow> create(const dealii::ParameterHandler &prm);
 
   FlowState value(const dealii::Point<3> &place, double time) const override;

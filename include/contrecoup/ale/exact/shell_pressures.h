@@ -9,12 +9,13 @@
 namespace contrecoup::ale
 {
 /**
- * Pressures in a liquid that fills a shell, which hits a wall, at opposite
- * probes, against the closed form. The middle of the shell is the origin, and
- * it comes along -z. As pressures ring on about the half sine of the contact,
- * its amplitude is compared: 2 / T integral_0^T p sin(pi t / T) dt, T by the
- * closed form. The force of the walls has an amplitude alike, and over the mass
- * it is the acceleration that the liquid got in the run.
+ * Pressures at opposite probes in a liquid-filled shell that hits a wall,
+ * compared with the closed-form solution. The shell is centred at the origin
+ * and moves along -z. Pressures oscillate about the half sine of the contact,
+ * so the amplitude of the half sine is compared: 2 / T integral_0^T p sin(pi t
+ * / T) dt, with the contact time T of the closed form. The amplitude of the
+ * contact force is defined alike; divided by the mass it gives the
+ * acceleration of the liquid in the run.
  */
 class ShellPressures
 {
@@ -27,11 +28,11 @@ public:
     : shell_(shell)
   {}
 
-  /// Adds a step of @p step seconds that has been made to @p parts, the
-  /// amplitudes [Pa] of what is positive and of what is negative, by probe, and
-  /// last that of the force of all planes [N]. Collective.
+  /// Adds a completed step of size @p step [s] to the integrals.
   /// @param probes cells or HexSpace::no_cell
-  /// @throws InputError for an odd number of probes
+  /// @param parts amplitudes of the positive and the negative part: of the
+  /// pressure at each probe [Pa], and last of the force of all planes [N]
+  /// @throws InputError for an odd number of probes. Collective.
   void follow(const HexSpace &space,
               const LagrangeStep &lagrange,
               const AleState &state,
@@ -39,17 +40,17 @@ public:
               const double step,
               Peaks &parts);
 
-  /// The acceleration over that of the closed form, less 1. Of each pair of
-  /// probes: half the difference over that of the closed form, over that of a
-  /// rigid wall, and over that of a rigid wall with the acceleration of the
-  /// run, each less 1. Collective.
-  /// @param mass of what is computed [kg]
+  /// Relative errors: of the acceleration against the closed form; and, for
+  /// each pair of probes, of half the pressure difference against the closed
+  /// form, against a rigid shell, and against a rigid shell with the
+  /// acceleration of the run. Collective.
+  /// @param mass of the computed part [kg]
   std::vector<NamedValue>
   errors(const Peaks &parts, const double mass, MPI_Comm communicator) const;
 
 private:
   FluidFilledShell shell_;
-  /// Where the cells of the probes were; zero where they are not here.
+  /// Centres of the probes' cells; zero on ranks that do not own the cell.
   std::vector<dealii::Point<3>> places_;
 };
 } // namespace contrecoup::ale

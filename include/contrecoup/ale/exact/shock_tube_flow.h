@@ -12,13 +12,13 @@
 
 namespace contrecoup::ale
 {
-/// Two ideal gases that meet in a plane normal to x.
+/// Riemann problem of two ideal gases, separated by a plane normal to x.
 class ShockTubeFlow : public ExactFlow
 {
 public:
   static void declare_parameters(dealii::ParameterHandler &prm);
 
-  /// @throws InputError for constants without a physical meaning
+  /// @throws InputError for unphysical constants
   static std::unique_ptr<ExactFlow> create(const dealii::ParameterHandler &prm);
 
   FlowState value(const dealii::Point<3> &place, double time) const override;

@@ -13,17 +13,17 @@
 
 namespace contrecoup::ale
 {
-/// Largest pressures so far, of the run and exact ones, at probes [Pa].
+/// Peak pressures so far [Pa] by probe: of the run, and exact.
 using Peaks = std::vector<std::array<double, 2>>;
 
-/// Largest pressures at probes in a liquid that fills a rigid sphere, which is
-/// decelerated along y, against those of the exact solution.
+/// Peak pressures at probes in a liquid that fills a rigid sphere, decelerated
+/// along y, compared with those of the exact solution.
 class SpherePeaks
 {
 public:
   static void declare_parameters(dealii::ParameterHandler &prm);
 
-  /// @throws InputError for constants without a physical meaning
+  /// @throws InputError for unphysical constants
   static std::unique_ptr<SpherePeaks>
   create(const dealii::ParameterHandler &prm);
 
@@ -31,20 +31,20 @@ public:
     : solution_(sphere)
   {}
 
-  /// @param probes cells or HexSpace::no_cell
+  /// Updates the peaks. @param probes cells or HexSpace::no_cell
   void follow(const HexSpace &space,
               const LagrangeStep &lagrange,
               const AleState &state,
               const std::vector<std::uint32_t> &probes,
               Peaks &peaks) const;
 
-  /// Raises peaks by a pressure at a place [Pa].
+  /// Updates the peaks of one probe by the pressure at a point [Pa].
   void take(const dealii::Point<3> &place,
             const double pressure,
             const double time,
             std::array<double, 2> &peak) const;
 
-  /// The largest error over the largest exact peak. Collective.
+  /// Largest error, relative to the largest exact peak. Collective.
   static std::vector<NamedValue> errors(const Peaks &peaks,
                                         MPI_Comm communicator);
 

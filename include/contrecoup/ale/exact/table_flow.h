@@ -12,8 +12,7 @@
 
 namespace contrecoup::ale
 {
-/// A flow away from the origin that a table gives at the time when it is
-/// compared.
+/// Radial flow about the origin, tabulated at the time of the comparison.
 class TableFlow : public ExactFlow
 {
 public:

@@ -12,17 +12,16 @@
 namespace contrecoup::ale
 {
 /**
- * Steady vortices of G. I. Taylor and A. E. Green in the plane of x and y,
- * those of an incompressible fluid, one in each square. Gas of the ratio gamma
- * of specific heats has them where it is heated by u dp/dx + v dp/dy over gamma
- * - 1.
+ * Steady Taylor-Green vortices of an incompressible fluid in the x-y plane,
+ * one per square. A gas with specific heat ratio gamma keeps this flow if the
+ * heat source (u dp/dx + v dp/dy) / (gamma - 1) is added.
  */
 class TaylorGreenFlow : public ExactFlow
 {
 public:
   static void declare_parameters(dealii::ParameterHandler &prm);
 
-  /// @throws InputError for constants without a physical meaning
+  /// @throws InputError for unphysical constants
   static std::unique_ptr<ExactFlow> create(const dealii::ParameterHandler &prm);
 
   FlowState value(const dealii::Point<3> &place, double time) const override;
@@ -31,6 +30,6 @@ private:
   double density_ = 1.;  ///< [kg/m^3]
   double speed_ = 1.;    ///< [m/s]
   double pressure_ = 1.; ///< [Pa]
-  double side_ = 1.;     ///< [m]
+  double side_ = 1.;     ///< of a square [m]
 };
 } // namespace contrecoup::ale

@@ -12,19 +12,19 @@
 
 namespace contrecoup::ale
 {
-/// What the description of a layered head tells before a run.
+/// Estimates for a layered head from its description, before a run.
 struct HeadEstimate
 {
   double mass = 0.;       ///< of the whole head [kg]
-  double scalp_mass = 0.; ///< that 5 mm of scalp around it would have [kg]
+  double scalp_mass = 0.; ///< of 5 mm of scalp around the head [kg]
   bool has_scalp = false;
-  double liquid_radius = 0.; ///< within the skull [m]
-  /// The head as a shell full of liquid, if its skull is solid and runs onto a
-  /// plane; for ellipsoids with the radius of the sphere of the same volume.
+  double liquid_radius = 0.; ///< of the liquid inside the skull [m]
+  /// Impact of a liquid-filled shell, if the skull is solid and hits a plane;
+  /// an ellipsoid counts as the sphere of equal volume.
   std::optional<ShellImpact> impact;
 };
 
-/// @return nothing for other meshes, and for heads whose nodes are moved
+/// Returns nothing for other meshes and for heads with moved nodes.
 std::optional<HeadEstimate> estimate_head(const MeshDescription &mesh,
                                           const RegionDescriptions &regions,
                                           const ContactPlanes &planes);

@@ -17,11 +17,11 @@
 namespace contrecoup::ale
 {
 /**
- * Follows what injures a head: strains and pressures in the brain, the motion
- * of the skull, or of the brain where there is no skull. Subsection "Injury".
- * Parts between planes of symmetry have the measures of the whole: parts of the
- * brain are the same, and the skull moves along the planes and turns about the
- * normal of one.
+ * Records injury measures of a head: strain and pressure in the brain, and the
+ * motion of the skull, or of the brain in a mesh without skull. Subsection
+ * "Injury". With symmetry planes, the measures are those of the whole head:
+ * velocities normal to the planes are zero, and rotation is about the normal
+ * of one plane.
  */
 class HeadMeasures
 {
@@ -29,29 +29,29 @@ public:
   static void declare_parameters(dealii::ParameterHandler &prm);
   void parse_parameters(dealii::ParameterHandler &prm);
 
-  /// Whether there is a brain or a skull.
+  /// Whether the mesh has a brain or a skull.
   bool active() const
   {
     return brain_ != none || skull_ != none;
   }
 
-  /// Of the undeformed mesh.
-  /// @throws InputError for a region that is no solid
+  /// Selects the cells of the undeformed mesh.
+  /// @throws InputError if brain or skull are no solids
   void reinit(const HexSpace &space,
               const LagrangeStep &lagrange,
               const AleState &state,
               const std::vector<Region> &regions);
 
-  /// Call before the first step and after each. Collective.
+  /// Call before the first step and after each step. Collective.
   void follow(const HexSpace &space,
               const LagrangeStep &lagrange,
               const AleState &state);
 
-  /// What was found so far. Collective.
+  /// Measures recorded so far. Collective.
   std::vector<solid::InjuryMeasure> measures(const MPI_Comm communicator) const;
 
-  /// Of this rank, into and from @p folder. restore() follows reinit().
-  /// @throws InputError for a checkpoint of something else
+  /// Saves this rank's record to @p folder, or restores it after reinit().
+  /// @throws InputError for a checkpoint of another scene
   void save(const std::string &folder, const MPI_Comm communicator) const;
   void restore(const std::string &folder, const MPI_Comm communicator);
 
@@ -65,20 +65,20 @@ private:
                     const AleState &state,
                     const double span);
   void follow_motion(const HexSpace &space, const AleState &state);
-  /// Whose motion is that of the head.
+  /// The region whose motion is that of the head.
   unsigned int moving_region() const
   {
     return skull_ != none ? skull_ : brain_;
   }
 
   std::string brain_name_, skull_name_;
-  bool averaged_ = true; ///< whether pressures are
+  bool averaged_ = true; ///< pressures, over neighbours
   unsigned int interval_ = 10;
   SymmetryPlanes is_mirrored_{};
-  unsigned int brain_ = none; ///< region
+  unsigned int brain_ = none; ///< region number
   unsigned int skull_ = none;
-  std::vector<std::uint32_t> cells_; ///< of the brain, own ones
+  std::vector<std::uint32_t> cells_; ///< locally owned cells of the brain
   solid::NodalAverage average_;      ///< over cells_
-  solid::BrainRecord record_;        ///< speeds are of moving_region()
+  solid::BrainRecord record_;        ///< with velocities of moving_region()
 };
 } // namespace contrecoup::ale

@@ -11,26 +11,26 @@
 namespace contrecoup::ale
 {
 /**
- * What a run on a moving mesh leaves out, with the numbers that tell whether it
- * may:
+ * Assumptions of a run on a moving mesh, with the figures that tell whether
+ * they hold:
  *
- *   cavitation        least pressure of each liquid that bears any tension; of
- *                     a head before the run that of ShellImpact
- *   contact           its end over that of the run; of a head before the run
+ *   cavitation        least pressure of each liquid that sustains tension; of
+ *                     a head before the run, that of ShellImpact
+ *   contact           end of contact over end time; of a head before the run,
  *                     that of ShellImpact
- *   gravity           its speed over that of the impact
- *   viscosity         of liquids: the layer that that of water makes at
- *                     walls in the time of the run is thinner than a cell
- *   friction          work of planes along themselves over the kinetic energy;
- *                     where they have none, that of a coefficient of 0.3
- *   scalp             mass of 5 mm of it over that of a head without one
- *   symmetry          part of the cost that planes of symmetry or a wedge save
- *   asymmetry         motion across them, which they do not allow
- *   unused_symmetry   part of the cost that further ones would save
- *   coupling          energy that fluids and solids solved in turn make up
- *   mesh              of a file: the worst cell's scaled Jacobian
- *   pieces            of a file: sets of cells that no face joins, between
- *                     which there is no contact
+ *   gravity           velocity by gravity over impact velocity
+ *   viscosity         of liquids: thickness of water's boundary layer at walls
+ *                     at the end time, which is below the cell size
+ *   friction          frictional work of planes over kinetic energy; of planes
+ *                     without friction, for a coefficient of 0.3
+ *   scalp             mass of 5 mm of scalp over that of a head without scalp
+ *   symmetry          cost that symmetry planes or a wedge save
+ *   asymmetry         motion across symmetry planes, which they suppress
+ *   unused_symmetry   cost that further symmetry planes would save
+ *   coupling          spurious energy of a partitioned fluid-solid coupling
+ *   mesh              of a file: smallest scaled Jacobian
+ *   pieces            of a file: face-connected sets of cells; the run has no
+ *                     contact between them
  */
 struct ImpactPlan
 {
@@ -38,33 +38,33 @@ struct ImpactPlan
   std::vector<ContactPlane> planes;
   std::optional<HeadEstimate> head;
   double end_time = 0.;          ///< [s]
-  dealii::Tensor<1, 3> velocity; ///< of the fastest matter at the start [m/s]
+  dealii::Tensor<1, 3> velocity; ///< largest initial velocity of matter [m/s]
   double cell_size = 0.;         ///< [m]
-  double part = 1.;              ///< of the body that is computed [-]
-  double cost = 1.;              ///< of that part over that of the body [-]
-  std::string wedge;  ///< axis of the one that is computed; empty: none is
-  double enough = 1.; ///< cost that would do, by symmetry of the scene [-]
-  std::string enough_wedge; ///< axis of a wedge that it is of; empty: none
-  double asymmetry = 0.; ///< part of the motion across planes of symmetry [-]
-  /// Of a file; 0: the mesh is from none.
+  double part = 1.;              ///< computed part of the body [-]
+  double cost = 1.;              ///< over that of the whole body [-]
+  std::string wedge;             ///< axis of the computed wedge; empty: none
+  double enough = 1.;       ///< cost with all symmetry of the scene used [-]
+  std::string enough_wedge; ///< axis of a wedge for that cost; empty: none
+  double asymmetry = 0.;    ///< motion across symmetry planes, relative [-]
+  /// Of a mesh file; 0: other mesh.
   unsigned int n_pieces = 0;
-  double scaled_jacobian = 1.; ///< the least
+  double scaled_jacobian = 1.; ///< the smallest
   bool has_body_force = false;
-  std::string coupling; ///< scheme that solves in turn; empty: monolithic
+  std::string coupling; ///< partitioned scheme; empty: monolithic
 
-  /// What a run found.
+  /// Results of a run.
   struct Findings
   {
     std::vector<double> least_pressures; ///< by region [Pa]
-    double contact_end = 0.;             ///< below 0: there was none [s]
+    double contact_end = 0.;             ///< negative: no contact [s]
     double friction_work = 0.;           ///< [J]
     double sliding_work = 0.;            ///< see ContactMeasures [J]
     double kinetic_energy = 0.;          ///< at the start [J]
     double interface_work = 0.;          ///< see InterfaceCoupling [J]
-    double largest_energy = 0.;          ///< that the ledger has seen [J]
+    double largest_energy = 0.;          ///< largest total energy so far [J]
   };
 
-  /// As estimated from the scene.
+  /// Estimates before the run.
   std::vector<Assumption> plan() const;
   std::vector<Assumption> audit(const Findings &findings) const;
 

@@ -15,39 +15,38 @@
 
 namespace contrecoup::ale
 {
-/// A rigid plane at rest.
+/// A fixed rigid plane.
 struct ContactPlane
 {
   std::string name;
   dealii::Point<3> point;
-  dealii::Tensor<1, 3> normal; ///< into the side where matter may be
-  double friction = 0.;        ///< Coulomb's coefficient [-]
+  dealii::Tensor<1, 3> normal; ///< towards the matter
+  double friction = 0.;        ///< Coulomb friction coefficient [-]
 };
 
-/// What planes did in a step, this rank's part.
+/// Contact forces and works of one step, of this rank.
 struct ContactMeasures
 {
-  double force = 0.;         ///< along the normals, mean of the step [N]
+  double force = 0.;         ///< along the normals, mean over the step [N]
   double area = 0.;          ///< of the free surface in contact [m^2]
-  double work = 0.;          ///< along the normals [J]
+  double work = 0.;          ///< by normal forces [J]
   double friction_work = 0.; ///< [J]
-  double sliding_work = 0.;  ///< that a coefficient of 1 would take [J]
+  double sliding_work = 0.;  ///< frictional work for a coefficient of 1 [J]
 };
 
 /**
- * Rigid planes that the nodes of free surfaces do not cross: subsections
- * "Plane *". A node that has reached a plane at the start of a step does not
- * move into it any further, and is free to leave; while the plane holds it,
- * friction slows it along the plane. It stops at once, as in a plastic impact:
- * the kinetic energy that its mass loses is work of the plane, and goes to zero
- * with the cell size.
+ * Contact of free surfaces with rigid planes: subsections "Plane *". A node
+ * that touches a plane at the start of a step gets no further velocity into
+ * the plane, but may leave it; Coulomb friction acts while the plane holds the
+ * node. The impact of a node is plastic: the kinetic energy lost by its mass
+ * counts as work of the plane, and converges to zero with the cell size.
  */
 class ContactPlanes
 {
 public:
   static void declare_parameters(dealii::ParameterHandler &prm);
 
-  /// @throws InputError for a normal of length zero
+  /// @throws InputError for a zero normal
   void parse_parameters(dealii::ParameterHandler &prm);
 
   void set_planes(const std::vector<ContactPlane> &planes)
@@ -66,23 +65,24 @@ public:
   }
 
   /**
-   * @param position of the nodes at the start, AleState::width numbers each [m]
-   * @param is_free whether a boundary id is that of a free surface
-   * @throws InputError for a plane that cuts the mesh at the start. Collective.
+   * Finds the nodes of free surfaces. Collective.
+   * @param position of the nodes, AleState::width numbers each [m]
+   * @param is_free whether a boundary id is a free surface
+   * @throws InputError for a plane that cuts the mesh at the start
    */
   void reinit(const HexSpace &space,
               const dealii::AlignedVector<double> &position,
               const std::function<bool(dealii::types::boundary_id)> &is_free);
 
-  /// Changes velocities of nodes that are at a plane at @p position, and keeps
-  /// by how much.
+  /// Corrects the velocities of nodes that touch a plane at @p position, and
+  /// stores the corrections.
   void apply(dealii::AlignedVector<double> &velocity,
              const dealii::AlignedVector<double> &position);
 
   /**
-   * What the last apply() means for a step.
+   * Forces and works of the last apply() in a step.
    * @param mean of the velocities before and after the step [m/s]
-   * @param velocity after it, with the inverse masses
+   * @param velocity after the step, with inverse masses
    */
   ContactMeasures measures(const dealii::AlignedVector<double> &mean,
                            const dealii::AlignedVector<double> &velocity,
@@ -99,12 +99,12 @@ private:
     double area; ///< [m^2]
   };
 
-  /// A change of velocity.
+  /// A velocity correction.
   struct Push
   {
     SurfaceNode at;
     double normal;                   ///< [m/s]
-    dealii::Tensor<1, 3> direction;  ///< of the plane's normal
+    dealii::Tensor<1, 3> direction;  ///< normal of the plane
     dealii::Tensor<1, 3> tangential; ///< [m/s]
   };
 

@@ -8,18 +8,17 @@
 
 namespace contrecoup::ale
 {
-/// The contact with planes in the course of a run: numbers alone, for
-/// checkpoints.
+/// Course of the contact with planes. Plain data, written to checkpoints.
 struct ContactRecord
 {
-  double begin = -1.;     ///< first time with a force; below 0: none yet [s]
+  double begin = -1.;     ///< first time with a force; negative: none yet [s]
   double end = -1.;       ///< last time with a force [s]
   double peak_force = 0.; ///< [N]
   double peak_time = 0.;  ///< of that force [s]
   double peak_area = 0.;  ///< [m^2]
-  double impulse = 0.;    ///< of the force [N s]
+  double impulse = 0.;    ///< integral of the force [N s]
 
-  /// Takes a step of size @p step that ended at @p time [s].
+  /// Adds a step of size @p step that ended at @p time [s].
   void add(const ContactMeasures &contact, const double time, const double step)
   {
     if (!(contact.force > 0.))
@@ -36,7 +35,7 @@ struct ContactRecord
     }
   }
 
-  /// For the summary; empty without a contact.
+  /// Values for the summary; empty without contact.
   std::vector<NamedValue> values() const
   {
     if (begin < 0.)

@@ -10,70 +10,69 @@
 
 namespace contrecoup::ale
 {
-/// What a cell has.
+/// State of one cell.
 struct CellValues
 {
-  double mass = 0.;             ///< [kg]
-  double energy = 0.;           ///< internal [J]
-  double volume = 0.;           ///< [m^3]
-  double pressure = 0.;         ///< without artificial viscosity [Pa]
-  double void_fraction = 0.;    ///< part of the volume that cavitated [-]
-  double shear_strain = 0.;     ///< largest engineering one; 0 in fluids [-]
-  double principal_strain = 0.; ///< largest one; 0 in fluids [-]
+  double mass = 0.;          ///< [kg]
+  double energy = 0.;        ///< internal [J]
+  double volume = 0.;        ///< [m^3]
+  double pressure = 0.;      ///< without artificial viscosity [Pa]
+  double void_fraction = 0.; ///< cavitated part of the volume [-]
+  /// largest engineering shear strain; 0 in fluids [-]
+  double shear_strain = 0.;
+  double principal_strain = 0.; ///< largest principal strain; 0 in fluids [-]
 };
 
-/**
- * Forces of the own cells of a rank on their corners, and their work, which is
- * the change of the cells' energy.
- */
+/// Forces of locally owned cells on their corners, and the work of these
+/// forces, which changes the internal energy of the cells.
 class CornerForces
 {
 public:
-  /// @param regions by material id of the mesh, whose positions are those of
-  /// the undeformed solids
+  /// @param regions by material id; the mesh holds the undeformed positions
   void reinit(const HexSpace &space, const std::vector<Region> &regions);
 
   /**
-   * Finds the forces.
-   * @param step that these are the middle of, over which solids relax; 0: at
-   *   the start of one [s]
-   * @param force on the nodes, AleState::width numbers each, to which the
-   *   forces of own cells are added [N]
+   * Computes the forces.
+   * @param step size of the step whose midpoint this state is, over which
+   * viscoelastic solids relax; 0: the start of a step [s]
+   * @param force nodal forces, AleState::width numbers each, to which the
+   * forces of owned cells are added [N]
    */
   void compute(AleState &state,
                const double step,
                dealii::AlignedVector<double> &force);
 
-  /// Whether all own cells had a volume above 0 when forces were found.
+  /// Whether all owned cells had positive volume in the last compute().
   bool has_volumes() const
   {
     return least_volume_ > 0.;
   }
 
-  /// Inverse of the step that the cells of this rank allow [1/s].
+  /// Inverse of the stable step of this rank's cells [1/s].
   double signal_rate() const
   {
     return signal_rate_;
   }
 
-  /// Inverse of the step that own cell @p cell allows; solids of any kinematics
-  /// as if of finite rotation [1/s].
+  /// Inverse of the stable step of owned cell @p cell [1/s]. Solids count as
+  /// if with finite rotation.
   double signal_rate(const AleState &state, const std::size_t cell) const;
 
-  /// The name of the region of own cell @p cell.
+  /// Name of the region of owned cell @p cell.
   const std::string &region_name(const std::size_t cell) const
   {
     return regions_[space_->region(cell)].name;
   }
 
   /**
-   * Adds the work of the forces to energies. In the first half of a step this
-   * is done, and forces are kept for it, only where forces depend on energies.
-   * @param before energies [J]
+   * Adds the work of the forces to the internal energies. The first half step
+   * does this, and keeps the forces for it, only where forces depend on
+   * energy.
+   * @param before internal energies [J]
    * @param velocity of the nodes [m/s]
    * @param step [s]
-   * @param after energies [J]
-   * @return whether those of own cells are finite, as far as they were found
+   * @param after internal energies [J]
+   * @return whether all computed energies of owned cells are finite
    */
   bool do_work(const dealii::AlignedVector<double> &before,
                const dealii::AlignedVector<double> &velocity,
@@ -81,7 +80,7 @@ public:
                dealii::AlignedVector<double> &after,
                const bool is_first_half) const;
 
-  /// What own cell @p cell has now.
+  /// State of owned cell @p cell.
   CellValues values(const AleState &state, const std::size_t cell) const;
 
 private:
@@ -102,11 +101,11 @@ private:
                  const MovingSolidModel<Lane> &model,
                  AleState &state,
                  dealii::AlignedVector<double> &force);
-  /// Keeps the forces of a batch, and takes them from those on the nodes.
+  /// Keeps the forces of a batch and subtracts them from the nodal forces.
   void store(const unsigned int batch,
              const HexVectors<Lane> &forces,
              dealii::AlignedVector<double> &force);
-  /// Whether forces of a region depend on its energies.
+  /// Whether the forces of a region depend on internal energy.
   bool uses_energy(const unsigned int region) const;
   CellValues solid_values(const AleState &state, const std::size_t cell) const;
 
@@ -114,10 +113,10 @@ private:
   std::vector<Region> regions_;
   CellBatches batches_;
   dealii::AlignedVector<double> undeformed_; ///< positions of the nodes [m]
-  dealii::AlignedVector<Lane> forces_;       ///< 24 of each batch [N]
+  dealii::AlignedVector<Lane> forces_;       ///< 24 per batch [N]
   bool keeps_forces_ = true;
   double signal_rate_ = 0.; ///< largest of this rank [1/s]
-  /// Of this rank: of fluids [m^3], of solids over that undeformed [-].
+  /// Of this rank; fluids: volume [m^3], solids: volume ratio [-].
   double least_volume_ = 0.;
 };
 } // namespace contrecoup::ale

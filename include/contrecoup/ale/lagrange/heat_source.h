@@ -11,20 +11,20 @@
 
 namespace contrecoup::ale
 {
-/// Heat that all matter is given, by its place and time: subsection "Heat
+/// Heat source in all matter as a function of place and time: subsection "Heat
 /// source".
 class HeatSource
 {
 public:
   static void declare_parameters(dealii::ParameterHandler &prm);
 
-  /// @throws InputError for what is no expression
+  /// @throws InputError for an invalid expression
   void parse_parameters(dealii::ParameterHandler &prm);
 
   /**
-   * Heats the own cells for @p duration, with the power at their centres at the
-   * middle of it.
-   * @return what they got [J]
+   * Heats owned cells for @p duration [s], with the power density at their
+   * centres and at the middle of the interval.
+   * @return added heat [J]
    */
   double add(const HexSpace &space,
              AleState &state,

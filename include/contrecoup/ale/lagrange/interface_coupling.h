@@ -15,7 +15,7 @@
 
 namespace contrecoup::ale
 {
-/// How fluids and solids that share nodes are solved.
+/// Coupling of fluids and solids at shared nodes.
 enum class CouplingScheme
 {
   monolithic,
@@ -24,37 +24,39 @@ enum class CouplingScheme
   aitken
 };
 
-/// The coupling in the course of a run: numbers alone, for checkpoints.
+/// Course of the coupling. Plain data, written to checkpoints.
 struct CouplingRecord
 {
   std::uint64_t n_steps = 0;
-  std::uint64_t n_iterations = 0;       ///< of all steps
+  std::uint64_t n_iterations = 0;       ///< over all steps
   std::uint64_t last_iterations = 0;    ///< of the last step
-  std::uint64_t largest_iterations = 0; ///< of a step
-  double largest_ratio = 0.;            ///< of added mass, at any time [-]
-  double work = 0.;                     ///< see InterfaceCoupling::work() [J]
-  double factor = 0.; ///< that Aitken's relaxation starts the next step with
+  std::uint64_t largest_iterations = 0; ///< of any step
+  double largest_ratio = 0.;            ///< largest m_f / m_s so far [-]
+  double work = 0.;                     ///< spurious work at the interface [J]
+  double factor = 0.; ///< initial relaxation factor of the next step (Aitken)
 };
 
 /**
- * Fluids and solids that are solved in turn: subsection "Coupling".
+ * Partitioned coupling of fluids and solids: subsection "Coupling".
  *
- * At a node of both, with the masses m_f and m_s and the forces F_f and F_s of
- * its cells, the monolithic scheme solves (m_s + m_f) a = F_s + F_f. In turn,
- * the fluid gets the motion of the interface, acceleration a_k, and the solid
- * its force on that, F_f - m_f a_k, which moves it with b_k:
+ * At an interface node with masses m_f and m_s and with forces F_f and F_s of
+ * its fluid and solid cells, the monolithic scheme solves (m_s + m_f) a = F_s
+ * + F_f. A partitioned scheme prescribes the interface acceleration a_k to the
+ * fluid, and applies the fluid's force F_f - m_f a_k to the solid, which then
+ * has the acceleration b_k:
  *
- *   m_s b_k = F_s + F_f - m_f a_k,   a_k+1 = a_k + w (b_k - a_k),
+ *   m_s b_k = F_s + F_f - m_f a_k,   a_k+1 = a_k + w (b_k - a_k).
  *
- * so that errors change by 1 - w (1 + r) with the ratio of added mass
- * r = m_f / m_s (Causin, Gerbeau and Nobile 2005; Foerster, Wall and Ramm
- * 2007). The loose scheme does this once, with the acceleration of the step
- * before and w = 1; the others iterate, with one w or that of Aitken (Irons and
- * Tuck 1969; Kuettler and Wall 2008). As fluids are compressible and steps
- * explicit, the added mass is that of the cells at the interface alone.
+ * Each iteration multiplies the error by 1 - w (1 + r), with the added mass
+ * ratio r = m_f / m_s (Causin, Gerbeau and Nobile 2005; Foerster, Wall and
+ * Ramm 2007). The loose scheme performs one iteration with the acceleration of
+ * the previous step and w = 1. The other schemes iterate to convergence, with
+ * constant w or with Aitken's (Irons and Tuck 1969; Kuettler and Wall 2008).
+ * Fluids are compressible and steps explicit, so the added mass is that of the
+ * cells at the interface only.
  *
- * What is not in balance at the end, (m_s + m_f) a - F_s - F_f, does work at
- * the interface, which no matter has done.
+ * The remaining imbalance (m_s + m_f) a - F_s - F_f does spurious work at the
+ * interface.
  */
 class InterfaceCoupling
 {
@@ -63,48 +65,49 @@ public:
 
   void parse_parameters(dealii::ParameterHandler &prm);
 
-  /// The same without parameters.
-  /// @param tolerance of accelerations, over those of the solid alone
+  /// Sets the scheme without a parameter file.
+  /// @param tolerance of accelerations, relative to those of the solid alone
   void set(const CouplingScheme scheme,
            const double relaxation,
            const double tolerance,
            const unsigned int largest_iterations);
 
-  /// Whether fluids and solids are solved in turn.
+  /// Whether the scheme is partitioned.
   bool active() const
   {
     return scheme_ != CouplingScheme::monolithic;
   }
 
-  /// Whether that is done once a step, which nothing tells to be wrong.
+  /// Whether the scheme is loose. Its error goes undetected.
   bool is_loose() const
   {
     return scheme_ == CouplingScheme::loose;
   }
 
-  /// The scheme as in a parameter file.
+  /// Name of the scheme in parameter files.
   const std::string &name() const;
 
   /// @param regions by material id of the mesh
-  /// @throws InputError for fluids and solids that do not meet, if they are to
-  /// be solved in turn
+  /// @throws InputError if a partitioned scheme has fluids and solids without
+  /// common faces
   void require_interface(const dealii::Triangulation<3> &mesh,
                          const std::vector<Region> &regions) const;
 
   /**
+   * Finds the interface nodes. Collective.
    * @param regions by material id of the mesh
-   * @param walls whose nodes iterate only along them
-   * @throws InputError for fluids and solids that share no node. Collective.
+   * @param walls interface nodes on walls iterate along the walls only
+   * @throws InputError for fluids and solids that share no node
    */
   void reinit(const HexSpace &space,
               const std::vector<Region> &regions,
               const SlipWalls &walls);
 
   /**
-   * Adds to forces on nodes of the interface what the scheme is wrong by, so
-   * that they give these nodes the scheme's acceleration.
-   * @param velocity with the inverse masses
-   * @param is_first_half of a step; the other one starts from what it found
+   * Adds the imbalance of the scheme to the forces on interface nodes, so that
+   * these nodes get the acceleration of the scheme.
+   * @param velocity with inverse masses
+   * @param is_first_half of a step; the second half starts from its result
    * @param force AleState::width numbers for each node [N]
    * @return whether the iteration converged. Collective.
    */
@@ -118,30 +121,30 @@ public:
     return has_diverged_;
   }
 
-  /// What a step that failed has to say of the coupling: words to be appended,
-  /// or, if it has diverged, a clause. Collective.
+  /// Text for the error message of a failed step: words to append, or a clause
+  /// if the iteration diverged. Collective.
   std::string problem() const;
 
-  /// Takes the step of the last balance().
-  /// @param mean of the velocities before and after it [m/s]
+  /// Completes the step of the last balance().
+  /// @param mean of the velocities before and after the step [m/s]
   void finish_step(const dealii::AlignedVector<double> &mean,
                    const double step);
 
-  /// All ranks. Collective.
+  /// The record of all ranks. Collective.
   CouplingRecord record() const;
 
-  /// Columns of a history; none if it is monolithic. Collective.
+  /// Columns of the history; none if monolithic. Collective.
   std::vector<NamedValue> history() const;
 
-  /// For the summary.
-  /// @param energy that work is compared to [J]. Collective.
+  /// Values for the summary. Collective.
+  /// @param energy to which the spurious work is compared [J]
   std::vector<NamedValue> summary(const double energy) const;
 
-  /// @param energy of all matter at @p time [J]
-  /// @throws NumericsError where most of it was made up. Collective.
+  /// @param energy total energy at @p time [J]
+  /// @throws NumericsError if most of it is spurious. Collective.
   void require_stable(const double time, const double energy) const;
 
-  /// Writes record and last accelerations into a checkpoint. Collective.
+  /// Saves the record and the last accelerations. Collective.
   void save(const std::string &folder) const;
 
   /// @throws InputError for files of another scene. Collective.
@@ -150,15 +153,17 @@ public:
 private:
   using Vector = dealii::Tensor<1, 3>;
 
-  /// A node of this rank with fluid and solid.
+  /// An interface node of this rank.
   struct Node
   {
     std::uint32_t node;
-    double solid_mass;          ///< [kg]
-    dealii::Tensor<2, 3> free;  ///< projects onto what walls leave free
-    double ratio = 0.;          ///< of added mass [-]
-    Vector alone;               ///< acceleration without m_f [m/s^2]
-    Vector before, now;         ///< accelerations of steps [m/s^2]
+    double solid_mass; ///< [kg]
+    /// projector onto directions that walls leave free
+    dealii::Tensor<2, 3> free;
+    double ratio = 0.; ///< m_f / m_s [-]
+    Vector alone;      ///< acceleration without m_f [m/s^2]
+    /// accelerations of the last and the present step [m/s^2]
+    Vector before, now;
     Vector residual, imbalance; ///< [m/s^2], [N]
   };
 
@@ -174,10 +179,10 @@ private:
   unsigned int most_iterations_ = 50;
 
   std::vector<Node> nodes_;
-  CouplingRecord record_; ///< work and ratio of this rank
-  double factor_ = 0.;    ///< of the present step
+  CouplingRecord record_; ///< with work and ratio of this rank
+  double factor_ = 0.;    ///< relaxation factor of the present step
   std::uint64_t iterations_ = 0;
-  double last_change_ = 0.; ///< of the residual, last over first
+  double last_change_ = 0.; ///< last residual over the first
   bool has_diverged_ = false;
 };
 } // namespace contrecoup::ale

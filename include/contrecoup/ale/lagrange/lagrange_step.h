@@ -13,7 +13,7 @@
 
 namespace contrecoup::ale
 {
-/// Sums over all ranks.
+/// Totals over all ranks [kg, N s, J].
 struct AleTotals
 {
   double mass = 0.;
@@ -23,24 +23,24 @@ struct AleTotals
 };
 
 /**
- * A step in which the mesh moves with the matter, by the compatible staggered
- * scheme: velocities at the nodes, everything else in the cells, and the energy
- * of a cell changes by the work of its own forces on its corners (Caramana,
- * Burton, Shashkov and Whalen 1998). Two stages make it of second order: the
- * forces of the middle of the step act on the mean of the velocities before and
- * after it, so that the total energy changes by the work of walls and body
- * forces alone, to round-off.
+ * Lagrangian step with the compatible staggered scheme: velocities at nodes,
+ * all other variables in cells. The internal energy of a cell changes by the
+ * work of its own corner forces (Caramana, Burton, Shashkov and Whalen 1998).
+ * The two-stage scheme is of second order: forces at the middle of the step
+ * act on the mean of the velocities before and after it. Total energy thus
+ * changes only by the work of walls and body forces, up to round-off.
  */
 class LagrangeStep
 {
 public:
-  /// Acceleration of everything over time [m/s^2].
+  /// Body force per mass as a function of time [m/s^2].
   using Acceleration = std::function<dealii::Tensor<1, 3>(double)>;
 
   /// @param regions by material id of the mesh
-  /// @param walls along which boundaries slide; all others are free surfaces
-  /// @throws InputError for a plane that cuts the mesh, or without an interface
-  /// to couple
+  /// @param walls slip walls by boundary id; other boundaries are free
+  /// surfaces
+  /// @throws InputError for a plane that cuts the mesh, or for a partitioned
+  /// coupling without interface
   void
   reinit(const HexSpace &space,
          const std::vector<Region> &regions,
@@ -49,19 +49,19 @@ public:
          const ContactPlanes &planes = {},
          const InterfaceCoupling &coupling = {});
 
-  /// Sets masses of nodes from those of cells, and makes velocities obey walls.
+  /// Computes nodal masses from cell masses, and imposes wall velocities.
   void start(AleState &state);
 
   /**
-   * One step of at most this size, and of at most @p courant of what signals
-   * allow; it is halved where a cell would be inverted or numbers would not be
-   * finite.
-   * @param is_as_left whether @p state is what the last call left, whose forces
-   *   are then still known
-   * @return its size [s]
-   * @throws NumericsError, naming the cell, after @p largest_retries, where
-   *   signals are too fast for any step, or where fluids and solids do not
-   *   agree; the state is then that before the step
+   * Makes one step of at most @p largest_step [s] and of at most @p courant
+   * times the CFL limit. The step is halved and repeated if a cell inverts or
+   * a value is not finite.
+   * @param is_as_left whether @p state is unchanged since the last call, so
+   * that its forces can be reused
+   * @return size of the step [s]
+   * @throws NumericsError, naming the cell, after @p largest_retries halvings,
+   * when the CFL limit vanishes, or when the coupling iteration fails; the
+   * state is then that before the step
    */
   double advance(AleState &state,
                  const double largest_step,
@@ -69,29 +69,29 @@ public:
                  const unsigned int largest_retries = 10,
                  const bool is_as_left = false);
 
-  /// How often the last step was halved.
+  /// Number of halvings of the last step.
   unsigned int n_retries() const
   {
     return n_retries_;
   }
 
-  /// Work that walls and body forces have done, all ranks [J]. Collective.
+  /// Work of walls and body forces on all ranks [J]. Collective.
   double external_work() const;
 
-  /// Sets what they had done before a restart [J]. Collective.
+  /// Restores external_work() from a checkpoint [J]. Collective.
   void set_external_work(const double work);
 
-  /// Adds what this rank's matter got otherwise [J].
+  /// Adds other energy input to the matter of this rank [J].
   void add_external_work(const double work)
   {
     work_ += work;
   }
 
-  /// What planes did: force and area in the last step, work of all steps, all
-  /// ranks. Collective.
+  /// Contact with planes, of all ranks: force and area of the last step, work
+  /// of all steps. Collective.
   ContactMeasures contact() const;
 
-  /// Sets what they had done before a restart. Collective.
+  /// Restores contact() from a checkpoint. Collective.
   void set_contact(const ContactMeasures &contact);
 
   /// Whether regions slide along each other.
@@ -100,20 +100,20 @@ public:
     return !ties_.empty();
   }
 
-  /// The fastest of any two nodes along each other [m/s]. Collective.
+  /// Largest relative tangential speed of two tied nodes [m/s]. Collective.
   double largest_slip_speed(const AleState &state) const
   {
     return ties_.largest_slip_speed(state.velocity);
   }
 
-  /// Work of the ties between regions that slide along each other, part of
-  /// external_work(), all ranks [J]. Collective.
+  /// Work of the slip ties on all ranks, included in external_work() [J].
+  /// Collective.
   double slip_work() const;
 
-  /// Sets what it was before a restart. Collective.
+  /// Restores slip_work() from a checkpoint. Collective.
   void set_slip_work(const double work);
 
-  /// How fluids and solids are coupled.
+  /// Coupling of fluids and solids.
   const InterfaceCoupling &coupling() const
   {
     return coupling_;
@@ -123,7 +123,7 @@ public:
     return coupling_;
   }
 
-  /// Collective.
+  /// Totals of mass, momentum and energy. Collective.
   AleTotals totals(const AleState &state) const;
 
   const SlipWalls &walls() const
@@ -137,19 +137,19 @@ public:
     walls_.mirror(*space_, wedge);
   }
 
-  /// What own cell @p cell has now.
+  /// State of owned cell @p cell.
   CellValues values(const AleState &state, const std::size_t cell) const
   {
     return forces_.values(state, cell);
   }
 
 private:
-  /// What a step starts from.
+  /// State at the start of a step.
   struct Start
   {
     dealii::AlignedVector<double> position, velocity, energy, relaxed;
 
-    /// Leaves the positions and velocities of @p state to be set anew.
+    /// Swaps positions and velocities out of @p state; they must be set anew.
     void take(AleState &state)
     {
       position.resize_fast(state.position.size());
@@ -168,18 +168,18 @@ private:
     }
   };
 
-  /// @param step see CornerForces::compute()
+  /// @param step as for CornerForces::compute()
   void add_forces(AleState &state, const double step);
   void accelerate(AleState &state, const Start &start, const double step) const;
   void move(AleState &state, const Start &start, const double step) const;
-  /// @return work that walls and body forces do on nodes of this rank [J]
+  /// @return work of walls and body forces on nodes of this rank [J]
   double move_by_mean(AleState &state, const Start &start, const double step);
   bool try_step(AleState &state, const Start &start, const double step);
-  /// Whether all ranks have it good.
+  /// Whether @p good holds on all ranks.
   bool all(const bool good) const;
   void book_contact(const ContactMeasures &now);
   [[noreturn]] void give_up(const AleState &state, const double step) const;
-  /// Names the cell that allows the shortest step.
+  /// Names the cell with the most restrictive CFL limit.
   [[noreturn]] void give_up_signals(const AleState &state,
                                     const double step) const;
 
@@ -192,13 +192,16 @@ private:
   CornerForces forces_;
   FieldExchange node_exchange_;
 
-  Start start_;                         ///< of the present step
-  bool has_forces_ = false;             ///< those after the last step
-  dealii::AlignedVector<double> mean_;  ///< velocity of the present step [m/s]
-  dealii::AlignedVector<double> force_; ///< on nodes, four each [N]
-  double work_ = 0.;                    ///< of this rank [J]
-  double slip_work_ = 0.;               ///< of this rank [J]
-  unsigned int n_retries_ = 0;          ///< of the last step
-  ContactMeasures contact_;             ///< of this rank
+  Start start_; ///< of the current step
+  /// whether force_ belongs to the state after the last step
+  bool has_forces_ = false;
+  /// mean velocity of the current step [m/s]
+  dealii::AlignedVector<double> mean_;
+  /// nodal forces, four numbers each [N]
+  dealii::AlignedVector<double> force_;
+  double work_ = 0.;           ///< of this rank [J]
+  double slip_work_ = 0.;      ///< of this rank [J]
+  unsigned int n_retries_ = 0; ///< of the last step
+  ContactMeasures contact_;    ///< of this rank
 };
 } // namespace contrecoup::ale

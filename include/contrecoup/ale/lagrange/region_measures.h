@@ -9,10 +9,9 @@
 namespace contrecoup::ale
 {
 /**
- * What is found in each region, for history.csv: least and largest pressure,
- * the largest shear strain and the mean velocity of a solid, the largest speed
- * in a fluid and the volume that a liquid has cavitated; names end with that of
- * the region. Collective.
+ * Measures of each region for history.csv: smallest and largest pressure; of a
+ * solid, largest shear strain and mean velocity; of a fluid, largest speed; of
+ * a liquid, cavitated volume. Names end with that of the region. Collective.
  * @param regions by material id
  */
 std::vector<NamedValue> region_measures(const HexSpace &space,

@@ -8,10 +8,10 @@
 namespace contrecoup::ale
 {
 /**
- * Ties a region that slides along others to them: both nodes of a place of the
- * interface get the same velocity normal to it, by equal and opposite impulses.
- * Along the interface they keep theirs, as there is no friction; nor does the
- * interface open.
+ * Ties between a sliding region and its neighbours: equal and opposite
+ * impulses give the two coincident nodes at each interface vertex the same
+ * normal velocity. Tangential velocities remain independent (no friction), and
+ * the interface does not open.
  */
 class SlipTies
 {
@@ -24,42 +24,42 @@ public:
   }
 
   /**
-   * Finds the normals of the interface, as the means of those of its faces by
-   * area; at walls, along them. Collective.
-   * @param position of the nodes, AleState::width numbers at each [m]
+   * Computes interface normals as area-weighted means of face normals; at
+   * walls, normals are projected onto the wall. Collective.
+   * @param position of the nodes, AleState::width numbers each [m]
    */
   void find_normals(const dealii::AlignedVector<double> &position,
                     const SlipWalls &walls);
 
-  /// @param velocity also of copies, with inverse masses of the nodes
+  /// Applies the impulses. @param velocity with inverse masses, including
+  /// ghost copies
   void apply(dealii::AlignedVector<double> &velocity);
 
   /**
-   * Work of the impulses of the last apply() on nodes of this rank [J]: not
-   * zero where the normal turns in a step.
+   * Work of the impulses of the last apply() on nodes of this rank [J];
+   * nonzero where the normal turns during a step.
    * @param mean velocity of the step [m/s]
    */
   double work(const dealii::AlignedVector<double> &mean) const;
 
-  /// The largest difference between the velocities of two nodes of a place
-  /// [m/s]. Collective.
+  /// Largest velocity difference of two tied nodes [m/s]. Collective.
   double
   largest_slip_speed(const dealii::AlignedVector<double> &velocity) const;
 
 private:
-  /// A face of the interface, with the nodes that do not slide.
+  /// A face of the interface, with the nodes of the non-sliding side.
   struct Face
   {
     std::array<std::uint32_t, 4> nodes;
-    double sign; ///< -1: its corners are clockwise seen from the sliding region
+    double sign; ///< -1 if corners are clockwise seen from the sliding region
   };
 
   const HexSpace *space_ = nullptr;
   bool is_empty_ = true;
   FieldExchange exchange_;
-  std::vector<Face> faces_;                    ///< each on one rank
-  dealii::AlignedVector<double> areas_;        ///< of nodes [m^2]
-  std::vector<dealii::Tensor<1, 3>> normals_;  ///< of pairs; 0: none
-  std::vector<dealii::Tensor<1, 3>> impulses_; ///< on sliding nodes [N s]
+  std::vector<Face> faces_;                    ///< each on one rank only
+  dealii::AlignedVector<double> areas_;        ///< per node [m^2]
+  std::vector<dealii::Tensor<1, 3>> normals_;  ///< per pair; 0: not tied
+  std::vector<dealii::Tensor<1, 3>> impulses_; ///< on the sliding nodes [N s]
 };
 } // namespace contrecoup::ale

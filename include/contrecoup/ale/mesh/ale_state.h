@@ -9,28 +9,30 @@
 
 namespace contrecoup::ale
 {
-/// What nodes and cells of a rank carry, copies of those of other ranks behind
-/// the own ones.
+/// Nodal and cell variables of a rank: owned entries first, then ghost copies.
 struct AleState
 {
-  /// Numbers at each node.
+  /// Numbers per node.
   static constexpr unsigned int width = 4;
 
   dealii::AlignedVector<double> position; ///< x, y, z, 0 [m]
-  dealii::AlignedVector<double> velocity; ///< three [m/s], 1 / mass [1/kg]
+  /// v_x, v_y, v_z [m/s], 1 / mass [1/kg]
+  dealii::AlignedVector<double> velocity;
 
-  dealii::AlignedVector<double> mass;     ///< of each cell [kg]
-  dealii::AlignedVector<double> energy;   ///< internal, of each cell [J]
-  dealii::AlignedVector<double> products; ///< mass fraction in each cell [-]
+  dealii::AlignedVector<double> mass;   ///< by cell [kg]
+  dealii::AlignedVector<double> energy; ///< internal energy by cell [J]
+  /// mass fraction of explosive products by cell [-]
+  dealii::AlignedVector<double> products;
 
-  /// Strains of the relaxing branches of solids in each cell: six numbers, each
-  /// of all cells after the other; empty where nothing relaxes [-].
+  /// Relaxed strains of viscoelastic solids [-]: six components, each for all
+  /// cells in a row; empty without relaxation.
   dealii::AlignedVector<double> relaxed;
 
   double time = 0.; ///< [s]
 
-  /// That the mesh is. Masses of its nodes are those around them by trilinear
-  /// functions at the start, without it eighths of cells.
+  /// The wedge that the mesh forms. In a wedge, initial nodal masses are
+  /// weighted by trilinear shape functions; otherwise each node gets an eighth
+  /// of each adjacent cell's mass.
   HexWedge wedge;
 };
 } // namespace contrecoup::ale

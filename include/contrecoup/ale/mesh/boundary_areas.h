@@ -11,14 +11,14 @@
 
 namespace contrecoup::ale
 {
-/// Normal times area of a bilinear face [m^2].
+/// Area vector of a bilinear face [m^2].
 /// @param position of the nodes, AleState::width numbers each [m]
 dealii::Tensor<1, 3> area_vector(const std::array<std::uint32_t, 4> &nodes,
                                  const dealii::AlignedVector<double> &position);
 
 /**
- * Outward normal times area of the part of a boundary that belongs to each
- * node, copies included: a quarter of each of its faces [m^2]. Collective.
+ * Outward area vector of the boundary at each node, including ghost copies: a
+ * quarter of each adjacent boundary face [m^2]. Collective.
  * @param position of the nodes, AleState::width numbers each [m]
  * @param is_meant whether a boundary id counts
  */

@@ -12,9 +12,9 @@
 namespace contrecoup::ale
 {
 /**
- * The own cells of a rank, as many side by side as the processor has lanes, all
- * of one region. Lanes that are left over repeat the first cell of their batch,
- * with a weight of zero.
+ * The owned cells of a rank in batches of n cells of the same region, one cell
+ * per SIMD lane. Unused lanes repeat the first cell of the batch with a weight
+ * of zero.
  */
 class CellBatches
 {
@@ -22,7 +22,7 @@ public:
   using Lane = Lanes<double>;
   static constexpr unsigned int n = n_lanes<double>;
 
-  /// Batches of one region.
+  /// The batches of one region.
   struct Range
   {
     unsigned int region;
@@ -30,7 +30,7 @@ public:
     unsigned int end;
   };
 
-  /// @param width numbers at each node, for the offsets
+  /// @param width numbers per node, for offsets()
   void reinit(const HexSpace &space, const unsigned int width);
 
   const std::vector<Range> &ranges() const
@@ -43,20 +43,20 @@ public:
     return static_cast<unsigned int>(weights_.size());
   }
 
-  /// Width times the nodes, of a corner in all lanes.
+  /// Width times the node number of @p corner, for each lane.
   const unsigned int *offsets(const unsigned int batch,
                               const unsigned int corner) const
   {
     return &offsets_[(8 * batch + corner) * n];
   }
 
-  /// The cells in the lanes.
+  /// The cells in the lanes of a batch.
   const unsigned int *cells(const unsigned int batch) const
   {
     return &cells_[batch * n];
   }
 
-  /// One for cells, zero for lanes that are left over.
+  /// 1 in lanes with a cell, 0 in unused lanes.
   const Lane &weight(const unsigned int batch) const
   {
     return weights_[batch];

@@ -9,8 +9,8 @@
 
 namespace contrecoup::ale
 {
-/// The first three numbers that @p field, AleState::width at each node, has at
-/// the corners of a cell.
+/// The first three components of a nodal field (AleState::width numbers per
+/// node) at the corners of a cell.
 inline HexVectors<double> corners_of(const HexSpace::Cell &cell,
                                      const dealii::AlignedVector<double> &field)
 {

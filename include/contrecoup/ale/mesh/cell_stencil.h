@@ -7,10 +7,8 @@
 
 namespace contrecoup::ale
 {
-/**
- * What is around each own cell in its own region. Faces to another region, and
- * those of the boundary, are its walls here.
- */
+/// Neighbours of each owned cell within its region. Faces towards other
+/// regions and boundary faces count as walls.
 class CellStencil
 {
 public:
@@ -25,19 +23,19 @@ public:
     return list(neighbors_, first_neighbor_, cell);
   }
 
-  /// Faces that are no walls, by their place in HexSpace::faces().
+  /// Faces of @p cell that are no walls, as indices in HexSpace::faces().
   List faces(const std::size_t cell) const
   {
     return list(faces_, first_face_, cell);
   }
 
-  /// The cells across those faces that lie opposite to a wall.
+  /// Neighbours of @p cell across the faces opposite to its walls.
   List cells_opposite_to_walls(const std::size_t cell) const
   {
     return list(opposite_, first_opposite_, cell);
   }
 
-  /// Whether no wall has the node.
+  /// Whether no wall touches the node.
   bool is_inside(const std::size_t node) const
   {
     return is_inside_[node] != 0;

@@ -10,16 +10,13 @@
 
 namespace contrecoup::ale
 {
-/**
- * Exchanges fields that have a few numbers at each of what ranks own and have
- * copies of: nodes, or cells. A field is an array of the own ones, and of the
- * copies behind them.
- */
+/// Ghost exchange of nodal or cell fields with a fixed number of components. A
+/// field is an array of the owned entries followed by the ghost copies.
 class FieldExchange
 {
 public:
-  /// @param single who owns what, with one number at each
-  /// @param width numbers at each
+  /// @param single partitioning for one component
+  /// @param width number of components
   void reinit(const dealii::Utilities::MPI::Partitioner &single,
               const unsigned int width);
 
@@ -28,17 +25,17 @@ public:
     return width_;
   }
 
-  /// Numbers in a field, copies included.
+  /// Length of a field including ghost copies.
   std::size_t size() const
   {
     return partitioner_->locally_owned_size() + partitioner_->n_ghost_indices();
   }
 
-  /// Sets copies to what their owners have. Collective.
+  /// Copies owned values to the ghost copies of other ranks. Collective.
   void update_copies(dealii::AlignedVector<double> &field) const;
 
-  /// Adds copies to what their owners have, in the order of the ranks, and sets
-  /// them to zero. Collective.
+  /// Adds ghost copies to the owned values, in the order of ranks, and sets
+  /// the ghost copies to zero. Collective.
   void add_copies(dealii::AlignedVector<double> &field) const;
 
 private:

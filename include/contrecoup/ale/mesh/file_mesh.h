@@ -16,8 +16,8 @@
 namespace contrecoup::ale
 {
 /**
- * The mesh of a file, as `anatomy` writes mesh.msh: conforming hexahedra, whose
- * materials are its layers. Entries "File", "Smallest scaled Jacobian" and
+ * A mesh from a file, such as mesh.msh of `anatomy`: conforming hexahedra,
+ * with one layer per material. Entries "File", "Smallest scaled Jacobian" and
  * "Symmetry planes" of subsection "Mesh".
  */
 class FileMesh
@@ -29,25 +29,26 @@ public:
   void parse_parameters(dealii::ParameterHandler &prm);
 
   /**
-   * Reads the file. Material ids are numbers in layers(). Boundary ids are 0
-   * for the surface, 1, 2, 3 for planes of symmetry normal to x, y, z, and
-   * boundary_id() for what the file numbers.
-   * @throws InputError for a file that cannot be read, cells that are no
-   * hexahedra, distorted, or do not meet at whole faces, and for planes of
-   * symmetry at which the mesh does not end
+   * Reads the file. Material ids are indices in layers(). Boundary ids are 0
+   * for the surface, 1, 2, 3 for symmetry planes normal to x, y, z, and
+   * boundary_id() for numbered faces of the file.
+   * @throws InputError for an unreadable file, for cells that are no
+   * hexahedra, are distorted or do not share whole faces, and for symmetry
+   * planes that do not bound the mesh
    */
   void create(dealii::Triangulation<3> &mesh) const;
 
-  /// The boundary id of faces to which the file gives this number, above 0.
+  /// Boundary id of faces with this positive number in the file.
   static dealii::types::boundary_id boundary_id(const unsigned int number)
   {
     return number + 3;
   }
 
-  /// What follows reads the file if create() did not. @throws InputError
+  /// The following functions read the file unless create() did. @throws
+  /// InputError
 
-  /// Its materials: the name that the file gives, or that of the tissue of this
-  /// number.
+  /// Materials of the file: by the name that the file gives, or by the tissue
+  /// with this number.
   const MeshLayers &layers() const
   {
     return findings().layers;
@@ -56,22 +57,22 @@ public:
   {
     return findings().n_cells;
   }
-  /// The shortest edge [m].
+  /// Shortest edge [m].
   double cell_size() const
   {
     return findings().cell_size;
   }
-  /// Of all cells, see scaled_jacobian().
+  /// Minimum over all cells of scaled_jacobian().
   double smallest_scaled_jacobian() const
   {
     return findings().scaled_jacobian;
   }
-  /// Sets of cells that are joined by faces.
+  /// Number of face-connected sets of cells.
   unsigned int n_pieces() const
   {
     return findings().n_pieces;
   }
-  /// The numbers that the file gives to faces of the surface, above 0.
+  /// Positive numbers of surface faces in the file.
   const std::set<unsigned int> &boundaries() const
   {
     return findings().boundaries;
@@ -82,7 +83,7 @@ public:
     return planes_;
   }
 
-  /// Part of the body that is computed [-].
+  /// Computed part of the body [-].
   double part() const
   {
     return computed_part(planes_);
@@ -103,8 +104,8 @@ private:
   void measure_cells(const dealii::Triangulation<3> &mesh,
                      Findings &found) const;
   void refuse_hanging_nodes(const dealii::Triangulation<3> &mesh) const;
-  /// Refuses cells that touch the others at a node alone.
-  /// @return how many sets of cells there are that no face joins
+  /// Refuses cells that touch others only at a node or edge.
+  /// @return number of face-connected sets of cells
   unsigned int refuse_joints(const dealii::Triangulation<3> &mesh) const;
   MeshLayers number_layers(dealii::Triangulation<3> &mesh) const;
   std::set<unsigned int>

@@ -19,30 +19,31 @@ namespace contrecoup::ale
 void require_valid_cells(const dealii::Triangulation<3> &mesh);
 
 /**
- * A conforming mesh of hexahedra on the ranks, by deal.II's fully distributed
- * triangulation, with the numbers that loops over elements need. Each rank owns
- * cells and nodes, and has copies of the cells around its own and of their
- * nodes; numbers here are those of the rank, the own ones first.
+ * A distributed conforming hexahedral mesh on deal.II's fully distributed
+ * triangulation, with the local numbering of cells, nodes and faces. Each rank
+ * owns cells and nodes, and has ghost copies of the cells around its own and
+ * of their nodes. Local numbers begin with the owned entities.
  */
 class HexSpace
 {
 public:
-  /// A face between cells, or of the boundary.
+  /// An interior or boundary face.
   struct Face
   {
-    std::uint32_t inside;  ///< cell whose outward normal the face has
-    std::uint32_t outside; ///< the other one; no_cell at the boundary
+    /// the cell whose outward normal is that of the face
+    std::uint32_t inside;
+    std::uint32_t outside; ///< the neighbour, or no_cell at the boundary
     /// Corners, counterclockwise seen from outside of `inside`.
     std::array<std::uint32_t, 4> nodes;
     dealii::types::boundary_id boundary;
   };
   static constexpr std::uint32_t no_cell = -1;
 
-  /// Corners as in HexMesh.
+  /// Corner nodes, ordered as in HexMesh.
   using Cell = std::array<std::uint32_t, 8>;
 
-  /// Two nodes at one place of an interface along which a region slides: that
-  /// of the region, and that of what it slides along.
+  /// Two coincident nodes on an interface with slip: one of the sliding
+  /// region, one of the other side.
   struct SlidingPair
   {
     std::uint32_t sliding;
@@ -50,10 +51,10 @@ public:
   };
 
   /**
-   * Distributes @p mesh, which every rank must have alike, along the order of
-   * its cells. Material ids say to which region a cell belongs. Collective.
-   * @param slides by material id: whether the region has nodes of its own where
-   *   it meets regions that do not slide; may be empty
+   * Distributes @p mesh, which all ranks must pass identically, in the order
+   * of its cells. Material ids are region numbers. Collective.
+   * @param slides by material id: whether the region has separate nodes where
+   * it meets regions that do not slide; may be empty
    * @throws InputError for an inverted cell, naming it, and for a mesh with
    * cells of different levels
    */
@@ -66,26 +67,27 @@ public:
     return triangulation_->get_communicator();
   }
 
-  /// Three continuous trilinear components at the nodes that do not slide.
+  /// Continuous trilinear elements with three components, without the
+  /// duplicate nodes of sliding regions.
   const dealii::DoFHandler<3> &node_dofs() const
   {
     return *dofs_;
   }
 
-  /// The first of the three degrees of freedom of a node, which follow each
-  /// other; not of sliding nodes.
+  /// First of the three consecutive degrees of freedom of a node; invalid for
+  /// duplicate nodes of sliding regions.
   dealii::types::global_dof_index first_dof(const std::size_t node) const
   {
     return first_dofs_[node];
   }
 
-  /// The node of a degree of freedom that this rank knows.
+  /// Local node number of a locally relevant degree of freedom.
   std::uint32_t node_of(const dealii::types::global_dof_index dof) const
   {
     return node_of_vertex_[vertices_->global_to_local(dof / 3)];
   }
 
-  /// Of the nodes that this rank owns or has copies of.
+  /// All pairs among local nodes, ghost copies included.
   const std::vector<SlidingPair> &sliding_pairs() const
   {
     return pairs_;
@@ -95,14 +97,14 @@ public:
     return first_dofs_[node] == dealii::numbers::invalid_dof_index;
   }
 
-  /// Whether the cells of a face have nodes of their own there.
+  /// Whether a face lies on an interface with slip.
   bool is_sliding(const Face &face) const
   {
     return face.outside != no_cell &&
            slides(face.inside) != slides(face.outside);
   }
 
-  /// Whether the region of a cell slides along others.
+  /// Whether a cell belongs to a sliding region.
   bool slides(const std::size_t cell) const
   {
     return !slides_.empty() && slides_[regions_[cell]];
@@ -138,7 +140,7 @@ public:
     return regions_[cell];
   }
 
-  /// Numbers in the mesh that was given, the same on any number of ranks.
+  /// Global numbers in the given mesh, independent of the number of ranks.
   std::uint32_t cell_number(const std::size_t cell) const
   {
     return cell_numbers_[cell];
@@ -148,15 +150,14 @@ public:
     return node_numbers_[node];
   }
 
-  /// Faces of the own cells; those that own cells of two ranks share are with
-  /// both, and the same there.
+  /// Faces of owned cells. A face between owned cells of two ranks is stored
+  /// identically on both.
   const std::vector<Face> &faces() const
   {
     return faces_;
   }
 
-  /// The cells around a node, as far as they are here: all of them for nodes of
-  /// own cells.
+  /// Local cells around a node; all of them for nodes of owned cells.
   dealii::ArrayView<const std::uint32_t>
   cells_around(const std::size_t node) const
   {
@@ -164,11 +165,11 @@ public:
             first_around_[node + 1] - first_around_[node]};
   }
 
-  /// Coordinates of the nodes in the mesh that was given, @p width numbers at
-  /// each, the first three of which are set [m].
+  /// Node coordinates of the given mesh in the first three of @p width numbers
+  /// per node [m].
   dealii::AlignedVector<double> positions(const unsigned int width) const;
 
-  /// Who has which nodes and cells.
+  /// Parallel partitioning of nodes and cells.
   const dealii::Utilities::MPI::Partitioner &nodes() const
   {
     return *nodes_;
@@ -181,8 +182,8 @@ public:
 private:
   void distribute(const dealii::Triangulation<3> &mesh, MPI_Comm communicator);
   void number_nodes();
-  /// Numbers of the nodes of a vertex on all ranks; twice the same where it has
-  /// but one.
+  /// Global numbers of the nodes at a vertex; twice the same number at a
+  /// vertex with one node.
   using VertexNodes = std::array<dealii::types::global_dof_index, 2>;
 
   std::vector<bool> find_double_vertices() const;
@@ -197,8 +198,8 @@ private:
     triangulation_;
   std::unique_ptr<dealii::DoFHandler<3>> dofs_;
   std::vector<bool> slides_; ///< by region; may be empty
-  /// Vertices of the mesh, one for three degrees of freedom, and nodes, of
-  /// which some are at the same vertex.
+  /// Partitioning of mesh vertices (three degrees of freedom each) and of
+  /// nodes, of which two may belong to one vertex.
   std::shared_ptr<const dealii::Utilities::MPI::Partitioner> vertices_;
   std::shared_ptr<const dealii::Utilities::MPI::Partitioner> nodes_;
   std::vector<std::uint32_t> node_of_vertex_;

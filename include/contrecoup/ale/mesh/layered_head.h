@@ -15,48 +15,46 @@
 
 namespace contrecoup::ale
 {
-/**
- * A head of ellipsoids, one in the other: brain, cerebrospinal fluid (CSF),
- * skull, and scalp if it has a thickness. Entries of subsection "Mesh".
- */
+/// A head of nested ellipsoids: brain, cerebrospinal fluid (CSF), skull, and
+/// scalp if its thickness is positive. Entries of subsection "Mesh".
 class LayeredHead
 {
 public:
   static void declare_parameters(dealii::ParameterHandler &prm);
 
-  /// @throws InputError when entries do not go together
+  /// @throws InputError for contradictory entries
   void parse_parameters(dealii::ParameterHandler &prm);
 
-  /// Material ids count the layers, boundary ids are those of
-  /// make_layered_ball().
+  /// Builds the mesh. Material ids are layer numbers, boundary ids are those
+  /// of make_layered_ball().
   void create(dealii::Triangulation<3> &mesh) const
   {
     make_layered_ball(ball_, mesh);
   }
 
-  /// From inside.
+  /// Layers from the inside outwards.
   const MeshLayers &layers() const
   {
     return layers_;
   }
 
-  /// Part of the head that is computed; 1 without one [-].
+  /// Computed part of the head; 1 without symmetry [-].
   double part() const;
 
-  /// The wedge that is computed; without a slope: none.
+  /// The computed wedge; without a slope: none.
   HexWedge wedge() const
   {
     return ball_.wedge_axis > 2 ? HexWedge()
                                 : HexWedge{ball_.wedge_axis, ball_.wedge_slope};
   }
 
-  /// Of the outer surfaces of the layers [m].
+  /// Semi-axes of the outer surfaces of the layers [m].
   const std::vector<std::array<double, 3>> &semi_axes() const
   {
     return ball_.semi_axes;
   }
 
-  /// Axes to which planes of symmetry are normal.
+  /// Whether a symmetry plane is normal to each axis.
   const std::array<bool, 3> &is_halved() const
   {
     return ball_.is_halved;
@@ -64,19 +62,21 @@ public:
 
   double n_cells() const;
 
-  /// Those of the mesh without symmetry.
+  /// Number of cells of the mesh without symmetry.
   double n_cells_of_whole() const;
 
-  /// Those of a wedge, of one half of it between the poles if it is halved.
+  /// Number of cells of a wedge. @param is_halved whether a symmetry plane
+  /// halves the wedge between its poles
   double n_cells_of_wedge(const bool is_halved) const;
 
-  /// About the shortest edge of a cell [m].
+  /// Approximate shortest edge of a cell [m].
   double cell_size() const;
 
 private:
-  /// @throws InputError for a head that is not round about it
+  /// @throws InputError for a head that is not axisymmetric about the wedge
+  /// axis
   void find_wedge(dealii::ParameterHandler &prm);
-  /// All layers, from the inner cube outwards.
+  /// Number of cells along a radius: inner cube and all layers.
   double n_cells_across() const;
   void add_layer(const std::string &name,
                  const double thickness,

@@ -20,29 +20,30 @@
 namespace contrecoup::ale
 {
 /**
- * The mesh of a scene, and what is at its sides: subsections "Mesh" and
- * "Side *"; particles also fill a body, subsection "Body". Sides have names:
- * x-, x+, y-, y+, z-, z+ of a box, sphere and plane of a half ball, which lies
- * at x >= 0; surface, plane x, plane y, plane z of a layered head and of a
- * file, of which the numbers that it gives to faces are sides, too. Expressions
- * move the nodes: a box becomes a wedge, a cone, or skewed.
+ * The mesh of a scene and the conditions at its sides: subsections "Mesh" and
+ * "Side *". Particles may also fill a body: subsection "Body". Names of sides
+ * are x-, x+, y-, y+, z-, z+ of a box; sphere and plane of a half ball, which
+ * lies at x >= 0; surface, plane x, plane y, plane z of a layered head and of
+ * a file, plus the numbered faces of a file. Expressions may move the nodes,
+ * for example to make a wedge or a cone of a box.
  */
 class MeshDescription
 {
 public:
   static void declare_parameters(dealii::ParameterHandler &prm);
 
-  /// @throws InputError when entries do not go together
+  /// @throws InputError for contradictory entries
   void parse_parameters(dealii::ParameterHandler &prm);
 
-  /// Builds the mesh, all cells on one level. Material ids are those of
-  /// layers(), if there are any.
-  /// @throws InputError for cells that the moved nodes invert, and for a file
-  /// that cannot be used
+  /// Builds the mesh with all cells on one refinement level. Material ids are
+  /// indices in layers().
+  /// @throws InputError for cells that the moved nodes invert, and for an
+  /// unusable file
   void create(dealii::Triangulation<3> &mesh) const;
 
-  /// Layers of a layered head, materials of a file; none of other meshes.
-  /// @throws InputError for a file that cannot be used
+  /// Layers of a layered head or a body, or materials of a file; empty for
+  /// other meshes.
+  /// @throws InputError for an unusable file
   const MeshLayers &layers() const
   {
     return kind_ == "file"   ? file_.layers()
@@ -50,78 +51,78 @@ public:
                              : head_.layers();
   }
 
-  /// The mesh of a file; null for others.
+  /// The mesh of a file; null for other kinds.
   const FileMesh *file() const
   {
     return kind_ == "file" ? &file_ : nullptr;
   }
 
-  /// Part of the body that is computed, by planes of symmetry [-].
+  /// Computed part of the body with symmetry planes [-].
   double part() const
   {
     return kind_ == "file" ? file_.part() : head_.part();
   }
 
-  /// Planes of symmetry, those through the axis of a wedge among them.
+  /// Symmetry planes, including those through the axis of a wedge.
   const SymmetryPlanes &symmetry_planes() const
   {
     return kind_ == "file" ? file_.symmetry_planes() : head_.is_halved();
   }
 
-  /// The wedge that the mesh is; without a slope: none.
+  /// The wedge that the mesh forms; without a slope: none.
   HexWedge wedge() const
   {
     return kind_ == "layered head" ? head_.wedge() : HexWedge();
   }
 
-  /// Whether layer_at() tells layers apart.
+  /// Whether layer_at() distinguishes layers.
   bool has_layers() const
   {
     return kind_ == "layered head" || kind_ == "body";
   }
 
-  /// The layered head; null for other meshes, and where nodes are moved.
+  /// The layered head; null for other kinds and with moved nodes.
   const LayeredHead *head() const
   {
     return kind_ == "layered head" && position_.empty() ? &head_ : nullptr;
   }
 
-  /// The layer at a place of the undeformed mesh, 0 where the mesh has none;
-  /// -1 outside of it. @throws InputError for moved nodes and files, whose
-  /// inside is not known
+  /// Layer at a point of the undeformed mesh; 0 in a mesh without layers, -1
+  /// outside the mesh.
+  /// @throws InputError for moved nodes and files, where it is unknown
   int layer_at(const dealii::Point<3> &place) const;
 
-  /// Lower and upper corner around the mesh [m]. @throws InputError likewise
+  /// Bounding box of the mesh [m]. @throws InputError as layer_at()
   std::array<dealii::Point<3>, 2> corners() const;
 
-  /// Whether x-, x+, y-, y+, z-, z+ of the corners are walls at rest.
-  /// @throws InputError for walls that move
+  /// Whether each side x-, x+, y-, y+, z-, z+ of corners() is a fixed wall.
+  /// @throws InputError for moving walls
   std::array<bool, 6> sides_at_rest() const;
 
-  /// Which of them hold what touches them.
+  /// Whether each of these sides clamps the matter.
   std::array<bool, 6> clamped_sides() const;
 
   /// Thickness of the thinnest layer around the brain of a layered head, and
-  /// how far its middle along x is from the centre [m].
+  /// distance of the layer's middle from the centre along x [m].
   std::pair<double, double> thinnest_layer() const;
 
-  /// Of the rigid sphere around a half ball; 0: there is none [m].
+  /// Radius of the rigid sphere around a half ball; 0: none [m].
   double sphere_radius() const
   {
     return kind_ == "half ball" && walls_.count(0) == 1 ? radius_ : 0.;
   }
 
-  /// How many cells create() makes.
+  /// Number of cells of create().
   double n_cells() const;
 
-  /// About the shortest edge of a cell [m].
+  /// Approximate shortest edge of a cell [m].
   /// @throws InputError for cells that the moved nodes invert
   double cell_size() const;
 
-  /// How fast walls move until @p end_time [s] at most, of some times [m/s].
+  /// Largest wall speed up to @p end_time, sampled in time [m/s].
   double largest_wall_speed(const double end_time) const;
 
-  /// Sides along which matter slides; all others are free.
+  /// Slip walls by boundary id; other sides are free.
   const std::map<dealii::types::boundary_id, SlipWalls::Motion> &walls() const
   {
     return walls_;
@@ -129,14 +130,14 @@ public:
 
 private:
   const std::vector<std::string> &side_names() const;
-  /// The boundary id of a side. @throws InputError for none of this kind
+  /// Boundary id of a side. @throws InputError for an unknown side
   dealii::types::boundary_id find_side(const std::string &name) const;
   /// @throws InputError for a numbered side that the file does not have
   void check_numbered_sides() const;
   void parse_sides(dealii::ParameterHandler &prm);
   /// @throws InputError for a side that is no plane
   void clamp(const dealii::types::boundary_id side, const std::string &name);
-  /// Which of the sides of corners() are chosen by their ids.
+  /// Which sides of corners() have an id that @p is_chosen accepts.
   template <typename Choice>
   std::array<bool, 6> box_sides(const Choice &is_chosen) const;
   void move_nodes(dealii::Triangulation<3> &mesh) const;
@@ -147,12 +148,13 @@ private:
   double radius_ = 0.;
   LayeredHead head_;
   FileMesh file_;
-  BodyPointer body_;       ///< null for other meshes
-  MeshLayers body_layers_; ///< tissues of its parts
+  BodyPointer body_;       ///< null for other kinds
+  MeshLayers body_layers_; ///< tissues of the parts of the body
   std::set<unsigned int> numbered_sides_;
   unsigned int refinements_ = 0;
-  std::vector<Expression> position_; ///< x, y, z; none: nodes stay
+  std::vector<Expression> position_; ///< x, y, z; empty: nodes stay
   std::map<dealii::types::boundary_id, SlipWalls::Motion> walls_;
-  std::set<dealii::types::boundary_id> clamped_; ///< those of them that hold
+  /// those of walls_ that clamp
+  std::set<dealii::types::boundary_id> clamped_;
 };
 } // namespace contrecoup::ale

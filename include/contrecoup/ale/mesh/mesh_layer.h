@@ -8,22 +8,22 @@
 
 namespace contrecoup::ale
 {
-/// A part of a mesh that regions call by its name or its number.
+/// A layer of a mesh, which regions refer to by name or number.
 struct MeshLayer
 {
   std::string name;
-  std::string number; ///< in a file; empty: it has none
+  std::string number; ///< in a file; empty: none
 
-  /// Upper and lower case being the same.
+  /// Whether @p word is the name or the number, ignoring case.
   bool is_called(const std::string &word) const;
 
-  /// Both, for messages.
+  /// Name and number, for messages.
   std::string told() const
   {
     return number.empty() || number == name ? name : name + " (" + number + ")";
   }
 };
 
-/// By material ids of the mesh; none: it has no layers.
+/// Layers by material id; empty: a mesh without layers.
 using MeshLayers = std::vector<MeshLayer>;
 } // namespace contrecoup::ale

@@ -16,31 +16,31 @@
 
 namespace contrecoup::ale
 {
-/// Equations of state of fluids, and solids.
+/// Material of a region: equation of state of a fluid, or a solid.
 using RegionLaw = std::variant<IdealGas, MieGrueneisen, Tait, SolidMaterial>;
 
-/// A part of the mesh with one material.
+/// A region of the mesh with one material.
 struct Region
 {
   std::string name;
   RegionLaw law = IdealGas();
   FluidViscosity viscosity;
-  /// Of solids: their strains, and springs against hourglass modes over those
-  /// that give a cube the energy of its shear [-].
+  /// Of solids: kinematics, and hourglass stiffness relative to the value that
+  /// gives a cube the energy of its shear [-].
   SolidKinematics kinematics = SolidKinematics::finite_rotation;
   double hourglass_stiffness = 1.;
   /// Of metals, solids that yield: particles only.
   std::optional<JohnsonCook> plasticity;
-  /// Whether it slides along other regions; fluids only.
+  /// Whether the region slides along others; fluids only.
   bool slides = false;
 
-  /// The solid; null for fluids.
+  /// The solid material; null for fluids.
   const SolidMaterial *solid() const
   {
     return std::get_if<SolidMaterial>(&law);
   }
 
-  /// Whether its cells have to remember strains.
+  /// Whether cells store relaxed strains.
   bool is_viscoelastic() const
   {
     return solid() != nullptr && solid()->is_viscoelastic();

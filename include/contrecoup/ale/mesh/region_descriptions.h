@@ -16,61 +16,58 @@
 
 namespace contrecoup::ale
 {
-/**
- * What fills the mesh at the start: subsections "Region *", each with where it
- * is, its material and its state. Later ones win.
- */
+/// Initial contents of the mesh: subsections "Region *" with location,
+/// material and state. Later regions win.
 class RegionDescriptions
 {
 public:
   static void declare_parameters(dealii::ParameterHandler &prm);
 
-  /// @throws InputError for constants without a physical meaning
+  /// @throws InputError for unphysical constants
   void parse_parameters(dealii::ParameterHandler &prm);
 
-  /// @throws InputError for a metal, which only particles can be
+  /// @throws InputError for a metal, which needs particles
   void refuse_metals() const;
 
-  /// Sets the material ids of the cells.
-  /// @param layers by the material ids that they have now; may be empty
+  /// Sets the material ids of cells to region numbers.
+  /// @param layers by the present material ids; may be empty
   /// @throws InputError for a cell in no region, or a region without cells
   void set_regions(dealii::Triangulation<3> &mesh,
                    const MeshLayers &layers) const;
 
-  /// Masses, energies and velocities at the present positions.
-  /// @throws InputError for a state without a physical meaning
+  /// Sets masses, energies and velocities at the present positions.
+  /// @throws InputError for an unphysical state
   void fill(const HexSpace &space, AleState &state) const;
 
   std::vector<Region> regions() const;
 
-  /// The fastest signal at the start, in the centres of the cells [m/s].
-  /// @throws InputError for a state without a physical meaning
+  /// Largest initial signal speed at cell centres [m/s].
+  /// @throws InputError for an unphysical state
   double largest_speed(const dealii::Triangulation<3> &mesh) const;
 
-  /// Velocity of the fastest matter at the start, at the origin if velocities
-  /// depend on the place [m/s].
+  /// Initial velocity of the fastest region [m/s]; evaluated at the origin
+  /// where velocity depends on the place.
   dealii::Tensor<1, 3> fastest_velocity() const;
 
-  /// The largest of each component of the velocities at the start, at the
-  /// origin if they depend on the place [m/s].
+  /// Largest value of each component of the initial velocities [m/s];
+  /// evaluated at the origin where velocity depends on the place.
   dealii::Tensor<1, 3> largest_components() const;
 
-  /// Whether where anything is, or its state, depends on the place.
+  /// Whether location or state of any region depends on the place.
   bool depends_on_place() const;
 
-  /// The region at a place of a layer, and the density of what is there
-  /// [kg/m^3]. @throws InputError where there is none, and for a state without
-  /// a
-  ///   physical meaning
+  /// The region at a point of a layer; density_at() gives its density
+  /// [kg/m^3].
+  /// @throws InputError where there is no region, and for an unphysical state
   const Region &region_at(const dealii::Point<3> &place,
                           const MeshLayer &layer) const;
-  /// Its number, or -1 where there is none.
+  /// Number of the region at a point, or -1.
   int find_region(const dealii::Point<3> &place, const MeshLayer &layer) const;
   double density_at(const dealii::Point<3> &place,
                     const MeshLayer &layer) const;
 
-  /// What a region has at a place at the start. @throws InputError for a state
-  /// without a physical meaning
+  /// Initial state of a region at a point. @throws InputError for an
+  /// unphysical state
   InitialMatter matter_at(const dealii::Point<3> &place,
                           const unsigned int region) const
   {
@@ -79,7 +76,7 @@ public:
   dealii::Tensor<1, 3> velocity_at(const dealii::Point<3> &place,
                                    const unsigned int region) const;
 
-  /// @throws InputError for a region of a layer that is none of these
+  /// @throws InputError for a region that names an unknown layer
   void check_layers(const MeshLayers &layers) const;
 
 private:
@@ -92,14 +89,14 @@ private:
     std::array<Expression, 3> velocity;
   };
 
-  /// That at a place of a layer. @throws InputError for none
+  /// The description at a point of a layer. @throws InputError for none
   const Description &find(const dealii::Point<3> &place,
                           const MeshLayer &layer) const;
   const Description &at(const HexSpace &space, const std::size_t cell) const
   {
     return descriptions_[space.region(cell)];
   }
-  /// @throws InputError for a state without a physical meaning
+  /// @throws InputError for an unphysical state
   InitialMatter check_state(const Description &description,
                             const dealii::Point<3> &centre) const;
   void fill_cell(const HexSpace &space,

@@ -9,26 +9,27 @@
 
 namespace contrecoup::ale
 {
-/// Declares what a region is made of, in its subsection.
+/// Declares the material of a region, in the region's subsection.
 void declare_region_material(dealii::ParameterHandler &prm);
 
 /**
- * Reads it from the subsection of the region @p name.
- * @throws InputError for constants without a physical meaning
+ * Reads the material from the subsection of region @p name.
+ * @throws InputError for unphysical constants
  */
 Region parse_region_material(dealii::ParameterHandler &prm,
                              const std::string &name);
 
-/// What the matter of a region has at the start.
+/// Initial state of the matter of a region.
 struct InitialMatter
 {
   double density;             ///< [kg/m^3]
   double energy;              ///< internal [J/m^3]
-  double sound_speed_squared; ///< [m^2/s^2], not above 0 where p is too low
+  double sound_speed_squared; ///< [m^2/s^2]; not positive: pressure too low
 };
 
 /**
- * @param density asked for; Tait's liquid and solids have their own [kg/m^3]
+ * @param density ignored for Tait liquids and solids, which have their own
+ * [kg/m^3]
  * @param pressure [Pa]; solids are free of stress
  * @param products mass fraction of explosive products [-]
  */

@@ -15,37 +15,39 @@
 namespace contrecoup::ale
 {
 /**
- * Walls along which nodes slide without friction: the velocity normal to a
- * wall is that of the wall. Nodes on two walls slide along their edge, and on
- * three they go with them.
+ * Frictionless slip walls: the normal velocity of a node on a wall is that of
+ * the wall. Nodes on two walls slide along the common edge, nodes on three
+ * walls are fixed to them.
  */
 class SlipWalls
 {
 public:
-  /// Normal velocity of a wall, outwards, over time [m/s].
+  /// Outward normal velocity of a wall as a function of time [m/s].
   using Motion = std::function<double(double)>;
 
   /**
-   * @param walls by boundary id; boundaries that are not among them are free
-   * @param position of the nodes, by which the normals of curved walls are the
-   *   means of those of the faces
+   * @param walls by boundary id; other boundaries are free
+   * @param position of the nodes; the normal of a curved wall at a node is the
+   * mean of its face normals
    */
   void reinit(const HexSpace &space,
               const dealii::AlignedVector<double> &position,
               const std::map<dealii::types::boundary_id, Motion> &walls);
 
-  /// Lets what is at the sides of a wedge be mirror images from now on:
-  /// round-off would grow, as steps are too long for waves from side to side.
+  /// From now on makes fields on the two sides of a wedge mirror images.
+  /// Otherwise round-off would grow, since steps exceed the CFL limit of waves
+  /// between the sides.
   void mirror(const HexSpace &space, const HexWedge &wedge);
 
-  /// Makes vectors at the nodes, AleState::width numbers each, mirror images.
+  /// Makes nodal vectors (AleState::width numbers each) on the two sides of
+  /// the wedge mirror images.
   void make_mirrored(dealii::AlignedVector<double> &field) const;
 
-  /// Sets the normal velocities of the nodes on walls at @p time [s].
+  /// Imposes the wall velocities at @p time [s] on the nodes.
   void apply(dealii::AlignedVector<double> &velocity, const double time) const;
 
-  /// Makes vectors at the nodes on walls, AleState::width numbers each, lie
-  /// along them.
+  /// Removes the components normal to walls from nodal vectors
+  /// (AleState::width numbers each).
   void remove_normal_parts(dealii::AlignedVector<double> &field) const;
 
 private:
@@ -56,7 +58,7 @@ private:
     unsigned int wall;
   };
 
-  /// @param speed of the walls
+  /// @param speed of each wall [m/s]
   void set_normal_parts(dealii::AlignedVector<double> &velocity,
                         const std::vector<double> &speed) const;
   void add_wall(const HexSpace &space,
@@ -67,9 +69,9 @@ private:
 
   HexWedge wedge_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>>
-    twins_; ///< of both sides
+    twins_; ///< on the two sides of a wedge
   std::vector<Motion> motions_;
-  /// Those of a node follow each other.
+  /// Entries of the same node are consecutive.
   std::vector<WallNode> wall_nodes_;
 };
 } // namespace contrecoup::ale

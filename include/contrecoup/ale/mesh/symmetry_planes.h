@@ -9,21 +9,20 @@
 
 namespace contrecoup::ale
 {
-/// Whether a plane of symmetry is normal to each axis. Boundary ids of these
-/// planes are 1 to 3, by axis.
+/// Whether a symmetry plane is normal to each axis. The boundary ids of
+/// symmetry planes are 1 to 3, by axis.
 using SymmetryPlanes = std::array<bool, 3>;
 
-/// Entries "Symmetry planes" and "Wedge axis" of the present subsection, that
-/// of the mesh.
+/// Declares entries "Symmetry planes" and "Wedge axis" of subsection "Mesh".
 void declare_symmetry_planes(dealii::ParameterHandler &prm);
 
-/// Entry "Wedge axis" of the present subsection; 3: there is none.
+/// Reads entry "Wedge axis"; 3: none.
 unsigned int read_wedge_axis(dealii::ParameterHandler &prm);
 
-/// Those through the axis of a wedge among them.
-/// @throws InputError for what is no axis
+/// Reads the symmetry planes, including those through a wedge axis.
+/// @throws InputError for an invalid axis
 SymmetryPlanes read_symmetry_planes(dealii::ParameterHandler &prm);
 
-/// Part of the body that is computed, 1 without a plane [-].
+/// Computed part of the body; 1 without symmetry planes [-].
 double computed_part(const SymmetryPlanes &planes);
 } // namespace contrecoup::ale

@@ -9,10 +9,10 @@
 namespace contrecoup::ale
 {
 /**
- * Turns what was found of the computed part of a body into what the whole body
- * has: masses, energies, forces, areas, volumes and impulses are divided by the
- * part, and momenta and mean velocities across planes of symmetry are zero.
- * @param values told apart by their units and names
+ * Converts results of the computed part of a body to those of the whole body.
+ * Masses, energies, forces, areas, volumes and impulses are divided by @p
+ * part; momenta and mean velocities normal to symmetry planes become zero.
+ * @param values recognised by units and names
  * @param part that is computed [-]
  */
 void set_to_whole(std::vector<NamedValue> &values,

@@ -16,16 +16,16 @@
 
 namespace contrecoup::ale
 {
-/// How far particles reach, beside what is known: subsections "Extent *".
+/// Extents of sets of particles against known values: subsections "Extent *".
 class ParticleExtents
 {
 public:
   static void declare_parameters(dealii::ParameterHandler &prm);
 
-  /// Reads those of "Reference". @throws InputError for none of them
+  /// Reads them from "Reference". @throws InputError for invalid entries
   void parse_parameters(dealii::ParameterHandler &prm);
 
-  /// Finds their regions. @throws InputError if there is none of a name
+  /// Finds the regions by name. @throws InputError for unknown names
   void reinit(const std::vector<mpm::ParticleMaterial> &materials);
 
   bool empty() const
@@ -33,12 +33,12 @@ public:
     return extents_.empty();
   }
 
-  /// extent_NAME [m], of cubes that deform as the particles do; 0 where none
-  /// is. Collective.
+  /// Extents extent_NAME [m] of particles with their deformed cube domains; 0
+  /// without particles. Collective.
   std::vector<NamedValue> values(const mpm::Particles &particles,
                                  const MPI_Comm communicator) const;
 
-  /// Absolute relative errors extent_NAME [-]. Collective.
+  /// Relative errors extent_NAME, as absolute values [-]. Collective.
   std::vector<NamedValue> errors(const mpm::Particles &particles,
                                  const MPI_Comm communicator) const;
 

@@ -11,8 +11,8 @@
 
 namespace contrecoup::ale
 {
-/// The same as region_measures(), of particles: names end with that of the
-/// material. Collective.
+/// As region_measures(), for particles: names end with that of the material.
+/// Collective.
 std::vector<NamedValue>
 particle_measures(const std::vector<mpm::ParticleMaterial> &materials,
                   const mpm::Particles &particles,

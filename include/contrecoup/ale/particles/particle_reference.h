@@ -23,53 +23,54 @@
 
 namespace contrecoup::ale
 {
-/// The course of a front so far: numbers alone, for checkpoints.
+/// Course of a front. Plain data, written to checkpoints.
 struct FrontRecord
 {
   double time = 0.;          ///< of the last step [s]
-  double position = 0.;      ///< then [m]
-  double error = 0.;         ///< sum of absolute errors at known times [m]
-  double largest = 0.;       ///< of them [m]
-  std::uint64_t n_known = 0; ///< times that have passed
+  double position = 0.;      ///< at this time [m]
+  double error = 0.;         ///< sum of absolute errors at the known times [m]
+  double largest = 0.;       ///< largest absolute error [m]
+  std::uint64_t n_known = 0; ///< number of known times that have passed
 };
 
 /**
- * What a run of particles is compared with: the entries of subsection
- * "Reference", of which it declares "Expressions", "Front", "Extent *" and
- * "Probe displacements"; flows are those of meshes.
+ * Reference solutions for a run with particles: subsection "Reference".
+ * Declares "Expressions", "Front", "Extent *" and "Probe displacements";
+ * ale::Reference declares the flows.
  */
 class ParticleReference
 {
 public:
   static void declare_parameters(dealii::ParameterHandler &prm);
 
-  /// @throws InputError for a solution that particles cannot be compared with
+  /// @throws InputError for a solution that does not apply to particles
   void parse_parameters(dealii::ParameterHandler &prm);
 
-  /// Finds regions by their names. @throws InputError if there is none of its
-  /// name, or if not as many displacements are known as there are probes
+  /// Finds regions by name. @throws InputError for unknown names, or when the
+  /// number of known displacements is not that of probes
   void reinit(const std::vector<mpm::ParticleMaterial> &materials,
               const double half_spacing,
               const std::vector<dealii::Point<3>> &probes);
 
-  /// What is compared, for histories: where the front and the far faces of
-  /// extents are, displacements of probes. Collective.
+  /// Compared quantities for history.csv: position of the front, extents,
+  /// displacements of probes. Collective.
   std::vector<NamedValue> history(const mpm::Particles &particles,
                                   const MPI_Comm communicator) const;
 
-  /// Follows the front, and pressures at probes in a rigid sphere, after a step
-  /// that ended at @p time. Collective.
+  /// Updates the front, and peak pressures of probes in a rigid sphere, after
+  /// a step that ended at @p time [s]. Collective.
   void follow(const std::vector<mpm::ParticleMaterial> &materials,
               const mpm::Particles &particles,
               const double time,
               const MPI_Comm communicator);
 
   /**
-   * Mean absolute errors by undeformed volume: of expressions, of displacement,
-   * velocity and pressure, at places at the start; of flows, of density,
-   * velocity and pressure at present places; or of the front's places at the
-   * known times that have passed; or relative ones of extents; or of probes'
-   * displacements. Collective.
+   * Errors. Expressions: mean absolute errors, weighted with undeformed
+   * volume, of displacement, velocity and pressure at initial positions;
+   * flows: the same of density, velocity and pressure at present positions;
+   * front: mean absolute errors of its position at known times that have
+   * passed; extents: relative errors; probes: errors of displacement.
+   * Collective.
    */
   std::vector<NamedValue>
   errors(const std::vector<mpm::ParticleMaterial> &materials,
@@ -77,13 +78,13 @@ public:
          const double time,
          const MPI_Comm communicator) const;
 
-  /// Those that this rank has seen, by probe; for checkpoints.
+  /// Peaks that this rank has recorded, by probe; for checkpoints.
   Peaks &peaks()
   {
     return peaks_;
   }
 
-  /// For checkpoints.
+  /// The record of the front, for checkpoints.
   FrontRecord &record()
   {
     return record_;
@@ -99,7 +100,7 @@ private:
     std::vector<double> times, positions;
   };
 
-  /// Exact values, as far as they are given.
+  /// Exact solutions; empty where not given.
   struct Expressions
   {
     std::vector<Expression> displacement, velocity, pressure;
@@ -112,7 +113,7 @@ private:
                         const MPI_Comm communicator) const;
   void parse_front(dealii::ParameterHandler &prm);
 
-  double radius_ = 0.; ///< within which particles are compared [m]
+  double radius_ = 0.; ///< particles are compared within this radius [m]
   std::unique_ptr<ExactFlow> flow_;
   std::optional<Expressions> expressions_;
   std::optional<Front> front_;

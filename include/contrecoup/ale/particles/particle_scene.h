@@ -19,17 +19,17 @@
 
 namespace contrecoup::ale
 {
-/// When particles are split and merged.
+/// Criteria for splitting and merging particles.
 struct Resampling
 {
-  double stretch = 2.;        ///< that splits [-]
-  unsigned int most = 64;     ///< of a region in a cell
-  unsigned int interval = 20; ///< steps; 0: never
+  double stretch = 2.;        ///< stretch at which a particle splits [-]
+  unsigned int most = 64;     ///< largest number per region and cell
+  unsigned int interval = 20; ///< steps between resamplings; 0: never
 };
 
 /**
- * A scene as particles see it: the same mesh description, regions and planes
- * as on a moving mesh, filled with particles; and the entries of subsection
+ * A scene for the material point method: mesh description, regions and planes
+ * of a moving mesh, filled with particles, and the entries of subsection
  * "MPM".
  */
 class ParticleScene
@@ -37,10 +37,10 @@ class ParticleScene
 public:
   static void declare_parameters(dealii::ParameterHandler &prm);
 
-  /// Reads "MPM". @throws InputError
+  /// Reads subsection "MPM". @throws InputError
   void parse_parameters(dealii::ParameterHandler &prm);
 
-  /// @throws InputError for what particles cannot be
+  /// @throws InputError for features that particles do not support
   void reinit(const MeshDescription &mesh,
               const RegionDescriptions &regions,
               const ContactPlanes &planes,
@@ -72,16 +72,17 @@ public:
     return resampling_;
   }
 
-  /// Of the velocity fields of the materials.
+  /// Contact between the velocity fields of the materials.
   mpm::FieldContact field_contact() const;
 
-  /// Whether regions touch each other and part.
+  /// Whether regions may separate after contact.
   bool regions_part() const;
 
-  /// From particles to their faces in full cells, along the shortest [m].
+  /// Half the particle spacing in full cells, along the shortest direction
+  /// [m].
   double half_spacing() const;
 
-  /// Of whole cells [m].
+  /// Size of coarse grid cells [m].
   double cell_size() const
   {
     return cell_size_;
@@ -90,10 +91,10 @@ public:
   {
     return fine_regions_.empty() ? cell_size_ : 0.5 * cell_size_;
   }
-  /// Of the cells at a place in the box [m].
+  /// Grid cell size at a point of the box [m].
   double cell_size_at(const dealii::Point<3> &place) const;
 
-  /// About the number of particles [-].
+  /// Approximate number of particles [-].
   double n_particles() const;
 
 private:
@@ -107,7 +108,7 @@ private:
 
   double cell_size_ = 0.;
   std::vector<std::string> fine_regions_;
-  double fine_margin_ = 0.; ///< cells
+  double fine_margin_ = 0.; ///< in cells
   mpm::TransferScheme scheme_;
   std::string smoothing_;
   std::string fields_;

@@ -16,8 +16,8 @@
 
 namespace contrecoup::ale
 {
-/// Solids and liquids by the material point method: particles, steps, energy
-/// ledger, output.
+/// Solids and liquids by the material point method: time steps, resampling,
+/// energy balance and output.
 class ParticleSimulation : public Simulation
 {
 public:
@@ -25,7 +25,7 @@ public:
     : communicator_(communicator)
   {}
 
-  /// Reads entries that AleSimulation and ParticleScene declare.
+  /// Reads the entries that AleSimulation and ParticleScene declare.
   /// @throws InputError
   void parse_parameters(dealii::ParameterHandler &prm);
 
@@ -58,7 +58,7 @@ public:
   }
 
 private:
-  /// Energies of all ranks, and what is missing [J].
+  /// Energies of all ranks, and the residual of the balance [J].
   struct Ledger
   {
     mpm::ParticleTotals totals;
@@ -66,16 +66,16 @@ private:
   };
 
   void build_grid();
-  /// Sets column::force to the body force, by places at the start.
+  /// Sets column::force to the body force at the initial positions.
   void set_body_force(mpm::ParticleBlock &block) const;
-  /// Forces that planes and regions give each other in the step.
+  /// Records contact forces of planes and between regions.
   void record_contact(const double step);
   Ledger ledger() const;
   ImpactPlan impact_plan() const;
-  /// Whether splines see the layers of a head apart.
+  /// Whether the spline width resolves the layers of a head.
   Assumption layer_resolution() const;
   void find_probes();
-  /// Takes what is in tiles of this rank.
+  /// Reads the particles of tiles on this rank.
   void restore_file(const std::string &file);
 
   MPI_Comm communicator_;
@@ -96,15 +96,15 @@ private:
   mpm::WallContact contact_;
   ContactMeasures contact_now_;
   ContactRecord contact_record_;
-  ContactRecord region_contact_; ///< of velocity fields that may part
+  ContactRecord region_contact_; ///< between velocity fields that may separate
   std::uint64_t n_particles_ = 0;
   std::uint64_t n_steps_ = 0;
   std::uint64_t n_split_ = 0;
-  std::uint64_t n_merged_ = 0; ///< how many fewer particles that made
+  std::uint64_t n_merged_ = 0; ///< net decrease of the number of particles
   double time_ = 0.;
   double initial_energy_ = 0.;
   double energy_scale_ = 0.;
-  /// In the rows of the history so far, by region [Pa].
+  /// Minimum over the history rows so far, by region [Pa].
   std::vector<double> least_pressures_;
 };
 } // namespace contrecoup::ale

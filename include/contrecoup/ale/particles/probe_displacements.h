@@ -15,8 +15,8 @@
 
 namespace contrecoup::ale
 {
-/// Displacements at probes of particles, against known ones: how far what was
-/// at a probe's place has gone along an axis.
+/// Displacements of material points at probes along an axis, compared with
+/// known values.
 class ProbeDisplacements
 {
 public:
@@ -25,16 +25,16 @@ public:
   static std::unique_ptr<ProbeDisplacements>
   create(const dealii::ParameterHandler &prm);
 
-  /// @param places of the probes at the start [m]
-  /// @throws InputError unless there is a known displacement of each
+  /// @param places initial positions of the probes [m]
+  /// @throws InputError unless each probe has a known displacement
   void reinit(const std::vector<dealii::Point<3>> &places);
 
-  /// By probe, from the displacement of the nearest particle and its gradient
-  /// there [m]. Collective.
+  /// Displacement of each probe [m], from displacement and displacement
+  /// gradient of the nearest particle. Collective.
   std::vector<NamedValue> values(const mpm::Particles &particles,
                                  const MPI_Comm communicator) const;
 
-  /// By probe, absolute [m]. Collective.
+  /// Absolute error of each probe [m]. Collective.
   std::vector<NamedValue> errors(const mpm::Particles &particles,
                                  const MPI_Comm communicator) const;
 

@@ -10,25 +10,27 @@
 namespace contrecoup::ale
 {
 /**
- * What faces carry from cell to cell when a mesh moves, cut so that no cell
- * gets a density, or another field, beyond what it and the cells around it in
- * its region had. Each flow is that of the donor's mean, which keeps the bounds
- * as long as no cell loses more than its volume, and as much of the rest as the
- * cells have room for (Zalesak 1979); masses first, then what goes with them.
+ * Flux-corrected transport for the remap of a moving mesh: limits the flows
+ * through faces such that density and the other fields of a cell stay within
+ * the range of the cell and its neighbours in the same region. The low-order
+ * flow carries the donor's mean, which is bounded as long as no cell loses
+ * more than its volume. The correction is limited by the room of both cells
+ * (Zalesak 1979), first for mass, then for the other fields.
  */
 class BoundedFlows
 {
 public:
-  /// @param n_fields numbers at each cell: density, and others per mass
+  /// @param n_fields numbers per cell: density, then quantities per mass
   void reinit(const HexSpace &space, const unsigned int n_fields);
 
   void clear();
 
   /**
-   * @param volume that the inner cell of @p face gains [m^3]
-   * @param donor which cell loses it
-   * @param carried what the inner cell gains: mass, and of the other fields
-   *   their values times mass
+   * Adds a flow through a face.
+   * @param volume gained by the inner cell of @p face [m^3]
+   * @param donor the cell that loses it
+   * @param carried gain of the inner cell: mass, and mass times each other
+   * field
    */
   void add(const HexSpace::Face &face,
            const double volume,
@@ -36,9 +38,9 @@ public:
            const double *carried);
 
   /**
-   * Cuts all flows. Collective.
-   * @param fields of all cells before, copies included
-   * @param masses of the cells before [kg]
+   * Limits all flows. Collective.
+   * @param fields of all cells before the remap, including ghost copies
+   * @param masses of the cells before the remap [kg]
    */
   void limit(const dealii::AlignedVector<double> &fields,
              const dealii::AlignedVector<double> &masses);
@@ -73,17 +75,17 @@ private:
   void limit_others(const dealii::AlignedVector<double> &fields,
                     const dealii::AlignedVector<double> &masses);
 
-  /// Adds what a flow carries to the own ones of its cells.
+  /// Adds a flow to the contents of those of its cells that are owned.
   void add_to_cells(const Flow &flow,
                     const double *carried,
                     const unsigned int width,
                     std::vector<double> &contents) const;
 
   /**
-   * Sets the room that own cells have: from their contents @p low up to their
-   * size times the largest value around, and down to the least.
-   * @param sizes volumes or masses afterwards
-   * @param first field of those in @p low
+   * Computes the room of owned cells: from their low-order contents @p low to
+   * size times the largest, and the smallest, neighbouring value.
+   * @param sizes volumes or masses after the remap
+   * @param first field of the first number in @p low
    */
   void find_room(const dealii::AlignedVector<double> &fields,
                  const unsigned int first,
@@ -91,8 +93,8 @@ private:
                  const std::vector<double> &sizes,
                  const std::vector<double> &low);
 
-  /// Cuts @p rest, @p width numbers for each flow, to the room of the cells.
-  /// Collective.
+  /// Limits the corrections @p rest, @p width numbers per flow, to the room of
+  /// the cells. Collective.
   void cut(const FieldExchange &exchange,
            const unsigned int width,
            std::vector<double> &rest);
@@ -103,6 +105,6 @@ private:
   FieldExchange mass_exchange_, other_exchange_;
   std::vector<Flow> flows_;
   std::vector<double> carried_;
-  std::vector<double> room_; ///< of own cells, by field: up, down
+  std::vector<double> room_; ///< of owned cells, by field: upwards, downwards
 };
 } // namespace contrecoup::ale

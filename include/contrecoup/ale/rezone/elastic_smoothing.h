@@ -10,57 +10,58 @@
 
 namespace contrecoup::ale
 {
-/// How a mesh is smoothed.
+/// Parameters of the elastic mesh smoothing.
 struct ElasticOptions
 {
-  double poisson_ratio = 0.3; ///< of the matter that the mesh is taken for [-]
-  /// Young's modulus grows with the inverse volume of a cell to this power:
-  /// small cells keep their shape.
+  double poisson_ratio = 0.3; ///< of the fictitious elastic material [-]
+  /// Young's modulus is proportional to cell volume to the power of minus
+  /// this: small cells keep their shape.
   double stiffening = 1.;
   double tolerance = 1e-6; ///< of the residual, relative [-]
   unsigned int largest_iterations = 1000;
-  /// The multigrid hierarchy is made anew when a solution takes this many times
-  /// the iterations of the first one with it.
+  /// The multigrid hierarchy is rebuilt when a solution takes this many times
+  /// the iterations of the first solution with the hierarchy.
   double renewal = 1.5;
 };
 
-/// A node that goes with the matter in a direction that is no axis: one
-/// component of what it is ahead of the matter follows from the free ones.
+/// A node on an inclined plane: one component of its displacement relative to
+/// the matter is a linear combination of the free components.
 struct InclinedNode
 {
   std::uint32_t node = 0;
-  unsigned int component = 0;     ///< that follows
-  std::array<double, 3> factor{}; ///< of the others; 0 for what is prescribed
+  unsigned int component = 0;     ///< the dependent component
+  std::array<double, 3> factor{}; ///< of the other components; 0 if prescribed
 };
 
-/// Components of the displacements that are prescribed at the nodes, copies
-/// included, and nodes that slide along inclined planes.
+/// Prescribed displacement components of all local nodes, and nodes that slide
+/// along inclined planes.
 struct PrescribedNodes
 {
   std::vector<std::array<bool, 3>> components;
   std::vector<InclinedNode> inclined;
 };
 
-/// What a solution takes over from those before it, AleState::width numbers at
-/// each node: with it a resumed run finds the same bits.
+/// Data carried from one solution to the next, AleState::width numbers per
+/// node. Checkpoints hold them, so that a resumed run is bitwise identical.
 struct SmoothingMemory
 {
   SmoothingMemory() = default;
   explicit SmoothingMemory(const HexSpace &space);
 
   dealii::AlignedVector<double> displacement; ///< of the last solution [m]
-  /// Of the mesh that the multigrid hierarchy was made for [m].
+  /// Mesh for which the multigrid hierarchy was built [m].
   dealii::AlignedVector<double> hierarchy_position;
-  unsigned int first_iterations = 0; ///< with this hierarchy; 0: there is none
+  /// with this hierarchy; 0: none was built
+  unsigned int first_iterations = 0;
 };
 
 /**
- * Displacements of the nodes of a mesh, as if it were elastic matter at rest:
- * div sigma = 0 with displacements that are prescribed at some of the nodes,
- * or normal to planes along which they slide
- * (Tan, Saunders and Bagchi 2017, section 2.2). Continuous trilinear elements,
- * conjugate gradients and algebraic multigrid, which is kept from one solution
- * to the next, as is the solution to start from.
+ * Mesh smoothing by linear elasticity (Tan, Saunders and Bagchi 2017, section
+ * 2.2): solves div sigma = 0 for nodal displacements that are prescribed at
+ * some nodes, or normal to planes along which nodes slide. Continuous
+ * trilinear elements, conjugate gradients with an algebraic multigrid
+ * preconditioner, which is reused between solutions; the last solution is the
+ * initial guess.
  */
 class ElasticSmoothing
 {
@@ -68,16 +69,17 @@ public:
   ElasticSmoothing();
   ~ElasticSmoothing();
 
-  /// @param space the mesh; it must live as long
+  /// @param space the mesh; must outlive this object
   void reinit(HexSpace &space,
               const PrescribedNodes &prescribed,
               const ElasticOptions &options);
 
   /**
-   * @param position of the nodes before, AleState::width numbers each [m]
-   * @param displacement that of the matter where nodes go with it; the others
-   *   are set [m]
-   * @return iterations that it took
+   * @param position of the nodes before smoothing, AleState::width numbers
+   * each [m]
+   * @param displacement prescribed values as input; the free components are
+   * computed [m]
+   * @return number of iterations
    * @throws NumericsError when the solver does not converge
    */
   unsigned int solve(const dealii::AlignedVector<double> &position,
@@ -85,7 +87,7 @@ public:
 
   const SmoothingMemory &memory() const;
 
-  /// Takes up what another object had.
+  /// Restores memory() of a checkpoint.
   void resume(const SmoothingMemory &memory);
 
 private:

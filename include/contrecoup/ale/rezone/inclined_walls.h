@@ -12,18 +12,17 @@
 
 namespace contrecoup::ale
 {
-/// Walls that are normal to no axis, along which nodes may slide where they are
-/// flat.
+/// Flat slip walls that are normal to no coordinate axis.
 class InclinedWalls
 {
 public:
   static constexpr unsigned int none = -1;
 
   /**
-   * Collective.
+   * Computes the normals of the walls at nodes. Collective.
    * @param position of the nodes, AleState::width numbers each [m]
-   * @param boundaries that may be such walls, the same on all ranks
-   * @param is_inclined whether a face of them is normal to no axis
+   * @param boundaries candidate boundary ids, the same on all ranks
+   * @param is_inclined whether a face of the boundary is normal to no axis
    */
   InclinedWalls(const HexSpace &space,
                 const dealii::AlignedVector<double> &position,
@@ -35,15 +34,15 @@ public:
     return static_cast<unsigned int>(normals_.size());
   }
 
-  /// The wall of a face, if it is flat around this corner of it.
+  /// The wall of a face, or `none` if the wall is not flat around this corner.
   unsigned int wall_around(const HexSpace::Face &face,
                            const unsigned int corner) const;
 
   /**
-   * Lets a node slide along some of the walls.
-   * @param is_along above 0 for these, by wall
-   * @param is_prescribed of the node's components; others are added where walls
-   *   leave none of them free
+   * Constrains a node to slide along some of the walls.
+   * @param is_along positive for these walls, by wall
+   * @param is_prescribed components of the node; set where the walls leave no
+   * freedom
    */
   void add_node(const std::uint32_t node,
                 const double *is_along,
@@ -53,7 +52,7 @@ public:
 private:
   const dealii::AlignedVector<double> &position_;
   std::map<dealii::types::boundary_id, unsigned int> numbers_;
-  /// Unit normals at the nodes, zero off the wall, by wall.
+  /// Unit normals at nodes by wall; zero off the wall.
   std::vector<std::vector<dealii::Tensor<1, 3>>> normals_;
 };
 } // namespace contrecoup::ale

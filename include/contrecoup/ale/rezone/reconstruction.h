@@ -10,49 +10,49 @@
 
 namespace contrecoup::ale
 {
-/// What the values of a reconstruction, and of a remap, may be.
+/// Bounds on reconstructed and remapped values.
 enum class RemapLimiter
 {
-  keep_smooth_extrema, ///< beyond those around where an extremum is smooth
-  strict               ///< none beyond those of the cells around
+  keep_smooth_extrema, ///< smooth extrema may exceed neighbouring values
+  strict               ///< all values stay within those of neighbours
 };
 
 /**
- * Linear functions in the cells, of several fields that are given by their
- * means: gradients by least squares over the cells around, limited so that at
- * the corners inside of a region, and at the centres of the faces, no value is
- * beyond those of the cells around the corner or face (Kuzmin 2010; Barth and
- * Jespersen 1989). Towards a boundary or another region, no corner is beyond
- * what the cell and that across the opposite face say of it. Extrema whose
- * second differences are alike in the cells around are smooth and not limited,
- * unless the limiter is strict.
- * Linear functions are found exactly.
+ * Piecewise linear reconstruction of cell means for several fields. Gradients
+ * are least squares fits over the neighbouring cells. They are limited such
+ * that values at interior corners of a region and at face centres stay within
+ * those of the cells around the corner or face (Kuzmin 2010; Barth and
+ * Jespersen 1989). Towards a boundary or another region, corner values are
+ * bounded by the cell and its extrapolation from the opposite neighbour. The
+ * limiter leaves smooth extrema, where second differences of neighbouring
+ * cells agree, unless it is strict. Linear functions are reproduced exactly.
  */
 class Reconstruction
 {
 public:
-  /// @param n_fields numbers at each cell
-  /// @param is_left_out whether cells of a region get no functions; may be
-  ///   empty
+  /// @param n_fields numbers per cell
+  /// @param is_left_out whether a region is not reconstructed, by material id;
+  /// may be empty
   void reinit(const HexSpace &space,
               const unsigned int n_fields,
               const std::vector<bool> &is_left_out = {},
               const RemapLimiter limiter = RemapLimiter::keep_smooth_extrema);
 
   /**
-   * @param position of the nodes, AleState::width numbers each
-   * @param fields of all cells, copies included
+   * Computes the gradients.
+   * @param position of the nodes, AleState::width numbers each [m]
+   * @param fields of all cells, including ghost copies
    */
   void compute(const dealii::AlignedVector<double> &position,
                const dealii::AlignedVector<double> &fields);
 
-  /// Three numbers for each field of a cell, copies included.
+  /// Gradient of a field in a cell (owned or ghost), three numbers.
   const double *gradient(const std::size_t cell, const unsigned int field) const
   {
     return &gradients_[3 * (n_fields_ * cell + field)];
   }
 
-  /// [m^3]
+  /// Volume of a cell [m^3].
   double volume(const std::size_t cell) const
   {
     return volumes_[cell];
@@ -64,11 +64,11 @@ public:
   }
 
 private:
-  /// Finds the nodes whose cells that get functions are of one region.
+  /// Finds nodes whose reconstructed cells are of one region.
   void find_slots(const std::vector<bool> &is_left_out);
   void find_extrema(const dealii::AlignedVector<double> &fields);
-  /// Widens least_ and most_ by what cells of the region of @p cell around a
-  /// node have.
+  /// Extends least_ and most_ by the values around a node of cells in the
+  /// region of @p cell.
   void widen(const dealii::AlignedVector<double> &fields,
              const std::size_t cell,
              const std::uint32_t node);
@@ -101,15 +101,16 @@ private:
   std::vector<dealii::Point<3>> centres_;
   const dealii::AlignedVector<double> *position_ = nullptr;
   CellStencil stencil_;
-  std::vector<std::uint32_t> cells_;     ///< own ones that get functions
-  std::vector<std::uint32_t> all_cells_; ///< the same, and copies
-  /// Nodes whose bounds all their cells share: where in extrema_, or no_slot.
+  std::vector<std::uint32_t> cells_;     ///< owned cells with a reconstruction
+  std::vector<std::uint32_t> all_cells_; ///< with ghost copies
+  /// Index in extrema_ of nodes with one common range of values, or no_slot.
   static constexpr std::uint32_t no_slot = -1;
   std::vector<std::uint32_t> slots_;
   std::vector<std::uint32_t> slot_nodes_;
-  std::vector<bool> is_left_out_;         ///< by region; may be empty
-  dealii::AlignedVector<double> extrema_; ///< least and most, by slot and field
-  /// Of one cell, by field: bounds, and by what its gradient is multiplied.
+  std::vector<bool> is_left_out_; ///< by region; may be empty
+  /// minimum and maximum, by slot and field
+  dealii::AlignedVector<double> extrema_;
+  /// Of one cell, by field: bounds, and factor on the gradient.
   std::vector<double> least_, most_, factor_;
 };
 } // namespace contrecoup::ale

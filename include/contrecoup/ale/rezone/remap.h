@@ -11,49 +11,51 @@
 namespace contrecoup::ale
 {
 /**
- * Carries what a mesh has over to the same mesh with nodes elsewhere, by what
- * each face sweeps. Mass, momentum and total energy stay to round-off:
- * - momentum goes with the mass as eight velocities of a cell, those at its
- *   corners, and each node collects the eighths of its cells (Benson 1992, half
- *   index shift): nodes that do not move keep their velocity to round-off;
- * - kinetic energy is carried as that of the momentum that a face passes, and
- *   what the mean velocity of a node lacks of it becomes internal energy of its
- *   cells (DeBar 1974): the same from whatever moving frame it is seen.
- * With a strict limiter no density, internal energy per mass, mass fraction or
- * component of the velocity is beyond those around, but for the energy that
- * velocities leave, and as long as no cell loses more than its volume.
+ * Conservative remap to a mesh of the same topology, by the volumes that faces
+ * sweep. Mass, momentum and total energy are conserved to round-off:
+ * - Momentum is advected with the mass as eight corner velocities per cell,
+ *   and each node collects the eighths of its cells (half-index shift, Benson
+ *   1992). Nodes that do not move keep their velocity to round-off.
+ * - Advected kinetic energy is that of the advected momentum. The energy that
+ *   the averaged nodal velocity loses becomes internal energy of the adjacent
+ *   cells (DeBar 1974), which is Galilean invariant.
+ *
+ * With a strict limiter, density, specific internal energy, mass fraction and
+ * velocity components stay within neighbouring values, except for the internal
+ * energy gained from averaging, and as long as no cell loses more than its
+ * volume.
  */
 class Remap
 {
 public:
   /// @param is_at_rest whether a region's nodes never move, by material id;
-  ///   may be empty
+  /// may be empty
   void reinit(const HexSpace &space,
               const std::vector<bool> &is_at_rest = {},
               const RemapLimiter limiter = RemapLimiter::keep_smooth_extrema);
 
   /**
-   * @param walls that the new velocities obey
-   * @param position of the nodes afterwards; those between regions but sliding
-   *   ones, and those of boundaries but along them, must not move
+   * @param walls impose the new wall velocities
+   * @param position of the nodes after the remap. Nodes between regions may
+   * only slide, and boundary nodes may only move along their boundary.
    * @throws NumericsError, naming the cell, when a node of a region at rest
-   *   would move, or when a cell loses more mass than it has
+   * would move, or when a cell loses more mass than it has
    */
   void apply(AleState &state,
              const SlipWalls &walls,
              const dealii::AlignedVector<double> &position);
 
 private:
-  /// Linear functions in each cell: density, internal energy per mass, mass
-  /// fraction of products, velocities at the corners.
+  /// Fields of the reconstruction: density, specific internal energy, mass
+  /// fraction of products, corner velocities.
   static constexpr unsigned int density = 0, energy = 1, products = 2,
                                 velocity = 3, n_fields = 27;
-  /// What is carried of each: the same times mass, which comes first, and
-  /// kinetic energies of the corners.
+  /// Advected contents: mass, then mass times each other field, then corner
+  /// kinetic energies.
   static constexpr unsigned int kinetic = n_fields, n_contents = n_fields + 8;
 
-  /// Of each node: momentum, mass, kinetic energy, and eighths of the masses of
-  /// its cells before.
+  /// Sums at each node: momentum, mass, kinetic energy, and eighths of the old
+  /// masses of its cells.
   static constexpr unsigned int n_sums = 6;
 
   void fill_fields(const AleState &state);
@@ -62,20 +64,20 @@ private:
   void carry_face(const AleState &state,
                   const dealii::AlignedVector<double> &position,
                   const HexSpace::Face &face);
-  /// Adds what `inside` gains through a face, n_fields numbers.
+  /// Adds the gain of `inside` through a face, n_fields numbers.
   void add_flow(const HexSpace::Face &face,
                 const std::uint32_t donor,
                 const double *carried);
-  /// Whether nothing is carried through a face.
+  /// Whether nothing passes through a face.
   bool is_closed(const HexSpace::Face &face) const;
-  /// Whether the nodes of a cell never move; not those of no cell.
+  /// Whether the nodes of a cell never move; false for no_cell.
   bool rests(const std::uint32_t cell) const;
   void check_boundary(const AleState &state,
                       const HexSpace::Face &face,
                       const double swept) const;
   void check_masses(const AleState &state) const;
-  /// Adds what the mass of a node has beyond eighths of its cells, and replaces
-  /// the eighths before by what heat is multiplied with.
+  /// Adds the part of the nodal mass beyond eighths of its cells, and replaces
+  /// the old eighths by the factor on the heat.
   static void
   add_rest(const AleState &state, const double *velocity, double *sum);
   void collect(AleState &state,
@@ -84,14 +86,14 @@ private:
 
   const HexSpace *space_ = nullptr;
   std::vector<bool> is_at_rest_;             ///< by region
-  std::vector<std::uint32_t> cells_;         ///< own ones, carried over
-  std::vector<std::uint32_t> cells_at_rest_; ///< the other own ones
+  std::vector<std::uint32_t> cells_;         ///< owned cells in the remap
+  std::vector<std::uint32_t> cells_at_rest_; ///< the other owned cells
   SlipTies ties_;
   RemapLimiter limiter_ = RemapLimiter::keep_smooth_extrema;
-  BoundedFlows flows_; ///< of a strict limiter
+  BoundedFlows flows_; ///< for the strict limiter
   Reconstruction reconstruction_;
   FieldExchange node_exchange_, cell_exchange_;
   dealii::AlignedVector<double> fields_; ///< of all cells
-  std::vector<double> contents_;         ///< of own cells afterwards
+  std::vector<double> contents_;         ///< of owned cells after the remap
 };
 } // namespace contrecoup::ale

@@ -13,29 +13,27 @@
 
 namespace contrecoup::ale
 {
-/// What the mesh does besides going with the matter.
+/// Motion of the mesh.
 enum class RezoneKind
 {
-  none,    ///< nothing: Lagrange
-  elastic, ///< nodes inside follow the boundary as if the mesh were elastic
-  back     ///< all nodes go back to where they began: Euler
+  none,    ///< Lagrangian: nodes move with the matter
+  elastic, ///< inner nodes follow the boundary by elastic smoothing
+  back     ///< Eulerian: nodes return to their initial positions
 };
 
-/**
- * Moves the nodes of the mesh now and then, and carries the matter over:
- * subsection "Rezone".
- */
+/// Rezoning: moves the mesh nodes at intervals and remaps the fields.
+/// Subsection "Rezone".
 class Rezone
 {
 public:
   static void declare_parameters(dealii::ParameterHandler &prm);
   void parse_parameters(dealii::ParameterHandler &prm);
 
-  /// @param step about that of the run [s]
-  /// @throws InputError for an interval that is far below it
+  /// @param step approximate step of the run [s]
+  /// @throws InputError for an interval far below the step
   void check_interval(const double step) const;
 
-  /// @param walls sides along which matter slides, by boundary id
+  /// @param walls slip walls by boundary id
   /// @param regions by material id; solids are not rezoned
   /// @throws InputError for kind `back` with several regions, and for solids
   /// alone
@@ -46,21 +44,20 @@ public:
          const std::map<dealii::types::boundary_id, SlipWalls::Motion> &walls);
 
   /**
-   * Rezones if it is due at the time of @p state, unless no part of the motion
-   * gives valid cells: then the mesh goes on with the matter until it is due
-   * again.
-   * @return whether it did
+   * Rezones if due at the time of @p state. If no fraction of the node motion
+   * gives valid cells, the mesh stays Lagrangian until the next interval.
+   * @return whether the mesh was rezoned
    */
   bool apply(AleState &state, const SlipWalls &walls);
 
-  /// Goes on from the state of a checkpoint, before which there were so many
-  /// rezones, done and left out.
+  /// Continues from a checkpoint, with the counts of performed and skipped
+  /// rezones.
   void resume(const AleState &state,
               const unsigned int n_rezones,
               const unsigned int n_left_out,
               const SmoothingMemory &memory);
 
-  /// For checkpoints; zeros where nothing is smoothed.
+  /// Data for checkpoints; zeros without smoothing.
   SmoothingMemory memory() const;
 
   unsigned int n_rezones() const
@@ -68,38 +65,38 @@ public:
     return n_rezones_;
   }
 
-  /// Those that were due and had no valid mesh.
+  /// Number of rezones skipped because no valid mesh was found.
   unsigned int n_left_out() const
   {
     return n_left_out_;
   }
 
-  /// Where the mesh was after the last rezone, for checkpoints.
+  /// Node positions after the last rezone, for checkpoints.
   dealii::AlignedVector<double> &reference()
   {
     return reference_;
   }
 
 private:
-  /// Whether regions meet anywhere.
+  /// Whether there is an interface between regions.
   bool has_interfaces() const;
 
-  /// The axis that a face is normal to; -1: none.
+  /// Axis to which a face is normal; -1: none.
   int axis_normal_to(const HexSpace::Face &face) const;
 
-  /// Along flat walls nodes may slide; at other sides, in solids, and where
-  /// regions meet, they go with the matter.
+  /// Finds nodes that must follow the matter: on sides that are no flat walls,
+  /// in solids, and at interfaces. On flat walls nodes may slide.
   void find_prescribed(
     const std::map<dealii::types::boundary_id, SlipWalls::Motion> &walls);
   dealii::AlignedVector<double> smoothed(const AleState &state,
                                          const SlipWalls &walls);
 
-  /// The largest part of its volume that a cell loses through all its faces, on
-  /// the way to @p position. Collective.
+  /// Largest fraction of its volume that a cell loses through its faces on the
+  /// way to @p position. Collective.
   double largest_outflow(const AleState &state,
                          const dealii::AlignedVector<double> &position) const;
 
-  /// Carries over in as many steps as no cell loses too much in.
+  /// Remaps in as many substeps as keep the outflow of each cell small.
   void carry_over(AleState &state,
                   const SlipWalls &walls,
                   const dealii::AlignedVector<double> &position);

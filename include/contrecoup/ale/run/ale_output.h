@@ -10,10 +10,11 @@
 namespace contrecoup::ale
 {
 /**
- * Writes the present mesh for ParaView, `ale_0012.vtu`, with velocity, density,
- * pressure, internal energy per mass, products and region. Collective.
- * @return the file to open, without folder
- * @throws SystemError
+ * Writes the present mesh for ParaView, `ale_0012.vtu`, with velocity,
+ * density, pressure, specific internal energy, mass fraction of products and
+ * region. Collective.
+ * @return name of the file to open, without folder
+ * @throws SystemError when the disk fails
  */
 std::string write_ale(const HexSpace &space,
                       const LagrangeStep &lagrange,

@@ -19,9 +19,9 @@
 namespace contrecoup::ale
 {
 /**
- * Solids and fluids on a mesh that goes with the matter, and that of fluids is
- * rezoned now and then:
- * mesh, materials, steps, energy ledger, output.
+ * The ALE solver for solids and fluids: the mesh moves with the matter, and
+ * the mesh of fluids is rezoned at intervals. Steps, energy balance and
+ * output.
  */
 class AleSimulation : public Simulation
 {
@@ -58,7 +58,7 @@ public:
   void finish(const std::string &folder) override;
 
 private:
-  /// Energy of all, what was added, and what is missing.
+  /// Energies, external work and the residual of the balance [J].
   struct Ledger
   {
     AleTotals totals;
@@ -69,18 +69,18 @@ private:
 
   void build();
   void find_probe_cells();
-  /// @param distance to the centre of the nearest @p cell [m]
-  /// @throws InputError for a probe outside of the mesh
+  /// @param distance from the probe to the centre of the nearest @p cell [m]
+  /// @throws InputError for a probe outside the mesh
   void require_probe_inside(const std::size_t probe,
                             const double distance,
                             const std::uint32_t cell) const;
   Ledger ledger() const;
   void heat(const double begin, const double duration);
   ImpactPlan impact_plan() const;
-  /// Motion across planes of symmetry, and those that would do.
+  /// Finds motion across symmetry planes, and further usable symmetry.
   void find_symmetry(ImpactPlan &plan) const;
   void restore_peaks(std::istream &in, const std::size_t n_peaks);
-  /// @param cells those of this rank by their number in the mesh
+  /// @param cells local cell by global cell number
   void
   restore_cells(std::istream &in,
                 const std::uint64_t n,
@@ -92,7 +92,7 @@ private:
   Rezone rezone_;
   HeatSource heat_source_;
   ContactPlanes planes_;
-  InterfaceCoupling coupling_; ///< as asked for
+  InterfaceCoupling coupling_; ///< as in the parameter file
   ContactRecord contact_;
   Reference reference_;
   HeadMeasures head_;
@@ -111,12 +111,12 @@ private:
   double initial_energy_ = 0.;
   double energy_scale_ = 0.;
   double initial_kinetic_energy_ = 0.;
-  /// In the rows of the history so far, by region [Pa].
+  /// Minimum over the history rows so far, by region [Pa].
   std::vector<double> least_pressures_;
-  double last_step_ = 0.; ///< 0: none was made [s]
-  /// Whether state_ is what the last step left.
+  double last_step_ = 0.; ///< 0: before the first step [s]
+  /// Whether state_ is unchanged since the last step.
   bool is_as_left_ = false;
-  /// The rank with the cell of a probe has its number, others no_cell.
+  /// Cell of each probe on the rank that owns the cell, elsewhere no_cell.
   std::vector<std::uint32_t> probe_cells_;
 };
 } // namespace contrecoup::ale

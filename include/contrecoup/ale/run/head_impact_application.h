@@ -7,7 +7,7 @@
 
 namespace contrecoup::ale
 {
-/// The application "head_impact": solids and fluids, such as a head,
-/// on a mesh that goes with the matter and whose fluids are smoothed.
+/// The application "head_impact": impacts of solids and fluids, such as a
+/// head, on a moving mesh with rezoned fluids, or with particles.
 io::ApplicationDescription head_impact_application();
 } // namespace contrecoup::ale
