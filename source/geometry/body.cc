@@ -8,11 +8,11 @@ namespace contrecoup
 {
 using dealii::Point;
 
-/// Cubes of a grid, and the shapes that may hold some of them.
+/// A cube of voxels, and the shapes that may contain some of them.
 struct ShapeBody::Block
 {
   std::array<unsigned int, 3> begin;
-  unsigned int width; ///< cubes along an edge, a power of 2
+  unsigned int width; ///< voxels along an edge, a power of 2
   std::vector<unsigned char> shapes;
   bool meets_surface;
 };
@@ -90,8 +90,8 @@ void ShapeBody::fill_block(LabelGrid &grid, const Block &block) const
     center[d] += block.begin[d] * grid.spacing + half_width;
     end[d] = std::min(block.begin[d] + block.width, grid.size[d]);
   }
-  // All centres of cubes are in a ball of this radius, and no shape's value
-  // changes by more within it.
+  // All voxel centres lie in a ball of this radius, in which the value of a
+  // shape changes by at most the radius.
   const double radius = std::sqrt(3.) * 0.5 * (block.width - 1) * grid.spacing;
 
   Block child{block.begin, block.width / 2, {}, false};

@@ -15,7 +15,7 @@ namespace contrecoup
 {
 namespace
 {
-  /// Of what is in a file, and in the one of voxels beside a header.
+  /// State of a file, and of the voxel file that belongs to a header.
   std::string fingerprint(const std::filesystem::path &file)
   {
     std::error_code ignored;
@@ -32,8 +32,7 @@ namespace
            fingerprint(std::filesystem::path(file).replace_extension(".img"));
   }
 
-  /// The entries that say what a body is before it is placed, with their
-  /// subsections.
+  /// Entries, with their subsections, that define a body before placement.
   std::vector<std::vector<std::string>> names_of_origin()
   {
     dealii::ParameterHandler prm;
@@ -55,17 +54,16 @@ void BodyDescription::declare_parameters(dealii::ParameterHandler &prm)
                     "Kind",
                     "phantom",
                     {"phantom", "shape", "surface", "image"},
-                    "Where the body comes from: the human phantom, a simple "
-                    "shape, a surface of triangles from a file, or a medical "
-                    "image.");
+                    "The human phantom, a simple shape, a triangulated "
+                    "surface from a file, or a medical image.");
   declare_selection(prm,
                     "Origin",
                     "as given",
                     {"as given", "middle", "bottom"},
-                    "Which point of the scaled and turned body Shift moves "
-                    "from the origin: the origin of its own coordinates, the "
-                    "middle of the box around it, or the middle of the bottom "
-                    "of that box.");
+                    "Reference point of the scaled and rotated body, which "
+                    "Shift moves away from the origin: its own origin, the "
+                    "centre of its bounding box, or the bottom centre of "
+                    "that box.");
   Placement::declare_parameters(prm);
   {
     const Section section(prm, "Phantom");
@@ -146,8 +144,8 @@ BodyPointer BodyDescription::create_unplaced() const
 
 BodyPointer BodyDescription::create() const
 {
-  // Plans, stages and trial runs of one scene all ask for the same body, whose
-  // images may take seconds to read.
+  // Plan, stages and trial runs of a scene create the same body, whose images
+  // may take seconds to read.
   static std::string last_text;
   static BodyPointer last;
   std::string text = text_;
@@ -164,7 +162,7 @@ BodyPointer BodyDescription::create() const
     body = body->placed(placement_);
   if (origin_ == "as given")
     return body;
-  // The shift has been made already; the point is brought to where it points.
+  // The placement includes the shift; now move the reference point there.
   const auto box = body->surface()->bounding_box();
   dealii::Point<3> point = box.center();
   if (origin_ == "bottom")

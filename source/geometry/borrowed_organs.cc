@@ -19,7 +19,7 @@ namespace
   }
 
 
-  /// Part of the organs' volume that is outside of a surface, by samples.
+  /// Fraction of the organs' volume outside of a surface, by sampling.
   double part_outside(const ShapeBody &organs, const Shape &surface)
   {
     const unsigned int n_samples = 200000;
@@ -58,7 +58,8 @@ BodyPointer borrow_organs(const Body &taker,
   if (lost > largest_loss)
     throw InputError(
       "Body/Surface/Organs = phantom: " + brief(100. * lost, 3) +
-      " % of the organs' volume would be outside of the surface, allowed are " +
+      " % of the organs' volume would be outside of the surface, allowed "
+      "are " +
       brief(100. * largest_loss, 3) +
       " %; does the person stand upright, face +x and reach from the soles to "
       "the vertex?");

@@ -57,10 +57,11 @@ namespace
     prm.declare_entry("Cone angle",
                       "1.134",
                       Patterns::Double(1e-3, 120.),
-                      "Angle between opposite sides of the cone [degrees], in "
-                      "3-D of square cross-section, in 2-D a wedge; its tip is "
-                      "the origin, and it reaches from the x of Lower corner, "
-                      "above 0, to that of Upper corner.");
+                      "Angle between opposite sides of the cone [degrees], "
+                      "with square cross-section in 3-D, a wedge in 2-D; "
+                      "the tip is the origin, and x ranges from that of "
+                      "Lower corner, which must be positive, to that of "
+                      "Upper corner.");
     prm.declare_entry("Generator",
                       "hyper_ball",
                       Patterns::Anything(),
@@ -68,16 +69,16 @@ namespace
     prm.declare_entry("Generator arguments",
                       "",
                       Patterns::Anything(),
-                      "All its arguments after the triangulation, also those "
-                      "with defaults, separated by colons, lengths in m; a "
-                      "hyper_ball in 2-D has \"0, 0 : 1 : true\".");
+                      "All arguments after the triangulation, including "
+                      "those with defaults, separated by colons, lengths in "
+                      "m; a hyper_ball in 2-D has \"0, 0 : 1 : true\".");
     prm.declare_entry("Mesh file",
                       "",
                       Patterns::FileName(),
                       "Path of a mesh of hexahedra or quadrilaterals in a "
-                      "format that deal.II reads by ending (.msh, .inp, .vtk, "
-                      ".ucd, .unv), lengths in m; a relative one is looked for "
-                      "beside the parameter file first.");
+                      "format that deal.II recognises by extension (.msh, "
+                      ".inp, .vtk, .ucd, .unv), lengths in m; relative "
+                      "paths are first resolved beside the parameter file.");
   }
 } // namespace
 
@@ -110,14 +111,13 @@ void CoarseMesh<dim>::declare_parameters(ParameterHandler &prm)
     "Geometry",
     "plane",
     Patterns::Selection("plane|cylindrical|spherical|axisymmetric"),
-    "Meaning of the coordinates: plane (1 to 3 dimensions), cylindrical or "
-    "spherical (1), axisymmetric (2); x is the radius in the last three.");
+    "Coordinate system: plane (1 to 3 dimensions), cylindrical or spherical "
+    "(1), axisymmetric (2); x is the radius in the last three.");
   prm.declare_entry("Mesh",
                     "box",
                     Patterns::Selection("box|cone|generator|file"),
-                    "Where the coarse mesh comes from: a box of equal "
-                    "cells, a cone around the x axis, a deal.II "
-                    "GridGenerator function, or a file.");
+                    "Coarse mesh: a box of equal cells, a cone around the x "
+                    "axis, a deal.II GridGenerator function, or a file.");
   const Patterns::Double coordinate(-bounds::length, bounds::length);
   prm.declare_entry("Lower corner",
                     "0, 0, 0",
@@ -127,13 +127,13 @@ void CoarseMesh<dim>::declare_parameters(ParameterHandler &prm)
                     "1, 1, 1",
                     Patterns::List(coordinate, 1, 3),
                     "Corner of the box with the largest coordinates [m].");
-  prm.declare_entry(
-    "Size",
-    "given",
-    Patterns::Selection("given|by time"),
-    "Whether the box is as the corners give it, or grows beyond its open "
-    "sides by whole coarse leaves until no wave from these can be back at a "
-    "point of Probes, or at the rigid body, before the end time.");
+  prm.declare_entry("Size",
+                    "given",
+                    Patterns::Selection("given|by time"),
+                    "given: the box of the corners; by time: the box grows "
+                    "beyond its open sides by whole coarse leaves until no "
+                    "wave from these sides can reach a point of Probes or "
+                    "the rigid body before the end time.");
   prm.declare_entry("Coarse leaves",
                     "1, 1, 1",
                     Patterns::List(Patterns::Integer(1), 1, 3),
@@ -142,12 +142,12 @@ void CoarseMesh<dim>::declare_parameters(ParameterHandler &prm)
   prm.declare_entry("Initial refinement",
                     "0",
                     Patterns::Integer(0, 20),
-                    "Times that every leaf is halved at the start [-], 0 "
-                    "to 20.");
+                    "Number of uniform refinements at the start [-], 0 to "
+                    "20.");
   prm.declare_entry("Periodic directions",
                     "",
                     Patterns::List(Patterns::Selection("x|y|z"), 0, 3),
-                    "Directions in which the box repeats itself.");
+                    "Directions with periodic boundary conditions.");
   declare_shapes(prm);
   prm.leave_subsection();
 }
@@ -302,8 +302,8 @@ void CoarseMesh<dim>::check_cells(
   for (const auto &cell : triangulation.active_cell_iterators())
     for (const unsigned int v : cell->vertex_indices())
     {
-      // Jacobian determinant at vertex v from the edges that leave it,
-      // each taken along its positive coordinate direction.
+      // Jacobian determinant at vertex v from its edges, each taken along the
+      // positive coordinate direction.
       dealii::Tensor<2, dim> edges;
       for (unsigned int d = 0; d < dim; ++d)
       {

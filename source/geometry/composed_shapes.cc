@@ -22,7 +22,7 @@ double Union::value(const Point<3> &point) const
   double result = std::numeric_limits<double>::max();
   for (std::size_t i = 0; i < parts_.size(); ++i)
   {
-    // No part is nearer than its box.
+    // The distance to a part is at least that to its box.
     const double box_distance = distance_to_box(boxes_[i], point);
     if (box_distance > 0. && box_distance >= result + blend_)
       continue;
@@ -62,8 +62,8 @@ Tensor<1, 3> Union::gradient(const Point<3> &point) const
 
 BoundingBox<3> Union::bounding_box() const
 {
-  // A blend grows beyond its parts by at most a quarter of its length for
-  // each pair that meets there; two such pairs are allowed for.
+  // A blend adds at most a quarter of its length for each pair of parts that
+  // meet; allow for two such pairs.
   BoundingBox<3> box = contrecoup::bounding_box(boxes_);
   box.extend(0.5 * blend_);
   return box;

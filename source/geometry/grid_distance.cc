@@ -10,10 +10,11 @@ using dealii::Tensor;
 
 namespace
 {
-  /// Voxels added on every side, so that the surface is within the grid.
+  /// Margin of voxels on every side, so that the grid contains the surface.
   constexpr unsigned int padding = 2;
 
-  /// Weights 1/4, 1/2, 1/4 along one direction; ends keep their value.
+  /// Smooths with weights 1/4, 1/2, 1/4 along one direction; ends keep their
+  /// values.
   void smooth_along(std::vector<float> &values,
                     const std::size_t stride,
                     const std::size_t n)
@@ -68,7 +69,7 @@ void GridDistance::smooth(const VoxelMask &padded)
     smooth_along(values_, stride, size_[d]);
     stride *= size_[d];
   }
-  // Thin parts must not vanish, nor narrow gaps close.
+  // Preserve thin parts and narrow gaps.
   const float least = static_cast<float>(
     0.05 * std::min({spacing_[0], spacing_[1], spacing_[2]}));
   for (std::size_t i = 0; i < values_.size(); ++i)
@@ -78,7 +79,7 @@ void GridDistance::smooth(const VoxelMask &padded)
 
 void GridDistance::limit_slope()
 {
-  // The slope of a trilinear function is largest at a corner of its cell.
+  // A trilinear function has its largest slope at a corner of its cell.
   double largest = 1.;
   std::size_t i = 0;
   for (std::size_t z = 0; z < size_[2]; ++z)
@@ -164,8 +165,8 @@ double GridDistance::value(const Point<3> &point) const
   const Place place = locate(point);
   const double inner = interpolate(place);
   const double beyond = place.beyond.norm();
-  // The body is in the convex grid, so that both ways are at right angles or
-  // wider.
+  // The body lies in the convex grid, so the two legs enclose an angle of at
+  // least 90 degrees.
   return beyond > 0. ? std::hypot(inner, beyond) : inner;
 }
 
@@ -176,7 +177,7 @@ Tensor<1, 3> GridDistance::gradient(const Point<3> &point) const
   Tensor<1, 3> inner = slope(place);
   if (beyond == 0.)
     return rotation_ * inner;
-  // Across the side that the point is beyond, nothing changes within.
+  // Beyond a side of the grid, only the outer leg varies normal to it.
   for (unsigned int d = 0; d < 3; ++d)
     if (place.beyond[d] != 0.)
       inner[d] = 0.;

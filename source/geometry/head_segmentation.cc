@@ -16,32 +16,32 @@ void HeadRules::declare_parameters(dealii::ParameterHandler &prm)
                  0.01,
                  1.,
                  "-",
-                 "Brightness over the median of the brain above which a voxel "
-                 "belongs to the head.");
+                 "Brightness relative to the brain's median above which a "
+                 "voxel belongs to the head.");
   declare_double(prm,
                  "Fluid threshold",
                  "0.45",
                  0.,
                  1.,
                  "-",
-                 "Brightness over the median of the brain below which a voxel "
-                 "of the brain's mask is fluid.");
+                 "Brightness relative to the brain's median below which a "
+                 "voxel of the brain mask is fluid.");
   declare_double(prm,
                  "Closing radius",
                  "0.008",
                  0.,
                  0.1,
                  "m",
-                 "Furrows of the brain and gaps of the head narrower than "
+                 "Sulci of the brain and gaps of the head narrower than "
                  "twice this radius are closed.");
-  declare_double(prm,
-                 "Fluid thickness",
-                 "0.002",
-                 0.,
-                 0.1,
-                 "m",
-                 "Thickness of the fluid between the closed brain and the "
-                 "skull.");
+  declare_double(
+    prm,
+    "Fluid thickness",
+    "0.002",
+    0.,
+    0.1,
+    "m",
+    "Thickness of the fluid between the closed brain and the skull.");
   declare_double(prm,
                  "Skull thickness",
                  "0.0065",
@@ -55,8 +55,8 @@ void HeadRules::declare_parameters(dealii::ParameterHandler &prm)
                  0.,
                  0.1,
                  "m",
-                 "Least thickness of the scalp, which the skull gives way "
-                 "to.");
+                 "Least thickness of the scalp; the skull is made thinner "
+                 "where necessary.");
 }
 
 void HeadRules::parse_parameters(dealii::ParameterHandler &prm)
@@ -105,7 +105,8 @@ std::vector<HeadLabel> segment_head(const VoxelImage &image,
   const VoxelMask brain = largest_piece(above(mask_image, 0.));
   if (brain.count() == 0)
     throw InputError("image \"" + mask_image.file +
-                     "\": no voxel is above 0, the mask of the brain is empty");
+                     "\": no voxel is above 0, the mask of the brain is "
+                     "empty");
   const double median = median_within(image, brain);
   if (!(median > 0.))
     throw InputError("image \"" + image.file +

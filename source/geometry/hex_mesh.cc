@@ -10,7 +10,7 @@ using dealii::Tensor;
 
 namespace
 {
-  /// Corner c of a cell is that much further in each direction.
+  /// Offset of each corner of a cell in units of its edge.
   constexpr std::array<std::array<unsigned int, 3>, 8> corner_offset{
     {{{0, 0, 0}},
      {{1, 0, 0}},
@@ -34,7 +34,7 @@ namespace
 
   using Place = std::array<unsigned int, 3>;
 
-  /// Cubes of a grid, merged where nothing is near.
+  /// Merges the voxels of a grid away from boundary and interfaces.
   class Merging
   {
   public:
@@ -46,7 +46,7 @@ namespace
         merge(level);
     }
 
-    /// How often the cube that holds a place was doubled.
+    /// Number of doublings of the cube at a voxel.
     unsigned int level(const Place &place) const
     {
       return level_.empty() ? 0 : level_[number(place)];
@@ -68,8 +68,8 @@ namespace
               mark({{i, j, k}}, level);
     }
 
-    /// Whether the eight cubes at @p base may become one: they and all around
-    /// them are of one part and not smaller.
+    /// Whether the eight cubes at @p base may be merged: they and all their
+    /// neighbours belong to one part and are not smaller.
     bool may_merge(const Place &base, const unsigned int level) const
     {
       const int half = 1 << (level - 1);
@@ -106,7 +106,7 @@ namespace
     std::vector<unsigned char> level_;
   };
 
-  /// Numbers of the nodes of a grid, given in the order they are first seen.
+  /// Numbers the nodes of a grid in the order of first use.
   class NodeNumbers
   {
   public:
@@ -118,13 +118,13 @@ namespace
                  none)
     {}
 
-    /// The number of the node at a corner of cubes, none if there is no node.
+    /// Number of a node, if it exists.
     std::uint32_t find(const Place &place) const
     {
       return numbers_[index(place)];
     }
 
-    /// The same, with a new node where there is none.
+    /// Number of a node, which is created if necessary.
     std::uint32_t make(const Place &place)
     {
       std::uint32_t &entry = numbers_[index(place)];
@@ -152,8 +152,8 @@ namespace
     std::vector<std::uint32_t> numbers_;
   };
 
-  /// Adds the faces of the last cell that lie on the boundary, and those
-  /// towards other parts with a higher number.
+  /// Adds the boundary faces of the last cell, and its faces towards parts
+  /// with a higher number.
   void add_faces(const LabelGrid &grid, const Place &place, HexMesh &mesh)
   {
     const HexMesh::Cell &cell = mesh.cells.back();
@@ -179,7 +179,7 @@ namespace
 
   using Weights = std::map<std::uint32_t, double>;
 
-  /// Finds nodes in the middle of the edges and faces of one cell.
+  /// Finds the hanging nodes on the edges and faces of a cell.
   void find_hanging(const HexMesh::Cell &cell,
                     const Place &base,
                     const unsigned int level,

@@ -10,7 +10,7 @@ using dealii::Tensor;
 
 namespace
 {
-  /// The neighbours of each corner along its three edges, right-handed.
+  /// Neighbours of each corner along its three edges, right-handed.
   constexpr std::array<std::array<unsigned int, 3>, 8> corner_edges{
     {{{1, 3, 4}},
      {{2, 0, 5}},
@@ -54,8 +54,8 @@ double scaled_jacobian(const HexCorners &corners)
 
 double volume(const HexCorners &x)
 {
-  // A third of the flux of the position through the faces x(u, v) =
-  // a + b u + c v + d u v, integrated exactly.
+  // Divergence theorem: a third of the flux of the position through the faces
+  // x(u, v) = a + b u + c v + d u v, integrated exactly.
   double flux = 0.;
   for (const auto &face : faces)
   {

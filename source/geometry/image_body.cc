@@ -72,7 +72,7 @@ namespace
     return part;
   }
 
-  /// Which labels the table names, label 0 (background) always.
+  /// Whether the table names each label; 0 (background) counts as named.
   std::vector<bool> known_labels(const std::vector<LabelRow> &table,
                                  const std::size_t count)
   {
@@ -168,25 +168,25 @@ void ImageBody::fill(LabelGrid &grid) const
 
 void ImageDescription::declare_parameters(dealii::ParameterHandler &prm)
 {
-  declare_selection(prm,
-                    "Kind",
-                    "labels",
-                    {"labels", "t1 and brain mask"},
-                    "What the image is: a map of labels, or a T1-weighted "
-                    "image of a head that comes with a mask of its brain.");
+  declare_selection(
+    prm,
+    "Kind",
+    "labels",
+    {"labels", "t1 and brain mask"},
+    "A label map, or a T1-weighted image of a head with a brain mask.");
   declare_file(
     prm, "File", "", "NIfTI-1 image: .nii, .nii.gz, or .hdr beside its .img.");
   declare_file(prm,
                "Brain mask",
                "",
-               "NIfTI-1 image with the voxels of the T1-weighted one, above 0 "
-               "where it shows the brain.");
+               "NIfTI-1 image with the same voxels as the T1-weighted "
+               "image, positive inside the brain.");
   declare_string(prm,
                  "Labels",
                  "",
-                 "Tissue of each label, such as \"1: brain; 2-5: skeleton; 7: "
-                 "scalp = soft tissue\"; with \"none\" a label is not part of "
-                 "the body, as is 0 unless named.");
+                 "Tissue of each label, such as \"1: brain; 2-5: skeleton; "
+                 "7: scalp = soft tissue\"; none excludes a label from the "
+                 "body, as is label 0 unless named.");
   const Section section(prm, "Head");
   HeadRules::declare_parameters(prm);
 }

@@ -39,12 +39,12 @@ LabelGrid make_grid(const dealii::BoundingBox<3> &box,
   double count = 1.;
   for (unsigned int d = 0; d < 3; ++d)
   {
-    // Odd numbers of cubes have the middle of one in the middle of the box.
+    // With an odd number of voxels, one is centred in the box.
     const bool is_odd = std::lround((upper[d] - lower[d]) / spacing) % 2 == 1;
     const double middle = 0.5 * (lower[d] + upper[d]);
     const double anchor =
       d == 2 ? lower[d] : middle - (is_odd ? 0.5 * spacing : 0.);
-    // Round-off must not add a cube.
+    // Round-off must not add a voxel.
     const double first = std::floor((lower[d] - anchor) / spacing + 1e-9) - 1.;
     const double last = std::ceil((upper[d] - anchor) / spacing - 1e-9) + 1.;
     grid.origin[d] = anchor + first * spacing;
@@ -63,7 +63,7 @@ LabelGrid make_grid(const dealii::BoundingBox<3> &box,
 
 namespace
 {
-  /// Sets of cubes that are joined step by step.
+  /// Union-find structure for voxels.
   class DisjointSets
   {
   public:
@@ -91,7 +91,7 @@ namespace
     std::vector<std::uint32_t> parent_;
   };
 
-  /// Runs of cubes along x with one label (or of any part, when @p whole).
+  /// A run of voxels along x with one label (or of any part, if @p whole).
   struct Run
   {
     unsigned int begin;
@@ -120,7 +120,7 @@ namespace
     return runs;
   }
 
-  /// Joins the runs of two neighbouring rows that touch.
+  /// Joins touching runs of two adjacent rows.
   void join_rows(const std::vector<Run> &runs,
                  const std::size_t a_begin,
                  const std::size_t a_end,
@@ -142,7 +142,7 @@ namespace
     }
   }
 
-  /// Counts the pieces of each label.
+  /// Counts the connected pieces of each label.
   std::array<unsigned int, 256> count_pieces(const LabelGrid &grid,
                                              const bool whole)
   {

@@ -19,15 +19,15 @@ namespace
   using dealii::Point;
   using dealii::Tensor;
 
-  /// Part of the core's axes that the corners of the inner cube reach, in each
-  /// direction, and how round the cube is: 0 flat, 1 a sphere.
+  /// Fraction of the core's axes at the corners of the inner cube, and shape
+  /// of the cube: 0 flat, 1 a sphere.
   constexpr double cube_size = 0.5, cube_roundness = 0.6;
 
-  /// What a wedge leaves out around its axis, over the cells there.
+  /// Radius left out around the axis of a wedge, relative to the cells there.
   constexpr double axis_part = 0.01;
 
-  /// Makes and numbers nodes; (i, j, k) is a place of the cube's grid, and
-  /// `layer` counts surfaces from that of the cube outwards.
+  /// Creates and numbers nodes. (i, j, k) is a position in the grid of the
+  /// inner cube; `layer` counts surfaces from the cube outwards.
   class Nodes
   {
   public:
@@ -61,14 +61,14 @@ namespace
       return points_;
     }
 
-    /// Of the nodes at the axis of a wedge [m].
+    /// Distance of the innermost nodes of a wedge from its axis [m].
     double axis_radius() const
     {
       return axis_radius_;
     }
 
   private:
-    /// Of a place on the cube's surface or inside, in [-1, 1]^3.
+    /// Position in the cube or on its surface, in [-1, 1]^3.
     Tensor<1, 3> in_cube(const std::array<unsigned int, 3> &place) const
     {
       Tensor<1, 3> result;
@@ -77,7 +77,7 @@ namespace
       return result;
     }
 
-    /// Towards a place of the cube, by equal angles.
+    /// Direction of a cube position, equidistant in angle.
     static Tensor<1, 3> direction(const Tensor<1, 3> &cube)
     {
       Tensor<1, 3> result;
@@ -101,7 +101,7 @@ namespace
       if (size == 0.)
         return {};
       const Tensor<1, 3> way = direction(cube / size);
-      // The cube is the rounder, the nearer to its surface.
+      // Roundness increases towards the surface of the cube.
       const double round = cube_roundness * size;
       const auto &core = ball_.semi_axes.front();
       const Point<3> inside = scaled(
@@ -124,8 +124,8 @@ namespace
       return {};
     }
 
-    /// Of a wedge, whose sides are the first two places of the grid that are
-    /// not below the middle.
+    /// Node of a wedge. Its two sides are the first two grid positions not
+    /// below the middle.
     Point<3> at_side(std::array<unsigned int, 3> place,
                      const unsigned int layer) const
     {
@@ -177,7 +177,7 @@ namespace
       require(axes[a] == axes[b], "a wedge needs equal semi-axes across");
   }
 
-  /// The part of the cube's grid that is made in a direction.
+  /// Range of the cube's grid that is meshed in a direction.
   std::pair<unsigned int, unsigned int> range(const LayeredBall &ball,
                                               const unsigned int direction)
   {
@@ -190,8 +190,7 @@ namespace
 
   using Cells = std::vector<dealii::CellData<3>>;
 
-  /// The number of a corner of a cell whose directions were turned round by so
-  /// many places.
+  /// Corner number after cyclic rotation of the cell's directions.
   unsigned int turned(const unsigned int corner, const unsigned int places)
   {
     return (corner << places | corner >> (3 - places)) & 7U;
@@ -214,8 +213,8 @@ namespace
         }
   }
 
-  /// The block through all layers at the side of the cube that is normal to
-  /// @p axis.
+  /// Adds the block outside one face of the cube, through all layers. @param
+  /// axis normal of the face
   void add_block(const LayeredBall &ball,
                  const unsigned int axis,
                  const bool is_upper,
@@ -223,7 +222,7 @@ namespace
                  Cells &cells)
   {
     const unsigned int n = ball.cells_along_cube;
-    // Turned so that cells are not inverted.
+    // Rotate directions so that cells are not inverted.
     const unsigned int a = (axis + 1) % 3, b = (axis + 2) % 3;
     const auto along_a = range(ball, a), along_b = range(ball, b);
     const unsigned int places =
@@ -249,7 +248,7 @@ namespace
           }
   }
 
-  /// The sides of a wedge and the prism at its axis.
+  /// Sets boundary ids of the sides of a wedge and of the prism at its axis.
   template <typename Face>
   void set_wedge_boundary(const LayeredBall &ball,
                           const double axis_radius,
@@ -257,7 +256,7 @@ namespace
   {
     const unsigned int out = ball.across_middle(),
                        side = ball.normal_to_middle();
-    // Of coordinates, in which the sides and the axis are told apart.
+    // Absolute tolerance of coordinates on sides and axis.
     constexpr double tolerance = 1e-9;
     double least = std::numeric_limits<double>::max(), most = -least,
            farthest = 0.;

@@ -19,7 +19,7 @@ namespace contrecoup
 {
 namespace
 {
-  /// Whether a line of a VTK file says how many of something follow.
+  /// Whether a line of a VTK file announces a number of entries.
   bool counts_for_vtk(const std::string &line)
   {
     for (const char *const word : {"POINTS ", "CELLS ", "CELL_TYPES "})
@@ -29,8 +29,8 @@ namespace
   }
 
 
-  /// The largest number of nodes, cells or blocks that a text claims to have:
-  /// deal.II takes memory for as many before it reads the first.
+  /// Largest number of nodes, cells or blocks that a text claims: deal.II
+  /// allocates memory for the claim before it reads.
   std::uint64_t largest_claim(std::istream &text, const std::string &ending)
   {
     std::uint64_t largest = 0;
@@ -91,7 +91,7 @@ void read_mesh_file(const std::string &path,
   }
   catch (const std::exception &problem)
   {
-    // Whoever checks cells can say where a distorted one is.
+    // Accept distorted cells; later checks name their position.
     if (dynamic_cast<
           const typename dealii::Triangulation<dim>::DistortedCellList *>(
           &problem) == nullptr)
@@ -126,7 +126,7 @@ read_group_names(const std::string &path, const unsigned int dimension)
       std::istringstream words(line);
       unsigned int of_dimension = 0, number = 0;
       std::string name;
-      // The first line is their count.
+      // The first line is the number of names.
       if (words >> of_dimension >> number >> std::quoted(name) &&
           of_dimension == dimension && !name.empty())
         names[number] = name;

@@ -14,7 +14,7 @@ namespace
   constexpr double forwards = 0.6307;
   constexpr double backwards = -0.6732;
 
-  /// What a node lies on; higher ones rule.
+  /// Location of a node; higher values take precedence.
   enum Place : unsigned char
   {
     inside = 0,
@@ -22,7 +22,7 @@ namespace
     boundary = 2,
   };
 
-  /// One run of smooth().
+  /// State of one call of smooth().
   class Smoother
   {
   public:
@@ -59,7 +59,7 @@ namespace
     }
 
   private:
-    /// Moves boundary and interfaces by the filter.
+    /// Applies the filter to boundary and interfaces.
     void filter()
     {
       std::vector<Tensor<1, 3>> sum(place_.size());
@@ -90,7 +90,7 @@ namespace
         displacement_[i] = mesh_.nodes[i] - original_[i];
     }
 
-    /// Lets nodes inside follow.
+    /// Diffuses displacements to interior nodes.
     void spread()
     {
       constexpr unsigned int n_rounds = 6;
@@ -116,7 +116,7 @@ namespace
       }
     }
 
-    /// Puts every node where its displacement and its share of it say.
+    /// Sets positions from displacements and their reduction factors.
     void apply()
     {
       for (std::size_t i = 0; i < place_.size(); ++i)
@@ -130,7 +130,7 @@ namespace
       }
     }
 
-    /// Takes back displacements until all elements are well shaped.
+    /// Reduces displacements until all elements satisfy the bound.
     void hold_back()
     {
       std::vector<unsigned char> is_reduced(place_.size());
@@ -160,7 +160,8 @@ namespace
       return scaled_jacobian(corners) < options_.smallest_scaled_jacobian;
     }
 
-    /// Lessens the share of marked nodes, for hanging ones of their masters.
+    /// Reduces the factor of marked nodes; for hanging nodes, of their
+    /// masters.
     void reduce(std::vector<unsigned char> &marked)
     {
       for (const HexMesh::HangingNode &hanging : mesh_.hanging_nodes)

@@ -23,7 +23,7 @@ namespace
     all.insert(all.end(), more.begin(), more.end());
   }
 
-  /// Volume of a shape, counted in cubes of this size [m^3].
+  /// Volume of a shape from voxels of this size [m^3].
   double volume_of(const ShapePointer &shape, const double spacing)
   {
     LabelGrid grid = make_grid(shape->bounding_box(), spacing);
@@ -43,31 +43,31 @@ void Phantom::declare_parameters(dealii::ParameterHandler &prm)
                  1.4,
                  2.2,
                  "m",
-                 "Height of the standing man, 1.4 to 2.2; the default is the "
-                 "50th percentile.");
+                 "Height of the standing man, 1.4 to 2.2; the default is "
+                 "the 50th percentile.");
   declare_double(prm,
                  "Mass",
                  "78.5",
                  35.,
                  200.,
                  "kg",
-                 "His mass, by which his flesh is thickened or thinned; the "
-                 "body mass index must be 17 to 40 kg/m^2.");
+                 "Mass of the man, which determines the thickness of flesh; "
+                 "the body mass index must be 17 to 40 kg/m^2.");
   declare_double(prm,
                  "Head scale",
                  "1",
                  0.8,
                  1.2,
                  "-",
-                 "Size of head and brain over that of the 50th percentile, "
-                 "0.8 to 1.2; it does not follow the stature.");
+                 "Size of head and brain relative to the 50th percentile, "
+                 "0.8 to 1.2; independent of stature.");
   declare_double(prm,
                  "Skin thickness",
                  "0",
                  0.,
                  0.01,
                  "m",
-                 "Thickness of a layer of tissue \"skin\", 0 to 0.01; with 0 "
+                 "Thickness of a layer of tissue \"skin\", 0 to 0.01; 0: "
                  "the skin is the surface of the soft tissue.");
 }
 
@@ -94,7 +94,7 @@ double Phantom::find_girth() const
   constexpr double spacing = 0.012;
   const double wanted = mass_ / mean_density;
   phantom::Frame frame{stature_ / reference_stature, 1., head_scale_};
-  // Below the head, volume goes with the square of the girth.
+  // Below the head, volume is proportional to the square of the girth.
   for (unsigned int step = 0; step < 12; ++step)
   {
     const double ratio =
@@ -172,7 +172,7 @@ namespace phantom
 
   Point<3> Frame::at_head(const double x, const double y, const double z) const
   {
-    // The scalp is 74.5 mm above the centre.
+    // The vertex is 74.5 mm above the centre of the cranium.
     return Point<3>(
       head * x, head * y, reference_stature * height + head * (z - 0.0745));
   }
@@ -195,8 +195,7 @@ namespace phantom
   {
     const Point<3> center = frame.at_head(0., 0., 0.);
     const double h = frame.height;
-    // The cord goes from the brain to the first lumbar vertebra, its fluid to
-    // the sacrum.
+    // The cord extends to the first lumbar vertebra, its fluid to the sacrum.
     const auto canal = [&](const double z_end, const double radius) {
       std::vector<Sweep::Node> nodes{
         {frame.at_head(-0.012, 0., -0.052), 1.2 * radius * frame.head},

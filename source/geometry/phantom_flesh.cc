@@ -15,7 +15,7 @@ namespace phantom
   {
     using Shapes = std::vector<ShapePointer>;
 
-    /// A limb through these stops, on one side of the body.
+    /// A limb through @p stops on one side of the body.
     ShapePointer make_limb(const Frame &frame,
                            const double side,
                            const std::vector<Stop> &stops)
@@ -23,7 +23,7 @@ namespace phantom
       return make_rod(frame, side, stops, frame.girth, 1);
     }
 
-    /// A lobe of the trunk, which grows sideways with the girth.
+    /// A lobe of the trunk, which grows laterally with the girth.
     ShapePointer make_lobe(const Frame &frame,
                            const Point<3> &center,
                            const Point<3> &semi_axes)
@@ -68,7 +68,7 @@ namespace phantom
                                             {0.000, 0.242, 1.020, 0.043},
                                             {0.015, 0.262, 0.855, 0.027},
                                             {0.018, 0.266, 0.810, 0.022}});
-      // Hands hold no fat.
+      // Hands do not grow with the girth.
       const double h = frame.height;
       const ShapePointer palm =
         std::make_shared<Ellipsoid>(frame.at(0.022, side * 0.268, 0.775),
@@ -97,7 +97,7 @@ namespace phantom
                                           {-0.014, 0.109, 0.230, 0.045},
                                           {-0.012, 0.110, 0.095, 0.037},
                                           {-0.010, 0.110, 0.060, 0.037}});
-      // Feet hold no fat. Their soles are cut flat on the ground.
+      // Feet do not grow with the girth. Their soles are cut at the ground.
       std::vector<Sweep::Node> nodes;
       for (const Stop &stop : std::vector<Stop>{{-0.048, 0.110, 0.030, 0.036},
                                                 {0.020, 0.112, 0.045, 0.036},
@@ -131,7 +131,7 @@ namespace phantom
           frame.at_head(-0.008, side * 0.076, -0.030),
           s * Point<3>(0.017, 0.007, 0.030)));
       const ShapePointer head = std::make_shared<Union>(lobes, 0.025 * s);
-      // Eyes lie in hollows.
+      // Eye sockets.
       Shapes hollows;
       for (const double side : {-1., 1.})
         hollows.push_back(std::make_shared<Sphere>(
@@ -158,7 +158,7 @@ namespace phantom
     }
     const ShapePointer whole =
       std::make_shared<Union>(parts, 0.03 * frame.height);
-    // From the ground to the vertex; blends alone would give a larger box.
+    // Cut between ground and vertex; blends enlarge the bounding box.
     const double vertex = frame.at_head(0., 0., 0.0745)[2];
     const ShapePointer layer = std::make_shared<RoundedBox>(
       Point<3>(0., 0., 0.5 * vertex), Point<3>(10., 10., 0.5 * vertex));

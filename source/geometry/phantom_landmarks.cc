@@ -12,8 +12,8 @@ namespace phantom
 
   namespace
   {
-    /// Where a line from outside first meets a shape, which it must do. No
-    /// step is longer than the distance, so none jumps over the surface.
+    /// First intersection of a line from outside with a shape. Steps do not
+    /// exceed the distance, so none jumps over the surface.
     Point<3> find_entry(const Shape &shape,
                         const Point<3> &begin,
                         const Tensor<1, 3> &direction)
@@ -32,14 +32,14 @@ namespace phantom
     }
 
 
-    /// A place as seen from outside: the line that meets it, given by a point
-    /// of it, and the direction from where it comes.
+    /// A ray towards a landmark: a point on the ray, and the direction from
+    /// which it comes.
     struct Aim
     {
       const char *name;
       double x, y, z; ///< [m]
       unsigned int axis;
-      double side; ///< of the axis from where the line comes
+      double side; ///< sign of the axis from which the ray comes
     };
 
 

@@ -15,7 +15,7 @@ namespace phantom
   {
     using Shapes = std::vector<ShapePointer>;
 
-    /// A bone through these stops; @p side 1 is left, -1 mirrors it.
+    /// A bone through @p stops. @param side 1: left, -1: mirrored to the right
     ShapePointer make_bone(const Frame &frame,
                            const double side,
                            const std::vector<Stop> &stops,
@@ -35,7 +35,7 @@ namespace phantom
       return std::make_shared<Sweep>(smooth_curve(nodes, 2));
     }
 
-    /// A flat bone: a thin ellipsoid, turned about the upright axis.
+    /// A flat bone: a thin ellipsoid, rotated about the vertical axis.
     ShapePointer make_plate(const Frame &frame,
                             const Point<3> &center,
                             const Point<3> &semi_axes,
@@ -77,13 +77,13 @@ namespace phantom
                         {0.050, 0.028, -0.130, 0.009},
                         {0.005, 0.050, -0.112, 0.008},
                         {-0.005, 0.055, -0.055, 0.007}}),
-        // Nose and what joins cheeks, jaw and cranium.
+        // Nose, and the connection of cheeks, jaw and cranium.
         make_head_bone(
           frame, {{0.060, 0., -0.040, 0.014}, {0.066, 0., -0.088, 0.010}})};
       return std::make_shared<Union>(bones, 0.008 * frame.head);
     }
 
-    /// Bodies of the vertebrae before the canal, arches around it, sacrum.
+    /// Vertebral bodies in front of the canal, arches around it, sacrum.
     ShapePointer make_spine(const Frame &frame)
     {
       const double s = frame.head;
@@ -118,11 +118,11 @@ namespace phantom
         0.006 * h);
     }
 
-    /// One rib: from the spine around the cage, falling towards the front.
+    /// One rib, from the spine around the rib cage, descending to the front.
     ShapePointer
     make_rib(const Frame &frame, const double side, const unsigned int number)
     {
-      constexpr double radius = 0.0045; // as much bone as 12 mm by 6 mm
+      constexpr double radius = 0.0045; // cross-section of 12 mm by 6 mm
       const double back_height = 1.452 - 0.0275 * (number - 1);
       const double fall = 0.055 + 0.004 * number;
       const double degree = dealii::numbers::PI / 180.;
@@ -152,7 +152,7 @@ namespace phantom
       for (const double side : {-1., 1.})
         for (unsigned int number = 1; number <= 12; ++number)
           bones.push_back(make_rib(frame, side, number));
-      // The breast bone, with the cartilage of ribs 8 to 10.
+      // Breast bone, with the cartilage of ribs 8 to 10.
       for (const double y : {-0.011, 0., 0.011})
         bones.push_back(make_bone(frame,
                                   1.,
@@ -174,7 +174,7 @@ namespace phantom
       Shapes bones;
       for (const double side : {-1., 1.})
       {
-        // Collar bone, blade with its ridge, socket.
+        // Collar bone, shoulder blade with its spine, socket.
         bones.push_back(make_bone(frame,
                                   side,
                                   {{0.062, 0.020, 1.412, 0.009},
@@ -240,7 +240,7 @@ namespace phantom
       Shapes bones;
       for (const double side : {-1., 1.})
       {
-        // Wing of the ilium, its joint with the sacrum, hip socket.
+        // Wing of the ilium, sacroiliac joint, hip socket.
         bones.push_back(make_plate(frame,
                                    {-0.010, side * 0.095, 0.985},
                                    {0.070, 0.012, 0.064},
@@ -253,7 +253,7 @@ namespace phantom
           frame,
           side,
           {{-0.010, 0.088, 0.945, 0.016}, {-0.004, 0.083, 0.908, 0.033}}));
-        // Pubis, ischium, and the bar between them.
+        // Pubis, ischium, and the ramus between them.
         bones.push_back(make_bone(frame,
                                   side,
                                   {{0.005, 0.075, 0.900, 0.014},

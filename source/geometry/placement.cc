@@ -12,7 +12,7 @@ using dealii::Tensor;
 
 namespace
 {
-  /// Rotation about an axis of coordinates.
+  /// Rotation about a coordinate axis.
   Tensor<2, 3> rotation_about(const unsigned int axis, const double angle)
   {
     Tensor<2, 3> result;
@@ -47,11 +47,11 @@ void Placement::declare_parameters(dealii::ParameterHandler &prm)
                  1e-6,
                  1e6,
                  "-",
-                 "Factor by which the body is made larger, about the origin, "
-                 "before it is turned and moved.");
+                 "Scale factor of the body about the origin, applied before "
+                 "rotation and shift.");
   declare_rotation(prm,
-                   "Angles by which the body is turned about the fixed axes "
-                   "x, then y, then z through the origin.");
+                   "Rotation angles of the body about the fixed axes x, "
+                   "then y, then z through the origin.");
   declare_list(prm,
                "Shift",
                "0, 0, 0",
@@ -60,7 +60,7 @@ void Placement::declare_parameters(dealii::ParameterHandler &prm)
                -1e6,
                1e6,
                "m",
-               "Vector by which the turned body is moved.");
+               "Shift of the rotated body.");
 }
 
 void Placement::parse_parameters(dealii::ParameterHandler &prm)

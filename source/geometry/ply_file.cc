@@ -24,11 +24,11 @@ namespace
     big_endian
   };
 
-  /// How a number is written.
+  /// Storage type of a number.
   struct Type
   {
     std::size_t size;
-    char kind; ///< 'i' integer, 'u' without sign, 'f' floating point
+    char kind; ///< 'i' integer, 'u' unsigned integer, 'f' floating point
   };
 
   struct Property
@@ -36,7 +36,7 @@ namespace
     std::string name;
     Type type;
     bool is_list;
-    Type count; ///< of a list
+    Type count; ///< of a list's length
   };
 
   struct Element
@@ -174,7 +174,7 @@ namespace
   {
     Element element;
     std::string rest;
-    // What is counted has a byte at least.
+    // Each counted item takes at least one byte.
     if (!(words >> element.name >> element.count) || words >> rest ||
         element.count > content_.size())
       refuse("it has an element without a possible number");
@@ -254,7 +254,7 @@ namespace
   }
 
 
-  /// A whole number below @p end.
+  /// An integer below @p end.
   std::uint64_t PlyReader::next_count(const Type &type, const std::uint64_t end)
   {
     const double value = next_number(type);

@@ -22,7 +22,7 @@ namespace
     return Tensor<1, 3>({length, length, length});
   }
 
-  /// @p vector with length 1, or the third axis when it has none.
+  /// Normalises @p vector; the z axis for a zero vector.
   Tensor<1, 3> direction(const Tensor<1, 3> &vector)
   {
     const double length = vector.norm();
@@ -69,9 +69,9 @@ bool Ellipsoid::is_inside(const Tensor<1, 3> &offset) const
 Tensor<1, 3> Ellipsoid::nearest(const Tensor<1, 3> &offset) const
 {
   // The nearest point is x_d = a_d^2 y_d / (a_d^2 + t) with the largest root t
-  // of sum (a_d y_d / (a_d^2 + t))^2 = 1; s is t plus the least a_d^2, so that
-  // nothing cancels. Coordinates of 0 are moved off the plane of symmetry,
-  // where the root may be a double one.
+  // of sum (a_d y_d / (a_d^2 + t))^2 = 1. Solving for s, t plus the smallest
+  // a_d^2, avoids cancellation. Zero coordinates are moved off the symmetry
+  // plane, where the root may be double.
   const double smallest =
     std::min({semi_axes_[0], semi_axes_[1], semi_axes_[2]});
   Tensor<1, 3> y;
@@ -196,7 +196,7 @@ Sweep::Sweep(const std::vector<Node> &nodes)
 Sweep::Piece Sweep::make_piece(const Node &a, const Node &b)
 {
   const double length = a.center.distance(b.center);
-  // One ball that holds the other is all there is.
+  // One ball may contain the other.
   if (length <= std::abs(a.radius - b.radius))
   {
     const Node &larger = a.radius > b.radius ? a : b;
@@ -225,7 +225,7 @@ Sweep::distance_to(const Piece &piece, const Point<3> &point, double &place)
   const double along = offset * piece.axis;
   const double aside =
     std::sqrt(std::max(0., offset.norm_square() - along * along));
-  // Along the normal of the side, back to the axis.
+  // Project along the normal of the lateral surface onto the axis.
   place = along - (piece.cosine > 0. ? aside * piece.sine / piece.cosine : 0.);
   if (piece.length == 0.)
     place = 0.;

@@ -46,7 +46,7 @@ Point<3> Shape::project(const Point<3> &point) const
     if (std::abs(here) < tolerance)
       break;
     const Tensor<1, 3> slope = gradient(foot);
-    // A slope near 0 marks a ridge, where a full step would overshoot.
+    // A gradient near 0 indicates a ridge, where a full step overshoots.
     foot -= slope * (here / std::max(slope.norm_square(), 0.1));
   }
   return foot;

@@ -14,11 +14,11 @@ using dealii::Point;
 
 namespace
 {
-  /// What a shape is when the parameter file leaves it open.
+  /// Default sizes, layers and tissues of a shape.
   struct Default
   {
     std::string shape;
-    std::vector<std::size_t> counts; ///< of numbers in Size
+    std::vector<std::size_t> counts; ///< allowed numbers of values in Size
     std::vector<double> size;
     std::vector<double> layers;
     std::vector<Tissue> tissues;
@@ -88,8 +88,9 @@ void SimpleBody::declare_parameters(dealii::ParameterHandler &prm)
                     "Shape",
                     "sphere",
                     shape_names(),
-                    "The shape around the origin; heads have layers around a "
-                    "core that is an ellipsoid or, with one size, a sphere.");
+                    "Shape, centred at the origin; heads have layers around "
+                    "a core that is an ellipsoid or, with one size, a "
+                    "sphere.");
   declare_list(prm,
                "Size",
                "",
@@ -98,10 +99,11 @@ void SimpleBody::declare_parameters(dealii::ParameterHandler &prm)
                1e-6,
                1e3,
                "m",
-               "Radius of a sphere; semi-axes of an ellipsoid or of the core "
-               "of a head; radius and length of a cylinder along z; edges of "
-               "a box. Empty: 0.1; 0.1, 0.08, 0.07 (heads: 0.084, 0.068, "
-               "0.06 and 0.095, 0.075, 0.075); 0.1, 0.3; 0.2, 0.2, 0.2.");
+               "Radius of a sphere; semi-axes of an ellipsoid or of the "
+               "core of a head; radius and length of a cylinder along z; "
+               "edges of a box. Empty: 0.1; 0.1, 0.08, 0.07 (heads: 0.084, "
+               "0.068, 0.06 and 0.095, 0.075, 0.075); 0.1, 0.3; 0.2, 0.2, "
+               "0.2.");
   declare_list(prm,
                "Layers",
                "",
@@ -112,7 +114,7 @@ void SimpleBody::declare_parameters(dealii::ParameterHandler &prm)
                "m",
                "Thickness of each layer of a head from the inside. Empty: "
                "0.0025, 0.0065, 0.005 for the layered head, 0.006 for the "
-               "surrogate, a shell of our choice.");
+               "surrogate (our choice).");
   declare_string(
     prm,
     "Tissues",

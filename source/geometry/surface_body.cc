@@ -21,7 +21,7 @@ namespace
     return table;
   }
 
-  /// Says of a surface what makes its body doubtful.
+  /// Remarks on defects of a surface.
   std::vector<std::string> make_remarks(const TriangleMesh &mesh,
                                         const RepairReport &report)
   {
@@ -53,54 +53,54 @@ void SurfaceBody::declare_parameters(dealii::ParameterHandler &prm)
   declare_file(prm,
                "File",
                "",
-               "Surface of triangles: STL (binary or ASCII), OBJ, PLY or what "
-               "else Assimp reads.");
+               "Triangulated surface: STL (binary or ASCII), OBJ, PLY or "
+               "another format that Assimp reads.");
   std::vector<std::string> names;
   for (const auto &[name, length] : units())
     names.push_back(name);
-  declare_selection(prm, "Unit", "m", names, "The length of a 1 in the file.");
+  declare_selection(prm, "Unit", "m", names, "Length of a 1 in the file.");
   declare_double(prm,
                  "Largest size",
                  "5",
                  1e-6,
                  1e6,
                  "m",
-                 "Longest edge of the box around the body, with the scale of "
-                 "Body, above which it is refused, for Unit is then likely to "
-                 "be wrong.");
-  Placement::declare_rotation(
-    prm,
-    "Angles about the fixed axes x, then y, then z that turn what the file "
-    "has, before all else.");
+                 "Longest edge of the bounding box, including the scale of "
+                 "Body, above which the body is refused because Unit is "
+                 "probably wrong.");
+  Placement::declare_rotation(prm,
+                              "Angles about the fixed axes x, then y, then "
+                              "z that rotate the surface of the file before "
+                              "all else.");
   declare_selection(prm,
                     "Tissue",
                     "soft tissue",
                     {tissue_names().begin() + 1, tissue_names().end()},
-                    "What the body is made of.");
+                    "Tissue of the body.");
   declare_selection(prm,
                     "Organs",
                     "none",
                     {"none", "phantom"},
-                    "What is inside: nothing but that tissue, or the organs "
-                    "of the phantom (subsection Phantom) scaled to the "
-                    "surface's height; then the person, turned by Rotation, "
-                    "must stand upright along z and face +x.");
-  declare_double(prm,
-                 "Largest loss of organs",
-                 "0.1",
-                 0.,
-                 1.,
-                 "-",
-                 "Part of the organs' volume that may be outside of the "
-                 "surface.");
+                    "Interior of the body: the given tissue only, or with "
+                    "the organs of the phantom (subsection Phantom) scaled "
+                    "to the surface's height; the person, after Rotation, "
+                    "must then stand upright along z and face +x.");
+  declare_double(
+    prm,
+    "Largest loss of organs",
+    "0.1",
+    0.,
+    1.,
+    "-",
+    "Fraction of the organs' volume that may be outside the surface.");
   declare_double(prm,
                  "Largest holes",
                  "0.05",
                  0.,
                  1.,
                  "-",
-                 "Area of all holes that are closed over that of the surface; "
-                 "0 to 1, larger holes are refused.");
+                 "Area of all closed holes over that of the surface, 0 to "
+                 "1; larger holes are refused.");
 }
 
 void SurfaceBody::parse_parameters(dealii::ParameterHandler &prm)
@@ -121,7 +121,7 @@ void SurfaceBody::parse_parameters(dealii::ParameterHandler &prm)
 
 void SurfaceBody::check_size(const dealii::BoundingBox<3> &box) const
 {
-  // Of persons, with organs, and of what else bodies are made for.
+  // Limits for a person with organs, and for other bodies.
   constexpr double smallest_person = 0.3, largest_person = 2.6;
   double size = 0.;
   for (unsigned int d = 0; d < 3; ++d)
@@ -131,7 +131,7 @@ void SurfaceBody::check_size(const dealii::BoundingBox<3> &box) const
     has_organs_ ? std::min(largest_size_, largest_person) : largest_size_;
   if (size >= smallest && size <= largest)
     return;
-  // Heads are scanned alone, too.
+  // A head may be scanned alone.
   constexpr double smallest_likely = 0.1;
   std::vector<std::string> better;
   for (const auto &[name, length] : units())

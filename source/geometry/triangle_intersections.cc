@@ -49,7 +49,7 @@ namespace
                Corner(high[0], high[1], high[2]));
   }
 
-  /// Whether the edge of triangle a that does not touch @p shared meets b.
+  /// Whether the edge of triangle a opposite to @p shared meets b.
   bool far_edge_meets(const TriangleMesh &mesh,
                       const std::uint32_t a,
                       const std::uint32_t b,

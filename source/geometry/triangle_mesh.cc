@@ -35,7 +35,7 @@ double TriangleMesh::area() const
 
 double TriangleMesh::volume() const
 {
-  // From a point close by, so that far surfaces lose no digits.
+  // Relative to a vertex, so that distant surfaces lose no digits.
   const Point<3> origin = vertices.empty() ? Point<3>() : vertices.front();
   double sum = 0.;
   for (const Triangle &triangle : triangles)
@@ -95,7 +95,7 @@ TriangleMesh read_surface(const std::string &file, const double unit)
     return mesh;
   }
   Assimp::Importer importer;
-  // By the content of a file with another ending, Assimp takes any for DXF.
+  // Without a known extension, Assimp takes any content for DXF.
   if (ending.empty() || !importer.IsExtensionSupported(ending))
     throw InputError("surface \"" + file +
                      "\" cannot be read: its name must "

@@ -17,7 +17,7 @@ namespace
   using Triangle = TriangleMesh::Triangle;
   using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
-  /// The sides of triangles that use an edge, the lower vertex first.
+  /// A triangle side that uses an edge, with the lower vertex first.
   struct EdgeUse
   {
     Edge edge;
@@ -86,8 +86,8 @@ namespace
     mesh.triangles = kept;
   }
 
-  /// Neighbours of each triangle through edges of exactly two triangles, with
-  /// whether both look to the same side.
+  /// Neighbours of each triangle across edges of exactly two triangles, and
+  /// whether both are consistently oriented.
   struct Neighbors
   {
     std::vector<std::array<std::uint32_t, 3>> triangle;
@@ -130,14 +130,14 @@ namespace
     std::swap(triangle[1], triangle[2]);
   }
 
-  /// One piece of a surface.
+  /// A connected piece of a surface.
   struct Piece
   {
     std::vector<std::uint32_t> triangles;
     std::size_t n_turned = 0;
   };
 
-  /// Turns the triangles of each piece to agree with most of it.
+  /// Reorients triangles to agree with the majority of their piece.
   std::vector<Piece> make_pieces(TriangleMesh &mesh, const Neighbors &neighbors)
   {
     std::vector<Piece> pieces;
@@ -183,7 +183,7 @@ namespace
     return dealii::BoundingBox<3>(points);
   }
 
-  /// Whether the box of another piece holds that of this one.
+  /// Whether the box of another piece contains that of this piece.
   bool is_enclosed(const std::vector<dealii::BoundingBox<3>> &boxes,
                    const std::size_t piece)
   {
@@ -220,8 +220,8 @@ namespace
     }
   }
 
-  /// Edges with a triangle on one side only, as they go around a hole: the
-  /// next vertex by vertex, none where several begin.
+  /// Edges with one triangle, directed around holes: successor vertices of
+  /// each vertex.
   std::map<std::uint32_t, std::vector<std::uint32_t>>
   find_open_edges(const TriangleMesh &mesh)
   {
@@ -233,7 +233,7 @@ namespace
         ++end;
       if (end - begin != 1)
         continue;
-      // The new triangle uses the edge the other way around.
+      // The new triangle traverses the edge in the opposite direction.
       const auto [low, high] = uses[begin].edge;
       if (uses[begin].is_forward)
         next[high].push_back(low);
@@ -269,7 +269,7 @@ namespace
     auto next = find_open_edges(mesh);
     while (!next.empty())
     {
-      // Follows edges until a vertex comes back; what lies between is a loop.
+      // Follow edges until a vertex recurs; the part in between is a loop.
       std::vector<std::uint32_t> path{next.begin()->first};
       while (true)
       {

@@ -14,7 +14,7 @@ namespace
 
   using Corners = std::array<Point<3>, 3>;
 
-  /// The point of a triangle nearest to @p p (Ericson 2005, section 5.1.5).
+  /// Point of a triangle nearest to @p p (Ericson 2005, section 5.1.5).
   Point<3> nearest_in_triangle(const Point<3> &p, const Corners &x)
   {
     const Tensor<1, 3> ab = x[1] - x[0];
@@ -47,7 +47,7 @@ namespace
     return x[0] + ab * (vb / sum) + ac * (vc / sum);
   }
 
-  /// Solid angle of a triangle, above 0 seen from behind (van Oosterom and
+  /// Solid angle of a triangle, positive seen from behind (van Oosterom and
   /// Strackee 1983).
   double solid_angle(const Point<3> &p, const Corners &x)
   {
@@ -185,7 +185,7 @@ TriangulatedSurface::nearest(const Point<3> &point) const
       children[c] = {
         square_to_box(nodes_[child].lower, nodes_[child].upper, point), child};
     }
-    // The nearer one comes first.
+    // The nearer child is visited first.
     if (children[0].first < children[1].first)
       std::swap(children[0], children[1]);
     stack[depth++] = children[0];
@@ -196,7 +196,7 @@ TriangulatedSurface::nearest(const Point<3> &point) const
 
 double TriangulatedSurface::winding_number(const Point<3> &point) const
 {
-  // Beyond twice its radius the error of a dipole is below one per cent.
+  // Beyond twice the radius, the error of a dipole is below 1 %.
   constexpr double reach = 2.;
   double angle = 0.;
   std::array<std::uint32_t, 64> stack;

@@ -12,7 +12,7 @@ namespace
 
   constexpr std::uint32_t none = -1;
 
-  /// deal.II's vertex for each corner.
+  /// deal.II's vertex number of each corner of HexMesh.
   constexpr unsigned int vertex_of_corner[] = {0, 1, 3, 2, 4, 5, 7, 6};
 
   /// Corners of deal.II's faces at -x, +x, -y, ..., seen from outside.
@@ -23,8 +23,8 @@ namespace
                                                {0, 3, 2, 1},
                                                {4, 5, 6, 7}};
 
-  /// The nodes in the middle of edges and faces that were split on one side
-  /// only, by vertex of deal.II.
+  /// Masters of hanging vertices in the middle of edges and faces that are
+  /// refined on one side only, by deal.II vertex.
   std::map<unsigned int, std::vector<unsigned int>>
   hanging_vertices(const Mesh &mesh)
   {
@@ -47,7 +47,7 @@ namespace
     return masters;
   }
 
-  /// Nodes that do not hang, with weights, in place of masters that do.
+  /// Weights of non-hanging nodes that replace hanging masters.
   std::map<std::uint32_t, double>
   resolve(const std::map<unsigned int, std::vector<unsigned int>> &masters,
           const unsigned int vertex,

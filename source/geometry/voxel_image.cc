@@ -16,8 +16,8 @@ namespace
 {
   using NiftiPointer = std::unique_ptr<nifti_image, void (*)(nifti_image *)>;
 
-  /// Whether the file has all the values that the header promises; the library
-  /// takes missing ones for 0.
+  /// Whether the file has all values that the header promises; the library
+  /// reads missing values as 0.
   bool is_complete(const nifti_image &source)
   {
     const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(
@@ -86,7 +86,7 @@ namespace
     return units == NIFTI_UNITS_MICRON ? 1e-6 : 1e-3;
   }
 
-  /// NIfTI's axes point to the right, to the front and up.
+  /// NIfTI axes point right, forward and up.
   void copy_place(const nifti_image &source, VoxelImage &image)
   {
     dealii::Tensor<2, 3> to_right_front_up;

@@ -13,7 +13,7 @@ namespace
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  /// Work space of one line of voxels.
+  /// Work space for one line of voxels.
   struct Line
   {
     std::vector<double> values;
@@ -63,7 +63,7 @@ namespace
     }
   }
 
-  /// Steps from a voxel to its six neighbours.
+  /// Calls @p visit for the six neighbours of a voxel.
   template <typename Visit>
   void visit_neighbors(const std::array<unsigned int, 3> &size,
                        const std::size_t voxel,
@@ -83,8 +83,7 @@ namespace
     }
   }
 
-  /// Adds to @p found all voxels of @p mask that are connected with those in
-  /// @p front.
+  /// Adds to @p found all voxels of @p mask that are connected to @p front.
   std::size_t flood(const VoxelMask &mask,
                     std::vector<std::size_t> front,
                     std::vector<unsigned char> &found)
@@ -108,8 +107,8 @@ namespace
     return count;
   }
 
-  /// Calls @p visit with the number of each voxel, and with that in a grid with
-  /// more layers around.
+  /// Calls @p visit with the number of each voxel, and with its number in the
+  /// padded grid.
   template <typename Visit>
   void for_each_padded(const VoxelMask &mask,
                        const std::size_t layers,
@@ -152,7 +151,7 @@ std::vector<float> distance_to(const VoxelMask &mask)
     line.values.resize(n);
     for (std::size_t first = 0; first < squares.size(); ++first)
     {
-      // Only voxels with index 0 in this direction begin a line.
+      // Only voxels with index 0 in this direction start a line.
       if (first / stride % n != 0)
         continue;
       for (std::size_t i = 0; i < n; ++i)

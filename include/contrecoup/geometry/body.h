@@ -14,37 +14,37 @@
 
 namespace contrecoup
 {
-/// A piece of a body: an organ, a bone, a layer.
+/// A part of a body: an organ, a bone, a layer.
 struct BodyPart
 {
   std::string name;
   Tissue tissue;
 };
 
-/// A named place on the surface of a body.
+/// A named point on the surface of a body.
 struct Landmark
 {
-  std::string name;       ///< in lower case
+  std::string name;       ///< lower case
   dealii::Point<3> place; ///< [m]
 };
 
-/// A body of several parts in space. Lengths in m.
+/// Interface: a body with one or several parts. Lengths in m.
 class Body
 {
 public:
   virtual ~Body() = default;
 
-  /// This body scaled, turned and moved.
+  /// Returns this body scaled, rotated and shifted.
   virtual std::shared_ptr<const Body>
   placed(const Placement &placement) const = 0;
 
-  /// The parts by number; at most LabelGrid::nothing of them.
+  /// The parts by number; at most LabelGrid::nothing.
   const std::vector<BodyPart> &parts() const
   {
     return parts_;
   }
 
-  /// What whoever uses the body should know of where it came from.
+  /// Remarks for users on the origin of the body.
   const std::vector<std::string> &remarks() const
   {
     return remarks_;
@@ -54,8 +54,7 @@ public:
     remarks_ = remarks;
   }
 
-  /// Places on the surface that have a name; only shapes known beforehand
-  /// have some.
+  /// Named points on the surface; empty unless the shape is predefined.
   const std::vector<Landmark> &landmarks() const
   {
     return landmarks_;
@@ -65,13 +64,13 @@ public:
     landmarks_ = landmarks;
   }
 
-  /// The outer surface, which holds all parts: what gas meets.
+  /// The outer surface, which encloses all parts; the gas solver sees this.
   virtual ShapePointer surface() const = 0;
 
-  /// The number of the part at a point, or LabelGrid::nothing.
+  /// Number of the part at a point, or LabelGrid::nothing.
   virtual unsigned char part_at(const dealii::Point<3> &point) const = 0;
 
-  /// Gives every cube of a grid the part at its centre.
+  /// Labels every voxel of a grid with the part at its centre.
   virtual void fill(LabelGrid &grid) const = 0;
 
 protected:
@@ -84,8 +83,8 @@ private:
 
 using BodyPointer = std::shared_ptr<const Body>;
 
-/// A body of shapes: a point belongs to the first of them that holds it, and
-/// only what is in the surface is there at all.
+/// A body of shapes inside an outer surface. A point inside the surface
+/// belongs to the first shape that contains it.
 class ShapeBody : public Body
 {
 public:
@@ -102,7 +101,7 @@ public:
   unsigned char part_at(const dealii::Point<3> &point) const override;
   void fill(LabelGrid &grid) const override;
 
-  /// What it was made of.
+  /// The pieces given to the constructor.
   std::vector<Piece> pieces() const;
 
 private:

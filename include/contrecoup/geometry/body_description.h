@@ -18,9 +18,9 @@
 namespace contrecoup
 {
 /**
- * A body as a subsection of a parameter file describes it: the human phantom, a
- * simple shape, what a surface from a file encloses, or a medical image;
- * scaled, turned and moved.
+ * A body described in a parameter file: the human phantom, a simple shape, a
+ * closed surface from a file, or a medical image; then scaled, rotated and
+ * shifted.
  */
 class BodyDescription
 {
@@ -29,18 +29,17 @@ public:
   static void declare_parameters(dealii::ParameterHandler &prm);
 
   /// Reads the entries of the current subsection.
-  /// @throws InputError when they do not go together
+  /// @throws InputError for contradictory entries
   void parse_parameters(dealii::ParameterHandler &prm);
 
-  /// The body; the last one is kept, so that it is there at once when it is
-  /// asked for again, wherever it is placed. @throws InputError when a file
-  /// cannot be used
+  /// Creates the body. The last body is cached before placement, so that
+  /// repeated calls are fast. @throws InputError when a file cannot be used
   BodyPointer create() const;
 
-  /// What the literature says of its parts; only of an unscaled phantom.
+  /// Reference organ data from the literature; only for an unscaled phantom.
   std::vector<OrganReference> references() const;
 
-  /// The mass of the man that the phantom is asked to be [kg].
+  /// Prescribed mass of the phantom [kg].
   double reference_mass() const
   {
     return phantom_.mass();
@@ -54,8 +53,8 @@ public:
 private:
   BodyPointer create_unplaced() const;
 
-  std::string text_; ///< what it is before it is placed, as it was read
-  std::vector<std::string> files_; ///< and those that may say more
+  std::string text_; ///< entries that define the body before placement
+  std::vector<std::string> files_; ///< input files
   std::string kind_;
   Phantom phantom_;
   SimpleBody simple_;

@@ -8,15 +8,15 @@
 namespace contrecoup
 {
 /**
- * A body with the organs of another one: @p giver is scaled to the height of
- * the surface of @p taker and moved so that the middles of their bottoms meet;
- * then every part of it that is neither skin nor soft tissue takes its place
- * in @p taker, as far as it is inside. The giver's landmarks move to the
- * nearest places of the surface. Remarks tell the scale, and how much of the
- * organs was outside.
- * @param taker a body of one part that stands as the giver does
- * @throws InputError when more than @p largest_loss of the organs' volume is
- *   outside
+ * Returns @p taker with the organs of @p giver. The giver is scaled to the
+ * height of the taker's surface and shifted so that the bottom centres of both
+ * bounding boxes coincide. Every part of the giver except skin and soft tissue
+ * then replaces the taker's tissue, where it is inside the taker. Landmarks of
+ * the giver are projected onto the surface of the taker. Remarks state the
+ * scale and the volume of organs outside.
+ * @param taker a body of one part with the same posture as the giver
+ * @throws InputError when more than the fraction @p largest_loss of the
+ * organs' volume is outside
  */
 BodyPointer
 borrow_organs(const Body &taker, const ShapeBody &giver, double largest_loss);

@@ -15,23 +15,23 @@
 
 namespace contrecoup
 {
-/// How space is measured: the coordinates of a mesh.
+/// Coordinate system of a mesh.
 enum class Geometry
 {
-  plane,        ///< Cartesian coordinates, any dimension
-  cylindrical,  ///< 1-D, coordinate 0 is the radius
-  spherical,    ///< 1-D, coordinate 0 is the radius
-  axisymmetric, ///< 2-D, coordinate 0 is the radius, 1 the axis
+  plane,        ///< Cartesian, any dimension
+  cylindrical,  ///< 1-D, x is the radius
+  spherical,    ///< 1-D, x is the radius
+  axisymmetric, ///< 2-D, x is the radius, y the axis
 };
 
-/// Power of the radius in the volume element: 0 plane, 1 cylindrical and
-/// axisymmetric, 2 spherical.
+/// Power of the radius in the volume element: 0 for plane, 1 for cylindrical
+/// and axisymmetric, 2 for spherical.
 unsigned int radial_exponent(const Geometry geometry);
 
 /**
- * The domain before any refinement, as subsection "Domain" describes it: a
- * box of equal hexahedra, a cone, one of deal.II's named generators, or a mesh
- * file (Gmsh and every other format that deal.II reads).
+ * The coarse mesh of the gas solver, subsection "Domain": a box of equal
+ * hexahedra, a cone, one of deal.II's named generators, or a mesh file (Gmsh
+ * or another format that deal.II reads).
  */
 template <int dim>
 class CoarseMesh
@@ -42,20 +42,19 @@ public:
 
   /// Reads subsection "Domain".
   /// @throws InputError for an empty box, a geometry that does not fit the
-  /// dimension, a negative radius, a list of the wrong length.
+  /// dimension, a negative radius, or a list of the wrong length
   void parse_parameters(dealii::ParameterHandler &prm);
 
   /**
-   * Builds the coarse mesh, with periodic faces matched and boundary ids
-   * set: for a box 2 d at the low end of direction d and 2 d + 1 at its
-   * high end.
-   * @throws InputError for an unreadable file and for inverted cells (the
-   * first is named with its centre and Jacobian).
+   * Builds the coarse mesh, matches periodic faces and sets boundary ids. In a
+   * box, the id of the lower side normal to direction d is 2 d, of the upper
+   * side 2 d + 1.
+   * @throws InputError for an unreadable file, and for inverted cells; names
+   * the first with its centre and Jacobian
    */
   void create(dealii::Triangulation<dim> &triangulation) const;
 
-  /// Whether every cell is a box along the axes, so that no metric terms
-  /// are needed.
+  /// Whether all cells are axis-aligned boxes, which need no metric terms.
   bool is_axis_aligned() const
   {
     return kind_ == "box";
@@ -66,7 +65,7 @@ public:
     return geometry_;
   }
 
-  /// Uniform refinements of the coarse mesh at the start [-].
+  /// Number of uniform refinements at the start [-].
   unsigned int initial_refinement() const
   {
     return initial_refinement_;
@@ -77,17 +76,17 @@ public:
     return periodic_[direction];
   }
 
-  /// Coarse cells; 0 when only creating the mesh can tell.
+  /// Number of coarse cells; 0 if unknown before create().
   double n_coarse_cells() const;
 
-  /// Coarse cells of a box along a direction.
+  /// Number of coarse cells of a box along a direction.
   unsigned int coarse_cells(const unsigned int direction) const
   {
     return subdivisions_[direction];
   }
 
-  /// Number of the coarse cell of a box that holds @p point, which must be
-  /// in the box; shared faces belong to the upper cell.
+  /// Index of the coarse cell of a box that contains @p point, which must lie
+  /// in the box. Points on shared faces belong to the upper cell.
   unsigned int coarse_cell_at(const dealii::Point<dim> &point) const;
 
   const dealii::Point<dim> &lower_corner() const

@@ -11,10 +11,10 @@
 namespace contrecoup
 {
 /**
- * What is in at least one of several shapes. With a blend length above 0 the
- * grooves where two shapes meet are filled: the smooth minimum of Quilez,
- * min(a, b) - max(k - |a - b|, 0)^2 / (4 k), taken from one part to the next;
- * k is the blend length, and k / 4 the most that is added.
+ * Union of shapes. A positive blend length fills the grooves between parts by
+ * the smooth minimum of Quilez, min(a, b) - max(k - |a - b|, 0)^2 / (4 k),
+ * applied from one part to the next; k is the blend length, and k / 4 the
+ * largest added thickness.
  */
 class Union : public Shape
 {
@@ -32,7 +32,7 @@ private:
   double blend_;
 };
 
-/// What is in the first shape and not in the second. Value max(a, -b).
+/// Difference of two shapes: max(a, -b).
 class Difference : public Shape
 {
 public:
@@ -46,7 +46,7 @@ private:
   ShapePointer removed_;
 };
 
-/// What is in both of two shapes. Value max(a, b).
+/// Intersection of two shapes: max(a, b).
 class Intersection : public Shape
 {
 public:
@@ -60,7 +60,7 @@ private:
   ShapePointer second_;
 };
 
-/// A shape grown by a distance, or shrunk by a negative one [m].
+/// A shape whose surface is shifted outwards; inwards for growth < 0 [m].
 class Offset : public Shape
 {
 public:
@@ -74,7 +74,7 @@ private:
   double growth_;
 };
 
-/// A shape scaled, turned and moved.
+/// A shape scaled, rotated and shifted.
 class PlacedShape : public Shape
 {
 public:

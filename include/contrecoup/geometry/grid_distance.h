@@ -11,18 +11,19 @@
 namespace contrecoup
 {
 /**
- * A solid made of the voxels of an image: distances from their centres,
- * smoothed once by weights 1/4, 1/2, 1/4 in each direction, interpolated
- * trilinearly in between. Its surface lies within a voxel of the faces; each
- * voxel centre is on its right side. Values are divided by their largest slope
- * where that is above 1, so that they do not exceed the distance.
+ * Shape of a set of voxels. Distances at voxel centres are smoothed once with
+ * weights 1/4, 1/2, 1/4 in each direction and interpolated trilinearly. The
+ * surface lies within one voxel of the voxel faces, and each voxel centre is
+ * on its correct side. If the largest slope exceeds 1, values are divided by
+ * it, so that they do not exceed the true distance.
  */
 class GridDistance : public Shape
 {
 public:
-  /// @param mask with one voxel inside at least
-  /// @param axes,origin centre of voxel i is at axes * i + origin [m]; the
-  ///   axes are orthogonal and as long as the mask's spacing
+  /// @param mask with at least one voxel inside
+  /// @param axes voxel axes [m]: orthogonal, with the lengths of the mask's
+  /// spacing
+  /// @param origin centre of voxel 0 [m]; that of voxel i is axes * i + origin
   GridDistance(const VoxelMask &mask,
                const dealii::Tensor<2, 3> &axes,
                const dealii::Tensor<1, 3> &origin);
@@ -32,12 +33,13 @@ public:
   dealii::BoundingBox<3> bounding_box() const override;
 
 private:
-  /// A cell of eight voxel centres and a place in it.
+  /// A cell between eight voxel centres, and local coordinates in the cell.
   struct Place
   {
     std::array<std::size_t, 3> cell;
-    std::array<double, 3> part;  ///< 0 to 1
-    dealii::Tensor<1, 3> beyond; ///< from the grid to the point, its axes [m]
+    std::array<double, 3> part; ///< local coordinates, 0 to 1
+    /// from the grid to an outside point, in grid axes [m]
+    dealii::Tensor<1, 3> beyond;
   };
 
   void smooth(const VoxelMask &padded);
@@ -50,8 +52,8 @@ private:
   std::array<unsigned int, 3> size_;
   std::array<double, 3> spacing_;
   std::vector<float> values_;
-  dealii::Tensor<2, 3> rotation_; ///< from the grid's directions to ours
-  dealii::Tensor<1, 3> origin_;   ///< of the padded grid
+  dealii::Tensor<2, 3> rotation_; ///< from grid axes to space
+  dealii::Tensor<1, 3> origin_;   ///< of the padded grid [m]
   dealii::BoundingBox<3> box_;
 };
 } // namespace contrecoup

@@ -7,13 +7,13 @@
 
 namespace contrecoup
 {
-/// All of space with x > 0. Exact distance.
+/// The half space x > 0. Exact distance.
 class HalfSpace : public Shape
 {
 public:
   double value(const dealii::Point<3> &point) const override;
   dealii::Tensor<1, 3> gradient(const dealii::Point<3> &point) const override;
-  /// A box too large for any scene.
+  /// A box larger than any scene.
   dealii::BoundingBox<3> bounding_box() const override;
 };
 } // namespace contrecoup

@@ -11,21 +11,21 @@
 
 namespace contrecoup
 {
-/// The rules by which segment_head() makes tissues of a T1-weighted image.
+/// Parameters of segment_head().
 struct HeadRules
 {
   static void declare_parameters(dealii::ParameterHandler &prm);
   void parse_parameters(dealii::ParameterHandler &prm);
 
-  double head_threshold = 0.25;    ///< over the brain's median [-]
-  double fluid_threshold = 0.45;   ///< over the brain's median [-]
+  double head_threshold = 0.25;    ///< relative to the brain's median [-]
+  double fluid_threshold = 0.45;   ///< relative to the brain's median [-]
   double closing = 0.008;          ///< radius [m]
   double fluid_thickness = 0.002;  ///< [m]
   double skull_thickness = 0.0065; ///< [m]
-  double scalp_thickness = 0.003;  ///< the least [m]
+  double scalp_thickness = 0.003;  ///< least thickness [m]
 };
 
-/// What a voxel of a head is.
+/// Tissue of a voxel of a head.
 enum class HeadLabel : unsigned char
 {
   brain = 0,
@@ -36,21 +36,21 @@ enum class HeadLabel : unsigned char
 };
 
 /**
- * Makes brain, cerebrospinal fluid, skull and scalp of a T1-weighted image and
- * a mask of its brain (above 0). These are rules, not a reading of the anatomy:
+ * Segments a T1-weighted image, with a mask of its brain (positive inside),
+ * into brain, cerebrospinal fluid, skull and scalp. These are rules, not
+ * anatomical segmentation:
  *
- * 1. The cranial cavity is the largest piece of the mask, closed by the closing
- *    radius so that the furrows belong to it, and grown by the fluid's
- *    thickness.
- * 2. Brain is what of the mask is brighter than the fluid threshold times the
- *    brain's median; the rest of the cavity is fluid, ventricles included.
- * 3. The head is what is brighter than the head threshold times the median, or
- *    in the cavity; its largest piece, closed by the closing radius, with all
- *    that cannot be reached from the sides and the top.
- * 4. Skull is what of the head is within its thickness of the cavity, but not
- *    where the scalp would be thinner than its least thickness.
- * 5. Scalp is the rest of the head, with face and neck.
- * @throws InputError when the mask is empty, or all of the image is dark
+ * 1. The cranial cavity is the largest piece of the mask, closed with the
+ * closing radius, so that it contains the sulci, and dilated by the fluid
+ * thickness. 2. Brain are the mask voxels brighter than the fluid threshold
+ * times the brain's median; the rest of the cavity, including ventricles, is
+ * fluid. 3. The head are the voxels brighter than the head threshold times the
+ * median, and the cavity: the largest piece, closed with the closing radius,
+ * with everything that cannot be reached from the sides and the top. 4. Skull
+ * are the head voxels within the skull thickness of the cavity, except where
+ * the scalp would be thinner than its least thickness. 5. Scalp is the rest of
+ * the head, including face and neck.
+ * @throws InputError for an empty mask or an entirely dark image
  */
 std::vector<HeadLabel> segment_head(const VoxelImage &image,
                                     const VoxelImage &mask,

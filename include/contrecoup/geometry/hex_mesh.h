@@ -11,54 +11,53 @@
 
 namespace contrecoup
 {
-/**
- * Hexahedra of a body. Corners are numbered as VTK and Gmsh do: around the
- * bottom, then around the top, so that the three edges of corner 0 go to
- * corners 1, 3 and 4.
- */
+/// A hexahedral mesh of a body. Corners are numbered as in VTK and Gmsh:
+/// around the bottom, then around the top; corner 0 is joined to corners 1, 3
+/// and 4.
 struct HexMesh
 {
   using Cell = std::array<std::uint32_t, 8>;
 
-  /// A quadrilateral of the outer surface; its corners go around
-  /// counterclockwise when seen from outside.
+  /// A quadrilateral of the boundary, with corners counterclockwise seen from
+  /// outside.
   struct Facet
   {
     std::array<std::uint32_t, 4> nodes;
     std::uint32_t cell;
   };
 
-  /// A node in the middle of an edge (two masters) or a face (four) of a
-  /// larger neighbour: its displacement is the mean of theirs.
+  /// A hanging node in the middle of an edge (two masters) or face (four
+  /// masters) of a larger neighbour. Its displacement is interpolated from the
+  /// masters.
   struct HangingNode
   {
     std::uint32_t node;
-    std::vector<std::uint32_t> masters; ///< none of them hangs
+    std::vector<std::uint32_t> masters; ///< nodes that do not hang
     std::vector<double> weights;        ///< of the masters, sum 1
   };
 
   std::vector<dealii::Point<3>> nodes; ///< [m]
   std::vector<Cell> cells;
-  std::vector<unsigned char> part; ///< of each cell
+  std::vector<unsigned char> part; ///< part number of each cell
   std::vector<BodyPart> parts;     ///< by number
   std::vector<Facet> boundary;
-  /// Faces between two parts, the boundary left out.
+  /// Faces between two parts, without boundary faces.
   std::vector<std::array<std::uint32_t, 4>> interfaces;
   std::vector<HangingNode> hanging_nodes;
 
   dealii::Point<3> center(const Facet &facet) const;
 
-  /// Its normal times its area, exact for a bilinear facet [m^2].
+  /// Normal times area, exact for a bilinear facet [m^2].
   dealii::Tensor<1, 3> area_vector(const Facet &facet) const;
 };
 
 /**
- * Makes cubes of the labelled cubes of a grid, in the order of the grid: one of
- * each, or larger ones away from what bounds the parts. Cubes at the boundary
- * and at interfaces, and their neighbours, are as small as those of the grid;
- * each merged one is as large as 2, 4, ... 2^levels of them, and its neighbours
- * through faces, edges and corners are at least half as large.
- * @param levels times that cubes may double
+ * Converts the labelled voxels of a grid to hexahedra, in the order of the
+ * grid. With @p levels > 0, voxels away from boundary and interfaces are
+ * merged to cubes of 2, 4, ... 2^levels voxels, with 2:1 balance across faces,
+ * edges and corners. Cubes at the boundary and at interfaces, and their
+ * neighbours, are not merged.
+ * @param levels largest number of doublings
  */
 HexMesh make_hex_mesh(const LabelGrid &grid,
                       const std::vector<BodyPart> &parts,

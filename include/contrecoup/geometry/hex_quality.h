@@ -10,8 +10,7 @@
 
 namespace contrecoup
 {
-/// The corners at both ends of each edge of a hexahedron, numbered as in
-/// HexMesh.
+/// End points of the edges of a hexahedron, numbered as in HexMesh.
 inline constexpr std::array<std::array<unsigned int, 2>, 12> hex_edges{
   {{{0, 1}},
    {{1, 2}},
@@ -26,39 +25,38 @@ inline constexpr std::array<std::array<unsigned int, 2>, 12> hex_edges{
    {{2, 6}},
    {{3, 7}}}};
 
-/// The corners of one hexahedron, in the order of HexMesh.
+/// Corners of a hexahedron, in the order of HexMesh.
 using HexCorners = std::array<dealii::Point<3>, 8>;
 
 /**
- * The smallest of the eight corners' scaled Jacobians [-]: the determinant of
- * the three unit vectors along the edges of a corner; 1 for a box, at most 0
- * when a corner is folded (Knupp 2000).
+ * Scaled Jacobian [-]: the smallest, over the eight corners, of the
+ * determinants of the unit vectors along a corner's edges; 1 for a box, not
+ * positive for a folded corner (Knupp 2000).
  */
 double scaled_jacobian(const HexCorners &corners);
 
 /// Exact volume of a trilinear hexahedron [m^3].
 double volume(const HexCorners &corners);
 
-/// Volume over the area of the largest face, the length that stable time
-/// steps are made of [m].
+/// Volume over the area of the largest face [m], the length for the CFL limit.
 double characteristic_length(const HexCorners &corners);
 
-/// What the elements of one part, or of a whole mesh, amount to.
+/// Quality measures of the elements of a part or a mesh.
 struct HexQuality
 {
   std::size_t n_cells = 0;
   double volume = 0.;            ///< [m^3]
-  dealii::Point<3> first_moment; ///< of the volume [m^4]
+  dealii::Point<3> first_moment; ///< integral of position [m^4]
   double smallest_scaled_jacobian = 1.;
   double mean_scaled_jacobian = 0.;
   double shortest_edge = 0.;   ///< [m]
   double longest_edge = 0.;    ///< [m]
-  double shortest_length = 0.; ///< characteristic_length() [m]
+  double shortest_length = 0.; ///< smallest characteristic_length() [m]
 };
 
-/// The quality of each part of a mesh.
+/// Quality measures of each part of a mesh.
 std::vector<HexQuality> measure_quality(const HexMesh &mesh);
 
-/// That of two sets of elements together.
+/// Quality measures of the union of two sets of elements.
 HexQuality operator+(const HexQuality &a, const HexQuality &b);
 } // namespace contrecoup

@@ -14,7 +14,7 @@
 
 namespace contrecoup
 {
-/// Labels of an image that stand for one part of a body.
+/// Range of image labels that belong to one part of a body.
 struct LabelRow
 {
   unsigned int first;
@@ -23,23 +23,21 @@ struct LabelRow
 };
 
 /**
- * Reads a table of labels: "1: brain; 2-5: skeleton; 7: soft tissue = scalp".
- * Behind the colon stands a tissue, or a name of the part's own, "=" and the
- * tissue.
- * @throws InputError naming the row that is wrong
+ * Parses a label table: "1: brain; 2-5: skeleton; 7: soft tissue = scalp". The
+ * colon is followed by a tissue, or by a part name, "=" and the tissue.
+ * @throws InputError naming the wrong row
  */
 std::vector<LabelRow> parse_label_table(const std::string &text);
 
-/// A body whose voxels have part numbers; between their centres the nearest
-/// one counts.
+/// A body of labelled voxels; between voxel centres the nearest counts.
 class ImageBody : public Body
 {
 public:
   /**
-   * @param image its size and place; the values do not matter
+   * @param image supplies size and position; its values are not used
    * @param labels part number of each voxel, or LabelGrid::nothing
-   * @throws InputError when no voxel has a part, or the axes are oblique to
-   *   each other
+   * @throws InputError when no voxel has a part, or for axes that are not
+   * orthogonal
    */
   ImageBody(const VoxelImage &image,
             const std::vector<unsigned char> &labels,
@@ -56,11 +54,11 @@ private:
   dealii::Tensor<1, 3> origin_;
   std::shared_ptr<const std::vector<unsigned char>> labels_;
   ShapePointer surface_;
-  std::vector<Placement> placements_; ///< one after the other
+  std::vector<Placement> placements_; ///< applied one after the other
 };
 
-/// A body from medical images: a map of labels, or a head of a T1-weighted
-/// image and a mask of its brain.
+/// Description of a body from medical images: a label map, or a T1-weighted
+/// image of a head with a brain mask.
 class ImageDescription
 {
 public:
@@ -68,11 +66,11 @@ public:
   static void declare_parameters(dealii::ParameterHandler &prm);
 
   /// Reads the entries of the current subsection.
-  /// @throws InputError without a file, or for a wrong table
+  /// @throws InputError without a file, or for an invalid label table
   void parse_parameters(dealii::ParameterHandler &prm);
 
-  /// @throws InputError when images cannot be read, do not fit each other, or
-  ///   hold labels that the table does not name
+  /// @throws InputError when images cannot be read or do not match each other,
+  /// or for labels missing in the table
   BodyPointer create() const;
 
 private:

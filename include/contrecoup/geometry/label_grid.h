@@ -14,15 +14,15 @@
 
 namespace contrecoup
 {
-/// A part number for each cube (voxel) of a regular grid; x runs fastest.
+/// Part numbers of the cubic voxels of a regular grid; x runs fastest.
 struct LabelGrid
 {
-  /// The label of what is outside of every part.
+  /// Label of voxels outside of all parts.
   static constexpr unsigned char nothing = 255;
 
-  dealii::Point<3> origin; ///< the corner with the smallest coordinates [m]
-  double spacing = 0.;     ///< length of an edge [m]
-  std::array<unsigned int, 3> size{{0, 0, 0}}; ///< cubes by direction
+  dealii::Point<3> origin; ///< corner with the smallest coordinates [m]
+  double spacing = 0.;     ///< edge length of a voxel [m]
+  std::array<unsigned int, 3> size{{0, 0, 0}}; ///< voxels per direction
   std::vector<unsigned char> labels;
 
   std::size_t
@@ -37,10 +37,10 @@ struct LabelGrid
     return labels[index(i, j, k)];
   }
 
-  /// The label of a cube, also of one outside of the grid.
+  /// Label of a voxel; `nothing` outside of the grid.
   unsigned char at_any(const int i, const int j, const int k) const;
 
-  /// Centre of a cube [m].
+  /// Centre of a voxel [m].
   dealii::Point<3> center(const unsigned int i,
                           const unsigned int j,
                           const unsigned int k) const;
@@ -52,16 +52,16 @@ struct LabelGrid
 };
 
 /**
- * An empty grid that covers a box with at least one cube to spare on every
- * side, placed so that faces of cubes lie on the bottom of the box, and that it
- * is symmetric about the middle of the box in x and y.
- * @throws InputError when it would have more than @p most_cubes
+ * Creates an empty grid that covers a box with a margin of at least one voxel.
+ * Voxel faces lie on the bottom of the box, and the grid is symmetric about
+ * the centre of the box in x and y.
+ * @throws InputError for more than @p most_cubes voxels
  */
 LabelGrid make_grid(const dealii::BoundingBox<3> &box,
                     double spacing,
                     double most_cubes = 4e9);
 
-/// Connected pieces of equal label (through faces), by label; the entry
-/// LabelGrid::nothing has the pieces of the whole body.
+/// Number of face-connected pieces of each label; entry LabelGrid::nothing is
+/// that of the whole body.
 std::array<unsigned int, 256> count_components(const LabelGrid &grid);
 } // namespace contrecoup

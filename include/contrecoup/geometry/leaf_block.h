@@ -7,8 +7,8 @@
 
 namespace contrecoup
 {
-/// Coarse leaves of a box, from those numbered begin to those before end along
-/// each direction.
+/// A block of coarse leaves of a box: indices begin to end - 1 in each
+/// direction.
 template <int dim>
 struct LeafBlock
 {
@@ -26,12 +26,12 @@ struct LeafBlock
 
 
 /**
- * The sum of a value over the leaves of a block, without a look at each of
- * them: a block of which @p is_even says that each of its leaves has the value
- * @p of_each is left alone, others are halved along their longest edge, and
- * single leaves have the value @p of_one.
+ * Sums a value over the leaves of a block by recursive bisection. If @p
+ * is_even(block) is true, each leaf of the block has the value @p of_each;
+ * otherwise the block is halved along its longest edge. A single leaf has the
+ * value @p of_one(block).
  *
- * About a surface in n^3 leaves that takes some n^2 looks.
+ * For a surface in n^3 leaves this takes about n^2 evaluations.
  */
 template <int dim, typename IsEven, typename OfOne>
 double sum_over_leaves(const LeafBlock<dim> &block,

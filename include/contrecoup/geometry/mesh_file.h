@@ -13,13 +13,13 @@
 namespace contrecoup
 {
 /**
- * Reads a mesh of hexahedra or quadrilaterals with deal.II, which tells its
- * format by the ending (.msh, .inp, .ucd, .vtk, .unv).
+ * Reads a mesh of hexahedra or quadrilaterals with deal.II. The file name
+ * extension determines the format (.msh, .inp, .ucd, .vtk, .unv).
  * @param path of the file, lengths in m
- * @param entry that named it, for messages
- * @throws InputError when the file cannot be opened or read, has cells of other
- *   shapes, or claims more nodes or cells than it has bytes; distorted cells
- *   pass
+ * @param entry parameter with the path, for error messages
+ * @throws InputError when the file cannot be opened or read, has cells of
+ * other shapes, or claims more nodes or cells than it has bytes; distorted
+ * cells are accepted
  */
 template <int dim>
 void read_mesh_file(const std::string &path,
@@ -27,8 +27,8 @@ void read_mesh_file(const std::string &path,
                     dealii::Triangulation<dim> &mesh);
 
 /**
- * The names that a file of Gmsh (.msh) gives to groups of cells of this
- * dimension, by their numbers, deal.II's material ids; none in other formats.
+ * Names of the physical groups of this dimension in a Gmsh file (.msh), by
+ * number, which is deal.II's material id; empty for other formats.
  * @throws InputError when the file cannot be opened
  */
 std::map<unsigned int, std::string>

@@ -7,29 +7,31 @@
 
 namespace contrecoup
 {
-/// How smooth() goes about it.
+/// Parameters of smooth().
 struct SmoothingOptions
 {
   unsigned int iterations = 20;
-  double smallest_scaled_jacobian = 0.2; ///< [-], 0 to below 1
+  double smallest_scaled_jacobian = 0.2; ///< lower bound [-], 0 to below 1
 };
 
-/// What smooth() did.
+/// Result of smooth().
 struct SmoothingReport
 {
-  std::size_t n_moved = 0;          ///< nodes of boundary and interfaces
-  std::size_t n_held_back = 0;      ///< nodes moved less for the sake of shape
+  std::size_t n_moved = 0; ///< nodes on boundary and interfaces
+  /// nodes with reduced displacement, for element quality
+  std::size_t n_held_back = 0;
   double largest_displacement = 0.; ///< [m]
 };
 
 /**
- * Smooths boundary and interfaces of a mesh of cubes in place by the filter of
- * Taubin (1995): alternate Laplacian steps of 0.6307 forwards and -0.6732
- * backwards, which keep long waves and so the volume. Nodes of the boundary
- * follow the boundary alone, others all interfaces. The displacement then
- * spreads to nodes inside, hanging nodes stay between their masters, and
- * wherever an element would have a smaller scaled Jacobian than allowed its
- * nodes go back towards where they were until none has.
+ * Smooths boundary and interfaces of a voxel mesh in place with the filter of
+ * Taubin (1995): alternating Laplacian steps with factors 0.6307 and -0.6732,
+ * which preserve long waves and thus volume. Boundary nodes move with their
+ * neighbours on the boundary, other nodes with those on all interfaces.
+ * Displacements then diffuse to interior nodes; hanging nodes stay
+ * interpolated from their masters. Where the scaled Jacobian of an element
+ * falls below the bound, its nodes move back towards their initial positions
+ * until no such element is left.
  */
 SmoothingReport smooth(HexMesh &mesh, const SmoothingOptions &options);
 } // namespace contrecoup

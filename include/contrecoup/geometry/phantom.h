@@ -12,27 +12,27 @@
 
 namespace contrecoup
 {
-/// What the literature says of an organ or of several together.
+/// Literature data on an organ or a group of organs.
 struct OrganReference
 {
   std::string name;
-  std::vector<std::string> parts; ///< that belong to it; empty: all
+  std::vector<std::string> parts; ///< parts that belong to it; empty: all
   double volume;                  ///< [m^3]
-  double tolerance;               ///< relative difference that is accepted
+  double tolerance;               ///< accepted relative difference
   std::string source;
 };
 
 /**
  * A standing man of smooth shapes: x forward, y to his left, z up; the soles
- * stand on z = 0, the origin is between the feet. Arms hang a hand's breadth
+ * are at z = 0, the origin is between the feet. The arms hang a hand's breadth
  * from the hips.
  *
- * The 50th-percentile male has the dimensions of the ANSUR-88 survey (Gordon
- * et al. 1989, means, recalled) and organs as heavy as in ICRP publication 89
- * (2002); the shapes between the measured places are ours. Skeleton and organs
- * grow with the stature alone, all lengths alike; flesh is thickened or thinned
- * until the volume is the mass over 990 kg/m^3, the mean density of a man with
- * his lungs half full (recalled).
+ * The 50th-percentile male has the mean dimensions of the ANSUR-88 survey
+ * (Gordon et al. 1989, recalled) and the organ masses of ICRP publication 89
+ * (2002); shapes between measured places are our choice. Skeleton and organs
+ * scale with stature only, uniformly in all directions. The thickness of flesh
+ * is adjusted until the volume is the mass over 990 kg/m^3, the mean density
+ * of a man with half-full lungs (recalled).
  */
 class Phantom
 {
@@ -41,16 +41,16 @@ public:
   static void declare_parameters(dealii::ParameterHandler &prm);
 
   /// Reads the entries of the current subsection.
-  /// @throws InputError when stature and mass do not go together
+  /// @throws InputError when stature and mass do not fit each other
   void parse_parameters(dealii::ParameterHandler &prm);
 
-  /// The body; parts are brain, spinal cord, cerebrospinal fluid, skull,
-  /// spine, ribs, shoulders, arm bones, pelvis, leg bones, heart, liver,
-  /// lungs, skin (if it has a thickness) and soft tissue; landmarks are those
-  /// of phantom::find_landmarks().
+  /// Creates the body. Its parts are brain, spinal cord, cerebrospinal fluid,
+  /// skull, spine, ribs, shoulders, arm bones, pelvis, leg bones, heart,
+  /// liver, lungs, skin (if its thickness is positive) and soft tissue. Its
+  /// landmarks are those of phantom::find_landmarks().
   BodyPointer create() const;
 
-  /// What the literature says of the organs, scaled to this stature and head.
+  /// Literature data on the organs, scaled to this stature and head.
   std::vector<OrganReference> references() const;
 
   double mass() const
@@ -59,7 +59,7 @@ public:
   }
 
 private:
-  /// The factor of the thickness of the flesh that gives the volume.
+  /// Factor on the thickness of flesh that gives the prescribed volume.
   double find_girth() const;
 
   double stature_ = 1.756;     ///< [m]
@@ -70,34 +70,34 @@ private:
 
 namespace phantom
 {
-  /// How the shapes of a phantom are made of those of the 50th percentile.
+  /// Scale factors from the 50th percentile to a phantom.
   struct Frame
   {
     double height; ///< stature over 1.756 m
-    double girth;  ///< factor of the radii of flesh
-    double head;   ///< factor of all of the head
+    double girth;  ///< factor on the radii of flesh
+    double head;   ///< factor on the whole head
 
-    /// A point of the body below the head [m].
+    /// Scales a point of the body below the head [m].
     dealii::Point<3> at(double x, double y, double z) const;
 
-    /// A point given by its place relative to the centre of the cranium [m].
+    /// Scales a point given relative to the centre of the cranium [m].
     dealii::Point<3> at_head(double x, double y, double z) const;
   };
 
-  /// A node of a rod: its place for the 50th percentile, and its radius [m].
+  /// A node of a rod: position in the 50th percentile, and radius [m].
   struct Stop
   {
     double x, y, z, radius;
   };
 
   /**
-   * A rod of flesh or bone below the head.
+   * Creates a rod of flesh or bone below the head.
    *
-   * @param side 1 is left, -1 mirrors it
-   * @param stops the rod goes through these
-   * @param thickness factor of the radii beside the stature's
-   * @param n_between nodes of a smooth curve between two stops; 0 leaves the
-   * rod straight
+   * @param side 1: left, -1: mirrored to the right
+   * @param stops nodes of the rod
+   * @param thickness additional factor on the radii
+   * @param n_between number of nodes of a smooth curve between two stops; 0:
+   * straight
    */
   ShapePointer make_rod(const Frame &frame,
                         double side,
@@ -105,22 +105,22 @@ namespace phantom
                         double thickness,
                         unsigned int n_between);
 
-  /// The outer surface.
+  /// Creates the outer surface.
   ShapePointer make_flesh(const Frame &frame);
 
-  /// The bones by name: skull, spine, ribs, shoulders, arm bones, pelvis, leg
-  /// bones. They do not leave room for brain, cord and fluid.
+  /// Creates the bones: skull, spine, ribs, shoulders, arm bones, pelvis, leg
+  /// bones. Brain, cord and fluid are not cut out.
   std::vector<ShapeBody::Piece> make_skeleton(const Frame &frame);
 
-  /// Brain, spinal cord, cerebrospinal fluid.
+  /// Creates brain, spinal cord and cerebrospinal fluid.
   std::vector<ShapeBody::Piece> make_nerves(const Frame &frame);
 
-  /// Heart, liver, lungs.
+  /// Creates heart, liver and lungs.
   std::vector<ShapeBody::Piece> make_organs(const Frame &frame);
 
-  /// Places on the skin where blast loads are usually told: forehead, vertex,
-  /// occiput, throat, chest (breast bone), abdomen, back, and left and right
-  /// eye, temple, ear, thigh, shin and calf.
+  /// Finds the points of the skin at which blast loads are usually reported:
+  /// forehead, vertex, occiput, throat, chest (breast bone), abdomen, back,
+  /// and left and right eye, temple, ear, thigh, shin and calf.
   std::vector<Landmark> find_landmarks(const Frame &frame, const Shape &skin);
 } // namespace phantom
 } // namespace contrecoup

@@ -14,45 +14,44 @@
 
 namespace contrecoup
 {
-/// A uniform scaling, then a rotation, both about the origin, then a shift:
-/// x -> s R x + t.
+/// A similarity transformation: uniform scaling and rotation about the origin,
+/// then a shift: x -> s R x + t.
 class Placement
 {
 public:
-  /// Leaves everything where it is.
+  /// The identity.
   Placement();
 
-  /// @param scale above 0 [-]
+  /// @param scale positive [-]
   /// @param angles about the fixed axes x, then y, then z [rad]
   /// @param shift [m]
   Placement(double scale,
             const dealii::Tensor<1, 3> &angles,
             const dealii::Tensor<1, 3> &shift);
 
-  /// Declares the entries Scale, Rotation and Shift in the current
-  /// subsection.
+  /// Declares the entries Scale, Rotation and Shift in the current subsection.
   static void declare_parameters(dealii::ParameterHandler &prm);
 
-  /// Reads them from the current subsection.
+  /// Reads these entries from the current subsection.
   void parse_parameters(dealii::ParameterHandler &prm);
 
   /// Declares the entry Rotation alone.
-  /// @param description its sentence, about angles around the axes x, y and z
+  /// @param description help text about angles around the axes x, y and z
   static void declare_rotation(dealii::ParameterHandler &prm,
                                const std::string &description);
 
-  /// Reads that entry. @return angles about the fixed axes [rad]
+  /// Reads the entry Rotation. @return angles about the fixed axes [rad]
   static dealii::Tensor<1, 3> read_rotation(dealii::ParameterHandler &prm);
 
   dealii::Point<3> apply(const dealii::Point<3> &point) const;
 
-  /// The box around a placed box.
+  /// Bounding box of the transformed box.
   dealii::BoundingBox<3> apply(const dealii::BoundingBox<3> &box) const;
 
-  /// The point that apply() brings to @p point.
+  /// Inverse of apply().
   dealii::Point<3> pull_back(const dealii::Point<3> &point) const;
 
-  /// A direction, turned.
+  /// Rotates a direction.
   dealii::Tensor<1, 3> rotate(const dealii::Tensor<1, 3> &direction) const
   {
     return rotation_ * direction;
@@ -68,7 +67,7 @@ public:
     return shift_;
   }
 
-  /// Whether apply() leaves every point where it is.
+  /// Whether apply() is the identity.
   bool is_identity() const;
 
 private:

@@ -10,14 +10,13 @@
 namespace contrecoup
 {
 /**
- * Reads a surface in the Stanford polygon format (PLY, G. Turk 1994): ASCII
- * and binary of either byte order, with the element "vertex" with x, y and z
- * and the element "face" with a list "vertex_indices" (or "vertex_index").
- * Faces of more than three corners become fans of triangles; what else the file
- * has is passed over. Damaged files are refused, whatever they claim: nothing
- * is made larger than what the file has bytes for.
+ * Reads a surface in the Stanford polygon format (PLY, G. Turk 1994), ASCII or
+ * binary of either byte order, with an element "vertex" with x, y and z, and
+ * an element "face" with a list "vertex_indices" (or "vertex_index"). Polygons
+ * become fans of triangles; other elements are skipped. No allocation exceeds
+ * what the size of the file justifies, so damaged files are refused safely.
  * @param unit length of a 1 in the file [m]
- * @throws InputError when the file cannot be read so
+ * @throws InputError for any other content
  */
 TriangleMesh read_ply(const std::string &file, double unit);
 } // namespace contrecoup

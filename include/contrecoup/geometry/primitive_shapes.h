@@ -10,11 +10,11 @@
 
 namespace contrecoup
 {
-/// A ball. Exact distance.
+/// A sphere. Exact distance.
 class Sphere : public Shape
 {
 public:
-  /// @param radius above 0 [m]
+  /// @param radius positive [m]
   Sphere(const dealii::Point<3> &center, double radius);
   double value(const dealii::Point<3> &point) const override;
   dealii::Tensor<1, 3> gradient(const dealii::Point<3> &point) const override;
@@ -26,15 +26,15 @@ private:
 };
 
 /**
- * An ellipsoid along the axes. Exact distance: the nearest point is found by
- * Newton's method on the equation of Eberly (2013), "Distance from a point to
- * an ellipse, an ellipsoid, or a hyperellipsoid", which is convex and
- * decreasing from a known bracket.
+ * An axis-aligned ellipsoid. Exact distance: Newton's method finds the nearest
+ * point from the equation of Eberly (2013), "Distance from a point to an
+ * ellipse, an ellipsoid, or a hyperellipsoid", which is convex and decreasing,
+ * from a known bracket.
  */
 class Ellipsoid : public Shape
 {
 public:
-  /// @param semi_axes above 0 [m]
+  /// @param semi_axes positive [m]
   Ellipsoid(const dealii::Point<3> &center,
             const dealii::Tensor<1, 3> &semi_axes);
   double value(const dealii::Point<3> &point) const override;
@@ -42,7 +42,7 @@ public:
   dealii::BoundingBox<3> bounding_box() const override;
 
 private:
-  /// The nearest point of the surface, relative to the centre.
+  /// Nearest point of the surface, relative to the centre.
   dealii::Tensor<1, 3> nearest(const dealii::Tensor<1, 3> &offset) const;
   bool is_inside(const dealii::Tensor<1, 3> &offset) const;
 
@@ -50,12 +50,12 @@ private:
   dealii::Tensor<1, 3> semi_axes_;
 };
 
-/// A box along the axes with edges rounded by a radius. Exact distance.
+/// An axis-aligned box with rounded edges. Exact distance.
 class RoundedBox : public Shape
 {
 public:
-  /// @param half_widths of the box with its rounding, each at least
-  ///   @p rounding and above 0 [m]
+  /// @param half_widths including the rounding, each at least @p rounding and
+  /// positive [m]
   RoundedBox(const dealii::Point<3> &center,
              const dealii::Tensor<1, 3> &half_widths,
              double rounding = 0.);
@@ -72,8 +72,8 @@ private:
 class Cylinder : public Shape
 {
 public:
-  /// @param first,second different centres of the ends
-  /// @param radius above 0 [m]
+  /// @param first,second centres of the ends, distinct
+  /// @param radius positive [m]
   Cylinder(const dealii::Point<3> &first,
            const dealii::Point<3> &second,
            double radius);
@@ -88,10 +88,9 @@ private:
 };
 
 /**
- * Balls along a line of straight pieces, with radii that go linearly from one
- * corner to the next: what a thick pen draws. Each piece is the convex hull of
- * the balls at its ends; exact distance outside, and inside to the nearest
- * piece.
+ * Volume swept by a ball along a polyline, with a radius that varies linearly
+ * between nodes. Each segment is the convex hull of the balls at its ends. The
+ * distance is exact outside; inside it is that of the nearest segment.
  */
 class Sweep : public Shape
 {
@@ -109,7 +108,7 @@ public:
   dealii::BoundingBox<3> bounding_box() const override;
 
 private:
-  /// The hull of two balls, prepared.
+  /// The convex hull of two balls, with precomputed geometry.
   struct Piece
   {
     dealii::Point<3> begin;
@@ -117,12 +116,13 @@ private:
     double length;
     double radius_begin;
     double radius_end;
-    double sine;   ///< of the angle between axis and side
-    double cosine; ///< of the same
+    double sine;   ///< of the angle between axis and lateral surface
+    double cosine; ///< of the same angle
   };
 
   static Piece make_piece(const Node &a, const Node &b);
-  /// Distance to a piece, and the point of its axis whose ball is nearest.
+  /// Signed distance to a segment. @param place result: point on the axis
+  /// whose ball is nearest
   static double
   distance_to(const Piece &piece, const dealii::Point<3> &point, double &place);
 
@@ -130,8 +130,8 @@ private:
   dealii::BoundingBox<3> box_;
 };
 
-/// Nodes along a smooth curve (Catmull-Rom) through @p nodes, @p n_between new
-/// ones between neighbours.
+/// Nodes along a Catmull-Rom curve through @p nodes, with @p n_between new
+/// nodes between two given ones.
 std::vector<Sweep::Node> smooth_curve(const std::vector<Sweep::Node> &nodes,
                                       unsigned int n_between);
 } // namespace contrecoup

@@ -15,51 +15,50 @@
 namespace contrecoup
 {
 /**
- * A solid in space as its signed distance: negative inside, positive outside,
- * 0 on its surface; lengths in m. Immutable, and safe to ask from several
- * threads at once.
+ * A solid in space, represented by a signed distance function: negative
+ * inside, positive outside, 0 on the surface; lengths in m. Immutable and
+ * thread-safe.
  *
- * value() has the right sign everywhere, never changes by more than the way
- * gone (Lipschitz constant 1), and so never exceeds the true distance: a ball
- * around p of radius below |value(p)| does not meet the surface. The value is
- * the true distance for the primitives, and a smaller number near edges and
- * blends of composed shapes. Whoever needs the true one near the surface asks
- * distance(), which goes to the surface.
+ * value() has the correct sign everywhere and is Lipschitz continuous with
+ * constant 1. Its magnitude therefore never exceeds the true distance: a ball
+ * around p with a radius below |value(p)| does not meet the surface. The value
+ * equals the true distance for primitives, and may be smaller near edges and
+ * blends of composed shapes. distance() gives the true distance near the
+ * surface.
  */
 class Shape
 {
 public:
   virtual ~Shape() = default;
 
-  /// Signed distance at @p point, or a number of smaller magnitude [m].
+  /// Signed distance at @p point, or a value of smaller magnitude [m].
   virtual double value(const dealii::Point<3> &point) const = 0;
 
-  /// Gradient of value() [-], which points out of the shape; any of the
-  /// possible ones where it is not unique. By central differences unless a
-  /// class knows better.
+  /// Gradient of value() [-], which points outwards; one of several where it
+  /// is not unique. Central differences unless overridden.
   virtual dealii::Tensor<1, 3> gradient(const dealii::Point<3> &point) const;
 
-  /// A box along the axes that holds the shape [m].
+  /// Axis-aligned bounding box [m].
   virtual dealii::BoundingBox<3> bounding_box() const = 0;
 
-  /// The outward unit normal of the surface that value() = const has here.
+  /// Outward unit normal of the level set of value() at a point.
   dealii::Tensor<1, 3> normal(const dealii::Point<3> &point) const;
 
-  /// A point of the surface near @p point, found by Newton steps along the
-  /// gradient; the nearest one when @p point is near a smooth surface.
+  /// A point of the surface near @p point, by Newton steps along the gradient;
+  /// the nearest one if @p point is near a smooth surface.
   dealii::Point<3> project(const dealii::Point<3> &point) const;
 
-  /// Signed distance from @p point to project() of it [m].
+  /// Signed distance from @p point to its projection by project() [m].
   double distance(const dealii::Point<3> &point) const;
 };
 
 using ShapePointer = std::shared_ptr<const Shape>;
 
-/// The smallest box that holds all @p boxes, of which there is one at least.
+/// Bounding box of at least one box.
 dealii::BoundingBox<3>
 bounding_box(const std::vector<dealii::BoundingBox<3>> &boxes);
 
-/// Distance from @p point to @p box [m]; 0 inside.
+/// Distance from a point to a box [m]; 0 inside.
 double distance_to_box(const dealii::BoundingBox<3> &box,
                        const dealii::Point<3> &point);
 } // namespace contrecoup

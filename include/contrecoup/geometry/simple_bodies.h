@@ -13,9 +13,9 @@
 namespace contrecoup
 {
 /**
- * Bodies of simple shape around the origin: sphere, ellipsoid, cylinder, box,
- * a head of layers around an ellipsoid (a sphere when it has one radius), and
- * the fluid-filled shell that stands for a head in shock tubes.
+ * Bodies of simple shape, centred at the origin: sphere, ellipsoid, cylinder,
+ * box, a layered head (ellipsoidal, or spherical with one radius), and the
+ * fluid-filled shell that serves as a head surrogate in shock tubes.
  */
 class SimpleBody
 {
@@ -27,14 +27,14 @@ public:
   /// @throws InputError when sizes, layers and tissues do not fit the shape
   void parse_parameters(dealii::ParameterHandler &prm);
 
-  /// Parts are called core, layer 1, layer 2, ... from the inside, each with
-  /// the name of its tissue.
+  /// Creates the body. Parts are named core, layer 1, layer 2, ... from the
+  /// inside, each followed by its tissue.
   BodyPointer create() const;
 
 private:
   std::string shape_;
   std::vector<double> size_;    ///< [m]
-  std::vector<double> layers_;  ///< thickness from the inside [m]
-  std::vector<Tissue> tissues_; ///< of the core and the layers
+  std::vector<double> layers_;  ///< thickness, from the inside [m]
+  std::vector<Tissue> tissues_; ///< of core and layers
 };
 } // namespace contrecoup

@@ -12,8 +12,8 @@
 
 namespace contrecoup
 {
-/// A body of one tissue, bounded by triangles from a file; it may get the
-/// organs of the phantom, see borrow_organs().
+/// A body of one tissue with a triangulated surface from a file; optionally
+/// with the organs of the phantom, see borrow_organs().
 class SurfaceBody
 {
 public:
@@ -24,26 +24,27 @@ public:
   /// @throws InputError for an unknown tissue or without a file
   void parse_parameters(dealii::ParameterHandler &prm);
 
-  /// Reads and repairs the surface. What was found is in the body's remarks.
-  /// @param scale that the body gets afterwards, which counts for its size
+  /// Reads and repairs the surface; findings become remarks of the body.
+  /// @param scale later scale of the body, for the check of its size
   /// @throws InputError when the file cannot be read, the surface encloses no
-  ///   volume, its holes are too large, or it is itself, or no person's
+  /// volume, or its size or its holes are too large, or for organs in a body
+  /// that is not of a person's size
   BodyPointer create(double scale = 1.) const;
 
-  /// Whether the phantom's organs belong into it.
+  /// Whether the body gets the organs of the phantom.
   bool has_organs() const
   {
     return has_organs_;
   }
 
-  /// Part of their volume that may be outside [-].
+  /// Fraction of the organs' volume that may be outside the surface [-].
   double largest_loss() const
   {
     return largest_loss_;
   }
 
 private:
-  /// @throws InputError for a size that hints at another unit
+  /// @throws InputError for a size that suggests another unit
   void check_size(const dealii::BoundingBox<3> &box) const;
 
   std::string file_;
@@ -52,7 +53,8 @@ private:
   dealii::Tensor<1, 3> angles_; ///< [rad]
   Tissue tissue_ = Tissue::soft_tissue;
   bool has_organs_ = false;
-  double largest_loss_ = 0.;      ///< of organs [-]
-  double largest_hole_area_ = 0.; ///< of all holes, over that of the surface
+  double largest_loss_ = 0.; ///< of organs [-]
+  /// area of all holes over that of the surface [-]
+  double largest_hole_area_ = 0.;
 };
 } // namespace contrecoup

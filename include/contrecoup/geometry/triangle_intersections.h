@@ -9,18 +9,18 @@
 
 namespace contrecoup
 {
-/// Two triangles that pass through each other, and a place where they do.
+/// Two intersecting triangles, and the place of the intersection.
 struct TrianglePair
 {
   std::uint32_t first;
   std::uint32_t second;
-  dealii::Point<3> place; ///< middle of the smaller one [m]
+  dealii::Point<3> place; ///< centre of the smaller triangle [m]
 };
 
 /**
- * Triangles that intersect although they share neither an edge nor, at the
- * place, a vertex. Decided with the exact predicates of CGAL.
- * @param most pairs to look for
+ * Finds intersecting triangles that share no edge, and no vertex at the
+ * intersection. Uses the exact predicates of CGAL.
+ * @param most largest number of pairs to find
  */
 std::vector<TrianglePair> find_self_intersections(const TriangleMesh &mesh,
                                                   std::size_t most = 1000);

@@ -16,7 +16,7 @@
 
 namespace contrecoup
 {
-/// Triangles in space; counterclockwise seen from outside when they bound a
+/// A triangulated surface; corners are counterclockwise seen from outside of a
 /// body.
 struct TriangleMesh
 {
@@ -30,19 +30,19 @@ struct TriangleMesh
 
   double area() const; ///< [m^2]
 
-  /// Enclosed volume, above 0 when the triangles look outwards [m^3].
+  /// Enclosed volume [m^3]; positive for outward orientation.
   double volume() const;
 
   dealii::BoundingBox<3> bounding_box() const;
 };
 
 /**
- * Reads a surface: STL (binary or ASCII), OBJ, PLY, or what else the library
- * Assimp knows by the ending of the name. Coordinates have the six digits of
- * single precision.
+ * Reads a surface: STL (binary or ASCII), OBJ, PLY, or another format that the
+ * Assimp library recognises by the file name extension. Coordinates have the
+ * six digits of single precision.
  * @param unit length of a 1 in the file [m]
- * @throws InputError when the file cannot be read, holds no triangles, or
- *   holds coordinates that are not finite
+ * @throws InputError when the file cannot be read, holds no triangles, or has
+ * coordinates that are not finite
  */
 TriangleMesh read_surface(const std::string &file, double unit);
 } // namespace contrecoup

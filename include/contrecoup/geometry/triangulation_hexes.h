@@ -10,9 +10,9 @@
 namespace contrecoup
 {
 /**
- * The active cells of a mesh of deal.II as hexahedra; where cells of different
- * levels meet, nodes hang. Material ids are numbers in @p parts.
- * @throws InputError for a material id that is no part
+ * Converts the active cells of a deal.II mesh to a HexMesh, with hanging nodes
+ * between cells of different levels. Material ids are indices in @p parts.
+ * @throws InputError for a material id beyond @p parts
  */
 HexMesh to_hex_mesh(const dealii::Triangulation<3> &triangulation,
                     const std::vector<BodyPart> &parts);

@@ -15,17 +15,15 @@
 
 namespace contrecoup
 {
-/**
- * A medical image: a number for each voxel, and where the voxels are. Axes of
- * space are ours: x forward (anterior), y to the left, z up (superior).
- */
+/// A medical image: voxel values and positions. Spatial axes: x forward
+/// (anterior), y to the left, z up (superior).
 struct VoxelImage
 {
   std::string file;
   std::array<unsigned int, 3> size{{0, 0, 0}};
-  std::vector<float> values; ///< the first index runs fastest
+  std::vector<float> values; ///< first index fastest
 
-  /// Centre of voxel i is axes * i + origin [m].
+  /// The centre of voxel i is axes * i + origin [m].
   dealii::Tensor<2, 3> axes;
   dealii::Tensor<1, 3> origin;
 
@@ -35,19 +33,19 @@ struct VoxelImage
     return i + size[0] * (j + static_cast<std::size_t>(size[1]) * k);
   }
 
-  /// Edges of a voxel [m].
+  /// Edge lengths of a voxel [m].
   std::array<double, 3> spacing() const;
 };
 
 /**
- * Reads NIfTI-1 (.nii, .nii.gz) or its pairs of header and image (.hdr, .img)
- * with the library of its authors. Places come from the sform, else the qform,
- * else the voxel sizes; units that the file does not name are mm.
+ * Reads NIfTI-1 (.nii, .nii.gz), or pairs of header and image (.hdr, .img),
+ * with the nifticlib library. Positions come from the sform, otherwise the
+ * qform, otherwise from voxel sizes; unspecified units are mm.
  * @throws InputError when the file cannot be read, has colours or several
- *   frames, values that are not finite, or axes that span no space
+ * frames, values that are not finite, or degenerate axes
  */
 VoxelImage read_image(const std::string &file);
 
-/// @throws InputError unless both have the same voxels
+/// @throws InputError unless both images have the same voxels
 void require_same_grid(const VoxelImage &a, const VoxelImage &b);
 } // namespace contrecoup

@@ -22,26 +22,28 @@ struct VoxelMask
 };
 
 /**
- * Distance from the centre of every voxel to the nearest centre of a voxel of
- * the set [m]; infinite for an empty set. Exact (Felzenszwalb and Huttenlocher
- * 2012: the lower envelope of parabolas, one direction after the other).
+ * Distance from each voxel centre to the nearest voxel centre of the set [m];
+ * infinite for an empty set. Exact Euclidean distance transform (Felzenszwalb
+ * and Huttenlocher 2012: lower envelopes of parabolas, one direction after the
+ * other).
  */
 std::vector<float> distance_to(const VoxelMask &mask);
 
-/// The set with every voxel that is at most @p distance away [m].
+/// Dilation: adds all voxels within @p distance [m].
 VoxelMask grown(const VoxelMask &mask, double distance);
 
-/// The set in a grid with @p layers more voxels on every side.
+/// Pads the grid with @p layers empty voxels on every side.
 VoxelMask padded(const VoxelMask &mask, unsigned int layers);
 
-/// Morphological closing: grown, then shrunk again; gaps narrower than twice
-/// the distance [m] are filled. The sides of the grid do not count as walls.
+/// Morphological closing: dilation, then erosion. Fills gaps narrower than
+/// twice @p distance [m]. The grid is padded, so its sides do not act as
+/// walls.
 VoxelMask closed(const VoxelMask &mask, double distance);
 
-/// The largest piece that is connected through faces.
+/// Largest face-connected piece.
 VoxelMask largest_piece(const VoxelMask &mask);
 
-/// The set with all voxels that cannot be reached from the sides and the top
-/// (the highest third index) of the grid without crossing it.
+/// Adds all voxels that cannot be reached from the sides and the top (highest
+/// third index) of the grid without crossing the set.
 VoxelMask with_filled_holes(const VoxelMask &mask);
 } // namespace contrecoup

@@ -44,7 +44,7 @@ void InterfaceCoupling::declare_parameters(ParameterHandler &prm)
                     "monolithic: fluids and solids are solved together. The "
                     "partitioned schemes show where partitioning fails: "
                     "loose iterates once a step, fixed relaxation and "
-                    "aitken to convergence.");
+                    "Aitken to convergence.");
   declare_double(prm,
                  "Relaxation",
                  "0.5",
