@@ -10,7 +10,7 @@ namespace contrecoup
 {
 namespace
 {
-  /// Largest exponent R V that is computed: exp(-90) = 8e-40.
+  /// Largest exponent R V that is evaluated: exp(-90) = 8e-40.
   constexpr double largest_exponent = 90.;
 } // namespace
 

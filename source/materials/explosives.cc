@@ -16,7 +16,7 @@ namespace
 {
   constexpr double gigapascal = 1e9;
 
-  /// A row of the library in the units of the literature.
+  /// A row of the library, in units of the literature.
   struct Row
   {
     std::string name;
@@ -39,7 +39,8 @@ namespace
     // clang-format off
     static const std::vector<Row> table{
       {"tnt", 1630., 373.8, 3.747, 4.15, 0.90, 0.35, 6.0, 6930., 21.0,
-       "Tan, Saunders and Bagchi, COUPLED PROBLEMS 2017, table 2 (3.68 MJ/kg)"},
+       "Tan, Saunders and Bagchi, COUPLED PROBLEMS 2017, table 2 (3.68 "
+       "MJ/kg)"},
       {"tnt dobratz", 1630., 371.2, 3.231, 4.15, 0.95, 0.30, 7.0, 6930., 21.0,
        map + unseen},
       {"c-4", 1601., 609.77, 12.95, 4.5, 1.4, 0.25, 9.0, 8193., 28.0,
@@ -77,7 +78,7 @@ namespace
             row.source};
   }
 
-  /// Pressure on the Hugoniot curve of the products at relative volume V.
+  /// Pressure on the Hugoniot curve of the products at a relative volume.
   double hugoniot_pressure(const JwlParameters &jwl,
                            const MieGrueneisen &products,
                            const double volume)
@@ -121,7 +122,7 @@ ChapmanJouguetState chapman_jouguet(const JwlParameters &jwl)
   const MieGrueneisen products = MieGrueneisen::jwl(jwl);
   const double rho_0 = jwl.reference_density;
 
-  // Excess of (rho c)^2 over the slope of the Rayleigh line, p rho_0 / (1 - V).
+  // (rho c)^2 minus the slope of the Rayleigh line, p rho_0 / (1 - V).
   const auto excess = [&](const double volume) {
     const double density = rho_0 / volume;
     const double pressure = hugoniot_pressure(jwl, products, volume);

@@ -21,9 +21,9 @@ namespace
                    -largest,
                    largest,
                    "Pa",
-                   "JWL constant B; below 0 only where the sound speed stays "
-                   "real as the products expand, or, without energy, as the "
-                   "explosive is compressed.");
+                   "JWL constant B; negative only if the sound speed stays "
+                   "real as the products expand or, without energy release, "
+                   "as the explosive is compressed.");
     declare_double(prm, "R1", "4.15", 1e-3, 1e3, "-", "JWL constant R1.");
     declare_double(prm, "R2", "0.9", 1e-3, 1e3, "-", "JWL constant R2.");
     declare_double(prm, "Omega", "0.35", 1e-3, 10., "-", "JWL constant omega.");
@@ -47,23 +47,24 @@ namespace
                    1e-6,
                    1e9,
                    "J/(kg K)",
-                   "c_v of the products; weights their mixture with air and "
-                   "gives the temperature.");
+                   "c_v of the products, which weights their mixture with "
+                   "air and gives the temperature.");
     declare_double(prm,
                    "Detonation speed",
                    "0",
                    0.,
                    1e6,
                    "m/s",
-                   "Published detonation speed, for comparison with that of "
-                   "the constants where charges burn; 0: none.");
-    declare_double(prm,
-                   "Detonation pressure",
-                   "0",
-                   0.,
-                   largest,
-                   "Pa",
-                   "Published Chapman-Jouguet pressure, likewise; 0: none.");
+                   "Published detonation speed, compared with that of the "
+                   "constants where charges burn; 0: none.");
+    declare_double(
+      prm,
+      "Detonation pressure",
+      "0",
+      0.,
+      largest,
+      "Pa",
+      "Published Chapman-Jouguet pressure, compared likewise; 0: none.");
   }
 
   JwlParameters read_custom_explosive(ParameterHandler &prm)
@@ -99,31 +100,31 @@ void GasMaterial::declare_parameters(ParameterHandler &prm)
                     "Equation of state",
                     "ideal gas",
                     equation_of_state_names(),
-                    "The gas: one ideal or stiffened gas, explosive products "
-                    "alone, or products mixed with an ideal gas.");
-  declare_double(prm,
-                 "Gamma",
-                 "1.4",
-                 1.001,
-                 100.,
-                 "-",
-                 "Ratio of specific heats of the ideal or stiffened gas; "
-                 "without effect for jwl.");
+                    "One ideal or stiffened gas, pure explosive products, "
+                    "or products mixed with an ideal gas.");
+  declare_double(
+    prm,
+    "Gamma",
+    "1.4",
+    1.001,
+    100.,
+    "-",
+    "Ratio of specific heats of the ideal or stiffened gas; not used by jwl.");
   declare_double(prm,
                  "Gas constant",
                  "287.05287",
                  1e-6,
                  1e6,
                  "J/(kg K)",
-                 "Specific gas constant; sets the temperature and, with Gamma, "
-                 "the specific heat.");
+                 "Specific gas constant; gives the temperature and, with "
+                 "Gamma, the specific heat.");
   declare_double(prm,
                  "Stiffening pressure",
                  "0",
                  0.,
                  1e15,
                  "Pa",
-                 "p_infinity of the stiffened gas; without effect otherwise.");
+                 "p_infinity of the stiffened gas; not used by others.");
   std::vector<std::string> explosives = explosive_names();
   explosives.push_back("custom");
   declare_selection(prm,

@@ -12,7 +12,7 @@ namespace contrecoup
 {
 namespace
 {
-  /// 1 - T*^m, between 0 and 1.
+  /// Thermal softening 1 - T*^m, clipped to [0, 1].
   double softening(const JohnsonCook &law, const double plastic_work)
   {
     const double warmed =
@@ -61,10 +61,10 @@ double JohnsonCook::plastic_increment(const double stress,
         soft * (yield_stress +
                 hardening * std::pow(plastic_strain, hardening_exponent))))
     return 0.;
-  // The stress less the strength falls from above zero to below it.
+  // Stress minus strength decreases from a positive to a negative value.
   double lower = 0., upper = stress / stiffness;
-  // The strength grows by less and less: its value at the upper end makes a
-  // guess that is not above the root.
+  // Strength is concave in plastic strain: its value at the upper end gives a
+  // lower bound of the root.
   double added = std::max(
     0.,
     upper -

@@ -17,8 +17,8 @@ namespace
   constexpr double largest_exponent = 90.;  // R V, as in ColdCurve
   constexpr unsigned int n_volumes = 4000;
 
-  /// Pressure above the cold curve where the isentrope begins, times
-  /// V^(1 + omega) [Pa], and the largest V on it.
+  /// Pressure above the cold curve at the start of the isentrope, times V^(1 +
+  /// omega) [Pa], and the largest V on the isentrope.
   struct Isentrope
   {
     double constant;
@@ -52,7 +52,7 @@ void require_real_sound_speed(const JwlParameters &jwl,
   {
     const double volume =
       smallest_volume * std::pow(ratio, double(i) / n_volumes);
-    // -dp/dV, which is rho_0 c^2 / V^2.
+    // -dp/dV = rho_0 c^2 / V^2.
     const double slope =
       jwl.A * jwl.R1 * std::exp(-jwl.R1 * volume) +
       jwl.B * jwl.R2 * std::exp(-jwl.R2 * volume) +

@@ -17,7 +17,7 @@ namespace
 
   const std::string paper = "Tan, Saunders and Bagchi 2017, table 1";
 
-  /// A tissue given by Young's modulus and Poisson's ratio.
+  /// An elastic tissue from Young's modulus and Poisson's ratio.
   TissueProperties elastic(const Tissue tissue,
                            const double density,
                            const double young,
@@ -51,7 +51,7 @@ namespace
             source};
   }
 
-  /// What surrogates are made of.
+  /// Materials of surrogates.
   std::vector<TissueProperties> engineering_materials()
   {
     return {viscoelastic(Tissue::water,
@@ -63,7 +63,7 @@ namespace
                          "water at 20 C, sound speed 1482 m/s; recalled"),
             elastic(Tissue::gelatin,
                     1060.,
-                    // 30 kPa of shear beside the bulk modulus 2.3 GPa.
+                    // Shear modulus 30 kPa, bulk modulus 2.3 GPa.
                     3. * 30. * kilopascal,
                     0.5 - 30. * kilopascal / (2. * 2.3 * gigapascal),
                     "ballistic gelatin, sound speed 1470 m/s, shear modulus "
@@ -104,7 +104,7 @@ namespace
     return set;
   }
 
-  /// Water-like organs, sources recalled.
+  /// Organs that resemble water; sources are recalled.
   std::vector<TissueProperties> physiological_organs()
   {
     const std::string recalled = "; recalled";
@@ -136,7 +136,7 @@ namespace
     return set;
   }
 
-  /// Air under 1 bar in three quarters of the volume: K = 142 kPa / 0.75.
+  /// Air at 1 bar in three quarters of the volume: K = 142 kPa / 0.75.
   TissueProperties physiological_lung()
   {
     TissueProperties lung =

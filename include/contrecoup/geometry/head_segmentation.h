@@ -41,15 +41,18 @@ enum class HeadLabel : unsigned char
  * anatomical segmentation:
  *
  * 1. The cranial cavity is the largest piece of the mask, closed with the
- * closing radius, so that it contains the sulci, and dilated by the fluid
- * thickness. 2. Brain are the mask voxels brighter than the fluid threshold
- * times the brain's median; the rest of the cavity, including ventricles, is
- * fluid. 3. The head are the voxels brighter than the head threshold times the
- * median, and the cavity: the largest piece, closed with the closing radius,
- * with everything that cannot be reached from the sides and the top. 4. Skull
- * are the head voxels within the skull thickness of the cavity, except where
- * the scalp would be thinner than its least thickness. 5. Scalp is the rest of
- * the head, including face and neck.
+ *    closing radius, so that it contains the sulci, and dilated by the fluid
+ *    thickness.
+ * 2. Brain are the mask voxels brighter than the fluid threshold times the
+ *    brain's median; the rest of the cavity, including ventricles, is fluid.
+ * 3. The head are the voxels brighter than the head threshold times the
+ *    median, and the cavity: the largest piece, closed with the closing
+ *    radius, with everything that cannot be reached from the sides and the
+ *    top.
+ * 4. Skull are the head voxels within the skull thickness of the cavity,
+ *    except where the scalp would be thinner than its least thickness.
+ * 5. Scalp is the rest of the head, including face and neck.
+ *
  * @throws InputError for an empty mask or an entirely dark image
  */
 std::vector<HeadLabel> segment_head(const VoxelImage &image,

@@ -20,10 +20,10 @@ struct ColdState
 };
 
 /**
- * Cold curve, Grueneisen coefficient and specific heat of MieGrueneisen, from
- * data. The exponentials are taken as zero where they are below 1e-39 (for
- * TNT: below rho_0 / 100); a lane group that lies there entirely, or that
- * holds no products, skips them.
+ * Cold curve, Grueneisen coefficient and specific heat of MieGrueneisen, with
+ * constants set at run time. Exponentials below 1e-39 count as zero (for TNT:
+ * below rho_0 / 100). A lane group that lies entirely there, or that holds no
+ * products, skips the exponentials.
  */
 class ColdCurve
 {
@@ -32,15 +32,15 @@ public:
   static ColdCurve
   stiffened_gas(double gamma, double p_infinity, double gas_constant);
 
-  /// That of the products, whatever the mass fraction is.
+  /// Pure products, whatever the mass fraction.
   static ColdCurve jwl(const JwlParameters &products);
 
-  /// Weighted by the mass fraction of products.
+  /// Products mixed with air, weighted by the mass fraction of products.
   static ColdCurve jwl_in_air(const JwlParameters &products,
                               double gamma_air,
                               double gas_constant);
 
-  /// Whether the mass fraction matters.
+  /// Whether the state depends on the mass fraction.
   bool uses_products() const
   {
     return uses_products_;
@@ -64,7 +64,7 @@ public:
     return cold;
   }
 
-  /// c_v of the mixture [J/(kg K)].
+  /// Specific heat c_v of the mixture [J/(kg K)].
   template <typename Number>
   DEAL_II_ALWAYS_INLINE Number specific_heat(const Number &products) const
   {
@@ -101,14 +101,14 @@ private:
     return share;
   }
 
-  /// Adds the exponentials with the weight @p share.
+  /// Adds the exponential terms with the weight @p share.
   template <typename Number>
   void add_exponentials(const Number &density,
                         const Number &share,
                         ColdState<Number> &cold) const
   {
     const double reference = products_.reference_density;
-    // Where the share is zero, whatever is finite will do.
+    // Where the share is zero, any finite value will do.
     const Number volume =
       Number(reference) / std::max(density, Number(dilute_density_));
     const Number first =
@@ -128,7 +128,7 @@ private:
   bool uses_products_ = false;
   double p_infinity_ = 0.;
   double dilute_density_ = 0.;
-  double share_alone_ = 0.; ///< w where Y is not used
+  double share_alone_ = 0.; ///< w if Y is not used
   double omega_alone_ = 0.; ///< omega without products
   double inverse_omega_alone_ = 0.;
   double omega_difference_ = 0.;

@@ -10,7 +10,7 @@
 
 namespace contrecoup
 {
-/// An entry of the explosive library.
+/// An entry of the library of explosives.
 struct Explosive
 {
   std::string name;
@@ -26,38 +26,38 @@ struct ChapmanJouguetState
   double detonation_speed; ///< D [m/s]
   double pressure;         ///< [Pa]
   double density;          ///< [kg/m^3]
-  double velocity;         ///< of the gas, in the direction of D [m/s]
+  double velocity;         ///< of the products, along D [m/s]
 };
 
 /**
- * All explosives that ship with Contrecoup. A set is in the library only if
- * its constants reproduce its published D and Chapman-Jouguet pressure (a
- * unit test checks each); for pure RDX none is known that does.
+ * All explosives that ship with Contrecoup. Constants are included only if
+ * they reproduce their published D and Chapman-Jouguet pressure (a unit test
+ * checks each set); none is known for pure RDX.
  *
  * The specific heat of the products, which weights the mixture with air and
- * gives the temperature, is rho_0 c_v = 1 MPa/K in all of them: the customary
+ * gives the temperature, is rho_0 c_v = 1 MPa/K for all of them: the usual
  * 1e-5 Mbar/K of ignition-and-growth models (Tarver and coworkers).
  */
 const std::vector<Explosive> &explosive_library();
 
-/// Names in the library.
+/// Names of the explosives.
 std::vector<std::string> explosive_names();
 
-/// @throws InputError when the library has no such explosive.
+/// @throws InputError for an unknown explosive
 const Explosive &find_explosive(const std::string &name);
 
 /**
- * The state where the Rayleigh line touches the Hugoniot curve
- * e = E_0 / rho_0 + p (1 / rho_0 - 1 / rho) / 2 of the products: there
- * rho c equals rho_0 D (Fickett and Davis 1979, chapter 2).
- * @throws InputError when the constants admit no such state.
+ * Chapman-Jouguet state: the point where the Rayleigh line touches the
+ * Hugoniot curve e = E_0 / rho_0 + p (1 / rho_0 - 1 / rho) / 2 of the
+ * products. There rho c equals rho_0 D (Fickett and Davis 1979, chapter 2).
+ * @throws InputError when the constants admit no such state
  */
 ChapmanJouguetState chapman_jouguet(const JwlParameters &jwl);
 
 /**
- * One line on what the constants of an explosive amount to: their
- * Chapman-Jouguet speed and pressure, the published ones where they are above
- * zero, and a warning where these differ by more than a thousandth.
+ * One line for the log: Chapman-Jouguet speed and pressure of the constants,
+ * the published values if positive, and a warning where both differ by more
+ * than a thousandth.
  */
 std::string describe_detonation(const Explosive &explosive);
 } // namespace contrecoup

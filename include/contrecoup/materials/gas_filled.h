@@ -9,19 +9,21 @@
 
 /**
  * @file
- * Pressure of tissue whose volume is in part gas, as of the lung: the gas is
- * compressed as p v^gamma = const, the rest not at all (Wood 1941, for bubbles
- * in a liquid that is much stiffer). With the part phi of gas in the
- * undeformed volume and the change s = (J - 1) / phi of its volume,
+ * Pressure of tissue that contains gas, such as the lung: the gas is
+ * compressed as p v^gamma = const, the rest is incompressible (Wood 1941, for
+ * bubbles in a much stiffer liquid). With the gas fraction phi of the
+ * undeformed volume and the relative change s = (J - 1) / phi of the gas
+ * volume,
  *   p = K phi / gamma ((1 + s)^-gamma - 1)
- * above ambient pressure K phi / gamma: K for small strains, and never below
- * vacuum. As the gas is squeezed out, - dp/dJ grows until it is that of the
- * tissue without gas, and stays so.
+ * is the pressure above the ambient pressure K phi / gamma. K is the bulk
+ * modulus at small strains, and p never falls below vacuum. Under compression
+ * -dp/dJ grows until it reaches that of the tissue without gas, and is
+ * constant beyond.
  */
 
 namespace contrecoup
 {
-/// The gas in a solid, and its law over K.
+/// Gas in a solid. All stresses are relative to K.
 class GasFilling
 {
 public:
@@ -29,9 +31,9 @@ public:
   GasFilling() = default;
 
   /**
-   * @param part phi, of the undeformed volume, above 0
+   * @param part gas fraction phi of the undeformed volume, positive
    * @param exponent gamma: 1 isothermal, 1.4 adiabatic
-   * @param stiffest largest - dp/dJ over K, at least 1
+   * @param stiffest upper bound of -dp/dJ over K, at least 1
    */
   GasFilling(const double part, const double exponent, const double stiffest)
     : part_(part)
@@ -47,7 +49,7 @@ public:
     return part_ > 0.;
   }
 
-  /// - p / K for a dilatation J - 1.
+  /// -p / K at a dilatation J - 1.
   double stress(const double dilatation) const
   {
     return dilatation < least_
@@ -55,13 +57,13 @@ public:
              : gas_stress(dilatation);
   }
 
-  /// - p / K over the dilatation.
+  /// -p / K divided by the dilatation.
   double secant(const double dilatation) const
   {
     return dilatation == 0. ? 1. : stress(dilatation) / dilatation;
   }
 
-  /// The integral of stress() from 0 to a dilatation.
+  /// Integral of stress() from 0 to a dilatation.
   double energy(const double dilatation) const
   {
     const double more = dilatation - least_;
@@ -70,7 +72,7 @@ public:
              : gas_energy(dilatation);
   }
 
-  /// - dp/dJ / K.
+  /// -dp/dJ / K.
   double stiffness(const double dilatation) const
   {
     return dilatation < least_
@@ -98,12 +100,12 @@ private:
   double part_ = 0.;
   double exponent_ = 1.;
   double stiffest_ = 1.;
-  double least_ = 0.; ///< dilatation from where the stiffness is constant
+  double least_ = 0.; ///< dilatation below which stiffness is constant
   double least_stress_ = 0.;
   double least_energy_ = 0.;
 };
 
-/// @p function (of double) of a number, or of each lane.
+/// Applies @p function (of double) to a number, or to each lane.
 template <typename Function>
 inline double apply(const Function &function, const double x)
 {

@@ -15,8 +15,8 @@
 namespace contrecoup
 {
 /**
- * The gas of a scene as subsection "Material" describes it: the equation of
- * state for kernels, and the same on plain numbers. Air by default.
+ * The gas of a scene, subsection "Material": its equation of state for
+ * kernels, and the same functions for plain numbers. Default: air.
  *
  * Units are those of IdealGas; @p products is the mass fraction of explosive
  * products.
@@ -37,10 +37,10 @@ public:
   static void declare_parameters(dealii::ParameterHandler &prm);
 
   /// Reads subsection "Material".
-  /// @throws InputError for custom constants without a physical meaning.
+  /// @throws InputError for unphysical custom constants
   void parse_parameters(dealii::ParameterHandler &prm);
 
-  /// The equation of state, to be visited once outside of kernels.
+  /// The equation of state. Visit it once, outside of kernels.
   const Model &model() const;
 
   bool is_ideal() const;
@@ -51,13 +51,14 @@ public:
   /// Whether the mass fraction of products is part of the state.
   bool has_products() const;
 
-  /// Initial density of the explosive [kg/m^3]; 0 without one.
+  /// Initial density of the explosive [kg/m^3]; 0 without explosive.
   double reference_density() const;
 
-  /// Energy e_0 released by the explosive [J/kg]; 0 without one.
+  /// Specific energy e_0 released by the explosive [J/kg]; 0 without
+  /// explosive.
   double reference_energy() const;
 
-  /// JWL constants of the explosive; zeros without one.
+  /// JWL constants of the explosive; zero without explosive.
   const JwlParameters &explosive() const;
 
   double pressure(double density,

@@ -10,11 +10,11 @@ namespace contrecoup
 /**
  * Calorically perfect gas, p = (gamma - 1) rho e and T = p / (rho R).
  *
- * All functions work on double, float and their lanes. Arguments are density
- * [kg/m^3], internal energy per volume rho e [J/m^3], pressure [Pa] and the
- * mass fraction of explosive products [-], which this gas ignores. States
- * with rho > 0 and rho e > 0 are admissible; a non-positive density gives
- * infinities, never a trap.
+ * All functions work on double, float and lanes. Arguments are density
+ * [kg/m^3], internal energy density rho e [J/m^3], pressure [Pa] and the mass
+ * fraction of explosive products [-], which this gas ignores. States with rho
+ * > 0 and rho e > 0 are admissible; non-positive density gives infinities, but
+ * no floating point trap.
  */
 class IdealGas
 {
@@ -22,7 +22,7 @@ public:
   static constexpr bool has_products = false;
 
   /// @param gamma ratio of specific heats [-], above 1
-  /// @param gas_constant R [J/(kg K)]; the default is that of dry air
+  /// @param gas_constant R [J/(kg K)]; the default is dry air
   explicit IdealGas(const double gamma = 1.4,
                     const double gas_constant = 287.05287)
     : gamma_(gamma)
@@ -45,7 +45,7 @@ public:
     return internal_energy_density * (gamma_ - 1.);
   }
 
-  /// Internal energy per volume rho e [J/m^3].
+  /// Internal energy density rho e [J/m^3].
   template <typename Number>
   DEAL_II_ALWAYS_INLINE Number
   internal_energy_density(const Number & /*density*/,
@@ -55,7 +55,7 @@ public:
     return pressure * inverse_gamma_minus_one_;
   }
 
-  /// Square of the sound speed [m^2/s^2].
+  /// Squared sound speed [m^2/s^2].
   template <typename Number>
   DEAL_II_ALWAYS_INLINE Number
   sound_speed_squared(const Number &density,
@@ -83,7 +83,7 @@ public:
     return pressure / (density * gas_constant_);
   }
 
-  /// Pressure [Pa] and square of the sound speed from density and rho e.
+  /// Pressure [Pa] and squared sound speed from density and rho e.
   template <typename Number>
   DEAL_II_ALWAYS_INLINE void
   pressure_and_sound_speed(const Number &density,
@@ -97,7 +97,7 @@ public:
       this->sound_speed_squared(density, pressure, products);
   }
 
-  /// rho e [J/m^3] and square of the sound speed from density and pressure.
+  /// rho e [J/m^3] and squared sound speed from density and pressure.
   template <typename Number>
   DEAL_II_ALWAYS_INLINE void
   energy_and_sound_speed(const Number &density,

@@ -10,20 +10,20 @@
 
 /**
  * @file
- * Metals that yield, and kernels on a number or lanes of numbers that strain
- * them: an isochoric neo-Hookean solid in the elastic left Cauchy-Green
- * tensor, which flows along its stress as far as von Mises' equivalent stress
- * is above the strength (J. C. Simo, T. J. R. Hughes, Computational
- * Inelasticity, 1998, box 9.1). Stresses are Kirchhoff's.
+ * Elastic-plastic metals, with kernels for a number or lanes. An isochoric
+ * neo-Hookean solid in terms of the elastic left Cauchy-Green tensor; radial
+ * return where the von Mises stress exceeds the yield strength (J. C. Simo, T.
+ * J. R. Hughes, Computational Inelasticity, 1998, box 9.1). All stresses are
+ * Kirchhoff stresses.
  */
 
 namespace contrecoup
 {
 /**
- * Strength (A + B e^n) (1 + C ln(max(1, e' / e'_0))) (1 - T*^m) of a plastic
- * strain e, its rate and T* = (T - T_r) / (T_m - T_r), which plastic work
- * raises. Numbers are those of OFHC copper: G. R. Johnson, W. H. Cook, Proc.
- * 7th Int. Symp. Ballistics, The Hague, 1983, 541-547.
+ * Johnson-Cook strength (A + B e^n) (1 + C ln(max(1, e' / e'_0))) (1 - T*^m),
+ * with plastic strain e, its rate e' and T* = (T - T_r) / (T_m - T_r); plastic
+ * work raises the temperature T. Defaults are OFHC copper: G. R. Johnson, W.
+ * H. Cook, Proc. 7th Int. Symp. Ballistics, The Hague, 1983, 541-547.
  */
 struct JohnsonCook
 {
@@ -34,21 +34,22 @@ struct JohnsonCook
   double reference_rate = 1.;          ///< e'_0 [1/s]
   double softening_exponent = 1.09;    ///< m [-]
   double melting_temperature = 1356.;  ///< T_m [K]
-  double reference_temperature = 298.; ///< T_r, that at the start [K]
-  double heat_capacity = 8960. * 383.; ///< of undeformed volume [J/(m^3 K)]
-  double heating_part = 0.9;           ///< of the plastic work [-]
+  double reference_temperature = 298.; ///< T_r, also the initial one [K]
+  double heat_capacity = 8960. * 383.; ///< per undeformed volume [J/(m^3 K)]
+  double heating_part = 0.9;           ///< heat fraction of plastic work [-]
 
-  /// [K], after plastic work [J/m^3] that lost no heat.
+  /// Temperature [K] after adiabatic plastic work [J/m^3].
   double temperature(double plastic_work) const;
 
-  /// [Pa], of a plastic strain [-], its rate [1/s] and plastic work [J/m^3].
+  /// Yield strength [Pa] for a plastic strain [-], its rate [1/s] and plastic
+  /// work [J/m^3].
   double
   strength(double plastic_strain, double rate, double plastic_work) const;
 
   /**
-   * Plastic strain that is added in a step [-].
-   * @param stress von Mises' equivalent stress without it [Pa]
-   * @param stiffness by which the stress falls with it [Pa]
+   * Plastic strain increment of a step [-].
+   * @param stress von Mises stress of the elastic trial state [Pa]
+   * @param stiffness decrease of this stress per plastic strain [Pa]
    * @param plastic_strain before the step [-]
    * @param plastic_work before the step [J/m^3]
    * @param step [s]
@@ -59,7 +60,7 @@ struct JohnsonCook
                            double plastic_work,
                            double step) const;
 
-  /// @throws InputError, in terms of @p name, unless it melts above T_r
+  /// @throws InputError, naming @p name, unless T_m exceeds T_r
   void check(const std::string &name) const;
 };
 
@@ -95,18 +96,18 @@ inline double plastic_increment(const JohnsonCook &law,
     stress, stiffness, plastic_strain, plastic_work, step);
 }
 
-/// What a metal remembers; zero at the start.
+/// History variables of a metal; initially zero.
 template <typename Number>
 struct MetalState
 {
-  /// The isochoric elastic left Cauchy-Green tensor less the identity [-].
+  /// Isochoric elastic left Cauchy-Green tensor minus the identity [-].
   Symmetric3<Number> elastic{};
-  Number plastic_strain{}; ///< von Mises' equivalent [-]
-  Number plastic_work{};   ///< of undeformed volume [J/m^3]
+  Number plastic_strain{}; ///< von Mises equivalent [-]
+  Number plastic_work{};   ///< per undeformed volume [J/m^3]
 };
 
-/// A third of the trace of the symmetric tensor less the identity that has the
-/// deviator @p d and the determinant 1.
+/// A third of the trace of b - 1 for the symmetric tensor b with deviator @p d
+/// and determinant 1.
 template <typename Number>
 inline DEAL_II_ALWAYS_INLINE Number
 isochoric_third_of_trace(const Symmetric3<Number> &d)
@@ -115,8 +116,8 @@ isochoric_third_of_trace(const Symmetric3<Number> &d)
   const Number j3 = d[0] * (d[1] * d[2] - d[4] * d[4]) -
                     d[3] * (d[3] * d[2] - d[4] * d[5]) +
                     d[5] * (d[3] * d[4] - d[1] * d[5]);
-  // Newton's method goes down to the largest root of
-  // (1 + x)^3 - j2 (1 + x) + j3 = 1 from a bound above it.
+  // Newton's method converges monotonically from an upper bound to the largest
+  // root of (1 + x)^3 - j2 (1 + x) + j3 = 1.
   Number x = std::sqrt(Number(4. / 3.) * j2);
   for (unsigned int i = 0; i < 8; ++i)
   {
@@ -155,10 +156,11 @@ strained_deviator(const Matrix3<Number> &g, const Symmetric3<Number> &e)
 }
 
 /**
- * Strains a metal over a step. Returns the deviator of its stress [Pa].
+ * Elastic-plastic stress update of a step. Returns the deviatoric stress [Pa].
  * @param shear modulus [Pa]
- * @param increment displacement gradient of the step, of the place before it
- * @param step [s]; 0: nothing yields
+ * @param increment displacement gradient of the step with respect to the
+ * position before the step
+ * @param step [s]; 0: no plastic flow
  */
 template <typename Number>
 inline DEAL_II_ALWAYS_INLINE Symmetric3<Number>
@@ -195,7 +197,7 @@ strain_metal(const JohnsonCook &law,
   return result;
 }
 
-/// Energy that shear stores in a metal [J/m^3].
+/// Shear energy stored in a metal [J/m^3].
 template <typename Number>
 inline Number metal_shear_energy(const double shear,
                                  const Symmetric3<Number> &elastic)

@@ -10,20 +10,20 @@
 namespace contrecoup
 {
 /**
- * Checks the constants of a JWL equation of state with B below 0, as fits to
- * unreacted explosives and to some products have it: the sound speed must be
- * real where such a material comes to. These are the relative volumes V from
- * 0.4
- *  - on the isentrope from the Chapman-Jouguet state until its exponentials
- *    have vanished, if the explosive releases energy;
- *  - on the isentrope through V = 1 and 298 K up to V = 1, if it releases none:
- *    the unreacted explosive is compressed.
- * Elsewhere below these isentropes the sound speed may still be imaginary: a
- * run that comes there fails.
+ * Checks the constants of a JWL equation of state with B < 0, as in fits to
+ * unreacted explosives and some products. The sound speed must be real in the
+ * states that such a material reaches, for relative volumes V of at least 0.4:
+ * - if the explosive releases energy: on the isentrope from the
+ *   Chapman-Jouguet state until the exponentials have vanished;
+ * - if it releases none: on the isentrope through V = 1 and 298 K up to V = 1,
+ *   since unreacted explosive is compressed.
  *
- * @param where stands in front of the message
- * @throws InputError that names the first relative volume where it is not, or
- *   when there is no Chapman-Jouguet state. None with B of 0 or above.
+ * Below these isentropes the sound speed may still be imaginary elsewhere; a
+ * run that reaches such a state fails.
+ *
+ * @param where prefix of the message
+ * @throws InputError that names the first relative volume with an imaginary
+ * sound speed, or when there is no Chapman-Jouguet state; never if B >= 0
  */
 void require_real_sound_speed(const JwlParameters &jwl,
                               const std::string &where);

@@ -11,7 +11,7 @@ namespace contrecoup
 struct JwlParameters
 {
   double A = 0.;                 ///< [Pa], not negative
-  double B = 0.;                 ///< [Pa], below 0: see jwl_check.h
+  double B = 0.;                 ///< [Pa], if negative see jwl_check.h
   double R1 = 1.;                ///< [-]
   double R2 = 1.;                ///< [-]
   double omega = 0.;             ///< [-]

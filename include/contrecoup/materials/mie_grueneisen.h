@@ -8,17 +8,18 @@
 namespace contrecoup
 {
 /**
- * Mie-Grueneisen equation of state on a cold curve, driven by data:
+ * Mie-Grueneisen equation of state on a cold curve, with constants set at run
+ * time:
  *
  *   p = p_c(rho, Y) + omega(Y) rho (e - e_c(rho, Y)),
  *   p_c = -p_inf + w (A exp(-R1 V) + B exp(-R2 V)),
  *   e_c = p_inf / rho + w (A/R1 exp(-R1 V) + B/R2 exp(-R2 V)) / rho_0,
  *
- * V = rho_0 / rho. It is the stiffened gas (w = 0), the pure JWL (w = 1), and
- * JWL products of mass fraction Y mixed with air, with
- * w = Y cv_p / (Y cv_p + (1 - Y) cv_a) and omega = omega_a + w (omega_p -
- * omega_a), so that p stays linear in e. As de_c = -p_c d(1/rho), the sound
- * speed at fixed Y, c^2 = dp/drho|_e + p/rho^2 dp/de|_rho, is
+ * with V = rho_0 / rho. It covers the stiffened gas (w = 0), pure JWL (w = 1),
+ * and a mixture of JWL products of mass fraction Y with air, where w = Y cv_p
+ * / (Y cv_p + (1 - Y) cv_a) and omega = omega_a + w (omega_p - omega_a), so
+ * that p is linear in e. Since de_c = -p_c d(1/rho), the sound speed at fixed
+ * Y, c^2 = dp/drho|_e + p/rho^2 dp/de|_rho, is
  *
  *   c^2 = p_c'(rho) + omega (1 + omega) (e - e_c)
  *       = p_c'(rho) + (1 + omega) (p - p_c) / rho.
@@ -40,16 +41,16 @@ public:
                                      double p_infinity,
                                      double gas_constant = 287.05287);
 
-  /// Products alone, whatever Y is.
+  /// Pure products, whatever Y.
   static MieGrueneisen jwl(const JwlParameters &products);
 
-  /// Products mixed with an ideal gas. @p gamma_air and @p gas_constant are
-  /// those of the ideal gas.
+  /// Products mixed with an ideal gas that has @p gamma_air and @p
+  /// gas_constant.
   static MieGrueneisen jwl_in_air(const JwlParameters &products,
                                   double gamma_air = 1.4,
                                   double gas_constant = 287.05287);
 
-  /// Whether the mass fraction of products matters to this gas.
+  /// Whether the state depends on the mass fraction of products.
   bool uses_products() const
   {
     return curve_.uses_products();
@@ -65,7 +66,7 @@ public:
     return pressure_at(cold, internal_energy_density);
   }
 
-  /// Internal energy per volume rho e [J/m^3].
+  /// Internal energy density rho e [J/m^3].
   template <typename Number>
   DEAL_II_ALWAYS_INLINE Number
   internal_energy_density(const Number &density,
@@ -76,7 +77,7 @@ public:
     return energy_density_at(cold, pressure);
   }
 
-  /// Square of the sound speed [m^2/s^2].
+  /// Squared sound speed [m^2/s^2].
   template <typename Number>
   DEAL_II_ALWAYS_INLINE Number sound_speed_squared(const Number &density,
                                                    const Number &pressure,
@@ -86,10 +87,10 @@ public:
     return sound_speed_squared_at(cold, density, pressure);
   }
 
-  /// Lower bound of the admissible rho e [J/m^3]: that of the pure products
-  /// whatever Y is, which keeps the set {rho > 0, rho e > bound} convex in
-  /// (rho, rho u, rho E, rho Y) and lies above the mixture's rho e_c. In air
-  /// below 100 kg/m^3 the difference is less than 2 J/kg.
+  /// Lower bound of the admissible rho e [J/m^3]: that of pure products for
+  /// any Y. This choice keeps the set {rho > 0, rho e > bound} convex in (rho,
+  /// rho u, rho E, rho Y), and the bound lies above rho e_c of the mixture. In
+  /// air below 100 kg/m^3 the difference is less than 2 J/kg.
   template <typename Number>
   DEAL_II_ALWAYS_INLINE Number
   cold_energy_density(const Number &density, const Number & /*products*/) const
@@ -108,7 +109,7 @@ public:
            (density * curve_.specific_heat(products));
   }
 
-  /// Pressure [Pa] and square of the sound speed from density and rho e.
+  /// Pressure [Pa] and squared sound speed from density and rho e.
   template <typename Number>
   DEAL_II_ALWAYS_INLINE void
   pressure_and_sound_speed(const Number &density,
@@ -122,7 +123,7 @@ public:
     sound_speed_squared = sound_speed_squared_at(cold, density, pressure);
   }
 
-  /// rho e [J/m^3] and square of the sound speed from density and pressure.
+  /// rho e [J/m^3] and squared sound speed from density and pressure.
   template <typename Number>
   DEAL_II_ALWAYS_INLINE void
   energy_and_sound_speed(const Number &density,

@@ -9,15 +9,15 @@
 
 namespace contrecoup
 {
-/// Row i, column j: derivative of component i in direction j.
+/// Entry [i][j] of a gradient: derivative of component i in direction j.
 template <typename Number>
 using Matrix3 = std::array<std::array<Number, 3>, 3>;
 
-/// A symmetric matrix: xx, yy, zz, xy, yz, zx.
+/// A symmetric matrix, stored as xx, yy, zz, xy, yz, zx.
 template <typename Number>
 using Symmetric3 = std::array<Number, 6>;
 
-/// a : b of symmetric matrices.
+/// Double contraction a : b of symmetric matrices.
 template <typename Number>
 inline DEAL_II_ALWAYS_INLINE Number contract(const Symmetric3<Number> &a,
                                              const Symmetric3<Number> &b)
@@ -26,7 +26,7 @@ inline DEAL_II_ALWAYS_INLINE Number contract(const Symmetric3<Number> &a,
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + (shear + shear);
 }
 
-/// Cofactors of H: d det(H) / d H.
+/// Cofactor matrix of H, d det(H) / d H.
 template <typename Number>
 inline DEAL_II_ALWAYS_INLINE Matrix3<Number> cofactor(const Matrix3<Number> &h)
 {
@@ -41,7 +41,7 @@ inline DEAL_II_ALWAYS_INLINE Matrix3<Number> cofactor(const Matrix3<Number> &h)
   return c;
 }
 
-/// x^(-1/3) for x from 0.05 to 20, by Newton's method.
+/// x^(-1/3) for 0.05 <= x <= 20, by Newton's method.
 template <typename Number>
 inline DEAL_II_ALWAYS_INLINE Number inverse_cube_root(const Number &x)
 {

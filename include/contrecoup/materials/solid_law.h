@@ -9,31 +9,31 @@
 
 /**
  * @file
- * Stresses of solids from displacement gradients, in the reference
- * configuration: templates on a number or lanes of numbers. Strains are made
- * of the displacement gradient H alone, never of F = I + H, so that small
- * strains keep their digits in single precision.
+ * Stresses of solids as functions of the displacement gradient in the
+ * reference configuration, for a number or lanes. Strains are computed from
+ * the displacement gradient H, never from F = I + H, to avoid cancellation at
+ * small strains in single precision.
  */
 
 namespace contrecoup
 {
-/// What a law needs to know of a material and of a time step.
+/// Material constants and the data of a time step.
 template <typename Number>
 struct SolidLaw
 {
   Number bulk;           ///< K [Pa]
   Number twice_shear;    ///< 2 G_0 [Pa]
   Number twice_relaxing; ///< 2 G_1 [Pa]
-  Number decay_before{}; ///< exp(-dt / (2 tau)), of the last step
-  Number decay_after{};  ///< the same, of the next step
-  /// The time for which the branch relaxes with the present strain, over tau.
+  Number decay_before{}; ///< exp(-dt / (2 tau)) of the last step
+  Number decay_after{};  ///< exp(-dt / (2 tau)) of the next step
+  /// Time over which the branch relaxes at the present strain, over tau.
   Number dissipation_per_strain{};
-  /// Makes the stress of volume other than K (J - 1); elements get the secant
-  /// as K instead, which keeps calls of library functions out of their loops.
+  /// Replaces the volumetric stress K (J - 1). Elements use the secant modulus
+  /// as K instead, which avoids library calls in their loops.
   GasFilling gas;
 };
 
-/// - p for a dilatation J - 1 [Pa].
+/// -p at a dilatation J - 1 [Pa].
 template <typename Number>
 inline DEAL_II_ALWAYS_INLINE Number
 volumetric_stress(const SolidLaw<Number> &law, const Number &dilatation)
@@ -44,7 +44,7 @@ volumetric_stress(const SolidLaw<Number> &law, const Number &dilatation)
          apply([&](const double x) { return law.gas.stress(x); }, dilatation);
 }
 
-/// Its energy [J/m^3].
+/// Energy of volumetric strain [J/m^3].
 template <typename Number>
 inline Number volumetric_energy(const SolidLaw<Number> &law,
                                 const Number &dilatation)
@@ -55,16 +55,16 @@ inline Number volumetric_energy(const SolidLaw<Number> &law,
          apply([&](const double x) { return law.gas.energy(x); }, dilatation);
 }
 
-/// The strain that stresses are made of.
+/// Strain measures of the stress.
 template <typename Number>
 struct SolidStrain
 {
   Number dilatation;          ///< tr H or det F - 1
-  Symmetric3<Number> total;   ///< sym H, or Green's strain E
-  Symmetric3<Number> measure; ///< stress of the shear branch over 2 G_0
+  Symmetric3<Number> total;   ///< sym H, or Green-Lagrange strain E
+  Symmetric3<Number> measure; ///< shear stress over 2 G_0
 };
 
-/// sym H + 1/2 H^T H, the latter unless strains are small.
+/// sym H, plus H^T H / 2 unless strains are small.
 template <bool finite, typename Number>
 inline DEAL_II_ALWAYS_INLINE Symmetric3<Number>
 green_strain(const Matrix3<Number> &h)
@@ -87,7 +87,7 @@ green_strain(const Matrix3<Number> &h)
   return e;
 }
 
-/// det(I + H) - 1 without the digits that subtracting 1 would lose.
+/// det(I + H) - 1, without cancellation.
 template <typename Number>
 inline DEAL_II_ALWAYS_INLINE Number
 finite_dilatation(const Matrix3<Number> &h, const Matrix3<Number> &cofactors)
@@ -113,7 +113,7 @@ deformed_cofactor(const Matrix3<Number> &h, const Matrix3<Number> &cofactors)
   return c;
 }
 
-/// J^(-2/3) C^-1 E', E' the deviator of Green's strain: the second
+/// J^(-2/3) C^-1 E' with the deviator E' of Green-Lagrange strain: second
 /// Piola-Kirchhoff stress of the isochoric neo-Hookean solid over 2 G.
 template <typename Number>
 inline DEAL_II_ALWAYS_INLINE Symmetric3<Number>
@@ -136,7 +136,7 @@ neo_hookean_measure(const Symmetric3<Number> &e,
   const Number root = inverse_cube_root(j);
   const Number factor = root * root / (j * j);
   const Symmetric3<Number> &d = deviator;
-  // The product commutes, hence is symmetric.
+  // The factors commute, so the product is symmetric.
   return {{factor * (a[0] * d[0] + a[3] * d[3] + a[5] * d[5]),
            factor * (a[3] * d[3] + a[1] * d[1] + a[4] * d[4]),
            factor * (a[5] * d[5] + a[4] * d[4] + a[2] * d[2]),
@@ -145,8 +145,8 @@ neo_hookean_measure(const Symmetric3<Number> &e,
            factor * (a[5] * d[0] + a[4] * d[3] + a[2] * d[5])}};
 }
 
-/// The strain of a displacement gradient; @p cofactors are those of H and not
-/// used for small strains.
+/// Strain of a displacement gradient. @param cofactors of H; not used for
+/// small strains
 template <SolidKinematics kinematics, typename Number>
 inline DEAL_II_ALWAYS_INLINE SolidStrain<Number>
 solid_strain(const Matrix3<Number> &h, const Matrix3<Number> &cofactors)
@@ -168,9 +168,9 @@ solid_strain(const Matrix3<Number> &h, const Matrix3<Number> &cofactors)
   return strain;
 }
 
-/// Brings the strain of the relaxing branch from the middle of the last step
-/// to the present, for a measure that is constant around it: of second order,
-/// and exact for sudden strains.
+/// Advances the relaxed strain from the middle of the last step to the
+/// present, for a constant strain measure: second order, and exact for step
+/// changes of strain.
 template <typename Number>
 inline DEAL_II_ALWAYS_INLINE Symmetric3<Number>
 relax(const Symmetric3<Number> &relaxed,
@@ -185,8 +185,8 @@ relax(const Symmetric3<Number> &relaxed,
 
 /**
  * First Piola-Kirchhoff stress [Pa].
- * @param volumetric the stress of volume, less bulk viscosity
- * @param shear the stress 2 G_0 measure - 2 G_1 relaxed
+ * @param volumetric volumetric stress, minus the bulk viscosity pressure
+ * @param shear 2 G_0 measure - 2 G_1 relaxed
  */
 template <SolidKinematics kinematics, typename Number>
 inline DEAL_II_ALWAYS_INLINE Matrix3<Number>
@@ -215,7 +215,7 @@ piola_stress(const Matrix3<Number> &h,
   return p;
 }
 
-/// Energy that strains store, with the branch at @p relaxed [J/m^3].
+/// Strain energy density with the relaxed strain @p relaxed [J/m^3].
 template <SolidKinematics kinematics, typename Number>
 inline Number stored_energy(const SolidLaw<Number> &law,
                             const SolidStrain<Number> &strain,

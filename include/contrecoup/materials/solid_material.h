@@ -12,64 +12,62 @@
 
 namespace contrecoup
 {
-/// How strains are measured and stresses turned.
+/// Kinematics of solids: strain measure and rotation of stresses.
 enum class SolidKinematics
 {
-  small_strain,    ///< linear in the displacements; no rotations
-  finite_rotation, ///< Green's strain: small strains, any rotation
-  neo_hookean      ///< large strains and any rotation
+  small_strain,    ///< linear in displacement; no rotations
+  finite_rotation, ///< Green-Lagrange strain: small strains, any rotation
+  neo_hookean      ///< large strains, any rotation
 };
 
-/// Their words in parameter files, in the order of the enumeration.
+/// Names of the kinematics in parameter files, in the order of the
+/// enumeration.
 const std::vector<std::string> &solid_kinematics_names();
 
-/// @throws InputError with the nearest word
+/// @throws InputError that suggests the nearest name
 SolidKinematics find_solid_kinematics(const std::string &name);
 
-/**
- * An isotropic solid, elastic in volume and viscoelastic in shear with one
- * branch that relaxes: G(t) = G_0 - G_1 (1 - exp(-t / tau)).
- */
+/// An isotropic solid: elastic in volume, viscoelastic in shear with one Prony
+/// branch, G(t) = G_0 - G_1 (1 - exp(-t / tau)).
 struct SolidMaterial
 {
   double density = 1000.;          ///< [kg/m^3]
   double bulk_modulus = 1e9;       ///< K [Pa]
   double instantaneous_shear = 0.; ///< G_0 [Pa]
-  double relaxing_shear = 0.;      ///< G_1 [Pa], of the branch; 0: elastic
+  double relaxing_shear = 0.;      ///< G_1 [Pa]; 0: elastic
   double relaxation_time = 1.;     ///< tau [s]
-  GasFilling gas;                  ///< with some, K is that of small strains
+  GasFilling gas; ///< if any, K is the modulus at small strains
 
-  /// Whether it remembers its strains.
+  /// Whether elements store relaxed strains.
   bool is_viscoelastic() const
   {
     return relaxing_shear > 0.;
   }
 
-  /// G(t) [Pa] at a time after a sudden strain [s].
+  /// G(t) [Pa] at a time after a step in strain [s].
   double relaxation_modulus(double time) const;
 
-  /// G*(omega) [Pa] at an angular frequency [rad/s].
+  /// Complex modulus G*(omega) [Pa] at an angular frequency [rad/s].
   std::complex<double> dynamic_shear(double angular_frequency) const;
 
-  /// - dp/dJ over K: what stiffness of volume a dilatation leaves or makes.
+  /// -dp/dJ over K at a dilatation: stiffening or softening in volume.
   double stiffening(double dilatation) const;
 
-  /// sqrt((K + 4/3 G_0) / rho) [m/s].
+  /// P-wave speed sqrt((K + 4/3 G_0) / rho) [m/s].
   double dilatational_speed() const;
 
-  /// sqrt(G_0 / rho) [m/s].
+  /// Shear wave speed sqrt(G_0 / rho) [m/s].
   double shear_speed() const;
 
-  /// @throws InputError, in terms of @p name, unless density and bulk modulus
-  /// are positive and 0 <= G_1 <= G_0
+  /// @throws InputError, naming @p name, unless density and bulk modulus are
+  /// positive and 0 <= G_1 <= G_0
   void check(const std::string &name) const;
 };
 
 /**
- * The solid of a tissue.
- * @param g1_is_long_term reads the number that a source calls G_1 as the
- *   modulus that is left in the end, where the library took it for the branch
- *   that relaxes
+ * The solid material of a tissue.
+ * @param g1_is_long_term takes the modulus G_1 of the source as the long-term
+ * modulus instead of the relaxing part
  */
 SolidMaterial solid_material(const TissueProperties &tissue,
                              bool g1_is_long_term = false);

@@ -11,17 +11,17 @@
 namespace contrecoup
 {
 /**
- * Tait's liquid, whose pressure depends on density alone:
+ * Tait liquid; its pressure depends on density only:
  *
  *   p = B ((rho / rho_0)^n - 1),   B = K_0 / n,
  *
- * so that K_0 is the bulk modulus at rest. Below the density at which p falls
- * to the least pressure p_c the liquid cavitates: p stays there. The stored
- * energy is the integral of p / rho^2 on both sides, so that it can be
- * recovered; energy beyond it is heat and makes no pressure. Cole (1948),
- * Underwater Explosions, gives n = 7.15 for water.
+ * so that K_0 is the bulk modulus at zero pressure. Below the density at which
+ * p falls to the least pressure p_c the liquid cavitates, and p stays at p_c.
+ * The stored energy is the integral of p / rho^2 in both ranges, so that it is
+ * recoverable; internal energy beyond it is heat and does not affect the
+ * pressure. Cole (1948), Underwater Explosions, gives n = 7.15 for water.
  *
- * Arguments are as in IdealGas; internal energy and products are not used.
+ * Arguments are as in IdealGas; internal energy and products are ignored.
  */
 class Tait
 {
@@ -32,8 +32,8 @@ public:
   /// @param bulk_modulus K_0 [Pa]
   /// @param exponent n [-], above 1
   /// @param least_pressure p_c [Pa], at most 0; minus infinity: the liquid
-  ///   bears any tension
-  /// @throws InputError for constants without a physical meaning
+  /// sustains any tension
+  /// @throws InputError for unphysical constants
   Tait(double density,
        double bulk_modulus,
        double exponent = 7.15,
@@ -44,7 +44,7 @@ public:
     return density_;
   }
 
-  /// Density at which the liquid begins to cavitate [kg/m^3]; 0: it does not.
+  /// Density at which cavitation begins [kg/m^3]; 0: no cavitation.
   double cavitation_density() const
   {
     return cavitation_density_;
@@ -61,8 +61,8 @@ public:
       density, Number(cavitation_density_), Number(least_pressure_), liquid);
   }
 
-  /// Pressure [Pa] and square of the sound speed [m^2/s^2]; where the liquid
-  /// cavitates, that of the liquid that remains.
+  /// Pressure [Pa] and squared sound speed [m^2/s^2]; in a cavitating liquid,
+  /// the sound speed of the remaining liquid.
   template <typename Number>
   DEAL_II_ALWAYS_INLINE void
   pressure_and_sound_speed(const Number &density,
@@ -79,7 +79,7 @@ public:
     sound_speed_squared = ratio * (factor_ * exponent_) / liquid_density;
   }
 
-  /// Energy that compression or tension stores [J/kg].
+  /// Specific energy stored by compression or tension [J/kg].
   template <typename Number>
   Number stored_energy(const Number &density) const
   {
@@ -98,13 +98,13 @@ public:
     return liquid + select_less(density, floor, void_energy, Number(0.));
   }
 
-  /// Density at which the liquid has this pressure [kg/m^3].
+  /// Density of the liquid at a pressure [kg/m^3].
   double density_at(const double pressure) const
   {
     return density_ * std::pow(1. + pressure / factor_, 1. / exponent_);
   }
 
-  /// Part of the volume that is void [-].
+  /// Void fraction of the volume [-].
   double void_fraction(double density) const;
 
 private:

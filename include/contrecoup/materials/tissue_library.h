@@ -12,8 +12,9 @@
 namespace contrecoup
 {
 /**
- * A tissue as an isotropic solid, viscoelastic in shear:
- * G(t) = G_inf + (G_0 - G_inf) exp(-t / tau). Elastic ones have G_inf = G_0.
+ * Properties of a tissue, an isotropic solid that is viscoelastic in shear:
+ * G(t) = G_inf + (G_0 - G_inf) exp(-t / tau). Elastic tissues have G_inf =
+ * G_0.
  */
 struct TissueProperties
 {
@@ -24,29 +25,29 @@ struct TissueProperties
   double long_term_shear;     ///< G_inf [Pa]
   double relaxation_time;     ///< tau [s]; 0 for elastic tissues
   std::string source;
-  GasFilling gas = {}; ///< the lung of the physiological set has some
+  GasFilling gas = {}; ///< in the lung of the physiological set
 
-  /// Speed of dilatational waves, sqrt((K + 4/3 G_0) / rho) [m/s].
+  /// P-wave speed sqrt((K + 4/3 G_0) / rho) [m/s].
   double dilatational_speed() const;
 
-  /// Speed of shear waves, sqrt(G_0 / rho) [m/s].
+  /// Shear wave speed sqrt(G_0 / rho) [m/s].
   double shear_speed() const;
 };
 
-/// Names of the sets of properties: "paper" is table 1 of Tan, Saunders and
-/// Bagchi (COUPLED PROBLEMS 2017), "physiological" has the wave speeds that
-/// were measured on tissue. Figures of the second set were recalled, and
-/// their originals not seen; each source says so.
+/// Names of the property sets: "paper" is table 1 of Tan, Saunders and Bagchi
+/// (COUPLED PROBLEMS 2017); "physiological" has wave speeds measured on
+/// tissue. Values of the second set are recalled, without access to the
+/// originals; each source says so.
 const std::vector<std::string> &tissue_set_names();
 
 /**
- * The properties of a tissue.
+ * Properties of a tissue.
  *
  * The paper gives "G0 = 49 kPa, G1 = 33 kPa, tau = 6 ms" for the brain; G1 is
- * taken for the branch that relaxes, so that G_inf = 16 kPa. It has neither
- * fluid (the brain's properties stand for it, as in the paper), nor skin,
- * heart and liver (its soft tissue), nor the materials of surrogates, which
- * are the same in all sets.
+ * taken as the relaxing part, so that G_inf = 16 kPa. The paper has no
+ * cerebrospinal fluid (its brain properties are used, as in the paper), and no
+ * skin, heart and liver (its soft tissue is used). Surrogate materials are the
+ * same in all sets.
  * @throws InputError for an unknown set or a tissue without properties
  */
 const TissueProperties &find_tissue_properties(const std::string &set,

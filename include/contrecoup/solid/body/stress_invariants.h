@@ -6,7 +6,8 @@
 #include <contrecoup/materials/small_matrix.h>
 
 /**
- * @file Invariants of stress and strain for reports.
+ * @file
+ * Invariants of stress and strain for reports.
  */
 
 namespace contrecoup::solid

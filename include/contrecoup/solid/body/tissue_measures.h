@@ -12,7 +12,8 @@
 #include <vector>
 
 /**
- * @file Helper functions for measures of tissues.
+ * @file
+ * Helper functions for measures of tissues.
  */
 
 namespace contrecoup::solid

@@ -14,7 +14,8 @@
 #include <vector>
 
 /**
- * @file Head injury measures and their thresholds, for all solvers.
+ * @file
+ * Head injury measures and their thresholds, for all solvers.
  */
 
 namespace contrecoup::solid

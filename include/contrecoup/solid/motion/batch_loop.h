@@ -8,7 +8,8 @@
 #include <algorithm>
 
 /**
- * @file The element loop shared by the sources of SolidOperator.
+ * @file
+ * The element loop shared by the sources of SolidOperator.
  */
 
 namespace contrecoup::solid
