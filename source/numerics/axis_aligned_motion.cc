@@ -13,8 +13,8 @@ namespace
   using dealii::Tensor;
   using dealii::numbers::PI;
 
-  /// The derivative of the Piola stress along an axis by its stretch @p a,
-  /// where the other axis in the plane is stretched by @p b.
+  /// Derivative of the Piola stress along an axis with respect to its stretch
+  /// @p a. @param b stretch of the other in-plane axis
   double stiffness(const NeoHookean &solid, const double a, const double b)
   {
     const double j = a * b;
@@ -65,8 +65,8 @@ Tensor<1, 2> AxisAlignedMotion::stretches(const Point<2> &start,
 Tensor<1, 2> AxisAlignedMotion::body_force(const Point<2> &start,
                                            const double time) const
 {
-  // The acceleration of a displacement u is -(c pi)^2 u, and the stretch along
-  // an axis changes along it by -pi^2 u.
+  // The acceleration of u is -(c pi)^2 u; the derivative of the stretch along
+  // its axis is -pi^2 u.
   const Tensor<1, 2> stretch = stretches(start, time);
   const Tensor<1, 2> u = position(start, time) - start;
   Tensor<1, 2> result;

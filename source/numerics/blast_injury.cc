@@ -13,7 +13,7 @@ double lung_median_lethal_overpressure(const double duration,
 {
   const double psi = 6894.757;
   const double sea_level = 101325.;
-  // In milliseconds, of a body of 70 kg at sea level.
+  // In milliseconds, scaled to a body of 70 kg at sea level.
   const double scaled = 1e3 * duration * std::cbrt(70. / mass) *
                         std::sqrt(ambient_pressure / sea_level);
   return 61.5 * psi * (1. + 6.76 * std::pow(scaled, -1.064)) *

@@ -28,7 +28,7 @@ namespace
 
   double lung_pressure(const double displacement, const double ambient)
   {
-    // A trial step may go too far.
+    // A trial step may overshoot.
     const double least = 1e-3 * lung_volume;
     const double left = std::max(lung_volume - area * displacement, least);
     return ambient * std::pow(lung_volume / left, gamma);

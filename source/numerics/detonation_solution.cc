@@ -14,8 +14,8 @@ namespace contrecoup
 {
 namespace
 {
-  /// The products on the isentrope through one state: there the pressure
-  /// above the cold curve is proportional to rho^(1 + omega).
+  /// Isentrope of the products through one state: the pressure above the cold
+  /// curve is proportional to rho^(1 + omega).
   class Isentrope
   {
   public:
@@ -57,7 +57,7 @@ namespace
     return {{a[0] + factor * b[0], a[1] + factor * b[1]}};
   }
 
-  /// Derivatives by ln u.
+  /// Derivatives with respect to ln u.
   Values slope(const Isentrope &isentrope,
                const unsigned int exponent,
                const double velocity,
@@ -86,7 +86,7 @@ DetonationSolution::DetonationSolution(const unsigned int dimension,
   const unsigned int exponent = dimension - 1;
   const Isentrope isentrope(jwl, front_.density, front_.pressure);
 
-  // Down to a velocity that is none, in equal ratios.
+  // Integrate in ln u down to a negligible velocity.
   const unsigned int n_steps = 6000;
   const double smallest = 1e-12;
   const double step = std::log(smallest) / n_steps;

@@ -58,8 +58,8 @@ double ExactRiemann::velocity_excess(const double pressure) const
 
 void ExactRiemann::find_star_pressure()
 {
-  // The excess falls with the pressure. Search in the logarithm of the
-  // pressure above the lowest one, starting from the given pressures.
+  // The excess decreases with pressure. Search in the logarithm of pressure
+  // above the lowest one, starting from the given pressures.
   const double floor =
     std::max(left_wave_.lowest_pressure(), right_wave_.lowest_pressure());
   const auto excess = [&](const double logarithm) {

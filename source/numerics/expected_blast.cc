@@ -11,8 +11,8 @@ namespace
 {
   constexpr double gamma = PointSourceSolution::gamma;
 
-  /// Heat capacity at constant volume times temperature, over the gas
-  /// constant [K]: molecules that turn, and those that also vibrate.
+  /// Heat capacity at constant volume times temperature, over the gas constant
+  /// [K]: rotation, and vibration of molecules.
   double energy_of_air(const double temperature)
   {
     const auto oscillator = [&](const double characteristic) {
@@ -54,7 +54,7 @@ double ExpectedBlast::overpressure(const double distance) const
 
 double ExpectedBlast::radius(const double time) const
 {
-  // No shock is slower than sound, so this is between the first guesses.
+  // No shock is slower than sound, so the initial bounds enclose the root.
   double low = 0., high = source_.smallest_radius();
   while (arrival(high) < time)
     high *= 2.;
@@ -80,14 +80,14 @@ double excess_pressure_of_perfect_air(const double overpressure,
                                       const double pressure,
                                       const double density)
 {
-  // Gas constant of air over its molar mass [J/(kg K)].
+  // Specific gas constant of air [J/(kg K)].
   constexpr double gas_constant = 287.05;
   const double ratio = 1. + overpressure / pressure;
   const double limit = (gamma + 1.) / (gamma - 1.);
   const double compression = (1. + limit * ratio) / (limit + ratio);
   const double ambient = pressure / (density * gas_constant);
   const double temperature = ambient * ratio / compression;
-  // The vibrations of the gas ahead are part of its energy already.
+  // The vibrational energy of the gas ahead counts as well.
   const double energy =
     2.5 * temperature + energy_of_air(ambient) - 2.5 * ambient;
   double low = 0., high = temperature * 1.01;

@@ -58,7 +58,7 @@ double FluidFilledShell::dent(const unsigned int l) const
 double FluidFilledShell::pressure(const double distance,
                                   const double cosine) const
 {
-  // Even ones are alike on both sides. They fall like 1 / l^4.
+  // Even terms are equal on both sides and cancel. Terms decay like 1 / l^4.
   constexpr unsigned int largest = 199;
   const double part = distance / fluid_radius;
   double sum = part * cosine;

@@ -50,7 +50,7 @@ Friedlander friedlander_pulse(const double arrival,
   const double wanted = impulse / (peak * duration);
   if (wanted >= 0.5)
     return {arrival, peak, 2. * impulse / peak, 0.};
-  // Falls with the decay, and is below 1 / decay.
+  // The relative impulse decreases with decay, and is below 1 / decay.
   double low = 0., high = 1. / wanted;
   for (unsigned int i = 0; i < 60; ++i)
   {

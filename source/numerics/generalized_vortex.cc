@@ -13,7 +13,7 @@ namespace
   using dealii::Tensor;
   using dealii::numbers::PI;
 
-  /// A vector that is turned by a quarter against the clock.
+  /// Rotates a vector by 90 degrees counterclockwise.
   Tensor<1, 2> turned(const Tensor<1, 2> &v)
   {
     Tensor<1, 2> result;
@@ -85,7 +85,8 @@ Tensor<1, 2> GeneralizedVortex::body_force(const Point<2> &start,
   const double rate = angle * w * std::cos(w * time) * h[0];
   const double k = radius * part * h[1];
   const double k_slope = part * (h[1] + radius * h[2]);
-  // Along the radius s_rr' + (s_rr - s_tt) / r, around s_rt' + 2 s_rt / r.
+  // Divergence of stress: radial s_rr' + (s_rr - s_tt) / r, tangential s_rt' +
+  // 2 s_rt / r.
   const double g = solid.shear / solid.density;
   double along = -g * k * k / radius;
   if (solid.form == NeoHookeanForm::split)

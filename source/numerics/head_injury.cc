@@ -41,7 +41,7 @@ namespace
   }
 
 
-  /// Integrals from the first time to each [m/s].
+  /// Integrals from the first time to each time [m/s].
   std::vector<double> integrals(const std::vector<double> &times,
                                 const std::vector<double> &values)
   {
@@ -54,7 +54,7 @@ namespace
   }
 
 
-  /// Of the speed gained until each time [m/s].
+  /// HIC from the speed gained until each time [m/s].
   HeadInjuryCriterion criterion_of(const std::vector<double> &times,
                                    const std::vector<double> &speed,
                                    const double longest)
@@ -64,7 +64,7 @@ namespace
       for (std::size_t j = i + 1; j < times.size(); ++j)
       {
         const double duration = times[j] - times[i];
-        // Round-off of times must not shorten the longest pair.
+        // Round-off of times must not exclude the longest interval.
         if (duration > longest * (1. + 1e-9))
           break;
         const double mean =

@@ -23,7 +23,7 @@ struct KingeryBulmash::Piece
 struct KingeryBulmash::Set
 {
   std::string name;
-  bool is_decimal; ///< logarithms to base 10, else natural ones
+  bool is_decimal; ///< base 10, else natural logarithms
   std::vector<Piece> pieces;
 };
 
@@ -138,7 +138,7 @@ const std::vector<KingeryBulmash::Set> KingeryBulmash::tables = {
 
 namespace
 {
-  /// SI units in one unit of the table.
+  /// Factor from the table's unit to SI.
   double unit(const BlastQuantity quantity)
   {
     switch (quantity)
@@ -155,8 +155,7 @@ namespace
     }
   }
 
-  /// Whether a quantity grows with the size of the charge at one scaled
-  /// distance.
+  /// Whether a quantity at a given scaled distance grows with the charge.
   bool is_scaled(const BlastQuantity quantity)
   {
     return quantity == BlastQuantity::impulse ||

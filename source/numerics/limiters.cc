@@ -12,7 +12,7 @@ namespace contrecoup
 {
 namespace
 {
-  /// Position of @p name among @p names.
+  /// Index of @p name in @p names.
   std::size_t position(const std::string &name,
                        const std::vector<std::string> &names,
                        const std::string &kind)

@@ -13,7 +13,7 @@ namespace
 {
   constexpr double sea_level = 101325.; // Pa
 
-  /// Part of its peak at which a wave counts as arrived.
+  /// Fraction of its peak at which a wave counts as arrived.
   constexpr double arrived = 0.05;
 
   double peak_of(const std::vector<double> &overpressures)

@@ -36,7 +36,7 @@ namespace
     return matrix;
   }
 
-  /// Orthonormal Legendre polynomials on [0, 1] of degree 0 to n - 1.
+  /// Orthonormal Legendre polynomials on [0, 1], degrees 0 to n - 1.
   std::vector<double> legendre_values(const unsigned int n, const double x)
   {
     const double z = 2. * x - 1.;
@@ -51,7 +51,7 @@ namespace
     return values;
   }
 
-  /// M(i, j) = int l_i l_j over [0, 1], exactly.
+  /// Exact mass matrix, M(i, j) = int l_i l_j over [0, 1].
   Matrix mass_matrix(const LobattoBasis &basis)
   {
     const unsigned int n = basis.n_points();

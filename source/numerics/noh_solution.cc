@@ -40,7 +40,7 @@ RadialState NohSolution::value(const double radius, const double time) const
             0.5 * (gamma_ - 1.) * density_ * speed_ * speed_ *
               std::pow(compression, dimension_)};
 
-  // The mass that stood at radius + speed * time is now in a thinner shell.
+  // Mass from radius + speed * time has converged to a thinner shell.
   const double convergence = (radius > 0.) ? 1. + speed_ * time / radius : 1.;
   return {density_ * std::pow(convergence, dimension_ - 1.), -speed_, 0.};
 }

@@ -14,9 +14,9 @@ namespace contrecoup
 {
 namespace
 {
-  /// One row, in logarithms: scaled radius x = ln(R / length), overpressure
-  /// ratio y = ln(p / p_0 - 1), lead over the sound z = ln((R - c_0 t) /
-  /// length), and the derivatives of y and z to x.
+  /// A table row, in logarithms: scaled radius x = ln(R / length),
+  /// overpressure ratio y = ln(p / p_0 - 1), lead over sound z = ln((R - c_0
+  /// t) / length), and the derivatives of y and z with respect to x.
   struct Row
   {
     double x, y, dy, z, dz;
@@ -70,7 +70,7 @@ namespace
   }};
 
 
-  /// Cubic Hermite polynomial through two values and slopes.
+  /// Cubic Hermite interpolation.
   double interpolate(const double x,
                      const double x0,
                      const double y0,
@@ -85,7 +85,7 @@ namespace
   }
 
 
-  /// The row at or below the scaled radius exp(@p x).
+  /// Row at or below the scaled radius exp(@p x).
   const Row *row_below(const double x)
   {
     constexpr double round_off = 1e-9;

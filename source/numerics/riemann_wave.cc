@@ -19,7 +19,7 @@ namespace
   constexpr double step_size = 0.01;           // in log(density)
   constexpr double depth = 13.815510557964274; // log(1e6)
 
-  /// Root of @p f between @p a and @p b, to the last bits.
+  /// Root of @p f in [@p a, @p b], to round-off.
   template <typename Function>
   double root(const Function &f, const double a, const double b)
   {
@@ -173,9 +173,9 @@ double RiemannWave::shocked_volume(const double pressure) const
            energy - 0.5 * (pressure + ahead_.pressure) * (volume - v);
   };
 
-  // The Hugoniot curve is the first root when the gas is compressed.
+  // Searching in compression, the first root is on the Hugoniot curve.
   double larger = volume;
-  if (excess(larger) <= 0.) // weaker than rounding
+  if (excess(larger) <= 0.) // jump below round-off
     return larger;
   for (unsigned int i = 0; i < 1000; ++i)
   {
@@ -210,7 +210,7 @@ double RiemannWave::head_speed(const double pressure) const
 {
   if (pressure <= ahead_.pressure)
     return characteristic_speed(isentrope_.front());
-  // Mass flux through the shock over the density ahead of it.
+  // Mass flux through the shock over the density ahead.
   const double volume = shocked_volume(pressure);
   return ahead_.velocity + sign_ / ahead_.density *
                              std::sqrt((pressure - ahead_.pressure) /

@@ -14,7 +14,7 @@ namespace
 {
   using dealii::numbers::PI;
 
-  /// Spherical Bessel function j_1; that of the library takes microseconds.
+  /// Spherical Bessel function j_1; faster than the library's.
   double bessel(const double x)
   {
     if (x < 1e-3)
@@ -22,7 +22,7 @@ namespace
     return (std::sin(x) / x - std::cos(x)) / x;
   }
 
-  /// d j_1 / d x.
+  /// Derivative of j_1.
   double bessel_slope(const double x)
   {
     return std::sin(x) / x - 2. / x * bessel(x);
@@ -49,8 +49,8 @@ RigidSphereSolution::RigidSphereSolution(const RigidSphere &sphere,
 
 double RigidSphereSolution::response(const double root, const double time) const
 {
-  // sin(o s) sin(w (t - s)) is half of cos(o s - w (t - s)) - cos(o s + w (t -
-  // s)), with o of the deceleration and w of the mode.
+  // sin(o s) sin(w (t - s)) = [cos(o s - w (t - s)) - cos(o s + w (t - s))] /
+  // 2, with the frequencies o of the deceleration and w of the mode.
   const double w = root * sphere_.sound_speed / sphere_.radius;
   const double o = PI / sphere_.duration;
   const double end = std::min(time, sphere_.duration);

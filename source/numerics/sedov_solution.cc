@@ -15,8 +15,8 @@ namespace contrecoup
 {
 namespace
 {
-  /// The exponents a_4 and a_5 have a pole at gamma = 2, which cancels in the
-  /// density but must not be hit.
+  /// Keeps off gamma = 2, a pole of the exponents a_4 and a_5 that cancels in
+  /// the density.
   double keep_off_pole(const double gamma)
   {
     constexpr double distance = 1e-6;
@@ -96,7 +96,7 @@ RadialState SedovSolution::value(const double radius, const double time) const
   if (position > 1.)
     return {density_, 0., 0.};
 
-  // Below this position the profile is that of the centre to round-off.
+  // At smaller positions the profile equals that of the centre to round-off.
   const double log_target = std::log(std::max(position, 1e-12));
   const double highest = std::log(depth_at_shock_);
   double lowest = highest - 1.;
@@ -137,7 +137,7 @@ SedovSolution::Profile SedovSolution::profile(const double depth) const
     std::pow(x1, -a0_) * std::pow(x2, -a2_) * std::pow(x3, -a1_);
   result.velocity = x1 * result.position;
 
-  // Summed as logarithms: the pole of a_4 and a_5 cancels before exp().
+  // The pole of a_4 and a_5 cancels in the sum of logarithms.
   const double common = a4_ * std::log(x3) + a5_ * std::log(x4);
   result.density = std::exp(a3_ * std::log(x2) + common);
   result.pressure = std::exp(a0_ * dimension_ * std::log(x1) -
@@ -168,8 +168,8 @@ double SedovSolution::compute_alpha() const
   const double sphere =
     (dimension_ == 1.) ? 1. : (dimension_ == 2. ? 2. * pi : 4. * pi);
 
-  // Energy of the profile, over d(log position). In the variable s, depth =
-  // depth_at_shock s^m, the integrand is smooth enough at the centre.
+  // Energy of the profile, integrated over d(log position). With depth =
+  // depth_at_shock s^m the integrand is smooth in s at the centre.
   const double m = -4. / (dimension_ * a2_);
   const auto integrand = [&](const double s) {
     const double depth = depth_at_shock_ * std::pow(s, m);

@@ -12,7 +12,7 @@ namespace contrecoup
 {
 namespace
 {
-  /// The cardinal B-spline of this degree, centred, by Cox and de Boor.
+  /// Centred cardinal B-spline, by the Cox-de Boor recursion.
   double spline(const unsigned int degree, const double x)
   {
     if (degree == 0)
@@ -44,8 +44,8 @@ double SplineDispersion::mass(const double phase) const
 
 double SplineDispersion::stiffness(const double phase) const
 {
-  // The second derivative of a spline is the second difference of that of two
-  // degrees less, whose symbol is a factor.
+  // The second derivative of a spline is the second difference of the spline
+  // of two degrees less, a factor in its symbol.
   const unsigned int n = 2 * degree_ - 1;
   double sum = spline(n, 0.);
   for (unsigned int j = 1; j < degree_; ++j)

@@ -14,7 +14,7 @@ using boost::math::double_constants::pi;
 VortexSolution::State
 VortexSolution::value(const double x, const double y, const double time) const
 {
-  // In units of the core radius, folded into the box around the core.
+  // In core radii, mapped to the periodic box around the core.
   const auto offset = [&](const double position, const unsigned int i) {
     return std::remainder(position - center[i] - velocity[i] * time, period) /
            radius;

@@ -8,13 +8,13 @@
 namespace contrecoup
 {
 /**
- * Hourglass forces on @p q in the frame of a brick's edges, by the strains of
- * bending without change of volume and of torsion: bending along an edge costs
- * 3 G of it (Young's modulus of an incompressible solid), twisting shears by
- * sums of two modes, and neither has the parasitic shear of the displacements.
- * After Belytschko and Bindeman 1993 (quintessential bending).
+ * Hourglass forces on the hourglass modes @p q in the axes of a brick, from
+ * assumed strains after Belytschko and Bindeman 1993 (quintessential bending):
+ * isochoric bending and torsion. Bending along an edge has the modulus 3 G
+ * (Young's modulus of an incompressible solid), torsion is shear by sums of
+ * two modes, and neither has parasitic shear.
  * @param shear G times the coefficient [Pa]
- * @param half halves of the edges [m]
+ * @param half half edge lengths [m]
  */
 template <typename Number>
 inline DEAL_II_ALWAYS_INLINE std::array<Vector3<Number>, 4>
@@ -23,7 +23,7 @@ brick_forces(const Number &shear,
              const std::array<Vector3<Number>, 4> &q)
 {
   const Number volume = Number(8.) * half[0] * half[1] * half[2];
-  // Means of eta^2 and (eta zeta)^2, and the 8 of modes twice.
+  // Means of eta^2 and (eta zeta)^2, and the factor 8 of modes twice.
   const Number third = volume * shear * Number(1. / 3. / 64.);
   Vector3<Number> inverse;
   for (unsigned int d = 0; d < 3; ++d)
@@ -33,12 +33,12 @@ brick_forces(const Number &shear,
   {
     const unsigned int e = (d + 1) % 3, f = (d + 2) % 3;
     const Number stretch = Number(3.) * third * inverse[d] * inverse[d];
-    // Component d bends in the modes of the two planes that hold edge d.
+    // Component d bends in the modes of the two planes that contain edge d.
     force[e][d] = stretch * q[e][d];
     force[f][d] = stretch * q[f][d];
     force[3][d] = Number(1. / 3.) * stretch * q[3][d];
   }
-  Vector3<Number> twist; // of the shears in planes (d, e), along edge f
+  Vector3<Number> twist; // from the shears in planes (d, e), along edge f
   for (unsigned int d = 0; d < 3; ++d)
   {
     const unsigned int e = (d + 1) % 3;
@@ -52,8 +52,8 @@ brick_forces(const Number &shear,
   return force;
 }
 
-/// The axes along the edges of a brick that is next to the hexahedron, as
-/// rows, and halves of its edges [m].
+/// Axes along the edges of the brick that best fits a hexahedron, as rows, and
+/// half edge lengths [m].
 template <typename Number>
 struct HexFrame
 {
@@ -61,7 +61,7 @@ struct HexFrame
   Vector3<Number> half;
 };
 
-/// The frame of a hexahedron whose corners have the modes @p x.
+/// Frame of a hexahedron with corner modes @p x.
 template <typename Number>
 inline HexFrame<Number> hex_frame(const HexVectors<Number> &x)
 {
@@ -83,9 +83,10 @@ inline HexFrame<Number> hex_frame(const HexVectors<Number> &x)
 }
 
 /**
- * Hourglass forces by assumed strains on modes @p q of the deformed body,
- * which are turned back by F = I + @p h into the frame; adds to @p stress
- * what the turning does to the energy, and gives the latter [J].
+ * Hourglass forces by assumed strains on the hourglass modes @p q of the
+ * deformed body, which F = I + @p h pulls back into the frame. Adds the
+ * derivative of the energy with respect to F to @p stress, and returns the
+ * energy [J].
  */
 template <typename Number>
 inline std::array<Vector3<Number>, 4>

@@ -8,30 +8,30 @@
 
 namespace contrecoup
 {
-/// How a chest moved under a blast.
+/// Largest motion and pressure of a chest under a blast.
 struct ChestWallResponse
 {
   double velocity = 0.;      ///< largest, inward [m/s]
   double displacement = 0.;  ///< largest, inward [m]
-  double lung_pressure = 0.; ///< largest, above the ambient one [Pa]
+  double lung_pressure = 0.; ///< largest, above ambient [Pa]
 };
 
 /**
- * The chest wall of a man of 70 kg as a mass on a spring and a damper before a
- * gas-filled lung:
+ * Response of the chest wall of a 70 kg man, a mass on a spring and a damper
+ * in front of a gas-filled lung:
  *
  *   M x'' + J x' + K x = A (p(t) + p0 - p0 (V / (V - A x))^gamma)
  *
- * with the inward displacement x, the overpressure p on the chest, M = 2.03 kg,
- * J = 696 kg/s, K = 989 N/m, A = 0.082 m^2, V = 1.82e-3 m^3, gamma = 1.2
- * (H. Axelsson and J. T. Yelverton, J. Trauma 40 (1996) S31-S37; their model
- * has one such wall for each of the loads on four sides of a trunk).
+ * with inward displacement x, overpressure p on the chest, M = 2.03 kg, J =
+ * 696 kg/s, K = 989 N/m, A = 0.082 m^2, V = 1.82e-3 m^3, gamma = 1.2 (H.
+ * Axelsson and J. T. Yelverton, J. Trauma 40 (1996) S31-S37; their model has
+ * one such wall for each of the loads on four sides of a trunk).
  *
  * @param times increasing [s]
- * @param overpressures at these times, straight between them [Pa]
+ * @param overpressures at these times, linear in between [Pa]
  * @param ambient_pressure p0 [Pa]
- * @throws InputError for times that do not increase, or as many overpressures
- * as times are missing
+ * @throws InputError for times that do not increase, or when numbers of times
+ * and overpressures differ
  */
 ChestWallResponse chest_wall_response(const std::vector<double> &times,
                                       const std::vector<double> &overpressures,
@@ -39,13 +39,13 @@ ChestWallResponse chest_wall_response(const std::vector<double> &times,
 
 /**
  * Adjusted severity of injury index of the thorax [-], (0.124 + 0.117 v)^2.63,
- * of the mean over the sides of a trunk of the largest inward chest wall
- * velocity v [m/s] (Axelsson and Yelverton 1996; fitted to sheep).
+ * where v is the largest inward chest wall velocity, averaged over the sides
+ * of a trunk [m/s] (Axelsson and Yelverton 1996; fitted to sheep).
  */
 double thorax_injury_index(const double chest_wall_velocity);
 
-/// What Axelsson and Yelverton (1996) call the injury of that velocity: "none"
-/// below 3.6 m/s, "trace" below 7.5, "slight" below 9.8, "moderate" below
-/// 12.8, "extensive" below 16.9, else "lethal to most".
+/// Injury level of a chest wall velocity according to Axelsson and Yelverton
+/// (1996): "none" below 3.6 m/s, "trace" below 7.5, "slight" below 9.8,
+/// "moderate" below 12.8, "extensive" below 16.9, else "lethal to most".
 std::string thorax_injury_band(const double chest_wall_velocity);
 } // namespace contrecoup

@@ -11,9 +11,9 @@
 namespace contrecoup
 {
 /**
- * Two elastic disks of one size that fly towards each other (Sulsky, Chen and
- * Schreyer, Comput. Methods Appl. Mech. Engrg. 118 (1994) 179). Until they
- * touch nothing happens: contact that comes before contact_time() is numerical.
+ * Two elastic disks of equal size that collide (Sulsky, Chen and Schreyer,
+ * Comput. Methods Appl. Mech. Engrg. 118 (1994) 179). Before contact_time()
+ * the motion is uniform, so that earlier contact is numerical.
  */
 struct CollidingDisks
 {
@@ -26,10 +26,10 @@ struct CollidingDisks
   dealii::Point<2> velocity_of_first{0.1,
                                      0.1}; ///< the other's is opposite [m/s]
 
-  /// When they touch [s]; below 0 where they never do.
+  /// Time of contact [s]; negative if the disks miss each other.
   double contact_time() const
   {
-    // |d - 2 v t| = 2 R, d from the first to the second.
+    // |d - 2 v t| = 2 R, with d from the first to the second centre.
     const dealii::Tensor<1, 2> d = second - first, v(velocity_of_first);
     const double a = 4. * v.norm_square(), b = -4. * (d * v),
                  c = d.norm_square() - 4. * radius * radius;
@@ -37,7 +37,7 @@ struct CollidingDisks
     return root < 0. || !(a > 0.) ? -1. : (-b - std::sqrt(root)) / (2. * a);
   }
 
-  /// Of both, by their thickness [J/m].
+  /// Kinetic energy of both disks per thickness [J/m].
   double kinetic_energy() const
   {
     return density * dealii::numbers::PI * radius * radius *

@@ -8,23 +8,23 @@
 
 namespace contrecoup
 {
-/// The symmetric part of a velocity gradient, and how much it compresses in
-/// the direction in which it does so most.
+/// Symmetric part of a velocity gradient, and the direction of strongest
+/// compression.
 template <typename Number>
 struct Compression
 {
   Matrix3<Number> rate; ///< symmetric [1/s]
   Number least;         ///< smallest eigenvalue of `rate` [1/s]
-  Number size;          ///< root of the sum of its squares [1/s]
-  /// Projector on the directions of that eigenvalue, of trace one.
+  Number size;          ///< Frobenius norm of `rate` [1/s]
+  /// Projector on the eigenspace of `least`, with unit trace.
   Matrix3<Number> direction;
 };
 
 /**
- * The smallest eigenvalue of a symmetric matrix from its invariants: with
- * f = -1/2 - d it is the least root of 4 f^3 - 3 f = r, hence d that of
- * d^2 (6 + 4 d) = 1 - r in [0, 1/2], by Newton's method. Where the two smallest
- * eigenvalues are almost the same, the projector is that on both.
+ * Computes the smallest eigenvalue of a symmetric matrix from its invariants:
+ * with f = -1/2 - d it is the smallest root of 4 f^3 - 3 f = r, hence d solves
+ * d^2 (6 + 4 d) = 1 - r in [0, 1/2]; by Newton's method. If the two smallest
+ * eigenvalues nearly coincide, the projector is on both directions.
  */
 template <typename Number>
 inline DEAL_II_ALWAYS_INLINE Compression<Number>
@@ -59,7 +59,7 @@ find_compression(const Matrix3<Number> &gradient)
   result.least = mean + Number(2.) * size * f;
   result.size = sqrt(Number(3.) * mean * mean + Number(6.) * square);
 
-  // A little of all directions, for where all eigenvalues are the same.
+  // Regularise the case of three equal eigenvalues.
   const Number all = Number(1e-12) * square + tiny;
   const auto find_direction = [&](const Number &root) {
     Matrix3<Number> rest = e;
@@ -70,8 +70,8 @@ find_compression(const Matrix3<Number> &gradient)
       result.direction[i][i] += Number(1. / 3.) * all;
   };
   find_direction(result.least);
-  // Of a double root no more than half of the digits are right: between the
-  // two, it gives no projector. A little below them it does.
+  // A double root is accurate to half of the digits only; between the two
+  // roots the formula gives no projector, slightly below both it does.
   const auto &found = result.direction;
   const Number trace = found[0][0] + found[1][1] + found[2][2];
   Number norm_square{};

@@ -6,9 +6,9 @@
 namespace contrecoup
 {
 /**
- * Cook's membrane, hardly compressible and in plane strain: a tapered panel
- * with the corners (0, 0), (48, 44), (48, 60) and (0, 44), held at the left,
- * and pulled upwards at the right edge by a traction of the undeformed area.
+ * Cook's membrane, nearly incompressible and in plane strain: a tapered panel
+ * with corners (0, 0), (48, 44), (48, 60) and (0, 44), clamped at the left and
+ * loaded upwards at the right by a traction per undeformed area.
  */
 struct CookMembrane
 {
@@ -19,8 +19,8 @@ struct CookMembrane
   double poisson_ratio = 0.499; ///< [-]
   double traction = 1. / 16.;   ///< [Pa]
 
-  /// Upwards, of the upper right corner and of the middle of the right edge;
-  /// both within 1e-5 [m].
+  /// Vertical displacements of the upper right corner and of the middle of the
+  /// right edge, accurate to 1e-5 [m].
   static constexpr double tip_displacement = 0.27647,
                           middle_displacement = 0.26391;
 

@@ -11,15 +11,15 @@
 namespace contrecoup
 {
 /**
- * The flow behind a Chapman-Jouguet detonation that runs from a plane, axis
+ * Taylor wave behind a Chapman-Jouguet detonation that runs from a plane, axis
  * or centre at constant speed D (G. I. Taylor, Proc. R. Soc. A 200 (1950)
- * 235-247). It depends on xi = r / t alone and is isentropic:
+ * 235-247). The flow depends on xi = r / t only and is isentropic:
  *
  *   d xi / d u = ((xi - u)^2 / c^2 - 1) xi / (m u),
  *   d ln rho / d u = (xi - u) / c^2,
  *
- * m = 1 for an axis and 2 for a centre; from a plane xi = u + c. It ends in a
- * core at rest, whose rim moves with its speed of sound.
+ * m = 1 for an axis and 2 for a centre; for a plane xi = u + c. The wave ends
+ * at a core at rest, whose edge moves at the sound speed of the core.
  */
 class DetonationSolution
 {
@@ -31,13 +31,13 @@ public:
    */
   DetonationSolution(const unsigned int dimension, const JwlParameters &jwl);
 
-  /// The state right behind the front.
+  /// State just behind the front.
   const ChapmanJouguetState &front() const
   {
     return front_;
   }
 
-  /// Speed of the core's rim [m/s], and its pressure [Pa].
+  /// Speed of the core's edge [m/s]; core_pressure() in Pa.
   double core_speed() const
   {
     return points_.front().speed;
@@ -47,7 +47,7 @@ public:
     return points_.front().state.pressure;
   }
 
-  /// The state where @p speed = r / t [m/s] is at most D.
+  /// State at @p speed = r / t [m/s], at most D.
   RadialState value(const double speed) const;
 
 private:

@@ -8,47 +8,46 @@
 namespace contrecoup
 {
 /**
- * Exact solution of the Riemann problem between two gases, each with an
- * equation of state of its own: two waves (RiemannWave) with equal pressure
- * and velocity at the contact between them, or with a vacuum between them.
+ * Exact solution of the Riemann problem between two gases with separate
+ * equations of state: two waves (RiemannWave) with equal pressure and velocity
+ * at the contact, or with a vacuum in between.
  */
 class ExactRiemann
 {
 public:
-  /// @throws NumericsError when a shock would be needed that the equation of
-  /// state does not have.
+  /// @throws NumericsError when the solution requires a shock that the
+  /// equation of state does not admit
   ExactRiemann(const RiemannState &left,
                const GasMaterial &left_gas,
                const RiemannState &right,
                const GasMaterial &right_gas);
 
-  /// Both sides of one material (which may differ by their products).
+  /// Both sides of one material, with possibly different products.
   ExactRiemann(const RiemannState &left,
                const RiemannState &right,
                const GasMaterial &gas);
 
-  /// Whether the gases part and leave a vacuum between them.
+  /// Whether a vacuum forms between the gases.
   bool has_vacuum() const;
 
-  /// Pressure between the waves [Pa]; in a vacuum the lowest one.
+  /// Pressure between the waves [Pa]; the lowest one if a vacuum forms.
   double star_pressure() const;
 
   /// Velocity of the contact [m/s].
   double star_velocity() const;
 
-  /// Densities beside the contact [kg/m^3]; 0 beside a vacuum.
+  /// Densities on both sides of the contact [kg/m^3]; 0 next to a vacuum.
   double left_star_density() const;
   double right_star_density() const;
 
-  /// Speeds of the waves' edges [m/s], from left to right. Head and tail of a
-  /// shock are the same; beside a vacuum the tails are its edges.
+  /// Speeds of the edges of the waves [m/s], from left to right. Head and tail
+  /// of a shock coincide; next to a vacuum, the tail is the vacuum's edge.
   double left_head_speed() const;
   double left_tail_speed() const;
   double right_tail_speed() const;
   double right_head_speed() const;
 
-  /// The solution on the ray x/t = @p speed [m/s]. In a vacuum the velocity is
-  /// the ray's own.
+  /// Solution at x/t = @p speed [m/s]. In a vacuum the velocity is x/t.
   RiemannState value(double speed) const;
 
 private:

@@ -8,27 +8,27 @@
 namespace contrecoup
 {
 /**
- * When and how strongly a spherical blast in free air will arrive, before
- * anything is computed: that of a point source of the same energy, see
- * PointSourceSolution. Nearer than its table the strong shock of L. I. Sedov,
- * t ~ r^(5/2) and overpressure ~ r^-3; farther away sound, and overpressure
- * ~ 1 / r. A charge of finite mass is slower while it sweeps less than its
- * own mass of air.
+ * A-priori estimate of arrival and strength of a spherical blast in free air:
+ * the point source of equal energy (PointSourceSolution). At smaller distances
+ * than tabulated, the strong shock of L. I. Sedov, t ~ r^(5/2) and
+ * overpressure ~ r^-3; at larger distances an acoustic wave with overpressure
+ * ~ 1 / r. The blast of a charge of finite mass is slower while the swept mass
+ * of air is below the mass of the charge.
  */
 class ExpectedBlast
 {
 public:
   /// @param energy [J], ambient @p pressure [Pa] and @p density [kg/m^3]
-  /// @throws InputError unless all are above 0.
+  /// @throws InputError unless all are positive
   ExpectedBlast(double energy, double pressure, double density);
 
-  /// When the front is at @p distance [s].
+  /// Arrival time of the front at @p distance [s].
   double arrival(double distance) const;
 
-  /// Overpressure behind the front at @p distance [Pa].
+  /// Peak overpressure at @p distance [Pa].
   double overpressure(double distance) const;
 
-  /// Distance of the front at @p time [m].
+  /// Radius of the front at @p time [m].
   double radius(double time) const;
 
 private:
@@ -37,19 +37,20 @@ private:
 };
 
 /**
- * Speed of the gas behind a shock of the given @p overpressure [m/s], which
- * runs into ideal gas at rest, gamma = 1.4, of @p pressure [Pa] and
- * @p density [kg/m^3] (Rankine-Hugoniot).
+ * Gas speed behind a shock of the given @p overpressure [m/s], running into
+ * ideal gas at rest with gamma = 1.4, @p pressure [Pa] and @p density [kg/m^3]
+ * (Rankine-Hugoniot).
  */
 double speed_behind_shock(double overpressure, double pressure, double density);
 
 /**
- * By how much the pressure of air behind such a shock is too high when its
- * heat capacities are taken to be constant: relative to air whose nitrogen and
- * oxygen vibrate as harmonic oscillators in equilibrium (W. G. Vincenti and
- * C. H. Kruger, Introduction to Physical Gas Dynamics, 1965, chapter IV;
- * characteristic temperatures 3390 K and 2270 K), at equal density and energy.
- * Above some 2500 K air also dissociates, and the true difference is larger.
+ * Relative error of the pressure behind such a shock in air when heat
+ * capacities are taken as constant, compared at equal density and energy with
+ * air whose nitrogen and oxygen vibrate as harmonic oscillators in equilibrium
+ * (W. G. Vincenti and C. H. Kruger, Introduction to Physical Gas Dynamics,
+ * 1965, chapter IV; characteristic temperatures 3390 K and 2270 K). Positive:
+ * constant heat capacities give too high a pressure. Above some 2500 K air
+ * also dissociates, and the true error is larger.
  */
 double excess_pressure_of_perfect_air(double overpressure,
                                       double pressure,

@@ -6,64 +6,65 @@
 namespace contrecoup
 {
 /**
- * A thin elastic sphere full of liquid that hits a rigid wall, a mass on a
- * spring (Young, J. Sound Vib. 267 (2003)): the spring is a shallow shell
- * under a point load (Reissner, J. Math. Phys. 25 (1946) 80 and 279), the mass
- * is shell and liquid. Contact lasts for half a period; the liquid goes with
- * the shell, so that its pressure is rho a z at the distance z from the middle.
+ * Impact of a thin elastic sphere filled with liquid on a rigid wall, as a
+ * mass on a spring (Young, J. Sound Vib. 267 (2003)). The spring is a shallow
+ * shell under a point load (Reissner, J. Math. Phys. 25 (1946) 80 and 279),
+ * the mass is that of shell and liquid, and contact lasts for half a period.
+ * If the liquid moves with the shell, its pressure is rho a z at the distance
+ * z from the centre.
  *
- * That is the pressure of a rigid wall. Where this one touches it stands still:
- * it has the acceleration of the sphere less that of its dent, which by
- * Reissner is a (-4 / pi) kei(s / L) at the distance s, with L^2 = R h /
- * sqrt(12 (1 - nu^2)). Of that, the part of the Legendre polynomial l is
+ * That is the pressure in a rigid shell. An elastic shell stands still at the
+ * contact: its acceleration is that of the sphere minus that of the dent,
+ * which by Reissner is a (-4 / pi) kei(s / L) at the distance s, with L^2 = R
+ * h / sqrt(12 (1 - nu^2)). The Legendre component l of the dent is
  *
  *   f_l = (2 / pi) (2 l + 1) (L / R)^2 / (1 + ((l + 1/2) L / R)^4),
  *
- * and a liquid that keeps its volume has at the distance r from the middle of
- * its sphere of radius R_i, at the angle theta from the dent,
+ * and in an incompressible liquid the pressure at the radius r, in a sphere of
+ * radius R_i and at the angle theta from the dent, is
  *
  *   p = rho a (r cos(theta) - R_i sum f_l / l (r / R_i)^l P_l(cos(theta))).
  *
- * l = 1 is not in the sum, as a is that of the whole mass.
+ * The sum omits l = 1, since a is the acceleration of the whole mass.
  */
 struct FluidFilledShell
 {
   double fluid_radius = 0.079;  ///< R_i [m]
   double fluid_density = 1000.; ///< rho [kg/m^3]
-  double thickness = 0.007;     ///< h, of the shell [m]
+  double thickness = 0.007;     ///< h of the shell [m]
   double shell_density = 1800.; ///< [kg/m^3]
-  double young_modulus = 6.5e9; ///< E, of the shell [Pa]
-  double poisson_ratio = 0.22;  ///< nu, of the shell [-]
+  double young_modulus = 6.5e9; ///< E of the shell [Pa]
+  double poisson_ratio = 0.22;  ///< nu of the shell [-]
   double speed = 3.;            ///< before the impact [m/s]
 
-  /// R, of the middle of the shell [m].
+  /// Radius R of the middle surface of the shell [m].
   double radius() const
   {
     return fluid_radius + 0.5 * thickness;
   }
 
-  /// Of shell and liquid [kg].
+  /// Mass of shell and liquid [kg].
   double mass() const;
 
-  /// 4 E h^2 / (R sqrt(3 (1 - nu^2))) [N/m].
+  /// Spring stiffness 4 E h^2 / (R sqrt(3 (1 - nu^2))) [N/m].
   double stiffness() const;
 
-  /// How long shell and wall touch [s].
+  /// Duration of contact [s].
   double contact_time() const;
 
-  /// The largest force of the wall [N].
+  /// Largest contact force [N].
   double peak_force() const;
 
-  /// The largest acceleration a [m/s^2].
+  /// Largest acceleration a [m/s^2].
   double peak_acceleration() const;
 
-  /// The part f_l of the dent [-].
+  /// Legendre component f_l of the dent [-].
   double dent(const unsigned int l) const;
 
   /**
-   * Half the difference of the largest pressure at @p distance [m] from the
-   * middle, in a direction with this @p cosine of theta, and of that opposite
-   * [Pa].
+   * Half the difference of peak pressures at two opposite points at @p
+   * distance [m] from the centre; @p cosine is that of theta at the first
+   * point [Pa].
    */
   double pressure(const double distance, const double cosine) const;
 };

@@ -7,8 +7,9 @@
 
 namespace contrecoup
 {
-/// Integrals of the trilinear functions of the corners over a hexahedron, over
-/// its volume: eighths of a brick, less at the narrow side of a wedge [-].
+/// Integrals of the corners' trilinear shape functions over a hexahedron,
+/// divided by its volume: 1/8 in a brick, less at the narrow side of a wedge
+/// [-].
 inline std::array<double, 8> hex_corner_parts(const HexVectors<double> &corners)
 {
   constexpr double gauss = 0.577350269189625764509;
@@ -23,7 +24,7 @@ inline std::array<double, 8> hex_corner_parts(const HexVectors<double> &corners)
   const HexVectors<double> modes = to_modes(corners);
   std::array<double, 8> parts{};
   double volume = 0.;
-  // Exact, as both are of degree three at most in each direction.
+  // Exact: the integrand has at most degree three in each direction.
   for (const auto &place : sign)
   {
     const Vector3<double> p{

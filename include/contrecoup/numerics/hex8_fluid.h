@@ -9,24 +9,23 @@
 
 /**
  * @file
- * The hexahedron of a fluid, at the present positions of its corners. Pressure
- * and artificial viscosity act in one point; a damper resists the hourglass
- * modes, which the point does not see. All forces are those of the corners, so
- * that their work is the change of the energy (Caramana, Burton, Shashkov and
- * Whalen 1998).
+ * Hexahedron of a fluid in the present configuration. One integration point
+ * for pressure and artificial viscosity, and viscous hourglass control. All
+ * forces are corner forces, so that their work equals the change of internal
+ * energy (Caramana, Burton, Shashkov and Whalen 1998).
  */
 
 namespace contrecoup
 {
-/// Coefficients of what a fluid has besides its pressure [-].
+/// Coefficients of artificial viscosity and hourglass control [-].
 struct FluidViscosity
 {
   double linear = 0.5;    ///< times rho l c
-  double quadratic = 2.;  ///< times rho l^2 |rate of compression|
-  double hourglass = 0.1; ///< of a damper on hourglass modes
+  double quadratic = 2.;  ///< times rho l^2 |compression rate|
+  double hourglass = 0.1; ///< of viscous hourglass control
 };
 
-/// An element of a fluid: what it has, and what was found of it.
+/// State of a fluid element, and results of fluid_forces().
 template <typename Number>
 struct FluidElement
 {
@@ -36,18 +35,18 @@ struct FluidElement
 
   Number volume;      ///< [m^3]
   Number pressure;    ///< [Pa]
-  Number signal_rate; ///< inverse of the step that it allows [1/s]
+  Number signal_rate; ///< inverse of the stable step [1/s]
 };
 
 /**
- * Viscous stress mu e, e the symmetric velocity gradient, where the element is
- * compressed in some direction s, with the viscosity
- * mu = rho l (q_2 l |s e s| + q_1 c) of its length l along s: Dobrev, Kolev
- * and Rieben (2012), equations 6.12 to 6.15, without their measure of
- * vorticity. Zero in expansion.
- * @param x modes of the corners
+ * Artificial viscous stress mu e with the symmetric velocity gradient e, for
+ * an element that is compressed in some direction s. The viscosity is mu = rho
+ * l (q_2 l |s e s| + q_1 c), with the element length l along s: Dobrev, Kolev
+ * and Rieben (2012), equations 6.12 to 6.15, without their vorticity measure.
+ * Zero in expansion.
+ * @param x modes of the corners [m]
  * @param gradient of the velocity [1/s]
- * @param viscosity the mu that was used [Pa s]
+ * @param viscosity result: mu [Pa s]
  */
 template <typename Number>
 inline DEAL_II_ALWAYS_INLINE Matrix3<Number>
@@ -75,16 +74,16 @@ viscous_stress(const FluidViscosity &coefficients,
     for (unsigned int j = 0; j < 3; ++j)
       square += compression.direction[i][j] *
                 (c[i][0] * c[j][0] + c[i][1] * c[j][1] + c[i][2] * c[j][2]);
-  // No length is beyond the root of the sum of the edges' squares; where the
-  // projector of an element like a needle is off a little, it might be.
+  // Bound the length by the root of the sum of squared edges; for needle-like
+  // elements an inaccurate projector could exceed it.
   Number edge_square{};
   for (unsigned int i = 0; i < 3; ++i)
     edge_square += dot(edges[i], edges[i]);
   const Number length =
     determinant / sqrt(max(square, determinant * determinant / edge_square));
   const Number rate = Number() - compression.least;
-  // Round-off of the eigenvalue, or of velocities in matter that rests, is no
-  // compression: the least compressions count in part.
+  // Phase the viscosity in, since round-off of eigenvalue or velocities in
+  // matter at rest must not count as compression.
   const Number part =
     min(Number(1.),
         rate / (Number(0.01) * compression.size +
@@ -101,12 +100,12 @@ viscous_stress(const FluidViscosity &coefficients,
 }
 
 /**
- * Forces with which an element resists the motion of its corners [N].
+ * Corner forces of an element [N].
  * @param law equation of state, see IdealGas
  * @param x_corners present positions [m]
  * @param v_corners velocities [m/s]
- * @param element what it has is used, what is found is set
- * @param wedge that it is a cell of, if it has a slope
+ * @param element state as input, receives the results
+ * @param wedge to which the element belongs, if its slope is positive
  */
 template <typename Law, typename Number>
 inline DEAL_II_ALWAYS_INLINE HexVectors<Number>

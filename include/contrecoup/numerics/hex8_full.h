@@ -7,17 +7,18 @@
 
 /**
  * @file
- * The hexahedron with 2 x 2 x 2 Gauss points and one dilatation (Hughes, Int.
- * J. Numer. Meth. Engng. 15 (1980) 1413): shear is integrated fully, so there
- * are no hourglass modes, and the volume is that of the whole element, so
- * that nearly incompressible matter does not lock. As with one point, strains
- * are made of displacement gradients with respect to the undeformed body, and
- * forces derive from an energy. Bricks bend too stiffly, with parasitic shear.
+ * Hexahedron with 2 x 2 x 2 Gauss points and one dilatation (selective
+ * integration, Hughes, Int. J. Numer. Meth. Engng. 15 (1980) 1413). Full
+ * integration of shear avoids hourglass modes; the mean dilatation of the
+ * element avoids locking of nearly incompressible matter. As with one-point
+ * integration, strains are functions of displacement gradients with respect to
+ * the undeformed body, and forces derive from an energy. Bricks are too stiff
+ * in bending, due to parasitic shear.
  */
 
 namespace contrecoup
 {
-/// A Gauss point of the reference cube [-1, 1]^3, @p i from 0 to 7.
+/// Gauss point @p i of the reference cube [-1, 1]^3, 0 <= i < 8.
 template <typename Number>
 inline DEAL_II_ALWAYS_INLINE Vector3<Number> gauss_point(const unsigned int i)
 {
@@ -27,8 +28,9 @@ inline DEAL_II_ALWAYS_INLINE Vector3<Number> gauss_point(const unsigned int i)
            Number((i & 4) != 0 ? gauss : -gauss)}};
 }
 
-/// Row i, column k: derivative of component i along coordinate k of the
-/// reference cube at @p p, of a field with the modes @p u.
+/// Gradient with respect to reference coordinates at @p p of a field with the
+/// modes @p u; entry [i][k] is the derivative of component i along coordinate
+/// k.
 template <typename Number>
 inline DEAL_II_ALWAYS_INLINE Matrix3<Number>
 reference_gradient(const HexVectors<Number> &u, const Vector3<Number> &p)
@@ -45,8 +47,8 @@ reference_gradient(const HexVectors<Number> &u, const Vector3<Number> &p)
   return result;
 }
 
-/// The transpose of reference_gradient(): adds what @p force on the derivatives
-/// is on the modes.
+/// Transpose of reference_gradient(): adds the modal forces that are conjugate
+/// to @p force on the derivatives.
 template <typename Number>
 inline DEAL_II_ALWAYS_INLINE void
 add_reference_force(const Matrix3<Number> &force,
@@ -65,18 +67,18 @@ add_reference_force(const Matrix3<Number> &force,
     }
 }
 
-/// A Gauss point of a hexahedron.
+/// Data at a Gauss point.
 template <typename Number>
 struct HexPoint
 {
   Vector3<Number> place;     ///< in the reference cube
   Matrix3<Number> cofactors; ///< of d x / d place
-  Number volume;             ///< that it stands for [m^3]
+  Number volume;             ///< integration weight times Jacobian [m^3]
   Matrix3<Number> h;         ///< displacement gradient
 };
 
-/// Point @p i of the hexahedron whose positions and displacements have the
-/// modes @p x and @p u.
+/// Gauss point @p i of a hexahedron with the position modes @p x and
+/// displacement modes @p u.
 template <typename Number>
 inline DEAL_II_ALWAYS_INLINE HexPoint<Number>
 hex_point(const HexVectors<Number> &x,
@@ -96,7 +98,7 @@ hex_point(const HexVectors<Number> &x,
   return point;
 }
 
-/// What @p law is without shear: the matter whose volume alone is strained.
+/// The volumetric part of a law.
 template <typename Number>
 inline SolidLaw<Number> volume_law(SolidLaw<Number> law)
 {
@@ -105,7 +107,7 @@ inline SolidLaw<Number> volume_law(SolidLaw<Number> law)
   return law;
 }
 
-/// What @p law is without stiffness of volume.
+/// The deviatoric part of a law.
 template <typename Number>
 inline SolidLaw<Number> shear_law(SolidLaw<Number> law)
 {
@@ -116,11 +118,11 @@ inline SolidLaw<Number> shear_law(SolidLaw<Number> law)
 
 /**
  * Internal forces on the corners of an element [N].
- * @param x_corners positions of the corners in the undeformed body [m]
- * @param u_corners their displacements [m]
- * @param state is brought from the last step to the present
- * @param relaxed of the Prony branch at the points, is brought there as well
- * @param heat what the last step turned into heat [J]
+ * @param x_corners corner positions in the undeformed body [m]
+ * @param u_corners corner displacements [m]
+ * @param state history variables; advanced from the last step to the present
+ * @param relaxed strains of the Prony branch at the points; advanced as well
+ * @param heat energy dissipated in the last step [J]
  */
 template <SolidKinematics kinematics, bool viscoelastic, typename Number>
 inline HexVectors<Number>

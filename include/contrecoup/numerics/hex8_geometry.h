@@ -10,15 +10,15 @@
 
 /**
  * @file
- * The trilinear hexahedron in terms of its eight modes 1, xi, eta, zeta,
- * eta zeta, zeta xi, xi eta, xi eta zeta, in this order. The mode of a field
- * is the sum of its corner values with the signs of the mode, 8 times its
- * coefficient. Corners are numbered as in HexMesh.
+ * The trilinear hexahedron in terms of its eight modes 1, xi, eta, zeta, eta
+ * zeta, zeta xi, xi eta, xi eta zeta, in this order. The modal value of a
+ * field is the sum of its corner values with the signs of the mode, 8 times
+ * the coefficient. Corners are numbered as in HexMesh.
  *
  * Volume and mean gradient are exact (Flanagan and Belytschko 1981): the
- * gradient is the derivative of the volume with respect to the corners. In
- * modes it has six vectors instead of eight, and the volume does not depend on
- * the last mode at all.
+ * gradient operator is the derivative of the volume with respect to the
+ * corners. In modes it has six vectors instead of eight, and the volume does
+ * not depend on the last mode.
  */
 
 namespace contrecoup
@@ -26,7 +26,7 @@ namespace contrecoup
 template <typename Number>
 using Vector3 = std::array<Number, 3>;
 
-/// A vector at each corner, or each mode, of a hexahedron.
+/// A vector for each corner, or each mode, of a hexahedron.
 template <typename Number>
 using HexVectors = std::array<Vector3<Number>, 8>;
 
@@ -46,7 +46,7 @@ inline DEAL_II_ALWAYS_INLINE Number dot(const Vector3<Number> &a,
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// Corner values to modes.
+/// Transforms corner values to modes.
 template <typename Number>
 inline DEAL_II_ALWAYS_INLINE HexVectors<Number>
 to_modes(const HexVectors<Number> &corner)
@@ -77,8 +77,8 @@ to_modes(const HexVectors<Number> &corner)
   return mode;
 }
 
-/// The transpose of to_modes(): forces on modes to forces on corners. Mode 0
-/// is not used: nothing acts on it.
+/// Transpose of to_modes(): transforms modal forces to corner forces. Mode 0
+/// carries no force and is ignored.
 template <typename Number>
 inline DEAL_II_ALWAYS_INLINE HexVectors<Number>
 to_corners(const HexVectors<Number> &mode)
@@ -86,7 +86,7 @@ to_corners(const HexVectors<Number> &mode)
   HexVectors<Number> corner;
   for (unsigned int d = 0; d < 3; ++d)
   {
-    // What goes with +-zeta, each with signs of eta and xi.
+    // The part multiplied by +-zeta, for each sign of eta and xi.
     const Number s0 = Number() - mode[3][d], s1 = mode[3][d];
     const Number e0 = mode[2][d] - mode[4][d], e1 = mode[2][d] + mode[4][d];
     const Number x0 = mode[1][d] - mode[5][d], x1 = mode[1][d] + mode[5][d];
@@ -103,36 +103,36 @@ to_corners(const HexVectors<Number> &mode)
   return corner;
 }
 
-/// The undeformed hexahedron.
+/// Geometry of the undeformed hexahedron.
 template <typename Number>
 struct HexGeometry
 {
-  /// d volume / d mode 1 to 6 of the corners [m^2].
+  /// Derivative of the volume with respect to modes 1 to 6 [m^2].
   std::array<Vector3<Number>, 6> volume_gradient;
   /// Modes 4 to 7 of the corners [m].
   std::array<Vector3<Number>, 4> warp;
   Number volume;         ///< [m^3]
   Number inverse_volume; ///< [1/m^3]
-  /// Sum over the corners of |d volume / d corner|^2 [m^4]; 1.5 h^4 of a cube.
+  /// Sum over corners of |d volume / d corner|^2 [m^4]; 1.5 h^4 for a cube.
   Number gradient_square;
 
-  /// An edge of the cube of the same gradients per volume [m]: what stiffness
-  /// of the element is proportional to.
+  /// Edge of a cube with the same ratio of squared gradients to volume [m];
+  /// hourglass stiffness is proportional to this length.
   Number stiffness_length() const
   {
     return Number(2. / 3.) * gradient_square * inverse_volume;
   }
 
-  /// A face of the cube with the same gradients [m^2]: what dampers of the
-  /// element are proportional to. Over its volume, it grows like its highest
-  /// frequency, which stable steps are made for.
+  /// Face of a cube with the same squared gradients [m^2]; hourglass damping
+  /// is proportional to this area. Divided by the volume, it scales like the
+  /// highest frequency of the element, and thus like the inverse stable step.
   Number damping_area() const
   {
     using std::sqrt;
     return sqrt(Number(2. / 3.) * gradient_square);
   }
 
-  /// An edge of the cube with the same highest frequency [m].
+  /// Edge of a cube with the same highest frequency [m].
   Number wave_length() const
   {
     using std::sqrt;
@@ -140,7 +140,7 @@ struct HexGeometry
   }
 };
 
-/// The geometry of a hexahedron whose corners have the modes @p x.
+/// Geometry of a hexahedron with corner modes @p x.
 template <typename Number>
 inline DEAL_II_ALWAYS_INLINE HexGeometry<Number>
 hex_geometry(const HexVectors<Number> &x)
@@ -181,7 +181,7 @@ hex_geometry(const HexVectors<Number> &x)
   return g;
 }
 
-/// Mean gradient over the hexahedron of a field with the modes @p u.
+/// Mean gradient over the hexahedron of a field with modes @p u.
 template <typename Number>
 inline DEAL_II_ALWAYS_INLINE Matrix3<Number>
 mean_gradient(const HexGeometry<Number> &g, const HexVectors<Number> &u)
@@ -197,8 +197,8 @@ mean_gradient(const HexGeometry<Number> &g, const HexVectors<Number> &u)
     }
   return h;
 }
-/// The Jacobian determinant at a point of the reference cube [-1, 1]^3 of a
-/// hexahedron whose corners have the modes @p x [m^3].
+/// Jacobian determinant at a point of the reference cube [-1, 1]^3 of a
+/// hexahedron with corner modes @p x [m^3].
 template <typename Number>
 inline Number jacobian(const HexVectors<Number> &x, const Vector3<Number> &p)
 {
@@ -212,7 +212,7 @@ inline Number jacobian(const HexVectors<Number> &x, const Vector3<Number> &p)
   return Number(1. / 512.) * dot(a, cross(b, c));
 }
 
-/// The smallest of the Jacobian determinants at the eight Gauss points [m^3].
+/// Smallest Jacobian determinant at the eight Gauss points [m^3].
 template <typename Number>
 inline Number smallest_gauss_jacobian(const HexVectors<Number> &x)
 {

@@ -7,17 +7,17 @@
 
 /**
  * @file
- * Volumes and first moments of hexahedra with bilinear faces, and of what such
- * a face sweeps when its corners move. Neighbouring faces sweep regions that
- * share their bilinear sides, so that the volume of a hexahedron with moved
- * corners is the old one plus what its faces sweep, to round-off, whatever the
- * motion.
+ * Volume and first moment of hexahedra with bilinear faces, and of the region
+ * that such a face sweeps when its corners move. Regions swept by adjacent
+ * faces share bilinear sides. The volume of a hexahedron with moved corners
+ * thus equals the old volume plus the swept volumes of its faces up to
+ * round-off, for any motion.
  */
 
 namespace contrecoup
 {
-/// Corners of the faces of a hexahedron, counterclockwise when seen from
-/// outside, in the order of deal.II: -x, +x, -y, +y, -z, +z.
+/// Corners of each face of a hexahedron, counterclockwise seen from outside;
+/// faces in deal.II's order -x, +x, -y, +y, -z, +z.
 inline constexpr unsigned int hex_faces[6][4] = {{0, 4, 7, 3},
                                                  {1, 2, 6, 5},
                                                  {0, 1, 5, 4},
@@ -25,8 +25,8 @@ inline constexpr unsigned int hex_faces[6][4] = {{0, 4, 7, 3},
                                                  {0, 3, 2, 1},
                                                  {4, 5, 6, 7}};
 
-/// Corners that the edges of each corner go to; in this order they have a
-/// positive determinant where the hexahedron is not inverted.
+/// Corners adjacent to each corner, ordered such that the determinant of the
+/// edges is positive unless the hexahedron is inverted.
 inline constexpr unsigned int hex_corner_edges[8][3] = {{1, 3, 4},
                                                         {2, 0, 5},
                                                         {3, 1, 6},
@@ -41,10 +41,10 @@ template <typename Number>
 struct HexMoments
 {
   Number volume;         ///< [m^3]
-  Vector3<Number> first; ///< of the position [m^4]
+  Vector3<Number> first; ///< integral of position [m^4]
 };
 
-/// A position as a polynomial of the reference coordinates in [-1, 1].
+/// Position at reference coordinates @p p in [-1, 1]^3.
 template <typename Number>
 inline DEAL_II_ALWAYS_INLINE Vector3<Number>
 hex_position(const HexVectors<Number> &x, const Vector3<Number> &p)
@@ -59,9 +59,9 @@ hex_position(const HexVectors<Number> &x, const Vector3<Number> &p)
 }
 
 /**
- * Exact volume and first moment of the hexahedron with these @p corners; both
- * are negative where it is turned inside out. Two Gauss points in each
- * direction are exact for the moment, which is cubic in each coordinate.
+ * Exact volume and first moment of a hexahedron; both change sign if it is
+ * inverted. Two Gauss points per direction are exact for the moment, which is
+ * cubic in each coordinate.
  */
 template <typename Number>
 inline HexMoments<Number> hex_moments(const HexVectors<Number> &corners)
@@ -83,9 +83,9 @@ inline HexMoments<Number> hex_moments(const HexVectors<Number> &corners)
 }
 
 /**
- * What a face sweeps when its corners go from @p before to @p after; positive
- * along its normal.
- * @param before counterclockwise when seen from where the normal points to
+ * Volume and first moment swept by a face whose corners move from @p before to
+ * @p after; positive in the direction of its normal.
+ * @param before counterclockwise seen from the side of the normal
  */
 template <typename Number>
 inline HexMoments<Number>
@@ -101,7 +101,7 @@ swept_moments(const std::array<Vector3<Number>, 4> &before,
   return hex_moments(corners);
 }
 
-/// The smallest of the determinants that the edges at the corners have [m^3].
+/// Smallest determinant of the edges at a corner [m^3].
 template <typename Number>
 inline Number smallest_corner_jacobian(const HexVectors<Number> &corners)
 {

@@ -7,44 +7,44 @@
 
 /**
  * @file
- * The hexahedron of a solid beside fluids, whose forces are those of the
- * corners as in hex8_fluid.h, so that their work is the change of the energy.
- * Stresses are those of hex8_one_point.h: strains come from the displacements
- * of the undeformed body. Bulk viscosity comes from the velocities, so that
- * forces may be asked for at any time within a step.
+ * Hexahedron of a solid in an ALE mesh with fluids. As in hex8_fluid.h, all
+ * forces are corner forces whose work is the change of energy. As in
+ * hex8_one_point.h, strains derive from displacements of the undeformed body.
+ * Bulk viscosity depends on velocities, so that forces are available at any
+ * time within a step.
  */
 
 namespace contrecoup
 {
-/// All that is the same for the elements of a solid.
+/// Constants of all elements of a solid.
 template <typename Number>
 struct MovingSolidModel
 {
   SolidLaw<Number> law;
   double density = 0.;          ///< undeformed [kg/m^3]
-  double sound_speed = 0.;      ///< of dilatation, undeformed [m/s]
-  double linear_viscosity = 0.; ///< of the bulk, as of a fluid [-]
+  double sound_speed = 0.;      ///< P-wave speed, undeformed [m/s]
+  double linear_viscosity = 0.; ///< bulk viscosity, as of a fluid [-]
   double quadratic_viscosity = 0.;
-  /// Spring and damper against hourglass modes, see Hourglass.
+  /// Hourglass stiffness and damping, see Hourglass.
   double hourglass_spring = 0., hourglass_damper = 0.;
-  HexWedge wedge; ///< that elements are cells of, if it has a slope
+  HexWedge wedge; ///< with elements in the wedge if its slope is positive
 };
 
-/// An element of a solid: its memory, and what was found of it.
+/// History of a solid element, and results of moving_solid_forces().
 template <typename Number>
 struct MovingSolid
 {
-  /// Strain of the relaxing branch: at the start of the step, and set to that
-  /// at its end.
+  /// Strain of the relaxing branch at the start of the step; receives that at
+  /// its end.
   Symmetric3<Number> relaxed;
 
-  Number dilatation;  ///< volume over that undeformed, less 1 [-]
+  Number dilatation;  ///< volume ratio minus 1 [-]
   Number pressure;    ///< without bulk viscosity [Pa]
-  Number signal_rate; ///< inverse of the step that it allows [1/s]
+  Number signal_rate; ///< inverse of the stable step [1/s]
 };
 
-/// The volume's rate over the undeformed volume [1/s].
-/// @param rate gradient of the velocity in the undeformed body
+/// Rate of the volume ratio [1/s].
+/// @param rate velocity gradient with respect to the undeformed body
 template <SolidKinematics kinematics, typename Number>
 inline DEAL_II_ALWAYS_INLINE Number
 dilatation_rate(const Matrix3<Number> &h,
@@ -61,7 +61,7 @@ dilatation_rate(const Matrix3<Number> &h,
   return sum;
 }
 
-/// Forces against the hourglass modes of displacements and of velocities.
+/// Hourglass forces from stiffness and damping.
 template <typename Number>
 inline DEAL_II_ALWAYS_INLINE std::array<Vector3<Number>, 4>
 hourglass_resistance(const MovingSolidModel<Number> &model,
@@ -80,8 +80,8 @@ hourglass_resistance(const MovingSolidModel<Number> &model,
 }
 
 /**
- * Forces with which an element resists the motion of its corners [N].
- * @param undeformed positions of the corners of the undeformed body [m]
+ * Corner forces of an element [N].
+ * @param undeformed corner positions in the undeformed body [m]
  * @param x_corners present positions [m]
  * @param v_corners velocities [m/s]
  */

@@ -9,24 +9,23 @@
 
 /**
  * @file
- * The hexahedron with one integration point. Positions are those of the
- * undeformed body, so a mean gradient is the same at all times, a rigid motion
- * of any size has no strain and no hourglass mode, and forces derive from an
- * energy.
+ * Hexahedron with one integration point, in the undeformed configuration. The
+ * gradient operator is constant in time, rigid motions of any size have
+ * neither strain nor hourglass modes, and forces derive from an energy.
  */
 
 namespace contrecoup
 {
-/// Artificial viscosity of pressure in compression (von Neumann, Landshoff).
+/// Artificial bulk viscosity in compression (von Neumann, Landshoff).
 template <typename Number>
 struct BulkViscosity
 {
   Number linear;       ///< c_2 rho c [Pa s/m]
   Number quadratic;    ///< c_1 rho [kg/m^3]
-  Number inverse_step; ///< 1 / (step to the present) [1/s]
+  Number inverse_step; ///< inverse of the size of the last step [1/s]
 
-  /// Pressure [Pa] for a dilatation that changed by @p change in the last
-  /// step, in an element of this length [m].
+  /// Viscous pressure [Pa] for a change of dilatation in the last step, in an
+  /// element of this length [m].
   DEAL_II_ALWAYS_INLINE Number pressure(const Number &change,
                                         const Number &length) const
   {
@@ -36,26 +35,25 @@ struct BulkViscosity
   }
 };
 
-/// The state of an element besides its displacements.
+/// History variables of an element.
 template <typename Number>
 struct HexState
 {
   Number dilatation;          ///< after the last step
-  Number viscous_pressure;    ///< artificial one, after the last step [Pa]
-  Symmetric3<Number> relaxed; ///< of the Prony branch, between the steps
-  /// Forces of the damper on hourglass modes, after the last step [N].
+  Number viscous_pressure;    ///< of bulk viscosity, after the last step [Pa]
+  Symmetric3<Number> relaxed; ///< of the Prony branch, at the middle of a step
+  /// Hourglass damping forces after the last step [N].
   std::array<Number, 12> damping;
 };
 
-/// Forces on the modes of displacements from a stress and hourglass forces
-/// on modes 4 to 7.
+/// Modal forces from a stress, and from hourglass forces on modes 4 to 7.
 template <typename Number>
 inline DEAL_II_ALWAYS_INLINE HexVectors<Number>
 mode_forces(const HexGeometry<Number> &g,
             Matrix3<Number> stress,
             const std::array<Vector3<Number>, 4> &hourglass)
 {
-  // Hourglass modes are what remains when the mean gradient is taken off.
+  // Hourglass modes exclude the linear field of the mean gradient.
   for (unsigned int i = 0; i < 3; ++i)
     for (unsigned int j = 0; j < 3; ++j)
     {
@@ -78,7 +76,7 @@ mode_forces(const HexGeometry<Number> &g,
   return force;
 }
 
-/// The hourglass modes of a field with modes @p u and mean gradient @p h.
+/// Hourglass modes of a field with modes @p u and mean gradient @p h.
 template <typename Number>
 inline DEAL_II_ALWAYS_INLINE std::array<Vector3<Number>, 4>
 hourglass_modes(const HexGeometry<Number> &g,
@@ -93,8 +91,8 @@ hourglass_modes(const HexGeometry<Number> &g,
   return q;
 }
 
-/// What was turned into heat in a step; update_stress() gives it per volume,
-/// one_point_forces() in all [J].
+/// Energy dissipated in a step; per volume from update_stress(), total from
+/// one_point_forces() [J].
 template <typename Number>
 struct HexHeat
 {
@@ -104,10 +102,10 @@ struct HexHeat
 };
 
 /**
- * Stress of the shear branch [Pa] at the present, after its relaxed strain was
- * brought from the last step to it.
- * @param heat what the last step turned into heat [J/m^3]; not touched
- *   without viscoelasticity
+ * Shear stress [Pa] at the present; advances the relaxed strain from the last
+ * step to the present.
+ * @param heat energy dissipated in the last step [J/m^3]; unchanged without
+ * viscoelasticity
  */
 template <bool viscoelastic, typename Number>
 inline DEAL_II_ALWAYS_INLINE Symmetric3<Number>
@@ -138,8 +136,8 @@ update_shear(const SolidLaw<Number> &law,
 }
 
 /**
- * Stress of an element at the present, after @p state was brought from the
- * last step to it.
+ * First Piola-Kirchhoff stress of an element at the present [Pa]; advances @p
+ * state from the last step to the present.
  */
 template <SolidKinematics kinematics, bool viscoelastic, typename Number>
 inline DEAL_II_ALWAYS_INLINE Matrix3<Number>
@@ -166,7 +164,7 @@ update_stress(const SolidLaw<Number> &law,
     h, cofactors, law.bulk * strain.dilatation - q, shear);
 }
 
-/// All that is the same for the elements of one material.
+/// Constants of all elements of one material.
 template <typename Number>
 struct HexModel
 {
@@ -178,11 +176,11 @@ struct HexModel
 
 /**
  * Internal forces on the corners of an element [N].
- * @param x positions of the corners in the undeformed body [m]
- * @param u their displacements [m]
- * @param velocities gives the corners' velocities [m/s]; asked for dampers only
- * @param state is brought from the last step to the present
- * @param heat what the last step turned into heat [J]
+ * @param x_corners corner positions in the undeformed body [m]
+ * @param u_corners corner displacements [m]
+ * @param velocities returns corner velocities [m/s]; called with damping only
+ * @param state advanced from the last step to the present
+ * @param heat energy dissipated in the last step [J]
  */
 template <SolidKinematics kinematics,
           bool viscoelastic,

@@ -8,17 +8,17 @@
 namespace contrecoup
 {
 /**
- * A wedge one cell thick about an axis, in which everything is the same at all
- * angles. Its middle holds the axis and another direction, `out`; its sides are
- * where |side| = slope * out. Nodes move along the sides, so that a cell has
- * the gradients of a cell of revolution, whatever the slope; radial motion
- * alone has 1 + slope^2 times its kinetic energy. The second direction of each
- * cell goes from one side to the other.
+ * A wedge one cell thick about an axis, for axisymmetric problems. Its
+ * mid-plane contains the axis and the direction `out`; its sides are at |side|
+ * = slope * out. Nodes move along the sides, so that cells have the gradients
+ * of cells of revolution for any slope; radial motion has 1 + slope^2 times
+ * its kinetic energy. The second direction of each cell leads from one side to
+ * the other.
  */
 struct HexWedge
 {
   unsigned int axis = 2; ///< 0 to 2
-  double slope = 0.;     ///< 0: the mesh is none [-]
+  double slope = 0.;     ///< 0: no wedge [-]
 
   bool active() const
   {
@@ -33,8 +33,8 @@ struct HexWedge
     return (axis + 2) % 3;
   }
 
-  /// Of the four hourglass modes the part that is resisted: the one within the
-  /// section alone. The others are how a rotation of the section looks there.
+  /// Keeps only the hourglass mode within the meridional section; the others
+  /// represent rotations of the section.
   template <typename Number>
   void keep_modes(std::array<Vector3<Number>, 4> &modes) const
   {
@@ -43,7 +43,7 @@ struct HexWedge
         Vector3<Number>{{Number(), Number(), Number()}};
   }
 
-  /// Lets lengths be those that motion along the sides knows, not the width.
+  /// Computes lengths from motion along the sides, excluding the width.
   template <typename Number>
   void keep_lengths(HexGeometry<Number> &g) const
   {
@@ -51,7 +51,7 @@ struct HexWedge
       return;
     const auto &v = g.volume_gradient;
     const Number tangent(slope);
-    // Of corners along `out`: what moves is along `side`, too.
+    // Motion along `out` also moves corners along `side`.
     const std::array<Number, 4> radial{{tangent * v[1][side()],
                                         v[0][out()] + tangent * v[5][side()],
                                         v[2][out()] + tangent * v[3][side()],

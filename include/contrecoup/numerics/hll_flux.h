@@ -10,19 +10,19 @@
 
 namespace contrecoup
 {
-/// Flux through a face, along its normal, per area and time.
+/// Flux through a face per area and time, in face coordinates.
 template <int dim, typename Number>
 struct FaceFlux
 {
   Number mass;                      ///< [kg/(m^2 s)]
-  std::array<Number, dim> momentum; ///< [Pa], [0] normal, rest tangential
+  std::array<Number, dim> momentum; ///< [0] normal, others tangential [Pa]
   Number energy;                    ///< [W/m^2]
   Number products;                  ///< rho Y u [kg/(m^2 s)]
 };
 
 namespace internal
 {
-  /// The flux of the Euler equations.
+  /// Flux of the Euler equations.
   template <int dim, typename Number>
   inline DEAL_II_ALWAYS_INLINE FaceFlux<dim, Number>
   euler_flux(const FaceState<dim, Number> &state)
@@ -37,8 +37,7 @@ namespace internal
     return flux;
   }
 
-  /// (F_L + F_R)/2 + lean (F_L - F_R) + viscosity (U_L - U_R): exact at
-  /// rest.
+  /// (F_L + F_R)/2 + lean (F_L - F_R) + viscosity (U_L - U_R): exact at rest.
   template <int dim, typename Number>
   inline DEAL_II_ALWAYS_INLINE FaceFlux<dim, Number>
   blended_flux(const FaceState<dim, Number> &left,
@@ -70,7 +69,7 @@ namespace internal
     return flux;
   }
 
-  /// Harten, Lax and van Leer (1983) between two wave speeds.
+  /// HLL flux of Harten, Lax and van Leer (1983) between two wave speeds.
   template <int dim, typename Number>
   inline DEAL_II_ALWAYS_INLINE FaceFlux<dim, Number>
   hll_flux(const FaceState<dim, Number> &left,
@@ -87,7 +86,7 @@ namespace internal
                         Number(-(lowest * highest) * inverse));
   }
 
-  /// Rusanov (1961): the largest wave speed as viscosity.
+  /// Rusanov flux (1961): the largest wave speed as viscosity.
   template <int dim, typename Number>
   inline DEAL_II_ALWAYS_INLINE FaceFlux<dim, Number>
   rusanov_flux(const FaceState<dim, Number> &left,

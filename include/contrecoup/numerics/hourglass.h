@@ -10,41 +10,40 @@
 
 /**
  * @file
- * Forces against the hourglass modes, which one integration point does not
- * see. All moduli are made of the instantaneous shear modulus: scaled with
- * K + 4/3 G they would be thousands of times the stiffness of nearly
- * incompressible tissue.
+ * Hourglass control for one-point integration. All moduli derive from the
+ * instantaneous shear modulus; scaled with K + 4/3 G they would exceed the
+ * stiffness of nearly incompressible tissue by thousands.
  */
 
 namespace contrecoup
 {
-/// What resists hourglass modes.
+/// Kinds of hourglass control.
 enum class HourglassKind
 {
   none,
-  viscous,       ///< forces along the rate of the modes
-  stiffness,     ///< the same spring for all modes
-  assumed_strain ///< what bending and torsion of a brick cost
+  viscous,       ///< forces proportional to the rate of the modes
+  stiffness,     ///< the same stiffness for all modes
+  assumed_strain ///< stiffness of a brick in bending and torsion
 };
 
-/// Their words in parameter files, in the order of the enumeration.
+/// Names in parameter files, in the order of the enumeration.
 const std::vector<std::string> &hourglass_names();
 
-/// @throws InputError with the nearest word
+/// @throws InputError that suggests the nearest name
 HourglassKind find_hourglass(const std::string &name);
 
-/// Hourglass control of one material. Forces are on modes, which are 8 times
-/// the amplitudes.
+/// Hourglass control of one material. Forces act on modal values, which are 8
+/// times the amplitudes.
 template <typename Number>
 struct Hourglass
 {
   HourglassKind kind = HourglassKind::stiffness;
-  /// Spring: times stiffness_length() [Pa]. Assumed strain: the shear modulus
-  /// times the coefficient [Pa].
+  /// For `stiffness`, multiplies stiffness_length(); for `assumed_strain`,
+  /// shear modulus times coefficient [Pa].
   Number stiffness{};
-  /// Damper: times damping_area() [Pa s/m].
+  /// Damping, multiplies damping_area() [Pa s/m].
   Number viscosity{};
-  /// Whether there is a damper besides what `kind` says.
+  /// Whether damping acts in addition to `kind`.
   bool damped = false;
 
   bool has_damper() const
@@ -53,27 +52,25 @@ struct Hourglass
   }
 };
 
-/**
- * The spring that gives a cube the energy of its shear in a warping mode when
- * the coefficient is 1: 8/3 G h in amplitudes, hence 1/64 of it in modes.
- */
+/// Stiffness that gives a cube the energy of its shear in a warping mode, for
+/// coefficient 1: 8/3 G h for amplitudes, hence 1/64 of it for modal values.
 inline constexpr double hourglass_spring = 8. / 3. / 64.;
 
-/// The damper for coefficient 1: 0.1 rho c_s h^2 in amplitudes, which the steps
-/// of distorted elements bear as well.
+/// Damping for coefficient 1: 0.1 rho c_s h^2 for amplitudes, which the stable
+/// step of distorted elements tolerates.
 inline constexpr double hourglass_damper = 0.1 / 64.;
 
 /**
- * Least bulk over shear modulus of matter that is taken as nearly
- * incompressible. There the hourglass modes that neighbours have in turn, with
- * an amplitude that changes slowly, change volumes a little, from element to
- * element the other way: they are waves of speed c, of long period however
- * short, with pressures that alternate. Springs made of the shear modulus do
- * not hold them.
+ * Least ratio of bulk to shear modulus for which matter counts as nearly
+ * incompressible. There, hourglass modes that alternate between neighbours
+ * with slowly varying amplitude change element volumes with alternating sign.
+ * These modes are waves of speed c with long periods despite short wave
+ * lengths, and with checkerboard pressures. Stiffness from the shear modulus
+ * does not suppress them.
  */
 inline constexpr double nearly_incompressible = 100.;
 
-/// Hourglass forces of equal springs, and their energy [J].
+/// Hourglass forces of equal stiffness, and their energy [J].
 template <typename Number>
 inline DEAL_II_ALWAYS_INLINE std::array<Vector3<Number>, 4>
 spring_forces(const Number &spring, const std::array<Vector3<Number>, 4> &q)
@@ -86,13 +83,12 @@ spring_forces(const Number &spring, const std::array<Vector3<Number>, 4> &q)
 }
 
 /**
- * Adds the forces of a damper to @p force.
+ * Adds damping forces to @p force.
  * @param rates of the modes [m/s]
- * @param half_step of the step to the present [s]
- * @param damping the same forces after the last step, are brought to the
- *   present
- * @return the heat of the step by the rule of the trapezoid, which closes the
- *   energy of central differences [J]
+ * @param half_step half of the last step [s]
+ * @param damping forces after the last step; replaced by the present ones
+ * @return energy dissipated in the step by the trapezoidal rule, which is
+ * consistent with the energy of central differences [J]
  */
 template <typename Number>
 inline DEAL_II_ALWAYS_INLINE Number

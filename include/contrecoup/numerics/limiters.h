@@ -10,24 +10,24 @@
 
 namespace contrecoup
 {
-/// The slope limiters to choose from, the more compressive the later.
+/// Slope limiters, in the order of increasing compression.
 enum class SlopeLimiter
 {
-  none,       ///< central difference, for smooth flow alone
+  none,       ///< central difference, for smooth flow only
   minmod,     ///< the smaller of both differences (Roe 1986)
   van_albada, ///< smooth (van Albada et al. 1982)
   van_leer,   ///< harmonic mean (van Leer 1974)
-  mc,         ///< central, at most twice either one (van Leer 1977)
-  superbee    ///< the largest that is TVD (Roe 1986)
+  mc,         ///< central, at most twice either difference (van Leer 1977)
+  superbee    ///< the largest TVD slope (Roe 1986)
 };
 
-/// All names of slope limiters.
+/// Names of all slope limiters.
 std::vector<std::string> slope_limiter_names();
 
-/// The limiter of this name. @throws InputError when there is none.
+/// The limiter with this name. @throws InputError for an unknown name
 SlopeLimiter parse_slope_limiter(const std::string &name);
 
-/// The argument closer to zero where both have one sign, else zero.
+/// The argument of smaller magnitude if both have the same sign, else zero.
 template <typename Number>
 inline DEAL_II_ALWAYS_INLINE Number minmod(const Number &a, const Number &b)
 {
@@ -37,7 +37,7 @@ inline DEAL_II_ALWAYS_INLINE Number minmod(const Number &a, const Number &b)
 
 namespace internal
 {
-  /// numerator / denominator where a b > 0, else zero.
+  /// numerator / denominator if @p product > 0, else zero.
   template <typename Number>
   inline DEAL_II_ALWAYS_INLINE Number
   quotient_of_one_sign(const Number &product,
@@ -51,9 +51,9 @@ namespace internal
 } // namespace internal
 
 /**
- * Limited difference over one cell of a uniform grid, from the differences
- * to the cell before and the one after; between zero and twice the smaller
- * of both, except for SlopeLimiter::none. The differences may be zero.
+ * Limited difference per cell of a uniform grid, from the differences to the
+ * cells before and after. Lies between zero and twice the smaller difference,
+ * except for SlopeLimiter::none. Differences may be zero.
  */
 template <typename Number>
 inline DEAL_II_ALWAYS_INLINE Number limited_slope(const SlopeLimiter limiter,
@@ -91,13 +91,13 @@ inline DEAL_II_ALWAYS_INLINE Number limited_slope(const SlopeLimiter limiter,
   }
 }
 
-/// Distances from a point of a non-uniform grid, and what follows from them
-/// for limited_slope(): made once for each point.
+/// Weights of limited_slope() at a point of a non-uniform grid, computed once
+/// from the distances.
 class SlopeWeights
 {
 public:
-  /// @param to_backward, to_forward distance to the neighbouring points
-  /// @param backward_edge, forward_edge distance to the own cell's faces
+  /// @param to_backward,to_forward distances to neighbouring points
+  /// @param backward_edge,forward_edge distances to the faces of the cell
   SlopeWeights(const double to_backward,
                const double to_forward,
                const double backward_edge,
@@ -115,9 +115,9 @@ public:
 };
 
 /**
- * Limited slope (derivative) at a point of a non-uniform grid, from the
- * slopes towards its neighbours: that of the uniform grid, bounded so that
- * the values at the cell's faces do not exceed the neighbours' values.
+ * Limited slope (derivative) at a point of a non-uniform grid, from the slopes
+ * towards its neighbours: as on a uniform grid, but bounded such that face
+ * values do not exceed the neighbours' values.
  */
 template <typename Number>
 inline DEAL_II_ALWAYS_INLINE Number limited_slope(const SlopeLimiter limiter,

@@ -7,20 +7,20 @@
 
 namespace contrecoup
 {
-/// What the load on a place of the skin would do to what may be there.
+/// Injuries that a load on the skin would cause.
 struct LoadInjury
 {
-  double peak = 0.;                ///< overpressure [Pa]
+  double peak = 0.;                ///< peak overpressure [Pa]
   double positive_phase = 0.;      ///< duration of the first one [s]
-  double chest_wall_velocity = 0.; ///< largest, inward, of a chest wall [m/s]
-  double lung_exposure = 0.;       ///< peak over that which half survive [-]
-  double eardrum_rupture = 0.;     ///< probability, of an ear [-]
+  double chest_wall_velocity = 0.; ///< largest inward velocity [m/s]
+  double lung_exposure = 0.;       ///< peak over median lethal peak [-]
+  double eardrum_rupture = 0.;     ///< probability [-]
 };
 
 /**
- * Duration of the first positive phase of an overpressure [s]: from when it
- * reaches a twentieth of its peak until it is first back at zero, or to the
- * end; 0 of one that is never above zero.
+ * Duration of the first positive phase of an overpressure history [s]: from
+ * reaching 5 % of its peak until its first return to zero, or until the end; 0
+ * if it is never positive.
  *
  * @param times increasing [s]
  * @param overpressures at these times [Pa]
@@ -29,15 +29,15 @@ double first_positive_phase(const std::vector<double> &times,
                             const std::vector<double> &overpressures);
 
 /**
- * What men suffer from a load at sea level, by chest_wall_response(),
+ * Injuries of a man by a load at sea level, from chest_wall_response(),
  * lung_median_lethal_overpressure() for the first positive phase, and
- * eardrum_rupture_probability(): each as if a chest, or an ear, were there.
+ * eardrum_rupture_probability(), as if chest or ear were at this place.
  *
  * @param times increasing [s]
- * @param overpressures at these times, straight between them [Pa]
+ * @param overpressures at these times, linear in between [Pa]
  * @param body_mass [kg]
- * @throws InputError for times that do not increase, or as many overpressures
- * as times are missing
+ * @throws InputError for times that do not increase, or when numbers of times
+ * and overpressures differ
  */
 LoadInjury load_injury(const std::vector<double> &times,
                        const std::vector<double> &overpressures,

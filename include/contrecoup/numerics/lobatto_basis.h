@@ -12,8 +12,8 @@ namespace contrecoup
 {
 /**
  * Lagrange polynomials l_j on the n Gauss-Lobatto points of [0, 1], and the
- * small matrices that one-dimensional parts of a tensor-product element
- * need. Point 0 is at 0, point n - 1 at 1.
+ * one-dimensional matrices of a tensor-product element. Point 0 is at 0, point
+ * n - 1 at 1.
  */
 class LobattoBasis
 {
@@ -29,25 +29,25 @@ public:
   /// Quadrature weights w_i, exact for degree 2 n - 3; their sum is 1.
   const std::vector<double> &weights() const;
 
-  /// D(i, j) = l_j'(x_i). The diagonal is minus the sum of the rest of its
-  /// row, so sum_j D(i, j) (u_j - u_i) is the derivative too, and exactly
-  /// zero for a constant.
+  /// D(i, j) = l_j'(x_i). Each diagonal entry is minus the sum of the other
+  /// entries of its row; sum_j D(i, j) (u_j - u_i) is thus the derivative as
+  /// well, and exactly zero for constants.
   const dealii::FullMatrix<double> &derivative() const;
 
   /// I(i, j) = l_j at point i of the lower (0) or upper (1) half interval:
-  /// from the parent's values to the child's.
+  /// interpolates from parent to child.
   const dealii::FullMatrix<double> &to_child(unsigned int child) const;
 
-  /// P such that P(0) u(0) + P(1) u(1) is the L2 projection of a function
-  /// given on both halves; the children's integrals are kept (w^T P = w^T/2)
-  /// and a polynomial on the parent comes back unchanged.
+  /// P(0) u(0) + P(1) u(1) is the L2 projection of a function on both halves
+  /// to the parent. It conserves integrals (w^T P = w^T/2) and reproduces
+  /// polynomials on the parent.
   const dealii::FullMatrix<double> &from_child(unsigned int child) const;
 
-  /// Coefficients of the orthonormal Legendre polynomials from the values at
-  /// the nodes, lowest degree first.
+  /// Transforms nodal values to coefficients of orthonormal Legendre
+  /// polynomials, lowest degree first.
   const dealii::FullMatrix<double> &to_modal() const;
 
-  /// l_j(@p x) for all j.
+  /// Values l_j(@p x) for all j.
   std::vector<double> values(double x) const;
 
 private:

@@ -11,26 +11,26 @@
 
 namespace contrecoup
 {
-/// The limiters of a gradient on meshes of any shape to choose from.
+/// Gradient limiters for meshes of any shape.
 enum class GradientLimiter
 {
   barth_jespersen, ///< no new extremum at any face (Barth, Jespersen 1989)
   venkatakrishnan  ///< smooth, weaker limiting near plateaus (1993)
 };
 
-/// All names of gradient limiters.
+/// Names of all gradient limiters.
 std::vector<std::string> gradient_limiter_names();
 
-/// The limiter of this name. @throws InputError when there is none.
+/// The limiter with this name. @throws InputError for an unknown name
 GradientLimiter parse_gradient_limiter(const std::string &name);
 
 /**
- * Factor in [0, 1] by which a cell's gradient has to shrink because of one
- * of its faces; the smallest over all faces serves the cell.
+ * Factor in [0, 1] on a cell's gradient that one of its faces requires; the
+ * minimum over all faces applies.
  *
- * @param room_below min over the cell and its neighbours, minus the cell's
+ * @param room_below minimum over the cell and its neighbours, minus the cell's
  * value; not positive
- * @param room_above max over the cell and its neighbours, minus the cell's
+ * @param room_above maximum over the cell and its neighbours, minus the cell's
  * value; not negative
  * @param increment unlimited change from cell centre to face centre
  * @param plateau square of a change too small to be limited (for
@@ -45,7 +45,7 @@ gradient_limiter_factor(const GradientLimiter limiter,
                         const Number &plateau)
 {
   const Number zero(0.), one(1.), tiny(std::numeric_limits<float>::min());
-  // Both room and change along the increment, so that they are positive.
+  // Room and change along the increment, both positive.
   const Number room =
     select_less(increment, zero, Number(-room_below), room_above);
   const Number change = std::abs(increment);

@@ -7,17 +7,17 @@
 
 namespace contrecoup
 {
-/// What a neo-Hookean solid stores of a change of volume.
+/// Strain energy functions of a neo-Hookean solid.
 enum class NeoHookeanForm
 {
-  /// G / 2 (J^(-2/3) tr C - 3) + K / 2 (J - 1)^2, as solid_law.h has it.
+  /// G / 2 (J^(-2/3) tr C - 3) + K / 2 (J - 1)^2, as in solid_law.h.
   split,
-  /// G / 2 (tr C - 3 - 2 ln J) + lambda / 2 (ln J)^2, as in papers of the
+  /// G / 2 (tr C - 3 - 2 ln J) + lambda / 2 (ln J)^2, usual in papers on the
   /// material point method.
   coupled
 };
 
-/// A neo-Hookean solid whose exact motions are known.
+/// A neo-Hookean solid, for exact solutions.
 struct NeoHookean
 {
   double density = 1000.; ///< undeformed [kg/m^3]
@@ -25,8 +25,8 @@ struct NeoHookean
   double bulk = 833.333;  ///< K, lambda = K - 2 G / 3 [Pa]
   NeoHookeanForm form = NeoHookeanForm::split;
 
+  /// Strain energy per undeformed volume [J/m^3].
   /// @param squares tr C
-  /// @return stored by the undeformed volume [J/m^3]
   double energy(const double squares, const double j) const
   {
     if (form == NeoHookeanForm::split)

@@ -8,10 +8,9 @@
 namespace contrecoup
 {
 /**
- * The implosion of W. F. Noh (J. Comput. Phys. 72 (1987) 78-120, section
- * 4): cold ideal gas of uniform density runs with uniform speed onto a
- * wall, axis or centre, and a shock of infinite strength stands between it
- * and gas at rest.
+ * Noh's implosion (W. F. Noh, J. Comput. Phys. 72 (1987) 78-120, section 4):
+ * cold ideal gas of uniform density moves with uniform speed towards a wall,
+ * axis or centre, where a shock of infinite strength brings it to rest.
  */
 class NohSolution
 {
@@ -19,9 +18,9 @@ public:
   /**
    * @param dimension 1 plane, 2 cylindrical, 3 spherical
    * @param gamma ratio of specific heats [-], above 1
-   * @param density initial density [kg/m^3], above 0
-   * @param speed initial speed towards the centre [m/s], above 0
-   * @throws InputError for numbers outside these ranges.
+   * @param density initial density [kg/m^3], positive
+   * @param speed initial speed towards the centre [m/s], positive
+   * @throws InputError for values outside these ranges
    */
   NohSolution(unsigned int dimension,
               double gamma,
@@ -31,8 +30,8 @@ public:
   /// Speed of the shock away from the centre [m/s].
   double shock_speed() const;
 
-  /// The state at @p radius [m] and @p time [s], both not negative. Ahead of
-  /// the shock the pressure is zero.
+  /// State at @p radius [m] and @p time [s], neither negative. Pressure is
+  /// zero ahead of the shock.
   RadialState value(double radius, double time) const;
 
 private:

@@ -5,11 +5,11 @@
 
 namespace contrecoup
 {
-/// A flow that depends on the distance from a plane, axis or centre alone.
+/// State of a flow with plane, cylindrical or spherical symmetry.
 struct RadialState
 {
-  double density = 0.;  ///< mass per volume [kg/m^3]
-  double velocity = 0.; ///< velocity away from the centre [m/s]
-  double pressure = 0.; ///< absolute pressure [Pa]
+  double density = 0.;  ///< [kg/m^3]
+  double velocity = 0.; ///< away from the centre [m/s]
+  double pressure = 0.; ///< absolute [Pa]
 };
 } // namespace contrecoup

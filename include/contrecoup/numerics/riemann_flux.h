@@ -10,24 +10,25 @@
 
 namespace contrecoup
 {
-/// The numerical fluxes to choose from.
+/// Numerical fluxes.
 enum class RiemannFlux
 {
-  hllc,             ///< resolves contacts and shear; grid-aligned shocks break
+  /// resolves contacts and shear; prone to carbuncles at grid-aligned shocks
+  hllc,
   hll,              ///< two waves: robust, smears contacts and shear
-  rusanov,          ///< one wave speed: the most diffusive
+  rusanov,          ///< one wave speed: most diffusive
   hllc_shock_stable ///< HLLC, blended with HLL along grid-aligned shocks
 };
 
-/// All names of fluxes.
+/// Names of all fluxes.
 std::vector<std::string> riemann_flux_names();
 
-/// The flux of this name. @throws InputError when there is none.
+/// The flux with this name. @throws InputError for an unknown name
 RiemannFlux parse_riemann_flux(const std::string &name);
 
 namespace internal
 {
-  /// Lane by lane a < b ? chosen : flux, for each component.
+  /// Lane by lane, for each component: a < b ? chosen : flux.
   template <int dim, typename Number>
   inline DEAL_II_ALWAYS_INLINE void
   replace_where_less(const Number &a,
@@ -43,7 +44,7 @@ namespace internal
     flux.products = select_less(a, b, chosen.products, flux.products);
   }
 
-  /// Lane by lane speed < 0 ? right : left.
+  /// Lane by lane: speed < 0 ? right : left.
   template <int dim, typename Number>
   inline DEAL_II_ALWAYS_INLINE FaceState<dim, Number>
   upwind_state(const Number &speed,
@@ -65,9 +66,9 @@ namespace internal
     return state;
   }
 
-  /// Positive where the state behind an outer wave of speed S = u + @p reach
-  /// is admissible: S - s has the sign of S - u, and the internal energy
-  /// (e + (s - u)^2 / 2 + p (s - u) / (rho (S - u))) is positive.
+  /// Positive if the state behind an outer wave of speed S = u + @p reach is
+  /// admissible: S - s has the sign of S - u, and the internal energy (e + (s
+  /// - u)^2 / 2 + p (s - u) / (rho (S - u))) is positive.
   template <int dim, typename Number>
   inline DEAL_II_ALWAYS_INLINE Number
   middle_state_soundness(const FaceState<dim, Number> &state,
@@ -83,10 +84,10 @@ namespace internal
                     Number((energy * reach + state.pressure * change) * reach));
   }
 
-  /// HLLC (Toro, Spruce and Speares 1994), written for the one side that the
-  /// contact leaves the face in. With the contact speed s and the outer
-  /// speed S of that side, the flux is w F_S + (1 - w) (0, p*, 0, p* s) with
-  /// w = s / (s - S) and F_S the flux relative to the outer wave.
+  /// HLLC flux (Toro, Spruce and Speares 1994), evaluated on the upwind side
+  /// of the contact. With the contact speed s and the outer wave speed S of
+  /// that side, the flux is w F_S + (1 - w) (0, p*, 0, p* s), where w = s / (s
+  /// - S) and F_S is the flux relative to the outer wave.
   template <int dim, typename Number>
   inline DEAL_II_ALWAYS_INLINE FaceFlux<dim, Number>
   hllc_flux(const FaceState<dim, Number> &left,
@@ -100,8 +101,8 @@ namespace internal
       right.density * (speeds.right - right.velocity[0]);
     const Number inverse =
       one / std::min(Number(left_rate - right_rate), Number(-tiny));
-    // About the mean velocity, so that equal pressures and velocities give
-    // exactly that velocity.
+    // Relative to the mean velocity, so that equal pressures and velocities
+    // reproduce that velocity exactly.
     const Number contact = (left.velocity[0] + right.velocity[0]) * 0.5 +
                            ((right.pressure - left.pressure) -
                             (right.velocity[0] - left.velocity[0]) *
@@ -142,8 +143,7 @@ namespace internal
     return flux;
   }
 
-  /// flux + (1 - share) (other - flux), which is exact where both are equal
-  /// and where share is 1.
+  /// flux + (1 - share) (other - flux); exact if both are equal or share is 1.
   template <int dim, typename Number>
   inline DEAL_II_ALWAYS_INLINE void blend(const Number &share,
                                           const FaceFlux<dim, Number> &other,
@@ -160,16 +160,16 @@ namespace internal
 } // namespace internal
 
 /**
- * Numerical flux through a face between two gases of any convex equation of
- * state, from the left to the right one.
+ * Numerical flux through a face between two gases with any convex equation of
+ * state, from left to right.
  *
- * At rest (equal states without velocity) it is exactly (0, p, 0, 0); HLLC
- * gives the same at a contact at rest, whatever the densities. A vacuum on a
- * side (rho = p = c = 0) is allowed. HLLC falls back to HLL in the lanes
- * where its middle state is inadmissible.
+ * For equal states at rest the flux is exactly (0, p, 0, 0); HLLC gives the
+ * same at a stationary contact, for any densities. A vacuum on a side (rho = p
+ * = c = 0) is allowed. HLLC falls back to HLL in lanes with an inadmissible
+ * middle state.
  *
- * @param shear_factor used by hllc_shock_stable alone: the share of HLLC in
- * [0, 1], from shear_factor(); the rest is HLL. 1 gives HLLC to the last bit.
+ * @param shear_factor for hllc_shock_stable only: weight of HLLC in [0, 1]
+ * from shear_factor(); the rest is HLL. 1 is bitwise HLLC.
  */
 template <int dim, typename Number>
 inline DEAL_II_ALWAYS_INLINE FaceFlux<dim, Number>

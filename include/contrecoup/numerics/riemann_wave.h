@@ -9,7 +9,7 @@
 
 namespace contrecoup
 {
-/// A uniform gas on one side of a Riemann problem, or the solution at a point.
+/// Uniform state on one side of a Riemann problem, or the solution at a point.
 struct RiemannState
 {
   double density = 1.;  ///< [kg/m^3]
@@ -19,14 +19,14 @@ struct RiemannState
 };
 
 /**
- * The nonlinear wave that runs into one uniform gas of any convex equation of
- * state: a shock (by the Hugoniot relation) where the pressure behind it is
- * higher, a centred rarefaction where it is lower.
+ * Nonlinear wave into a uniform gas with any convex equation of state: a shock
+ * (Hugoniot relation) if the pressure behind it is higher, a centred
+ * rarefaction if it is lower.
  *
- * The isentrope is integrated once, in the logarithm of the density, down to a
- * millionth of the density ahead: dp = rho c^2 ds, du = +-c ds. Below that the
- * gas is a polytrope with the local exponent, which is exact for all equations
- * of state of this library.
+ * The isentrope is integrated once, in the logarithm of density, down to a
+ * millionth of the density ahead: dp = rho c^2 ds, du = +-c ds. Below, the gas
+ * is a polytrope with the local exponent, which is exact for all equations of
+ * state of this library.
  */
 class RiemannWave
 {
@@ -37,7 +37,7 @@ public:
     right = 1
   };
 
-  /// What the gas is like behind the wave.
+  /// State behind the wave.
   struct Behind
   {
     double density;  ///< [kg/m^3]
@@ -50,25 +50,26 @@ public:
 
   const RiemannState &ahead() const;
 
-  /// Pressure of the gas expanded to vacuum [Pa]: 0, or that below which a
-  /// stiffened gas does not exist.
+  /// Pressure of the gas expanded to vacuum [Pa]: 0, or the lowest pressure of
+  /// a stiffened gas.
   double lowest_pressure() const;
 
   /// Velocity of the gas expanded to vacuum [m/s].
   double escape_velocity() const;
 
-  /// State behind the wave for the pressure there [Pa].
-  /// @throws NumericsError when the Hugoniot curve does not reach it.
+  /// State behind the wave for a given pressure there [Pa].
+  /// @throws NumericsError when the Hugoniot curve does not reach it
   Behind behind(double pressure) const;
 
-  /// Speed of the edge that touches the gas ahead [m/s].
+  /// Speed of the wave's edge next to the gas ahead [m/s].
   double head_speed(double pressure) const;
 
-  /// Speed of the edge that touches the gas behind [m/s]; a shock has one.
+  /// Speed of the wave's edge next to the gas behind [m/s]; for a shock the
+  /// same.
   double tail_speed(double pressure) const;
 
-  /// The state inside a rarefaction on the ray x/t = @p speed [m/s], between
-  /// head and tail.
+  /// State inside a rarefaction at x/t = @p speed [m/s], between head and
+  /// tail.
   RiemannState in_fan(double speed) const;
 
 private:
@@ -92,7 +93,7 @@ private:
   GasMaterial gas_;
   double sign_;
   double lowest_pressure_;
-  double omega_; ///< the polytrope's exponent minus one
+  double omega_; ///< polytropic exponent minus one
   std::vector<Point> isentrope_;
 };
 } // namespace contrecoup

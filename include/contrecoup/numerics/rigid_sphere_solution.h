@@ -9,8 +9,8 @@
 
 namespace contrecoup
 {
-/// A fluid at rest in a rigid sphere that is decelerated for half a period of a
-/// sine.
+/// A fluid, initially at rest, in a rigid sphere with a half-sine
+/// deceleration.
 struct RigidSphere
 {
   double radius = 0.09;        ///< R [m]
@@ -21,28 +21,29 @@ struct RigidSphere
 };
 
 /**
- * Pressure of linear acoustics in that sphere, the problem of Anzelius and
- * Guettinger, by the modes that are odd along the deceleration:
+ * Acoustic pressure in the sphere, the problem of Anzelius and Guettinger, by
+ * a series of modes that are odd along the deceleration:
  *
  *   p = rho c cos(theta) sum 2 a_n / (a_n^2 - 2) j_1(a_n r / R) / j_1(a_n)
  *         integral_0^t A(s) sin(a_n c (t - s) / R) ds,   j_1'(a_n) = 0,
  *
- * theta from the direction in which the sphere moved. Slow decelerations give
- * rho A r cos(theta). The series converges like 1 / a_n^2 at the wall.
+ * with theta measured from the initial direction of motion. For slow
+ * decelerations p = rho A r cos(theta). The series converges like 1 / a_n^2 at
+ * the wall.
  */
 class RigidSphereSolution
 {
 public:
-  /// @param n_modes terms of the series
+  /// @param n_modes number of terms
   explicit RigidSphereSolution(const RigidSphere &sphere,
                                const unsigned int n_modes = 200);
 
-  /// Pressure [Pa] at @p distance [m] from the centre in a direction with this
-  /// @p cosine of theta, at @p time [s].
+  /// Pressure [Pa] at @p distance [m] from the centre and @p cosine of theta,
+  /// at @p time [s].
   double
   pressure(const double distance, const double cosine, const double time) const;
 
-  /// a_n, see above [-].
+  /// Roots a_n [-].
   const std::vector<double> &roots() const
   {
     return roots_;

@@ -8,7 +8,7 @@
 
 namespace contrecoup
 {
-/// One stage u <- a u^n + b (u + dt L(u)), L being taken at t^n + c dt.
+/// One stage u <- a u^n + b (u + dt L(u)), with L evaluated at t^n + c dt.
 struct RungeKuttaStage
 {
   double initial_weight; ///< a [-]
@@ -18,9 +18,8 @@ struct RungeKuttaStage
 
 /**
  * Strong-stability-preserving Runge-Kutta method as convex combinations of
- * forward Euler steps (Shu and Osher 1988), so that whatever one such step
- * keeps positive or bounded stays so. All methods here allow the step size
- * of forward Euler.
+ * forward Euler steps (Shu and Osher 1988): bounds that hold for forward Euler
+ * hold for the method. All methods here allow the step size of forward Euler.
  */
 struct RungeKuttaTable
 {
@@ -28,9 +27,9 @@ struct RungeKuttaTable
   std::vector<RungeKuttaStage> stages;
 };
 
-/// Names of the methods: one of each order from 1 to 3.
+/// Names of the methods, one for each order from 1 to 3.
 std::vector<std::string> runge_kutta_names();
 
-/// The method of this name. @throws InputError when there is none.
+/// The method with this name. @throws InputError for an unknown name
 RungeKuttaTable parse_runge_kutta(const std::string &name);
 } // namespace contrecoup

@@ -6,18 +6,18 @@
 namespace contrecoup
 {
 /**
- * Plane waves in the material point method on a grid of cardinal B-splines,
- * with particles so dense that their sums are integrals, and short steps. With
- * the phase q of a wave from one node to the next, the mass and stiffness of
- * the splines have the symbols
+ * Dispersion of plane waves in the material point method on cardinal
+ * B-splines, for dense particles (exact integrals) and small steps. With the
+ * phase q of a wave between adjacent nodes, the mass and stiffness matrices
+ * have the symbols
  *
  *   M = sum_j B_{2p+1}(j) cos(j q),   K = -sum_j B''_{2p+1}(j) cos(j q)
  *
- * of the centred spline of degree 2 p + 1. Particles that get increments of
- * velocities from nodes with lumped masses (FLIP, USF or MUSL) feel
- * w^2 = (c / h)^2 K M; with k terms of the series that inverts the mass, on
- * velocities as on forces, w^2 = (c / h)^2 K M S^2 with S = sum_{i < k}
- * (1 - M)^i; the consistent mass has K / M.
+ * of the centred spline of degree 2 p + 1. If particles get velocity
+ * increments from nodes with lumped masses (FLIP, USF or MUSL), w^2 = (c /
+ * h)^2 K M. With k terms of the series for the inverse mass, applied to
+ * velocities and forces, w^2 = (c / h)^2 K M S^2 with S = sum_{i < k} (1 -
+ * M)^i. The consistent mass gives K / M.
  */
 class SplineDispersion
 {
@@ -25,20 +25,20 @@ public:
   /// @param degree p of the splines: 1, 2 or 3
   explicit SplineDispersion(const unsigned int degree);
 
-  /// M.
+  /// Symbol M.
   double mass(const double phase) const;
 
-  /// K, of h u'' = -K / h u.
+  /// Symbol K, h u'' = -K / h u.
   double stiffness(const double phase) const;
 
   /**
-   * Speed of waves over that of sound.
-   * @param cells in a wave's length, above 2
-   * @param terms of the series; 1: lumped
+   * Numerical wave speed over the exact one.
+   * @param cells per wave length, above 2
+   * @param terms of the series; 1: lumped mass
    */
   double speed(const double cells, const unsigned int terms = 1) const;
 
-  /// The same with the consistent mass.
+  /// The same with consistent mass.
   double consistent_speed(const double cells) const;
 
 private:

@@ -8,22 +8,22 @@
 
 namespace contrecoup
 {
-/// Values and slopes of the B-splines that do not vanish at a place, along one
-/// direction of a uniform grid.
+/// Values and slopes of the nonzero B-splines at a point, along one direction
+/// of a uniform grid.
 template <typename Number>
 struct SplineWeightsOf
 {
-  /// Of the spline whose weight is the first one: its node.
+  /// Node of the first spline.
   int first;
-  /// Padded with zeros to four.
+  /// Values, padded with zeros to four.
   std::array<Number, 4> value;
-  /// Per grid cell.
+  /// Slopes per grid cell.
   std::array<Number, 4> slope;
 };
 using SplineWeights = SplineWeightsOf<double>;
 
-/// What is added to a place over the cell size before it is rounded down, and
-/// how many nodes before that the first spline sits.
+/// spline_shift() is added to position / cell size before rounding down;
+/// spline_lead() is the number of nodes from the first spline to the result.
 constexpr double spline_shift(const unsigned int degree)
 {
   return degree == 2 ? 0.5 : 0.;
@@ -34,11 +34,11 @@ constexpr int spline_lead(const unsigned int degree)
 }
 
 /**
- * B-splines of degree 1, 2 or 3 with their centres at the nodes of a uniform
- * grid: they are positive, sum up to 1 and reproduce linear functions. Steffen,
- * Kirby and Berzins, Int. J. Numer. Methods Eng. 76 (2008), section 3.
- * @param f place over the cell size, less the rounded one
- * @return first is left alone
+ * B-splines of degree 1, 2 or 3, centred at the nodes of a uniform grid:
+ * positive, partition of unity, linear reproduction (Steffen, Kirby and
+ * Berzins, Int. J. Numer. Methods Eng. 76 (2008), section 3).
+ * @param f position over cell size, minus the rounded one
+ * @return weights; `first` is not set
  */
 template <unsigned int degree, typename Number>
 inline SplineWeightsOf<Number> spline_weights_at(const Number &f)
@@ -73,7 +73,7 @@ inline SplineWeightsOf<Number> spline_weights_at(const Number &f)
   return w;
 }
 
-/// The same of a place. @param place over the cell size; node i is at i
+/// The same at a position. @param place over the cell size; node i is at i
 template <unsigned int degree>
 inline SplineWeights spline_weights(const double place)
 {
@@ -84,8 +84,9 @@ inline SplineWeights spline_weights(const double place)
 }
 
 /// Sum of N_i (x_i - x)^2 over the nodes of one direction, in squared cells:
-/// 1/4 of quadratic, 1/3 of cubic splines; affine transfers divide by it.
-/// Linear splines have no constant one. Jiang and others, SIGGRAPH 2015.
+/// 1/4 for quadratic, 1/3 for cubic splines; affine transfers divide by this
+/// value. It is not constant for linear splines. Jiang and others, SIGGRAPH
+/// 2015.
 constexpr double spline_inertia(const unsigned int degree)
 {
   return degree == 2 ? 0.25 : 1. / 3.;

@@ -14,11 +14,11 @@
 namespace contrecoup
 {
 /**
- * How much of a finite-volume scheme a polynomial of degree n - 1 needs, from
- * the share of its highest Legendre modes in its energy: a smooth function's
- * modes decay fast (Persson and Peraire 2006, with the threshold and the
- * transition of Hennemann, Rueda-Ramirez, Hindenlang and Gassner 2021,
- * section 3.3).
+ * Trouble indicator of discontinuous Galerkin cells: the blending factor with
+ * a finite-volume scheme for a polynomial of degree n - 1, from the fraction
+ * of energy in its highest Legendre modes, which decay fast in smooth flow
+ * (Persson and Peraire 2006, with the threshold and the transition of
+ * Hennemann, Rueda-Ramirez, Hindenlang and Gassner 2021, section 3.3).
  */
 template <int dim, int n>
 class TroubleIndicator
@@ -26,8 +26,8 @@ class TroubleIndicator
 public:
   static constexpr unsigned int n_points = dealii::Utilities::pow(n, dim);
 
-  /// @param threshold_factor factor of the threshold; the smaller, the more
-  /// is taken for trouble [-]
+  /// @param threshold_factor factor on the threshold; smaller values flag more
+  /// cells [-]
   explicit TroubleIndicator(const LobattoBasis &basis,
                             const double threshold_factor = 1.)
     : threshold_(threshold_factor * 0.5 *
@@ -38,8 +38,8 @@ public:
         to_modal_[i][j] = basis.to_modal()(i, j);
   }
 
-  /// 0 where the polynomial with these nodal values (x fastest) is smooth,
-  /// 1 where it is not resolved.
+  /// 0 if the polynomial with these nodal values (x fastest) is smooth, 1 if
+  /// it is not resolved.
   template <typename Number>
   Number blending_factor(std::array<Number, n_points> values) const
   {
@@ -66,7 +66,7 @@ public:
       Number(1.) /
       (Number(1.) +
        exponential(Number((share - threshold_) * (-sharpness / threshold_))));
-    // Where the transition is far from either end, it is the end.
+    // Clip the tails of the transition.
     alpha = select_less(alpha, Number(1e-3), Number(0.), alpha);
     return select_less(Number(1. - 1e-3), alpha, Number(1.), alpha);
   }

@@ -10,9 +10,8 @@
 namespace contrecoup
 {
 /**
- * A thin elastic bar that is held at x = 0 and free at x = L, in a mode of
- * small vibrations along it, started by the velocity v_0 sin(k x), k = (n -
- * 1/2) pi / L:
+ * Longitudinal vibration of a thin elastic bar, fixed at x = 0 and free at x =
+ * L, with the initial velocity v_0 sin(k x), k = (n - 1/2) pi / L:
  *
  *   v = v_0 sin(k x) cos(w t),   w = k sqrt(E / rho).
  */
@@ -36,32 +35,32 @@ struct VibratingBar
     return wave_number() * std::sqrt(young_modulus / density);
   }
 
-  /// [s]
+  /// Period [s].
   double period() const
   {
     return 2. * dealii::numbers::PI / frequency();
   }
 
-  /// [m/s]
+  /// v [m/s].
   double velocity(const double x, const double time) const
   {
     return speed * std::sin(wave_number() * x) * std::cos(frequency() * time);
   }
 
-  /// [m]
+  /// Displacement [m].
   double displacement(const double x, const double time) const
   {
     return speed / frequency() * std::sin(wave_number() * x) *
            std::sin(frequency() * time);
   }
 
-  /// Of the centre of mass [m/s].
+  /// Velocity of the centre of mass [m/s].
   double mean_velocity(const double time) const
   {
     return speed * std::cos(frequency() * time) / (wave_number() * length);
   }
 
-  /// Kinetic and stored, by the area of the bar [J/m^2].
+  /// Total energy per cross-section [J/m^2].
   double energy() const
   {
     return 0.25 * density * speed * speed * length;

@@ -8,10 +8,10 @@
 namespace contrecoup
 {
 /**
- * The isentropic vortex of C.-W. Shu (Essentially non-oscillatory and
- * weighted essentially non-oscillatory schemes for hyperbolic conservation
- * laws, NASA CR-97-206253, 1997, section 5.1), in the plane of the first two
- * coordinates. It travels with the gas and keeps its shape.
+ * Isentropic vortex of C.-W. Shu (Essentially non-oscillatory and weighted
+ * essentially non-oscillatory schemes for hyperbolic conservation laws, NASA
+ * CR-97-206253, 1997, section 5.1), in the plane of the first two coordinates.
+ * It is advected with the gas without change of shape.
  */
 class VortexSolution
 {
@@ -33,18 +33,19 @@ public:
   std::array<double, 2> center = {{0, 0}};   ///< at time zero [m]
   std::array<double, 2> velocity = {{1, 1}}; ///< of the gas [m/s]
 
-  /// The state at (@p x, @p y) [m] and @p time [s], from the nearest of the
-  /// periodic images. Where images meet, half a period from the core, the
-  /// exact field has a kink of relative size exp((1 - (period/2/radius)^2) /
-  /// 2): 6e-6 for the default box of ten radii.
+  /// State at (@p x, @p y) [m] and @p time [s], from the nearest periodic
+  /// image. Half a period from the core, where images meet, the exact field
+  /// has a kink of relative size exp((1 - (period/2/radius)^2) / 2): 6e-6 for
+  /// the default box of ten radii.
   State value(double x, double y, double time) const;
 
-  /// Whether the core is warmer than absolute zero, so that value() is
+  /// Whether the temperature of the core is positive, so that value() is
   /// physical everywhere.
   bool is_admissible() const;
 
 private:
-  /// Drop of the temperature ratio below one at @p distance radii.
+  /// Decrease of the relative temperature. @param distance_square squared
+  /// distance in core radii
   double temperature_drop(double distance_square) const;
 };
 } // namespace contrecoup

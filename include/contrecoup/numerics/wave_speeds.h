@@ -10,12 +10,12 @@
 
 namespace contrecoup
 {
-/// Gas state on one side of a face, seen along the face normal.
+/// State on one side of a face, in face coordinates.
 template <int dim, typename Number>
 struct FaceState
 {
   Number density;                   ///< rho [kg/m^3]
-  std::array<Number, dim> velocity; ///< [0] normal, rest tangential
+  std::array<Number, dim> velocity; ///< [0] normal, others tangential
   Number pressure;                  ///< p [Pa]
   Number energy_density;            ///< rho E [J/m^3]
   Number sound_speed;               ///< c [m/s]
@@ -32,14 +32,14 @@ struct WaveSpeeds
 
 namespace internal
 {
-  /// How fast a strong wave runs into the gas on one side.
+  /// Speed of a strong wave into the gas on one side.
   template <typename Number>
   class StrongWave
   {
   public:
-    /// The fundamental derivative G = (gamma + 1) / 2 is taken with
-    /// gamma = rho c^2 / p, at most 8: where p is small beside rho c^2, as in
-    /// a stiffened gas, that ratio says nothing about G.
+    /// Uses the fundamental derivative G = (gamma + 1) / 2 with gamma = rho
+    /// c^2 / p, at most 8. If p is small compared to rho c^2, as in a
+    /// stiffened gas, that ratio is no measure of G.
     DEAL_II_ALWAYS_INLINE
     StrongWave(const Number &density,
                const Number &pressure,
@@ -58,9 +58,9 @@ namespace internal
       inverse_ = density * inverse;
     }
 
-    /// Mass flux through the wave with the pressure @p behind it, per change
-    /// of velocity: that of a shock, W^2 = c^2 + G (p - p_0) / rho (exact for
-    /// the ideal and the stiffened gas), or about that of a rarefaction.
+    /// Mass flux through the wave, per change of velocity, for the pressure @p
+    /// behind: that of a shock, W^2 = c^2 + G (p - p_0) / rho (exact for ideal
+    /// and stiffened gas), or approximately that of a rarefaction.
     DEAL_II_ALWAYS_INLINE Number impedance(const Number &behind) const
     {
       const Number zero(0.);
@@ -75,7 +75,7 @@ namespace internal
                rise, zero, Number(sound_speed_ * (root * 0.85 + 0.15)), root);
     }
 
-    /// Speed of the wave's front relative to the gas.
+    /// Speed of the wave front relative to the gas.
     DEAL_II_ALWAYS_INLINE Number front_speed(const Number &behind) const
     {
       const Number rise = std::max(Number(behind - pressure_), Number(0.));
@@ -88,9 +88,9 @@ namespace internal
     Number inverse_;   ///< 1 / p, bounded
   };
 
-  /// Front speeds, relative to each gas, of the waves that a strong jump sends
-  /// out. The pressure between them is iterated twice with the impedances of
-  /// both waves, starting from the mean plus what the collision adds.
+  /// Front speeds, relative to each gas, of the waves from a strong jump. The
+  /// pressure between the waves is iterated twice with the impedances of both
+  /// waves, starting from the mean plus the contribution of the collision.
   template <int dim, typename Number>
   inline DEAL_II_ALWAYS_INLINE WaveSpeeds<Number>
   strong_wave_speeds(const FaceState<dim, Number> &left,
@@ -127,12 +127,12 @@ namespace internal
  * Outer wave speeds of the Riemann problem between two gases with any convex
  * equation of state.
  *
- * They unite the bounds of Davis (1988), u -+ c of both sides, which contain
- * every single shock by Lax' condition and keep the contact speed of HLLC
- * between them whenever rho c^2 >= p, with estimated shock speeds where the
- * jump is strong: |dp| above 5 % of the smaller rho c^2, or a closing velocity
- * above 5 % of the smaller c. Lanes without a strong jump do not depend on the
- * others; a group without any skips that part.
+ * The speeds are the bounds of Davis (1988), u -+ c of both sides, combined
+ * with estimated shock speeds at strong jumps: |dp| above 5 % of the smaller
+ * rho c^2, or a closing velocity above 5 % of the smaller c. Davis' bounds
+ * contain every single shock by the Lax condition, and enclose the contact
+ * speed of HLLC whenever rho c^2 >= p. Lanes without a strong jump do not
+ * depend on other lanes; a group of lanes without any skips the estimate.
  */
 template <int dim, typename Number>
 inline DEAL_II_ALWAYS_INLINE WaveSpeeds<Number>
