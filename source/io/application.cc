@@ -97,8 +97,7 @@ namespace io
     const int argc = static_cast<int>(argv.size());
     Failure failure;
     {
-      // What the inner one could not agree on, the outer one brings to an
-      // end.
+      // The outer Collective terminates what the inner one cannot agree on.
       Collective outer(MPI_COMM_WORLD);
       Collective inner(MPI_COMM_WORLD);
       try
@@ -123,8 +122,8 @@ namespace io
     dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
 
     const std::vector<std::string> arguments(argv, argv + argc);
-    // A process that no mpirun started gets no daemon of its own, which only
-    // those need that start further ranks.
+    // Without mpirun, a singleton needs no daemon; only processes that spawn
+    // further ranks do.
     setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
     int initialised = 0;
     MPI_Initialized(&initialised);

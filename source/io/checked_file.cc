@@ -48,7 +48,7 @@ namespace io
     {
       const int reason = errno;
       remove_quietly(partial);
-      // Writers that test their stream themselves know less than errno.
+      // errno is more precise than a writer's own test of its stream.
       if (reason == ENOSPC || reason == EFBIG || reason == EDQUOT)
         throw failed(file, reason);
       throw;
@@ -66,7 +66,7 @@ namespace io
   {
     std::ifstream input(file, std::ios::binary);
     std::ostringstream content;
-    // A stream takes an empty file for a failure to write.
+    // Inserting an empty file buffer sets the stream's failure state.
     const bool is_empty =
       input && input.peek() == std::ifstream::traits_type::eof();
     if (!is_empty && (!input || !(content << input.rdbuf())))

@@ -30,7 +30,7 @@ namespace io
     const char *const marker = "complete.json";
     const char *const run_file = "run.json";
 
-    /// What solvers and this class write into a checkpoint.
+    /// Names of files that solvers and this class write into a checkpoint.
     const std::vector<std::string> file_names = {"*.bin", "*.json", "*.h5"};
 
     /// Checkpoint folders by number.
@@ -70,7 +70,7 @@ namespace io
       sync(checkpoint.string());
     }
 
-    /// What is wrong with a checkpoint in one clause; empty if nothing is.
+    /// Damage of a checkpoint as one clause; empty if undamaged.
     std::string damage(const fs::path &checkpoint)
     {
       if (!is_complete(checkpoint))

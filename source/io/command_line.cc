@@ -67,7 +67,7 @@ namespace io
       command.parameter_file = file;
     }
 
-    /// @return what the user may have overlooked, in lines
+    /// @return possible oversights of the user, one line each
     std::vector<std::string> assign(const CommandLine &command,
                                     dealii::ParameterHandler &prm)
     {
@@ -184,19 +184,15 @@ namespace io
            "  --output DIR        the output folder "
            "(default: output/" +
            application +
-           "/<name of FILE>)\n"
-           "  --resume            goes on from the last complete checkpoint "
-           "there\n"
-           "  --overwrite         begins anew and removes what an earlier run "
-           "left there\n"
-           "  --check             says what would be run and what it would "
-           "cost\n"
-           "  --print-parameters  prints all entries with meaning, allowed "
-           "values, default\n"
-           "  --help              prints this\n"
-           "  --version           prints version and git revision\n\n"
-           "Exit codes: 0 done, 1 bad input, 2 the numerics failed, 3 the "
-           "system failed;\n130, 143, 138 stopped by Ctrl-C, SIGTERM, SIGUSR1, "
+           "/<name of FILE>)\n  --resume            goes on from the last "
+           "complete checkpoint there\n  --overwrite         begins anew "
+           "and removes what an earlier run left there\n  "
+           "--check             says what would be run and what it would "
+           "cost\n  --print-parameters  prints all entries with meaning, "
+           "allowed values, default\n  --help              prints this\n  "
+           "--version           prints version and git revision\n\nExit "
+           "codes: 0 done, 1 bad input, 2 the numerics failed, 3 the system "
+           "failed;\n130, 143, 138 stopped by Ctrl-C, SIGTERM, SIGUSR1, "
            "with a checkpoint to go on\nfrom.\n" +
            parallel;
   }

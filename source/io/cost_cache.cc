@@ -21,7 +21,7 @@ namespace io
     namespace fs = std::filesystem;
     using Json = nlohmann::ordered_json;
 
-    /// The processor's name, or an empty text.
+    /// Name of the processor; empty if unknown.
     std::string processor()
     {
       std::ifstream file("/proc/cpuinfo");
@@ -31,7 +31,7 @@ namespace io
       return "";
     }
 
-    /// Version and time of making of the program that runs.
+    /// Version and modification time of the running program.
     std::string build()
     {
       std::error_code ignored;
@@ -62,7 +62,7 @@ namespace io
 
   std::optional<CostEstimate> CostCache::read() const
   {
-    // A folder that may not be read throws otherwise.
+    // The overload without error code throws for unreadable folders.
     std::error_code ignored;
     if (file_.empty() || !fs::exists(file_, ignored))
       return std::nullopt;
@@ -105,7 +105,7 @@ namespace io
     }
     catch (const std::exception &)
     {
-      // What cannot be kept is found again the next time.
+      // Without a cache, the cost is measured again next time.
     }
   }
 } // namespace io

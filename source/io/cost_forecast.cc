@@ -21,10 +21,10 @@ namespace io
   namespace
   {
     const char *const levels_variable = "CONTRECOUP_CHECK_LEVELS";
-    /// Trials are doubled at most so often.
+    /// Largest number of coarsenings of a trial.
     constexpr unsigned int most_levels = 10;
-    /// Trials of long runs may take this part of their processor time, and so
-    /// many budgets.
+    /// Limits for the trials of long runs: fraction of the run's processor
+    /// time, and number of budgets.
     constexpr double long_run_part = 0.01, most_budgets = 5.;
 
     const TrialStage &stage_like(const Trial &trial, const TrialStage &stage)
@@ -36,7 +36,7 @@ namespace io
       return none;
     }
 
-    /// Seconds of a step with @p cells, see forecast_cost().
+    /// Time of a step with @p cells, see forecast_cost() [s].
     double step_seconds(const TrialStage &before,
                         const TrialStage &last,
                         const double cells)
@@ -52,16 +52,17 @@ namespace io
         return whole;
       const double slope =
         (last_seconds - seconds_before) / (last_cells - cells_before);
-      // A part that does not grow is seen in short trials through noise.
+      // In short trials, noise hides the part that does not grow.
       const double least = last_seconds * std::pow(cells / last_cells, 0.85);
       return std::clamp(last_seconds + slope * (cells - last_cells),
                         std::min(least, whole),
                         std::max(least, whole));
     }
 
-    /// Cells of the scene, given those of the trials and those that the solver
-    /// knows of before each, all of the same stage. What adaptation adds to
-    /// these grows, see forecast_cost(); where it takes some away, all do.
+    /// Number of cells of the scene from those of two trials and from the
+    /// solver's initial cells, all of the same stage. Extrapolates the cells
+    /// that adaptation adds, see forecast_cost(), or all cells where
+    /// adaptation removes some.
     double extrapolate_cells(const double before,
                              const Trial &before_trial,
                              const double last,
@@ -85,7 +86,7 @@ namespace io
                              gap);
     }
 
-    /// @param known cells that the solver says the scene begins with
+    /// @param known initial cells of the scene by the solver's estimate
     CostEstimate
     extrapolate(const Trial &before, const Trial &last, const double known)
     {
@@ -138,13 +139,13 @@ namespace io
       return result;
     }
 
-    /// Of the last stage, whose mesh is the largest in memory.
+    /// Cells of the last stage, whose mesh is the largest in memory.
     double largest_cells(const Trial &trial)
     {
       return trial.stages.empty() ? 0. : trial.stages.back().largest_cells;
     }
 
-    /// What a mesh of @p cells takes, see forecast_cost() [byte].
+    /// Memory for a mesh of @p cells, see forecast_cost() [byte].
     double extrapolate_memory(const std::vector<Trial> &trials,
                               const double cells)
     {
@@ -152,13 +153,13 @@ namespace io
       const double more = largest_cells(last) - largest_cells(first);
       const double found =
         more > 0. ? (last.peak_memory - first.peak_memory) / more : 0.;
-      // Twice as much holds what adaptation does; more is noise.
+      // Adaptation needs up to twice the memory; more is noise.
       const double per_cell =
         std::clamp(found, last.memory_per_cell, 2. * last.memory_per_cell);
       return last.peak_memory + per_cell * (cells - largest_cells(last));
     }
 
-    /// From the last two trials, or the only one; memory from the first, too.
+    /// Uses the last two trials, or the only one; for memory also the first.
     CostEstimate extrapolate(const std::vector<Trial> &trials,
                              const double known)
     {
@@ -185,8 +186,8 @@ namespace io
              bytes(trial.field_bytes + trial.table_bytes + trial.load_bytes);
     }
 
-    /// Levels by which a first trial must be coarser to cost next to nothing,
-    /// and two more, for what the solver says without trials may be too little.
+    /// Levels by which the first trial must be coarser to cost next to
+    /// nothing, plus two, because the solver's estimate may be too low.
     unsigned int first_levels(const CostEstimate &rough, const double budget)
     {
       unsigned int levels = 0;
@@ -199,16 +200,16 @@ namespace io
       return levels > 0 ? std::min(levels + 2, most_levels) : 0;
     }
 
-    /// Processor time that trial runs of --check may take [s].
+    /// Processor time for the trials of --check [s].
     double trial_seconds()
     {
       const char *text = std::getenv("CONTRECOUP_CHECK_SECONDS");
       return text ? std::strtod(text, nullptr) : 4.;
     }
 
-    /// The levels of the first and the last trial where the environment's
-    /// CONTRECOUP_CHECK_LEVELS = "first last" sets them, whatever time they
-    /// take: what is counted then is the same on every machine.
+    /// Levels of the first and the last trial from the environment variable
+    /// CONTRECOUP_CHECK_LEVELS = "first last". Counted quantities are then the
+    /// same on every machine.
     std::optional<std::pair<int, int>> trial_levels()
     {
       const char *text = std::getenv(levels_variable);
@@ -271,7 +272,7 @@ namespace io
       description.coarsen ? first_levels(rough, budget) : 0, 0));
     for (int levels = begin; levels >= end; --levels)
     {
-      // What grows shows in two trials at least.
+      // Extrapolation needs at least two trials.
       const double allowed = set ? std::numeric_limits<double>::infinity()
                                  : std::clamp(long_run_part * result.seconds,
                                               budget,
@@ -283,7 +284,7 @@ namespace io
       if (!trial)
         continue;
       log_line(description_of(*trial));
-      // Fields cost much the same in all trials.
+      // The cost of fields is about the same in all trials.
       const double steady = trial->field_seconds;
       const double before =
         trials.empty() ? 0. : trials.back().seconds - steady;

@@ -38,7 +38,7 @@ namespace io
                       "Field format",
                       vtu,
                       {vtu, hdf5},
-                      "Files of the fields: VTU pieces with a .pvd "
+                      "File format of fields: VTU pieces with a .pvd "
                       "collection, or one HDF5 file with an XDMF file per "
                       "output (2-D and 3-D).");
   }
@@ -115,11 +115,11 @@ namespace io
         n > 1 ? "." + dealii::Utilities::int_to_string(of_rank, 4) : "";
       return name + number + ".vtu";
     };
-    // Nothing is sent from here on: a rank whose disk is full must not leave
-    // the others waiting.
+    // No communication from here on: a rank with a full disk must not block
+    // the others.
     const auto n_patches =
       gather_arrays(communicator, std::vector<std::size_t>{patches_.size()});
-    // A rank without patches has no piece.
+    // A rank without patches writes no piece.
     if (!patches_.empty() || n == 1)
       write_file(folder + "/" + piece(rank), [&](std::ostream &out) {
         dealii::DataOutInterface<dim, spacedim>::write_vtu(out);
@@ -154,7 +154,7 @@ namespace io
         "allowed: vtu");
     else
     {
-      // deal.II 9.4 cannot write the file with ranks that have no patches.
+      // deal.II 9.4 requires patches on every writing rank.
       MPI_Comm writers;
       MPI_Comm_split(communicator, patches_.empty() ? 1 : 0, 0, &writers);
       if (!patches_.empty())

@@ -17,7 +17,7 @@ namespace io
   {
     namespace fs = std::filesystem;
 
-    /// A mistyped folder must not fill up with results.
+    /// A mistyped folder must not fill with results.
     void require_below(const std::string &folder)
     {
       std::error_code ignored;
@@ -65,7 +65,7 @@ namespace io
     try
     {
       lock_.emplace(folder, application);
-      // Until now another run may have written it.
+      // Another run may have written the manifest before the lock was taken.
       manifest_ = Manifest(folder);
       require_own_names();
     }

@@ -29,7 +29,7 @@ namespace io
       return std::string(text, n > 0 ? static_cast<std::size_t>(n) : 0);
     }
 
-    /// This process, for the users of others.
+    /// Identifies this process to other users.
     std::string holder(const std::string &application)
     {
       char host[256] = "";
@@ -43,7 +43,8 @@ namespace io
              " on " + host + " since " + start + "\n";
     }
 
-    /// Whether the file still has its name: who held it may have removed it.
+    /// Whether the file still exists under its name; its holder may have
+    /// removed it.
     bool has_name(const int descriptor, const std::string &file)
     {
       struct stat opened
@@ -104,7 +105,8 @@ namespace io
     }
     if (!has_name(descriptor_, file_))
       return false;
-    // A disk that is full does not matter here: the lock is no content.
+    // A full disk does not matter: the lock file's content is only
+    // informative.
     const std::string text = holder(application);
     if (ftruncate(descriptor_, 0) != 0 ||
         pwrite(descriptor_, text.data(), text.size(), 0) < 0)
@@ -114,8 +116,8 @@ namespace io
 
   FolderLock::~FolderLock()
   {
-    // In this order nobody takes a file that is about to lose its name without
-    // noticing.
+    // In this order, no process takes a file that is about to be unlinked
+    // unnoticed.
     unlink(file_.c_str());
     close(descriptor_);
   }

@@ -13,10 +13,10 @@ namespace io
 {
   namespace
   {
-    /// Deflate shrinks no further [-].
+    /// Largest compression ratio of deflate [-].
     constexpr std::uintmax_t most_per_byte = 1032;
 
-    /// Texts in attributes are shorter.
+    /// Upper bound of the length of text attributes.
     constexpr std::size_t longest_text = 1 << 20;
 
     hid_t open(const std::string &path)
@@ -110,7 +110,7 @@ namespace io
     if (H5Sget_simple_extent_npoints(space) != 1 ||
         H5Tget_class(type) != H5T_STRING)
       refuse("its attribute \"" + name + "\" is no text");
-    // HDF5 1.10 itself crashes on damaged ones of variable length.
+    // HDF5 1.10 crashes on damaged texts of variable length.
     if (H5Tis_variable_str(type) != 0)
       refuse("its attribute \"" + name + "\" is a text of variable length");
     const std::size_t size = H5Tget_size(type);

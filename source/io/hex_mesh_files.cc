@@ -33,7 +33,7 @@ namespace io
       file.add("Points", "points", coordinates, 3);
     }
 
-    /// Cells with @p width corners each.
+    /// Adds cells with @p width corners each.
     void add_cells(VtkFile &file,
                    const std::vector<std::uint32_t> &connectivity,
                    const unsigned int width,
@@ -81,7 +81,7 @@ namespace io
       out.precision(12);
       out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n"
           << tissue_names().size() - 1 << "\n";
-      // Gmsh knows no group 0, and no element is of no tissue.
+      // Gmsh has no group 0, and no element has the tissue "none".
       for (std::size_t i = 1; i < tissue_names().size(); ++i)
         out << "3 " << i << " \"" << tissue_names()[i] << "\"\n";
       out << "$EndPhysicalNames\n$Nodes\n" << mesh.nodes.size() << "\n";
@@ -107,7 +107,7 @@ namespace io
                          const Shape &surface,
                          const std::string &name)
   {
-    // Only the nodes of the surface, numbered in the order of use.
+    // Renumber the nodes of the surface in the order of use.
     std::vector<std::uint32_t> number(mesh.nodes.size(), -1);
     std::vector<Point<3>> nodes;
     std::vector<std::uint32_t> connectivity;

@@ -43,7 +43,7 @@ namespace io
     }
     catch (const std::exception &)
     {
-      // The run that lost these rows has ended with its own error.
+      // A destructor must not throw; the run has already reported its error.
     }
   }
 

@@ -16,7 +16,7 @@ namespace io
 {
   namespace
   {
-    /// What is not known stands as nan in tables.
+    /// Parses a number; unknown values are written as nan.
     double number_in(const std::string &word,
                      const std::string &file,
                      const unsigned int line,

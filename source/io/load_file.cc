@@ -15,11 +15,11 @@ namespace io
   {
     const char *const format = "contrecoup loads 1";
 
-    /// An HDF5 object that must be there.
+    /// An HDF5 object that must exist.
     class Handle : public Hdf5Handle
     {
     public:
-      /// @throws SystemError where it is not
+      /// @throws SystemError if it does not exist
       Handle(const hid_t id, herr_t (*close)(hid_t), const std::string &path)
         : Hdf5Handle(id, close)
       {
@@ -64,7 +64,7 @@ namespace io
     }
 
 
-    /// Writes a table of numbers with @p n_columns columns.
+    /// Writes a table with @p n_columns columns.
     void write_table(const hid_t file,
                      const std::string &name,
                      const std::vector<double> &values,
@@ -108,7 +108,7 @@ namespace io
     }
 
 
-    /// Makes an empty dataset whose last dimension grows.
+    /// Creates an empty dataset with an extendible last dimension.
     void create_growing(const hid_t file,
                         const std::string &name,
                         const hid_t type,

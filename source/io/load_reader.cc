@@ -17,7 +17,7 @@ namespace io
 
   namespace
   {
-    /// Recorded samples that are in memory at once.
+    /// Number of recorded samples in memory at once.
     constexpr std::size_t samples_at_once = 64;
   } // namespace
 
@@ -58,7 +58,7 @@ namespace io
     double wanted = ends[0] + interval;
     for (std::size_t i = 1, begin = 1; i < n; ++i)
     {
-      // No end is nearer to what is wanted once this is reached.
+      // Beyond this midpoint, no later end is nearer to the wanted time.
       const double middle = i + 1 < n ? 0.5 * (ends[i] + ends[i + 1]) : ends[i];
       if (i + 1 < n && middle < wanted)
         continue;

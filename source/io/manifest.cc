@@ -52,7 +52,7 @@ namespace io
       return files;
     }
 
-    /// A damaged manifest must not lead out of its folder, nor to itself.
+    /// A damaged manifest must not name files outside its folder, or itself.
     void require_inside(const std::string &name)
     {
       bool is_inside = !name.empty() && name[0] != '/' && name.size() < 4096;
@@ -62,7 +62,7 @@ namespace io
         throw InputError("the name \"" + name + "\" is not of this folder");
     }
 
-    /// The patterns of files.
+    /// All file patterns.
     std::vector<std::string> patterns(const FileNames &names)
     {
       std::vector<std::string> all = names.results;
@@ -75,7 +75,7 @@ namespace io
       return all;
     }
 
-    /// The folders with a manifest of their own.
+    /// Folders with their own manifest.
     std::vector<std::string> folders(const FileNames &names)
     {
       std::vector<std::string> found;
@@ -115,7 +115,7 @@ namespace io
     RunInput input;
     input.entries = entries;
     std::error_code ignored;
-    // The names of files are absolute by the time that entries are read.
+    // Entries contain absolute file names at this point.
     for (const auto &item : entries)
       if (!item.second.empty() && item.second[0] == '/' &&
           fs::is_regular_file(item.second, ignored))
@@ -161,8 +161,9 @@ namespace io
     catch (const std::exception &)
     {
       throw InputError("\"" + file +
-                       "\" is damaged or was not written by Contrecoup, which "
-                       "needs this name; move it away, or give another folder");
+                       "\" is damaged or was not written by Contrecoup, "
+                       "which needs this name; move it away, or give "
+                       "another folder");
     }
   }
 
@@ -180,7 +181,7 @@ namespace io
         require_inside(one);
     for (const auto &result : results_)
       require_inside(result.first);
-    // Last, for is_there() goes by it.
+    // Read last, because is_there() tests it.
     json.at("application").get_to(application_);
   }
 
@@ -210,7 +211,7 @@ namespace io
                         own.begin(),
                         own.end(),
                         std::back_inserter(foreign));
-    // A file in the place of a folder.
+    // A file with the name of a folder.
     std::set<std::string> parents;
     for (const std::string &pattern : patterns(names))
       if (const std::size_t slash = pattern.find('/');
@@ -223,13 +224,13 @@ namespace io
       if (fs::exists(fs::symlink_status(path(parent), ignored)) &&
           !fs::is_directory(path(parent), ignored))
         foreign.push_back(parent);
-    // Another run of its own.
+    // A folder of another run.
     const std::vector<std::string> known = folders(names_);
     for (const std::string &folder : folders(names))
       if (fs::exists(path(folder + "/" + name), ignored) &&
           std::find(known.begin(), known.end(), folder) == known.end())
         foreign.push_back(folder + "/");
-    // A folder in the place of a file.
+    // A folder with the name of a file.
     for (const std::string &pattern : patterns(names))
       if (fs::is_directory(path(pattern), ignored))
         foreign.push_back(pattern + "/");
@@ -239,7 +240,7 @@ namespace io
   std::vector<std::string> Manifest::files_here() const
   {
     FileNames names = names_;
-    // What a run that has finished did not write came from somebody else.
+    // After a finished run, further files with names of results are foreign.
     if (status_ == "finished")
     {
       names.results.clear();

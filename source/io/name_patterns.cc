@@ -40,13 +40,13 @@ namespace io
       return pattern.find_first_of("*#") == std::string::npos;
     }
 
-    /// The names in a folder that fit one part of a pattern.
+    /// Names in a folder that match one component of a pattern.
     std::vector<std::string> names_in(const fs::path &folder,
                                       const std::string &pattern)
     {
       std::error_code ignored;
       std::vector<std::string> names;
-      // A folder of a user may be large: it is listed only where it must be.
+      // User folders may be large: list a folder only if necessary.
       if (is_exact(pattern))
       {
         if (fs::exists(fs::symlink_status(folder / pattern, ignored)))
@@ -59,8 +59,8 @@ namespace io
       return names;
     }
 
-    /// Adds the files below @p folder / @p below that fit the parts of a
-    /// pattern from number @p depth on.
+    /// Adds files below @p folder / @p below that match the components of a
+    /// pattern from index @p depth on.
     void add_files(const fs::path &folder,
                    const fs::path &below,
                    const std::vector<std::string> &parts,
@@ -110,7 +110,7 @@ namespace io
            parent = parent.parent_path())
         parents.insert(parent);
     }
-    // A folder comes after those that it is in. One that is not empty stays.
+    // Remove inner folders first; remove() keeps folders that are not empty.
     std::error_code ignored;
     for (auto parent = parents.rbegin(); parent != parents.rend(); ++parent)
       fs::remove(fs::path(folder) / *parent, ignored);

@@ -28,7 +28,7 @@ namespace io
     if (size != data.size())
       throw std::invalid_argument("write_npy: shape and data differ");
 
-    // The header is padded so that the data start at a multiple of 64.
+    // Padding aligns the data to a multiple of 64 bytes.
     constexpr std::size_t alignment = 64, preamble = 10;
     std::string header = "{'descr': '<f8', 'fortran_order': False, 'shape': (";
     for (const std::size_t n : shape)
@@ -71,7 +71,7 @@ namespace io
                                              array.shape.end(),
                                              std::size_t(1),
                                              std::multiplies<>());
-    // The product of what a damaged file claims may be any number.
+    // Sizes in a damaged file may have any product.
     const std::size_t bytes = is_known ? content.size() - end - 1 : 0;
     if (!is_known || bytes % sizeof(double) != 0 ||
         bytes / sizeof(double) != size)

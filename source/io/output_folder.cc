@@ -164,13 +164,13 @@ namespace io
       file = simulation.write_fields(
         path("fields"), static_cast<unsigned int>(state.field_index));
     });
-    // Of a mesh in 1-D only the first rank writes, and knows the name.
+    // Of 1-D fields, only the first rank writes and knows the name.
     file = broadcast_text(collective_.communicator(), file, 0);
-    // A collection cannot list other formats.
+    // A .pvd collection cannot list other formats.
     if (fs::path(file).extension() != ".vtu" &&
         fs::path(file).extension() != ".pvtu")
       return;
-    // A failed attempt at the same index must not be listed twice.
+    // Do not list an index twice after a failed attempt.
     const std::string entry = "fields/" + fs::path(file).filename().string();
     if (run_.fields.empty() || run_.fields.back().second != entry)
       run_.fields.emplace_back(state.time, entry);

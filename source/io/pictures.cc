@@ -14,7 +14,7 @@ namespace io
 {
   namespace
   {
-    /// One word for the shell.
+    /// Quotes a word for the shell.
     std::string quoted(const std::string &text)
     {
       return "'" + boost::replace_all_copy<std::string>(text, "'", "'\\''") +

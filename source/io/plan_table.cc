@@ -30,7 +30,7 @@ namespace io
              number(item.limit, item.unit);
     }
 
-    /// Rows with columns of equal width.
+    /// Formats rows with aligned columns.
     std::vector<std::string> aligned(const std::vector<Row> &rows)
     {
       std::vector<std::size_t> width;

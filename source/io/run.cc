@@ -22,7 +22,7 @@ namespace io
 {
   namespace
   {
-    /// Entries of the run loop that may differ when a run is resumed.
+    /// Entries of the run loop that may differ on --resume.
     const std::vector<std::string> free_entries = {
       "Time/End time",
       "Time/Largest number of steps",
@@ -37,7 +37,7 @@ namespace io
       return parameters;
     }
 
-    /// Why a run has stopped; empty if no signal asked for it.
+    /// Reason for stopping; empty without a signal.
     std::string told_stop(const int signal)
     {
       return signal == 0 ? ""
@@ -188,7 +188,7 @@ namespace io
       }
       catch (const std::exception &)
       {
-        // The first failure is the one to report.
+        // Report the first failure.
       }
       throw;
     }

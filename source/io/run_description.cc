@@ -15,7 +15,7 @@ namespace io
   {
     using Json = nlohmann::ordered_json;
 
-    /// Hands every member of the state with its name to @p visit.
+    /// Calls @p visit with name and value of each member of the state.
     template <typename State, typename Visitor>
     void visit_members(State &state, const Visitor &visit)
     {

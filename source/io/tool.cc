@@ -16,7 +16,7 @@ namespace io
 {
   namespace
   {
-    /// Whether mpirun started this process and it is not the first one.
+    /// Whether this is a rank above 0 of an mpirun.
     bool is_surplus_rank()
     {
       for (const char *name : {"OMPI_COMM_WORLD_RANK", "PMI_RANK"})

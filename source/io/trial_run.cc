@@ -22,7 +22,8 @@ namespace io
 {
   namespace
   {
-    /// A simulation that notes what its functions cost; it saves nothing.
+    /// Wraps a simulation and measures the cost of its functions; saves
+    /// nothing.
     class MeasuredSimulation : public Simulation
     {
     public:
@@ -37,7 +38,7 @@ namespace io
         , last_(processor_seconds())
       {}
 
-      /// Whether advance() threw because the trial took too long.
+      /// Whether advance() threw because the trial exceeded its time.
       bool is_too_long() const
       {
         return is_too_long_;
@@ -139,13 +140,13 @@ namespace io
 
       Simulation &inner_;
       Trial &trial_;
-      const double end_; ///< processor time at which to stop [s]
+      const double end_; ///< processor time at which the trial stops [s]
       MPI_Comm communicator_;
       double last_;
       bool is_too_long_ = false;
     };
 
-    /// No line of a trial is for the user.
+    /// Suppresses all output of a trial.
     class Silence
     {
     public:
@@ -175,8 +176,8 @@ namespace io
       return sum;
     }
 
-    /// Makes all ranks agree, and adds the part of the time that was not run
-    /// and the field outputs that were not made.
+    /// Combines measurements of all ranks, and extrapolates the missing
+    /// simulated time and the omitted field outputs.
     void complete(Trial &trial,
                   const double part,
                   const double outputs,
@@ -202,8 +203,8 @@ namespace io
           *number /= part;
     }
 
-    /// Makes at most a few field outputs of those at intervals; returns the
-    /// number wanted over that made.
+    /// Reduces the number of field outputs at intervals to a few; returns the
+    /// ratio of wanted to remaining outputs.
     double thin_out(TimeParameters &time)
     {
       constexpr double few = 4.;
@@ -216,8 +217,8 @@ namespace io
       return (wanted + 1.) / (few + 1.);
     }
 
-    /// Makes the simulation write what it has kept in memory so far, as it does
-    /// with each checkpoint; finish() would also judge a run so coarse.
+    /// Makes the simulation write pending results, as with each checkpoint;
+    /// finish() would also check the accuracy of so coarse a run.
     void save_results(const std::string &folder,
                       Simulation &simulation,
                       Collective &collective)
@@ -231,7 +232,8 @@ namespace io
       simulation.save(checkpoint);
     }
 
-    /// Runs @p simulation in @p folder; returns the part of the time done.
+    /// Runs @p simulation in @p folder; returns the completed fraction of
+    /// time.
     double run_in(const std::string &folder,
                   const std::string &application,
                   const TimeParameters &time,
@@ -247,7 +249,7 @@ namespace io
         simulation, trial, longest, collective.communicator());
       simulation.set_output_folder(folder);
       measured.setup();
-      // The folder is new, so that nothing in it has to be claimed.
+      // The folder is new, so no claim is necessary.
       OutputFolder output(folder, application, {}, {}, collective);
       RunState state;
       const double begin = measured.time();
@@ -312,7 +314,8 @@ namespace io
           path = folder->path();
         }
         path = broadcast_text(all, path, 0);
-        // The loop agrees on its own errors, in between those of setup.
+        // The run loop needs its own Collective for errors, besides that of
+        // setup.
         Collective inner(all);
         part = run_in(
           path, description.name, time, *simulation, trial, longest, inner);

@@ -46,9 +46,8 @@ namespace io
       text.append(reinterpret_cast<const char *>(&number), sizeof(number));
     }
 
-    /// Compressed blocks with the header that VTK puts before them: number
-    /// of blocks, their size, that of the last one if it is smaller, and the
-    /// compressed sizes.
+    /// Compresses data in blocks, with VTK's header: number of blocks, block
+    /// size, size of a smaller last block, and compressed sizes.
     std::string compress_blocks(const unsigned char *data,
                                 const std::size_t n_bytes)
     {

@@ -19,62 +19,62 @@ namespace contrecoup
 {
 namespace io
 {
-  /// An application as its main() describes it.
+  /// Description of an application, given by its main().
   struct ApplicationDescription
   {
     std::string name;
     std::string purpose; ///< one sentence
 
-    /// Declares every entry of the solver; "Time" and "Output" are there.
+    /// Declares the entries of the solver. "Time" and "Output" exist already.
     std::function<void(dealii::ParameterHandler &)> declare_parameters;
 
-    /// Parses the entries and makes the solver, which allocates nothing
-    /// large yet. Throws InputError for a scene that makes no sense.
+    /// Parses the entries and creates the solver, without large allocations.
+    /// Throws InputError for an invalid scene.
     std::function<std::unique_ptr<Simulation>(dealii::ParameterHandler &,
                                               MPI_Comm)>
       create;
 
-    /// Entries that may differ on --resume besides those of the run loop,
-    /// as "Section/Entry", or "Section/" for a whole subsection.
+    /// Entries that may differ on --resume in addition to those of the run
+    /// loop: "Section/Entry", or "Section/" for a whole subsection.
     std::vector<std::string> free_on_resume = {};
 
-    /// Changes the entries so that the scene's cells are 2^levels times as
-    /// large, for trial runs; returns false when they cannot be. Empty: never.
+    /// Changes the entries so that cells are 2^levels times as large, for
+    /// trial runs; returns false if impossible. Empty: no trial runs.
     std::function<bool(dealii::ParameterHandler &, unsigned int levels)>
       coarsen = {};
 
-    /// Script that draws a finished run where the entry "Output/Pictures",
-    /// which is then among the solver's, says so, see draw(). Empty: none.
+    /// Script that draws a finished run, see draw(), if the solver's entry
+    /// "Output/Pictures" asks for it. Empty: none.
     std::string pictures = {};
 
-    /// The files that the solver writes into the output folder, for these
-    /// entries, besides its checkpoints and what every run writes. Empty: none.
+    /// Files that the solver writes into the output folder for these entries,
+    /// in addition to checkpoints and the files of every run. Empty: none.
     std::function<FileNames(const dealii::ParameterHandler &)> files = {};
 
-    /// Takes what --check finds, from whoever runs the application as a part of
-    /// something larger, and says itself what that is. Empty: nobody.
+    /// Receives the cost estimate of --check instead of the terminal, for
+    /// applications that run this one as a part. Empty: not used.
     std::function<void(const CostEstimate &)> take_cost = {};
   };
 
   /**
-   * Everything between main() and the solver: command line, parameters, run
-   * loop, output folder, errors. Initialises MPI unless that was done.
-   * Returns the exit code; writes one line to stderr unless it is 0.
+   * Runs an application: command line, parameters, run loop, output folder,
+   * errors. Initialises MPI if necessary. Returns the exit code; writes one
+   * line to stderr unless it is 0.
    */
   int run_application(int argc,
                       char **argv,
                       const ApplicationDescription &description);
 
   /**
-   * The same within a program that has started MPI: tells what went wrong
-   * instead of writing it. Collective.
-   * @param arguments as main() gets them, the program's name first
+   * As run_application() within a program that has initialised MPI; returns
+   * the failure instead of printing it. Collective.
+   * @param arguments as passed to main(), program name first
    */
   Failure run_within(const std::vector<std::string> &arguments,
                      const ApplicationDescription &description);
 
-  /// Starts MPI unless that was done and does the @p work of the command line
-  /// on all ranks, see run_each().
+  /// Initialises MPI if necessary and runs @p work for the command line on all
+  /// ranks, see run_each().
   int run_with_mpi(
     int argc,
     char **argv,

@@ -15,12 +15,12 @@
 
 /**
  * @file
- * Numbers and lists of them in files of checkpoints, bit by bit.
+ * Binary input and output of numbers and lists, for checkpoints.
  */
 
 namespace contrecoup::io
 {
-/// Writes what consists of numbers alone.
+/// Writes a trivially copyable value.
 template <typename Value>
 void put(std::ostream &out, const Value &value)
 {
@@ -28,7 +28,7 @@ void put(std::ostream &out, const Value &value)
   out.write(reinterpret_cast<const char *>(&value), sizeof(value));
 }
 
-/// Reads it. A stream that ends too early fails, which callers have to check.
+/// Reads a value. Callers must check the stream for premature end.
 template <typename Value>
 void take(std::istream &in, Value &value)
 {
@@ -36,7 +36,7 @@ void take(std::istream &in, Value &value)
   in.read(reinterpret_cast<char *>(&value), sizeof(value));
 }
 
-/// Writes how many there are, and these.
+/// Writes the size of a list and its values.
 template <typename Value>
 void put_list(std::ostream &out, const std::vector<Value> &list)
 {
@@ -46,9 +46,9 @@ void put_list(std::ostream &out, const std::vector<Value> &list)
             static_cast<std::streamsize>(list.size() * sizeof(Value)));
 }
 
-/// Reads a list out of the content of a file that is in memory.
-/// @param file for messages
-/// @throws InputError for a list that is longer than the rest of the file
+/// Reads a list from a stream over a file's content in memory.
+/// @param file name for error messages
+/// @throws InputError for a list that exceeds the rest of the file
 template <typename Value>
 void take_list(std::istream &in,
                const std::string &file,

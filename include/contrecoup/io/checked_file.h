@@ -12,25 +12,25 @@ namespace contrecoup
 namespace io
 {
   /**
-   * Writes @p file as a whole: into a temporary file beside it that takes
-   * its name when complete. On failure (disk full) nothing is left.
-   * @param write puts the content into the stream
+   * Writes a file atomically: into a temporary file beside it, which is
+   * renamed when complete. On failure (disk full) nothing is left.
+   * @param write writes the content to the stream
    * @throws SystemError with the system's reason
    */
   void write_file(const std::string &file,
                   const std::function<void(std::ostream &)> &write);
 
-  /// The content of a file. @throws SystemError when it cannot be read.
+  /// Returns the content of a file. @throws SystemError when it cannot be read
   std::string read_file(const std::string &file);
 
-  /// Makes @p target the same as @p source, as write_file() does.
+  /// Copies a file atomically, as write_file().
   /// @throws SystemError with the system's reason
   void copy_file(const std::string &source, const std::string &target);
 
-  /// Brings a file or folder to the disk. @throws SystemError
+  /// Flushes a file or folder to the disk. @throws SystemError
   void sync(const std::string &path);
 
-  /// Removes a file or a folder with all it holds; never throws.
+  /// Removes a file, or a folder with its content; never throws.
   void remove_quietly(const std::string &path) noexcept;
 } // namespace io
 } // namespace contrecoup

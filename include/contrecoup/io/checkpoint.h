@@ -16,16 +16,16 @@ namespace io
 {
   /**
    * The numbered checkpoints of an output folder, `checkpoint/0007/`. Each
-   * holds the solver's files, `run.json` (what the run loop and the outputs
-   * need to go on) and, written last, the marker `complete.json` with size
-   * and CRC-32 of every other file. The names of solvers' files end in .bin or
-   * .h5, so that nothing else is ever removed. The last two complete ones are
-   * kept. Every function is collective; files are judged by the first rank.
+   * holds the solver's files, `run.json` (state of run loop and outputs) and,
+   * written last, the marker `complete.json` with size and CRC-32 of every
+   * other file. Names of solver files end in .bin or .h5, so that no other
+   * file is ever removed. The last two complete checkpoints are kept. Every
+   * function is collective; the first rank checks files.
    */
   class Checkpoints
   {
   public:
-    /// A checkpoint whose files are all as they were written.
+    /// A checkpoint with undamaged files.
     struct Found
     {
       std::string folder;
@@ -39,21 +39,21 @@ namespace io
      * Writes the next checkpoint and removes old ones.
      * @param run content of run.json
      * @param save writes the solver's files into the given folder
-     * @throws SystemError when the disk is full; nothing of the new
-     *   checkpoint is left then, and the earlier ones stay
+     * @throws SystemError when the disk is full; the new checkpoint is then
+     * removed, and earlier ones stay
      */
     void write(const std::string &run,
                const std::function<void(const std::string &)> &save);
 
-    /// The newest complete checkpoint, checked byte by byte; older ones
-    /// take the place of a damaged one, which the log then names.
-    /// @throws InputError when all are damaged or incomplete.
+    /// Returns the newest complete checkpoint after checking every byte. Falls
+    /// back to older ones if it is damaged, and logs this.
+    /// @throws InputError when all are damaged or incomplete
     std::optional<Found> newest() const;
 
-    /// Whether any was written to its end. Not collective.
+    /// Whether any complete checkpoint exists. Not collective.
     bool has_complete() const;
 
-    /// The names of all files in checkpoints below @p folder.
+    /// Names of all files in checkpoints below @p folder.
     static FileNames files(const std::string &folder);
 
   private:

@@ -16,7 +16,7 @@ namespace contrecoup
 {
 namespace io
 {
-  /// What the user asked for on the command line.
+  /// The parsed command line.
   struct CommandLine
   {
     std::string parameter_file;
@@ -31,45 +31,45 @@ namespace io
   };
 
   /**
-   * Reads `FILE.prm [--set "Section/Entry=value"]... [--output DIR]
+   * Parses `FILE.prm [--set "Section/Entry=value"]... [--output DIR]
    * [--resume] [--overwrite] [--check] [--print-parameters] [--help]
-   * [--version]`; `--set=...` and `--output=...` are understood as well.
-   * Without `--output` the folder is output/<application>/<name of the file>.
-   * @throws InputError naming the nearest option for an unknown one, or
-   *   when no parameter file is given although one is needed.
+   * [--version]`; also accepts `--set=...` and `--output=...`. Without
+   * `--output` the folder is output/<application>/<name of the file>.
+   * @throws InputError for an unknown option, suggesting the nearest one, or
+   * when a required parameter file is missing
    */
   CommandLine parse_command_line(int argc,
                                  const char *const *argv,
                                  const std::string &application);
 
-  /// The command lines that one of `--check` and several parameter files stands
-  /// for, one a file with all options; any other one as it is.
-  /// @param arguments as main() gets them, the program's name first
+  /// Splits a command line with `--check` and several parameter files into one
+  /// command line per file with all options; returns others unchanged.
+  /// @param arguments as passed to main(), program name first
   std::vector<std::vector<std::string>>
   single_commands(const std::vector<std::string> &arguments);
 
   /**
-   * Does the @p work of each of these, one after the other, with the file's
-   * name before what is said of it where there are several; writes one line to
-   * stderr for each that fails. A signal that asks to stop ends all of it.
-   * @return the exit code, of several the largest
-   * @param tells whether this process is the one that writes
+   * Runs @p work for each of single_commands(), one after the other; with
+   * several files, prints each file's name first. Writes one line to stderr
+   * for each failure. A stop signal ends all of them.
+   * @return the largest exit code
+   * @param tells whether this process writes output
    */
   int run_each(
     const std::vector<std::string> &arguments,
     const std::function<Failure(const std::vector<std::string> &)> &work,
     bool tells);
 
-  /// What --help prints; @p parallel says how several cores are used.
+  /// Text of --help. @param parallel explains the use of several cores
   std::string help_text(const std::string &application,
                         const std::string &purpose,
                         const std::string &parallel);
 
   /**
-   * What --help, --version or --print-parameters prints; empty when none of
-   * them is given.
+   * Text of --help, --version or --print-parameters; empty without these
+   * options.
    * @param declare_parameters declares all entries
-   * @throws InputError when a parameter file is given that is not valid
+   * @throws InputError for an invalid parameter file
    */
   std::string requested_text(
     const CommandLine &command,
@@ -78,17 +78,17 @@ namespace io
     const std::string &parallel,
     const std::function<void(dealii::ParameterHandler &)> &declare_parameters);
 
-  /// Writes such a text to the standard output.
-  /// @throws SystemError when that cannot take all of it.
+  /// Writes such a text to standard output.
+  /// @throws SystemError when writing fails
   void print_requested(const std::string &text);
 
-  /// What the user wrote in the parameter file and the overrides, with the
-  /// names that @p prm declares. @throws InputError for what cannot be read
+  /// Assignments of parameter file and overrides, with names as declared in @p
+  /// prm. @throws InputError when the file cannot be read
   std::vector<Assignment> assignments_of(const CommandLine &command,
                                          const dealii::ParameterHandler &prm);
 
-  /// Hands them to declared entries; logs what may have been overlooked.
-  /// @throws InputError for what does not fit them
+  /// Applies the assignments to @p prm, and logs possible oversights.
+  /// @throws InputError for unknown entries and invalid values
   void read_parameters(const CommandLine &command,
                        dealii::ParameterHandler &prm);
 } // namespace io

@@ -13,24 +13,24 @@ namespace contrecoup
 namespace io
 {
   /**
-   * Keeps what scenes were found to cost for the next time that is asked, in
-   * $XDG_CACHE_HOME/contrecoup or ~/.cache/contrecoup, one small file each.
-   * Without such a folder nothing is kept. To be called by one rank.
+   * Cache of measured costs of scenes, one small file each, in
+   * $XDG_CACHE_HOME/contrecoup or ~/.cache/contrecoup. Without such a folder
+   * nothing is cached. For use by one rank.
    */
   class CostCache
   {
   public:
-    /// @param scene everything that the cost depends on besides the machine
-    ///   and the build: the entries as used, the number of ranks
+    /// @param scene everything that determines the cost except machine and
+    /// build: entries as used, number of ranks
     explicit CostCache(const std::string &scene);
 
-    /// What was kept for this scene, processor and build.
+    /// Cached cost for this scene, processor and build.
     std::optional<CostEstimate> read() const;
 
-    /// Keeps @p cost; never throws.
+    /// Stores @p cost; never throws.
     void write(const CostEstimate &cost) const noexcept;
 
-    /// Where; empty: nowhere.
+    /// File of the cache entry; empty: none.
     const std::string &file() const
     {
       return file_;

@@ -10,32 +10,36 @@ namespace contrecoup
 namespace io
 {
   /**
-   * Predicts what a scene costs on this machine from trial runs of the same
-   * scene on coarser meshes: each has cells half as large as the one before,
-   * the last is the finest that @p budget seconds of processor time allow, and
-   * up to five times as many where that is a hundredth of what the scene takes.
-   * A scene that costs less than that is run as it is, which tells exactly.
+   * Predicts the cost of a scene on this machine from trial runs on coarser
+   * meshes. Each trial has cells half as large as the previous one. The last
+   * trial is the finest within @p budget seconds of processor time, or within
+   * up to five budgets if they are a hundredth of the scene's cost. A scene
+   * cheaper than that is run as it is, which gives the exact cost.
    *
-   * From the last two trials follow, for each number of dimensions d that the
-   * mesh has during the run: the number of steps as a + b 2^level, for the
-   * step size falls with that of the cells, or where a stage keeps its cells
-   * as a - b 2^-level, for it ends where coarser cells begin; the cells as
-   * those that @p rough says the scene begins with, at a body for instance, and
-   * what the run adds to them as a 2^((d-1) level) + b 2^(d level), since
-   * fronts that the mesh follows are surfaces and the rest is volume, with b =
-   * 0 where it only begins to add some; and the time of a step as a + b cells.
-   * Memory is what the last trial took and, for each further cell, what it took
-   * more than the first, between once and twice what the solver says:
-   * adaptation holds two meshes at once, and a body comes with the mesh. Fields
-   * grow as cells do, tables as steps, and recorded loads with the facets of a
-   * surface and the times at which they are taken.
+   * The last two trials give, for each number of dimensions d that the mesh
+   * has during the run:
+   * - the number of steps as a + b 2^level, because the step size is
+   *   proportional to the cell size; or as a - b 2^-level for a stage whose
+   *   cells do not depend on the level, because it ends where coarser cells
+   *   begin;
+   * - the number of cells as the initial cells of @p rough, for instance at a
+   *   body, plus those that adaptation adds, a 2^((d-1) level) + b 2^(d
+   *   level), because tracked fronts are surfaces and the rest is volume, with
+   *   b = 0 if adaptation has just begun;
+   * - the time of a step as a + b cells.
    *
-   * Where the environment's CONTRECOUP_CHECK_LEVELS is set to the levels of a
-   * first and a last trial, these are run instead, however long they take, so
-   * that cells, steps, memory and output do not depend on the machine's speed.
+   * Memory is that of the last trial plus, for each further cell, the increase
+   * since the first trial, bounded to between once and twice the solver's
+   * estimate: adaptation holds two meshes at once, and a body comes with the
+   * mesh. Fields grow like cells, tables like steps, and recorded loads like
+   * surface facets times the number of recorded times.
    *
-   * @param rough what the solver says without trial runs; kept where these
-   *   tell nothing
+   * If the environment variable CONTRECOUP_CHECK_LEVELS names the levels of a
+   * first and a last trial, these are run regardless of time, so that cells,
+   * steps, memory and output do not depend on the machine's speed.
+   *
+   * @param rough estimate of the solver without trial runs; used where trials
+   * give no information
    */
   CostEstimate forecast_cost(const ApplicationDescription &description,
                              const dealii::ParameterHandler &prm,
@@ -43,21 +47,19 @@ namespace io
                              double budget,
                              Collective &collective);
 
-  /**
-   * The same within the environment's CONTRECOUP_CHECK_SECONDS, 4 s unless
-   * set, or as an earlier run on this machine found it. Says which.
-   */
+  /// Forecast within CONTRECOUP_CHECK_SECONDS (environment variable, default 4
+  /// s), or the cached cost of an earlier run on this machine. Logs which.
   CostEstimate known_cost(const ApplicationDescription &description,
                           const dealii::ParameterHandler &prm,
                           const CostEstimate &rough,
                           Collective &collective);
 
   /**
-   * The value at @p levels levels after the last of a quantity
-   * a 2^(low level) + b 2^(high level) with a, b >= 0 that was @p before @p gap
-   * levels earlier and is @p last now. Without a value before (0) it grows by
-   * the mean exponent; a quantity that grows more slowly than a 2^(low level)
-   * goes on at its own rate, one that falls stays.
+   * Extrapolates a quantity a 2^(low level) + b 2^(high level), a, b >= 0, by
+   * @p levels beyond its value @p last. It was @p before at @p gap levels
+   * earlier; 0: unknown, then the mean exponent applies. Quantities that grow
+   * more slowly than a 2^(low level) keep their own rate, decreasing ones stay
+   * constant.
    */
   double extrapolate(double before,
                      double last,
@@ -67,8 +69,8 @@ namespace io
                      unsigned int gap = 1);
 
   /**
-   * The value at @p levels levels after the last of a quantity a + b 2^-level
-   * that was @p before @p gap levels earlier and is @p last now.
+   * Extrapolates a quantity a + b 2^-level by @p levels beyond its value @p
+   * last. It was @p before at @p gap levels earlier.
    */
   double extrapolate_to_limit(double before,
                               double last,

@@ -19,7 +19,7 @@ namespace io
   /// Declares "Field format" in the current subsection: vtu or hdf5.
   void declare_field_format(dealii::ParameterHandler &prm);
 
-  /// One quantity of the patches: a scalar, or a vector of spacedim components.
+  /// A field: a scalar, or a vector of spacedim components.
   struct FieldName
   {
     std::string name;
@@ -28,21 +28,20 @@ namespace io
   };
 
   /**
-   * Writes fields that a solver laid out as patches: one patch per octree
-   * leaf with n_subdivisions cells per direction, hence
-   * (n_subdivisions + 1)^dim points, numbered with x fastest. Each patch
-   * holds its 2^dim vertices in deal.II's order and
-   * `data(component, point)`. A vector takes spacedim components in a row.
-   * Patches of dim 0 are points in space, of one vertex.
-   * Neighbouring patches share no points, so jumps stay visible.
+   * Writes fields that a solver stores in patches: one patch per octree leaf
+   * with n_subdivisions cells per direction, hence (n_subdivisions + 1)^dim
+   * points, x fastest. Each patch has 2^dim vertices in deal.II's order and
+   * `data(component, point)`. A vector takes spacedim consecutive components.
+   * Patches of dim 0 are points in space. Adjacent patches share no points, so
+   * jumps stay visible.
    *
-   * @code
-   *   io::FieldOutput<dim> output({{"density", "kg/m^3"},
-   *                                {"velocity", "m/s", true}});
-   *   for (...)
-   *     output.add_patch(std::move(patch));
-   *   return output.write_vtu(folder, "fields", index, communicator);
-   * @endcode
+   *   @code
+   *     io::FieldOutput<dim> output({{"density", "kg/m^3"},
+   *                                  {"velocity", "m/s", true}});
+   *     for (...)
+   *       output.add_patch(std::move(patch));
+   *     return output.write_vtu(folder, "fields", index, communicator);
+   *   @endcode
    */
   template <int dim, int spacedim = dim>
   class FieldOutput : public dealii::DataOutInterface<dim, spacedim>
@@ -52,16 +51,16 @@ namespace io
 
     explicit FieldOutput(const std::vector<FieldName> &names);
 
-    /// Number of components of all quantities: rows of Patch::data.
+    /// Number of components of all fields: rows of Patch::data.
     unsigned int n_components() const;
 
-    /// A patch with data of the right size; set its vertices and data.
+    /// Creates a patch of the right size; set its vertices and data.
     Patch make_patch(unsigned int n_subdivisions) const;
 
-    /// Adds a patch; its neighbours and index need not be set.
+    /// Adds a patch; neighbours and patch index need not be set.
     void add_patch(Patch &&patch);
 
-    /// Calls the function below that belongs to @p format, the value of
+    /// Calls write_vtu() or write_hdf5(), depending on @p format, the value of
     /// "Field format".
     std::string write(const std::string &format,
                       const std::string &folder,
@@ -71,9 +70,9 @@ namespace io
                       MPI_Comm communicator);
 
     /**
-     * Writes `stem_0012.0003.vtu`, one piece per rank that has patches, and
-     * `stem_0012.pvtu`. With a single rank `stem_0012.vtu` alone. Collective.
-     * @return the name of the file to open, without folder
+     * Writes `stem_0012.0003.vtu`, one piece per rank with patches, and
+     * `stem_0012.pvtu`; on a single rank `stem_0012.vtu` only. Collective.
+     * @return name of the file to open, without folder
      * @throws SystemError when the disk is full; the piece is then removed
      */
     std::string write_vtu(const std::string &folder,
@@ -82,9 +81,9 @@ namespace io
                           MPI_Comm communicator);
 
     /**
-     * Writes `stem_0012.h5` (double precision) and `stem_0012.xdmf`, for
-     * dim 2 and 3. Collective. Returns the XDMF file's name.
-     * @param time simulated time that the XDMF file names [s]
+     * Writes `stem_0012.h5` (double precision) and `stem_0012.xdmf`, for dim 2
+     * and 3. Collective. Returns the name of the XDMF file.
+     * @param time simulated time in the XDMF file [s]
      * @throws InputError for dim 0 and 1
      * @throws SystemError when the disk is full
      */

@@ -10,7 +10,7 @@ namespace contrecoup
 {
 namespace io
 {
-  /// What tells whether a file is still as it was.
+  /// Size and checksum of a file, to detect changes.
   struct FileDigest
   {
     std::uint64_t bytes = 0;
@@ -22,8 +22,8 @@ namespace io
     }
   };
 
-  /// Size and CRC-32 of a file, at about 1 GB/s if it is in memory.
-  /// @throws SystemError when it cannot be read
+  /// Computes the digest of a file, at about 1 GB/s from the page cache.
+  /// @throws SystemError when the file cannot be read
   FileDigest digest_of(const std::string &file);
 } // namespace io
 } // namespace contrecoup

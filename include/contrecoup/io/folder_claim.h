@@ -15,35 +15,36 @@ namespace contrecoup
 namespace io
 {
   /**
-   * An output folder that one run has for itself: made if need be, locked, and
-   * with nothing of somebody else where the run will write. What is in it
-   * stays as it is until begin() or go_on(). Used by one rank.
+   * Exclusive use of an output folder by one run: creates it if necessary,
+   * locks it, and makes sure that no foreign files have names the run will
+   * write. Existing content stays until begin() or go_on(). For use by one
+   * rank.
    */
   class FolderClaim
   {
   public:
     /**
-     * Takes the folder.
-     * @throws InputError when it cannot be made, is the root or the home
-     *   folder, belongs to a run that goes on just now, or holds files of
-     *   these names that Contrecoup has not written
+     * Claims the folder.
+     * @throws InputError when it cannot be created, is the root or home
+     * folder, is in use by another run, or holds foreign files with these
+     * names
      */
     FolderClaim(const std::string &folder,
                 const std::string &application,
                 const FileNames &names,
                 const RunInput &input);
 
-    /// As discard().
+    /// Calls discard().
     ~FolderClaim();
 
     /**
-     * Whether the command may begin or go on here. If the same run has
-     * finished here before, says so in the log and returns false.
-     * @param can_go_on tells whether an earlier run left something from which
-     *   --resume goes on; empty for an application that has no --resume
-     * @param more with which --resume has something to do here
-     * @throws InputError when the command would take away what an earlier run
-     *   left, and neither --resume nor --overwrite asks for that
+     * Whether the command may begin or resume here. If the same run has
+     * finished here before, logs that and returns false.
+     * @param can_go_on whether --resume can continue an earlier run; empty for
+     * an application without --resume
+     * @param more what --resume would need to have work to do
+     * @throws InputError when the command would remove results of an earlier
+     * run without --resume or --overwrite
      */
     bool admits(const CommandLine &command,
                 const std::function<bool()> &can_go_on,
@@ -54,21 +55,21 @@ namespace io
       return manifest_;
     }
 
-    /// What differs from the run that was here before: application, an entry
-    /// or a file, in one clause; empty if nothing does.
+    /// Difference to the earlier run in this folder: application, an entry or
+    /// a file, as one clause; empty if none.
     std::string difference() const;
 
-    /// Removes what an earlier run left, which the log says.
+    /// Removes the files of an earlier run, and logs this.
     void begin();
 
-    /// Keeps what an earlier run left.
+    /// Keeps the files of an earlier run.
     void go_on();
 
-    /// Says how the run stands, see Manifest.
+    /// Sets the status of the run, see Manifest.
     void set_status(const std::string &status);
 
-    /// Leaves the folder as it was found if nothing was written: removes it
-    /// if it was made.
+    /// If nothing was written, restores the initial state: removes a folder
+    /// that was created.
     void discard();
 
   private:
@@ -79,7 +80,7 @@ namespace io
     std::string application_;
     FileNames names_;
     RunInput input_;
-    std::vector<std::string> made_; ///< folders, the innermost first
+    std::vector<std::string> made_; ///< created folders, innermost first
     std::optional<FolderLock> lock_;
     Manifest manifest_;
   };

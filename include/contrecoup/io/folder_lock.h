@@ -10,27 +10,27 @@ namespace contrecoup
 namespace io
 {
   /**
-   * Keeps a folder for one run as long as it lives, by an advisory lock on the
-   * file "lock" in it, which says who holds it. The system gives the lock back
-   * however the process ends, so that nothing has to be cleaned up after
-   * kill -9. It is a byte-range lock of an open file description (fcntl with
-   * F_OFD_SETLK): unlike flock, Linux hands it on to NFS servers, so that runs
-   * on several machines see each other, and unlike plain fcntl locks it is not
-   * lost when the process opens and closes the file once more. A file system
-   * that has no locks is said in the log, and then there is none. Used by one
+   * Advisory lock on a folder for the lifetime of the object, on its file
+   * "lock", which names the holder. The system releases the lock however the
+   * process ends, so nothing needs cleaning up after kill -9. The lock is a
+   * byte-range lock of an open file description (fcntl with F_OFD_SETLK).
+   * Unlike flock, Linux passes it on to NFS servers, so that runs on several
+   * machines see each other; unlike plain fcntl locks it survives when the
+   * process opens and closes the file again. On a file system without locks, a
+   * line in the log says so, and the folder is not locked. For use by one
    * rank.
    */
   class FolderLock
   {
   public:
-    /// The file.
+    /// Name of the lock file.
     static constexpr const char *name = "lock";
 
-    /// @throws InputError when another run holds it, which it names, when the
-    ///   folder takes no files, or when "lock" is a file of something else
+    /// @throws InputError when another run holds the lock (names it), when the
+    /// folder is not writable, or when "lock" is a foreign file
     FolderLock(const std::string &folder, const std::string &application);
 
-    /// Removes the file.
+    /// Releases the lock and removes the file.
     ~FolderLock();
     FolderLock(const FolderLock &) = delete;
     FolderLock &operator=(const FolderLock &) = delete;

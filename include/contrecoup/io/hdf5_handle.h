@@ -9,8 +9,7 @@ namespace contrecoup
 {
 namespace io
 {
-  /// An HDF5 object that is closed with the scope; a number below 0 stands for
-  /// one that could not be opened.
+  /// RAII handle of an HDF5 object; negative if opening failed.
   class Hdf5Handle
   {
   public:

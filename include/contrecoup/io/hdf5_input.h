@@ -12,29 +12,27 @@ namespace contrecoup
 {
 namespace io
 {
-  /**
-   * Reads numbers and words of an HDF5 file that may be damaged: whatever its
-   * parts claim, nothing is made larger than what the file can hold.
-   */
+  /// Reads numbers and texts from an HDF5 file that may be damaged: no
+  /// allocation exceeds what the size of the file justifies.
   class Hdf5Input
   {
   public:
-    /// @throws InputError for a file that is no HDF5
+    /// @throws InputError unless the file is HDF5
     explicit Hdf5Input(const std::string &path);
 
-    /// Whether there is an attribute of the whole file with this name.
+    /// Whether the file has a global attribute with this name.
     bool has_attribute(const std::string &name) const;
 
-    /// Whether there is a dataset with this name.
+    /// Whether the file has a dataset with this name.
     bool has_dataset(const std::string &name) const;
 
-    /// A whole dataset. @throws InputError when it is missing or damaged
+    /// Reads a dataset. @throws InputError when it is missing or damaged
     std::vector<double> numbers(const std::string &name) const;
 
-    /// An attribute of the file that is a number. @throws InputError
+    /// Reads a numeric global attribute. @throws InputError
     double number(const std::string &name) const;
 
-    /// An attribute of the file that is a text of fixed length.
+    /// Reads a global attribute that is a text of fixed length.
     /// @throws InputError
     std::string text(const std::string &name) const;
 

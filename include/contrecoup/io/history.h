@@ -15,9 +15,9 @@ namespace contrecoup
 namespace io
 {
   /**
-   * A table with one header line, `name [unit]` by column, and one row per
-   * output tick with 17 significant digits. Used on one rank. Rows reach
-   * the file in blocks, at least every two seconds and at flush().
+   * A CSV table with the header `name [unit]` and one row per output time,
+   * with 17 significant digits. For use on one rank. Rows are written in
+   * blocks, at least every two seconds and at flush().
    */
   class HistoryFile
   {
@@ -27,23 +27,23 @@ namespace io
     HistoryFile(const HistoryFile &) = delete;
     HistoryFile &operator=(const HistoryFile &) = delete;
 
-    /// Removes what an earlier run left.
+    /// Removes the file of an earlier run.
     void start();
 
-    /// Cuts the file back to its first @p n_bytes and goes on from there.
-    /// @throws InputError when it is shorter.
+    /// Truncates the file to @p n_bytes and appends from there.
+    /// @throws InputError when the file is shorter
     void resume(std::uint64_t n_bytes);
 
-    /// Adds a row; the first one of a file makes its header.
-    /// @throws InputError when the columns are not those of the header
+    /// Adds a row; the first row determines the header.
+    /// @throws InputError when the columns differ from the header
     /// @throws SystemError when the disk is full
     void add_row(const std::vector<NamedValue> &row);
 
-    /// Writes what add_row() still holds. @throws SystemError; the file
-    /// then ends with its last complete block.
+    /// Writes pending rows. @throws SystemError; the file then ends with its
+    /// last complete block
     void flush();
 
-    /// Size of the file after a flush() [byte].
+    /// Size of the file after flush() [byte].
     std::uint64_t size() const;
 
   private:

@@ -10,21 +10,21 @@ namespace contrecoup
 {
 namespace io
 {
-  /// A table as HistoryFile writes it.
+  /// A table written by HistoryFile.
   struct HistoryTable
   {
-    std::vector<std::string> names;           ///< of columns, without units
+    std::vector<std::string> names;           ///< column names, without units
     std::vector<std::vector<double>> columns; ///< all of the same length
 
-    /// The column of that name.
-    /// @throws InputError that names @p file when there is none
+    /// Returns the column with this name.
+    /// @throws InputError, naming @p file, for an unknown column
     const std::vector<double> &column(const std::string &name,
                                       const std::string &file) const;
   };
 
-  /// Reads the table in @p file.
-  /// @throws InputError when it cannot be read, or for a row with more or fewer
-  /// numbers than the header has names, or with what is no number
+  /// Reads a table.
+  /// @throws InputError when the file cannot be read, or for a row with
+  /// invalid or too few or too many numbers
   HistoryTable read_history(const std::string &file);
 } // namespace io
 } // namespace contrecoup

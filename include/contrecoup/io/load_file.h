@@ -12,15 +12,15 @@ namespace contrecoup
 namespace io
 {
   /**
-   * The HDF5 file of the loads on a body's surface. Datasets, in the order of
-   * the facets: "centroid", "normal" (out of the body) [facet][3] in m, "area"
+   * HDF5 file with the blast loads on a body's surface. Datasets, in the order
+   * of the facets: "centroid" and "normal" (outward) [facet][3] in m, "area"
    * in m^2 (2-D: m, per m of depth), "overpressure" [facet][time] in Pa as
    * float, chunked and compressed, "peak" in Pa, "impulse" of the positive
-   * phase in Pa s, "arrival" and "duration" in s; and "time" in s. A sample of
-   * overpressure is the mean since the last time, the first one since time 0,
-   * so that its integral over time is exact.
+   * phase in Pa s, "arrival" and "duration" in s; and "time" in s. Each
+   * overpressure sample is the mean since the previous time, the first one
+   * since time 0, so that the integral over time is exact.
    *
-   * The file is open only within each call.
+   * The file is open only during each call.
    */
   class LoadFile
   {
@@ -31,24 +31,24 @@ namespace io
       std::vector<double> normals;   ///< three numbers each [-]
       std::vector<double> areas;     ///< [m^2]
     };
-    /// Times that are compressed together: a part of them that is appended to
-    /// later is written again, in another place of the file.
+    /// Number of times compressed together; appending to an incomplete chunk
+    /// rewrites it at another place in the file.
     static constexpr unsigned int chunk_times = 64;
-    /// Names and values of attributes of the file.
+    /// Names and values of file attributes.
     using Words = std::vector<std::pair<std::string, std::string>>;
     using Numbers = std::vector<std::pair<std::string, double>>;
 
     /// @param path name of the file
     explicit LoadFile(const std::string &path);
 
-    /// Makes a new file without times. @throws SystemError
+    /// Creates a new file without samples. @throws SystemError
     void create(const Facets &facets, const Words &words);
 
-    /// Appends samples, [time][facet]. @throws SystemError
+    /// Appends samples, index [time][facet]. @throws SystemError
     void append(const std::vector<double> &times,
                 const std::vector<float> &overpressures);
 
-    /// Writes, or writes again, a number for each facet, and attributes.
+    /// Writes or overwrites a number for each facet, or attributes.
     /// @throws SystemError
     void write(const std::string &name, const std::vector<double> &values);
     void write(const Numbers &numbers);

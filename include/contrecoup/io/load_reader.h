@@ -13,22 +13,22 @@ namespace contrecoup
 namespace io
 {
   /**
-   * Reads what LoadFile wrote, as it is or merged to means over longer times.
-   * The file is open only within each call.
+   * Reads a LoadFile, as recorded or averaged over longer intervals. The file
+   * is open only during each call.
    *
-   * Whole samples are merged, each weighted with its length, so that impulses
-   * and the means of ramps stay exact: from one multiple of the interval after
-   * the first sample to the next, each moved to the nearest end of a sample.
-   * The first sample, which lasts until something arrives, gets an end one
-   * interval earlier, so that lines between middles of samples do not begin at
-   * time 0.
+   * Averaging merges whole samples, weighted with their duration, so that
+   * impulses and means of ramps stay exact. Merged intervals end at multiples
+   * of the interval after the first sample, each moved to the nearest end of a
+   * sample. The first sample, which lasts until the blast arrives, is split
+   * one interval before its end; otherwise linear interpolation between
+   * midpoints of samples would begin at time 0.
    */
   class LoadReader
   {
   public:
     /// Reads facets and times.
-    /// @param interval that samples are merged over [s]; one that is no longer
-    ///   than the samples changes nothing
+    /// @param interval for averaging [s]; no effect if not longer than the
+    /// samples
     /// @throws InputError when the file is no load file
     explicit LoadReader(const std::string &path, const double interval = 0.);
 
@@ -41,27 +41,26 @@ namespace io
       return facets_.areas.size();
     }
 
-    /// Ends of the times that samples are means over [s].
+    /// End times of the samples, which are means over intervals [s].
     const std::vector<double> &times() const
     {
       return times_;
     }
 
-    /// Samples of all facets, [facet][time], at @p count times from number
-    /// @p first on [Pa]. @throws SystemError
+    /// Samples of all facets, index [facet][time], for @p count times from
+    /// index @p first [Pa]. @throws SystemError
     std::vector<float> read(std::size_t first, std::size_t count) const;
 
   private:
-    /// Recorded samples that are merged to one: from number begin on, to the
-    /// one before end.
+    /// Recorded samples begin to end - 1, merged into one sample.
     struct Group
     {
       std::size_t begin, end;
     };
 
     void merge(const double interval);
-    /// Adds what @p n samples from number @p begin on give to a group's means,
-    /// of each facet, that are @p stride apart.
+    /// Adds the contributions of @p n recorded samples from index @p begin to
+    /// the means of a group; the means of the facets are @p stride apart.
     void add_part(const Group &group,
                   const std::size_t begin,
                   const std::size_t n,
@@ -74,7 +73,7 @@ namespace io
     std::string path_;
     LoadFile::Facets facets_;
     std::vector<double> times_;
-    std::vector<Group> groups_;     ///< empty: each sample as it is
+    std::vector<Group> groups_;     ///< empty: samples as recorded
     std::vector<double> durations_; ///< of recorded samples [s]
   };
 } // namespace io

@@ -13,53 +13,54 @@ namespace contrecoup
 {
 namespace io
 {
-  /// The names of what a run writes into its folder, as patterns: see
-  /// find_files(). A name that ends in "/" is a folder with a manifest of its
-  /// own.
+  /// Patterns of the names that a run writes into its folder, see
+  /// find_files(). A name ending in "/" is a folder with its own manifest.
   struct FileNames
   {
-    std::vector<std::string> results; ///< never change once it has finished
-    std::vector<std::string> others;  ///< may: logs, pictures, checkpoints
+    /// do not change after the run has finished
+    std::vector<std::string> results;
+    /// may change: logs, pictures, checkpoints
+    std::vector<std::string> others;
   };
 
   FileNames operator+(FileNames first, const FileNames &second);
 
-  /// The fields of all outputs and ranks, in every format, of files whose names
+  /// Field files of all outputs and ranks, in every format, with names that
   /// begin with @p stem.
   FileNames field_files(const std::string &stem);
 
-  /// Pictures of these names, which may be drawn again at any time.
+  /// Pictures with these names, which may be redrawn at any time.
   FileNames picture_files(const std::vector<std::string> &names);
 
-  /// What a run was asked for: entries and their values, and the files that
-  /// these name.
+  /// Input of a run: entries with values, and the files that they name.
   struct RunInput
   {
     std::map<std::string, std::string> entries;
     std::map<std::string, FileDigest> files;
   };
 
-  /// Reads the files that are values of entries, so that a change is noticed.
+  /// Reads the files named by entries, in order to detect changes.
   RunInput make_run_input(const std::map<std::string, std::string> &entries);
 
-  /// What differs, in one clause that names the entry; empty if nothing does.
+  /// Difference in one clause that names the entry; empty if none.
   std::string difference(const RunInput &before, const RunInput &now);
 
   /**
-   * What of a folder is Contrecoup's: the file "manifest.json" names, before
-   * they are written, all files that a run may write, so that they are known
-   * for its own even after kill -9, and at the end has size and CRC-32 of each
-   * result. Nothing else in the folder is ever written to or removed. Used by
-   * one rank.
+   * Records which files of a folder belong to Contrecoup. "manifest.json"
+   * lists all files that a run may write before it writes them, so that they
+   * are recognised even after kill -9; at the end it holds size and CRC-32 of
+   * each result. No other file in the folder is ever changed or removed. For
+   * use by one rank.
    */
   class Manifest
   {
   public:
-    /// The file.
+    /// Name of the file.
     static constexpr const char *name = "manifest.json";
 
-    /// Reads that of @p folder; without one, nothing there is Contrecoup's.
-    /// @throws InputError when "manifest.json" is damaged or something else's
+    /// Reads the manifest of @p folder; without one, no file there is
+    /// Contrecoup's.
+    /// @throws InputError when "manifest.json" is damaged or foreign
     explicit Manifest(const std::string &folder);
 
     bool is_there() const
@@ -70,7 +71,7 @@ namespace io
     {
       return application_;
     }
-    /// started, stopped, failed or finished.
+    /// One of "started", "stopped", "failed", "finished".
     const std::string &status() const
     {
       return status_;
@@ -80,40 +81,40 @@ namespace io
       return input_;
     }
 
-    /// Existing files of these names that are not Contrecoup's.
+    /// Existing files with these names that are not Contrecoup's.
     std::vector<std::string> foreign_files(const FileNames &names) const;
 
-    /// Existing files that are Contrecoup's, with those of folders that have
-    /// a manifest of their own.
+    /// Existing files that are Contrecoup's, including those of folders with
+    /// their own manifest.
     std::vector<std::string> own_files() const;
 
-    /// Says first that files of these names will be Contrecoup's, and then
-    /// removes what an earlier run left.
+    /// Records these names for a new run, then removes the files of an earlier
+    /// run.
     void begin(const std::string &application,
                const FileNames &names,
                const RunInput &input);
 
-    /// Goes on with the run that wrote it: keeps what there is.
+    /// Continues the recorded run: keeps existing files.
     void go_on(const std::string &application,
                const FileNames &names,
                const RunInput &input);
 
-    /// Says how the run stands; when it has finished, with size and CRC-32 of
+    /// Sets the status of the run; if it is finished, also size and CRC-32 of
     /// each result.
     void set_status(const std::string &status);
 
-    /// The first result of a finished run that is not there as it was written,
-    /// in one clause; empty if all are. Reads every one.
+    /// First damaged or missing result of a finished run, as one clause; empty
+    /// if there is none. Reads all results.
     std::string damage() const;
 
-    /// Removes every file that is Contrecoup's, in the end the manifest.
+    /// Removes all files that are Contrecoup's, the manifest last.
     void remove_all();
 
   private:
     void read(const std::string &text);
     void write() const;
     std::vector<std::string> files_here() const;
-    /// Files about the folder itself, which are no content.
+    /// Administrative files of the folder, such as manifest and lock.
     std::vector<std::string> files_about() const;
     std::string path(const std::string &file) const
     {

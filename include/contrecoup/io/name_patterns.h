@@ -10,25 +10,24 @@ namespace contrecoup
 {
 namespace io
 {
-  /// @name Files of a folder by patterns such as "fields/plane_*_#.npy", in
-  /// which # stands for one or more digits and * for any characters of a name.
+  /// @name Files of a folder by patterns such as "fields/plane_*_#.npy": #
+  /// stands for one or more digits, * for any characters of a name.
   /// @{
 
-  /// Whether a name, without folders, fits a pattern.
+  /// Whether a name without folders matches a pattern.
   bool fits(const std::string &name, const std::string &pattern);
 
   /**
-   * The files, relative to @p folder, that fit one of the patterns, sorted,
-   * each once; also those that write_file() had not finished. A symbolic link
-   * is such a file; a folder is none.
+   * Files, relative to @p folder, that match any of the patterns, sorted and
+   * without duplicates. Includes incomplete files of write_file() and symbolic
+   * links, but no folders.
    */
   std::vector<std::string> find_files(const std::string &folder,
                                       const std::vector<std::string> &patterns);
 
   /**
-   * Removes these files, and of the subfolders that they were in those which
-   * are empty then; @p folder itself stays. Files that are gone already do not
-   * matter.
+   * Removes files, and then those of their subfolders that are empty; @p
+   * folder itself stays. Missing files are ignored.
    * @throws SystemError when a file cannot be removed
    */
   void remove_files(const std::string &folder,

@@ -11,25 +11,25 @@ namespace contrecoup
 namespace io
 {
   /**
-   * Writes doubles as a NumPy array file (format 1.0), last index fastest:
-   * `numpy.load(file)` gives an array of this shape.
+   * Writes an array of doubles as NumPy file (format 1.0), last index fastest;
+   * `numpy.load(file)` reads it.
    * @throws SystemError when the disk is full
    */
   void write_npy(const std::string &file,
                  const std::vector<std::size_t> &shape,
                  const std::vector<double> &data);
 
-  /// An array of doubles as write_npy() writes it.
+  /// An array of doubles from a NumPy file.
   struct NumpyArray
   {
     std::vector<std::size_t> shape;
     std::vector<double> data; ///< last index fastest
   };
 
-  /// Reads what write_npy() wrote. @throws InputError for other files
+  /// Reads a file of write_npy(). @throws InputError for other files
   NumpyArray read_npy(const std::string &file);
 
-  /// A plane cut through a field on a regular grid, for pictures.
+  /// A planar cut through a field on a regular grid, for pictures.
   struct PlaneSamples
   {
     std::string quantity; ///< e.g. "pressure"
@@ -42,8 +42,8 @@ namespace io
     std::vector<double> values; ///< first axis fastest
   };
 
-  /// Writes `stem.npy` of shape (n_points[1], n_points[0]) and `stem.json`
-  /// with the rest. @throws SystemError when the disk is full
+  /// Writes `stem.npy` with shape (n_points[1], n_points[0]) and the other
+  /// members to `stem.json`. @throws SystemError when the disk is full
   void write_plane(const std::string &stem, const PlaneSamples &plane);
 } // namespace io
 } // namespace contrecoup

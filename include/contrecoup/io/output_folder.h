@@ -19,42 +19,40 @@ namespace contrecoup
 {
 namespace io
 {
-  /**
-   * The output folder of a run: history, probes, fields, checkpoints. Every
-   * function but the getters is collective; the first rank writes.
-   */
+  /// The output folder of a run: history, probes, fields, checkpoints. All
+  /// functions except getters are collective; the first rank writes.
   class OutputFolder : public RunOutput
   {
   public:
-    /// @param parameters the entries as used, to be kept in checkpoints
-    /// @param names of files that the solver writes into the folder
+    /// @param parameters entries as used, stored in checkpoints
+    /// @param names of the files that the solver writes into the folder
     OutputFolder(const std::string &path,
                  const std::string &application,
                  const std::map<std::string, std::string> &parameters,
                  const FileNames &names,
                  Collective &collective);
 
-    /// Takes the folder for this run, see FolderClaim, until this object ends.
-    /// Returns false when there is nothing to do in it.
-    /// @throws InputError when it is not to be had.
+    /// Claims the folder for the lifetime of this object, see FolderClaim.
+    /// Returns false if there is nothing to do.
+    /// @throws InputError when the folder cannot be claimed
     bool claim(const CommandLine &command);
 
-    /// Removes what an earlier run left.
+    /// Removes the files of an earlier run.
     void start();
 
     /**
-     * Finds the newest checkpoint and what it says of its run.
+     * Finds the newest checkpoint and reads its run.json.
      * @param exempt entries that may differ, see require_same_scene()
-     * @param end_time of the run that goes on [s], not before the checkpoint
-     * @return the folder with the solver's files
-     * @throws InputError when there is none, all are damaged, or it belongs
-     *   to another application or scene.
+     * @param end_time of the resumed run [s], not before the checkpoint
+     * @return folder with the solver's files
+     * @throws InputError when there is none, all are damaged, or it belongs to
+     * another application or scene
      */
     std::string find_checkpoint(const std::vector<std::string> &exempt,
                                 double end_time);
 
-    /// Puts histories and collections back to where the checkpoint was
-    /// written that find_checkpoint() found. Returns the state of the run.
+    /// Truncates histories and collections to their state at the checkpoint of
+    /// find_checkpoint(). Returns the state of the run.
     RunState resume();
 
     void write_history(const RunState &state,
@@ -65,22 +63,22 @@ namespace io
     void write_checkpoint(const RunState &state,
                           Simulation &simulation) override;
 
-    /// Writes what is still held in memory.
+    /// Writes pending rows.
     void flush();
 
-    /// Says how the run stands, see Manifest.
+    /// Sets the status of the run, see Manifest.
     void set_status(const std::string &status);
 
-    /// Writes a small text file of this name. Collective.
+    /// Writes a small text file. Collective.
     void write_text(const std::string &name, const std::string &text);
 
-    /// What any run writes, besides the files of its solver.
+    /// Files of every run, without those of the solver.
     static FileNames run_files();
 
-    /// The path of a file in this folder.
+    /// Path of a file in this folder.
     std::string path(const std::string &name = "") const;
 
-    /// The first and the newest row of the history.
+    /// First and latest row of the history.
     const std::vector<NamedValue> &first_values() const;
     const std::vector<NamedValue> &last_values() const;
 
@@ -89,11 +87,11 @@ namespace io
     std::string path_;
     FileNames names_;
     bool writes_;
-    std::unique_ptr<FolderClaim> claim_; ///< of the rank that writes
+    std::unique_ptr<FolderClaim> claim_; ///< on the writing rank
     HistoryFile history_;
     HistoryFile probes_;
     Checkpoints checkpoints_;
-    RunDescription run_; ///< kept up to date for checkpoints
+    RunDescription run_; ///< current state, for checkpoints
     std::vector<NamedValue> last_values_;
   };
 } // namespace io

@@ -10,12 +10,13 @@ namespace contrecoup
 namespace io
 {
   /**
-   * Has applications/plot/plot.py draw what a run left in its output folder,
-   * and logs where that is, or that it failed: results stand without their
-   * pictures. For one rank.
-   * @param picture_command e.g. "run", which is given @p folder
-   * @param what it makes, e.g. "pictures"
-   * @param where in the folder they are then
+   * Runs applications/plot/plot.py on an output folder, and logs where its
+   * pictures are, or that it failed: failure does not affect results. For one
+   * rank.
+   * @param picture_command command of plot.py, e.g. "run", called with @p
+   *   folder
+   * @param what the command draws, e.g. "pictures"
+   * @param where the files are in the folder
    */
   void draw(const std::string &picture_command,
             const std::string &folder,

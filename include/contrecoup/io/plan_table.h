@@ -12,17 +12,17 @@ namespace contrecoup
 {
 namespace io
 {
-  /// What a run will take for granted, a line for each item: decision,
-  /// estimate, limit, and the entry that decides otherwise; then a warning
-  /// for each estimate beyond its limit. Empty without items.
+  /// Lines about the assumptions of a run: decision, estimate, limit, and the
+  /// entry that changes the decision; then a warning for each estimate beyond
+  /// its limit. Empty without assumptions.
   std::vector<std::string> plan_lines(const std::vector<Assumption> &plan);
 
-  /// The same after the run, with what it measured beside the estimates, and
-  /// a warning for each measurement beyond its limit.
+  /// The same after the run, with measurements beside estimates, and a warning
+  /// for each measurement beyond its limit.
   std::vector<std::string> audit_lines(const std::vector<Assumption> &plan,
                                        const std::vector<Assumption> &audit);
 
-  /// The item of this name, or nullptr.
+  /// The assumption with this name, or nullptr.
   const Assumption *find_assumption(const std::vector<Assumption> &items,
                                     const std::string &name);
 } // namespace io

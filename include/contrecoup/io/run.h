@@ -17,10 +17,8 @@ namespace contrecoup
 {
 namespace io
 {
-  /**
-   * One run of a solver in its output folder: checks its cost, sets up or
-   * restores, loops, sums up. Every function is collective.
-   */
+  /// Runs a solver in its output folder: cost check, setup or restart, run
+  /// loop, summary. Every function is collective.
   class Run
   {
   public:
@@ -30,11 +28,11 @@ namespace io
         Simulation &simulation,
         Collective &collective);
 
-    /// Prints what would be run and what it would cost; writes nothing.
-    /// @throws InputError when the mesh does not fit into the memory.
+    /// Prints the plan and the cost of the run; writes nothing.
+    /// @throws InputError when the mesh does not fit into memory
     void check();
 
-    /// Runs. @throws InputError, NumericsError, SystemError.
+    /// Executes the run. @throws InputError, NumericsError, SystemError
     void execute();
 
   private:

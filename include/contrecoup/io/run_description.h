@@ -16,15 +16,15 @@ namespace contrecoup
 {
 namespace io
 {
-  /// Of what is in a checkpoint: run.json and the files of solvers. Raise it
-  /// with any change of these, so that no other build takes them for its own.
+  /// Format number of checkpoints: run.json and the solvers' files. Increase
+  /// it with any change of them, so that other builds refuse the files.
   constexpr int checkpoint_format = 5;
 
-  /// What a checkpoint keeps besides the solver's files: run.json.
+  /// State of run loop and outputs in a checkpoint: run.json.
   struct RunDescription
   {
     std::string application;
-    std::string build; ///< that wrote it, see this_build()
+    std::string build; ///< of the writing program, see this_build()
     RunState state;
     std::map<std::string, std::string> parameters;
     std::uint64_t history_bytes = 0;
@@ -33,15 +33,15 @@ namespace io
     std::vector<NamedValue> first_values;
   };
 
-  /// Version and git revision of this program, as "0.1.0 (a2ee2390193e)".
+  /// Version and git revision of this program: "0.1.0 (a2ee2390193e)".
   std::string this_build();
 
-  /// As JSON; from_text() gives back every number bit by bit. The build is
-  /// always this one.
+  /// Converts to JSON; from_text() restores numbers bitwise. The build is
+  /// always that of this program.
   std::string to_text(const RunDescription &description);
 
-  /// @throws InputError when @p text is not what to_text() made, or is of
-  ///   another format, naming both builds.
+  /// @throws InputError when @p text is no result of to_text(), or has another
+  /// format; names both builds
   RunDescription from_text(const std::string &text);
 
   /**

@@ -18,7 +18,7 @@ namespace contrecoup
 {
 namespace io
 {
-  /// What summary.json says of a run.
+  /// Content of summary.json.
   struct Summary
   {
     std::string application;
@@ -26,7 +26,7 @@ namespace io
     std::string message; ///< why it failed
     RunState state;
     std::optional<std::uint64_t> resumed_from; ///< step of the checkpoint
-    double wall_seconds = 0.;                  ///< all of this start
+    double wall_seconds = 0.;                  ///< of this start
     double loop_seconds = 0.;                  ///< of this start, without setup
     double core_seconds = 0.; ///< processor time of this start, all ranks
     double updates = 0.;      ///< of this start
@@ -44,16 +44,15 @@ namespace io
   };
 
   /**
-   * The text of summary.json. "wall_seconds" at the top counts everything,
-   * that under "performance" the time loop; "core_seconds" there is the
-   * processor time of everything, all ranks added up. For each conserved
-   * quantity Q of the history, "conservation" has Q_first, Q_last and
-   * Q_relative_change = (last - first) / |first|. A number that is not finite
-   * is written as null. "resumed_from_step" is the step of the checkpoint that
-   * this start went on from, null when it began anew. "assumptions" has the
-   * numbers of that name and for each item of the audit an object with what
-   * was decided, quantity, unit, estimate, measured value, limit, whether it
-   * holds, and the entry that decides.
+   * Text of summary.json. "wall_seconds" at the top is the total, that under
+   * "performance" the time loop; "core_seconds" there is the total processor
+   * time of all ranks. For each conserved quantity Q of the history,
+   * "conservation" has Q_first, Q_last and Q_relative_change = (last - first)
+   * / |first|. Values that are not finite become null. "resumed_from_step" is
+   * the step of the checkpoint from which this start resumed, null for a new
+   * run. "assumptions" has the values of that name and, for each item of the
+   * audit, an object with decision, quantity, unit, estimate, measured value,
+   * limit, whether it holds, and the entry that changes the decision.
    */
   std::string to_text(const Summary &summary);
 } // namespace io

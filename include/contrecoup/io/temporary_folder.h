@@ -9,11 +9,11 @@ namespace contrecoup
 {
 namespace io
 {
-  /// A new folder for temporary files, removed with all it holds in the end.
+  /// A new folder for temporary files; the destructor removes it.
   class TemporaryFolder
   {
   public:
-    /// @throws SystemError when it cannot be made
+    /// @throws SystemError when it cannot be created
     TemporaryFolder();
     ~TemporaryFolder();
     TemporaryFolder(const TemporaryFolder &) = delete;

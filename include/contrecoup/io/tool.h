@@ -14,32 +14,32 @@ namespace contrecoup
 {
 namespace io
 {
-  /// An application without time steps, which runs on one process.
+  /// Description of an application without time steps, on one process.
   struct ToolDescription
   {
     std::string name;
     std::string purpose; ///< one sentence
 
-    /// Declares every entry.
+    /// Declares all entries.
     std::function<void(dealii::ParameterHandler &)> declare_parameters;
 
-    /// Does the work, or with `--check` says what it would be.
+    /// Does the work, or describes it with `--check`.
     /// @throws InputError, NumericsError, SystemError
     std::function<void(const CommandLine &, dealii::ParameterHandler &)>
       execute;
   };
 
   /**
-   * What run_application() is to a solver: command line, parameters, errors,
-   * with the same options and exit codes. MPI is not started, so that the
-   * tool can start applications that use it; under mpirun all ranks but the
-   * first leave at once. Returns the exit code; writes one line to stderr
+   * Runs a tool as run_application() runs a solver: command line, parameters,
+   * errors, with the same options and exit codes. Does not initialise MPI, so
+   * that the tool can start MPI applications; under mpirun all ranks except
+   * the first exit at once. Returns the exit code; writes one line to stderr
    * unless it is 0.
    */
   int run_tool(int argc, char **argv, const ToolDescription &description);
 
-  /// The same within another program, by one rank: tells what went wrong
-  /// instead of writing it.
+  /// As run_tool() within another program, on one rank; returns the failure
+  /// instead of printing it.
   Failure run_within(const std::vector<std::string> &arguments,
                      const ToolDescription &description);
 } // namespace io

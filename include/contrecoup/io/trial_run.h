@@ -13,42 +13,43 @@ namespace contrecoup
 {
 namespace io
 {
-  /// What a trial run did while its mesh had one number of dimensions.
+  /// Measurements of a trial run while its mesh had the same dimension.
   struct TrialStage
   {
     unsigned int dimension = 0;
-    double steps = 0.;         ///< [-]
-    double cell_steps = 0.;    ///< sum of the cells over the steps [-]
-    double largest_cells = 0.; ///< [-]
-    double seconds = 0.; ///< processor time of the slowest rank, no setup [s]
+    double steps = 0.;         ///< number of steps
+    double cell_steps = 0.;    ///< sum of the number of cells over all steps
+    double largest_cells = 0.; ///< largest number of cells
+    /// processor time of the slowest rank, without setup [s]
+    double seconds = 0.;
   };
 
-  /// What a trial run did and cost.
+  /// Measurements of a trial run.
   struct Trial
   {
-    unsigned int levels = 0; ///< times that its cells were doubled
+    unsigned int levels = 0; ///< number of coarsenings
     std::vector<TrialStage> stages;
     double setup_seconds = 0.;  ///< of all stages [s]
-    double output_seconds = 0.; ///< for fields [s]
+    double output_seconds = 0.; ///< for field output [s]
     double field_bytes = 0.;    ///< of all fields [byte]
     double table_bytes = 0.;    ///< of history and probes [byte]
     double load_bytes = 0.;     ///< of recorded loads [byte]
-    double known_cells = 0.;    ///< that the solver said it begins with [-]
+    double known_cells = 0.;    ///< initial cells by the solver's estimate
     double unknowns_per_cell = 0.;
-    double memory_per_cell = 0.; ///< that the solver says [byte]
-    double peak_memory = 0.;     ///< that all ranks held at once [byte]
-    double seconds = 0.;         ///< that it took itself [s]
-    double field_seconds = 0.;   ///< of these for fields [s]
+    double memory_per_cell = 0.; ///< by the solver's estimate [byte]
+    double peak_memory = 0.;     ///< of all ranks [byte]
+    double seconds = 0.;         ///< wall time of the trial [s]
+    double field_seconds = 0.;   ///< part of `seconds` for fields [s]
   };
 
   /**
-   * Runs a scene with cells 2^@p levels times larger to its end, with all its
-   * output in a temporary folder that is removed; says nothing. What a run
-   * that was stopped after @p longest seconds of wall time lacks is added in
-   * proportion to the simulated time. Collective.
-   * @param prm every entry of the scene
-   * @return nothing when the scene cannot be that coarse, when it failed, or
-   *   when it was stopped before a fiftieth of its time
+   * Runs a scene with 2^@p levels times larger cells to its end, silently,
+   * with its output in a temporary folder that is removed. If the trial is
+   * stopped after @p longest seconds of wall time, its cost is extrapolated in
+   * proportion to simulated time. Collective.
+   * @param prm all entries of the scene
+   * @return nothing if the scene cannot be that coarse, if the trial failed,
+   * or if it was stopped before 2 % of its simulated time
    */
   std::optional<Trial> try_run(const ApplicationDescription &description,
                                const dealii::ParameterHandler &prm,

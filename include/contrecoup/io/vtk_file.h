@@ -11,27 +11,25 @@ namespace contrecoup
 {
 namespace io
 {
-  /**
-   * A VTK XML file of arrays that are compressed (zlib) and appended in binary
-   * form, which ParaView reads. Arrays are compressed when they are added, so
-   * that the file costs little memory.
-   */
+  /// A VTK XML file with compressed (zlib), appended binary arrays, for
+  /// ParaView. Arrays are compressed when they are added, which saves memory.
   class VtkFile
   {
   public:
-    /// @param type UnstructuredGrid, ImageData or another of VTK's words
-    /// @param grid_attributes of the grid's element, such as WholeExtent
-    /// @param piece_attributes of its only piece, such as NumberOfPoints
+    /// @param type UnstructuredGrid, ImageData or another VTK type
+    /// @param grid_attributes attributes of the grid, such as WholeExtent
+    /// @param piece_attributes attributes of its only piece, such as
+    /// NumberOfPoints
     VtkFile(const std::string &type,
             const std::string &grid_attributes,
             const std::string &piece_attributes);
 
     /**
      * Adds an array.
-     * @param section Points, Cells, PointData or CellData; the arrays of one
-     *   section are added one after the other
-     * @param Number double, float, std::uint32_t, std::int64_t or
-     *   unsigned char
+     * @param section Points, Cells, PointData or CellData; add the arrays of a
+     * section consecutively
+     * @tparam Number double, float, std::uint32_t, std::int64_t or unsigned
+     * char
      */
     template <typename Number>
     void add(const std::string &section,
@@ -57,7 +55,7 @@ namespace io
     std::uint64_t offset_ = 0;
   };
 
-  /// The number of a linear hexahedron and quadrilateral among VTK's cells.
+  /// VTK cell types of linear hexahedra and quadrilaterals.
   inline constexpr unsigned char vtk_hexahedron = 12;
   inline constexpr unsigned char vtk_quadrilateral = 9;
 } // namespace io
