@@ -35,9 +35,9 @@ namespace
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 
-  constexpr int giving_up = 1; ///< tag of messages
+  constexpr int giving_up = 1; ///< tag of messages from failed ranks
 
-  /// The rank of a message of one that gives up, if there is one.
+  /// Rank of a message from a failed rank, if there is one.
   std::optional<int> heard_from(const MPI_Comm communicator)
   {
     int there = 0;
@@ -55,8 +55,8 @@ namespace
     return status.MPI_SOURCE;
   }
 
-  /// Whether another rank that gives up says why: one that told so before, or
-  /// at the same time a lower one.
+  /// Whether another failed rank reports the error: one that announced it
+  /// earlier, or a lower rank at the same time.
   bool
   another_speaks(const MPI_Comm communicator, const int rank, const int n_ranks)
   {
@@ -70,7 +70,7 @@ namespace
           nullptr, 0, MPI_INT, other, giving_up, communicator, &request);
         MPI_Request_free(&request);
       }
-    constexpr double delay = 0.5; // of messages at most [s]
+    constexpr double delay = 0.5; // upper bound of message latency [s]
     for (const auto end = seconds_from_now(delay); Clock::now() < end;)
     {
       if (const auto other = heard_from(communicator); !other)
@@ -210,7 +210,7 @@ unsigned int Collective::agree(const Failure &own, const unsigned int flags)
     return flags;
   }
 
-  // The largest code wins, among equal ones the lowest rank.
+  // The largest code wins; among equal codes the lowest rank.
   constexpr int n_flags = 8;
   const int code = static_cast<int>(own.code);
   int send[1 + n_flags] = {code == 0 ? 0
@@ -252,7 +252,7 @@ unsigned int Collective::agree(const Failure &own, const unsigned int flags)
 void Collective::abandon(const Failure &own) const
 {
   if (another_speaks(agreement_, rank_, n_ranks_))
-    // It ends this rank as well.
+    // The reporting rank aborts this rank as well.
     for (const auto end = seconds_from_now(10. * patience_);
          Clock::now() < end;)
       sleep_a_little();

@@ -11,8 +11,8 @@
 
 namespace contrecoup
 {
-// mpirun gives its ranks a terminal as stdout even when its own is a file, but
-// never as stderr.
+// Under mpirun, stdout of the ranks is a terminal even if mpirun's own stdout
+// is a file, but stderr never is.
 Log::Log()
   : terminal_(isatty(STDOUT_FILENO) != 0 && isatty(STDERR_FILENO) != 0)
 {}

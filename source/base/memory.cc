@@ -12,8 +12,8 @@ namespace contrecoup
 {
 namespace
 {
-  /// The number of KiB that a line "name: number kB" of /proc holds, in
-  /// bytes; 0 without such a line.
+  /// Value in bytes of a line "name: number kB" in /proc; 0 without such a
+  /// line.
   double proc_bytes(const std::string &file, const std::string &name)
   {
     std::ifstream input(file);
@@ -27,7 +27,7 @@ namespace
     return 0.;
   }
 
-  /// The single number in a file, or infinity ("max", or no such file).
+  /// The single number in a file; infinity for "max", or without a file.
   double number_in(const std::string &file)
   {
     std::ifstream input(file);
@@ -48,7 +48,7 @@ namespace
 
 void forget_peak_memory()
 {
-  // Linux, proc(5): 5 resets the high-water mark.
+  // Linux, proc(5): writing 5 resets the high-water mark.
   std::ofstream("/proc/self/clear_refs") << 5;
 }
 

@@ -15,7 +15,7 @@ namespace
 {
   constexpr std::size_t most_bytes = std::size_t(1) << 24;
 
-  /// Reads one file and, through itself, the files that it includes.
+  /// Reads a file and, recursively, the files that it includes.
   class FileReader
   {
   public:
@@ -115,7 +115,7 @@ namespace
       throw InputError(where + ": files include each other without end");
     const std::filesystem::path here(files_.back());
     const std::string file = (here.parent_path() / rest).string();
-    // Each including itself twice, no depth would be reached in time.
+    // A limit of depth would not stop files that include themselves twice.
     std::error_code error;
     for (const std::string &open : files_)
       if (std::filesystem::equivalent(open, file, error))

@@ -23,8 +23,8 @@ namespace
     return std::isalnum(static_cast<unsigned char>(letter)) != 0;
   }
 
-  /// The name in small letters without separators between letters; "-x" and
-  /// "x" remain two.
+  /// The name in lower case without separators between letters; "-x" and "x"
+  /// stay different.
   std::string essence(const std::string &name)
   {
     std::string result;
@@ -42,8 +42,8 @@ namespace
     return result;
   }
 
-  /// "Region ball" for "region ball" where "Region *" is declared; empty when
-  /// there is no such pattern.
+  /// "Region ball" for "region ball" if "Region *" is declared; empty without
+  /// such a pattern.
   std::string name_of_item(const std::string &section, const Tree &node)
   {
     const std::size_t blank = section.find(' ');
@@ -60,11 +60,11 @@ namespace
     return "";
   }
 
-  /// The subsection as it is declared, and what is declared in it.
+  /// Replaces @p section by its declared name, and returns its node.
   const Tree *enter(std::string &section, const Tree &node)
   {
     std::vector<std::string> known;
-    // Names of items are the user's: "Region a" is not "Region A".
+    // Names of items belong to the user: "Region a" is not "Region A".
     for (const std::string &name : declared::names(node, false))
       if (declared::pattern_of(node, name).empty())
         known.push_back(name);
@@ -147,7 +147,7 @@ with_declared_names(const std::vector<Assignment> &assignments,
 std::vector<std::string> oversights(const std::string &file,
                                     const std::vector<Assignment> &assignments)
 {
-  // Where a line of a file is named: "\"file.prm\", line 7".
+  // Separates file name and line number: "\"file.prm\", line 7".
   const std::string mark = "\", line ";
   std::vector<std::string> lines;
   std::map<std::string, std::string> before;

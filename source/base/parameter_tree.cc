@@ -28,8 +28,8 @@ namespace
   using declared::Tree;
   using declared::tree_of;
 
-  /// The pattern that describes itself so. deal.II's own function does not
-  /// know separators other than commas.
+  /// The pattern with this description. deal.II's own function supports commas
+  /// as separators only.
   std::unique_ptr<dealii::Patterns::PatternBase>
   pattern_of_text(const std::string &description)
   {
@@ -71,8 +71,8 @@ namespace
            "\"";
   }
 
-  /// Makes the named items that @p assignment mentions and checks that its
-  /// entry exists. Returns the entry's node.
+  /// Declares the named items in @p assignment and checks that its entry
+  /// exists. Returns the entry's node.
   const Tree &
   find_entry(const Assignment &assignment, ParameterHandler &prm, Tree &tree)
   {
@@ -181,8 +181,7 @@ namespace
     }
   }
 
-  /// The value of an assignment; the name of a file made absolute if there
-  /// is such a file.
+  /// Value of an assignment; the name of an existing file is made absolute.
   std::string resolve_file(const Assignment &assignment,
                            const std::string &description)
   {
@@ -198,7 +197,7 @@ namespace
     return assignment.value;
   }
 
-  /// What an entry may be instead of the value that does not match.
+  /// Error text: what the entry allows instead of the given value.
   std::string refusal(const Assignment &assignment,
                       const std::string &description)
   {

@@ -14,12 +14,12 @@ namespace
 {
   using Clock = std::chrono::steady_clock;
 
-  /// Between two lines of a log, and of a terminal [s].
+  /// Intervals between lines in a log, and on a terminal [s].
   constexpr double log_interval = 10., terminal_interval = 0.2;
 
-  /// After a line of a log, the solver is asked for the next one [s].
+  /// Time from a log line to the forecast for the next line [s].
   constexpr double log_forecast = 9.;
-  /// Between two forecasts, at least [s].
+  /// Least time between two forecasts [s].
   constexpr double forecast_interval = 2.;
 
   double seconds(const Clock::duration duration)

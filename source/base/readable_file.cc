@@ -23,7 +23,7 @@ namespace
     return text.compare(0, mark.size(), mark) == 0;
   }
 
-  /// A byte that no text in UTF-8 has.
+  /// Whether a byte never occurs in UTF-8 text.
   bool is_binary(const char letter)
   {
     const auto byte = static_cast<unsigned char>(letter);
@@ -31,7 +31,7 @@ namespace
            byte == 0 || byte == 127;
   }
 
-  /// Why the content is not that of a text file; empty when it is.
+  /// Reason why the content is not text; empty if it is.
   std::string why_no_text(const std::string &content)
   {
     if (begins_with(content, "\xFF\xFE") || begins_with(content, "\xFE\xFF"))
@@ -46,7 +46,7 @@ namespace
            std::to_string(value) + ", as in UTF-16 or a binary file";
   }
 
-  /// Line ends of Windows and of old Macs made "\n".
+  /// Converts Windows and old Mac line ends to "\n".
   std::string with_line_ends(const std::string &content)
   {
     std::string text;
@@ -93,7 +93,7 @@ std::string read_text(const std::string &what,
     "cannot read " + what + " " + quotation(file) + ": ";
   std::ifstream input(file, std::ios::binary);
   std::string content, why;
-  // A pipe does not know its size, and a device may have no end.
+  // A pipe has no known size, and a device may have no end.
   std::vector<char> block(1U << 16);
   while (why.empty() && content.size() <= most_bytes && input)
   {
@@ -121,7 +121,7 @@ std::string quotation(const std::string &text)
 {
   constexpr std::size_t most = 60;
   std::size_t end = std::min(text.size(), most);
-  // A letter of UTF-8 has further bytes of the form 10xxxxxx.
+  // Do not split a UTF-8 character: continuation bytes are 10xxxxxx.
   while (end < text.size() && end > 0 &&
          (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U)
     --end;

@@ -11,11 +11,11 @@ namespace contrecoup
 {
 namespace
 {
-  /// Time over which the cost of a step fades [s]: some outputs of fields.
+  /// Decay time of the cost of a step [s], longer than some field outputs.
   constexpr double memory = 30.;
 
-  /// Work from @p begin to @p end: the first interval also holds before it
-  /// begins, the last one after it ends.
+  /// Work from @p begin to @p end. The first interval extends to earlier
+  /// times, the last one to later times.
   double work_between(const WorkForecast &forecast,
                       const double begin,
                       const double end)

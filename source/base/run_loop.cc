@@ -18,11 +18,11 @@ namespace contrecoup
 {
 namespace
 {
-  // Bits that the ranks agree on after each step.
+  // Bits that are combined over all ranks after each step.
   constexpr unsigned int stop_bit = 1;
   constexpr unsigned int checkpoint_bit = 2;
   constexpr unsigned int forecast_bit = 32;
-  // Of several signals the first of these counts.
+  // Of several signals, the first in this list counts.
   constexpr std::array<std::pair<int, unsigned int>, 3> signal_bits = {
     {{SIGINT, 4}, {SIGTERM, 8}, {SIGUSR1, 16}}};
 
@@ -101,8 +101,8 @@ RunStatus RunLoop::loop(RunState &state)
       checkpoint(state);
   }
 
-  // A run that is resumed with a later end time must not find the rows and
-  // fields of this end in its past, hence the checkpoint first.
+  // Write the checkpoint first: a run resumed with a later end time must not
+  // have the final rows and fields of this run in its past.
   if (parameters.checkpoint_at_the_end)
     checkpoint(state);
   collective_.run([&]() { write_all(state); });

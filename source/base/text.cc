@@ -103,7 +103,7 @@ std::size_t edit_distance(const std::string &first, const std::string &second)
 std::string nearest(const std::string &name,
                     const std::vector<std::string> &candidates)
 {
-  // What is as long as that is no name, and its distance takes long to find.
+  // Longer texts are no names, and their edit distance is expensive.
   constexpr std::size_t longest_name = 100;
 
   std::string best;
@@ -146,7 +146,7 @@ std::string exact(const double value)
 
 std::string brief(const double value, const int digits)
 {
-  // The C library says "-nan" of sqrt(-1).
+  // The C library prints "-nan" for sqrt(-1).
   if (std::isnan(value))
     return "not a number";
   if (std::isinf(value))

@@ -10,13 +10,13 @@ namespace contrecoup
 {
 namespace
 {
-  /// Whether @p time is @p tick or later, but for rounding.
+  /// Whether @p time has reached @p tick, up to round-off.
   bool reached(const double time, const double tick)
   {
     return tick - time <= 1e-13 * std::abs(tick);
   }
 
-  /// The first multiple of @p interval after @p time.
+  /// Index of the first multiple of @p interval after @p time.
   std::uint64_t next_tick(const double time, const double interval)
   {
     if (interval <= 0.)

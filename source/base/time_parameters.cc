@@ -29,28 +29,30 @@ namespace
                    0.,
                    bounds::time,
                    "s",
-                   "Bound of the step size; 0: only the solver's own.");
-    declare_integer(prm,
-                    "Largest number of steps",
-                    "0",
-                    0,
-                    many,
-                    "The run is finished after so many steps; 0: no bound.");
+                   "Upper bound of the step size; 0: only that of the "
+                   "solver.");
+    declare_integer(
+      prm,
+      "Largest number of steps",
+      "0",
+      0,
+      many,
+      "The run is finished after this number of steps; 0: no bound.");
     declare_integer(prm,
                     "Steps in this run",
                     "0",
                     0,
                     many,
-                    "Writes a checkpoint and stops after so many steps from "
-                    "start or resume; 0: no bound.");
+                    "Writes a checkpoint and stops after this number of "
+                    "steps from start or resume; 0: no bound.");
     declare_double(prm,
                    "Minutes in this run",
                    "0",
                    0.,
                    1e6,
                    "min",
-                   "Writes a checkpoint and stops after so much wall time "
-                   "from start or resume; 0: no bound.");
+                   "Writes a checkpoint and stops after this wall time from "
+                   "start or resume; 0: no bound.");
   }
 
   void declare_tables(ParameterHandler &prm)
@@ -62,14 +64,14 @@ namespace
                     1,
                     many,
                     "Steps between rows of history.csv.");
-    declare_double(prm,
-                   "History interval",
-                   "0",
-                   0.,
-                   bounds::time,
-                   "s",
-                   "Time between rows of history.csv, met exactly; 0: by "
-                   "steps.");
+    declare_double(
+      prm,
+      "History interval",
+      "0",
+      0.,
+      bounds::time,
+      "s",
+      "Simulated time between rows of history.csv, met exactly; 0: by steps.");
     declare_integer(prm,
                     "Probes every steps",
                     "1",
@@ -81,18 +83,19 @@ namespace
   void declare_fields(ParameterHandler &prm)
   {
     const Section section(prm, "Output");
-    declare_bool(prm,
-                 "Fields",
-                 "true",
-                 "Whether to write fields at all; at least at start and end.");
+    declare_bool(
+      prm,
+      "Fields",
+      "true",
+      "Whether fields are written; if so, at least at start and end.");
     declare_double(prm,
                    "Fields interval",
                    "0",
                    0.,
                    bounds::time,
                    "s",
-                   "Time between field outputs, met exactly; 0: none between "
-                   "start and end.");
+                   "Simulated time between field outputs, met exactly; 0: "
+                   "none between start and end.");
     declare_integer(prm,
                     "Fields every steps",
                     "0",
@@ -120,7 +123,7 @@ namespace
     declare_bool(prm,
                  "Checkpoint at the end",
                  "false",
-                 "Whether a finished run leaves a checkpoint, to be resumed "
+                 "Whether a finished run writes a checkpoint, for resuming "
                  "with a later end time.");
   }
 } // namespace

@@ -19,7 +19,7 @@ Timers &Timers::instance()
 
 void Timers::reset()
 {
-  // Kept in place: a scope of a caller may still point to its entry.
+  // Keep the entries: a scope of a caller may refer to one.
   for (auto &item : entries_)
     item.second = Entry();
 }

@@ -27,7 +27,7 @@ namespace
     return fs::is_regular_file(file) && access(file.c_str(), X_OK) == 0;
   }
 
-  /// The program of this name beside this one's own file.
+  /// Path of a program in the folder of this program.
   std::string find_program(const std::string &name)
   {
     if (name.find('/') != std::string::npos)
@@ -86,7 +86,7 @@ std::string ApplicationUnderStudy::ask(const Settings &settings,
     throw SystemError(name_ + ": " + text.errors);
   if (text.end.exit_code != 0)
   {
-    // The user of a study wrote no --set.
+    // Remove "--set: ", which the user of a study did not write.
     const std::string origin = "--set: ";
     const bool of_override = text.errors.compare(0, origin.size(), origin) == 0;
     throw InputError(name_ + ": " +
@@ -106,7 +106,7 @@ ApplicationUnderStudy::entries(const Settings &settings) const
   for (const Assignment &assignment : read_assignments(file))
   {
     const std::string path = join(assignment.sections, "/") + "/";
-    // A subsection for items of any name, shown but not there.
+    // Skip pattern subsections, which are no actual entries.
     if (path.find(" */") == std::string::npos)
       values[(path == "/" ? "" : path) + assignment.entry] = assignment.value;
   }

@@ -27,8 +27,8 @@ namespace
     return text.compare(0, begin.size(), begin) == 0;
   }
 
-  /// Whether a variable makes an MPI library believe that it is a rank of a
-  /// running job. Settings of the user are kept.
+  /// Whether a variable makes an MPI library join a running job. Settings of
+  /// the user are kept.
   bool belongs_to_mpi_job(const std::string &variable)
   {
     for (const char *kept : {"OMPI_ALLOW_RUN_AS_ROOT", "PMIX_MCA_"})
@@ -57,8 +57,8 @@ namespace
     return false;
   }
 
-  /// The variables for a child. Ranks of runs side by side must not all be
-  /// bound to the first cores.
+  /// Environment of a child. Concurrent runs must not all bind their ranks to
+  /// the first cores.
   std::vector<std::string> child_variables()
   {
     std::vector<std::string> variables;
@@ -88,8 +88,8 @@ namespace
     return result;
   }
 
-  /// What the new process does before it becomes the program; only calls
-  /// that are allowed between fork() and exec(). Returns if one fails.
+  /// Code of the new process before exec(): only async-signal-safe calls.
+  /// Returns if one fails.
   void become(char *const *command,
               char *const *variables,
               const char *output_file,
@@ -132,7 +132,7 @@ ChildProcess::ChildProcess(const std::vector<std::string> &command,
   const std::vector<char *> words = pointers(command);
   const std::vector<char *> environment = pointers(variables);
   const pid_t parent = getpid();
-  // The write end closes itself when the program starts.
+  // The write end closes when exec() succeeds.
   int pipe_ends[2];
   if (pipe2(pipe_ends, O_CLOEXEC) != 0)
     throw SystemError("cannot start \"" + command.front() +
@@ -159,7 +159,7 @@ ChildProcess::ChildProcess(const std::vector<std::string> &command,
     return;
   if (id_ > 0)
     waitpid(id_, nullptr, 0);
-  // More often than the program it is its output that cannot be opened.
+  // The most likely reason is that the output file cannot be opened.
   throw SystemError("cannot start \"" + command.front() +
                     "\" with its output in \"" + output_file +
                     "\": " + std::strerror(reason));
@@ -211,7 +211,7 @@ double ChildProcess::seconds() const
 
 void ChildProcess::signal_group(const int signal) const
 {
-  // The process may not have made its group yet.
+  // The child may not have created its process group yet.
   kill(id_, signal);
   kill(-id_, signal);
 }
@@ -222,7 +222,7 @@ std::string last_line(const std::string &text)
   std::string last;
   for (const std::string &line : split(text, '\n'))
   {
-    // What mpirun says after an application's own line tells less.
+    // An application's own message is more informative than mpirun's.
     if (begins_with(line, mark))
       return line.substr(mark.size());
     if (!line.empty())

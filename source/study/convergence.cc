@@ -14,13 +14,13 @@ namespace
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   constexpr double lowest_order = 0.05, highest_order = 20.;
 
-  /// (a^p - b^p) / (b^p - c^p) for widths a > b > c; rises with p.
+  /// (a^p - b^p) / (b^p - c^p) for widths a > b > c; increases with p.
   double ratio(const double a, const double b, const double c, const double p)
   {
     return (std::pow(a / b, p) - 1.) / (1. - std::pow(c / b, p));
   }
 
-  /// The order for which ratio() is @p wanted, by bisection.
+  /// Order for which ratio() equals @p wanted, by bisection.
   double
   order_of(const double a, const double b, const double c, const double wanted)
   {

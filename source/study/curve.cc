@@ -12,7 +12,7 @@ namespace contrecoup::study
 {
 namespace
 {
-  /// The curve at a time within it.
+  /// Linear interpolation of a curve.
   double at(const Curve &curve, const double time)
   {
     const auto after =
@@ -27,7 +27,7 @@ namespace
     return curve.values[i - 1] + part * (curve.values[i] - curve.values[i - 1]);
   }
 
-  /// Integral of |f| for f straight from a to b over a step.
+  /// Integral of |f| over a step, for linear f from a to b.
   double absolute_area(const double a, const double b, const double step)
   {
     if (a * b >= 0.)

@@ -73,8 +73,8 @@ namespace
     return variants;
   }
 
-  /// Uniform in [0, 1), the same on every machine, as the distributions of
-  /// the standard library are not.
+  /// Uniform in [0, 1); unlike the distributions of the standard library the
+  /// same on every machine.
   double uniform(std::mt19937_64 &random)
   {
     return std::ldexp(static_cast<double>(random() >> 11U), -53);
@@ -92,7 +92,7 @@ namespace
     return order;
   }
 
-  /// Adds the place @p u in [0, 1) of a factor to a variant.
+  /// Adds the coordinate @p u in [0, 1) of a factor to a variant.
   void add_place(const Factor &factor, const double u, Variant &variant)
   {
     if (!factor.is_range)

@@ -37,7 +37,7 @@ namespace
                                             "history curve",
                                             "plane"};
 
-  /// The newest array of a plane: stem_NNNN.npy of the largest number.
+  /// The latest array of a plane: stem_NNNN.npy with the largest number.
   std::string newest_plane(const std::string &folder, const std::string &stem)
   {
     std::vector<std::string> arrays, stems;
@@ -56,7 +56,7 @@ namespace
     return *std::max_element(arrays.begin(), arrays.end());
   }
 
-  /// Mean absolute difference, samples that are not numbers left out.
+  /// Mean absolute difference, without samples that are NaN.
   double mean_difference(const std::string &file, const std::string &reference)
   {
     const io::NumpyArray a = io::read_npy(file), b = io::read_npy(reference);
@@ -95,46 +95,47 @@ void ErrorMeasure::declare_parameters(ParameterHandler &prm)
     "Kind",
     "exact",
     {"exact", "known value", "reference run", "self convergence", "none"},
-    "What a run is measured against: its own errors against an exact solution, "
-    "as its summary.json states them; a known value; another run; what it "
-    "tends to on finer meshes, by Richardson extrapolation; or nothing.");
+    "Reference of the error: exact solution, as stated in the run's "
+    "summary.json; known value; another run; limit under mesh refinement, "
+    "by Richardson extrapolation; or none.");
   declare_string(prm,
                  "Name",
                  "density_L1",
-                 "For exact the name below \"errors\" in summary.json; for "
-                 "a quantity of a summary its dotted path, as in "
-                 "\"conservation.mass_last\"; of a probe or the history the "
-                 "column of probes.csv or history.csv; of a plane the name of "
-                 "its files without number.");
+                 "For exact, the name below \"errors\" in summary.json; for "
+                 "a summary, the dotted path of the value, as in "
+                 "\"conservation.mass_last\"; for a probe or the history, "
+                 "the column of probes.csv or history.csv; for a plane, the "
+                 "name of its files without number.");
   declare_selection(prm,
                     "Quantity",
                     "summary",
                     quantities,
-                    "What is compared, unless Kind is exact: a number of "
+                    "Compared quantity unless Kind is exact: a value of "
                     "summary.json; largest rise, largest fall, largest "
                     "integral of the rise, or arrival at a probe or in a "
                     "column of the history; its whole curve, or a plane cut "
-                    "at the end, each with the mean difference from that of "
-                    "the reference run.");
-  // Of any quantity, whose bounds are smaller or the same.
+                    "at the end, each by the mean difference from the "
+                    "reference run.");
+  // These bounds admit values of every quantity.
   declare_double(prm,
                  "Known value",
                  "0",
                  -bounds::energy,
                  bounds::energy,
                  "unit of the quantity",
-                 "The value that the quantity should have; the error is "
-                 "relative to it, or absolute if it is 0.");
+                 "Known value of the quantity; the error is relative to it, "
+                 "or absolute if it is 0.");
   declare_string(prm,
                  "Reference",
                  "",
-                 "The entries of the reference run besides those of all "
-                 "variants: \"Section/Entry=value; ...\". The study makes "
-                 "this run first.");
-  declare_string(prm,
-                 "Reference folder",
-                 "",
-                 "Instead, the output folder of a run that was made before.");
+                 "Entries of the reference run in addition to those of all "
+                 "variants: \"Section/Entry=value; ...\". The study runs it "
+                 "first.");
+  declare_string(
+    prm,
+    "Reference folder",
+    "",
+    "Output folder of an existing reference run, instead of Reference.");
   declare_double(prm,
                  "Averaging time",
                  "0",
@@ -150,7 +151,7 @@ void ErrorMeasure::declare_parameters(ParameterHandler &prm)
                  0.,
                  bounds::energy,
                  "unit of the error",
-                 "The cheapest variant whose error is at most this is "
+                 "The cheapest variant with at most this error is "
                  "recommended and written to recommended.prm; 0: none.");
 }
 

@@ -16,7 +16,7 @@ namespace contrecoup::study
 {
 namespace
 {
-  /// @p text split, but with a last empty part kept: "a |" has two.
+  /// Splits @p text, keeping an empty last part: "a |" has two.
   std::vector<std::string> cells(const std::string &text)
   {
     std::vector<std::string> parts = {""};
@@ -30,7 +30,7 @@ namespace
     return parts;
   }
 
-  /// Parts between semicolons; one that ends the text adds none.
+  /// Parts between semicolons; a final semicolon adds none.
   std::vector<std::string> rows(const std::string &text)
   {
     std::vector<std::string> parts = split(text, ';');
@@ -39,7 +39,7 @@ namespace
     return parts;
   }
 
-  /// Reads "a to b" or "a to b logarithmic". Returns whether it is that.
+  /// Parses "a to b" or "a to b logarithmic". Returns whether it matches.
   bool read_range(const std::string &text, Factor &factor)
   {
     const std::size_t middle = text.find(" to ");
@@ -94,29 +94,29 @@ void Factor::declare_parameters(ParameterHandler &prm)
   declare_string(prm,
                  "Entry",
                  "",
-                 "The entry that is varied, \"Section/Subsection/Entry\"; "
-                 "several that change together are separated by \"|\".");
+                 "The varied entry, \"Section/Subsection/Entry\"; several "
+                 "entries that change together are separated by \"|\".");
   declare_string(prm,
                  "Values",
                  "",
-                 "Its values, separated by \";\"; for several entries each "
-                 "holds one text for each, separated by \"|\", where an empty "
-                 "one leaves the entry as the parameter file has it. For a "
-                 "Latin hypercube also a range: \"0.1 to 0.9\" or \"1 to 1e6 "
-                 "logarithmic\".");
+                 "Values, separated by \";\"; with several entries, each "
+                 "value has one text per entry, separated by \"|\", where "
+                 "an empty text leaves the entry as in the parameter file. "
+                 "For a Latin hypercube also a range: \"0.1 to 0.9\" or \"1 "
+                 "to 1e6 logarithmic\".");
   declare_string(prm,
                  "Labels",
                  "",
                  "Names of the values in tables and pictures, separated by "
-                 "\";\"; empty: the values themselves.");
+                 "\";\"; empty: the values.");
   declare_selection(prm,
                     "Refinement",
                     "none",
                     {"none", "by level", "by count", "by size"},
-                    "Whether the values refine the mesh: each is a level, "
-                    "which halves the mesh width, counts cells along an edge, "
-                    "or is the size of a cell. Lines in pictures and orders "
-                    "follow such a factor.");
+                    "Whether the values refine the mesh: by level (each "
+                    "level halves the mesh width), by count (cells along an "
+                    "edge), or by size (cell size). Lines in pictures and "
+                    "orders follow this factor.");
 }
 
 void Factor::parse_parameters(ParameterHandler &prm,
@@ -172,7 +172,7 @@ Settings Factor::settings(const std::size_t row) const
 double Factor::number(const std::size_t row) const
 {
   const double of_value = leading_number(values[row].front());
-  // The mesh width must come from the value, whatever it is called.
+  // The mesh width follows from the value, regardless of its label.
   if (refinement != Refinement::none)
     return of_value;
   const double of_label = leading_number(labels[row]);

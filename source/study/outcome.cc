@@ -18,7 +18,7 @@ namespace
 {
   using Json = nlohmann::ordered_json;
 
-  /// The content of a JSON file; null if there is none, or it is broken.
+  /// Content of a JSON file; null if it is missing or invalid.
   Json read_json(const std::string &file)
   {
     std::ifstream input(file);
@@ -37,12 +37,12 @@ namespace
     }
     catch (const Json::exception &)
     {
-      // It is of another kind than what was written.
+      // The member has another type.
       return otherwise;
     }
   }
 
-  /// Whether it has all that write_outcome() writes, each of its kind.
+  /// Whether all members of write_outcome() exist with their types.
   bool is_whole(const Json &text)
   {
     if (!text.is_object())
@@ -63,7 +63,7 @@ namespace
     return text.find(words) != std::string::npos;
   }
 
-  /// A process that left by itself with code 0.
+  /// Judges a process that exited with code 0.
   void judge_finished(const Json &summary, Outcome &outcome)
   {
     const std::string status = member<std::string>(summary, "status", "");
@@ -130,7 +130,7 @@ Outcome judge(const ProcessEnd &end,
                    : end.exit_code == 2 ? "unstable"
                                         : "failed";
     outcome.reason = reason_of(summary, error_file);
-    // A full disk does not take the reason either.
+    // With a full disk, not even the reason is written.
     if (outcome.kind == "failed" && outcome.reason == no_reason)
       outcome.reason += "; is the disk full?";
   }
@@ -178,7 +178,7 @@ void write_outcome(const std::string &file,
   io::write_file(file, [&](std::ostream &out) {
     out << text.dump(1, ' ', false, Json::error_handler_t::replace) << '\n';
   });
-  // Without the disk the work of hours would hang on the next power cut.
+  // The outcome of hours of computing must survive a power failure.
   io::sync(file);
 }
 

@@ -39,7 +39,7 @@ namespace
     return std::isfinite(value) ? brief(value, digits) : "";
   }
 
-  /// In the unit of the cost's column.
+  /// Cost in the unit of its column.
   std::string cost_text(const std::string &cost, const double value)
   {
     return !std::isfinite(value) ? ""
@@ -63,7 +63,8 @@ namespace
     return text;
   }
 
-  /// Writes the titles of the factors; returns the line below them so far.
+  /// Writes the titles of the factors; returns the beginning of the rule
+  /// below.
   std::string begin_table(const StudyParameters &parameters, std::ostream &out)
   {
     std::string rule = "|";
@@ -105,7 +106,7 @@ namespace
     return out.str();
   }
 
-  /// The numbers that the study shows besides, those of the reference last.
+  /// Table of the further columns, with those of the reference run last.
   std::string further_table(const StudyParameters &parameters,
                             const StudyResult &result)
   {
@@ -137,7 +138,7 @@ namespace
     return out.str();
   }
 
-  /// Those that did not finish, with their reasons.
+  /// List of runs that did not finish, with reasons.
   std::string failures(const StudyResult &result)
   {
     std::string text;

@@ -29,7 +29,7 @@ namespace
              : brief(row.cost, 3) + " " + parameters.cost;
   }
 
-  /// The finished row of the smallest error; nullptr if none has one.
+  /// Finished row with the smallest error, or nullptr.
   const ResultRow *most_accurate(const StudyResult &result)
   {
     const ResultRow *best = nullptr;

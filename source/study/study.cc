@@ -26,7 +26,7 @@ namespace
 
   constexpr const char *marker = "study.json";
 
-  /// What a study with these runs writes into its folder.
+  /// File names of a study with these runs in its folder.
   io::FileNames file_names(const std::string &folder,
                            const std::vector<Task> &tasks)
   {
@@ -77,7 +77,7 @@ namespace
     return join(parts, ", ");
   }
 
-  /// The order between the two finest meshes of each series.
+  /// Order between the two finest meshes of each series.
   Json last_orders(const StudyResult &result)
   {
     Json orders = Json::object();
@@ -131,8 +131,8 @@ void Study::require_known(const Settings &settings,
 
 void Study::require_known_entries() const
 {
-  // Each value is looked at when it is set, whatever is set after it: one start
-  // of the application tells of all of them.
+  // The application validates each value when it is set, even if it is set
+  // again later: one start checks all values.
   Settings all = parameters_.settings;
   for (const Factor &factor : parameters_.factors)
     if (factor.is_range)
@@ -279,7 +279,7 @@ void Study::report(const Task &task)
   if (is_reference && !outcome.is_usable())
     throw NumericsError("the reference run is " + outcome.kind + ": " +
                         outcome.reason);
-  // Also tells a misspelt quantity before all variants have run.
+  // Early results also reveal a misspelt quantity.
   if (n_done_ < 3 || n_done_ % 10 == 0)
     write_results("running", passed);
 }

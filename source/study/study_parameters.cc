@@ -16,45 +16,47 @@ namespace
 {
   void declare_what(ParameterHandler &prm)
   {
-    declare_string(prm,
-                   "Title",
-                   "",
-                   "A few words above tables and pictures; empty: the name of "
-                   "the parameter file.");
-    declare_string(prm,
-                   "Application",
-                   "blast",
-                   "The application whose accuracy is studied: the name of a "
-                   "program beside this one.");
-    declare_file(prm,
-                 "Parameter file",
-                 "",
-                 "The application's parameter file, which all variants start "
-                 "from.");
-    declare_string(prm,
-                   "Settings",
-                   "",
-                   "Entries that all variants override: "
-                   "\"Section/Entry=value; ...\".");
+    declare_string(
+      prm,
+      "Title",
+      "",
+      "Title of tables and pictures; empty: name of the parameter file.");
+    declare_string(
+      prm,
+      "Application",
+      "blast",
+      "Application under study: a program in the folder of this one.");
+    declare_file(
+      prm,
+      "Parameter file",
+      "",
+      "Parameter file of the application, from which all variants start.");
+    declare_string(
+      prm,
+      "Settings",
+      "",
+      "Entries overridden in all variants: \"Section/Entry=value; ...\".");
     declare_string(prm,
                    "Columns",
                    "",
-                   "Numbers of summary.json that study.csv and study.md have "
-                   "as well, for the reference run too: dotted paths as in "
-                   "\"assumptions.loads_chest_peak; ...\".");
+                   "Further values of summary.json for study.csv and "
+                   "study.md, including the reference run: dotted paths as "
+                   "in \"assumptions.loads_chest_peak; ...\".");
     declare_selection(prm,
                       "Mode",
                       "work precision",
                       {"work precision", "stability map"},
-                      "Whether error is drawn against cost, or what became of "
-                      "each variant over the plane of two factors.");
+                      "work precision: error against cost; stability map: "
+                      "outcome of each variant over the plane of two "
+                      "factors.");
     declare_selection(prm,
                       "Design",
                       "full grid",
                       {"full grid", "one at a time", "latin hypercube"},
-                      "Which combinations are run: all; the first value of "
-                      "every factor and those that differ from it in one; or "
-                      "random ones, spread evenly over each factor.");
+                      "Combinations that are run: all; the first value of "
+                      "every factor and those that differ from it in one "
+                      "factor; or random ones, spread evenly over each "
+                      "factor.");
     declare_integer(prm,
                     "Samples",
                     "16",
@@ -66,7 +68,7 @@ namespace
                     "1",
                     0,
                     std::numeric_limits<int>::max(),
-                    "Start of the random numbers of a Latin hypercube.");
+                    "Seed of the random numbers of a Latin hypercube.");
   }
 
   void declare_how(ParameterHandler &prm)
@@ -76,32 +78,31 @@ namespace
                     "1",
                     1,
                     100000,
-                    "MPI ranks of each run; more than one are started by "
-                    "mpirun.");
+                    "MPI ranks of each run; mpirun starts more than one.");
     declare_integer(prm,
                     "Cores",
                     "1",
                     0,
                     100000,
-                    "Cores that all runs side by side may take together; 0: "
-                    "all of this machine. Runs side by side share memory "
-                    "and caches, which shows in their cost.");
+                    "Cores for all concurrent runs; 0: all of this machine. "
+                    "Concurrent runs share memory bandwidth and caches, "
+                    "which affects their cost.");
     declare_double(prm,
                    "Time limit",
                    "0",
                    0.,
                    bounds::time,
                    "s",
-                   "Wall time after which a run is ended and counts as timed "
-                   "out; 0: none.");
+                   "Wall time after which a run is ended and counts as "
+                   "timed out; 0: none.");
     declare_selection(prm,
                       "Cost",
                       "core seconds",
                       {"core seconds", "wall seconds", "updates", "memory"},
-                      "What a run costs: processor time of all its ranks, "
-                      "wall time, unknowns or elements updated in all steps "
-                      "and stages, whatever the machine, "
-                      "or peak memory.");
+                      "Cost of a run: processor time of all ranks, wall "
+                      "time, number of updated unknowns or elements in all "
+                      "steps and stages (independent of the machine), or "
+                      "peak memory.");
   }
 } // namespace
 

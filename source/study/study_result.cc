@@ -27,7 +27,7 @@ namespace
     return is_there ? object[name].get<double>() : ResultRow::unknown;
   }
 
-  /// Fills in what the summary of the run says of its size and cost.
+  /// Reads size and cost from the summary of a run.
   void read_costs(const Json &summary, const std::string &cost, ResultRow &row)
   {
     const Json performance = summary.value("performance", Json::object());
@@ -45,7 +45,7 @@ namespace
                                         : row.memory;
   }
 
-  /// The place of the factor that refines the mesh; their number if none.
+  /// Index of the factor that refines the mesh; number of factors if none.
   std::size_t refining_factor(const std::vector<Factor> &factors)
   {
     std::size_t i = 0;
@@ -54,7 +54,7 @@ namespace
     return i;
   }
 
-  /// Mesh width and series of a row.
+  /// Sets mesh width and series of a row.
   void place(const std::vector<Factor> &factors,
              ResultRow &row,
              std::vector<std::string> &series)
@@ -78,7 +78,7 @@ namespace
                                                      : number;
   }
 
-  /// The rows of a series that have an error, from coarse to fine.
+  /// Rows of a series with an error, from coarse to fine.
   std::vector<ResultRow *> rows_of(const std::size_t series,
                                    std::vector<ResultRow> &rows)
   {
@@ -93,7 +93,7 @@ namespace
     return found;
   }
 
-  /// Replaces quantities by their distance from what they tend to.
+  /// Replaces quantities by their distance from the extrapolated limit.
   void extrapolate_series(const std::size_t series, StudyResult &result)
   {
     const std::string name =
@@ -124,7 +124,7 @@ namespace
                                " on the three finest meshes.");
       return;
     }
-    // The finest mesh cannot be its own reference.
+    // The limit equals the finest value; compare with the next coarser mesh.
     const std::size_t n = values.size();
     rows.back()->error = std::abs(values[n - 1] - values[n - 2]) / scale;
     result.remarks.push_back(name +
@@ -156,7 +156,7 @@ namespace
       result.recommended = cheapest(costs, errors, wanted);
   }
 
-  /// The summary of a run; none if it cannot be read.
+  /// Summary of a run; null if it cannot be read.
   Json read_summary(const std::string &folder)
   {
     std::ifstream input(folder + "/summary.json");
@@ -180,7 +180,7 @@ namespace
     return values;
   }
 
-  /// Says which columns stayed empty.
+  /// Adds a remark on empty columns.
   void remark_columns(const std::vector<std::string> &columns,
                       StudyResult &result)
   {

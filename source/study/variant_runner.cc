@@ -15,7 +15,7 @@ namespace contrecoup::study
 {
 namespace
 {
-  /// Seconds that a run has to leave when it is asked to.
+  /// Time for a run to exit after a termination signal [s].
   constexpr double patience = 10.;
 } // namespace
 
@@ -40,7 +40,7 @@ VariantRunner::VariantRunner(const ApplicationUnderStudy &application,
 bool VariantRunner::run(std::vector<Task> &tasks,
                         const std::function<void(const Task &)> &report)
 {
-  // Equal ones share a folder, and are run once.
+  // Equal variants share a folder and run once.
   std::set<std::string> taken;
   auto next = tasks.begin();
   while (next != tasks.end() || !running_.empty())
@@ -67,7 +67,7 @@ bool VariantRunner::run(std::vector<Task> &tasks,
 void VariantRunner::start(Task &task)
 {
   std::filesystem::create_directories(task.folder);
-  // What an attempt before left would be taken for this one's.
+  // Files of an earlier attempt must not be mistaken for those of this one.
   io::remove_files(task.folder, {"outcome.json", "screen.txt", "errors.txt"});
   if (std::filesystem::exists(task.run_folder()))
     io::Manifest(task.run_folder()).remove_all();

@@ -3,8 +3,8 @@
 
 #pragma once
 
-/// Bounds of entries [SI]. They are far beyond what is simulated, and keep
-/// sums, products and powers of what the user writes finite.
+/// Bounds of parameter entries [SI]. They lie far beyond practical values, and
+/// keep sums, products and powers of user input finite.
 namespace contrecoup::bounds
 {
 inline constexpr double length = 1e6;
@@ -17,6 +17,6 @@ inline constexpr double pressure = 1e15;
 inline constexpr double mass = 1e6;
 inline constexpr double energy = 1e18;
 inline constexpr double specific_energy = 1e12;
-/// Components of a direction of any length.
+/// For components of a direction vector of any length.
 inline constexpr double direction = 1e6;
 } // namespace contrecoup::bounds

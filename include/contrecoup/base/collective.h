@@ -11,8 +11,8 @@
 
 namespace contrecoup
 {
-/// Exit codes of every application; 128 and the number of a signal when that
-/// stopped it, see Stopped.
+/// Exit codes of every application; after a stop by a signal 128 plus the
+/// signal's number, see Stopped.
 enum class ExitCode : int
 {
   done = 0,
@@ -21,36 +21,36 @@ enum class ExitCode : int
   system_failed = 3
 };
 
-/// What went wrong, in one line, and the exit code that stands for it.
+/// An error message in one line, and its exit code.
 struct Failure
 {
   ExitCode code = ExitCode::done;
   std::string message;
 };
 
-/// Whether a signal stopped what was to be done.
+/// Whether the failure is a stop by a signal.
 bool is_stop(const Failure &failure);
 
 /**
- * Makes a Failure of any exception: InputError, NumericsError, SystemError,
+ * Converts any exception to a Failure: InputError, NumericsError, SystemError,
  * Stopped, std::bad_alloc (system failed), deal.II's exceptions (one line,
- * without stack trace). What is none of these gets the code @p otherwise.
+ * without stack trace). Other exceptions get the code @p otherwise.
  */
 Failure to_failure(const std::exception_ptr &exception, ExitCode otherwise);
 
-/// Throws the InputError, NumericsError, SystemError or Stopped for a failure.
+/// Throws the InputError, NumericsError, SystemError or Stopped of a failure.
 [[noreturn]] void throw_failure(const Failure &failure);
 
 /**
- * Runs functions on all ranks so that an exception on one of them becomes
- * the same exception on all, without a deadlock. Uses a communicator of its
- * own. When the others are stuck in communication with ranks that failed,
- * one of these prints its line and ends all of them after a while.
+ * Runs functions on all ranks such that an exception on one rank is thrown on
+ * all ranks, without deadlock. Uses a separate communicator. If other ranks
+ * are blocked in communication with failed ranks, one of the failed ranks
+ * prints its message and aborts the job after some time.
  */
 class Collective
 {
 public:
-  /// @param patience seconds that a failed rank waits for the others
+  /// @param patience time that a failed rank waits for the others [s]
   explicit Collective(MPI_Comm communicator, double patience = 5.);
   ~Collective();
   Collective(const Collective &) = delete;
@@ -58,15 +58,15 @@ public:
 
   /**
    * Runs @p function on all ranks.
-   * @param otherwise the exit code of exceptions that say nothing of it
-   * @throws InputError, NumericsError or SystemError, the same on all ranks,
-   *   when the function threw on any.
+   * @param otherwise exit code of exceptions without one
+   * @throws InputError, NumericsError or SystemError on all ranks if the
+   * function threw on any rank
    */
   void run(const std::function<void()> &function,
            ExitCode otherwise = ExitCode::system_failed);
 
   /// As run(), for a function that returns up to eight bits. Returns the
-  /// bits that any rank gave.
+  /// bitwise OR over all ranks.
   unsigned int run_with_flags(const std::function<unsigned int()> &function,
                               ExitCode otherwise = ExitCode::system_failed);
 

@@ -10,28 +10,28 @@
 #include <string>
 #include <vector>
 
-/// Subsections and entries as deal.II tells them, for parameter_tree.cc and
+/// Subsections and entries as declared in deal.II, for parameter_tree.cc and
 /// parameter_names.cc.
 namespace contrecoup::declared
 {
 using Tree = nlohmann::ordered_json;
 
-/// The declared entries as deal.II prints them, in order of declaration.
+/// Declared entries in order of declaration, from deal.II's JSON output.
 Tree tree_of(const dealii::ParameterHandler &prm);
 
-/// Whether it is an entry, not a subsection.
+/// Whether a node is an entry and not a subsection.
 bool is_entry(const Tree &node);
 
-/// Whether the name of a subsection ends in " *".
+/// Whether a subsection is a pattern: its name ends in " *".
 bool is_pattern(const std::string &section);
 
-/// Names of the entries in a subsection, or of the subsections.
+/// Names of the entries in a subsection, or of its subsections.
 std::vector<std::string> names(const Tree &node, bool entries);
 
-/// The pattern subsection that allows @p section, or an empty string.
+/// The pattern subsection that matches @p section, or an empty string.
 std::string pattern_of(const Tree &node, const std::string &section);
 
-/// What stands between two marks of a pattern description.
+/// The part of a pattern description between two marks.
 std::string between(const std::string &text,
                     const std::string &first,
                     const std::string &last);

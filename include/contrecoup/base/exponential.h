@@ -15,9 +15,9 @@ namespace contrecoup
 {
 namespace internal
 {
-  /// Constants of exponential() for one floating-point format. The
-  /// polynomial is q in exp(r) = 1 + r + r^2 q(r), interpolated at the
-  /// Chebyshev points of |r| <= ln(2)/2.
+  /// Constants of exponential() for a floating point type. q is the polynomial
+  /// in exp(r) = 1 + r + r^2 q(r), interpolated at the Chebyshev points of |r|
+  /// <= ln(2)/2.
   template <typename Scalar>
   struct ExponentialConstants;
 
@@ -64,7 +64,7 @@ namespace internal
   };
 } // namespace internal
 
-/// exp(x) of plain numbers.
+/// exp(x) of a scalar.
 inline double exponential(const double x)
 {
   return std::exp(x);
@@ -77,9 +77,9 @@ inline float exponential(const float x)
 
 /**
  * exp(x) in every lane, to about one unit in the last place: x = n ln(2) + r
- * (Cody and Waite 1980), a polynomial in r, and n added to the exponent
- * bits. Results below 3e-308 (float: 2e-38) are flushed to 0; too large
- * arguments give infinity.
+ * (Cody and Waite 1980), a polynomial in r, and n added to the exponent bits.
+ * Results below 3e-308 (float: 2e-38) are flushed to 0; the overflow result is
+ * infinity.
  */
 template <typename Scalar, std::size_t width>
 inline DEAL_II_ALWAYS_INLINE LaneGroup<Scalar, width>
@@ -101,7 +101,7 @@ exponential(const LaneGroup<Scalar, width> &x)
     sum = sum * r + Constants::q[i - 1];
   const Group mantissa = (sum * (r * r) + r) + Scalar(1.);
 
-  // 2^(n-1): the last bits of the shifted value hold n.
+  // The last bits of the shifted value hold n; this builds 2^(n-1).
   std::array<Bits, width> bits;
   static_assert(sizeof(bits) == sizeof(shifted.data), "lanes are packed");
   std::memcpy(&bits, &shifted.data, sizeof(bits));

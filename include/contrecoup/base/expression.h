@@ -15,20 +15,21 @@ namespace contrecoup
 class Expression
 {
 public:
-  /// @param entry where the text stands, for the message
-  /// @throws InputError when it cannot be read, or is always nan or infinite
+  /// @param entry path of the parameter entry, for error messages
+  /// @throws InputError for invalid syntax, and if the value is always nan or
+  /// infinite
   Expression(const std::string &entry, const std::string &text);
 
-  /// @throws InputError when it is not finite there and then
+  /// Evaluates the expression. @throws InputError when the value is not finite
   double value(const dealii::Point<3> &point, double time = 0.) const;
 
-  /// Whether it is just the number 0.
+  /// Whether the text is the number 0.
   bool is_zero() const
   {
     return text_ == "0";
   }
 
-  /// Whether x, y or z is in it.
+  /// Whether the expression contains x, y or z.
   bool depends_on_place() const
   {
     return depends_on_place_;

@@ -12,23 +12,24 @@
 
 /**
  * @file
- * Texts and arrays from rank to rank. deal.II's functions of these names pack
- * any type by Boost, which takes 5 s to compile in each source that calls one.
+ * MPI communication of texts and arrays. deal.II's functions of these names
+ * pack any type with Boost, which adds 5 s to the compile time of each source
+ * that calls them.
  */
 
 namespace contrecoup
 {
-/// The texts of all ranks, in their order, on all ranks. Collective.
-/// @throws SystemError, on all ranks, when they exceed 2 GiB together.
+/// Gathers the texts of all ranks, in rank order, on all ranks. Collective.
+/// @throws SystemError on all ranks when they exceed 2 GiB in total
 std::vector<std::string> gather_texts(MPI_Comm communicator,
                                       const std::string &text);
 
-/// The text of rank @p root on all ranks. Collective.
-/// @throws SystemError, on all ranks, when it exceeds 2 GiB.
+/// Broadcasts the text of rank @p root. Collective.
+/// @throws SystemError on all ranks when it exceeds 2 GiB
 std::string
 broadcast_text(MPI_Comm communicator, const std::string &text, int root);
 
-/// As gather_texts(), of arrays of plain numbers.
+/// As gather_texts(), for arrays of arithmetic types.
 template <typename T>
 std::vector<std::vector<T>> gather_arrays(const MPI_Comm communicator,
                                           const std::vector<T> &values)

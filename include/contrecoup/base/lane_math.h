@@ -10,14 +10,14 @@
 
 /**
  * @file
- * What kernels need beyond deal.II's lane arithmetic: selection by comparison,
- * questions about all lanes of a group at once, and extrema over lanes. Every
- * function also takes a plain double or float, so that one kernel serves both.
+ * Lane operations beyond deal.II's arithmetic: selection by comparison, tests
+ * of all lanes of a group, and extrema over lanes. Each function also accepts
+ * a plain double or float, so that kernels work on both.
  */
 
 namespace contrecoup
 {
-/// A group of any number of lanes.
+/// A group of SIMD lanes of any width.
 template <typename Scalar, std::size_t width>
 using LaneGroup = dealii::VectorizedArray<Scalar, width>;
 
@@ -32,7 +32,7 @@ inline DEAL_II_ALWAYS_INLINE Number select_less(const Number &a,
     a, b, if_true, if_false);
 }
 
-/// Whether a < b; of lanes: in at least one of them. A NaN is never less.
+/// Whether a < b, for lanes in at least one. A NaN is never less.
 inline DEAL_II_ALWAYS_INLINE bool any_less(const double a, const double b)
 {
   return a < b;
@@ -79,7 +79,7 @@ inline DEAL_II_ALWAYS_INLINE bool any_less(const LaneGroup<float, 8> &a,
 }
 #endif
 
-/// Whether a > b in every lane; false as soon as one lane holds a NaN.
+/// Whether a > b in every lane; false if any lane holds a NaN.
 inline DEAL_II_ALWAYS_INLINE bool all_greater(const double a, const double b)
 {
   return a > b;
@@ -99,7 +99,7 @@ inline DEAL_II_ALWAYS_INLINE bool all_greater(const LaneGroup<Scalar, width> &a,
                    Group(0.));
 }
 
-/// The smallest value over the lanes.
+/// Smallest value over the lanes.
 inline DEAL_II_ALWAYS_INLINE double smallest_lane(const double a)
 {
   return a;
@@ -120,7 +120,7 @@ smallest_lane(const LaneGroup<Scalar, width> &a)
   return result;
 }
 
-/// The largest value over the lanes.
+/// Largest value over the lanes.
 inline DEAL_II_ALWAYS_INLINE double largest_lane(const double a)
 {
   return a;

@@ -5,14 +5,15 @@
 
 /**
  * @file
- * SIMD lanes as wide as the processor, whatever deal.II was built with.
+ * SIMD lanes at the full width of the processor, independent of deal.II's
+ * build.
  *
- * Debian builds deal.II with a vectorization width of 0, so its default
- * VectorizedArray<double> has one lane. That default type must stay as the
- * library has it (one-definition rule), but wider specialisations may be
- * added: the width is raised around vectorization.h alone and put back. This
- * header must precede every other deal.II header; the precompiled header
- * sees to that.
+ * Debian builds deal.II with vectorization width 0, so that its default
+ * VectorizedArray<double> has one lane. That default type must stay as in the
+ * library (one-definition rule), but wider specialisations may be added: the
+ * width is raised around vectorization.h only, and then restored. This header
+ * must precede every other deal.II header; the precompiled header ensures
+ * this.
  */
 
 #include <deal.II/base/config.h>
@@ -46,14 +47,14 @@
 
 namespace contrecoup
 {
-/// Number of values of type @p Number that one instruction works on.
+/// Number of values of type @p Number in a SIMD register.
 template <typename Number>
 inline constexpr unsigned int
   n_lanes = (CONTRECOUP_LANE_BITS / (8 * sizeof(Number)) > 0)
               ? CONTRECOUP_LANE_BITS / (8 * sizeof(Number))
               : 1;
 
-/// The lane type of all kernels: n_lanes<Number> values side by side.
+/// The lane type of all kernels: n_lanes<Number> values.
 template <typename Number>
 using Lanes = dealii::VectorizedArray<Number, n_lanes<Number>>;
 } // namespace contrecoup

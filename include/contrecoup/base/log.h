@@ -8,36 +8,34 @@
 
 namespace contrecoup
 {
-/**
- * What a run tells its user: lines on the screen and in log.txt, and one
- * redrawn status line on a terminal. Silent on all ranks but the first.
- */
+/// Output for the user: lines on the screen and in log.txt, and one redrawn
+/// status line on a terminal. Silent on all ranks except the first.
 class Log
 {
 public:
   /// The log of this process.
   static Log &instance();
 
-  /// Switches the screen on or off; off on all ranks but the first.
+  /// Switches output on or off; off on all ranks except the first.
   void set_active(bool active);
 
-  /// Writes all lines since the last close() and all further ones into
-  /// @p file as well, if active. @throws SystemError when it cannot be opened.
+  /// If active, writes all lines since the last close() and all further ones
+  /// to @p file as well. @throws SystemError when it cannot be opened
   void open(const std::string &file, bool append);
 
-  /// Ends the file and the status line.
+  /// Closes the file and ends the status line.
   void close();
 
-  /// Writes a line. Never throws: see check().
+  /// Writes a line. Never throws; see check().
   void line(const std::string &text);
 
-  /// @throws SystemError when a line could not be written (disk full).
+  /// @throws SystemError when a line could not be written (disk full)
   void check() const;
 
-  /// Redraws the status line; does nothing unless on_terminal().
+  /// Redraws the status line; no effect unless on_terminal().
   void status(const std::string &text);
 
-  /// Whether the screen is a terminal that can redraw a line.
+  /// Whether the screen is a terminal on which a line can be redrawn.
   bool on_terminal() const;
 
 private:

@@ -8,11 +8,8 @@
 
 namespace contrecoup
 {
-/**
- * While it lives, what the log is told is written in other words: those of a
- * program that runs another one with entries that its user did not write.
- * The latest one counts.
- */
+/// Translates log lines during its lifetime, for a program that runs another
+/// one with entries that its user did not write. The latest object applies.
 class LogWords
 {
 public:
@@ -23,7 +20,7 @@ public:
   LogWords(const LogWords &) = delete;
   LogWords &operator=(const LogWords &) = delete;
 
-  /// @p text as the log is to have it.
+  /// Translates @p text for the log.
   static std::string of(const std::string &text);
 
 private:

@@ -10,16 +10,16 @@
 
 namespace contrecoup
 {
-/// log(x) of plain numbers.
+/// log(x) of a scalar.
 inline double logarithm(const double x)
 {
   return std::log(x);
 }
 
 /**
- * log(x) in every lane, to about two units in the last place: 2 atanh(z) with
- * z = (x - 1) / (x + 1), whose series is short as long as all lanes are within
- * 0.7 and 1.43; else the library's, lane by lane.
+ * log(x) in every lane, to about two units in the last place: 2 atanh(z), z =
+ * (x - 1) / (x + 1), with a short series if all lanes are in [0.7, 1.43];
+ * otherwise the library function, lane by lane.
  */
 template <std::size_t width>
 inline DEAL_II_ALWAYS_INLINE LaneGroup<double, width>

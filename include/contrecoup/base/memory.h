@@ -7,13 +7,13 @@
 
 namespace contrecoup
 {
-/// The most memory that the ranks held at once, added up [byte]. Collective.
+/// Peak memory of all ranks, summed [byte]. Collective.
 double peak_memory(MPI_Comm communicator);
 
-/// Counts the peak from now on, where the system can.
+/// Restarts the measurement of the peak, if the system supports it.
 void forget_peak_memory();
 
-/// The memory that the machines of all ranks can still give, container
-/// limits included [byte]; 0 when the system does not say. Collective.
+/// Memory still available on the machines of all ranks, including container
+/// limits [byte]; 0 if unknown. Collective.
 double available_memory(MPI_Comm communicator);
 } // namespace contrecoup

@@ -8,10 +8,10 @@
 
 namespace contrecoup
 {
-/// One "set entry = value" as the user wrote it.
+/// One "set entry = value" of the user.
 struct Assignment
 {
-  std::vector<std::string> sections; ///< subsections from the outermost in
+  std::vector<std::string> sections; ///< subsections, outermost first
   std::string entry;
   std::string value;
   std::string origin;      ///< "\"file.prm\", line 7" or "--set"
@@ -19,17 +19,17 @@ struct Assignment
 };
 
 /**
- * Reads a parameter file of deal.II's grammar: `subsection NAME`, `end`,
- * `set ENTRY = VALUE`, `include FILE` (relative to the including file), `#`
- * starts a comment, `\` at the end of a line joins it with the next. Says
- * nothing about which entries exist.
- * @throws InputError for a missing file or wrong syntax, with file and line.
+ * Reads a parameter file in deal.II's syntax: `subsection NAME`, `end`, `set
+ * ENTRY = VALUE`, `include FILE` (relative to the including file), `#` starts
+ * a comment, `\` at the end of a line joins it with the next. Does not check
+ * which entries exist.
+ * @throws InputError for a missing file or a syntax error, with file and line
  */
 std::vector<Assignment> read_assignments(const std::string &file);
 
 /**
- * Reads "Section/Subsection/Entry=value" as given to `--set`.
- * @throws InputError when it has not this form.
+ * Parses "Section/Subsection/Entry=value" of `--set`.
+ * @throws InputError for another form
  */
 Assignment parse_override(const std::string &text);
 } // namespace contrecoup

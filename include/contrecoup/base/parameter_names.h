@@ -13,26 +13,26 @@
 namespace contrecoup
 {
 /**
- * Which of the @p known names is meant: the same, or else the only one that
- * differs in case, or in blanks, "-" and "_" between letters or digits, so
- * that "C4" is "c-4". Empty when there is none, or more than one.
+ * Finds which of the @p known names is meant: the same, or else the only one
+ * that differs in case, or in blanks, "-" and "_" between letters or digits,
+ * so that "C4" is "c-4". Empty if there is none, or more than one.
  */
 std::string meant_name(const std::string &name,
                        const std::vector<std::string> &known);
 
 /**
- * The assignments with the names of subsections and entries and the words of
- * selections as they are declared, see meant_name(), and yes, on, 1, no, off,
- * 0 as true and false. What is not declared stays as it is.
+ * Replaces names of subsections, entries and selections by those declared, see
+ * meant_name(), and yes, on, 1, no, off, 0 by true and false. Undeclared names
+ * stay.
  */
 std::vector<Assignment>
 with_declared_names(const std::vector<Assignment> &assignments,
                     const dealii::ParameterHandler &prm);
 
 /**
- * What a user may have overlooked, in lines: a parameter file that sets no
- * entry, and entries that one file sets twice. An override and an including
- * file may set entries again.
+ * Warnings about possible oversights: a parameter file that sets no entry, and
+ * entries that one file sets twice. Overrides and including files may set
+ * entries again.
  * @param file name of the parameter file, empty for none
  * @param assignments with declared names
  */

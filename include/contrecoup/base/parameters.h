@@ -14,13 +14,10 @@ namespace contrecoup
 {
 using dealii::ParameterHandler;
 
-/// Largest finite double: "no bound" for the declarations below.
+/// Largest finite double: "no bound" in the declarations below.
 inline constexpr double unbounded = std::numeric_limits<double>::max();
 
-/**
- * Enters a subsection for as long as the object lives, also when an
- * exception leaves the scope.
- */
+/// Enters a subsection for its lifetime; leaves it also on exceptions.
 class Section
 {
 public:
@@ -33,12 +30,12 @@ private:
   ParameterHandler &prm_;
 };
 
-/// @name Declaring entries. Every entry has its default as a string (so
-/// that no digit is lost), its range, its SI unit ("-" for a pure number)
-/// and one honest sentence. Names hold no "/" and no "=".
+/// @name Declaration of entries. Every entry has a default as text (so that no
+/// digit is lost), a range, an SI unit ("-" for dimensionless numbers) and one
+/// honest sentence. Names contain no "/" and no "=".
 /// @{
 
-/// A finite number in [@p smallest, @p largest].
+/// Declares a finite number in [@p smallest, @p largest].
 void declare_double(ParameterHandler &prm,
                     const std::string &name,
                     const std::string &default_value,
@@ -47,7 +44,7 @@ void declare_double(ParameterHandler &prm,
                     const std::string &unit,
                     const std::string &sentence);
 
-/// A whole number in [@p smallest, @p largest].
+/// Declares an integer in [@p smallest, @p largest].
 void declare_integer(ParameterHandler &prm,
                      const std::string &name,
                      const std::string &default_value,
@@ -55,35 +52,35 @@ void declare_integer(ParameterHandler &prm,
                      int largest,
                      const std::string &sentence);
 
-/// "true" or "false".
+/// Declares an entry that is "true" or "false".
 void declare_bool(ParameterHandler &prm,
                   const std::string &name,
                   const std::string &default_value,
                   const std::string &sentence);
 
-/// One of the @p choices, none of which holds a "|".
+/// Declares one of several @p choices, none of which contains a "|".
 void declare_selection(ParameterHandler &prm,
                        const std::string &name,
                        const std::string &default_value,
                        const std::vector<std::string> &choices,
                        const std::string &sentence);
 
-/// Any text, e.g. a file name or an expression.
+/// Declares a text, e.g. an expression.
 void declare_string(ParameterHandler &prm,
                     const std::string &name,
                     const std::string &default_value,
                     const std::string &sentence);
 
-/// A file that is read. A relative name is looked for beside the parameter
-/// file that gives it first, then in the working directory; the run keeps the
-/// absolute one. Empty: none.
+/// Declares an input file. A relative name is resolved beside the parameter
+/// file that contains it first, then in the working directory; the run stores
+/// the absolute name. Empty: none.
 void declare_file(ParameterHandler &prm,
                   const std::string &name,
                   const std::string &default_value,
                   const std::string &sentence);
 
-/// @p least to @p most finite numbers in [@p smallest, @p largest],
-/// separated by commas.
+/// Declares a list of @p least to @p most finite numbers in [@p smallest, @p
+/// largest], separated by commas.
 void declare_list(ParameterHandler &prm,
                   const std::string &name,
                   const std::string &default_value,
@@ -94,18 +91,19 @@ void declare_list(ParameterHandler &prm,
                   const std::string &unit,
                   const std::string &sentence);
 
-/// Points "x,y,z; x,y,z; ...", possibly none, of one to three coordinates.
+/// Declares points "x,y,z; x,y,z; ...", possibly none, with one to three
+/// coordinates.
 void declare_points(ParameterHandler &prm,
                     const std::string &name,
                     const std::string &default_value,
                     const std::string &unit,
                     const std::string &sentence);
-/// What declare_points() allows.
+/// The pattern of declare_points().
 dealii::Patterns::List points_pattern();
 /// @}
 
-/// @name Reading entries of the current subsection, after they passed
-/// their declared range. Booleans and strings: prm.get_bool(), prm.get().
+/// @name Reading entries of the current subsection, after validation against
+/// their declared range. Booleans and texts: prm.get_bool(), prm.get().
 /// @{
 double read_double(const ParameterHandler &prm, const std::string &name);
 int read_integer(const ParameterHandler &prm, const std::string &name);
@@ -117,13 +115,13 @@ std::vector<double> read_list(const ParameterHandler &prm,
                               const std::string &name);
 
 /// The first @p dim numbers of a declare_list() entry as a point.
-/// @throws InputError when there are fewer or more.
+/// @throws InputError for another number of values
 template <int dim>
 dealii::Point<dim> read_point(const ParameterHandler &prm,
                               const std::string &name);
 
 /// The points of a declare_points() entry.
-/// @throws InputError when one has not exactly @p dim coordinates.
+/// @throws InputError unless all have @p dim coordinates
 template <int dim>
 std::vector<dealii::Point<dim>> read_points(const ParameterHandler &prm,
                                             const std::string &name);

@@ -5,8 +5,8 @@
 
 /**
  * @file
- * What nearly every source file includes, compiled once. The lanes header
- * comes first: it must precede all of deal.II.
+ * Precompiled header. lanes.h comes first, since it must precede all of
+ * deal.II.
  */
 
 #include <contrecoup/base/lanes.h>

@@ -5,8 +5,7 @@
 
 namespace contrecoup
 {
-/// Time that processors spent on this process so far, in its own code and in
-/// the system for it [s]. Unlike wall time it does not grow while others have
-/// the processor.
+/// Processor time of this process so far, user and system [s]. Unlike wall
+/// time it does not grow while other processes use the processor.
 double processor_seconds();
 } // namespace contrecoup

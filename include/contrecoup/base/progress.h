@@ -13,29 +13,29 @@
 namespace contrecoup
 {
 /**
- * Shows how far a run is: step, time, step size, throughput, time left. On
- * a terminal one redrawn line, otherwise a plain line about every ten
+ * Displays the progress of a run: step, time, step size, throughput, time
+ * left; on a terminal as one redrawn line, otherwise as a line about every ten
  * seconds.
  */
 class Progress
 {
 public:
-  /// @param end_time simulated time at the end [s]
+  /// @param end_time simulated end time [s]
   explicit Progress(double end_time);
 
-  /// Call after each step; draws only when it is time to.
+  /// Call after each step; draws at intervals.
   /// @param updates unknowns updated in this step, all ranks [-]
   void
   step(std::uint64_t number, double time, double step_size, double updates);
 
-  /// Whether the solver should be asked anew for the work that is left.
+  /// Whether a new forecast of the remaining work is due.
   bool wants_forecast() const;
 
-  /// Takes what the solver foresees, see RemainingTime: until the end, or until
-  /// the first stage is expected to end @p hand_over [s].
+  /// Sets the solver's forecast, see RemainingTime: until the end, or until
+  /// the expected end of the first stage @p hand_over [s].
   void expect(WorkForecast forecast, std::optional<double> hand_over);
 
-  /// Says that another solver is at work from now on.
+  /// Call when another solver takes over.
   void restart();
 
 private:
@@ -46,9 +46,9 @@ private:
   RemainingTime remaining_;
   Clock::time_point last_step_;
   Clock::time_point last_line_;
-  Clock::time_point last_forecast_; ///< at first long ago
+  Clock::time_point last_forecast_; ///< initially long ago
   double end_time_;
-  std::optional<double> hand_over_; ///< of a first stage that is at work [s]
+  std::optional<double> hand_over_; ///< of a running first stage [s]
   double recent_updates_ = 0.;
 };
 } // namespace contrecoup

@@ -7,25 +7,26 @@
 
 namespace contrecoup
 {
-/// Why @p file cannot be read: "there is no such file", "it is a folder",
-/// "permission denied"; empty when it can be.
+/// Reason why a file cannot be read: "there is no such file", "it is a
+/// folder", "permission denied"; empty if it can be read.
 std::string why_unreadable(const std::string &file);
 
-/// @throws InputError "cannot read <what> "<file>": <why>" unless it can be
-///   read; @p what names the kind of file with its article, "the table".
+/// @throws InputError "cannot read <what> "<file>": <why>" unless the file can
+/// be read
+/// @param what kind of file, with article: "the table"
 void require_readable(const std::string &what, const std::string &file);
 
 /**
- * The content of a text file. Line ends become "\n", a byte order mark of
- * UTF-8 is left out.
- * @throws InputError when it cannot be read, has more than @p most_bytes, or is
- *   no text, but UTF-16 or binary
+ * Returns the content of a text file. Line ends become "\n", a UTF-8 byte
+ * order mark is removed.
+ * @throws InputError when the file cannot be read, exceeds @p most_bytes, or
+ * is UTF-16 or binary
  */
 std::string read_text(const std::string &what,
                       const std::string &file,
                       std::size_t most_bytes = std::size_t(1) << 32);
 
-/// @p text in double quotes for a message: its first 60 characters when it is
-/// longer, and "?" for what cannot be printed on a line.
+/// @p text in double quotes for a message: the first 60 characters if it is
+/// longer, with "?" for unprintable characters.
 std::string quotation(const std::string &text);
 } // namespace contrecoup

@@ -8,41 +8,38 @@
 
 namespace contrecoup
 {
-/// Ends of intervals of simulated time [s], one after the other, and the work
-/// that a second in each of them will take [unknown updates/s]; NaN: unknown.
+/// Ends of successive intervals of simulated time [s], each with the work per
+/// second of simulated time [unknown updates/s]; NaN: unknown.
 using WorkForecast = std::vector<std::pair<double, double>>;
 
-/**
- * How long the rest of a run will take: the work that its solver foresees,
- * times what an unknown update has cost lately.
- */
+/// Estimates the remaining wall time of a run: the work forecast of the solver
+/// times the recent cost of an unknown update.
 class RemainingTime
 {
 public:
-  /// Counts a step.
+  /// Records a step.
   /// @param step_size simulated time [s]
   /// @param updates unknowns updated [-]
-  /// @param cost time that the step took, output included [s]
+  /// @param cost wall time of the step, including output [s]
   void add(double step_size, double updates, double cost);
 
-  /// Takes what the solver foresees; empty: a second of simulated time goes
-  /// on to cost what it has cost lately.
+  /// Sets the solver's forecast; empty: recent cost per second of simulated
+  /// time.
   void expect(WorkForecast forecast)
   {
     forecast_ = std::move(forecast);
   }
 
-  /// Forgets what steps have cost, because another solver is at work; the
-  /// forecast counts until the next one.
+  /// Discards recorded costs, because another solver takes over; the forecast
+  /// remains until the next one.
   void restart();
 
-  /// Time that the run takes from @p time to @p end [s]; NaN if it is not
-  /// known.
+  /// Remaining wall time from @p time to @p end [s]; NaN if unknown.
   double left(double time, double end) const;
 
 private:
   WorkForecast forecast_;
-  /// Sums over the steps, which fade.
+  /// Sums over the steps, with exponentially decaying weights.
   double time_ = 0.;    ///< simulated [s]
   double updates_ = 0.; ///< [-]
   double cost_ = 0.;    ///< [s]

@@ -15,7 +15,7 @@ namespace contrecoup
 {
 class Progress;
 
-/// Where a run loop leaves what a run says. Every function is collective.
+/// Interface: output of a run loop. Every function is collective.
 class RunOutput
 {
 public:
@@ -24,7 +24,7 @@ public:
                              const std::vector<NamedValue> &values) = 0;
   virtual void write_probes(const RunState &state,
                             const std::vector<NamedValue> &values) = 0;
-  /// Writes output number state.field_index.
+  /// Writes field output number state.field_index.
   virtual void write_fields(const RunState &state, Simulation &simulation) = 0;
   virtual void write_checkpoint(const RunState &state,
                                 Simulation &simulation) = 0;
@@ -36,10 +36,8 @@ enum class RunStatus
   stopped ///< with a checkpoint: by a signal, "Steps" or "Minutes in this run"
 };
 
-/**
- * The one time loop of all applications: steps, adaptation, output ticks,
- * checkpoints, signals, progress.
- */
+/// The time loop of all applications: steps, adaptation, output, checkpoints,
+/// signals, progress.
 class RunLoop
 {
 public:
@@ -50,14 +48,14 @@ public:
   ~RunLoop();
 
   /**
-   * Goes on from @p state to the end. A state of step 0 is a fresh start,
-   * whose initial state is written.
-   * @throws NumericsError after the fields were written once more, when a
-   *   step failed or a quantity of the history is not finite.
+   * Runs from @p state to the end. A state of step 0 is a new run, whose
+   * initial state is written.
+   * @throws NumericsError, after writing the fields once more, when a step
+   * failed or a value of the history is not finite
    */
   RunStatus run(RunState &state);
 
-  /// The signal that stopped it on any rank, or 0.
+  /// Signal that stopped the run on any rank, or 0.
   int stop_signal() const
   {
     return stop_signal_;

@@ -8,11 +8,11 @@
 namespace contrecoup
 {
 /**
- * Catches SIGTERM, SIGINT and SIGUSR1 for as long as it lives, so that a run
- * can write a checkpoint and leave; a second SIGINT ends the process at once.
- * SIGUSR1 is what Open MPI's mpirun hands on to all ranks, while after the
- * others it kills them a second later. Ignores SIGXFSZ, so that a file size
- * limit shows as a failed write.
+ * Handles SIGTERM, SIGINT and SIGUSR1 for its lifetime, so that a run can
+ * write a checkpoint and exit; a second SIGINT ends the process at once.
+ * SIGUSR1 is included because Open MPI's mpirun forwards it to all ranks,
+ * whereas it kills the ranks a second after the other signals. Ignores
+ * SIGXFSZ, so that a file size limit becomes a write error.
  */
 class SignalGuard
 {
@@ -22,10 +22,10 @@ public:
   SignalGuard(const SignalGuard &) = delete;
   SignalGuard &operator=(const SignalGuard &) = delete;
 
-  /// The signal by which this process was asked to stop, or 0.
+  /// The signal that this process received, or 0.
   static int stop_signal();
 
-  /// @throws Stopped when this process was asked to stop
+  /// @throws Stopped when this process received a signal
   static void require_no_stop();
 
 private:
@@ -35,9 +35,8 @@ private:
   void (*old_file_size_)(int);
 };
 
-/// What was asked for ends before it is finished because of a signal, with
-/// the exit code 128 and the signal's number: SIGINT (Ctrl-C) 130, SIGTERM
-/// 143, SIGUSR1 138.
+/// Thrown when work ends early because of a signal; the exit code is 128 plus
+/// the signal number: SIGINT (Ctrl-C) 130, SIGTERM 143, SIGUSR1 138.
 class Stopped : public std::runtime_error
 {
 public:

@@ -8,8 +8,8 @@
 
 namespace contrecoup
 {
-/// Keeps std::cerr quiet while it lives: deal.II tells it about a bad
-/// expression before it throws, and the message of the exception says it all.
+/// Silences std::cerr for its lifetime: deal.II prints a message about an
+/// invalid expression before it throws an exception with the same information.
 class Silence
 {
 public:

@@ -14,29 +14,29 @@
 
 namespace contrecoup
 {
-/// What one time step did.
+/// Result of a time step.
 struct StepReport
 {
-  /// Step size taken [s].
+  /// Size of the step [s].
   double step_size = 0.;
   /// Unknowns updated, all ranks and Runge-Kutta stages together [-].
   double updates = 0.;
-  /// Times that the step was cut back because a state turned unphysical.
+  /// Number of step size reductions after an unphysical state.
   unsigned int retries = 0;
 };
 
-/// A named number with its unit, for histories and the summary.
+/// A named value with unit, for history and summary.
 struct NamedValue
 {
   std::string name;
   std::string unit;
   double value = 0.;
-  /// Whether a closed run keeps it: its first and last value and relative
-  /// change then stand under "conservation" in the summary.
+  /// Whether the value is conserved in a closed domain: the summary then lists
+  /// first value, last value and relative change under "conservation".
   bool conserved = false;
 };
 
-/// What a run would cost, for --check and the printed plan.
+/// Cost estimate of a run, for --check and the printed plan.
 struct CostEstimate
 {
   double cells = 0.;    ///< mesh cells, all ranks [-]
@@ -47,123 +47,118 @@ struct CostEstimate
   double output = 0.;   ///< results on disk, no checkpoints [byte]
 };
 
-/**
- * Something that a run leaves out or takes for granted, with the number that
- * tells whether it may: estimated before the run, measured by it.
- */
+/// A modelling assumption or simplification of a run, with a figure that tells
+/// whether it is justified: estimated before the run, measured by the run.
 struct Assumption
 {
   std::string name;     ///< in the summary
-  std::string decision; ///< what is done, in a few words
-  std::string quantity; ///< what the number is, in a few words
+  std::string decision; ///< the modelling choice, in a few words
+  std::string quantity; ///< meaning of the value, in a few words
   std::string unit;
-  /// The number; NaN: not known.
+  /// Figure; NaN: unknown.
   double value = std::numeric_limits<double>::quiet_NaN();
-  /// What it may be at most, or at least; NaN: it is for information.
+  /// Upper or lower limit of the figure; NaN: for information only.
   double limit = std::numeric_limits<double>::quiet_NaN();
-  bool is_least = false; ///< whether the limit is the least
-  std::string entry;     ///< of the parameter file that decides otherwise
+  bool is_least = false; ///< whether the limit is a lower one
+  std::string entry;     ///< parameter entry that changes the decision
 
-  /// Whether the number is known and beyond its limit.
+  /// Whether the figure is known and violates its limit.
   bool fails() const
   {
     return is_least ? value < limit : value > limit;
   }
 };
 
-/**
- * One solver as the run loop sees it: setup, advance, adapt, output, and a
- * state that can be saved and restored. Every function is collective.
- */
+/// Interface of a solver for the run loop: setup, advance, adapt, output, save
+/// and restore. Every function is collective.
 class Simulation
 {
 public:
   virtual ~Simulation() = default;
 
-  /// Checks the scene and estimates its cost without allocating its fields.
-  /// @throws InputError when the scene is impossible.
+  /// Checks the scene and estimates its cost without allocating fields.
+  /// @throws InputError for an invalid scene
   virtual CostEstimate estimate() = 0;
 
   /// Builds mesh and initial state at time 0.
   virtual void setup() = 0;
 
-  /// Builds mesh and state from the files that save() left in @p folder.
-  /// @throws InputError when they belong to another scene.
+  /// Restores mesh and state from files of save() in @p folder.
+  /// @throws InputError when they belong to another scene
   virtual void restore(const std::string &folder) = 0;
 
-  /// Writes mesh and state into the existing @p folder.
+  /// Saves mesh and state to the existing @p folder.
   virtual void save(const std::string &folder) = 0;
 
-  /// Says where the run keeps its results, before setup() or restore().
+  /// Sets the output folder of the run; called before setup() or restore().
   virtual void set_output_folder(const std::string & /*folder*/)
   {}
 
   /// Simulated time [s].
   virtual double time() const = 0;
 
-  /// Goes one step ahead, by at most @p largest_step [s].
-  /// @throws NumericsError when no step size keeps the state physical.
+  /// Makes one step of at most @p largest_step [s].
+  /// @throws NumericsError when no step size gives a physical state
   virtual StepReport advance(double largest_step) = 0;
 
-  /// Adapts the mesh if the solver finds it due. Returns whether it changed.
+  /// Adapts the mesh if due. Returns whether the mesh changed.
   virtual bool adapt() = 0;
 
-  /// Conserved totals, energies, extrema: one row of history.csv. Names and
-  /// order never change during a run.
+  /// One row of history.csv: conserved totals, energies, extrema. Names and
+  /// order must not change during a run.
   virtual std::vector<NamedValue> history() = 0;
 
-  /// Probe values at this time: one row of probes.csv; empty without probes.
+  /// One row of probes.csv: current values at probes; empty without probes.
   virtual std::vector<NamedValue> probes() = 0;
 
-  /// Writes the fields of output number @p index into @p folder, and
-  /// returns the file that the .pvd collection should name (empty: none).
+  /// Writes field output number @p index into @p folder; returns the file for
+  /// the .pvd collection (empty: none).
   virtual std::string write_fields(const std::string &folder,
                                    unsigned int index) = 0;
 
-  /// Errors against the scene's reference, for the summary; may be empty.
+  /// Errors against the reference solution, for the summary; may be empty.
   virtual std::vector<NamedValue> errors() = 0;
 
   /// Measured modelling assumptions, for the summary; may be empty.
   virtual std::vector<NamedValue> assumptions() = 0;
 
-  /// What the run will leave out and take for granted, as estimated from the
-  /// scene; may be asked before setup().
+  /// Assumptions of the run, estimated from the scene; may be called before
+  /// setup().
   virtual std::vector<Assumption> plan()
   {
     return {};
   }
 
-  /// The same with the numbers that the run found, in the same order; only
-  /// for what it could measure.
+  /// The assumptions of plan(), in the same order, with measured values; only
+  /// those that the run could measure.
   virtual std::vector<Assumption> audit()
   {
     return {};
   }
 
-  /// The work that is left until @p end_time [s], as the state of the run and
-  /// its parameters let expect it, NaN where they do not; empty: as much in a
-  /// second of simulated time as lately.
+  /// Forecast of the remaining work until @p end_time [s], from state and
+  /// parameters, NaN where unknown; empty: constant recent work per second of
+  /// simulated time.
   virtual WorkForecast expected_work(const double /*end_time*/)
   {
     return {};
   }
 
-  /// When the stage at work is expected to hand over to one whose work cannot
-  /// be known before it begins [s], NaN: not known; nullopt: no stage does.
+  /// Expected time at which the running stage hands over to a stage whose work
+  /// is unknown until it begins [s], NaN: unknown; nullopt: no such stage.
   virtual std::optional<double> expected_hand_over()
   {
     return std::nullopt;
   }
 
-  /// Space dimensions of the mesh that is at work [-]: the cost of its cells
-  /// grows with these.
+  /// Space dimensions of the current mesh [-], which determine how its cost
+  /// grows with refinement.
   virtual unsigned int dimension() const
   {
     return 3;
   }
 
-  /// Writes what belongs to the end of a run into the output folder; called
-  /// once, when the end time is reached.
+  /// Writes final results to the output folder; called once, at the end time.
   virtual void finish(const std::string & /*folder*/)
   {}
 

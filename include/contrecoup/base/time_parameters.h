@@ -9,7 +9,7 @@
 
 namespace contrecoup
 {
-/// When a run ends and when it writes: subsections "Time" and "Output".
+/// End of a run and times of output: subsections "Time" and "Output".
 struct TimeParameters
 {
   double end_time = 1.;

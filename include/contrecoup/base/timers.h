@@ -12,10 +12,8 @@
 
 namespace contrecoup
 {
-/**
- * Accumulated wall time by name, for the table at the end of a run and
- * "timers" in summary.json. Measure with TimerScope.
- */
+/// Wall time accumulated by name, for the table at the end of a run and for
+/// "timers" in summary.json. Use TimerScope to measure.
 class Timers
 {
 public:
@@ -28,16 +26,16 @@ public:
   /// The timers of this process.
   static Timers &instance();
 
-  /// Forgets everything.
+  /// Resets all timers.
   void reset();
 
-  /// The entry of this name, made on first use; stays where it is.
+  /// Entry with this name, created if necessary; its address is stable.
   Entry &entry(const std::string &name);
 
-  /// Seconds by name, the largest over the ranks. Collective.
+  /// Times by name, maximum over all ranks [s]. Collective.
   std::map<std::string, double> largest(MPI_Comm communicator) const;
 
-  /// A table of largest() with the share of @p total seconds. Collective.
+  /// Table of largest() with percentages of @p total [s]. Collective.
   std::string table(MPI_Comm communicator, double total) const;
 
 private:
@@ -45,11 +43,11 @@ private:
 };
 
 /**
- * Adds its own lifetime to a timer:
+ * Adds its lifetime to a timer:
  * @code
  *   const TimerScope timer("flux");
  * @endcode
- * Costs about 100 ns; scopes may nest, times then overlap.
+ * Costs about 100 ns. Scopes may nest; times then overlap.
  */
 class TimerScope
 {

@@ -8,8 +8,8 @@
 
 namespace contrecoup
 {
-/// What a piece of a body is made of. The numbers are those in mesh files and
-/// do not change.
+/// Material of a part of a body. The numbers appear in mesh files and never
+/// change.
 enum class Tissue : unsigned char
 {
   none = 0,
@@ -27,13 +27,14 @@ enum class Tissue : unsigned char
   polycarbonate = 12,
 };
 
-/// The names by number, "none" first; the list that parameter files, labels
-/// of images and reports use.
+/// Names by number, "none" first, as in parameter files, image labels and
+/// reports.
 const std::vector<std::string> &tissue_names();
 
-/// Its name in tissue_names().
+/// Name of a tissue in tissue_names().
 const std::string &name_of(Tissue tissue);
 
-/// The tissue of this name. @throws InputError with the nearest name
+/// The tissue with this name. @throws InputError that suggests the nearest
+/// name
 Tissue find_tissue(const std::string &name);
 } // namespace contrecoup

@@ -7,11 +7,10 @@
 
 namespace contrecoup
 {
-/// The version of Contrecoup, e.g. "0.1.0".
+/// Version of Contrecoup, e.g. "0.1.0".
 std::string version();
 
-/// The git commit it was built from, with "+" after it when files had been
-/// changed, or with "?" when git was not there to tell; "unknown" outside a git
-/// repository.
+/// The git commit of the build, followed by "+" if files had been changed, or
+/// by "?" if git was not available; "unknown" outside a git repository.
 std::string git_revision();
 } // namespace contrecoup

@@ -38,7 +38,7 @@ namespace io
     double unknowns_per_cell = 0.;
     double memory_per_cell = 0.; ///< by the solver's estimate [byte]
     double peak_memory = 0.;     ///< of all ranks [byte]
-    double seconds = 0.;         ///< wall time of the trial [s]
+    double seconds = 0.;         ///< processor time of the trial itself [s]
     double field_seconds = 0.;   ///< part of `seconds` for fields [s]
   };
 

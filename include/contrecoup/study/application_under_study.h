@@ -9,34 +9,36 @@
 
 namespace contrecoup::study
 {
-/// The application that a study runs, with the base file of its variants.
+/// The application of a study, with the parameter file of its variants.
 class ApplicationUnderStudy
 {
 public:
   /**
-   * Finds the application beside this program's own file, or at @p name if
-   * that has a "/".
-   * @throws InputError, with the names that there are, if there is none
+   * Finds the application in the folder of this program, or at @p name if the
+   * name contains a "/".
+   * @throws InputError, listing the available names, if there is none
    */
   ApplicationUnderStudy(const std::string &name,
                         const std::string &parameter_file,
                         unsigned int ranks);
 
-  /// Every entry of the base file, "Section/Entry" and value, with
-  /// @p settings. @throws InputError with the application's own line when it
-  ///   refuses an entry or a value.
+  /// All entries of the parameter file, "Section/Entry" and value, after
+  /// applying @p settings.
+  /// @throws InputError with the application's message when it refuses an
+  /// entry or a value
   std::map<std::string, std::string> entries(const Settings &settings) const;
 
-  /// What --check prints. @throws InputError with the application's own line
+  /// Output of --check. @throws InputError with the application's message
   std::string plan(const Settings &settings) const;
 
-  /// The command line of a run. Several ranks are started by mpirun.
+  /// Command line of a run, with mpirun for several ranks.
   std::vector<std::string> command(const Settings &settings,
                                    const std::string &output_folder) const;
 
   const std::string &name() const;
 
-  /// Version, git revision and a fingerprint of the program's file; starts it.
+  /// Version, git revision and a fingerprint of the program file; starts the
+  /// program.
   std::string version() const;
 
   unsigned int ranks() const;
@@ -50,7 +52,6 @@ private:
   unsigned int ranks_;
 };
 
-/// A number of 16 hexadecimal digits that differs for different texts
-/// (FNV-1a).
+/// Hash of a text (FNV-1a), 16 hexadecimal digits.
 std::string fingerprint(const std::string &text);
 } // namespace contrecoup::study

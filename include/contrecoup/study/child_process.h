@@ -12,24 +12,25 @@
 
 namespace contrecoup::study
 {
-/// How a process ended.
+/// End of a process.
 struct ProcessEnd
 {
   int exit_code = 0;
-  int signal = 0; ///< that ended it; 0: it left by itself
+  int signal = 0; ///< that ended the process; 0: normal exit
 };
 
 /**
- * A program that runs beside this one in a process group of its own, without
- * input, its output and errors going to files. Variables by which an MPI
- * library would take it for a part of a running job are not passed on. It
- * ends when this process does, and when the object goes.
+ * A program that runs concurrently in its own process group, without input,
+ * with its output and errors in files. Environment variables that would make
+ * an MPI library join a running job are removed. The child ends when this
+ * process ends, and when the object is destroyed.
  */
 class ChildProcess
 {
 public:
-  /// @param command program, found in PATH unless it has a "/", and arguments
-  /// @throws SystemError when it cannot be started
+  /// @param command program, searched in PATH unless it contains a "/", and
+  /// arguments
+  /// @throws SystemError when the program cannot be started
   ChildProcess(const std::vector<std::string> &command,
                const std::string &output_file,
                const std::string &error_file);
@@ -37,16 +38,16 @@ public:
   ChildProcess(const ChildProcess &) = delete;
   ChildProcess &operator=(const ChildProcess &) = delete;
 
-  /// How it ended; empty while it runs. Does not wait.
+  /// End of the process; empty while it runs. Does not wait.
   std::optional<ProcessEnd> poll();
 
-  /// Waits until it ends by itself.
+  /// Waits for the end of the process.
   ProcessEnd wait();
 
-  /// Asks it to end, and ends it by force @p patience seconds later.
+  /// Sends a termination signal, and kills the process after @p patience [s].
   void terminate(double patience);
 
-  /// Wall time since it was started [s].
+  /// Wall time since the start [s].
   double seconds() const;
 
 private:
@@ -57,18 +58,18 @@ private:
   std::chrono::steady_clock::time_point begin_;
 };
 
-/// What a command that is soon done printed.
+/// Output of a short command.
 struct ProcessText
 {
   ProcessEnd end;
   std::string output;
-  std::string errors; ///< the last line that is not empty
+  std::string errors; ///< last non-empty line
 };
 
 /// Runs a command to its end, with temporary files in @p folder.
 ProcessText run_process(const std::vector<std::string> &command,
                         const std::string &folder);
 
-/// The last line of @p text that is not empty, without "error: " before it.
+/// Last non-empty line of @p text, without a leading "error: ".
 std::string last_line(const std::string &text);
 } // namespace contrecoup::study

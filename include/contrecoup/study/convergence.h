@@ -7,31 +7,31 @@
 
 namespace contrecoup::study
 {
-/// The order p at which the error falls like (mesh width)^p between a coarse
-/// and a fine mesh; not a number unless errors and widths are above zero and
-/// the widths differ.
+/// Observed order of convergence p, error ~ (mesh width)^p, between a coarse
+/// and a fine mesh; NaN unless errors and widths are positive and the widths
+/// differ.
 double observed_order(double coarse_error,
                       double fine_error,
                       double coarse_width,
                       double fine_width);
 
-/// What a quantity tends to as the mesh is refined.
+/// Extrapolated limit of a quantity under mesh refinement.
 struct Extrapolation
 {
   double limit = 0.;
-  double order = 0.; ///< of the convergence to it; NaN if not known
+  double order = 0.; ///< of convergence to the limit; NaN if unknown
 
-  /// Whether the quantity came closer monotonously, so that the formula
-  /// holds. If not, the limit is the value on the finest mesh.
+  /// Whether convergence is monotone, so that the formula applies. Otherwise
+  /// the limit is the value on the finest mesh.
   bool is_asymptotic = false;
 };
 
 /**
- * Richardson's extrapolation from the three finest meshes: the quantity is
- * taken as limit + constant * (mesh width)^order (L. F. Richardson, Phil.
- * Trans. R. Soc. A 210 (1911) 307-357; for unequal ratios of the widths as in
- * I. Celik et al., J. Fluids Eng. 130 (2008) 078001).
- * @param widths falling
+ * Richardson extrapolation from the three finest meshes, with the model limit
+ * + constant * (mesh width)^order (L. F. Richardson, Phil. Trans. R. Soc. A
+ * 210 (1911) 307-357; for unequal ratios of widths as in I. Celik et al., J.
+ * Fluids Eng. 130 (2008) 078001).
+ * @param widths decreasing
  * @param values the quantity on each mesh
  * @throws InputError for fewer than three meshes
  */

@@ -8,45 +8,45 @@
 
 namespace contrecoup::study
 {
-/// A quantity at a probe over time.
+/// A time series of a quantity.
 struct Curve
 {
-  std::vector<double> times;  ///< rising [s]
+  std::vector<double> times;  ///< increasing [s]
   std::vector<double> values; ///< one for each time
 };
 
 /**
- * The column @p name of a table of a run, probes.csv or history.csv, whose
- * header reads "name [unit],...", against its column "time".
- * @throws InputError naming the columns when there is none of this name
+ * Reads the column @p name of probes.csv or history.csv, whose header is "name
+ * [unit],...", as a function of the column "time".
+ * @throws InputError, listing the columns, for an unknown name
  */
 Curve read_curve(const std::string &file, const std::string &name);
 
-/// The largest rise above the first value.
+/// Largest rise above the first value.
 double peak(const Curve &curve);
 
-/// The largest fall below the first value, a number of at most 0.
+/// Largest fall below the first value, not positive.
 double lowest(const Curve &curve);
 
-/// The largest value that the integral over time of the rise above the first
-/// value reaches: of an overpressure, the impulse of its positive phase.
+/// Maximum over time of the integral of the rise above the first value: for an
+/// overpressure, the positive-phase impulse.
 double impulse(const Curve &curve);
 
-/// The time at which the rise above the first value passes half of its
-/// peak first, between two points by linear interpolation [s].
+/// Time at which the rise above the first value first exceeds half of its
+/// peak, with linear interpolation [s].
 double arrival(const Curve &curve);
 
 /**
- * The moving average of a curve, taken as straight between its points: at each
- * of its times the mean over the interval of length @p width [s] around that
- * time, as far as the curve covers it. Takes away what oscillates faster.
+ * Moving average of a piecewise linear curve: at each of its times the mean
+ * over the interval of length @p width [s] around that time, clipped to the
+ * curve's ends. Removes faster oscillations.
  */
 Curve averaged(const Curve &curve, const double width);
 
 /**
- * Integral over time of the difference of two curves over that of the rise of
- * the reference above its first value [-], up to the earlier of the two ends,
- * both curves taken as straight between their points.
+ * Integral over time of the absolute difference of two curves, over that of
+ * the reference's rise above its first value [-]; up to the earlier end, with
+ * linear interpolation.
  */
 double relative_difference(const Curve &curve, const Curve &reference);
 } // namespace contrecoup::study

@@ -7,33 +7,33 @@
 
 namespace contrecoup::study
 {
-/// Which combinations of the factors' values are run.
+/// Parameters of a design: which combinations of factor values are run.
 struct DesignParameters
 {
   std::string kind = "full grid";
   unsigned int samples = 16; ///< of a Latin hypercube
-  unsigned int seed = 1;     ///< of its random numbers
+  unsigned int seed = 1;     ///< of the random numbers
 };
 
-/// One combination.
+/// One combination of values.
 struct Variant
 {
   Settings settings;
-  std::vector<std::string> labels; ///< one for each factor
-  std::vector<double> numbers;     ///< Factor::number(), one for each factor
+  std::vector<std::string> labels; ///< by factor
+  std::vector<double> numbers;     ///< Factor::number(), by factor
 };
 
 /**
- * The variants of a design:
- *   full grid: every combination, the last factor fastest;
- *   one at a time: the first value of every factor, and then those that
+ * Variants of a design:
+ *   full grid: all combinations, the last factor fastest;
+ *   one at a time: the first value of every factor, and all variants that
  *     differ from it in one factor;
- *   latin hypercube: samples points whose coordinates in each factor fall
- *     into different ones of as many equal parts of its values or range
+ *   latin hypercube: random samples whose coordinates in each factor fall into
+ *     different ones of as many equal parts of its values or range
  *     (M. D. McKay, R. J. Beckman, W. J. Conover, Technometrics 21 (1979)
- *     239-245). The same seed gives the same points everywhere.
- * @throws InputError for a range in another design than a Latin hypercube,
- *   and for more than 100000 variants
+ *     239-245). The same seed gives the same samples on every machine.
+ * @throws InputError for a range in a design other than a Latin hypercube, and
+ * for more than 100000 variants
  */
 std::vector<Variant> make_design(const std::vector<Factor> &factors,
                                  const DesignParameters &parameters);

@@ -16,9 +16,9 @@
 namespace contrecoup::study
 {
 /**
- * How wrong a run is: by a number that it states itself, by the difference of
- * a quantity from a known value or from a reference run, or from what the
- * quantity tends to as the mesh is refined.
+ * Error of a run: a value in its summary, the difference of a quantity from a
+ * known value or a reference run, or the difference from the extrapolated
+ * limit under mesh refinement.
  */
 class ErrorMeasure
 {
@@ -26,19 +26,19 @@ public:
   /// Declares subsection "Error".
   static void declare_parameters(dealii::ParameterHandler &prm);
 
-  /// @throws InputError for entries that do not go together.
+  /// @throws InputError for contradictory entries
   void parse_parameters(dealii::ParameterHandler &prm);
 
-  /// Whether errors are measured at all.
+  /// Whether errors are measured.
   bool is_active() const;
 
-  /// Whether errors follow from several runs by extrapolation.
+  /// Whether errors require several runs for extrapolation.
   bool is_self_convergence() const;
 
-  /// The reference run's entries, if the study is to make one.
+  /// Entries of the reference run, if the study has to run it.
   const std::optional<Settings> &reference_settings() const;
 
-  /// The output folder of the reference run; empty without one.
+  /// Output folder of the reference run; empty: none.
   void set_reference_folder(const std::string &folder);
   const std::string &reference_folder() const
   {
@@ -46,21 +46,21 @@ public:
   }
 
   /**
-   * The error of a run; for self-convergence its quantity.
+   * Error of a run; for self-convergence the quantity itself.
    * @param folder output folder of the run
    * @param summary content of its summary.json
-   * @return NaN when the run has a number that is not finite there
+   * @return NaN if the value in the run is not finite
    * @throws InputError when the run has no such quantity
    */
   double value(const std::string &folder, const nlohmann::json &summary) const;
 
-  /// What the error is of, for tables and axes.
+  /// Name of the error for tables and axes.
   std::string title() const;
 
-  /// A short name for the error in summary.json, such as "density_L1".
+  /// Short name of the error in summary.json, such as "density_L1".
   std::string short_name() const;
 
-  /// The error that is good enough; 0: none was named.
+  /// Required error; 0: none given.
   double wanted() const;
 
 private:
@@ -69,12 +69,12 @@ private:
   double difference(const std::string &folder) const;
   bool compares_files() const;
 
-  /// What is taken from a curve, the last word of the quantity; empty of what
-  /// is none.
+  /// Feature of a curve: last word of the quantity; empty for other
+  /// quantities.
   std::string of_curve() const;
 
-  /// Of the run in this folder, from probes.csv or history.csv, averaged over
-  /// the averaging time.
+  /// Curve from probes.csv or history.csv of the run in @p folder, averaged
+  /// over the averaging time.
   Curve curve(const std::string &folder) const;
 
   std::string kind_;

@@ -11,35 +11,33 @@
 
 namespace contrecoup::study
 {
-/// Entries, as "Section/Subsection/Entry", and the values they are given.
+/// Entries "Section/Subsection/Entry" with values.
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
-/// How the values of a factor refine the mesh.
+/// Relation of a factor's values to mesh refinement.
 enum class Refinement
 {
   none,
-  by_level, ///< each value is a level: the mesh width is 2^-value
-  by_count, ///< each value counts cells: the mesh width is 1 / value
-  by_size   ///< each value is the mesh width
+  by_level, ///< the value is a level: mesh width 2^-value
+  by_count, ///< the value is a number of cells: mesh width 1 / value
+  by_size   ///< the value is the mesh width
 };
 
-/**
- * What a study varies: one entry, or several that change together, with the
- * values that they take. One subsection "Vary *" of the study's file.
- */
+/// A factor of a study: one entry, or several that change together, with their
+/// values. Subsection "Vary *".
 struct Factor
 {
   std::string name;
   std::vector<std::string> entries;
 
-  /// One row for each value of the factor, one text for each entry in it. An
-  /// empty text leaves the entry as the base file has it.
+  /// One row per value of the factor, with one text per entry. An empty text
+  /// leaves the entry as in the parameter file.
   std::vector<std::vector<std::string>> values;
-  std::vector<std::string> labels; ///< one for each row
+  std::vector<std::string> labels; ///< by row
 
   Refinement refinement = Refinement::none;
 
-  /// Instead of rows, any number between two bounds.
+  /// Any number between two bounds, in place of rows.
   bool is_range = false;
   double lower = 0., upper = 0.;
   bool logarithmic = false;
@@ -47,28 +45,28 @@ struct Factor
   /// Declares the entries of a subsection "Vary *".
   static void declare_parameters(dealii::ParameterHandler &prm);
 
-  /// Reads the entries of the current subsection, which has the name
-  /// "Vary @p name". @throws InputError for rows of the wrong length.
+  /// Reads the entries of the current subsection "Vary @p name".
+  /// @throws InputError for rows of wrong length
   void parse_parameters(dealii::ParameterHandler &prm, const std::string &name);
 
-  /// The entries and texts of a row, empty ones left out.
+  /// Entries and non-empty texts of a row.
   Settings settings(std::size_t row) const;
 
-  /// The number that a row stands for: its label, or else what its first text
-  /// begins with; not a number if neither is one.
+  /// Numerical value of a row: of its label, or else of the beginning of its
+  /// first text; NaN if neither is a number.
   double number(std::size_t row) const;
 };
 
-/// All factors of a study in the order of its file.
-/// @throws InputError when there is none, or two have the same first entry.
+/// All factors of a study in the order of the file.
+/// @throws InputError if there is none, or if two have the same first entry
 std::vector<Factor> parse_factors(dealii::ParameterHandler &prm);
 
-/// Settings as the user writes them: "Section/Entry=value; ...".
-/// @throws InputError when @p text is not of this form; @p where says where
-///   it stands.
+/// Parses settings of the form "Section/Entry=value; ...".
+/// @param where origin of the text, for error messages
+/// @throws InputError for another form
 Settings parse_settings(const std::string &text, const std::string &where);
 
-/// The number that @p text begins with, up to a comma or its end; not a
-/// number if it does not begin with one.
+/// Number at the beginning of @p text, up to a comma or its end; NaN if there
+/// is none.
 double leading_number(const std::string &text);
 } // namespace contrecoup::study

@@ -10,10 +10,10 @@
 namespace contrecoup::study
 {
 /**
- * The number at a dotted path such as "errors.density_L1" in an object of
- * objects; null, which stands for a number that is not finite, gives NaN.
- * @throws InputError naming what is there instead when there is no such
- *   number; @p where names the object.
+ * Number at a dotted path such as "errors.density_L1" in nested objects; null,
+ * which represents a value that is not finite, gives NaN.
+ * @param where name of the object, for error messages
+ * @throws InputError, listing what exists, if there is no such number
  */
 double number_at(const nlohmann::json &object,
                  const std::string &path,

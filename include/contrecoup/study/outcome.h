@@ -12,56 +12,56 @@
 namespace contrecoup::study
 {
 /**
- * What became of a variant. Its kind is one of
- *   stable: it finished;
- *   retried: it finished after cutting back steps;
- *   unstable: the numerics failed;
- *   refused: bad input;
+ * Outcome of a variant. Its kind is one of
+ *   stable: finished;
+ *   retried: finished after step size reductions;
+ *   unstable: numerical failure;
+ *   refused: invalid input;
  *   timed out: ended by the study's time limit;
- *   failed: the machine failed, or the process crashed.
+ *   failed: system failure, or the process crashed.
  */
 struct Outcome
 {
   std::string kind;
-  std::string reason; ///< one line; empty if it finished without retries
+  std::string reason; ///< one line; empty if finished without retries
   int exit_code = 0;
-  double wall_seconds = 0.; ///< of the process
-  double time_limit = 0.;   ///< that it had [s]; 0: none
+  double wall_seconds = 0.; ///< of the process [s]
+  double time_limit = 0.;   ///< limit of the run [s]; 0: none
 
-  /// Whether it finished.
+  /// Whether the run finished.
   bool is_usable() const;
 };
 
 /**
- * The outcome of a process that ended.
- * @param folder output folder of the run, whose summary.json is read
- * @param error_file what it wrote to stderr
+ * Outcome of a process that ended.
+ * @param folder output folder of the run with summary.json
+ * @param error_file stderr of the run
  */
 Outcome judge(const ProcessEnd &end,
               bool timed_out,
               const std::string &folder,
               const std::string &error_file);
 
-/// Whether what the process said tells of files that could not be written: a
-/// disk that is full or read-only, a quota. All other runs would end so, too.
+/// Whether the run failed because files could not be written: disk full or
+/// read-only, quota. Further runs would fail as well.
 bool tells_of_storage(const Outcome &outcome);
 
-/// What tells one variant from all others: application, version, ranks and
-/// every entry. Two runs of equal identity give the same result.
+/// Identity of a variant: application, version, ranks and all entries. Runs of
+/// equal identity give the same result.
 std::string identity(const std::string &application,
                      const std::string &version,
                      unsigned int ranks,
                      const std::map<std::string, std::string> &entries);
 
-/// Writes the outcome into @p file. @throws SystemError
+/// Writes the outcome to @p file. @throws SystemError
 void write_outcome(const std::string &file,
                    const Outcome &outcome,
                    const std::string &identity);
 
 /**
- * The outcome that an earlier study left in @p file, if it stands: the file
- * is complete, of the same identity, and does not tell of a failed machine or
- * of a time limit below @p time_limit. That a file is damaged is logged.
+ * Reads the outcome of an earlier study from @p file, if it is valid:
+ * complete, of the same identity, and neither a system failure nor a timeout
+ * below @p time_limit. A damaged file is logged.
  */
 std::optional<Outcome> read_outcome(const std::string &file,
                                     const std::string &identity,

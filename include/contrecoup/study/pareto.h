@@ -9,15 +9,13 @@
 
 namespace contrecoup::study
 {
-/**
- * Which settings no other one beats: none is as good in both cost and error
- * and better in one of them. A cost or error that is not finite never wins.
- */
+/// Pareto front: settings that no other setting dominates in cost and error.
+/// Values that are not finite are never on the front.
 std::vector<bool> pareto_front(const std::vector<double> &costs,
                                const std::vector<double> &errors);
 
-/// The cheapest setting with an error of at most @p wanted; none if no
-/// setting is so good.
+/// The cheapest setting with an error of at most @p wanted; none if there is
+/// none.
 std::optional<std::size_t> cheapest(const std::vector<double> &costs,
                                     const std::vector<double> &errors,
                                     double wanted);

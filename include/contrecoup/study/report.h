@@ -7,27 +7,27 @@
 
 namespace contrecoup::study
 {
-/// The table as CSV: one row for each variant.
+/// The results as CSV, one row per variant.
 std::string to_csv(const StudyParameters &parameters,
                    const StudyResult &result);
 
-/// The table in Markdown, with what is to be learned from it.
+/// The results as Markdown, with conclusions.
 std::string to_markdown(const StudyParameters &parameters,
                         const StudyResult &result);
 
-/// All of it for plot.py study.
+/// The results as JSON, for plot.py study.
 std::string to_json(const StudyParameters &parameters,
                     const StudyResult &result);
 
-/// The recommendation in words, for screen and table; several lines.
+/// The recommendation in words for screen and table, several lines.
 std::vector<std::string> recommendation(const StudyParameters &parameters,
                                         const StudyResult &result);
 
 /**
- * A parameter file that runs a variant on its own.
- * @param used content of the variant's parameters.prm: every entry
- * @param base entries of the base file; those of subsection "Output" are
- *   taken from here, since a study has its own
+ * A parameter file that runs a variant without the study.
+ * @param used content of the variant's parameters.prm: all entries
+ * @param base entries of the parameter file of the study; source of subsection
+ * "Output", which the study overrides
  */
 std::string recommended_file(const StudyParameters &parameters,
                              const StudyResult &result,

@@ -12,38 +12,38 @@ namespace contrecoup::study
 class Study
 {
 public:
-  /// @throws InputError when application, base file or entries are wrong
+  /// @throws InputError for an invalid application, parameter file or entry
   Study(const StudyParameters &parameters, const std::string &output_folder);
 
-  /// Says what would be run.
+  /// Prints the plan of the study.
   /// @throws InputError when the application refuses the first variant
   void check() const;
 
   /**
-   * Runs what an earlier start has not run yet, and writes the results.
-   * @param command with --resume keeps the variants that an earlier start has
-   *   finished
+   * Runs all variants without outcome, and writes the results.
+   * @param command with --resume, keeps finished variants of an earlier start
    * @param parameter_text all entries of the study, for parameters.prm
-   * @param entries the same
-   * @throws InputError when the folder is not to be had, when there is nothing
-   *   to resume, or when all variants were refused; NumericsError when the
-   *   reference run failed; Stopped after a signal
+   * @param entries the same as a map
+   * @throws InputError when the folder cannot be claimed, when there is
+   * nothing to resume, or when all variants were refused
+   * @throws NumericsError when the reference run failed
+   * @throws Stopped after a signal
    */
   void execute(const io::CommandLine &command,
                const std::string &parameter_text,
                const std::map<std::string, std::string> &entries);
 
 private:
-  /// @throws InputError for the first entry or value that the application
-  ///   does not know, with where it stands
+  /// @throws InputError, naming its origin, for the first entry or value that
+  /// the application does not know
   void require_known_entries() const;
-  /// How a run is called in what the study says.
+  /// Name of a run for messages.
   std::string told(const Task &task) const;
   std::string plan_of_first() const;
   void require_known(const Settings &settings, const std::string &where) const;
 
   Task make_task(const Variant &variant) const;
-  /// What runs are called in the study's folder, and the file of the reference.
+  /// Sets identity and folder of all runs, and the file of the reference run.
   void identify_tasks();
   bool has_outcomes() const;
   void prepare(const std::string &parameter_text,
@@ -59,7 +59,7 @@ private:
   std::string folder_;
   ApplicationUnderStudy application_;
   std::map<std::string, std::string> base_entries_; ///< see identify_tasks()
-  std::vector<Task> tasks_; ///< the reference run first, if there is one
+  std::vector<Task> tasks_; ///< reference run first, if there is one
   bool has_reference_ = false;
   std::size_t n_done_before_ = 0;
   std::size_t n_done_ = 0;

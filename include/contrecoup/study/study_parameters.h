@@ -8,27 +8,28 @@
 
 namespace contrecoup::study
 {
-/// All entries of a study.
+/// All parameters of a study.
 struct StudyParameters
 {
   std::string title;
   std::string application;
   std::string parameter_file;
-  Settings settings;                ///< of all variants
-  std::vector<std::string> columns; ///< paths in summary.json to be shown
+  Settings settings; ///< for all variants
+  /// paths in summary.json for further columns
+  std::vector<std::string> columns;
   std::vector<Factor> factors;
   DesignParameters design;
-  std::string mode; ///< work precision, stability map
-  std::string cost; ///< core seconds, wall seconds, updates, memory
+  std::string mode; ///< work precision or stability map
+  std::string cost; ///< core seconds, wall seconds, updates or memory
   unsigned int ranks = 1;
   unsigned int cores = 1;
-  double time_limit = 0.; ///< of a variant [s]; 0: none
+  double time_limit = 0.; ///< of a run [s]; 0: none
   ErrorMeasure error;
 
   /// Declares subsections "Study", "Error" and "Vary *".
   static void declare_parameters(dealii::ParameterHandler &prm);
 
-  /// @throws InputError for entries that do not go together.
+  /// @throws InputError for contradictory entries
   void parse_parameters(dealii::ParameterHandler &prm);
 };
 } // namespace contrecoup::study

@@ -10,7 +10,7 @@
 
 namespace contrecoup::study
 {
-/// One row of a study's table.
+/// A row of the study's table.
 struct ResultRow
 {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -18,37 +18,37 @@ struct ResultRow
   Variant variant;
   Outcome outcome;
   std::string folder;     ///< output folder of the run
-  std::size_t series = 0; ///< rows that differ in refinement alone
+  std::size_t series = 0; ///< rows of a series differ only in refinement
   double width = unknown; ///< relative mesh width [-]
   double cells = unknown, unknowns = unknown, steps = unknown;
   double retries = unknown;
-  double wall_seconds = unknown; ///< of the run itself
+  double wall_seconds = unknown; ///< measured by the run [s]
   double core_seconds = unknown;
   double updates = unknown;
   double memory = unknown; ///< [byte]
-  double cost = unknown;   ///< the one of these that the study names
+  double cost = unknown;   ///< the cost that the study uses
   double error = unknown;
   double order = unknown; ///< from the next coarser mesh of the series
   bool on_front = false;  ///< Pareto front of cost and error
-  /// What the study shows besides; NaN where the run does not have it.
+  /// Further columns; NaN where the run has no value.
   std::vector<double> columns;
 };
 
-/// What a study found.
+/// Results of a study.
 struct StudyResult
 {
   std::vector<ResultRow> rows;
-  std::vector<std::string> series; ///< their labels
-  /// The row to be recommended.
+  std::vector<std::string> series; ///< labels of the series
+  /// The recommended row.
   std::optional<std::size_t> recommended;
-  std::vector<std::string> remarks; ///< what the user should know
+  std::vector<std::string> remarks; ///< remarks for the user
   /// ResultRow::columns of the reference run; empty without one.
   std::vector<double> reference_columns;
 };
 
 /**
- * Reads what the runs left, and computes errors, orders and Pareto front.
- * Tasks without an outcome are left out.
+ * Reads the results of all runs, and computes errors, orders and Pareto front.
+ * Skips tasks without outcome.
  * @throws InputError when a finished run lacks the quantity of the error
  */
 StudyResult evaluate(const StudyParameters &parameters,

@@ -13,40 +13,39 @@
 
 namespace contrecoup::study
 {
-/// A variant that is to be run, or was.
+/// A variant before or after its run.
 struct Task
 {
   Variant variant;
   std::string identity;
-  std::string folder; ///< of all that belongs to it
+  std::string folder; ///< for all files of the task
   std::optional<Outcome> outcome;
 
-  /// The output folder of the run.
+  /// Output folder of the run.
   std::string run_folder() const;
 
-  /// The file that outlives the study's process.
+  /// File with the outcome, for later starts of the study.
   std::string outcome_file() const;
 };
 
-/**
- * Runs tasks as processes side by side within a number of cores. Each leaves
- * its outcome in its folder as soon as it ends.
- */
+/// Runs tasks as concurrent processes within a number of cores. Each task
+/// writes its outcome to its folder when it ends.
 class VariantRunner
 {
 public:
-  /// @param cores in all; at least the ranks of one run
+  /// @param cores total number; at least the ranks of one run
   /// @param time_limit of a run [s]; 0: none
   VariantRunner(const ApplicationUnderStudy &application,
                 unsigned int cores,
                 double time_limit);
 
   /**
-   * Runs the tasks that have no outcome, in their order.
-   * @param report is called after each
-   * @return false when a signal asked to stop; what was running then was
-   *   ended, and has no outcome
-   * @throws SystemError when a run could not write its files, as none could
+   * Runs the tasks without outcome, in order.
+   * @param report called after each task
+   * @return false after a stop signal; running tasks are then ended without
+   * outcome
+   * @throws SystemError when a run could not write its files, which affects
+   * all runs
    */
   bool run(std::vector<Task> &tasks,
            const std::function<void(const Task &)> &report);
