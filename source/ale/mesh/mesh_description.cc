@@ -57,24 +57,10 @@ void MeshDescription::declare_parameters(ParameterHandler &prm)
                       "scalp around the origin; the mesh of a file; or, "
                       "with particles (Method = mpm) only, a body of "
                       "subsection Body.");
-    declare_list(prm,
-                 "Lower corner",
-                 "0, 0, 0",
-                 3,
-                 3,
-                 -1e6,
-                 1e6,
-                 "m",
-                 "Lower corner of the box.");
-    declare_list(prm,
-                 "Upper corner",
-                 "1, 1, 1",
-                 3,
-                 3,
-                 -1e6,
-                 1e6,
-                 "m",
-                 "Upper corner of the box.");
+    declare_list(
+      prm, "Lower corner", "0, 0, 0", 3, 3, -1e6, 1e6, "m", "Box corner.");
+    declare_list(
+      prm, "Upper corner", "1, 1, 1", 3, 3, -1e6, 1e6, "m", "Box corner.");
     declare_list(prm,
                  "Elements",
                  "10, 10, 10",
@@ -84,23 +70,20 @@ void MeshDescription::declare_parameters(ParameterHandler &prm)
                  1e5,
                  "-",
                  "Number of cells of the box along x, y and z.");
-    declare_double(
-      prm, "Radius", "0.09", 1e-6, 1e6, "m", "Radius of the half ball.");
+    declare_double(prm, "Radius", "0.09", 1e-6, 1e6, "m", "Half ball radius.");
     declare_integer(prm,
                     "Refinements",
                     "3",
                     0,
                     8,
-                    "Global refinements of the half ball's six cells, 0 to "
-                    "8.");
+                    "Global refinements of the half ball, 0 to 8.");
     for (const char *const name : {"x", "y", "z"})
       declare_string(prm,
                      std::string("Position ") + name,
                      name,
                      "Initial position of the mesh node x, y, z [m], a "
-                     "muParser expression of x, y, z: makes a box a wedge, "
-                     "a cone or skewed. Other entries refer to the moved "
-                     "nodes.");
+                     "muParser expression of x, y, z; turns a box into a wedge "
+                     "or cone. Other entries refer to the moved nodes.");
     LayeredHead::declare_parameters(prm);
     FileMesh::declare_parameters(prm);
   }
