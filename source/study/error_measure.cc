@@ -95,27 +95,23 @@ void ErrorMeasure::declare_parameters(ParameterHandler &prm)
     "Kind",
     "exact",
     {"exact", "known value", "reference run", "self convergence", "none"},
-    "Reference of the error: exact solution, as stated in the run's "
-    "summary.json; known value; another run; limit under mesh refinement, "
-    "by Richardson extrapolation; or none.");
+    "Reference of the error: exact solution, as summary.json states; known "
+    "value; another run; Richardson extrapolation on finer meshes; or none.");
   declare_string(prm,
                  "Name",
                  "density_L1",
                  "For exact, the name below \"errors\" in summary.json; for "
-                 "a summary, the dotted path of the value, as in "
-                 "\"conservation.mass_last\"; for a probe or the history, "
-                 "the column of probes.csv or history.csv; for a plane, the "
-                 "name of its files without number.");
+                 "summary, a dotted path as \"conservation.mass_last\"; for "
+                 "probe or history, the column of probes.csv or history.csv; "
+                 "for a plane, the name of its files without number.");
   declare_selection(prm,
                     "Quantity",
                     "summary",
                     quantities,
-                    "Compared quantity unless Kind is exact: a value of "
-                    "summary.json; largest rise, largest fall, largest "
-                    "integral of the rise, or arrival at a probe or in a "
-                    "column of the history; its whole curve, or a plane cut "
-                    "at the end, each by the mean difference from the "
-                    "reference run.");
+                    "Unless Kind is exact: a value of summary.json; largest "
+                    "rise, fall, integral of the rise, or arrival at a probe "
+                    "or in the history; mean difference of its curve, or of "
+                    "a plane cut at the end, from the reference run.");
   // These bounds admit values of every quantity.
   declare_double(prm,
                  "Known value",
@@ -125,26 +121,24 @@ void ErrorMeasure::declare_parameters(ParameterHandler &prm)
                  "unit of the quantity",
                  "Known value of the quantity; the error is relative to it, "
                  "or absolute if it is 0.");
-  declare_string(prm,
-                 "Reference",
-                 "",
-                 "Entries of the reference run in addition to those of all "
-                 "variants: \"Section/Entry=value; ...\". The study runs it "
-                 "first.");
   declare_string(
     prm,
-    "Reference folder",
+    "Reference",
     "",
-    "Output folder of an existing reference run, instead of Reference.");
+    "Entries of the reference run, which the study runs first, "
+    "besides those of all variants: \"Section/Entry=value; ...\".");
+  declare_string(prm,
+                 "Reference folder",
+                 "",
+                 "Instead, the output folder of an existing reference run.");
   declare_double(prm,
                  "Averaging time",
                  "0",
                  0.,
                  bounds::time,
                  "s",
-                 "Curves are replaced by their means over this interval before "
-                 "they are compared, which leaves out oscillations that are "
-                 "faster; 0: as they are.");
+                 "Curves are averaged over this interval before comparison, "
+                 "which removes faster oscillations; 0: not averaged.");
   declare_double(prm,
                  "Wanted error",
                  "0",

@@ -11,8 +11,8 @@
 /**
  * @file
  * Hourglass control for one-point integration. All moduli derive from the
- * instantaneous shear modulus; scaled with K + 4/3 G they would exceed the
- * stiffness of nearly incompressible tissue by thousands.
+ * instantaneous shear modulus; scaled with K + 4/3 G they would be thousands
+ * of times the stiffness of nearly incompressible tissue.
  */
 
 namespace contrecoup

@@ -20,7 +20,7 @@ namespace contrecoup::ale
  *                     that of ShellImpact
  *   gravity           velocity by gravity over impact velocity
  *   viscosity         of liquids: thickness of water's boundary layer at walls
- *                     at the end time, which is below the cell size
+ *                     at the end time, over the cell size
  *   friction          frictional work of planes over kinetic energy; of planes
  *                     without friction, for a coefficient of 0.3
  *   scalp             mass of 5 mm of scalp over that of a head without scalp
