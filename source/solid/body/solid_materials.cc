@@ -67,8 +67,13 @@ namespace
                    0.4999999,
                    "-",
                    "Only used with Young's modulus.");
-    declare_double(
-      prm, "Bulk modulus", "2.2e9", 1e-6, 1e15, "Pa", "At small strains.");
+    declare_double(prm,
+                   "Bulk modulus",
+                   "2.2e9",
+                   1e-6,
+                   1e15,
+                   "Pa",
+                   "Ratio of pressure to compression at small strains.");
     declare_double(prm,
                    "Shear modulus",
                    "0",
