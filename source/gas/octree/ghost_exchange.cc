@@ -25,8 +25,8 @@ void GhostExchange<dim>::reinit(const LeafMesh<dim> &mesh,
   if (dealii::Utilities::MPI::n_mpi_processes(communicator_) == 1)
     return;
 
-  // What this rank needs, by owner: numbers of leaves and masks of faces in
-  // turn. The owners answer by sending it in the same order.
+  // Requests by owner rank: pairs of a global cell index and a mask of faces.
+  // The owner sends the values in the order of the requests.
   std::map<unsigned int, std::vector<std::uint64_t>> wanted;
   std::map<unsigned int, Partner> partners;
   for (unsigned int i = 0; i < mesh.n_ghosts(); ++i)

@@ -40,7 +40,7 @@ void LeafMesh<dim>::rebuild()
   unsorted_special_.clear();
   neighbors_.resize(lanes_begin(n_batches(), 0));
   matches_.resize(neighbors_.size());
-  // Padding lanes repeat the last leaf's own number: always valid to read.
+  // Padding lanes hold the number of the last leaf, which is valid to read.
   for (unsigned int batch = 0; batch < n_batches(); ++batch)
     for (unsigned int face = 0; face < 2 * dim; ++face)
       for (unsigned int lane = 0; lane < width_; ++lane)

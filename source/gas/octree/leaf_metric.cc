@@ -8,8 +8,8 @@ namespace contrecoup::gas
 {
 namespace
 {
-  /// Directions within a face across @p direction, in cyclic order, so that
-  /// their cross product points along it.
+  /// i-th direction after @p direction in cyclic order; the cross product of
+  /// the first and the second points along @p direction.
   template <int dim>
   unsigned int cyclic(const unsigned int direction, const unsigned int i)
   {
@@ -64,7 +64,7 @@ template <int dim>
 void LeafMetric<dim>::place_nodes(const LeafMesh<dim> &mesh,
                                   const unsigned int batch)
 {
-  // Relative to one vertex, so that no digits are lost far from the origin.
+  // Coordinates relative to vertex 0 avoid cancellation far from the origin.
   for (unsigned int lane = 0; lane < W; ++lane)
   {
     const auto &cell =
@@ -154,9 +154,10 @@ void LeafMetric<dim>::measure_face(const unsigned int direction,
 }
 
 
-// By Gauss's theorem the volume is a sum over the faces of x . n / dim, and
-// the mean of x . n over a bilinear face is that at its middle. The middles of
-// opposite faces are equally far from the middle of the subcell.
+// By Gauss's theorem, the volume is the sum over the faces of the integral of
+// x . n / dim, and the mean of x . n over a bilinear face is its value at the
+// centre of the face. The centres of opposite faces are symmetric about the
+// centre of the subcell.
 template <int dim>
 void LeafMetric<dim>::measure_volumes()
 {

@@ -120,8 +120,8 @@ std::vector<double> LeafPoints<dim>::interpolation(const double x) const
     values[0] = 1.;
     return values;
   }
-  // Beyond the outermost centres the value stays: going on linearly could
-  // leave the admissible states.
+  // Constant beyond the outermost centres: linear extrapolation could leave
+  // the admissible states.
   const double place = std::min(std::max(x * n() - 0.5, 0.), n() - 1.);
   const unsigned int i = std::min(static_cast<unsigned int>(place), n() - 2);
   values[i] = 1. - (place - i);

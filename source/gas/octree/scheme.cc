@@ -37,17 +37,18 @@ namespace
                    0.,
                    1.,
                    "-",
-                   "Discontinuous Galerkin: most that finite volumes may "
-                   "take over of a troubled leaf.");
+                   "Discontinuous Galerkin: upper bound of the weight of the "
+                   "finite-volume scheme in a troubled leaf.");
     declare_double(prm,
                    "Indicator threshold",
                    "1",
                    1e-6,
                    1e6,
                    "-",
-                   "Discontinuous Galerkin: factor of the share of the highest "
-                   "modes above which a leaf is troubled; at degree 1, whose "
-                   "one slope says little, 0.03 finds contacts too.");
+                   "Discontinuous Galerkin: factor on the energy fraction of "
+                   "the highest modes above which a leaf is troubled; at "
+                   "degree 1, where the indicator is weak, 0.03 detects "
+                   "contacts too.");
     declare_bool(prm,
                  "Positivity",
                  "true",
@@ -70,17 +71,17 @@ namespace
                    1e-6,
                    10.,
                    "-",
-                   "Step size as a part of 1 / max sum_d (|u_d| + c) / h_d, h "
-                   "a subcell's edge (Galerkin: a leaf's edge over 2 degree + "
-                   "1); up to 0.5 keeps densities positive, beyond 1 steps "
-                   "are refused and retried.");
+                   "Time step times max sum_d (|u_d| + c) / h_d, with h the "
+                   "subcell size (Galerkin: the leaf size over 2 degree + 1); "
+                   "densities stay positive up to 0.5, beyond 1 steps are "
+                   "rejected and retried.");
     declare_integer(prm,
                     "Largest number of retries",
                     "10",
                     0,
                     50,
-                    "Times that a step with an unphysical result is halved "
-                    "before the run gives up.");
+                    "Number of times that a step with an unphysical result is "
+                    "halved before the run stops.");
   }
 } // namespace
 
@@ -94,10 +95,10 @@ namespace
       "Precision",
       "double",
       {"double", "single"},
-      "Format of the numbers that are computed and stored: single (3-D boxes "
-      "alone) is faster and takes half the memory, but conserves mass, "
-      "momentum and energy to about seven digits only and sees no waves "
-      "weaker than 1e-6 of the pressure.");
+      "Floating-point format of the gas: single (3-D boxes only) is faster "
+      "and takes half the memory, but conserves mass, momentum and energy to "
+      "about seven digits only and does not resolve waves weaker than 1e-6 "
+      "of the pressure.");
   }
 } // namespace
 
@@ -117,12 +118,13 @@ void Scheme::declare_parameters(ParameterHandler &prm)
                   16,
                   "Finite volume: subcells of a leaf in each direction; 1 "
                   "or an even number where the mesh adapts.");
-  declare_selection(prm,
-                    "Reconstruction",
-                    "linear",
-                    {"constant", "linear"},
-                    "Finite volume: what the gas is taken to be inside a "
-                    "subcell; constant is first order, linear second.");
+  declare_selection(
+    prm,
+    "Reconstruction",
+    "linear",
+    {"constant", "linear"},
+    "Finite volume: reconstruction within a subcell; constant is "
+    "first order, linear second order.");
   declare_selection(prm,
                     "Limiter",
                     "mc",
@@ -133,10 +135,10 @@ void Scheme::declare_parameters(ParameterHandler &prm)
                     "Gradient limiter",
                     "none",
                     gradient_limiters_or_none(),
-                    "Finite volume on meshes other than boxes: limiter of "
-                    "the changes in all directions together; at the faces "
-                    "between leaves the limiter above stays. None: it "
-                    "serves everywhere, direction by direction.");
+                    "Finite volume on meshes other than boxes: "
+                    "multidimensional limiter of the gradient; at the faces "
+                    "between leaves Limiter is used. None: Limiter is used "
+                    "everywhere, direction by direction.");
   declare_galerkin(prm);
   declare_selection(prm,
                     "Flux",

@@ -72,7 +72,7 @@ void GasField::fill_padding(const unsigned int n_owned)
   visit([&](auto &copies) {
     const unsigned int n_stored = copies.sensors[0].size();
     for (unsigned int i = n_owned; i < n_stored; ++i)
-      // The stages' ghosts and padding are read before they are first
+      // Ghosts and padding of the stages are read before they are first
       // written.
       for (auto &state : copies.states)
         for (std::size_t k = 0; k < first.size(); ++k)

@@ -10,7 +10,7 @@ namespace contrecoup::gas
 {
 namespace
 {
-  /// Places and weights along an edge of a subcell, from 0 to 1.
+  /// Quadrature along an edge of a subcell, from 0 to 1.
   dealii::Quadrature<1> edge_samples(const bool near_feature,
                                      const unsigned int n_samples)
   {
@@ -42,9 +42,10 @@ namespace
     return true;
   }
 
-  /// Galerkin nodes in curvilinear geometry stand for other volumes than the
-  /// subcells whose means they took. Scales what each component exceeds its
-  /// smallest value by, so that the leaf holds as much as the subcells.
+  /// Corrects the content of a leaf. In curvilinear geometry the volume of a
+  /// Galerkin node differs from that of the subcell whose mean it took. Scales
+  /// the excess of each component over its minimum so that the leaf's integral
+  /// equals that of the subcells, if the result is admissible.
   template <int dim>
   void keep_content(const LeafBox<dim> &box,
                     const LeafPoints<dim> &points,
@@ -130,7 +131,8 @@ std::vector<double> sample_leaf(
   const unsigned int n_samples)
 {
   const unsigned int n_points = dealii::Utilities::pow(points.n(), dim);
-  // Nodes on the leaf's rim belong to this leaf's side of a jump there.
+  // A node on the leaf's boundary takes the value on this leaf's side of a
+  // jump.
   const double inwards = 1e-10;
   const dealii::Quadrature<1> edge = edge_samples(near_feature, n_samples);
   const dealii::Quadrature<dim> samples((dealii::Quadrature<dim>(edge)));
@@ -138,8 +140,8 @@ std::vector<double> sample_leaf(
   for (unsigned int q = 0; q < n_points; ++q)
   {
     const auto index = points.indices(q);
-    // The mean as a deviation from the first sample, so that all subcells of
-    // a uniform field hold the same bits.
+    // The mean is summed as a deviation from the first sample, so that all
+    // subcells of a uniform field are bitwise equal.
     std::vector<double> first, sum(n_components, 0.);
     double volume = 0.;
     dealii::Point<dim> x;

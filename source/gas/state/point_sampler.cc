@@ -14,7 +14,7 @@ namespace contrecoup::gas
 {
 namespace
 {
-  /// The active cell that holds a point of a box; shared faces belong to
+  /// Active cell of a box mesh that contains a point; a shared face belongs to
   /// the upper cell.
   template <int dim>
   typename LeafMesh<dim>::CellIterator cell_at(const LeafMesh<dim> &mesh,
@@ -35,16 +35,16 @@ namespace
     return cell;
   }
 
-  /// A leaf that holds a place, and where in it.
+  /// A leaf that contains a position.
   template <int dim>
   struct Holder
   {
-    std::string name; ///< of the cell, the same on all ranks; empty: none
+    std::string name; ///< cell id, equal on all ranks; empty: none
     typename LeafMesh<dim>::CellIterator cell;
     dealii::Point<dim> place; ///< relative coordinates
   };
 
-  /// The owned leaf of first name that holds @p place, if any.
+  /// Owned leaf with the smallest cell id that contains @p place, if any.
   template <int dim>
   Holder<dim> holder_of(const dealii::Point<dim> &place,
                         const LeafMesh<dim> &mesh)
@@ -88,7 +88,7 @@ void PointSampler<dim>::reinit(const std::vector<dealii::Point<dim>> &places,
     find_in_box(places, mesh, points);
   else
     find_in_cells(places, mesh, points);
-  // Leaves are then read once each.
+  // Sorted by leaf, so that each leaf is read once.
   std::stable_sort(
     places_.begin(), places_.end(), [](const Place &a, const Place &b) {
       return a.leaf < b.leaf;
@@ -124,7 +124,7 @@ void PointSampler<dim>::find_in_cells(
   const LeafPoints<dim> &points)
 {
   std::vector<Holder<dim>> holders;
-  std::string mine; // the names in lines
+  std::string mine; // cell ids, one per line
   for (const auto &place : places)
   {
     holders.push_back(holder_of(place, mesh));
@@ -201,7 +201,7 @@ std::vector<double> PointSampler<dim>::conserved(const GasField &field) const
     if (i == 0 || place.leaf != places_[i - 1].leaf)
       leaf = field.leaf(place.leaf);
     double *value = &values[i * (nc + 1)];
-    // Points without gas do not count, unless there are no others.
+    // Points without gas are skipped unless all are without gas.
     double sum = 0.;
     for (const auto &[q, weight] : place.weights)
       if (field.open_fraction(place.leaf, q) > 0.)

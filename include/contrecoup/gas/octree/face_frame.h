@@ -11,16 +11,16 @@
 
 namespace contrecoup::gas
 {
-/// Orthonormal axes of a face: its normal, then tangents.
+/// Orthonormal basis of a face: its normal, then the tangents.
 template <int dim, typename Number>
 struct FaceFrame
 {
   std::array<dealii::Tensor<1, dim, Number>, dim> axes;
   Number area; ///< [m^(dim-1)]
 
-  /// The frame of a face with this area vector, which must not be zero.
-  /// The tangents change with the normal's sign (Duff et al. 2017, J.
-  /// Comput. Graph. Techn. 6, 1), without branches.
+  /// Computes the basis from a non-zero area vector, without branches. The
+  /// tangents change with the normal's sign (Duff et al. 2017, J. Comput.
+  /// Graph. Techn. 6, 1).
   explicit FaceFrame(const dealii::Tensor<1, dim, Number> &area_vector)
     : area(std::sqrt(area_vector * area_vector))
   {

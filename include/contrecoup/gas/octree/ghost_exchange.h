@@ -13,19 +13,19 @@
 namespace contrecoup::gas
 {
 /**
- * Brings the state of ghost leaves, and one number for each, from the ranks
- * that own them: the two layers of points at each face where this rank's own
- * leaves meet the ghost, which is all that the schemes read of it.
+ * Exchanges the state of ghost leaves, and one value per ghost leaf, between
+ * ranks. It sends only the two layers of points next to each face that a ghost
+ * shares with an owned leaf: all that the schemes read.
  */
 template <int dim>
 class GhostExchange
 {
 public:
-  /// Agrees with the neighbouring ranks on what is sent. Collective.
+  /// Sets up the communication pattern. Collective.
   void reinit(const LeafMesh<dim> &mesh, const LeafLayout &layout);
 
-  /// Fills the ghost leaves of @p state and the ghost part of
-  /// @p leaf_values (one number per stored leaf). Collective.
+  /// Updates the ghost leaves in @p state and in @p leaf_values (one value per
+  /// stored leaf). Collective.
   template <typename Real>
   void update(Real *state, Real *leaf_values);
 
@@ -34,12 +34,13 @@ private:
   {
     unsigned int rank;
     std::vector<unsigned int> leaves; ///< leaf numbers on this rank
-    std::vector<unsigned char> faces; ///< of each, bit f: face f is needed
+    std::vector<unsigned char> faces; ///< per leaf; bit f: face f is needed
     std::size_t n_values = 0;
-    dealii::AlignedVector<char> buffer; ///< room for them
+    dealii::AlignedVector<char> buffer; ///< holds n_values values
   };
 
-  /// Positions of the values that the faces of a mask need.
+  /// Indices, relative to a leaf's offset, of the values that the faces of the
+  /// bit mask @p faces need.
   const std::vector<std::size_t> &values_of(const unsigned char faces);
   void
   add(Partner &partner, const unsigned int leaf, const unsigned char faces);
@@ -51,8 +52,8 @@ private:
   MPI_Comm communicator_ = MPI_COMM_SELF;
   LeafLayout layout_;
   std::map<unsigned char, std::vector<std::size_t>> values_of_;
-  std::vector<Partner> owners_;  ///< of this rank's ghost leaves
-  std::vector<Partner> readers_; ///< of this rank's own leaves
+  std::vector<Partner> owners_;  ///< ranks that own this rank's ghosts
+  std::vector<Partner> readers_; ///< ranks that read this rank's leaves
   std::vector<MPI_Request> requests_;
 };
 } // namespace contrecoup::gas

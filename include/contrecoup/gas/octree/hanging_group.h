@@ -10,8 +10,8 @@
 
 namespace contrecoup::gas
 {
-/// As many hanging faces that lie alike as a batch has leaves, side by side
-/// in lanes.
+/// Batch of hanging faces with equal face numbers and orientation, one hanging
+/// face per lane.
 template <int dim>
 struct HangingGroup
 {
@@ -20,32 +20,34 @@ struct HangingGroup
   unsigned char coarse_face = 0;
   FaceMatch match;
   unsigned int n_filled = 0;
-  /// Index of the face of each filled lane; others repeat the first.
+  /// Index of the hanging face, per lane; unfilled lanes repeat the first.
   std::array<unsigned int, largest_width> face;
-  /// Leaf numbers, one for each lane.
+  /// Leaf numbers, per lane.
   std::array<unsigned int, largest_width> coarse_leaf;
   std::array<std::array<unsigned int, largest_width>, n_fine> fine_leaf;
-  /// Positions in the state array, one for each lane.
+  /// Offsets in the state array, per lane; see LeafLayout::offset().
   std::array<unsigned int, largest_width> coarse_offset;
   std::array<std::array<unsigned int, largest_width>, n_fine> fine_offset;
-  /// See relative_inner_radius(); one for each lane.
+  /// See relative_inner_radius(); per lane.
   std::array<double, largest_width> inner_radius;
-  bool is_radial = false; ///< whether any of these is finite
+  bool is_radial = false; ///< whether any inner_radius is finite
 };
 
-/// Inner radius of a face's coarse leaf in units of its radial edge, where the
-/// face runs along the radius of an axisymmetric mesh; infinite elsewhere, and
-/// for ghosts: only the owner of the coarse leaf takes what it weights.
+/// Inner radius of the coarse leaf divided by its radial edge length, where
+/// the face is parallel to the radius of an axisymmetric mesh; infinite
+/// elsewhere and for ghosts, because only the owner of the coarse leaf uses
+/// the weighted fluxes.
 template <int dim>
 double relative_inner_radius(const LeafMesh<dim> &mesh,
                              const HangingFace<dim> &face);
 
-/// Radius in the middle of a fine subcell's face, in parts of that of the
-/// coarse one.
+/// Ratio of the radius at the centre of a fine subcell's face to that of the
+/// coarse subcell's face.
 /// @param inner relative_inner_radius()
 /// @param n subcells of a leaf along the radius
-/// @param index which of them the coarse one is
-/// @param distance from its middle to the fine one's in its edge lengths
+/// @param index index of the coarse subcell along the radius
+/// @param distance from the centre of the coarse subcell to that of the fine
+/// one, in edge lengths of the coarse subcell
 template <typename Number>
 inline Number relative_radius(const Number &inner,
                               const unsigned int n,
@@ -55,8 +57,8 @@ inline Number relative_radius(const Number &inner,
   return Number(distance) / (inner * double(n) + (index + 0.5)) + 1.;
 }
 
-/// Sorts the hanging faces of @p mesh into groups. A fine leaf that this
-/// rank does not need is stood in for by another one of the same face.
+/// Sorts the hanging faces of @p mesh into groups. Where this rank does not
+/// need a fine leaf, another fine leaf of the same face takes its lane.
 template <int dim>
 std::vector<HangingGroup<dim>> group_hanging_faces(const LeafMesh<dim> &mesh,
                                                    const LeafLayout &layout);

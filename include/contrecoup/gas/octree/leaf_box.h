@@ -10,14 +10,15 @@
 
 namespace contrecoup::gas
 {
-/// The shape of a leaf: a box, or the multilinear image of the unit cube.
+/// Shape of a leaf: an axis-aligned box, or the multilinear image of the unit
+/// cube.
 template <int dim>
 struct LeafBox
 {
-  /// Corner of smallest coordinates of the leaf or the box around it [m].
+  /// Lower corner of the leaf or of its bounding box [m].
   dealii::Point<dim> origin;
-  dealii::Tensor<1, dim> extents; ///< edge lengths of that box [m]
-  /// Vertices, in deal.II's order, of a leaf that is no box; else empty [m].
+  dealii::Tensor<1, dim> extents; ///< edge lengths of leaf or bounding box [m]
+  /// Vertices in deal.II's order [m]; empty for an axis-aligned box.
   std::vector<dealii::Point<dim>> vertices;
 
   bool is_box() const
@@ -25,21 +26,21 @@ struct LeafBox
     return vertices.empty();
   }
 
-  /// The place at relative coordinates @p x.
+  /// Position at reference coordinates @p x [m].
   dealii::Point<dim> place(const dealii::Point<dim> &x) const;
 
-  /// Volume of the leaf per volume of relative coordinates at @p x [m^dim].
+  /// Determinant of the Jacobian of the map from the unit cube at @p x
+  /// [m^dim].
   double jacobian(const dealii::Point<dim> &x) const;
 };
 
-/// Volume of the gas that point @p q of a leaf stands for; see
-/// LeafPoints::volume().
+/// Volume of point @p q of a leaf; see LeafPoints::volume().
 template <int dim>
 double point_volume(const LeafBox<dim> &box,
                     const LeafPoints<dim> &points,
                     const unsigned int q);
 
-/// The shape of a leaf of the mesh; an axis-aligned mesh has boxes.
+/// Shape of a leaf; a box on axis-aligned meshes.
 template <int dim>
 LeafBox<dim> leaf_box(const LeafMesh<dim> &mesh, const unsigned int leaf);
 } // namespace contrecoup::gas

@@ -12,19 +12,19 @@
 
 namespace contrecoup::gas
 {
-/// Marks "no leaf".
+/// Invalid leaf number.
 inline constexpr unsigned int no_leaf = static_cast<unsigned int>(-1);
 
 /**
- * How the points of one leaf face meet those of its neighbour's face. The
- * points of face f (direction d = f/2) are numbered (a, b) along the other
- * directions in increasing order, on an n^(dim-1) grid.
+ * Relative orientation of a leaf face and its neighbour's face. The points of
+ * face f (direction d = f/2) are numbered (a, b) along the other directions in
+ * increasing order, on an n^(dim-1) grid.
  */
 struct FaceMatch
 {
   unsigned char face = 0; ///< face number within the neighbour
-  /// Bit 0: a and b change places (applied first), bit 1: a runs
-  /// backwards, bit 2: b runs backwards.
+  /// Bit 0: a and b are swapped (applied first), bit 1: a is reversed, bit 2:
+  /// b is reversed.
   unsigned char orientation = 0;
 
   friend bool operator==(const FaceMatch &x, const FaceMatch &y)
@@ -33,7 +33,8 @@ struct FaceMatch
   }
 };
 
-/// Index on the neighbour's face of my face point (a, b), n points a side.
+/// Index on the neighbour's face of face point (a, b) of this leaf, with n
+/// points per direction.
 inline unsigned int matched_face_point(const unsigned int orientation,
                                        unsigned int a,
                                        unsigned int b,
@@ -48,7 +49,7 @@ inline unsigned int matched_face_point(const unsigned int orientation,
   return a + n * b;
 }
 
-/// Vertex of a cell at corner (i, j) of one of its faces.
+/// Vertex number of a cell at corner (i, j) of one of its faces.
 template <int dim>
 inline unsigned int
 face_corner(const unsigned int face, const unsigned int i, const unsigned int j)
@@ -65,8 +66,8 @@ face_corner(const unsigned int face, const unsigned int i, const unsigned int j)
   return vertex;
 }
 
-/// A face with one coarse leaf on one side and 2^(dim-1) fine ones on the
-/// other.
+/// Face with one coarse leaf on one side and 2^(dim-1) fine leaves on the
+/// other (2:1 balance).
 template <int dim>
 struct HangingFace
 {
@@ -74,14 +75,15 @@ struct HangingFace
 
   unsigned int coarse_leaf = no_leaf;
   unsigned char coarse_face = 0;
-  /// The face of the fine leaves, as seen from the coarse one.
+  /// Match of the coarse face with the face of the fine leaves.
   FaceMatch match;
-  /// Fine leaf of each quarter (bit 0: upper half of a, bit 1: of b, in the
-  /// coarse face's numbering); no_leaf where this rank does not need it.
+  /// Fine leaf of each quarter (bit 0: upper half of a, bit 1: upper half of
+  /// b, in the numbering of the coarse face); no_leaf where this rank does not
+  /// need it.
   std::array<unsigned int, n_fine> fine_leaf;
 };
 
-/// What a leaf face has instead of one neighbour of equal size.
+/// Leaf face without a single neighbour of equal size.
 struct SpecialFace
 {
   enum class Kind : unsigned char
@@ -98,8 +100,8 @@ struct SpecialFace
 };
 
 /**
- * The match of two faces of cells of equal level, found from their vertex
- * indices, so that it holds for any orientation of the mesh.
+ * Match of two faces of cells of equal refinement level, computed from their
+ * vertex indices; valid for any orientation of the coarse mesh.
  */
 template <int dim>
 FaceMatch

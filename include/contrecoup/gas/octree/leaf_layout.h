@@ -10,10 +10,10 @@
 namespace contrecoup::gas
 {
 /**
- * Where the numbers of a leaf stand in memory. A leaf holds n points a
- * side; point (i, j, k) has index i + n (j + n k). The leaves
- * of a batch, as many as lanes, are stored as [component][point][lane], so that
- * lane arithmetic over leaves needs no shuffles.
+ * Memory layout of the values of leaves. A leaf has n points per direction;
+ * point (i, j, k) has index i + n (j + n k). A batch is stored as
+ * [component][point][lane], one leaf per lane, so that arithmetic on lanes
+ * needs no shuffles.
  */
 struct LeafLayout
 {
@@ -23,13 +23,13 @@ struct LeafLayout
              const unsigned int n_components,
              const Precision precision = Precision::double_precision);
 
-  unsigned int n = 1;             ///< points a side
+  unsigned int n = 1;             ///< points per direction
   unsigned int n_points = 1;      ///< points of a leaf, n^dim
   unsigned int n_face_points = 1; ///< points of a leaf face, n^(dim-1)
   unsigned int n_components = 1;  ///< conserved quantities
-  Precision precision = Precision::double_precision; ///< of the numbers
-  unsigned int width = W; ///< leaves of a batch, a power of two
-  unsigned int width_bits = floor_log2(W); ///< its logarithm
+  Precision precision = Precision::double_precision; ///< of the stored values
+  unsigned int width = W;                  ///< leaves per batch, a power of two
+  unsigned int width_bits = floor_log2(W); ///< log2(width)
 
   /// Largest k with 2^k <= x.
   static constexpr unsigned int floor_log2(const unsigned int x)
@@ -37,33 +37,33 @@ struct LeafLayout
     return x < 2 ? 0 : 1 + floor_log2(x / 2);
   }
 
-  /// Numbers in one batch, all lanes.
+  /// Number of values of a batch, all lanes.
   std::size_t batch_size() const
   {
     return std::size_t(n_components) * n_points * width;
   }
 
-  /// Position of component 0, point 0 of a leaf.
+  /// Index of component 0, point 0 of a leaf.
   std::size_t offset(const unsigned int leaf) const
   {
     return (leaf >> width_bits) * batch_size() + (leaf & (width - 1));
   }
 
-  /// Position of a value relative to offset().
+  /// Index of a value relative to offset().
   std::size_t value(const unsigned int component,
                     const unsigned int point) const
   {
     return (std::size_t(component) * n_points + point) * width;
   }
 
-  /// Distance in point index between neighbours in a direction.
+  /// Difference of the point indices of neighbours in a direction.
   unsigned int stride(const unsigned int direction) const
   {
     return direction == 0 ? 1 : (direction == 1 ? n : n * n);
   }
 
-  /// Point of face point @p q in the layer at distance @p depth below face
-  /// @p face.
+  /// Index of the point at distance @p depth (in points) from face @p face,
+  /// above face point @p q.
   unsigned int face_point(const unsigned int face,
                           const unsigned int q,
                           const unsigned int depth) const

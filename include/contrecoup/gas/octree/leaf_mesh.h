@@ -22,16 +22,17 @@
 namespace contrecoup::gas
 {
 /**
- * The octree as the kernels see it: its locally owned leaves in Morton
- * order, width() side by side in a batch, with their neighbours, sizes and
- * the faces that are not ordinary. Leaf numbers: owned leaves from 0, padded to
- * whole batches, then the ghost leaves that share a face with an owned one.
+ * View of the octree for the kernels. The locally owned leaves stand in Morton
+ * order, width() leaves per batch, with their neighbours, edge lengths and
+ * special faces (boundary or hanging). Leaf numbers: owned leaves from 0,
+ * padded to whole batches, then the ghost leaves that share a face with an
+ * owned leaf.
  */
 template <int dim>
 class LeafMesh
 {
 public:
-  /// p4est has no 1-D meshes; these live on one rank.
+  /// p4est has no 1-D meshes; a 1-D mesh lives on one rank.
   using Tria =
     std::conditional_t<dim == 1,
                        dealii::Triangulation<dim>,
@@ -40,12 +41,12 @@ public:
 
   explicit LeafMesh(const MPI_Comm communicator);
 
-  /// Builds the coarse mesh, unrefined, for batches that suit
-  /// @p precision. Call rebuild() when refined.
+  /// Creates the coarse mesh, unrefined, with the batch width of @p precision.
+  /// Call rebuild() after refinement.
   void create(const CoarseMesh<dim> &coarse_mesh,
               const Precision precision = Precision::double_precision);
 
-  /// Renews leaf numbers and connectivity after the octree changed.
+  /// Recomputes leaf numbers and connectivity after the octree changed.
   void rebuild();
 
   Tria &triangulation()
@@ -60,7 +61,7 @@ public:
   {
     return coarse_mesh_;
   }
-  /// Ranks that share this mesh: one in 1-D.
+  /// Communicator of the ranks that share this mesh: one rank in 1-D.
   MPI_Comm communicator() const
   {
     return communicator_;
@@ -70,12 +71,12 @@ public:
   {
     return static_cast<unsigned int>(cells_.size());
   }
-  /// Format of the numbers that batches suit.
+  /// Precision that determines the batch width.
   Precision precision() const
   {
     return precision_;
   }
-  /// Leaves of a batch: the lanes of the numbers that the kernels use.
+  /// Number of leaves in a batch, one per lane.
   unsigned int width() const
   {
     return width_;
@@ -84,7 +85,7 @@ public:
   {
     return (n_owned() + width_ - 1) / width_;
   }
-  /// Number of the first ghost leaf.
+  /// Leaf number of the first ghost.
   unsigned int first_ghost() const
   {
     return n_batches() * width_;
@@ -93,37 +94,37 @@ public:
   {
     return static_cast<unsigned int>(ghosts_.size());
   }
-  /// Batches of owned and ghost leaves together.
+  /// Number of batches of owned and ghost leaves together.
   unsigned int n_stored_batches() const
   {
     return n_batches() + (n_ghosts() + width_ - 1) / width_;
   }
-  /// Leaves of this batch that exist; the other lanes are padding.
+  /// Number of leaves in this batch; the other lanes are padding.
   unsigned int n_filled_lanes(const unsigned int batch) const
   {
     return std::min(width_, n_owned() - batch * width_);
   }
-  /// Leaves of all ranks.
+  /// Number of leaves on all ranks.
   double n_global() const;
 
   const CellIterator &cell(const unsigned int leaf) const
   {
     return cells_[leaf];
   }
-  /// Leaf number of an active cell that is owned; no_leaf for others.
+  /// Leaf number of a locally owned active cell; no_leaf for others.
   unsigned int leaf_of(const CellIterator &cell) const
   {
     return leaf_of_cell_[cell->active_cell_index()];
   }
 
-  /// Neighbouring leaf of equal size across a face; the leaf itself where
-  /// the face is special, and for padding. One number for each lane.
+  /// Neighbour of equal size across a face, one leaf number per lane; the leaf
+  /// itself where the face is special and in padding lanes.
   const unsigned int *neighbors(const unsigned int batch,
                                 const unsigned int face) const
   {
     return neighbors_.data() + lanes_begin(batch, face);
   }
-  /// How the face points meet, for each lane; see neighbors().
+  /// Orientation of the neighbour's face, per lane; see neighbors().
   const FaceMatch *matches(const unsigned int batch,
                            const unsigned int face) const
   {
@@ -145,8 +146,8 @@ public:
     return hanging_faces_;
   }
 
-  /// Edge lengths of axis-aligned leaves [m], one lane per leaf, for the
-  /// batches of n_lanes<Real> leaves whatever width() is.
+  /// Edge lengths of axis-aligned leaves [m], for batches of n_lanes<Real>
+  /// leaves, whatever width() is.
   template <typename Real = double>
   const std::array<Lanes<Real>, dim> &extents(const unsigned int batch) const
   {
@@ -155,20 +156,19 @@ public:
     else
       return extents_[batch];
   }
-  /// Corner of smallest coordinates of axis-aligned leaves [m], for batches
-  /// of W leaves.
+  /// Lower corner of axis-aligned leaves [m], for batches of W leaves.
   const std::array<Lanes<double>, dim> &origins(const unsigned int batch) const
   {
     return origins_[batch];
   }
 
-  /// Ghost leaves in the order of their numbers: owner rank and number of
-  /// the leaf there (its global active cell index).
+  /// Ghost leaf, stored in the order of leaf numbers: owner rank and global
+  /// active cell index.
   struct Ghost
   {
     unsigned int owner;
     std::uint64_t global_index;
-    /// Bit f: an owned leaf meets the ghost at its face f.
+    /// Bit f: an owned leaf shares face f of the ghost.
     unsigned char faces;
   };
   const std::vector<Ghost> &ghosts() const
@@ -178,7 +178,7 @@ public:
   /// Leaf number of a locally owned cell given by its global index.
   unsigned int leaf_of_global(const std::uint64_t global_index) const;
 
-  /// Bytes held by the connectivity and the octree on this rank.
+  /// Memory of the connectivity and the octree on this rank [bytes].
   std::size_t memory() const;
 
 private:
@@ -195,8 +195,8 @@ private:
                        const unsigned int face,
                        const CellIterator &neighbor,
                        const bool periodic);
-  /// Number of a leaf that an owned one meets at face @p face of @p cell; a
-  /// ghost gets one when it is first seen.
+  /// Leaf number of @p cell, which shares its face @p face with an owned leaf;
+  /// a ghost gets its number on the first call.
   unsigned int stored_leaf(const CellIterator &cell, const unsigned int face);
   unsigned int hanging_face(const CellIterator &coarse,
                             const unsigned int face,

@@ -12,16 +12,16 @@
 namespace contrecoup::gas
 {
 /**
- * Areas and volumes of the subcells of one batch of leaves of any shape.
+ * Face areas and volumes of the subcells of one batch of leaves of any shape.
  *
  * A leaf is the image of the unit cube under the multilinear map of its
- * vertices; its n subcells a side are those of equal edges in the cube, so
- * that their faces are bilinear surfaces. Area vectors and volumes of these
- * are exact, and the areas around a subcell add up to zero: what flows
- * uniformly goes on so.
+ * vertices. Its n subcells per direction are equal in the unit cube; their
+ * faces are bilinear surfaces. Area vectors and volumes are exact, and the
+ * area vectors of a subcell sum to zero, so that the scheme preserves a
+ * uniform flow.
  *
- * Layers f = 0 to n of faces stand across each direction; a face is numbered
- * within its layer like the points of a leaf face, see LeafLayout.
+ * Each direction has layers f = 0 to n of faces; within its layer, a face is
+ * numbered like the points of a leaf face, see LeafLayout.
  */
 template <int dim>
 class LeafMetric
@@ -30,14 +30,14 @@ public:
   using Number = Lanes<double>;
   using Vector = dealii::Tensor<1, dim, Number>;
 
-  /// @param n subcells a side
+  /// @param n subcells per direction
   explicit LeafMetric(const unsigned int n);
 
-  /// Computes everything for the leaves of @p batch; padding lanes repeat
-  /// the last leaf.
+  /// Computes areas, centres and volumes for the leaves of @p batch; padding
+  /// lanes repeat the last leaf.
   void reinit(const LeafMesh<dim> &mesh, const unsigned int batch);
 
-  /// Area vector of a face [m^(dim-1)], towards increasing index.
+  /// Area vector of a face [m^(dim-1)], in the direction of increasing index.
   const Vector &area(const unsigned int direction,
                      const unsigned int layer,
                      const unsigned int line) const
@@ -45,7 +45,7 @@ public:
     return areas_[face(direction, layer, line)];
   }
 
-  /// Place of the middle of a face [m].
+  /// Centre of a face [m].
   const Vector &face_center(const unsigned int direction,
                             const unsigned int layer,
                             const unsigned int line) const
@@ -53,7 +53,7 @@ public:
     return centers_[face(direction, layer, line)];
   }
 
-  /// Unit vector in a face along another direction @p along of the leaf.
+  /// Unit tangent of a face along the other direction @p along of the leaf.
   Vector tangent(const unsigned int direction,
                  const unsigned int layer,
                  const unsigned int line,
@@ -66,8 +66,8 @@ public:
   }
 
 protected:
-  /// @param corners ends of the subcells along an edge of the cube, from 0
-  /// to 1
+  /// @param corners boundaries of the subcells along an edge of the unit cube,
+  /// from 0 to 1
   explicit LeafMetric(const std::vector<double> &corners);
 
   unsigned int face(const unsigned int direction,
@@ -77,10 +77,10 @@ protected:
     return (direction * (n_ + 1) + layer) * n_face_points_ + line;
   }
 
-  /// Vertices and the grid of subcell corners.
+  /// Computes the vertices and the grid of subcell corners.
   void place_nodes(const LeafMesh<dim> &mesh, const unsigned int batch);
 
-  /// Where the place @p x in the unit cube is, from vertex 0 [m].
+  /// Position of the reference coordinates @p x, relative to vertex 0 [m].
   Vector place(const std::array<double, dim> &x) const;
 
   dealii::AlignedVector<Vector> areas_;   ///< see face()
@@ -89,7 +89,7 @@ protected:
   Vector origin_; ///< vertex 0 of each leaf
 
 private:
-  /// Node of the grid of subcell corners at the low end of a face.
+  /// Index in nodes_ of the lowest corner of a face.
   unsigned int first_node(const unsigned int direction,
                           const unsigned int layer,
                           const unsigned int line) const;
@@ -104,6 +104,7 @@ private:
   unsigned int n_face_points_;
   std::array<unsigned int, dim> node_stride_;
   std::array<Vector, 1U << dim> vertices_; ///< relative to vertex 0
-  dealii::AlignedVector<Vector> nodes_;    ///< likewise
+  /// subcell corners, relative to vertex 0
+  dealii::AlignedVector<Vector> nodes_;
 };
 } // namespace contrecoup::gas

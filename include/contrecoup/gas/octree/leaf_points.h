@@ -16,11 +16,11 @@
 namespace contrecoup::gas
 {
 /**
- * Where the points of a leaf are and how much volume each stands for:
- * subcells of a finite-volume scheme, nodes and quadrature weights of a
- * Galerkin scheme. The geometry of curvilinear coordinates is included, per
- * unit angle: 2 pi in cylindrical and axisymmetric, 4 pi in spherical
- * geometry are factored in, so that volumes are those of the whole body.
+ * Positions and volumes of the points of a leaf: subcells of the finite-volume
+ * scheme, nodes and quadrature weights of the Galerkin scheme. Volumes of
+ * curvilinear coordinates include the full angle (2 pi in cylindrical and
+ * axisymmetric, 4 pi in spherical geometry), so that sums are totals of the
+ * whole body of revolution.
  */
 template <int dim>
 class LeafPoints
@@ -39,14 +39,14 @@ public:
     return basis_.has_value();
   }
 
-  /// The basis of a Galerkin scheme.
+  /// Lagrange basis of the Galerkin scheme.
   const LobattoBasis &basis() const
   {
     return *basis_;
   }
 
-  /// Ends of the subcell of point @p i along an edge, from 0 to 1; the
-  /// subcells of Galerkin nodes have the quadrature weights as widths.
+  /// Boundaries of the subcell of point @p i along an edge, from 0 to 1; the
+  /// subcell of a Galerkin node is as wide as its quadrature weight.
   double subcell_begin(const unsigned int i) const
   {
     return subfaces_[i];
@@ -56,34 +56,36 @@ public:
     return subfaces_[i + 1];
   }
 
-  /// Place of point i along an edge, from 0 to 1.
+  /// Position of point i along an edge, from 0 to 1.
   double position(const unsigned int i) const
   {
     return positions_[i];
   }
 
-  /// Volume [m^dim, m^2 per m or m^3 as the geometry has it] of point @p q
-  /// of a leaf with this lower corner and these edge lengths.
+  /// Volume of point @p q of the leaf with lower corner @p origin and edge
+  /// lengths @p extents [m^dim; m^2 in cylindrical, m^3 in axisymmetric and
+  /// spherical geometry].
   double volume(const dealii::Point<dim> &origin,
                 const dealii::Tensor<1, dim> &extents,
                 const unsigned int q) const;
 
-  /// Volume of a part of the leaf between the relative places @p begin and
-  /// @p end.
+  /// Volume of the part of the leaf between the relative coordinates @p begin
+  /// and @p end, in the same units.
   double volume(const dealii::Point<dim> &origin,
                 const dealii::Tensor<1, dim> &extents,
                 const dealii::Point<dim> &begin,
                 const dealii::Point<dim> &end) const;
 
-  /// The part of a leaf's volume that point @p q stands for in plane
-  /// geometry.
+  /// Fraction of the leaf's volume that belongs to point @p q in plane
+  /// geometry [-].
   double relative_volume(const unsigned int q) const;
 
-  /// Values l_i(x), i < n, that interpolate between the points at relative
-  /// place @p x: polynomials, or piecewise linear between centres.
+  /// Interpolation weights l_i(x), i < n, of the points at relative position
+  /// @p x: Lagrange polynomials of the nodes, or piecewise linear between
+  /// centres of subcells.
   std::vector<double> interpolation(const double x) const;
 
-  /// Indices of point q along each direction.
+  /// Index of point q along each direction.
   std::array<unsigned int, dim> indices(unsigned int q) const
   {
     std::array<unsigned int, dim> result;

@@ -18,10 +18,9 @@
 namespace contrecoup::gas
 {
 /**
- * Reads what the neighbours of a batch hold, one leaf for each lane. In Morton
- * order they stand in two or three batches, whose lanes are loaded as they are
- * and then put in place: several times faster than gathering one number for
- * each lane.
+ * Reads the values of the neighbours of a batch, one leaf per lane. In Morton
+ * order the neighbours lie in two or three batches; loading these whole and
+ * permuting lanes (AVX-512) is several times faster than a gather per value.
  */
 template <typename Real>
 class NeighborReader
@@ -29,7 +28,7 @@ class NeighborReader
 public:
   static constexpr unsigned int width = n_lanes<Real>;
 
-  /// @param leaves numbers of width leaves
+  /// @param leaves width leaf numbers, one per lane
   void reinit(const unsigned int *leaves, const LeafLayout &layout)
   {
     n_sources_ = 0;
@@ -50,7 +49,8 @@ public:
     }
   }
 
-  /// What the leaves hold at a component and point, that leaf 0 has at @p at.
+  /// Values of all lanes for the component and point whose value of leaf 0 is
+  /// at address @p at.
   Lanes<Real> read(const Real *at) const
   {
     Lanes<Real> result;
@@ -84,14 +84,15 @@ public:
   }
 
 private:
-  /// An integer as wide as the numbers.
+  /// Unsigned integer of the size of Real.
   using Index =
     std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
 
-  alignas(64) std::array<Index, width> lane_{}; ///< of each leaf in its batch
-  std::array<std::size_t, width> offset_{};     ///< of each leaf
+  /// lane of each leaf in its batch
+  alignas(64) std::array<Index, width> lane_{};
+  std::array<std::size_t, width> offset_{}; ///< offset of each leaf
   unsigned int n_sources_ = 0;
-  std::array<std::size_t, width> source_{}; ///< positions of distinct batches
-  std::array<unsigned int, width> mask_{};  ///< lanes that these fill
+  std::array<std::size_t, width> source_{}; ///< offsets of distinct batches
+  std::array<unsigned int, width> mask_{};  ///< lanes filled by each batch
 };
 } // namespace contrecoup::gas

@@ -9,37 +9,38 @@
 
 namespace contrecoup::gas
 {
-/// Format of the numbers that the kernels compute and store.
+/// Floating-point format in which the kernels compute and store.
 enum class Precision
 {
-  double_precision, ///< 53 bits
-  single_precision  ///< 24 bits, twice as many lanes
+  double_precision, ///< 53-bit significand
+  single_precision  ///< 24-bit significand, twice as many lanes
 };
 
-/// Width of the lanes over leaves in double precision.
+/// Lanes of a batch in double precision.
 inline constexpr unsigned int W = n_lanes<double>;
 
-/// Width of the widest lanes over leaves; a multiple of W.
+/// Lanes of the widest batch (single precision); a multiple of W.
 inline constexpr unsigned int largest_width = n_lanes<float>;
 
-/// Leaves that stand side by side in a batch.
+/// Number of leaves in a batch: one leaf per lane.
 inline unsigned int batch_width(const Precision precision)
 {
   return precision == Precision::single_precision ? n_lanes<float> : W;
 }
 
-/// The format of double or float.
+/// Precision of the type @p Real, double or float.
 template <typename Real>
 inline constexpr Precision precision_of =
   std::is_same_v<Real, float> ? Precision::single_precision
                               : Precision::double_precision;
 
-/// What kernels compute with where @p Real is asked for: single precision
-/// exists in 3-D alone.
+/// Number type of a kernel that is requested for @p Real: single precision is
+/// available only in 3-D.
 template <int dim, typename Real>
 using kernel_number = std::conditional_t<dim == 3, Real, double>;
 
-/// Calls @p function with a number of that format, whose value is nothing.
+/// Calls @p function with a dummy argument of the type (float or double) that
+/// belongs to @p precision, and returns its result.
 template <typename Function>
 decltype(auto) visit_precision(const Precision precision,
                                const Function &function)

@@ -10,7 +10,7 @@
 
 namespace contrecoup::gas
 {
-/// r^m for the exponents that geometries have.
+/// r^m for the radial exponents m = 0, 1, 2.
 template <typename Number>
 inline Number radial_power(const unsigned int exponent, const Number &r)
 {
@@ -30,24 +30,24 @@ radial_mean(const unsigned int exponent, const Number &a, const Number &b)
 
 
 /**
- * Smallest inner radius, in radial edge lengths, of leaves on which a
- * Galerkin scheme collocates; nearer to the axis the volume at the innermost
- * node would vanish.
+ * Inner radius, in radial edge lengths, above which a leaf collocates r^m at
+ * its Galerkin nodes; nearer to the axis the volume of the innermost node
+ * would vanish.
  */
 inline constexpr double least_collocated_radius = 1. - 1e-6;
 
 
 /**
- * Volume per unit of r and angle, r^m in the mean, that node i of a leaf's
- * n Gauss-Lobatto nodes along the radius stands for: r^m at the node, less
- * what the trapezoidal rule (n = 2) adds to the integral of r^2, so that the
- * leaf's volume is exact. In leaves nearer to the axis than their edge length
- * it is the exact mean over the node's subcell.
+ * Radial Jacobian (a mean of r^m) of node i of the n Gauss-Lobatto nodes of a
+ * leaf along the radius: r^m at the node, minus the error of the trapezoidal
+ * rule (n = 2) for r^2, so that the leaf's volume is exact. In leaves whose
+ * inner radius is less than their edge length it is the exact mean over the
+ * node's subcell.
  *
  * @param inner inner radius of the leaf [m]
- * @param extent its radial edge length [m]
- * @param node relative place of the node, from 0 to 1
- * @param begin, end ends of its subcell, likewise
+ * @param extent radial edge length of the leaf [m]
+ * @param node relative position of the node, from 0 to 1
+ * @param begin, end boundaries of the node's subcell, from 0 to 1
  */
 template <typename Number>
 inline Number radial_jacobian(const unsigned int exponent,
@@ -73,14 +73,13 @@ inline Number radial_jacobian(const unsigned int exponent,
 
 
 /**
- * What a Galerkin scheme needs along the radius of curvilinear coordinates,
- * per unit angle: r^m at its nodes, the volumes of radial_jacobian() and face
- * areas of the subcells.
+ * Radial weights of the Galerkin scheme in curvilinear coordinates, per unit
+ * angle: r^m at the nodes, radial_jacobian(), and face areas of the subcells.
  *
- * The areas of a leaf that collocates telescope: they differ by the
- * derivative of r^m at the nodes times the quadrature weights, so that
- * Galerkin scheme and subcells diverge alike. Those of a leaf near the axis
- * are r^m at the faces.
+ * In a leaf that collocates, the face areas are telescoping sums: neighbouring
+ * areas differ by the derivative of r^m at the node times its quadrature
+ * weight, so that the divergences of the Galerkin scheme and of the subcells
+ * agree. Near the axis the areas are r^m at the faces.
  */
 template <typename Number>
 class RadialNodes
@@ -101,8 +100,8 @@ public:
     return exponent_ == 0;
   }
 
-  /// Computes everything for leaves with inner radius @p inner [m] and
-  /// radial edge length @p extent [m].
+  /// Computes the weights of leaves with inner radius @p inner [m] and radial
+  /// edge length @p extent [m].
   void reinit(const Number &inner, const Number &extent)
   {
     const Number zero(0.), one(1.);
@@ -149,14 +148,14 @@ public:
     return inverse_jacobian_[node];
   }
 
-  /// Area of face @p face of the subcells, from 0 to n.
+  /// Area per unit angle of subcell face @p face, from 0 to n.
   const Number &area(const unsigned int face) const
   {
     return area_[face];
   }
 
-  /// One in lanes of leaves whose inner radius is less than their edge
-  /// length, which take subcell volumes; else zero.
+  /// One in lanes of leaves near the axis (inner radius below the edge
+  /// length), which use subcell volumes; zero in others.
   const Number &near_axis() const
   {
     return near_axis_;

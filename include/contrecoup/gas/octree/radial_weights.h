@@ -10,10 +10,10 @@
 namespace contrecoup::gas
 {
 /**
- * Face areas and cell volumes along the radius for n equal subcells, per
- * unit angle (and length): A = r^m and V = (r_+^(m+1) - r_-^(m+1)) / (m+1),
- * m the radial exponent of the geometry. Both are exact, so that constant
- * pressure at rest stays constant when its force enters as p (A_+ - A_-).
+ * Face areas and subcell volumes along the radius for n equal subcells, per
+ * unit angle (and length): A = r^m and V = (r_+^(m+1) - r_-^(m+1)) / (m+1), m
+ * the radial exponent of the geometry. Both are exact, so that constant
+ * pressure at rest stays constant when the pressure force is p (A_+ - A_-).
  */
 class RadialWeights
 {
@@ -31,8 +31,8 @@ public:
     return exponent_ == 0;
   }
 
-  /// Computes the weights of leaves with inner radius @p inner and radial
-  /// edge length @p extent.
+  /// Computes the weights of leaves with inner radius @p inner [m] and radial
+  /// edge length @p extent [m].
   void reinit(const Number &inner, const Number &extent)
   {
     const unsigned int n = inverse_volume_.size();

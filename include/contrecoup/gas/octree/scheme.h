@@ -16,14 +16,14 @@
 
 namespace contrecoup::gas
 {
-/// The numerical method, as subsection "Method" describes it.
+/// Numerical method, read from subsection "Method".
 class Scheme
 {
 public:
   enum class Kind
   {
-    finite_volume,         ///< n equal subcells a side in each leaf
-    discontinuous_galerkin ///< Gauss-Lobatto nodes in each leaf
+    finite_volume,         ///< each leaf has n^dim equal subcells
+    discontinuous_galerkin ///< each leaf has n^dim Gauss-Lobatto nodes
   };
 
   static void declare_parameters(dealii::ParameterHandler &prm);
@@ -31,24 +31,27 @@ public:
   /// @throws InputError for combinations that do not exist.
   void parse_parameters(dealii::ParameterHandler &prm, const unsigned int dim);
 
-  /// @throws InputError when the scheme does not work on boxes or, unless
-  /// @p is_axis_aligned, on meshes of other shapes.
+  /// @throws InputError for options that the mesh does not allow: single
+  /// precision unless @p is_axis_aligned, a gradient limiter on axis-aligned
+  /// boxes or with the Galerkin scheme.
   void check_mesh(const bool is_axis_aligned) const;
 
   Kind kind = Kind::finite_volume;
-  unsigned int n_points = 8; ///< points a side of a leaf
-  bool linear = true;        ///< reconstructed in finite volumes
+  unsigned int n_points = 8; ///< points per direction of a leaf
+  bool linear = true;        ///< finite volume: linear reconstruction
   SlopeLimiter limiter = SlopeLimiter::van_leer;
-  /// Of all directions together, on mapped meshes.
+  /// Multidimensional limiter, for mapped meshes only.
   std::optional<GradientLimiter> gradient_limiter;
   RiemannFlux flux = RiemannFlux::hllc;
   RungeKuttaTable time_stepping;
   Precision precision = Precision::double_precision;
-  double cfl = 0.5;                ///< CFL number [-]
-  bool blending = true;            ///< subcell shock capturing (DG)
-  double largest_blending = 1.;    ///< [-]
-  double indicator_threshold = 1.; ///< factor of the usual one (DG) [-]
-  bool positivity = true;          ///< scaling towards the mean (DG)
+  double cfl = 0.5;             ///< CFL number [-]
+  bool blending = true;         ///< subcell shock capturing (DG)
+  double largest_blending = 1.; ///< [-]
+  /// factor on the default threshold (DG) [-]
+  double indicator_threshold = 1.;
+  /// positivity limiter: scaling towards the mean (DG)
+  bool positivity = true;
   unsigned int largest_retries = 10;
 
   unsigned int degree() const
@@ -56,8 +59,8 @@ public:
     return n_points - 1;
   }
 
-  /// Largest stable step times the signal rate sum_d (|u_d| + c) / h_d of
-  /// a leaf, at CFL number 1 [-].
+  /// Largest stable time step times the signal rate sum_d (|u_d| + c) / h_d,
+  /// h_d the edge lengths of the leaf, at CFL number 1 [-].
   double stability_limit() const;
 };
 } // namespace contrecoup::gas

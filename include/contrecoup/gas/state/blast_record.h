@@ -7,45 +7,47 @@
 
 namespace contrecoup::gas
 {
-/// What a blast wave has done at a place.
+/// Peak, impulse, arrival and duration of a blast wave at one position.
 struct BlastMeasures
 {
-  double peak = 0.;     ///< largest overpressure [Pa]
-  double impulse = 0.;  ///< of the positive phase so far [Pa s]
-  double arrival = 0.;  ///< [s]; 0 where nothing arrived yet
-  double duration = 0.; ///< of the positive phase so far [s]
+  double peak = 0.;     ///< peak overpressure [Pa]
+  double impulse = 0.;  ///< impulse of the positive phase so far [Pa s]
+  double arrival = 0.;  ///< time of arrival [s]; 0 before arrival
+  double duration = 0.; ///< duration of the positive phase so far [s]
 };
 
 
 /**
- * Follows the overpressure at a place, step by step.
+ * Running record of the overpressure at one position, updated once per step.
  *
- * A blast arrives when the overpressure first exceeds `threshold`. Its
- * arrival is the middle of the first rise: the mean time of the rise, each
- * moment weighted with the increase of pressure there, which in a smeared
- * shock is the place of the shock. The first rise ends when the overpressure
- * has fallen by a tenth below its peak. The positive phase lasts from the
- * arrival until the overpressure first falls to zero after its largest peak;
- * the impulse is the time integral of the overpressure, where positive, over
- * this phase. A later, larger peak prolongs the phase.
+ * The blast arrives when the overpressure first exceeds `threshold` times the
+ * ambient pressure. The time of arrival is the middle of the first rise: the
+ * mean time of the rise weighted with the pressure increments, which in a
+ * smeared shock is the arrival of the shock. The first rise ends when the
+ * overpressure has fallen below 0.9 of its peak. The positive phase lasts from
+ * the arrival until the overpressure first falls to zero after its peak; the
+ * impulse is the time integral of the positive overpressure over this phase. A
+ * later, larger peak prolongs the phase.
  */
 template <typename Number>
 struct BlastRecord
 {
   static constexpr unsigned int n_values = 5;
 
-  /// Part of the ambient pressure that overpressures must exceed to count:
-  /// above the noise of any scheme, below any blast of interest.
+  /// Smallest overpressure that counts, as a fraction of the ambient pressure:
+  /// above the numerical noise of any scheme, below any blast of interest.
   static constexpr double threshold = 1e-3;
 
-  Number peak = 0.;    ///< largest overpressure so far [Pa]
-  Number arrival = 0.; ///< [s]; negative while the first rise goes on
-  Number running = 0.; ///< integral of overpressure since arrival [Pa s]
-  Number impulse = 0.; ///< the same up to @p end [Pa s]
-  Number end = 0.;     ///< of the positive phase [s]; 0 while it lasts
+  Number peak = 0.;    ///< peak overpressure so far [Pa]
+  Number arrival = 0.; ///< time of arrival [s]; negated during the first rise
+  /// integral of positive overpressure since arrival [Pa s]
+  Number running = 0.;
+  Number impulse = 0.; ///< value of running at @p end [Pa s]
+  Number end = 0.;     ///< end of the positive phase [s]; 0 while it lasts
 
-  /// Takes the overpressure at the end @p time of a step, both [s]; without
-  /// branches, so that loops over records vectorise.
+  /// Adds the overpressure [Pa] at the end @p time of a step of length @p
+  /// step, both [s]. Overpressures up to @p smallest [Pa] do not raise the
+  /// peak. Free of branches, so that loops over records vectorise.
   DEAL_II_ALWAYS_INLINE void add(const Number overpressure,
                                  const Number time,
                                  const Number step,
@@ -69,7 +71,7 @@ struct BlastRecord
     end = closes ? middle : end;
   }
 
-  /// What is known at @p time.
+  /// Measures at @p time [s].
   BlastMeasures measures(const double time) const
   {
     BlastMeasures result;

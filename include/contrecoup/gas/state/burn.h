@@ -12,36 +12,38 @@
 namespace contrecoup::gas
 {
 /**
- * Explosive that a detonation has not passed yet, as kernels see it. The
- * energy of the explosive is in the gas from the beginning. What is missing
- * before the detonation is its push: a point of which the fraction F has
- * burned exerts the pressure F p + (1 - F) p_ambient, p being that of the
- * burned gas of this density and energy. So the unburned charge rests in the
- * air around it, and no energy is ever added. See Detonation.
+ * Programmed burn of explosive that the detonation has not yet passed, as the
+ * kernels see it. The gas holds the energy of the explosive from the
+ * beginning; only the pressure is reduced before the detonation. A point with
+ * burned fraction F exerts the pressure F p + (1 - F) p_ambient, with p the
+ * pressure of the burned gas at this density and energy. The unburned charge
+ * is therefore in equilibrium with the air around it, and no energy is added.
+ * See Detonation.
  *
- * Explosive that something else compresses before must not be dust: from a
- * compression of a few hundredths on it pushes back with at least
- * F = (1 - V) / (1 - V_CJ) - 0.3, V being rho_0 / rho, and loses that again
- * where it expands. Behind the front of a steady detonation F is larger than
- * this; where detonations converge, or another blast comes first, it keeps
- * the gas above its cold curve.
+ * Unburned explosive that is compressed by another wave must resist: from a
+ * compression of a few hundredths on, F is at least (V_0 - V) / (1 - V_CJ)
+ * with V = rho_0 / rho and the offset V_0 = 0.92; F falls again on expansion.
+ * Behind a steady detonation front F exceeds this bound. Where detonations
+ * converge or another blast arrives first, the bound keeps the gas above its
+ * cold curve.
  */
 struct Burn
 {
-  /// Time when a point begins to burn [s], laid out as LeafLayout says for
-  /// one component; where nothing is to burn, long before all others.
+  /// Ignition time of each point [s], laid out by LeafLayout with one
+  /// component; where there is no explosive, earlier than all others.
   const double *start = nullptr;
-  /// Part of a point that burns in a second, per stored leaf [1/s].
+  /// Burn rate: fraction of a point that burns per second, per stored leaf
+  /// [1/s].
   const double *rate = nullptr;
-  /// Whether any point of a stored leaf is to burn.
+  /// Whether a stored leaf has a point that still has to burn.
   const unsigned char *burns = nullptr;
   LeafLayout layout;            ///< of start
-  double speed = 0.;            ///< of the detonation, D [m/s]
+  double speed = 0.;            ///< detonation speed D [m/s]
   double ambient_pressure = 0.; ///< [Pa]
-  double density = 1.;          ///< of the explosive, rho_0 [kg/m^3]
+  double density = 1.;          ///< density rho_0 of the explosive [kg/m^3]
   double stiffness = 0.;        ///< 1 / (1 - V_CJ) [-]
 
-  /// Fraction of a point that the detonation has burned.
+  /// Fraction of a point that the detonation has burned at @p time [s].
   double progress(const unsigned int leaf,
                   const unsigned int point,
                   const double time) const
@@ -50,8 +52,8 @@ struct Burn
     return std::min(std::max((time - begin) * rate[leaf], 0.), 1.);
   }
 
-  /// Burned fraction F of explosive of this density [kg/m^3], of which the
-  /// detonation has burned @p progress.
+  /// Burned fraction F of explosive with density @p rho [kg/m^3], of which the
+  /// detonation has burned the fraction @p progress.
   template <typename Number>
   DEAL_II_ALWAYS_INLINE Number fraction(const Number &progress,
                                         const Number &rho) const
@@ -63,8 +65,8 @@ struct Burn
     return std::max(progress, std::min(compression, Number(1.)));
   }
 
-  /// The pressure that gas of pressure @p burned, of which @p fraction has
-  /// burned, exerts [Pa]; exact for fractions 0 and 1.
+  /// Exerted pressure [Pa] of gas whose pressure after burning is @p burned
+  /// and whose burned fraction is @p fraction; exact for fractions 0 and 1.
   template <typename Number>
   DEAL_II_ALWAYS_INLINE Number pressure(const Number &burned,
                                         const Number &fraction) const
@@ -73,8 +75,8 @@ struct Burn
            (Number(1.) - fraction) * Number(ambient_pressure);
   }
 
-  /// Takes from a face state what has not burned. The detonation itself is
-  /// the fastest wave there.
+  /// Applies the burned fraction to the pressure of a face state. The sound
+  /// speed there is at least that of the detonation, (1 - F) D.
   template <int dim, typename Number>
   DEAL_II_ALWAYS_INLINE void hold_back(const Number &progress,
                                        FaceState<dim, Number> &state) const

@@ -17,15 +17,15 @@
 namespace contrecoup::gas
 {
 /**
- * The conserved quantities of all leaves of this rank and its ghosts, in
- * the three copies that a Runge-Kutta step needs, and one sensor value for
- * each leaf; in the precision of the layout. Functions with a template
- * argument exist for that precision alone, the others convert.
+ * Conserved quantities of all owned and ghost leaves of this rank, in the
+ * three copies that a Runge-Kutta step needs, and one sensor value per leaf,
+ * in the precision of the layout. Functions with a template argument require
+ * that precision; the others convert to double.
  */
 class GasField
 {
 public:
-  /// Room for @p n_batches batches, zero.
+  /// Allocates @p n_batches batches, set to zero.
   void reinit(const LeafLayout &layout, const unsigned int n_batches);
 
   const LeafLayout &layout() const
@@ -33,7 +33,7 @@ public:
     return layout_;
   }
 
-  /// The current state; see LeafLayout.
+  /// Current state; see LeafLayout.
   template <typename Real = double>
   Real *state()
   {
@@ -44,7 +44,7 @@ public:
   {
     return copies<Real>().states[0].data();
   }
-  /// Room for stages, number 0 or 1.
+  /// State of Runge-Kutta stage @p i, 0 or 1.
   template <typename Real = double>
   Real *stage(const unsigned int i)
   {
@@ -53,11 +53,10 @@ public:
   /// Makes stage @p i the current state.
   void accept_stage(const unsigned int i);
 
-  /// Makes the stages' copies of a batch, and of its sensors, equal to the
-  /// current ones.
+  /// Copies the current state and sensors of a batch to both stages.
   void copy_to_stages(const unsigned int batch);
 
-  /// Sensor of each leaf, for the current state.
+  /// Sensor of each leaf for the current state.
   template <typename Real = double>
   Real *sensor()
   {
@@ -69,31 +68,31 @@ public:
     return copies<Real>().sensors[1 + i].data();
   }
 
-  /// Sensor of a leaf, for the current state.
+  /// Sensor of one leaf for the current state.
   double sensor_of(const unsigned int leaf) const;
 
-  /// A value of a leaf.
+  /// Value of one leaf in the current state.
   double value(const unsigned int leaf,
                const unsigned int component,
                const unsigned int point) const;
 
-  /// A value of W leaves from @p leaf on, a multiple of W.
+  /// Values of W consecutive leaves; @p leaf, the first, is a multiple of W.
   Lanes<double> values(const unsigned int leaf,
                        const unsigned int component,
                        const unsigned int point) const;
 
-  /// Copies a leaf out as [component][point], and in.
+  /// Reads and writes one leaf as [component][point].
   std::vector<double> leaf(const unsigned int leaf) const;
   void set_leaf(const unsigned int leaf, const std::vector<double> &values);
 
-  /// Says what is still to burn at time @p time; null: nothing. Holds until
-  /// reinit().
+  /// Sets the programmed burn and the time [s] at which it is evaluated; null
+  /// if nothing burns. Valid until reinit().
   void set_burn(const Burn *burn, const double time)
   {
     burn_ = burn;
     time_ = time;
   }
-  /// Null where nothing is to burn.
+  /// Programmed burn; null if nothing burns.
   const Burn *burn() const
   {
     return burn_;
@@ -103,7 +102,7 @@ public:
   {
     return time_;
   }
-  /// Burned fraction of a point now; one where there is no explosive.
+  /// Burned fraction of a point at time(); one where there is no explosive.
   double burned(const unsigned int leaf, const unsigned int point) const
   {
     return burn_ == nullptr
@@ -111,31 +110,32 @@ public:
              : burn_->fraction(burn_->progress(leaf, point, time_),
                                value(leaf, 0, point));
   }
-  /// The pressure that gas of pressure @p pressure exerts where @p burned of
-  /// it has burned [Pa].
+  /// Exerted pressure [Pa] of gas with pressure @p pressure after burning and
+  /// burned fraction @p burned.
   double exerted_pressure(const double pressure, const double burned) const
   {
     return burn_ == nullptr ? pressure : burn_->pressure(pressure, burned);
   }
 
-  /// Says where a rigid body leaves less room for gas; null: nowhere. Holds
+  /// Sets the open fractions around a rigid body; null without a body. Valid
   /// until the mesh changes.
   void set_open_fractions(const OpenFractions *open_fractions)
   {
     open_fractions_ = open_fractions;
   }
-  /// Null where there is no body.
+  /// Open fractions; null without a body.
   const OpenFractions *open_fractions() const
   {
     return open_fractions_;
   }
-  /// The part of a point's volume that is gas [-].
+  /// Open fraction of a point's volume [-].
   double open_fraction(const unsigned int leaf, const unsigned int point) const
   {
     return open_fractions_ == nullptr ? 1. : (*open_fractions_)(leaf, point);
   }
 
-  /// Makes padding lanes and unused ghosts copies of leaf 0: valid states.
+  /// Fills padding lanes and unused ghosts with copies of leaf 0, a valid
+  /// state.
   void fill_padding(const unsigned int n_owned);
 
   std::size_t memory() const;
@@ -160,7 +160,7 @@ private:
     Assert(precision_of<Real> == layout_.precision, dealii::ExcInternalError());
     return std::get<Copies<Real>>(copies_);
   }
-  /// Calls @p function with the copies that are in use.
+  /// Calls @p function with the copies in the precision of the layout.
   template <typename Function>
   decltype(auto) visit(const Function &function)
   {

@@ -10,8 +10,8 @@
 namespace contrecoup::gas
 {
 /**
- * The gas at one point, in primitive variables. In the curvilinear
- * geometries velocity component 0 is the radial one.
+ * State of the gas at one point in primitive variables. In curvilinear
+ * geometries velocity component 0 is radial.
  */
 template <int dim>
 struct GasState

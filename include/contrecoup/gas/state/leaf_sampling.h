@@ -12,24 +12,25 @@
 
 namespace contrecoup::gas
 {
-/// Conserved quantities (density, momentum, energy, products if
-/// @p n_components says so) of a primitive state.
+/// Converts a primitive state to @p n_components conserved quantities
+/// (density, momentum, energy, optionally products).
 template <int dim>
 std::vector<double> conserved_state(const GasState<dim> &state,
                                     const GasMaterial &material,
                                     const unsigned int n_components);
 
-/// The primitive state of conserved quantities.
+/// Converts conserved quantities to a primitive state.
 template <int dim>
 GasState<dim> primitive_state(const double *conserved,
                               const GasMaterial &material);
 
 /**
- * The conserved quantities of a field at the points of a leaf,
- * [component][point]. Galerkin nodes take the field's value, infinitesimally
- * inside the leaf, and subcells its mean; near features of the field both
- * take the mean over their subcell from @p n_samples samples a side,
- * weighted with the volume of the coordinates.
+ * Samples a field of primitive states at the points of a leaf and returns its
+ * conserved quantities as [component][point]. A Galerkin node takes the
+ * field's value (evaluated infinitesimally inside the leaf), a subcell its
+ * mean. If @p near_feature, both take the mean over their subcell from @p
+ * n_samples samples per direction, weighted with the volume element of the
+ * coordinates.
  */
 template <int dim>
 std::vector<double> sample_leaf(

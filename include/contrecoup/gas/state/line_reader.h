@@ -17,10 +17,9 @@
 namespace contrecoup::gas
 {
 /**
- * What sensors look at: the primitive variables of one batch of leaves after
- * another, at its points, and along lines of points with the next point beyond
- * either end. The pressure is the one that the gas exerts, without what
- * unburned explosive holds back.
+ * Primitive variables as input of the sensors: for one batch of leaves at a
+ * time, at its points and along lines of points, with one more point beyond
+ * either end. The pressure is the exerted one; see Burn.
  */
 template <int dim, typename Gas, typename Real>
 class LineReader
@@ -30,7 +29,8 @@ public:
   static constexpr unsigned int n_variables = n_conserved<dim, Gas>;
   using Values = std::array<Number, n_variables>;
 
-  /// The arguments must outlive this object; ghosts of @p field are up to date.
+  /// The arguments must outlive this object; ghosts of @p field must be up to
+  /// date.
   LineReader(const LeafMesh<dim> &mesh,
              const LeafPoints<dim> &points,
              const Gas &gas,
@@ -46,7 +46,7 @@ public:
       distance_.push_back(distance_after(i));
   }
 
-  /// Reads the leaves of @p batch.
+  /// Converts the leaves of @p batch to primitive variables.
   void bind(const unsigned int batch)
   {
     batch_ = batch;
@@ -72,30 +72,31 @@ public:
     return layout_;
   }
 
-  /// The values of a variable at all points.
+  /// Values of a variable at all points.
   const Number *values(const unsigned int variable) const
   {
     return &primitive_[variable * layout_.n_points];
   }
 
-  /// Edge lengths of the leaves along a direction [m].
+  /// Edge lengths of the leaves in a direction [m].
   Number extent(const unsigned int direction) const
   {
     return mesh_.template extents<Real>(batch_)[direction];
   }
 
-  /// Distance of place i of a line to the next, in parts of the leaf's edge.
+  /// Distance from entry @p i of a line to the next, in edge lengths of the
+  /// leaf [-].
   double distance(const unsigned int i) const
   {
     return distance_[i];
   }
 
   /**
-   * The values of some variables along a line of points.
+   * Reads some variables along a line of points.
    *
-   * @param lines takes them, each with layout().n + 2 places: one point beyond
-   * the lower end, the line's own, one beyond the upper end. Where no equal
-   * neighbour is, the values go on linearly.
+   * @param lines output, layout().n + 2 entries per variable: one point beyond
+   * the lower end, the points of the line, one beyond the upper end. At
+   * special faces the entry beyond the end is extrapolated linearly.
    */
   template <std::size_t n_lines>
   void read(const unsigned int direction,
@@ -123,7 +124,7 @@ public:
   }
 
 private:
-  /// Takes the pressure that unburned explosive does not exert.
+  /// Replaces the pressure in @p p by the exerted pressure.
   void hold_back(const unsigned int leaf,
                  const unsigned int point,
                  const unsigned int lane,
@@ -135,8 +136,8 @@ private:
         field_.exerted_pressure(pressure[lane], field_.burned(leaf, point));
   }
 
-  /// The next point across a face; nodes that coincide with the leaf's own
-  /// are passed over.
+  /// Primitive variables of the next point across a face; a Galerkin node that
+  /// coincides with the leaf's own is skipped.
   Values beyond(const unsigned int face, const unsigned int line) const
   {
     const unsigned int depth =

@@ -7,23 +7,25 @@
 
 namespace contrecoup::gas
 {
-/// How much of each point's volume is gas, where a rigid body takes up room.
+/// Fraction of each point's volume that is gas, where a rigid body cuts or
+/// covers leaves.
 class OpenFractions
 {
 public:
-  /// Every point of @p n_leaves leaves, of @p n_points points each, is open.
+  /// Marks all points of @p n_leaves leaves, with @p n_points points each, as
+  /// open.
   void reinit(const unsigned int n_leaves, const unsigned int n_points);
 
-  /// Says that a leaf has no gas.
+  /// Marks a leaf as closed: it has no gas.
   void close(const unsigned int leaf)
   {
     place_[leaf] = closed;
   }
 
-  /// Sets the fractions of a leaf's points, from 0 to 1.
+  /// Sets the open fractions of the points of a leaf, from 0 to 1.
   void set(const unsigned int leaf, const std::vector<double> &fractions);
 
-  /// The open part of a point's volume [-].
+  /// Open fraction of a point's volume [-].
   double operator()(const unsigned int leaf, const unsigned int point) const
   {
     const int place = place_[leaf];
@@ -31,7 +33,7 @@ public:
                       : (place == open ? 1. : 0.);
   }
 
-  /// Whether all points of the leaf are gas throughout.
+  /// Whether all points of the leaf are completely gas.
   bool is_open(const unsigned int leaf) const
   {
     return place_[leaf] == open;

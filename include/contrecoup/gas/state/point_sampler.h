@@ -14,44 +14,46 @@
 namespace contrecoup::gas
 {
 /**
- * The gas at given places, interpolated within the leaf that holds each:
- * the result depends neither on the number of ranks nor on when the mesh
- * was adapted. A place that leaves share belongs to the upper one in a box,
- * in other meshes to the one whose cell's name comes first.
+ * Samples the gas at given positions by interpolation within the leaf that
+ * contains each. The result depends neither on the number of ranks nor on the
+ * time of the last adaptation. A position on a shared face belongs to the
+ * upper leaf in a box, otherwise to the leaf whose cell id comes first.
  */
 template <int dim>
 class PointSampler
 {
 public:
-  /// Finds the leaves of @p places. Call again when the mesh changed.
-  /// Collective. @throws InputError for a place outside of the mesh.
+  /// Locates @p places [m] in the mesh. Call again when the mesh changed.
+  /// Collective.
+  /// @throws InputError for a position outside of the mesh.
   void reinit(const std::vector<dealii::Point<dim>> &places,
               const LeafMesh<dim> &mesh,
               const LeafPoints<dim> &points);
 
-  /// The primitive states at all places, on every rank. Collective.
+  /// Primitive states at all positions, on every rank. Collective.
   std::vector<GasState<dim>> sample(const GasField &field,
                                     const GasMaterial &material) const;
 
-  /// Calls @p take with the number and the primitive state of each place on
-  /// a leaf of this rank.
+  /// Calls @p take with the index and the primitive state of each position on
+  /// this rank.
   void for_each(
     const GasField &field,
     const GasMaterial &material,
     const std::function<void(unsigned int, const GasState<dim> &)> &take) const;
 
-  /// Values of the points that are nearest to each place, @p n_values for
-  /// each on every rank; @p read gives those of a leaf's point. Collective.
+  /// Values of the point nearest to each position, @p n_values per position,
+  /// on every rank; @p read returns the values of one point. Collective.
   std::vector<double> nearest(
     const unsigned int n_values,
     const std::function<
       void(unsigned int leaf, unsigned int point, double *values)> &read) const;
 
-  /// Numbers of the places on leaves of this rank, by leaf.
+  /// Indices of the positions on this rank, sorted by leaf.
   std::vector<unsigned int> local_places() const;
 
 private:
-  /// Takes @p place, at relative coordinates @p x of the leaf @p cell.
+  /// Adds position number @p index, at reference coordinates @p x in the leaf
+  /// of @p cell.
   void add_place(const unsigned int index,
                  const typename LeafMesh<dim>::CellIterator &cell,
                  const dealii::Point<dim> &x,
@@ -66,23 +68,23 @@ private:
 
   struct Place
   {
-    unsigned int index; ///< in the list of places
+    unsigned int index; ///< in the list of positions
     unsigned int leaf;
-    unsigned int nearest; ///< point of the leaf
-    /// Points of the leaf that count, with their weights.
+    unsigned int nearest; ///< nearest point of the leaf
+    /// Points of the leaf with non-zero interpolation weight, and the weights.
     std::vector<std::pair<unsigned int, double>> weights;
   };
 
-  /// Conserved quantities and burned fraction at each place of this rank,
-  /// [place][component].
+  /// Conserved quantities and burned fraction at each position on this rank,
+  /// [position][component].
   std::vector<double> conserved(const GasField &field) const;
-  /// The primitive state of a row of these.
+  /// Primitive state of one row of conserved().
   static GasState<dim> state_of(const double *values,
                                 const GasField &field,
                                 const GasMaterial &material);
 
   MPI_Comm communicator_ = MPI_COMM_SELF;
   std::size_t n_places_ = 0;
-  std::vector<Place> places_; ///< on leaves of this rank
+  std::vector<Place> places_; ///< positions on this rank
 };
 } // namespace contrecoup::gas

@@ -11,25 +11,25 @@
 
 namespace contrecoup::gas
 {
-/// Conserved quantities of a gas: density, momentum, total energy and, for
-/// a mixture, the density of explosive products.
+/// Number of conserved quantities of a gas: density, momentum, total energy
+/// and, for a mixture, the density of explosive products.
 template <int dim, typename Gas>
 inline constexpr unsigned int n_conserved = dim + 2 +
                                             (Gas::has_products ? 1 : 0);
 
-/// Positions within a vector of primitive or conserved quantities.
+/// Indices in an array of primitive or conserved quantities.
 template <int dim>
 struct Component
 {
   static constexpr unsigned int density = 0;
-  static constexpr unsigned int momentum = 1;     ///< and velocity
-  static constexpr unsigned int energy = dim + 1; ///< and pressure
+  static constexpr unsigned int momentum = 1;     ///< or velocity
+  static constexpr unsigned int energy = dim + 1; ///< or pressure
   static constexpr unsigned int products = dim + 2;
 };
 
 /**
- * Primitive quantities (density, velocity, pressure, products) from
- * conserved ones, arrays of n_conserved numbers each.
+ * Converts conserved to primitive quantities (density, velocity, pressure,
+ * mass fraction of products); arrays of n_conserved values each.
  */
 template <int dim, typename Gas, typename Number>
 DEAL_II_ALWAYS_INLINE inline std::array<Number, n_conserved<dim, Gas>>
@@ -53,7 +53,7 @@ to_primitive(const Gas &gas, const std::array<Number, n_conserved<dim, Gas>> &u)
   return p;
 }
 
-/// Conserved quantities from primitive ones.
+/// Converts primitive to conserved quantities.
 template <int dim, typename Gas, typename Number>
 DEAL_II_ALWAYS_INLINE inline std::array<Number, n_conserved<dim, Gas>>
 to_conserved(const Gas &gas, const std::array<Number, n_conserved<dim, Gas>> &p)
@@ -79,8 +79,8 @@ to_conserved(const Gas &gas, const std::array<Number, n_conserved<dim, Gas>> &p)
   return u;
 }
 
-/// A flux argument from primitive quantities whose velocity is already in
-/// the frame of the face (normal component first).
+/// Converts primitive quantities to an argument of a Riemann flux. The
+/// velocity must be in the frame of the face (normal component first).
 template <int dim, typename Gas, typename Number>
 DEAL_II_ALWAYS_INLINE inline FaceState<dim, Number>
 to_face_state(const Gas &gas,
@@ -111,7 +111,8 @@ to_face_state(const Gas &gas,
   return state;
 }
 
-/// Flux as an array of n_conserved numbers, in the frame of the face.
+/// Converts a flux to an array of n_conserved values, in the frame of the
+/// face.
 template <int dim, typename Gas, typename Number>
 DEAL_II_ALWAYS_INLINE inline std::array<Number, n_conserved<dim, Gas>>
 to_array(const FaceFlux<dim, Number> &flux)
@@ -128,9 +129,8 @@ to_array(const FaceFlux<dim, Number> &flux)
 }
 
 /**
- * Component that stands at place @p i in the frame of a face whose normal
- * is coordinate direction @p direction: the velocity is rotated
- * cyclically, everything else stays.
+ * Component at index @p i in the frame of a face with normal direction @p
+ * direction: velocity components rotate cyclically, all others stay.
  */
 template <int dim>
 DEAL_II_ALWAYS_INLINE inline constexpr unsigned int
@@ -157,8 +157,8 @@ spare_energy(const Gas &gas, const std::array<Number, n_conserved<dim, Gas>> &u)
          gas.cold_energy_density(u[C::density], products);
 }
 
-/// One where a conserved state has positive density and more internal
-/// energy than the cold gas, zero elsewhere, also where it is not a number.
+/// One for a conserved state with positive density and with more internal
+/// energy than the cold curve, else zero (also for NaN).
 template <int dim, typename Gas, typename Number>
 DEAL_II_ALWAYS_INLINE inline Number
 is_admissible(const Gas &gas,
@@ -171,8 +171,9 @@ is_admissible(const Gas &gas,
                      zero);
 }
 
-/// Replaces a reconstructed primitive state by the cell's own where it
-/// would hold less energy than the cold gas or has no positive density.
+/// Replaces the reconstructed primitive state @p trace by the subcell's mean
+/// @p cell where @p trace has less energy than the cold curve or no positive
+/// density.
 template <int dim, typename Gas, typename Number>
 DEAL_II_ALWAYS_INLINE inline void
 restore_if_inadmissible(const Gas &gas,
