@@ -35,7 +35,8 @@ namespace
     return found->second;
   }
 
-  /// Builds a mesh that is no box and throws unless it has all @p ids.
+  /// Builds a mesh that is not a box.
+  /// @throws InputError unless the mesh has all boundary ids of @p kinds.
   template <int dim, typename Kinds>
   void check_ids(const CoarseMesh<dim> &coarse_mesh, const Kinds &kinds)
   {
@@ -64,17 +65,17 @@ void Boundary<dim>::declare_parameters(ParameterHandler &prm)
                       side,
                       "wall",
                       kind_names,
-                      "What the gas meets at this side of a box: a rigid "
+                      "Boundary condition at this side of a box: a rigid "
                       "slip wall (also for planes of symmetry and the "
-                      "axis), an open end, an inflow of the state below, or "
-                      "the initial state or reference solution at that "
-                      "place and time.");
+                      "axis), a non-reflecting open side, an inflow of the "
+                      "state below, or the initial state or reference "
+                      "solution at that position and time.");
   declare_string(prm,
                  "By id",
                  "",
-                 "For meshes other than boxes: \"id: kind, id: kind\", the "
-                 "ids being those of the mesh and the kinds those above; "
-                 "ids not named are walls.");
+                 "For meshes other than boxes: \"id: kind, id: kind\", with "
+                 "the boundary ids of the mesh and the kinds above; ids that "
+                 "are not listed are walls.");
   const Section inflow(prm, "Inflow");
   declare_state(prm);
 }

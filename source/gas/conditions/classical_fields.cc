@@ -84,14 +84,14 @@ void SedovField<dim>::declare_parameters(ParameterHandler &prm)
                    "0.851072",
                    "J",
                    "Energy released in all directions (J/m around an axis, "
-                   "J/m^2 and to one side in 1-D plane geometry), whatever "
-                   "part of it the domain shows.");
+                   "J/m^2 and to one side in 1-D plane geometry), even where "
+                   "the domain contains only a part of it.");
   declare_positive(prm,
                    "Radius",
                    "0.02",
                    "m",
-                   "Radius a of the deposit, exp(-(r/a)^2) of its energy "
-                   "density being found at r; the mesh has to resolve it.");
+                   "Radius a of the deposit, whose energy density is "
+                   "proportional to exp(-(r/a)^2); the mesh must resolve it.");
   declare_center(prm);
   declare_ambient(prm, "1e-6");
 }
@@ -142,7 +142,7 @@ template <int dim>
 double
 SedovField<dim>::distance_to_feature(const dealii::Point<dim> &point) const
 {
-  // Six radii out, 2e-16 of the energy density is left.
+  // At six radii the energy density has fallen to 2e-16 of its peak.
   return std::max(0., point.distance(center) - 6. * radius);
 }
 

@@ -34,8 +34,8 @@ namespace
   }
 
 
-  /// Throws whatever deal.II throws for an expression it cannot read.
-  /// @return its value at the origin
+  /// Parses an expression; throws deal.II's exceptions for an invalid one.
+  /// @return value of the expression at the origin
   template <int dim>
   double try_expression(const std::string &variables,
                         const std::string &expression,
@@ -54,8 +54,8 @@ void ExpressionField<dim>::declare_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "Expression");
   const std::string note =
-    " as a muParser expression of x, y, z and pi (of those that the domain "
-    "has).";
+    " as a muParser expression of the coordinates x, y, z of the domain and "
+    "of pi.";
   declare_string(prm, "Density", "1.225", "[kg/m^3] Mass per volume" + note);
   for (const std::string &name : velocity_names)
     declare_string(prm, name, "0", "[m/s] Velocity component" + note);
@@ -76,7 +76,8 @@ ExpressionField<dim>::ExpressionField(ParameterHandler &prm,
     {"pi", boost::math::double_constants::pi}};
   const std::string variables = std::string("x,y,z").substr(0, 2 * dim - 1);
 
-  // One by one first, so that the message can name the entry.
+  // Each expression is first parsed on its own, so that the message can name
+  // the entry.
   std::vector<std::string> expressions;
   for (const std::string &name : entry_names(dim))
   {

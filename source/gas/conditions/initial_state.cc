@@ -39,8 +39,9 @@ void InitialState<dim>::declare_parameters(ParameterHandler &prm)
                     "Kind",
                     "uniform",
                     initial_state_kinds,
-                    "The gas at time zero: the Background, Background with "
-                    "regions, or what the subsection of this name says.");
+                    "State of the gas at time zero: the Background, the "
+                    "Background with regions, or that of the subsection of "
+                    "this name.");
   RegionField<dim>::declare_parameters(prm);
   RiemannField<dim>::declare_parameters(prm);
   LayerField<dim>::declare_parameters(prm);

@@ -15,7 +15,8 @@ namespace
 {
   using boost::math::double_constants::pi;
 
-  /// Most rows of a table: two directions of momentum, variation.
+  /// Largest number of rows of the table: density, two components of momentum,
+  /// energy, products, variation.
   constexpr unsigned int most_rows = 6;
 
   [[noreturn]] void refuse(const std::string &what)
@@ -180,7 +181,7 @@ unsigned int Profile::index(const unsigned int direction,
                             const double place) const
 {
   const auto &edges = data_.edges[direction];
-  // Most profiles have equal cells.
+  // First guess: most profiles have equal cells.
   const double share = (place - edges.front()) / (edges.back() - edges.front());
   const double last = static_cast<double>(edges.size() - 2);
   const auto guess = static_cast<unsigned int>(
@@ -275,7 +276,8 @@ double Profile::variation(const std::array<double, 2> &lower,
     return at(upper[0], 0.) - at(lower[0], 0.);
   const double sum = at(upper[0], upper[1]) - at(lower[0], upper[1]) -
                      at(upper[0], lower[1]) + at(lower[0], lower[1]);
-  // Variation across the window: mean per length times its longer edge.
+  // Variation across the window: mean variation per length times the longer
+  // edge of the window.
   return sum / std::min(upper[0] - lower[0], upper[1] - lower[1]);
 }
 

@@ -15,7 +15,7 @@ namespace contrecoup::gas
 {
 namespace
 {
-  /// Lengths that differ by less than this part of the domain are equal.
+  /// Relative tolerance of positions, as a fraction of the domain.
   constexpr double same_place = 1e-9;
 
   template <int dim>
@@ -63,8 +63,8 @@ void ProfileField<dim>::declare_parameters(ParameterHandler &prm)
                -bounds::length,
                bounds::length,
                "m",
-               "Where the profile's centre, or the origin of its axis, comes "
-               "to lie; axes are along z, in axisymmetric domains along y.");
+               "Position of the profile's centre or of the origin of its "
+               "axis; axes are along z, in axisymmetric domains along y.");
 }
 
 
@@ -165,7 +165,8 @@ typename ProfileField<dim>::Window ProfileField<dim>::window(
     }
     result.width[i] = std::sqrt(square);
   }
-  // What is beside the radius through the middle is farther from the centre.
+  // Points off the radius through the centre are farther from the profile's
+  // centre: second-order correction of the mean distance.
   double beside = 0.;
   for (auto edge : edges)
   {

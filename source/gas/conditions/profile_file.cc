@@ -60,7 +60,8 @@ namespace
   }
 
 
-  /// All but texts. @return names of the maps
+  /// Writes all data except texts.
+  /// @return names of the maps
   std::string write_numbers(const std::string &file, const ProfileData &data)
   {
     using namespace dealii::HDF5;
@@ -91,7 +92,8 @@ namespace
     return join(maps, ",");
   }
 
-  /// Attributes that are texts, of fixed length: those of deal.II are not.
+  /// Writes text attributes of fixed length; deal.II only writes variable
+  /// length.
   void
   write_texts(const std::string &file,
               const std::vector<std::pair<std::string, std::string>> &texts)
@@ -222,7 +224,7 @@ namespace
   }
 
 
-  /// The lines of a table: "# name = value", names of columns, numbers.
+  /// Content of a table: lines "# name = value", column names, values.
   struct Table
   {
     std::map<std::string, std::string> notes;
@@ -292,7 +294,8 @@ namespace
     return result;
   }
 
-  /// The edges along a direction, from the begins and ends of all cells.
+  /// Cell edges along a direction, from the lower and upper bounds of all
+  /// cells.
   std::vector<double>
   edges_of(const Table &table, const std::string &axis, const std::string &file)
   {

@@ -40,7 +40,7 @@ namespace
     std::function<GasState<dim>(const dealii::Point<dim> &, double)>;
 
 
-  /// A radial flow around @p center in an otherwise uniform gas.
+  /// State of a radial flow around @p center in an otherwise uniform gas.
   template <int dim>
   GasState<dim> around(const dealii::Point<dim> &center,
                        const dealii::Point<dim> &point,
@@ -88,8 +88,7 @@ namespace
       problem.spreading, gamma, problem.ambient.density, problem.speed);
     return [=](const dealii::Point<dim> &point, const double time) {
       RadialState state = solution.value(point.distance(problem.center), time);
-      // Ahead of the shock the little pressure that there is rises
-      // adiabatically.
+      // Ahead of the shock the small ambient pressure rises adiabatically.
       if (state.pressure == 0.)
         state.pressure =
           problem.ambient.pressure *
@@ -99,7 +98,7 @@ namespace
   }
 
 
-  /// Two waves that run from the plane of @p problem.
+  /// Exact solution of a Riemann problem at the plane of @p problem.
   template <int dim>
   Field<dim> riemann_field(const RiemannField<dim> &problem,
                            const GasMaterial &material)
@@ -116,7 +115,8 @@ namespace
       const RiemannState state =
         solution.value(problem.distance(point, time) / time);
       GasState<1> seen_from_frame;
-      // A vacuum keeps its velocity as a gas of vanishing density.
+      // A vacuum is represented as gas of vanishing density with the velocity
+      // of the solution.
       seen_from_frame.density = std::max(state.density, 1e-100);
       seen_from_frame.velocity[0] = state.velocity;
       seen_from_frame.pressure = state.pressure;
@@ -161,8 +161,8 @@ namespace
                    1e-12,
                    1e9,
                    "kg",
-                   "Mass of the charge; in a part of the domain cut off by "
-                   "planes of symmetry, that of the whole charge.");
+                   "Mass of the whole charge, also where planes of symmetry "
+                   "bound the domain.");
     declare_list(prm,
                  "Center",
                  "0, 0, 0",
@@ -171,8 +171,8 @@ namespace
                  -bounds::length,
                  bounds::length,
                  "m",
-                 "The charge's centre, from which distances count; as many "
-                 "coordinates as needed are taken.");
+                 "Centre of the charge, the origin of distances; coordinates "
+                 "beyond the dimension are ignored.");
     declare_selection(prm,
                       "Burst",
                       "spherical",
@@ -193,12 +193,12 @@ namespace
                    1e-3,
                    100.,
                    "-",
-                   "The same for impulse and duration; C-4: 1.19 on average "
-                   "(TM 5-855-1, 1986).");
+                   "Mass of TNT that gives the same impulse and duration, per "
+                   "mass of charge; C-4: 1.19 on average (TM 5-855-1, 1986).");
   }
 
 
-  /// Reads what declare_kingery_bulmash() declared.
+  /// Reads the entries of declare_kingery_bulmash().
   template <int dim>
   Arrivals<dim> kingery_bulmash(ParameterHandler &prm)
   {
@@ -232,8 +232,8 @@ namespace
   }
 
 
-  /// The detonation of @p solution from the origin, into the gas at rest that
-  /// @p initial_state describes, and the same density of explosive.
+  /// Detonation from the origin into gas at rest: the state of @p
+  /// initial_state with the density @p density of the explosive.
   template <int dim>
   Field<dim>
   detonation_field(const DetonationSolution &solution,
@@ -278,7 +278,7 @@ void ReferenceSolution<dim>::declare_parameters(ParameterHandler &prm)
                     "Kind",
                     "none",
                     reference_solution_kinds,
-                    "What the run is measured against: nothing, the initial "
+                    "Reference for the errors of the run: none, the initial "
                     "state itself, the exact solution of the initial state of "
                     "the same name, the point source that Initial state/Sedov "
                     "describes (at probes), the detonation of the Material's "
@@ -287,14 +287,14 @@ void ReferenceSolution<dim>::declare_parameters(ParameterHandler &prm)
   declare_bool(prm,
                "Measure errors",
                "true",
-               "Whether the summary holds the distance from the reference; "
-               "false where it serves exact boundaries alone.");
+               "Whether the summary contains the errors against the "
+               "reference; false if it only serves exact boundaries.");
   declare_file(prm,
                "Table",
                "",
                "CSV file with columns position [m] (along x, or the radius), "
-               "density [kg/m^3], velocity [m/s], pressure [Pa] and, at will, "
-               "products [-]: the profile at the end time.");
+               "density [kg/m^3], velocity [m/s], pressure [Pa] and "
+               "optionally products [-]: the profile at the end time.");
   declare_kingery_bulmash(prm);
 }
 

@@ -27,7 +27,8 @@ namespace
   }
 
 
-  /// Distances from a place to the nearest and the farthest point of a box.
+  /// Distances from a position to the nearest and the farthest point of a box
+  /// [m].
   template <int dim>
   std::pair<double, double> distances(const std::vector<double> &place,
                                       const dealii::Point<dim> &lower,
@@ -52,11 +53,12 @@ void Region::declare_parameters(ParameterHandler &prm, const std::string &rule)
                     "everywhere",
                     {"everywhere", "ball", "outside of ball", "box"},
                     rule);
-  declare_points(prm,
-                 "Center",
-                 "0, 0, 0",
-                 "m",
-                 "Middle of the ball, or of several balls of equal radius.");
+  declare_points(
+    prm,
+    "Center",
+    "0, 0, 0",
+    "m",
+    "Centre of the ball, or centres of several balls of equal radius.");
   for (const std::string name : {"Lower corner", "Upper corner"})
     declare_list(prm,
                  name,
@@ -66,14 +68,14 @@ void Region::declare_parameters(ParameterHandler &prm, const std::string &rule)
                  -bounds::length,
                  bounds::length,
                  "m",
-                 "Place in the coordinates of the mesh.");
+                 "Position in the coordinates of the mesh.");
   declare_double(prm,
                  "Radius",
                  "1",
                  0.,
                  bounds::length,
                  "m",
-                 "Radius of the ball; of one that grows, when it begins to.");
+                 "Radius of the ball; of a growing ball, its initial radius.");
 }
 
 

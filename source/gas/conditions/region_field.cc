@@ -70,14 +70,14 @@ namespace
                    0.,
                    bounds::energy,
                    "J",
-                   "If above 0: internal energy of the whole region, from "
-                   "which the pressure follows; Pressure then has no effect. "
-                   "The mesh holds it as "
-                   "exactly as its cells sample the region's volume.");
+                   "If above 0: internal energy of the whole region, which "
+                   "determines the pressure; Pressure then has no effect. "
+                   "The energy on the mesh is as exact as the volume of the "
+                   "region that the subcells sample.");
   }
 
 
-  /// The explosive of @p material, burned at constant volume, at rest.
+  /// State of the explosive of @p material burned at constant volume, at rest.
   template <int dim>
   GasState<dim> burned_explosive(const GasMaterial &material,
                                  const std::string &where)

@@ -29,21 +29,21 @@ namespace
                     "0",
                     0,
                     20,
-                    "Times that leaves at the surface and those beside them "
-                    "stay halved beyond the initial refinement, neither more "
-                    "nor less.");
+                    "Refinement level of leaves at the surface and of their "
+                    "neighbours, above the initial refinement; adaptation "
+                    "does not change it.");
     const Section section(prm, "Finer region *");
     declare_integer(prm,
                     "Levels",
                     "0",
                     0,
                     20,
-                    "The same in this region, if it is more than elsewhere.");
+                    "Levels within this region, if larger than elsewhere.");
     Region::declare_parameters(
       prm,
-      "Where the region is: all of the domain, within Radius of a Center, "
-      "farther from all of them, or between two corners. Leaves that touch it "
-      "belong to it.");
+      "Shape of the region: the whole domain, within Radius of a Center, "
+      "farther from all Centers, or between two corners. Leaves that "
+      "intersect the region belong to it.");
   }
 
 
@@ -78,25 +78,26 @@ void RigidBody::declare_parameters(ParameterHandler &prm)
                     "Kind",
                     "none",
                     {"none", "body", "half space"},
-                    "What stands rigidly in the gas: nothing, what section "
-                    "Body describes, or everything with x > 0, turned and "
-                    "moved; in 2-D what counts is the cut at z = 0, in "
-                    "axisymmetric geometry turned about the axis.");
+                    "Rigid body in the gas: none, the body of section Body, or "
+                    "the half space x > 0, rotated and translated; in 2-D the "
+                    "cross-section at z = 0, in axisymmetric geometry revolved "
+                    "about the axis.");
   declare_half_space(prm);
-  declare_selection(prm,
-                    "Treatment",
-                    "embedded",
-                    {"embedded", "staircase"},
-                    "Embedded: cells are cut by the surface, with its true "
-                    "normal, as plane facets in each cell; staircase: each "
-                    "cell is gas or body by its centre.");
+  declare_selection(
+    prm,
+    "Treatment",
+    "embedded",
+    {"embedded", "staircase"},
+    "Embedded: the surface cuts subcells, with its true normal, "
+    "as plane facets in each subcell; staircase: each subcell "
+    "is gas or body, by its centre.");
   declare_levels(prm);
   declare_bool(prm,
                "Required",
                "true",
-               "Whether a run is refused in which the body is in no cell, "
-               "because it is elsewhere or too thin; trials of the costs on "
-               "coarser meshes go on without it.");
+               "Whether a run is refused if the body covers no subcell, "
+               "because it lies elsewhere or is too thin; trial runs on "
+               "coarser meshes for cost estimates continue without the body.");
 }
 
 
@@ -178,7 +179,7 @@ double RigidBody::layers_to(const dealii::Point<dim> &lower,
     std::ldexp(diagonal, halvings - int(levels(lower, upper)));
   const double distance =
     value_in_leaf(dealii::Point<dim>(lower + edges * 0.5));
-  // Inside, where there is no gas, none are wanted beside those at the surface.
+  // Inside there is no gas: only leaves at the surface are refined.
   const double none_beside = distance < 0. ? at_body : 0.;
   return (std::abs(distance) - 0.5 * diagonal) / wanted + none_beside;
 }

@@ -14,7 +14,7 @@ namespace contrecoup::gas
 {
 namespace
 {
-  /// The numbers of one line; empty when one word is no finite number.
+  /// Values of one line; empty if a word is not a finite number.
   std::vector<double> read_numbers(const std::string &line)
   {
     std::vector<double> numbers;

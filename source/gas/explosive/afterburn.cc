@@ -15,11 +15,11 @@ namespace contrecoup::gas
 {
 namespace
 {
-  /// Pressure that Miller's law refers to, 1 Mbar [Pa].
+  /// Reference pressure of Miller's law, 1 Mbar [Pa].
   constexpr double reference_pressure = 1e11;
 
-  /// Calls @p function(conserved quantities, distance between them, volume)
-  /// for each point that holds products.
+  /// Calls @p function(pointer to the conserved quantities, stride between
+  /// components, volume) for each point that holds products.
   template <int dim, typename Function>
   void for_products(const LeafMesh<dim> &mesh,
                     const LeafPoints<dim> &points,
@@ -46,7 +46,7 @@ namespace
     });
   }
 
-  /// The mean pressure of the products, weighted with their mass [Pa].
+  /// Mass-weighted mean pressure of the products [Pa].
   template <int dim>
   double mean_pressure(const LeafMesh<dim> &mesh,
                        const LeafPoints<dim> &points,
@@ -54,7 +54,8 @@ namespace
                        GasField &field)
   {
     using C = Component<dim>;
-    // What lies below this part of the ambient density moves no mean.
+    // Densities of products below this fraction of the ambient density do not
+    // affect the mean.
     const double negligible = 1e-6;
     std::vector<double> sums(2, 0.);
     for_products(
@@ -94,46 +95,46 @@ void Afterburn::declare_parameters(ParameterHandler &prm)
                  0.,
                  1e12,
                  "J/kg",
-                 "Energy released in all for each kg of products; the default "
-                 "fits blasts of TNT and C-4 in free air, with oxygen enough "
-                 "TNT has 1e7 (Schwer: 16.3 GJ/m^3).");
+                 "Total energy released per kg of products; the default "
+                 "fits blasts of TNT and C-4 in free air; TNT with enough "
+                 "oxygen releases 1e7 (Schwer: 16.3 GJ/m^3).");
   declare_double(prm,
                  "Start time",
                  "0",
                  0.,
                  bounds::time,
                  "s",
-                 "Constant: when it begins, though never before all explosive "
-                 "has burned.");
+                 "Constant: start of the afterburn, which waits until all "
+                 "explosive has burned.");
   declare_double(prm,
                  "End time",
                  "4.4e-3",
                  0.,
                  bounds::time,
                  "s",
-                 "Constant: when all energy is out.");
+                 "Constant: time when all energy has been released.");
   declare_double(prm,
                  "Rate",
                  "6500",
                  0.,
                  1e12,
                  "1/s",
-                 "Miller: the rate a of fresh products at 1 Mbar; 6500 is the "
-                 "0.0065 per microsecond of the literature.");
+                 "Miller: rate a of fresh products at 1 Mbar; 6500 is the "
+                 "value 0.0065 per microsecond of the literature.");
   declare_double(prm,
                  "Fuel exponent",
                  "0.5",
                  0.,
                  10.,
                  "-",
-                 "Miller: the power m of the fuel that is left.");
+                 "Miller: exponent m of the remaining fuel fraction.");
   declare_double(prm,
                  "Pressure exponent",
                  "0.16666666666666666",
                  0.,
                  10.,
                  "-",
-                 "Miller: the power n of the pressure in Mbar.");
+                 "Miller: exponent n of the pressure in Mbar.");
 }
 
 
@@ -161,8 +162,8 @@ double Afterburn::grown_fraction(const double time,
 {
   if (kind_ == Kind::constant)
     return std::min(std::max((time - start_) / (end_ - start_), fraction_), 1.);
-  // The law's exact solution at constant pressure: (1 - L)^(1 - m) falls
-  // linearly, and stays at zero.
+  // Exact solution of the law at constant pressure: (1 - L)^(1 - m) falls
+  // linearly to zero.
   const double growth =
     step * rate_ *
     std::pow(std::max(pressure, 0.) / reference_pressure, pressure_exponent_);

@@ -28,7 +28,7 @@ namespace
                    "kg",
                    "If above 0: mass of the whole charge (plane 2-D and "
                    "cylindrical meshes: per m, plane 1-D: per m^2); the sizes "
-                   "below then only give its proportions.");
+                   "below then only set its proportions.");
     declare_double(prm,
                    "Radius",
                    "0.05",
@@ -54,7 +54,8 @@ namespace
                  "Edge lengths of a box, along the axes of the mesh.");
   }
 
-  /// Signed distance from a box around the origin with these half edges.
+  /// Signed distance from a box; @p beyond holds, per direction, the distance
+  /// from the centre minus half the edge [m].
   template <typename Offsets>
   double box_distance(const Offsets &beyond)
   {
@@ -103,9 +104,9 @@ void Charge<dim>::declare_parameters(ParameterHandler &prm)
                  "Ignition points",
                  "",
                  "m",
-                 "Where the charge is lit; none: in its centre. From a point "
-                 "outside the detonation comes as if explosive filled the "
-                 "way.");
+                 "Ignition points; none: the centre of the charge. From a "
+                 "point outside the detonation runs as if explosive filled "
+                 "the distance.");
   declare_list(prm,
                "Ignition times",
                "",
@@ -114,7 +115,7 @@ void Charge<dim>::declare_parameters(ParameterHandler &prm)
                0.,
                bounds::time,
                "s",
-               "When each point is lit; none: at time zero.");
+               "Ignition time of each point; none: zero.");
 }
 
 
@@ -144,7 +145,7 @@ Charge<dim>::Charge(const ParameterHandler &prm,
   const double mass = read_double(prm, "Mass");
   if (mass > 0.)
   {
-    // As many directions as the shape has in this mesh grow alike.
+    // Scales all directions that the shape has in this mesh equally.
     const double n = shape_ == Shape::box ? dim
                      : shape_ == Shape::sphere ||
                          geometry_ == Geometry::axisymmetric || dim == 3
@@ -320,7 +321,7 @@ Charge<dim>::share_within(const CoarseMesh<dim> &mesh) const
       const double plane =
         side == 0 ? mesh.lower_corner()[d] : mesh.upper_corner()[d];
       if (d == 0 && side == 0 && plane == 0. && geometry_ != Geometry::plane)
-        continue; // the axis or centre cuts nothing off
+        continue; // the axis or centre is no cut
       const double half = half_extent(d);
       const double depth = side == 0 ? center_[d] - plane : plane - center_[d];
       if (depth >= half * (1. - 1e-12))
@@ -331,7 +332,7 @@ Charge<dim>::share_within(const CoarseMesh<dim> &mesh) const
       ++n_cuts;
       mirrored = mirrored && is_mirrored(d);
     }
-  // A single plane through the centre halves any of the shapes.
+  // A single plane through the centre halves each shape.
   if (n_cuts > 1 && !mirrored)
     return {};
   return share;

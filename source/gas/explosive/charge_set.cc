@@ -19,8 +19,7 @@ namespace contrecoup::gas
 {
 namespace
 {
-  /// The explosive that subsection "Material" names, with what is published
-  /// about it.
+  /// Explosive named in subsection "Material", with its published data.
   Explosive read_explosive(ParameterHandler &prm, const JwlParameters &jwl)
   {
     const Section section(prm, "Material");
@@ -35,8 +34,8 @@ namespace
             ""};
   }
 
-  /// Whether some of the points of a grid through charge @p a are well within
-  /// both.
+  /// Whether two charges overlap: whether a point of a grid through charge @p
+  /// a lies well within both.
   template <int dim>
   bool overlap(const Charge<dim> &a, const Charge<dim> &b)
   {
@@ -67,16 +66,16 @@ void ChargeSet<dim>::declare_parameters(ParameterHandler &prm)
                  0.,
                  1e6,
                  "m/s",
-                 "Speed at which the burning front runs through the explosive; "
-                 "0: the Chapman-Jouguet speed of its constants.");
+                 "Speed of the detonation front in the explosive; 0: the "
+                 "Chapman-Jouguet speed of the explosive's constants.");
   declare_double(prm,
                  "Burn width",
                  "2",
                  0.1,
                  100.,
                  "-",
-                 "Thickness of the burning front in cells; wider ones are "
-                 "smoother and reach the Chapman-Jouguet pressure later.");
+                 "Thickness of the burn front in subcells; a wider front is "
+                 "smoother and reaches the Chapman-Jouguet pressure later.");
   Afterburn::declare_parameters(prm);
   const Section charge(prm, "Charge *");
   Charge<dim>::declare_parameters(prm);

@@ -11,10 +11,10 @@ namespace contrecoup::gas
 {
 namespace
 {
-  /// Fractions nearer to 0 or 1 than this are taken for these.
+  /// Fractions within this tolerance of 0 or 1 are rounded to 0 or 1.
   constexpr double sliver = 1e-13;
 
-  /// A part of a leaf between two relative places.
+  /// Part of a leaf between two positions in reference coordinates.
   template <int dim>
   struct Region
   {
@@ -49,14 +49,14 @@ namespace
       return result;
     }
 
-    /// The part of the volume of @p region that the charge fills [-].
+    /// Fraction of the volume of @p region that the charge fills [-].
     double fraction(const Region<dim> &region) const
     {
       const auto corners = charge_.as_box();
       if (corners && box_.is_box())
         return overlap(region, corners->first, corners->second);
-      // Parts get an eighth as large as the region or, if that is smaller, as
-      // the charge; in 2-D, where it costs little, less.
+      // Size of the smallest parts: an eighth of the region or, if smaller, of
+      // the charge; finer in 2-D, where it costs little.
       const unsigned int least = dim == 3 ? 3 : 6, most = 40;
       const double ratio = 2. * radius(region) / charge_.smallest_size();
       const double more = std::max(0., std::ceil(std::log2(ratio)));
@@ -69,7 +69,7 @@ namespace
     }
 
   private:
-    /// Distance of the farthest corner from the centre of a region [m].
+    /// Distance from the centre of a region to its farthest corner [m].
     double radius(const Region<dim> &region) const
     {
       const dealii::Point<dim> center = box_.place(region.center());
@@ -134,8 +134,8 @@ namespace
     const LeafBox<dim> &box_;
   };
 
-  /// Adds the parts of a leaf, and the volumes that they fill and that one
-  /// unit of lambda moves.
+  /// Adds the parts of a leaf to the list, their volume to the first sum, and
+  /// the derivative of the volume with respect to lambda to the second.
   template <int dim>
   void add_leaf(const unsigned int leaf,
                 const Charge<dim> &charge,
@@ -191,7 +191,7 @@ ChargeVolume charge_volume(const Charge<dim> &charge,
   const double exact = *share * charge.volume();
   const double missing = exact - sums[0];
   result.is_exact = true;
-  // Surfaces along the faces of cells leave nothing to change but round-off.
+  // A surface along subcell faces leaves only round-off.
   if (std::abs(missing) < 1e-13 * exact)
     return result;
   const double lambda = missing / sums[1];

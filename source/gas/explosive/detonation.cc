@@ -8,7 +8,7 @@ namespace contrecoup::gas
 {
 namespace
 {
-  /// Before every time that a run knows [s].
+  /// Earlier than any time of a run [s].
   constexpr double long_ago = -1e300;
 } // namespace
 

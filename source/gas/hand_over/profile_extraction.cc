@@ -15,7 +15,7 @@ namespace contrecoup::gas
 {
 namespace
 {
-  /// Relative difference that counts as a disturbance.
+  /// Relative difference from the ambient state that counts as a disturbance.
   double smallest_disturbance(const Precision precision)
   {
     return precision == Precision::single_precision ? 1e-6 : 1e-10;
@@ -41,8 +41,8 @@ namespace
   }
 
 
-  /// The raster of subcells, of the size of the finest leaf, in a box of
-  /// whole leaves of that size.
+  /// Raster of subcells of the finest refinement level in a box of whole
+  /// leaves.
   template <int dim>
   class Raster
   {
@@ -61,7 +61,7 @@ namespace
       {
         const double n_leaves = box.coarse_cells(d) * std::pow(2., finest);
         size_[d] = (box.upper_corner()[d] - origin_[d]) / n_leaves;
-        // Where the box is at an end of the domain, so is the raster.
+        // The raster ends at the domain's boundary where the box does.
         first_[d] =
           std::max(0., std::floor((lower[d] - origin_[d]) / size_[d] + 1e-6));
         const double last = std::min(
@@ -94,8 +94,8 @@ namespace
       return result;
     }
 
-    /// Calls @p function(cell, point) for the cells that the points of a
-    /// leaf of the finest size are; those outside of the raster are left out.
+    /// Calls @p function(cell, point) for each point of a leaf of the finest
+    /// level that lies in the raster; cell is its raster cell.
     template <typename Function>
     void for_each_cell(const LeafBox<dim> &leaf, const Function &function) const
     {
@@ -121,7 +121,7 @@ namespace
       }
     }
 
-    /// Whether the box of a leaf reaches into the raster.
+    /// Whether a leaf overlaps the raster.
     bool overlaps(const LeafBox<dim> &leaf) const
     {
       for (unsigned int d = 0; d < dim; ++d)
@@ -144,13 +144,13 @@ namespace
     const LeafPoints<dim> &points_;
     const int finest_;
     dealii::Point<dim> origin_;
-    dealii::Tensor<1, dim> size_; ///< edge lengths of the finest leaf [m]
+    dealii::Tensor<1, dim> size_; ///< edge lengths of the finest leaves [m]
     std::array<unsigned int, dim> first_, n_leaves_;
   };
 
 
-  /// Puts a leaf, halved until it is of the finest size, into the values of
-  /// the raster. The masses are those of the scheme's volumes.
+  /// Writes a leaf, refined to the finest level, into the rows of the raster;
+  /// the last row takes the scheme's volumes.
   template <int dim>
   void add_leaf(const std::vector<double> &leaf,
                 const LeafBox<dim> &box,
@@ -186,8 +186,8 @@ namespace
   }
 
 
-  /// Makes means of what the scheme's volumes hold, where these are not
-  /// those of the cells themselves.
+  /// Rescales values from the scheme's volumes to those of the raster cells,
+  /// where the two differ.
   void correct_volumes(ProfileData &data, const std::vector<double> &volumes)
   {
     const Profile cells(data);
@@ -260,7 +260,7 @@ ProfileData extract_profile(const LeafMesh<dim> &mesh,
   auto [lower, upper] = disturbed_box(mesh, points, field, state);
   if (!(lower[0] < upper[0]))
     throw InputError("The profile is empty: the gas is undisturbed");
-  // The centre belongs to it even where the gas came to rest.
+  // The raster includes the centre even where the gas has come to rest.
   lower[0] = box.lower_corner()[0];
   int finest = 0;
   for (unsigned int leaf = 0; leaf < mesh.n_owned(); ++leaf)
@@ -268,7 +268,7 @@ ProfileData extract_profile(const LeafMesh<dim> &mesh,
   finest = dealii::Utilities::MPI::max(finest, mesh.communicator());
 
   const Raster<dim> raster(mesh, points, lower, upper, finest);
-  // One more for the volumes.
+  // dim + 3 components and the volumes.
   std::vector<std::vector<double>> values(
     dim + 4, std::vector<double>(raster.n_cells(), 0.));
   const LeafTransfer<dim> transfer(points, field.layout(), material);
@@ -280,7 +280,7 @@ ProfileData extract_profile(const LeafMesh<dim> &mesh,
              points,
              transfer,
              values);
-  // Each cell is of one rank; the others hold zeros.
+  // Each cell belongs to one rank; the other ranks hold zeros.
   for (auto &component : values)
     dealii::Utilities::MPI::sum(component, mesh.communicator(), component);
 

@@ -15,14 +15,14 @@ namespace contrecoup::gas
 {
 namespace
 {
-  /// Part of the unit cube of a leaf.
+  /// Part of a leaf in reference coordinates.
   template <int dim>
   struct Part
   {
     dealii::Point<dim> begin, end;
   };
 
-  /// The vectors along the edges of a part, through its middle.
+  /// Edge vectors of a part, through its centre [m].
   template <int dim>
   std::array<dealii::Tensor<1, dim>, dim> edges_of(const LeafBox<dim> &leaf,
                                                    const Part<dim> &part)
@@ -46,7 +46,7 @@ namespace
   }
 
 
-  /// Means of a profile over parts of leaves.
+  /// Integrates a profile over parts of leaves.
   template <int dim>
   class PartSampler
   {
@@ -59,7 +59,8 @@ namespace
       , rough_(rough)
     {}
 
-    /// Mean excess of the conserved quantities; false where there is none.
+    /// Computes the mean excess of the conserved quantities; returns false
+    /// where the profile is ambient.
     bool sample(const LeafBox<dim> &leaf, const Part<dim> &part)
     {
       leaf_ = &leaf;
@@ -69,7 +70,7 @@ namespace
       double longest = 0.;
       for (const auto &edge : edges_of(leaf, part))
         longest = std::max(longest, edge.norm());
-      // Parts of a thirtieth of the whole tell its shape.
+      // Parts of a thirtieth of the profile resolve its shape.
       const double size = profile_.profile().end(0);
       const double levels = std::ceil(std::log2(longest * 30. / size));
       add(part, rough_ ? 0. : std::min(std::max(levels, 2.), 10.));
@@ -84,7 +85,7 @@ namespace
     }
 
   private:
-    /// Largest variation across a part that is not halved [-].
+    /// Variation above which a part is bisected [-].
     static constexpr double enough = 0.02;
 
     void add(const Part<dim> &part, const unsigned int levels_left)
@@ -97,7 +98,7 @@ namespace
       double size = 0.;
       for (const auto &edge : edges)
         size = std::max(size, edge.norm());
-      // Near the centre the radius is no straight direction.
+      // Near the centre the radial direction varies within a part.
       const bool bent = window.place[0] < 3. * size;
       const bool beyond = profile_.is_beyond(window, bent ? size : 0.);
       if (!beyond && levels_left > 0 &&
@@ -120,7 +121,7 @@ namespace
         sum_[c] += volume * excess_[c];
     }
 
-    /// Mean of r^exponent over an edge along the radius.
+    /// Mean of r^exponent over a radial edge.
     double radial_weight(const dealii::Point<dim> &place,
                          const dealii::Tensor<1, dim> &edge) const
     {
@@ -155,7 +156,7 @@ namespace
   };
 
 
-  /// Masses and energies of the points that the profile disturbs.
+  /// Volume, masses and energies of the disturbed points.
   struct Sums
   {
     double volume = 0., air = 0., products = 0., internal = 0., kinetic = 0.;
@@ -168,8 +169,8 @@ namespace
   };
 
 
-  /// The conserved quantities of one point of a leaf, and what is air,
-  /// products, heat and motion in them.
+  /// Conserved quantities of one point split into air, products, internal and
+  /// kinetic energy.
   template <int dim>
   struct PointState
   {
@@ -202,7 +203,7 @@ namespace
         leaf[C::products * n_points + q] = products;
     }
 
-    /// Multiplies air and products; velocity and heat stay.
+    /// Scales air and products; velocity and internal energy per volume stay.
     void scale_mass(const double air, const double of_products)
     {
       const double before = density;
@@ -217,7 +218,7 @@ namespace
   };
 
 
-  /// The mapping of one profile onto one field.
+  /// Maps one profile onto one field.
   template <int dim>
   class Mapper
   {
@@ -285,7 +286,7 @@ namespace
     }
 
   private:
-    /// Whether the profile does not reach into the leaf.
+    /// Whether the leaf lies outside of the profile.
     bool is_beyond(const LeafBox<dim> &box) const
     {
       dealii::Point<dim> middle = box.origin;
@@ -316,8 +317,8 @@ namespace
       return wanted / found;
     }
 
-    /// Calls @p function(state, volume) for each disturbed point; stores the
-    /// state if it returns true.
+    /// Calls @p function(state, volume) for each disturbed point and stores
+    /// the state if it returns true.
     template <typename Function>
     void for_each_point(const Function &function)
     {
@@ -429,7 +430,7 @@ bool is_steep_in(const ProfileField<dim> &profile,
   const auto around = profile.window(leaf.place(middle), edges_of(leaf, whole));
   if (profile.is_beyond(around, reach) || profile.variation(around) <= steep)
     return false;
-  // Subcells stand side by side along the radius as well as across it.
+  // Tests all subcells: their windows differ along and across the radius.
   const auto subcell = edges_of(leaf, part);
   for (unsigned int i = 0; i < n_points; ++i)
     for (unsigned int j = 0; j < (dim > 1 ? n_points : 1); ++j)

@@ -14,8 +14,8 @@ namespace contrecoup::gas
 {
 namespace
 {
-  /// Density, velocity, pressure of one leaf and of the exact solution at
-  /// one place, with the volume they stand for.
+  /// Computed and exact state at one position, with the volume of its
+  /// quadrature point.
   template <int dim>
   struct Comparison
   {
@@ -36,7 +36,7 @@ namespace
     return primitive_state<dim>(u.data(), material);
   }
 
-  /// Differences of density, velocity and pressure.
+  /// Absolute errors of density, velocity and pressure.
   template <int dim>
   std::array<double, 3> errors_of(const Comparison<dim> &item)
   {
@@ -107,7 +107,7 @@ namespace
     return result;
   }
 
-  /// Sums over the gas, and negated smallest and largest values.
+  /// Integrals over the gas and extremes; minima are negated.
   struct Totals
   {
     explicit Totals(const unsigned int n_components)
@@ -119,8 +119,8 @@ namespace
     std::vector<double> largest; ///< -density, density, -pressure, pressure
   };
 
-  /// Volumes of point @p q in W leaves from @p first on; zero where there
-  /// are none.
+  /// Volumes of point @p q in W leaves from @p first on; zero in padding
+  /// lanes.
   template <int dim>
   Lanes<double> volumes_from(const unsigned int first,
                              const unsigned int q,
@@ -137,7 +137,7 @@ namespace
     return volumes;
   }
 
-  /// Adds W leaves from @p first_leaf on, or those of them that exist.
+  /// Adds up to W leaves from @p first_leaf on.
   template <int dim, typename Gas>
   void add_leaves(const unsigned int first_leaf,
                   const LeafMesh<dim> &mesh,
@@ -151,7 +151,8 @@ namespace
     using C = Component<dim>;
     constexpr unsigned int nc = n_conserved<dim, Gas>;
 
-    // In plane geometry the volumes of all points are alike up to a factor.
+    // In plane geometry the volumes of all points are proportional to those of
+    // point 0.
     const bool is_plane = points.exponent() == 0;
     const double first = points.relative_volume(0);
     const Number whole =
@@ -274,7 +275,7 @@ std::vector<NamedValue> gas_errors(const LeafMesh<dim> &mesh,
                                    const ReferenceSolution<dim> &reference,
                                    const double time)
 {
-  // Volume, then L1, L2 and L1 of the means of each.
+  // Volume, then L1, L2 and mean_L1 of each quantity.
   std::vector<double> sums(10, 0.);
   std::vector<double> largest(3, 0.);
   for (unsigned int leaf = 0; leaf < mesh.n_owned(); ++leaf)
@@ -289,7 +290,8 @@ std::vector<NamedValue> gas_errors(const LeafMesh<dim> &mesh,
                  time);
     };
     auto means = compare(compare_means<dim>);
-    // Only finite volumes, an item for each subcell, burn and meet bodies.
+    // Only finite volumes (one item per subcell) support burn and rigid
+    // bodies.
     for (unsigned int q = 0; q < means.size() && !points.is_galerkin(); ++q)
     {
       means[q].volume *= field.open_fraction(leaf, q);

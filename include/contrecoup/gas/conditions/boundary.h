@@ -18,8 +18,7 @@
 
 namespace contrecoup::gas
 {
-/// What the gas meets at the domain's boundary, as subsection "Boundaries"
-/// describes it.
+/// Boundary conditions of the gas, read from subsection "Boundaries".
 template <int dim>
 class Boundary
 {
@@ -27,10 +26,10 @@ public:
   enum class Kind
   {
     wall,    ///< rigid slip wall; also a plane of symmetry or the axis
-    open,    ///< non-reflecting: the gas inside goes on outside
-    inflow,  ///< one given state
-    initial, ///< the initial state at that place
-    exact    ///< the reference solution at that place and time
+    open,    ///< non-reflecting: the state outside equals that inside
+    inflow,  ///< one prescribed state
+    initial, ///< initial state at that position
+    exact    ///< reference solution at that position and time
   };
 
   /// Declares subsection "Boundaries".
@@ -44,7 +43,7 @@ public:
                         const InitialState<dim> &initial_state,
                         const ReferenceSolution<dim> &reference);
 
-  /// Whether the kind needs place and time of each face point.
+  /// Whether the condition depends on position and time of each face point.
   static bool needs_place(const Kind kind)
   {
     return kind == Kind::initial || kind == Kind::exact;
@@ -56,12 +55,13 @@ public:
                                             : default_kind_;
   }
 
-  /// Whether every boundary is a wall (then mass and energy stay).
+  /// Whether every boundary is a wall, so that mass and energy are conserved.
   bool is_closed(const CoarseMesh<dim> &coarse_mesh) const;
 
   /**
-   * The gas outside, seen from the state @p inside.
-   * @param normal unit vector out of the domain
+   * Exterior state for the interior state @p inside.
+   *
+   * @param normal outward unit normal
    */
   GasState<dim> outside(const unsigned int boundary_id,
                         const GasState<dim> &inside,
@@ -71,7 +71,7 @@ public:
 
 private:
   std::map<unsigned int, Kind> kinds_;
-  std::vector<Kind> kind_of_id_; ///< the same, to look up fast
+  std::vector<Kind> kind_of_id_; ///< kinds_ as an array, for fast access
   Kind default_kind_ = Kind::wall;
   GasState<dim> inflow_;
   const InitialState<dim> *initial_state_ = nullptr;

@@ -12,10 +12,10 @@
 namespace contrecoup::gas
 {
 /**
- * Gas at rest, and energy in a small ball around one point (in the plane
- * 1-D geometry: beside one wall): subsection "Sedov". The energy density
- * falls off as exp(-(r/radius)^2), so that any sampling finer than half the
- * radius holds the energy to round-off.
+ * Point explosion: gas at rest with energy in a small ball around one point
+ * (in plane 1-D geometry: next to one wall); subsection "Sedov". The energy
+ * density is proportional to exp(-(r/radius)^2), so that any sampling finer
+ * than half the radius integrates the energy to round-off.
  */
 template <int dim>
 class SedovField : public InitialField<dim>
@@ -37,8 +37,8 @@ public:
   }
 
   unsigned int spreading; ///< 1 plane, 2 cylindrical, 3 spherical
-  double energy;          ///< [J, J/m, J/m^2]; plane: to one side
-  double radius;          ///< of the deposit [m]
+  double energy; ///< released energy [J, J/m, J/m^2]; plane: to one side
+  double radius; ///< of the deposit [m]
   dealii::Point<dim> center;
   GasState<dim> ambient;
 
@@ -46,7 +46,7 @@ private:
   GasMaterial material_;
 };
 
-/// Cold gas that runs onto a wall, axis or centre: subsection "Noh".
+/// Cold gas that flows towards a wall, axis or centre: subsection "Noh".
 template <int dim>
 class NohField : public InitialField<dim>
 {
@@ -66,7 +66,7 @@ public:
   GasState<dim> ambient; ///< density and pressure; velocity unused
 };
 
-/// Shu's isentropic vortex: subsection "Vortex".
+/// Shu's isentropic vortex in a periodic box: subsection "Vortex".
 template <int dim>
 class VortexField : public InitialField<dim>
 {
@@ -83,7 +83,7 @@ public:
   GasState<dim> value(const dealii::Point<dim> &point) const override;
   double smallest_feature() const override;
 
-  /// The vortex at any time.
+  /// Exact solution at @p time [s].
   GasState<dim> value(const dealii::Point<dim> &point, double time) const;
 
 private:

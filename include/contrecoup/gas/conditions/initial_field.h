@@ -13,8 +13,8 @@
 namespace contrecoup::gas
 {
 /**
- * One kind of initial state, ready to be sampled. Derived classes declare
- * and read a subsection of "Initial state" of their own.
+ * Interface of one kind of initial state. A derived class declares and reads
+ * its own subsection of "Initial state".
  */
 template <int dim>
 class InitialField
@@ -49,7 +49,7 @@ public:
     return 0.;
   }
 
-  /// The pressure [Pa] far from regions and sources, if there is one.
+  /// Pressure far from regions and sources [Pa], if it is uniform.
   virtual std::optional<double> background_pressure() const
   {
     return {};

@@ -23,11 +23,10 @@ class ProfileField;
 class Profile;
 
 /**
- * The gas at time zero, as subsection "Initial state" of the parameter file
- * describes it. Entry "Kind" names one of the kinds that
- * initial_state_kinds lists; a subsection for each holds its numbers.
- * Lengths are those of the mesh; where "Domain/Geometry" is curvilinear,
- * coordinate 0 is the radius.
+ * State of the gas at time zero, read from subsection "Initial state". Entry
+ * "Kind" selects one of initial_state_kinds; each kind has a subsection with
+ * its values. Lengths are those of the mesh; where "Domain/Geometry" is
+ * curvilinear, coordinate 0 is the radius.
  */
 template <int dim>
 class InitialState
@@ -43,49 +42,49 @@ public:
    * Reads subsections "Initial state" and "Domain", which must have been
    * declared. The material is copied.
    *
-   * @throws InputError for a density that is not positive, a pressure that
-   * @p material cannot have, a product fraction outside [0, 1], an
-   * expression that cannot be read, a list of the wrong length.
+   * @throws InputError for a density that is not positive, a pressure that @p
+   * material cannot have, a product fraction outside [0, 1], an expression
+   * that cannot be parsed, a list of the wrong length.
    */
   void parse_parameters(dealii::ParameterHandler &prm,
                         const GasMaterial &material);
 
-  /// The state at @p point.
+  /// State at @p point [m].
   /// @throws InputError when an expression gives an unphysical state there.
   GasState<dim> value(const dealii::Point<dim> &point) const;
 
-  /// The state at @p point before anything happened.
+  /// Ambient state at @p point [m], without any blast.
   GasState<dim> ambient(const dealii::Point<dim> &point) const;
 
-  /// The time of this state [s], 0 unless a profile was made later.
+  /// Time of this state [s]; non-zero only for a profile of a later time.
   double time() const;
 
-  /// The profile that the state is made of, or nullptr.
+  /// Profile that defines the state, or nullptr.
   const ProfileField<dim> *profile() const;
 
-  /// Replaces the state by @p profile around @p centre, within the gas that
-  /// is at the centre in the present state before anything happened.
-  /// @throws InputError when it does not go with the domain.
+  /// Replaces the state by @p profile around @p centre [m]. The gas around the
+  /// profile is the present ambient state at @p centre.
+  /// @throws InputError when the profile does not fit the domain.
   void set_profile(std::shared_ptr<const Profile> profile,
                    const dealii::Point<dim> &centre);
 
   /**
-   * The length [m] that samples must resolve for cell means to be right:
-   * the radius of a small energy deposit, the thickness of a thin layer;
-   * infinite when there is no such length.
+   * Length [m] that samples must resolve for accurate means: the radius of a
+   * small energy deposit, the thickness of a thin layer; infinite if there is
+   * none.
    */
   double smallest_feature() const;
 
   /**
-   * A lower bound [m] of the distance from @p point to the nearest place
+   * Lower bound [m] of the distance from @p point to the nearest position
    * where the state is not locally constant: zero inside a smoothly varying
-   * field, infinite for a uniform one. Initial refinement can follow it
-   * without a risk of missing a region that is smaller than a cell.
+   * field, infinite for a uniform one. Initial refinement uses it and cannot
+   * miss a region smaller than a leaf.
    */
   double distance_to_feature(const dealii::Point<dim> &point) const;
 
-  /// The pressure [Pa] above which overpressures count: that of the
-  /// background; where the state has none, that at @p point.
+  /// Reference pressure [Pa] of overpressures: that of the background; without
+  /// a background, that at @p point.
   double ambient_pressure(const dealii::Point<dim> &point) const;
 
 private:
@@ -94,6 +93,6 @@ private:
   Geometry geometry_ = Geometry::plane;
 };
 
-/// The kinds of initial states.
+/// Names of the kinds of initial states.
 extern const std::vector<std::string> initial_state_kinds;
 } // namespace contrecoup::gas

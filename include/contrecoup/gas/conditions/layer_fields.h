@@ -12,8 +12,8 @@
 namespace contrecoup::gas
 {
 /**
- * Two uniform states left and right of a plane of any direction, seen from
- * a frame that may move: subsection "Riemann".
+ * Riemann problem: two uniform states on either side of a plane of any
+ * direction, given in a frame that may move; subsection "Riemann".
  */
 template <int dim>
 class RiemannField : public InitialField<dim>
@@ -27,15 +27,15 @@ public:
   GasState<dim> value(const dealii::Point<dim> &point) const override;
   double distance_to_feature(const dealii::Point<dim> &point) const override;
 
-  /// The states at rest with the frame, component 0 of the velocity being
-  /// the one along the direction.
+  /// States in the moving frame; velocity component 0 is along the normal.
   const GasState<1> &left() const;
   const GasState<1> &right() const;
 
-  /// Distance from the plane [m] in the moving frame, positive on the right.
+  /// Signed distance from the moving plane [m] at @p time [s], positive on the
+  /// right.
   double distance(const dealii::Point<dim> &point, double time) const;
 
-  /// What is @p state in the frame of its plane, in that of the mesh.
+  /// Transforms @p state from the frame of the plane to that of the mesh.
   GasState<dim> in_space(const GasState<1> &state) const;
 
 private:
@@ -46,7 +46,7 @@ private:
 };
 
 /**
- * Any number of uniform states between parallel planes: subsection "Layers".
+ * Uniform states between parallel planes: subsection "Layers".
  */
 template <int dim>
 class LayerField : public InitialField<dim>

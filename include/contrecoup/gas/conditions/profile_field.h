@@ -15,10 +15,10 @@
 namespace contrecoup::gas
 {
 /**
- * A profile put into a domain: around a centre (spherical ones in 1-D, in
- * axisymmetric 2-D and in 3-D), around an axis along z (cylindrical ones in
- * plane 2-D and in 3-D) or around such an axis and along it (axisymmetric
- * ones, in axisymmetric 2-D and in 3-D). Around it is the background.
+ * Profile placed in a domain: spherical profiles around a centre (in 1-D,
+ * axisymmetric 2-D and 3-D), cylindrical ones around an axis parallel to z (in
+ * plane 2-D and 3-D), axisymmetric ones around and along such an axis (in
+ * axisymmetric 2-D and in 3-D). The gas around the profile is the background.
  */
 template <int dim>
 class ProfileField : public InitialField<dim>
@@ -28,13 +28,13 @@ public:
   static void declare_parameters(ParameterHandler &prm);
 
   /// Reads the subsections "Background" and "Profile" of the current one and
-  /// the profile.
+  /// the profile file.
   ProfileField(ParameterHandler &prm,
                const GasMaterial &material,
                Geometry geometry);
 
-  /// @throws InputError when the profile does not go with the geometry or
-  /// its ambient state is not @p background.
+  /// @throws InputError when the profile does not fit the geometry or its
+  /// ambient state differs from @p background.
   ProfileField(std::shared_ptr<const Profile> profile,
                const dealii::Point<dim> &centre,
                const GasState<dim> &background,
@@ -45,7 +45,7 @@ public:
   {
     return *profile_;
   }
-  /// Place of the profile's centre or of the origin of its axis [m].
+  /// Position of the profile's centre or of the origin of its axis [m].
   const dealii::Point<dim> &centre() const
   {
     return centre_;
@@ -65,48 +65,52 @@ public:
     return background_.pressure;
   }
 
-  /// The undisturbed conserved state: density, momentum, energy, products.
+  /// Ambient conserved state: density, momentum, energy, products.
   const std::vector<double> &ambient_state() const
   {
     return ambient_;
   }
 
-  /// Bounds of a window of the profile around a place.
+  /// Window of the profile around a position.
   struct Window
   {
-    std::array<double, 2> place{}; ///< in the profile's coordinates [m]
-    std::array<double, 2> width{}; ///< [m]
-    std::array<double, 2> reach{}; ///< from the place to the far corners [m]
-    /// Unit vectors of the profile's directions there.
+    /// centre, in the profile's coordinates [m]
+    std::array<double, 2> place{};
+    std::array<double, 2> width{}; ///< edge lengths [m]
+    /// half the extents of the parallelepiped [m]
+    std::array<double, 2> reach{};
+    /// Unit vectors of the profile's directions at the centre.
     std::array<dealii::Tensor<1, dim>, 2> direction;
   };
 
-  /// The window that stands for a parallelepiped around @p place with these
-  /// edges: as wide as a bar with the same mean square distance from its
-  /// middle, and at the mean distance from the centre, so that a mean over
-  /// the window is one over the parallelepiped to third order.
+  /// Window that replaces a parallelepiped around @p place with edge vectors
+  /// @p edges. Its width has the same second moment as the parallelepiped, and
+  /// its centre lies at the mean distance from the profile's centre, so that
+  /// the mean over the window agrees with the mean over the parallelepiped to
+  /// third order.
   Window window(const dealii::Point<dim> &place,
                 const std::array<dealii::Tensor<1, dim>, dim> &edges) const;
 
-  /// Whether the window's reach and @p distance more are outside of the
-  /// raster.
+  /// Whether the extents of the parallelepiped, enlarged by @p distance [m],
+  /// lie outside of the raster.
   bool is_beyond(const Window &window, const double distance = 0.) const;
 
-  /// Relative change within the window's reach, see Profile::variation().
+  /// Relative variation within the extents of the parallelepiped, see
+  /// Profile::variation().
   double variation(const Window &window) const;
 
   /// Mean excess of the conserved quantities over the ambient state in the
-  /// window, which is taken no narrower than the profile's cells.
+  /// window, whose width is at least that of the profile's cells.
   void mean(const Window &window, std::vector<double> &excess) const;
 
-  /// The part of the profile's whole body within the box between @p lower
-  /// and @p upper: 1, or a half for each plane through the centre that
-  /// bounds the box; nothing when the box cuts it otherwise.
+  /// Fraction of the profile inside the box between @p lower and @p upper [m]:
+  /// 1, halved for each side of the box that is a plane through the centre;
+  /// nothing if the box cuts the profile otherwise.
   std::optional<double> part_within(const dealii::Point<dim> &lower,
                                     const dealii::Point<dim> &upper) const;
 
-  /// Volume integrals of the excess of density, energy and products over
-  /// that part [kg, J, kg].
+  /// Volume integrals of the excess of density, energy and products over the
+  /// fraction @p part of the profile [kg, J, kg].
   std::array<double, 3> totals(const double part,
                                const dealii::Point<dim> &lower,
                                const dealii::Point<dim> &upper) const;
@@ -119,7 +123,7 @@ private:
   GasState<dim> background_;
   GasMaterial material_;
   std::vector<double> ambient_;
-  /// Directions of the domain that the profile's radius spans.
+  /// Number of directions of the domain that the profile's radius spans.
   unsigned int n_radial_ = dim;
   bool is_axisymmetric_target_ = false;
 };

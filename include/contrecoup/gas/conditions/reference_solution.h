@@ -21,9 +21,9 @@ class GasMaterial;
 namespace contrecoup::gas
 {
 /**
- * The solution that a run is measured against, as subsection "Reference"
- * of the parameter file names it. The numbers of the problem come from
- * subsection "Initial state", so that the two cannot disagree.
+ * Reference solution for the errors of a run, selected in subsection
+ * "Reference". The parameters of the problem come from subsection "Initial
+ * state", so that the two cannot disagree.
  */
 template <int dim>
 class ReferenceSolution
@@ -33,8 +33,8 @@ public:
   static void declare_parameters(dealii::ParameterHandler &prm);
 
   /**
-   * Reads subsections "Reference", "Initial state" and "Domain",
-   * all of which must have been declared. The material is copied.
+   * Reads subsections "Reference", "Initial state" and "Domain", which must
+   * have been declared. The material is copied.
    *
    * @throws InputError when the kind of reference does not fit the initial
    * state or the material, or a table cannot be read.
@@ -42,24 +42,24 @@ public:
   void parse_parameters(dealii::ParameterHandler &prm,
                         const GasMaterial &material);
 
-  /// The kind, as the parameter file names it; "none" without reference.
+  /// Kind as named in the parameter file; "none" without a reference.
   const std::string &name() const;
 
   /// Whether value() may be called.
   bool exists() const;
 
-  /// Whether the run is to be measured against value(), which may instead
-  /// serve exact boundaries alone.
+  /// Whether errors against value() are reported; false if value() only serves
+  /// exact boundaries.
   bool is_measured() const;
 
-  /// The exact state at @p point and @p time [s].
+  /// Reference state at @p point [m] and @p time [s].
   GasState<dim> value(const dealii::Point<dim> &point, double time) const;
 
   /// Whether arrival() may be called.
   bool has_arrivals() const;
 
-  /// What the blast does at @p point; zero where the reference has no
-  /// figure.
+  /// Blast measures at @p point [m]; a measure that the reference does not
+  /// have is zero.
   BlastMeasures arrival(const dealii::Point<dim> &point) const;
 
 private:
@@ -74,6 +74,6 @@ private:
   std::function<BlastMeasures(const dealii::Point<dim> &)> arrival_;
 };
 
-/// The kinds of reference solutions.
+/// Names of the kinds of reference solutions.
 extern const std::vector<std::string> reference_solution_kinds;
 } // namespace contrecoup::gas

@@ -11,19 +11,19 @@
 
 namespace contrecoup::gas
 {
-/// A part of space of simple shape in which the size of leaves is set.
+/// Region of simple shape in which a refinement level is prescribed.
 class Region
 {
 public:
   /// Declares shape, corners, centres and radius in the current subsection.
-  /// @param rule what the sentence about the shapes says of leaves there
+  /// @param rule help text of entry "Shape"
   static void declare_parameters(dealii::ParameterHandler &prm,
                                  const std::string &rule);
 
   void parse_parameters(dealii::ParameterHandler &prm);
 
-  /// @param where name of the subsection
-  /// @throws InputError for places without @p dim coordinates.
+  /// @param where name of the subsection, for messages
+  /// @throws InputError for points without @p dim coordinates.
   void check(const std::string &where, const unsigned int dim) const;
 
   bool is_ball() const
@@ -31,12 +31,14 @@ public:
     return shape_ == "ball";
   }
 
-  /// Whether a place is in the region, the radius larger by @p margin [m].
+  /// Whether @p place [m] is in the region with its radius increased by @p
+  /// margin [m].
   template <int dim>
   bool contains(const dealii::Point<dim> &place, const double margin) const;
 
-  /// Whether the box between two corners has points in the region [m]; what
-  /// several balls cover together counts as outside of them.
+  /// Whether the box between two corners [m] intersects the region. For
+  /// "outside of ball", a box that only the union of several balls covers
+  /// counts as outside.
   template <int dim>
   bool meets(const dealii::Point<dim> &lower,
              const dealii::Point<dim> &upper) const;

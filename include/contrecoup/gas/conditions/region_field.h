@@ -14,9 +14,9 @@
 namespace contrecoup::gas
 {
 /**
- * A uniform background, subsection "Background", and on it regions of
- * simple shape with a uniform state each, subsections "Region <name>". Where
- * regions overlap the one that was named last counts.
+ * Uniform background, subsection "Background", with regions of simple shape
+ * and uniform state, subsections "Region <name>". Where regions overlap, the
+ * last one counts.
  */
 template <int dim>
 class RegionField : public InitialField<dim>
@@ -25,7 +25,7 @@ public:
   static void declare_parameters(ParameterHandler &prm);
 
   /// Reads the subsections of the current one, which is "Initial state".
-  /// @param with_regions whether to read more than the background
+  /// @param with_regions whether to read the regions too
   RegionField(ParameterHandler &prm,
               const GasMaterial &material,
               Geometry geometry,
@@ -57,7 +57,7 @@ private:
   /// Volume [m^3; per m or m^2 of the directions that are not resolved].
   static double volume(const Region &region, Geometry geometry);
 
-  /// Distance [m] from the region's surface, negative inside.
+  /// Signed distance [m] from the region's surface, negative inside.
   static double signed_distance(const Region &region,
                                 const dealii::Point<dim> &point);
 

@@ -18,31 +18,31 @@
 
 namespace contrecoup::gas
 {
-/// A rigid body that stands in the gas, as subsection "Rigid body" describes
-/// it. In 2-D it is cut at z = 0, and in axisymmetric geometry that cut is
-/// turned about the axis, x = 0.
+/// Fixed rigid body in the gas, read from subsection "Rigid body". In 2-D the
+/// body is its cross-section at z = 0; in axisymmetric geometry that section
+/// is revolved about the axis, x = 0.
 class RigidBody
 {
 public:
   enum class Treatment
   {
-    embedded, ///< cells are cut by the surface
-    staircase ///< cells are gas or body by their centre
+    embedded, ///< the surface cuts subcells
+    staircase ///< a subcell is gas or body, by its centre
   };
 
   /// Declares subsections "Rigid body" and "Body".
   static void declare_parameters(dealii::ParameterHandler &prm);
 
-  /// @throws InputError when the body cannot be made.
+  /// @throws InputError when the body cannot be built.
   void parse_parameters(dealii::ParameterHandler &prm);
 
-  /// Whether a run needs the body in at least one cell.
+  /// Whether a run is refused if the body covers no subcell.
   bool is_required() const
   {
     return is_required_;
   }
 
-  /// Whether there is none.
+  /// Whether there is no body.
   bool empty() const
   {
     return shape_ == nullptr;
@@ -56,14 +56,15 @@ public:
   /// @throws InputError for regions without @p dim coordinates.
   void check(const unsigned int dim) const;
 
-  /// Times that coarse leaves at the surface stay halved beyond the initial
-  /// refinement, where no finer region is.
+  /// Refinement level of leaves at the surface, above the initial refinement,
+  /// outside of finer regions.
   unsigned int levels() const
   {
     return levels_;
   }
 
-  /// The same of a leaf between two corners [m].
+  /// Refinement level of a leaf between two corners [m] at the surface, above
+  /// the initial refinement.
   template <int dim>
   unsigned int levels(const dealii::Point<dim> &lower,
                       const dealii::Point<dim> &upper) const
@@ -75,24 +76,25 @@ public:
     return result;
   }
 
-  /// Diagonals of leaves of that size that fit between the ball around a leaf
-  /// and the surface, negative where they meet; inside of the body, where none
-  /// are wanted beside those at the surface, one more.
-  /// @param halvings times that this leaf has been halved beyond the initial
+  /// Distance from the circumscribed ball of a leaf to the surface, in
+  /// diagonals of a leaf of refinement level levels() [-]; negative where they
+  /// intersect. Inside the body, where leaves are refined only at the surface,
+  /// the result is larger by at_body.
+  /// @param halvings refinement level of this leaf above the initial
   /// refinement
   template <int dim>
   double layers_to(const dealii::Point<dim> &lower,
                    const dealii::Point<dim> &upper,
                    const int halvings) const;
 
-  /// What layers_to() is at most for leaves at the body: those that it cuts,
-  /// and their neighbours.
+  /// Upper bound of layers_to() for leaves that the body cuts and their
+  /// neighbours.
   static constexpr double at_body = 1. + 1e-9;
 
-  /// The most that levels() gives.
+  /// Largest value of levels().
   unsigned int most_levels() const;
 
-  /// Shape::value() at a place in the gas's coordinates [m].
+  /// Shape::value() at a position in the coordinates of the gas [m].
   template <int dim>
   double value(const dealii::Point<dim> &place) const
   {
@@ -102,12 +104,12 @@ public:
     return shape_->value(point);
   }
 
-  /// value() in the middle of a leaf, remembered, since it is asked for each
-  /// time that the mesh changes.
+  /// value() at the centre of a leaf, cached: every change of the mesh needs
+  /// it.
   template <int dim>
   double value_in_leaf(const dealii::Point<dim> &middle) const;
 
-  /// A point of the surface near a place, see Shape::project().
+  /// Projection of a position onto the surface, see Shape::project().
   template <int dim>
   dealii::Point<3> project(const dealii::Point<dim> &place) const
   {
@@ -117,7 +119,7 @@ public:
     return shape_->project(point);
   }
 
-  /// The unit normal out of the body at a place of its surface.
+  /// Outward unit normal of the body at a position on its surface.
   dealii::Tensor<1, 3> normal(const dealii::Point<3> &place) const
   {
     return shape_->normal(place);

@@ -11,17 +11,16 @@
 namespace contrecoup::gas
 {
 /**
- * A profile along one coordinate from a CSV file: columns position [m],
- * density [kg/m^3], velocity [m/s], pressure [Pa] and, if there is a fifth
- * one, mass fraction of products. Lines that start with # and one header
- * line are skipped; positions increase. Linear in between, constant beyond
- * the ends.
+ * Profile along one coordinate from a CSV file with the columns position [m],
+ * density [kg/m^3], velocity [m/s], pressure [Pa] and optionally the mass
+ * fraction of products [-]. Lines that start with # and one header line are
+ * skipped; positions increase. Linear interpolation, constant beyond the ends.
  */
 class TableProfile
 {
 public:
-  /// @throws InputError, naming file and line, for a file that cannot be
-  /// read and for a line that does not hold such numbers.
+  /// @throws InputError, naming file and line, for a file that cannot be read
+  /// or a line without valid values.
   explicit TableProfile(const std::string &file);
 
   GasState<1> value(double position) const;

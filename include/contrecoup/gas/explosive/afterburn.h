@@ -14,16 +14,16 @@
 namespace contrecoup::gas
 {
 /**
- * Energy that detonation products release while they burn with the oxygen of
- * the air, after the detonation. One fraction L for all products says how
- * much of it is out: in every step rho E grows by rho Y q dL. Either L grows
- * at a constant rate between two times, or (P. J. Miller, Mat. Res. Soc. Symp.
- * Proc. 418 (1996) 413-420)
+ * Afterburn: energy that detonation products release after the detonation as
+ * they burn with the oxygen of the air. One released fraction L applies to all
+ * products: each step increases rho E by rho Y q dL, Y being the mass fraction
+ * of products. L grows either at a constant rate between two times, or by (P.
+ * J. Miller, Mat. Res. Soc. Symp. Proc. 418 (1996) 413-420)
  *
- *   dL/dt = a (1 - L)^m (p / 1 Mbar)^n,
+ * dL/dt = a (1 - L)^m (p / 1 Mbar)^n,
  *
- * here with the mean pressure p of all products, weighted with their mass.
- * How the air mixes in is not resolved: the oxygen is taken to be there.
+ * here with the mass-weighted mean pressure p of all products. The mixing with
+ * air is not resolved: oxygen is assumed to be available.
  */
 class Afterburn
 {
@@ -31,7 +31,7 @@ public:
   /// Declares subsection "Afterburn" of the current one.
   static void declare_parameters(ParameterHandler &prm);
 
-  /// @throws InputError for an end before the start.
+  /// @throws InputError for an end time before the start time.
   void parse_parameters(ParameterHandler &prm);
 
   bool active() const
@@ -45,7 +45,7 @@ public:
     return fraction_;
   }
 
-  /// Energy that a kilogramme of products has still to release [J/kg].
+  /// Energy that products have yet to release [J/kg].
   double energy_left() const
   {
     return active() ? (1. - fraction_) * energy_ : 0.;
@@ -58,9 +58,10 @@ public:
   }
 
   /**
-   * Releases the energy of a step of length @p step [s] that ended at
-   * @p time [s] in @p field. Collective.
-   * @return whether there was any
+   * Adds the energy released in the step of length @p step [s] that ended at
+   * @p time [s] to @p field. Collective.
+   *
+   * @return whether any energy was released
    */
   template <int dim>
   bool release(const double time,
@@ -70,14 +71,14 @@ public:
                const GasMaterial &material,
                GasField &field);
 
-  /// Goes on from a released fraction [-] and energy [J].
+  /// Sets the released fraction [-] and the released energy [J] at the start.
   void go_on_from(const double fraction, const double released)
   {
     fraction_ = fraction;
     released_ = released;
   }
 
-  /// The state, for checkpoints.
+  /// Writes and reads the state of a checkpoint.
   void save(std::ostream &stream) const;
   void load(std::istream &stream);
 

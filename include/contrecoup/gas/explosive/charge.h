@@ -16,11 +16,11 @@
 namespace contrecoup::gas
 {
 /**
- * A piece of explosive: its shape, and where and when it is lit. Which shapes
- * there are depends on the geometry of the mesh: spheres in 3-D, axisymmetric
- * and spherical meshes; cylinders in 3-D, axisymmetric (along the axis),
- * plane 2-D (seen end on) and cylindrical ones; boxes in plane ones of any
- * dimension. Lengths are in m.
+ * Charge: shape of a piece of explosive, and where and when it is ignited. The
+ * available shapes depend on the geometry of the mesh: spheres in 3-D,
+ * axisymmetric and spherical meshes; cylinders in 3-D, axisymmetric (along the
+ * axis), plane 2-D (seen along the axis) and cylindrical meshes; boxes in
+ * plane meshes of any dimension. Lengths are in m.
  */
 template <int dim>
 class Charge
@@ -37,44 +37,46 @@ public:
   static void declare_parameters(ParameterHandler &prm);
 
   /**
-   * Reads them.
-   * @param density of the explosive [kg/m^3], which makes a size of a mass
-   * @throws InputError, naming @p where, for a shape or place that the
-   * geometry does not have, and for times that do not go with the points.
+   * Reads the entries of declare_parameters().
+   *
+   * @param density density of the explosive [kg/m^3], which converts mass to
+   * size
+   * @throws InputError, naming @p where, for a shape or position that the
+   * geometry does not have, and for ignition times that do not match the
+   * ignition points.
    */
   Charge(const ParameterHandler &prm,
          const Geometry geometry,
          const double density,
          const std::string &where);
 
-  /// Volume of the whole charge [m^3; m^2 or m where the directions that the
-  /// mesh does not resolve count per m].
+  /// Volume of the whole charge [m^3; m^2 or m where directions are not
+  /// resolved, per m of each].
   double volume() const;
 
-  /// Distance from the surface [m], negative inside.
+  /// Signed distance from the surface [m], negative inside.
   double signed_distance(const dealii::Point<dim> &point) const;
 
   /// Smallest diameter [m].
   double smallest_size() const;
 
-  /// Opposite corners of the box around the charge.
+  /// Lower and upper corner of the bounding box [m].
   std::pair<dealii::Point<dim>, dealii::Point<dim>> bounds() const;
 
-  /// The opposite corners of a charge that is a box in the coordinates of the
-  /// mesh.
+  /// Lower and upper corner [m] if the charge is a box in the coordinates of
+  /// the mesh.
   std::optional<std::pair<dealii::Point<dim>, dealii::Point<dim>>>
   as_box() const;
 
   /**
-   * The part of the volume that lies in the box @p mesh: 1, or a half for
-   * each of its sides that is a plane of symmetry of the charge. Nothing is
-   * known where the domain cuts the charge otherwise, and about meshes that
-   * are no boxes.
+   * Fraction of the charge's volume inside the box @p mesh: 1, halved for each
+   * side that is a plane of symmetry of the charge. Nothing is returned where
+   * the domain cuts the charge otherwise, or for a mesh that is not a box.
    */
   std::optional<double> share_within(const CoarseMesh<dim> &mesh) const;
 
-  /// When a detonation of this speed [m/s] has come to within @p lead [m] of
-  /// a point [s].
+  /// Time [s] when a detonation front of speed @p speed [m/s] comes within @p
+  /// lead [m] of a point.
   double arrival(const dealii::Point<dim> &point,
                  const double speed,
                  const double lead) const;
@@ -94,6 +96,6 @@ private:
   double radius_;
   double length_; ///< of a cylinder
   std::vector<dealii::Point<dim>> ignition_points_;
-  std::vector<double> ignition_times_; ///< of each point [s]
+  std::vector<double> ignition_times_; ///< one per ignition point [s]
 };
 } // namespace contrecoup::gas

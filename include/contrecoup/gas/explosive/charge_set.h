@@ -15,21 +15,21 @@
 
 namespace contrecoup::gas
 {
-/// The charges of a scene, as subsection "Charges" describes them: all of the
-/// explosive that subsection "Material" names.
+/// All charges of a scene, read from subsection "Charges"; they consist of the
+/// explosive of subsection "Material".
 template <int dim>
 class ChargeSet
 {
 public:
   static void declare_parameters(ParameterHandler &prm);
 
-  /// @throws InputError where the material has no explosive, and as Charge
+  /// @throws InputError when the material has no explosive, and as Charge
   /// does.
   void parse_parameters(ParameterHandler &prm,
                         const GasMaterial &material,
                         const CoarseMesh<dim> &mesh);
 
-  /// @throws InputError unless @p scheme is of finite volumes and the gas
+  /// @throws InputError unless @p scheme is a finite-volume scheme and the gas
   /// around the charges is uniform and at rest.
   void check(const Scheme &scheme, const InitialState<dim> &initial_state);
 
@@ -38,7 +38,7 @@ public:
     return charges_.empty();
   }
 
-  /// What the constants of the explosive amount to, for the log.
+  /// Derived constants of the explosive, as text for the log.
   const std::string &description() const
   {
     return description_;
@@ -50,46 +50,48 @@ public:
     return speed_;
   }
 
-  /// Of the unburned explosive [kg/m^3].
+  /// Density of the unburned explosive [kg/m^3].
   double density() const
   {
     return density_;
   }
 
-  /// 1 / (1 - V) at the Chapman-Jouguet state [-].
+  /// 1 / (1 - V_CJ), V_CJ the relative volume of the Chapman-Jouguet state
+  /// [-].
   double stiffness() const
   {
     return stiffness_;
   }
 
-  /// Thickness of the burning zone in cells.
+  /// Thickness of the burn front in subcells [-].
   double burn_width() const
   {
     return burn_width_;
   }
 
-  /// Pressure of the gas around the charges, as the equation of state gives
-  /// it back from its energy [Pa].
+  /// Ambient pressure around the charges [Pa], computed from the ambient
+  /// energy by the equation of state.
   double ambient_pressure() const
   {
     return ambient_pressure_;
   }
 
-  /// Distance from the nearest charge [m], negative inside.
+  /// Signed distance from the nearest charge [m], negative inside.
   double signed_distance(const dealii::Point<dim> &point) const;
 
-  /// When the detonation has come to within @p lead [m] of a point, of the
-  /// charges that are nearer than @p reach [m]; nothing if there are none.
+  /// Time [s] when the detonation front of a charge nearer than @p reach [m]
+  /// comes within @p lead [m] of a point; nothing if no charge is that near.
   std::optional<double> arrival(const dealii::Point<dim> &point,
                                 const double reach,
                                 const double lead) const;
 
   /**
-   * Puts the explosive, at rest and with all its energy, in the place of the
-   * gas that @p field holds. Cells that a surface cuts get a mixture, and a
-   * charge has its exact mass whatever the cells are, unless the boundary
-   * cuts it elsewhere than in planes of symmetry. Collective.
-   * @return one line for the log for each charge
+   * Replaces gas in @p field by explosive at rest with its full energy.
+   * Subcells that the surface of a charge cuts get a mixture. Each charge has
+   * its exact mass on any mesh, unless the domain cuts it elsewhere than in
+   * planes of symmetry. Collective.
+   *
+   * @return one line per charge for the log
    * @throws InputError for charges that overlap or miss the domain.
    */
   std::vector<std::string> fill(const LeafMesh<dim> &mesh,
@@ -100,8 +102,8 @@ private:
   std::vector<Charge<dim>> charges_;
   std::vector<std::string> names_;
   std::string description_;
-  double density_ = 0.;        ///< of the explosive [kg/m^3]
-  double energy_density_ = 0.; ///< of the explosive [J/m^3]
+  double density_ = 0.;        ///< density of the explosive [kg/m^3]
+  double energy_density_ = 0.; ///< energy density of the explosive [J/m^3]
   double speed_ = 0.;
   double stiffness_ = 0.;
   double burn_width_ = 2.;

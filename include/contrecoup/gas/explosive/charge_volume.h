@@ -11,28 +11,28 @@
 
 namespace contrecoup::gas
 {
-/// How much of each point's volume a charge fills.
+/// Fraction of each point's volume that a charge fills.
 struct ChargeVolume
 {
   struct Part
   {
     unsigned int leaf;
     unsigned int point;
-    double fraction; ///< of the point's volume, above 0 [-]
+    double fraction; ///< fraction of the point's volume, > 0 [-]
   };
-  std::vector<Part> parts; ///< of the leaves of this rank
-  double total = 0.;       ///< volume of all ranks' parts [m^3]
-  bool is_exact = false;   ///< whether total is that of the true shape
+  std::vector<Part> parts; ///< on leaves of this rank
+  double total = 0.;       ///< volume of the parts of all ranks [m^3]
+  bool is_exact = false;   ///< whether total equals the exact volume
 };
 
 /**
- * Volume fractions of a charge in the subcells of a mesh. Charges that are
- * boxes in the coordinates of a box mesh (in 1-D all) are intersected
- * exactly. The cells that other surfaces cut are halved in all directions
- * until their parts are small beside cell and charge, and a plane surface is
- * assumed in each part. The fractions f of these cells are then changed by
- * lambda f (1 - f), with one lambda, so that the charge has its exact volume,
- * where Charge::share_within() knows it. Collective.
+ * Computes the volume fractions of a charge in the points of a mesh. A charge
+ * that is a box in the coordinates of a box mesh (in 1-D every charge) is
+ * intersected exactly. Subcells cut by other surfaces are bisected in all
+ * directions until the parts are small compared with subcell and charge;
+ * within a part the surface is taken as plane. Then the fractions f of cut
+ * subcells are changed by lambda f (1 - f), with one lambda, so that the
+ * charge has its exact volume, if Charge::share_within() knows it. Collective.
  */
 template <int dim>
 ChargeVolume charge_volume(const Charge<dim> &charge,

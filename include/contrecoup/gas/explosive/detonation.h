@@ -14,36 +14,36 @@
 namespace contrecoup::gas
 {
 /**
- * The programmed burn of all charges on a mesh: a front runs from the
- * ignition points at the detonation speed D, and a cell of size h burns while
- * the front moves on by w h,
+ * Programmed burn of all charges on a mesh: a front runs from the ignition
+ * points at the detonation speed D, and a subcell of size h burns while the
+ * front advances by w h,
  *
- *   F(x, t) = min(1, max(0, D (t - t_b(x)) / (w h))),
+ * F(x, t) = min(1, max(0, D (t - t_b(x)) / (w h))),
  *
- * w being ChargeSet::burn_width(). Burning begins when the front is half of
- * that way ahead, t_b = min over i of t_i + max(0, |x - x_i| - w h / 2) / D:
- * so the captured front, which is wide, is in time. The explosive ahead of it
- * is at rest, so that F, a function of place and time alone, needs neither
- * storage nor transport, and never decreases. Cells without explosive burn
- * with it if they lie within their diameter of a charge. See Burn for what F
- * does.
+ * w being ChargeSet::burn_width(). Burning begins when the front is w h / 2
+ * ahead of the subcell, t_b = min over i of t_i + max(0, |x - x_i| - w h / 2)
+ * / D, so that the captured front, which is w h wide, arrives on time. The
+ * explosive ahead of the front is at rest; F is therefore a function of
+ * position and time alone, needs neither storage nor transport and never
+ * decreases. Subcells without explosive burn too if they lie within their
+ * diameter of a charge. See Burn for the effect of F.
  */
 template <int dim>
 class Detonation
 {
 public:
-  /// Computes t_b for a mesh. Collective.
+  /// Computes t_b of all points. Collective.
   void reinit(const LeafMesh<dim> &mesh,
               const LeafPoints<dim> &points,
               const ChargeSet<dim> &charges);
 
-  /// What is to burn, for Stage and GasField; valid until reinit().
+  /// Burn data for Stage and GasField; valid until reinit().
   const Burn &burn() const
   {
     return burn_;
   }
 
-  /// When everything has burned [s].
+  /// Time when all explosive has burned [s].
   double end() const
   {
     return end_;

@@ -12,10 +12,10 @@
 namespace contrecoup::gas
 {
 /**
- * A box around all cells that differ from the ambient state by more than a
- * relative 1e-10 in density or energy or as much in momentum: what cells
- * beyond it lack is below round-off of the whole. Empty (lower above upper)
- * when nothing does. Collective.
+ * Bounding box of all subcells that differ from the ambient state by more than
+ * a relative 1e-10 (single precision: 1e-6) in density or energy, or as much
+ * in momentum; the differences beyond the box are below round-off of the
+ * totals. Empty (lower above upper) if nothing differs. Collective.
  */
 template <int dim>
 std::pair<dealii::Point<dim>, dealii::Point<dim>>
@@ -25,11 +25,12 @@ disturbed_box(const LeafMesh<dim> &mesh,
               const std::vector<double> &ambient);
 
 /**
- * The profile of a field in spherical, cylindrical or axisymmetric geometry:
- * its disturbed box on a raster of subcells as fine as the finest leaf there;
- * coarser leaves are halved as in adaptation. Every rank gets all of it. The
- * caller fills in what it knows besides: time, material, version.
- * @param ambient the undisturbed state, at rest
+ * Extracts the profile of a field in spherical, cylindrical or axisymmetric
+ * geometry: its disturbed_box() on a raster of subcells of the finest
+ * refinement level there; coarser leaves are refined as in adaptation. All
+ * ranks get the whole profile. The caller adds time, material and version.
+ *
+ * @param ambient the ambient state, at rest
  * @throws InputError in plane geometry and when nothing is disturbed
  */
 template <int dim>

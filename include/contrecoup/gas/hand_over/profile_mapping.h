@@ -12,30 +12,31 @@
 
 namespace contrecoup::gas
 {
-/// What map_profile() did.
+/// Result of map_profile().
 struct ProfileMapping
 {
-  /// Whether the profile's body, or parts of it between planes through its
-  /// centre, is in the domain, so that its totals are known.
+  /// Whether the domain contains the whole profile, or a part between planes
+  /// through its centre, so that the totals are known.
   bool is_complete = false;
-  /// Mass of air, mass of products [kg] and energy [J] of the gas that the
-  /// profile disturbs: as they must be, and as cell means found them.
+  /// Mass of air [kg], mass of products [kg] and energy [J] of the disturbed
+  /// gas: exact, and as integrated from the mapped means.
   std::array<double, 3> wanted{}, found{};
-  /// What air, products and internal energy were multiplied with.
+  /// Correction factors of air, products and internal energy [-].
   std::array<double, 3> factors{{1., 1., 1.}};
 };
 
 /**
- * Fills a field with a profile. Each point of a leaf gets the mean of the
+ * Maps a profile onto a field. Each point of a leaf gets the mean of the
  * profile over its subcell (Galerkin nodes: over the part of the leaf that
- * they stand for), taken from parts of it that are halved where the profile
- * varies; total energy is a mean as well, so that kinetic energy that means
- * of momentum lose becomes heat. Then mass of air, mass of products and
- * internal energy are multiplied with one factor each, at constant velocity,
- * so that the totals of the disturbed gas are those of the profile to
- * round-off; if the domain cuts the profile other than by planes through its
- * centre, nothing is. Collective.
- * @param rough for choosing a mesh: no part is halved and nothing multiplied
+ * belongs to the node), integrated over parts that are bisected where the
+ * profile varies. Total energy is averaged too, so that kinetic energy lost in
+ * the means of momentum becomes internal energy. Then mass of air, mass of
+ * products and internal energy are each multiplied by one factor at constant
+ * velocity, so that the totals of the disturbed gas equal those of the profile
+ * to round-off; no correction is made if the domain cuts the profile other
+ * than by planes through its centre. Collective.
+ *
+ * @param rough true: for choosing a mesh; no bisection and no correction
  * @throws NumericsError when a state would become unphysical
  */
 template <int dim>
@@ -47,14 +48,14 @@ ProfileMapping map_profile(const ProfileField<dim> &profile,
                            const bool rough = false);
 
 /**
- * Whether the profile varies by more than 5 % across a subcell of the leaf,
- * which then is too coarse for it.
+ * Whether the profile varies by more than 5 % across a subcell of the leaf, so
+ * that the leaf must be refined.
  */
 template <int dim>
 bool is_steep_in(const ProfileField<dim> &profile,
                  const LeafBox<dim> &leaf,
                  const unsigned int n_points);
 
-/// Lines that say what was mapped, for the log.
+/// Totals and factors of a mapping as lines for the log.
 std::string to_text(const ProfileMapping &mapping, const bool has_products);
 } // namespace contrecoup::gas

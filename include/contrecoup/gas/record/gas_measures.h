@@ -14,8 +14,8 @@
 namespace contrecoup::gas
 {
 /**
- * Totals of the conserved quantities over the whole body of gas, and the
- * extremes of density and pressure. Collective.
+ * Integrals of the conserved quantities over the gas (over the full angle in
+ * curvilinear geometry), and the extremes of density and pressure. Collective.
  */
 template <int dim>
 std::vector<NamedValue> gas_totals(const LeafMesh<dim> &mesh,
@@ -24,11 +24,11 @@ std::vector<NamedValue> gas_totals(const LeafMesh<dim> &mesh,
                                    const GasMaterial &material);
 
 /**
- * Mean absolute (L1), root mean square (L2) and largest (Linf) difference
- * of density, velocity and pressure from the reference: of cell means for
- * finite volumes, of the polynomials for Galerkin schemes. For these, mean_L1
- * is the L1 error that finite volumes would report: of the nodal values from
- * the exact means over the nodes' subcells. Collective.
+ * Errors against the reference: mean absolute (L1), root mean square (L2) and
+ * largest (Linf) error of density, velocity and pressure. Finite volumes
+ * compare means of subcells, Galerkin schemes polynomials. Galerkin schemes
+ * also report mean_L1, comparable to the L1 error of finite volumes: nodal
+ * values against the exact means over the nodes' subcells. Collective.
  */
 template <int dim>
 std::vector<NamedValue> gas_errors(const LeafMesh<dim> &mesh,

@@ -12,9 +12,9 @@
 namespace contrecoup::gas
 {
 /**
- * Watches when a blast reaches the open sides of a box: when the overpressure
- * in a leaf there first exceeds BlastRecord::threshold of the ambient pressure,
- * up to `interval` steps late.
+ * Records when a blast reaches the open sides of a box: when the overpressure
+ * in a leaf at the side first exceeds BlastRecord::threshold times the ambient
+ * pressure, with a delay of at most `interval` steps.
  */
 template <int dim>
 class OpenSides : public Recorder<dim>
