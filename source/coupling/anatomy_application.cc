@@ -30,7 +30,7 @@ namespace coupling
     using Json = nlohmann::ordered_json;
     using dealii::Point;
 
-    /// One body on its way to a mesh in a folder.
+    /// Builds the mesh of one body and writes it to a folder.
     class AnatomyRun
     {
     public:
@@ -42,13 +42,13 @@ namespace coupling
         , surface_(body_->surface())
       {}
 
-      /// Says what would be made and cost.
+      /// Logs what would be built and returns the cost estimate.
       CostEstimate check() const
       {
         const LabelGrid grid =
           make_grid(surface_->bounding_box(), parameters_.element_size);
         const CostEstimate cost = estimate(grid);
-        // An estimate of so few may be of none.
+        // An estimate of so few elements may stand for none.
         if (cost.cells < 100.)
         {
           LabelGrid filled = grid;
@@ -75,7 +75,7 @@ namespace coupling
         return cost;
       }
 
-      /// Into the folder that @p claim has.
+      /// Builds the mesh and writes it to the folder of @p claim.
       void execute(const std::string &parameter_text, io::FolderClaim &claim)
       {
         LabelGrid grid =
@@ -93,7 +93,7 @@ namespace coupling
                                               *surface_,
                                               parameters_.body.references(),
                                               parameters_.tissue_set);
-        // From here on only a disk can fail: what was there before may go.
+        // From here on only the disk can fail: old results may be removed.
         SignalGuard::require_no_stop();
         claim.begin();
         start(parameter_text);
@@ -139,7 +139,7 @@ namespace coupling
             " m: no element has its centre in the body, " + told_box());
       }
 
-      /// Volume of the body, from some hundred thousand cubes [m^3].
+      /// Volume of the body, from a few hundred thousand cubes [m^3].
       double estimate_volume() const
       {
         const auto box = surface_->bounding_box();
@@ -153,8 +153,8 @@ namespace coupling
                static_cast<double>(grid.labels.size() - n_empty);
       }
 
-      /// Before coarsening; time and disk as measured with the phantom in
-      /// elements of 10 and 5 mm.
+      /// Cost before coarsening; time and disk as measured for the phantom
+      /// with elements of 10 and 5 mm.
       CostEstimate estimate(const LabelGrid &grid) const
       {
         CostEstimate cost;
@@ -168,7 +168,7 @@ namespace coupling
         return cost;
       }
 
-      /// The extents of the body.
+      /// Extents of the body as text.
       std::string told_box() const
       {
         const auto box = surface_->bounding_box();

@@ -27,25 +27,25 @@ namespace coupling
                       "0",
                       0,
                       6,
-                      "Times that elements may double away from surfaces and "
-                      "interfaces, 0 to 6; neighbours differ by one doubling, "
-                      "and nodes that hang between are listed in "
+                      "Number of times that the element size doubles away from "
+                      "surfaces and interfaces, 0 to 6; neighbours differ by "
+                      "one level, and hanging nodes are listed in "
                       "hanging_nodes.csv.");
       declare_integer(prm,
                       "Smoothing iterations",
                       "0",
                       0,
                       1000,
-                      "Steps of Taubin's filter on surfaces and interfaces, 0 "
-                      "(stairs) to 1000; 20 are usual.");
+                      "Iterations of Taubin's filter on surfaces and "
+                      "interfaces, 0 (staircase) to 1000; 20 are usual.");
       declare_double(prm,
                      "Smallest scaled Jacobian",
                      "0.2",
                      0.01,
                      0.9,
                      "-",
-                     "Smoothing goes back where an element would have less, "
-                     "0.01 to 0.9.");
+                     "Lower bound of the scaled Jacobian, 0.01 to 0.9: "
+                     "smoothing is undone where an element would fall below.");
     }
 
     void declare_output(dealii::ParameterHandler &prm)

@@ -32,7 +32,8 @@ namespace
                   : create<double>(prm, communicator);
   }
 
-  /// Halves the elements of a box, or doubles the size of those of a body.
+  /// Halves the number of elements of a box per direction, or doubles the
+  /// element size of a body, @p levels times.
   bool coarsen(ParameterHandler &prm, const unsigned int levels)
   {
     const Section section(prm, "Mesh");

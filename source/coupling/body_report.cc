@@ -17,7 +17,7 @@ namespace coupling
     using dealii::Point;
     using dealii::Tensor;
 
-    /// Time step of an element of this length, see make_report() [s].
+    /// Stable time step of an element of this length, see make_report() [s].
     double stable_step(const TissueProperties &tissue, const double length)
     {
       const double stiffness =
@@ -52,7 +52,7 @@ namespace coupling
       sum.mass += row.mass;
     }
 
-    /// Pieces of each tissue.
+    /// Number of face-connected components of each tissue.
     std::array<unsigned int, 256>
     count_tissue_components(LabelGrid grid, const std::vector<BodyPart> &parts)
     {

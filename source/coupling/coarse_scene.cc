@@ -12,7 +12,8 @@ namespace contrecoup::coupling
 {
 namespace
 {
-  /// Lowers an integer of the current subsection by @p levels, down to 0.
+  /// Reduces an integer entry of the current subsection by @p levels, at most
+  /// to 0.
   void lower(ParameterHandler &prm,
              const std::string &entry,
              const unsigned int levels)
@@ -21,8 +22,8 @@ namespace
     prm.set(entry, static_cast<long int>(value - std::min(value, levels)));
   }
 
-  /// Halves the coarse leaves of each direction @p times; returns whether
-  /// the last time changed any.
+  /// Halves the number of coarse leaves per direction @p times; returns
+  /// whether the last time changed any.
   bool halve_leaves(ParameterHandler &prm, const unsigned int times)
   {
     bool changed = times == 0;
@@ -41,7 +42,8 @@ namespace
   }
 
 
-  /// Lowers the levels of leaves at the body, which may then be missed.
+  /// Lowers the refinement levels at the body, which coarse leaves may then
+  /// miss.
   void coarsen_body(ParameterHandler &prm, const unsigned int levels)
   {
     const Section section(prm, "Rigid body");
@@ -87,7 +89,8 @@ bool coarsen_scene(ParameterHandler &prm, const unsigned int levels)
     lower(prm, "Initial refinement", levels);
   }
   refinements = adapts ? std::max(refinements, initial) : initial;
-  // What neither halving less in the beginning nor fewer coarse leaves does.
+  // Levels that neither a lower initial refinement nor fewer coarse leaves
+  // removes.
   coarsen_body(prm, std::min(levels, refinements) - std::min(levels, initial));
   const Section section(prm, "Domain");
   const unsigned int halvings = levels - std::min(levels, refinements);

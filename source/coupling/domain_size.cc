@@ -26,13 +26,13 @@ namespace
   template <int dim>
   using Box = std::pair<dealii::Point<dim>, dealii::Point<dim>>;
 
-  /// The plan of the scene without its body, in one stage on a coarse mesh.
+  /// Plan of the scene without its body, in one stage on a coarse mesh.
   template <int dim>
   gas::ModellingPlan<dim> coarse_plan(const ParameterHandler &scene,
                                       const MPI_Comm communicator)
   {
-    // Halvings that still leave the charge a few cells in most scenes; its
-    // energy does not depend on them.
+    // Coarsening after which most charges still have a few subcells; the
+    // energy does not depend on it.
     const unsigned int levels = 3;
     ParameterHandler prm;
     TimeParameters::declare_parameters(prm);
@@ -50,9 +50,9 @@ namespace
     return simulation.modelling_plan();
   }
 
-  /// The rigid body's box as far as it is in the domain or beyond open sides of
-  /// it; nothing without a body, and for walls, which go farther beyond these
-  /// than the domain is long.
+  /// Bounding box of the rigid body within the domain and beyond its open
+  /// sides; nothing without a body, and for walls, which extend farther beyond
+  /// open sides than the domain is long.
   template <int dim>
   std::optional<Box<dim>> box_of_body(ParameterHandler &scene,
                                       const gas::ModellingPlan<dim> &plan)
@@ -89,8 +89,8 @@ namespace
     return result;
   }
 
-  /// Where nothing may come back from an open side: the probes, and the place
-  /// of the body's box that a wave from @p side would meet first.
+  /// Positions that no reflection from an open side may reach: the probes, and
+  /// the point of the body's box that a wave from @p side would meet first.
   template <int dim>
   std::vector<dealii::Point<dim>>
   places_behind(const gas::ModellingPlan<dim> &plan,
@@ -111,8 +111,8 @@ namespace
     return places;
   }
 
-  /// Distance by which @p side must move outwards for all probes and the body
-  /// [m].
+  /// Distance by which @p side must move outwards so that the path of the
+  /// reflection to each probe and to the body is at least @p path [m].
   template <int dim>
   double growth(const gas::ModellingPlan<dim> &plan,
                 const std::optional<Box<dim>> &body,
@@ -129,7 +129,7 @@ namespace
       across[d] = 0.;
       const double along =
         std::sqrt(std::max(0., path * path - across.norm_square()));
-      // The mirror image of the place is at 2 side - place.
+      // The mirror image of the target is at 2 side - target.
       const double needed = 0.5 * (sign * (target[d] + plan.centre[d]) + along);
       result =
         std::max({result, needed - sign * place, sign * (target[d] - place)});

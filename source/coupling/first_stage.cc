@@ -10,8 +10,8 @@ namespace
   using gas::GasSimulation;
   using gas::GasState;
 
-  /// The place of a gauge in the stage's domain and the unit vectors of the
-  /// stage's directions there.
+  /// Position of a gauge in the domain of the stage, and the unit vectors of
+  /// the stage's directions there.
   template <int dim, int stage_dim>
   struct Gauge
   {
@@ -34,7 +34,7 @@ namespace
   };
 
 
-  /// The solver with the dimensions of the stage.
+  /// Gas solver with the dimension of the stage.
   template <int stage_dim>
   GasSimulation<stage_dim> &gas_of(GasSimulation<stage_dim> &solver)
   {
@@ -47,7 +47,7 @@ namespace
   }
 
 
-  /// What is before that solver, or null.
+  /// First stage of that solver, or null.
   template <int stage_dim>
   FirstStage<stage_dim> *stage_before(const GasSimulation<stage_dim> &)
   {
@@ -60,7 +60,7 @@ namespace
   }
 
 
-  /// A first stage that is a simulation of @p stage_dim dimensions.
+  /// First stage computed in @p stage_dim dimensions.
   template <int dim, int stage_dim, typename Solver>
   class ReducedStage : public FirstStage<dim>
   {
@@ -182,7 +182,8 @@ namespace
       return gauge.place[0] <= plan_.domain_radius;
     }
 
-    /// Mass, energy, mass of products of gas at rest in the whole domain.
+    /// Mass [kg], energy [J] and mass of products [kg] of ambient gas in the
+    /// whole domain of the stage.
     std::array<double, 3> own_ambient() const
     {
       const auto &mesh = gas().scene().coarse_mesh;
@@ -198,8 +199,9 @@ namespace
                volume * state[stage_dim + 2]}};
     }
 
-    /// Momentum along each direction of the scene: what planes through the
-    /// centre leave of the radial one, integrated over its directions.
+    /// Adds the momentum along each direction of the scene: the radial
+    /// momentum integrated over the directions that planes through the centre
+    /// leave.
     void add_momentum(const std::vector<NamedValue> &values,
                       std::vector<NamedValue> &result) const
     {
@@ -208,13 +210,13 @@ namespace
         if (value.name == "momentum_x" || value.name == "momentum_y")
           momentum[value.name == "momentum_y"] = value.value;
       const std::array<const char *, 3> axes = {{"x", "y", "z"}};
-      // Mean of a component of the unit vector over half the directions.
+      // Mean component of the unit vector over half of the directions.
       const double mean = stage_dim == 1 ? 0.5 : 2. / dealii::numbers::PI;
       for (unsigned int d = 0; d < dim; ++d)
       {
         NamedValue component{std::string("momentum_") + axes[d], "kg m/s", 0.};
         component.value = plan_.part * plan_.side[d] * mean * momentum[0];
-        if (dim == 2 && d == 0) // the radial one of the scene itself
+        if (dim == 2 && d == 0) // the scene's own radial direction
           component.value = plan_.part * dealii::numbers::PI / 4. * momentum[0];
         if (stage_dim == 2 && d == dim - 1)
           component.value = plan_.part * momentum[1];
@@ -224,7 +226,7 @@ namespace
 
     const StagePlan<dim> plan_;
     std::vector<Gauge<dim, stage_dim>> gauges_;
-    /// Asking does not change it, but its functions do not promise that.
+    /// mutable because const queries call non-const functions of the solver.
     mutable Solver solver_;
   };
 } // namespace

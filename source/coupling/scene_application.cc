@@ -62,7 +62,7 @@ Failure run_scene(const std::vector<std::string> &arguments)
 {
   Failure failure;
   {
-    // What the inner one could not agree on, the outer one brings to an end.
+    // The outer Collective ends errors on which the inner one could not agree.
     Collective outer(MPI_COMM_WORLD);
     Collective inner(MPI_COMM_WORLD);
     try

@@ -16,12 +16,12 @@ using dealii::Point;
 
 namespace
 {
-  /// Entries in the order in which they were set.
+  /// List of entries in the order of assignment.
   class Entries
   {
   public:
-    /// @param origin the entry of the scene that it follows from; empty: none,
-    ///   so that users who want another value write the stage's own entry
+    /// @param origin entry of the scene that determines the value; empty:
+    /// none, users override the stage's own entry
     void set(const std::string &path,
              const std::string &value,
              const std::string &origin = "")
@@ -57,7 +57,7 @@ namespace
   }
 
 
-  /// Centres of balls that hold what is near the body and before it.
+  /// Centres of balls that cover the body and the region in front of it.
   std::vector<Point<3>> balls_near(const SceneLayout &layout,
                                    const double spacing)
   {
@@ -78,7 +78,7 @@ namespace
   }
 
 
-  /// Between opposite corners [m].
+  /// Length of the diagonal [m].
   double diagonal(const dealii::BoundingBox<3> &box)
   {
     const auto corners = box.get_boundary_points();
@@ -86,7 +86,7 @@ namespace
   }
 
 
-  /// The entry that gives the charge's place.
+  /// Entry that determines the position of the charge.
   std::string place_entry(const SceneParameters &scene)
   {
     return scene.place ? "Charge/Place" : "Charge/Distance and Height";
@@ -95,7 +95,7 @@ namespace
 
   void set_domain(const SceneLayout &layout, Entries &entries)
   {
-    // As far away as a wave comes until then.
+    // The end time determines the extent of the domain.
     const std::string reach = "Scene/End time";
     const std::string symmetry = "Scene/Symmetry";
     entries.set("Domain/Dimension", 3U);
@@ -122,14 +122,14 @@ namespace
     const double radial_cell = SceneLayout::radial_cell;
     double cell = 0.005;
     unsigned int levels = 4;
-    // In 2-D the blast goes on from the ground to the body or a side, where
-    // that is a way at all: there it ends some cells of the scene before it.
+    // The 2-D stage continues from the ground to the body or a side, if that
+    // distance is worth a stage; it ends some subcells of the scene before.
     const double front_cell = SceneLayout::leaf / SceneLayout::subcells /
                               std::pow(2., scene.accuracy.front_levels);
     const double way = layout.free_way() - 2. * front_cell - 4. * cell;
     const bool meets_ground_first = way > 1.2 * layout.charge[2];
-    // As near to the ground as that a charge burns in 2-D from the beginning,
-    // in cells of which its radius has ten at least.
+    // A charge this close to the ground burns in 2-D from the beginning, with
+    // at least ten subcells per charge radius.
     const bool burns_in_1d =
       layout.charge[2] > layout.charge_radius + 10. * radial_cell;
     for (; !burns_in_1d && cell > 0.1 * layout.charge_radius && levels < 8;
@@ -161,8 +161,8 @@ namespace
                   const SceneLayout &layout,
                   Entries &entries)
   {
-    // Kingery and Bulmash's tables are of TNT; how much of it acts as a mass of
-    // C-4, by peak and by impulse, on average (TM 5-855-1, 1986).
+    // The tables of Kingery and Bulmash are for TNT; mean TNT equivalence of
+    // C-4 for peak and impulse (TM 5-855-1, 1986).
     const bool is_c4 = scene.explosive == "c-4";
     const std::string mass = "Charge/Mass", place = place_entry(scene);
     entries.set("Material/Equation of state", "jwl in air");
@@ -215,11 +215,11 @@ namespace
     };
     const double spacing = 0.6;
     const std::string accuracy = "Scene/Accuracy";
-    // Not before the ground's reflection, too, has passed all of the body.
+    // After the ground reflection, too, has passed the whole body.
     const double later = std::max(2.8 * layout.arrival, layout.last_arrival);
     const double at_last = 1.5 * later;
-    // A fireball's radius goes with the cube root of the charge: 0.9 m for
-    // 2.268 kg of C-4.
+    // The radius of the fireball scales with the cube root of the charge: 0.9
+    // m for 2.268 kg of C-4.
     const double fireball = 0.685 * std::cbrt(scene.mass);
     const Point<3> middle =
       layout.charge + 0.5 * (layout.body.center() - layout.charge);
@@ -246,8 +246,8 @@ namespace
     entries.set("Adaptation/Limit later/Largest level", below(1), accuracy);
     entries.set("Adaptation/Limit at last/From time", at_last);
     entries.set("Adaptation/Limit at last/Largest level", below(2), accuracy);
-    // Fronts that have left the body behind, the ground's among them, do not
-    // come back.
+    // Fronts that have passed the body, the ground reflection included, do not
+    // return.
     set_limit("gone",
               0U,
               "outside of ball",
@@ -258,7 +258,7 @@ namespace
   }
 
 
-  /// A place as far from the charge as the body is, beside the body.
+  /// Position beside the body at the body's distance from the charge.
   std::string place_beside(const SceneLayout &layout)
   {
     const double aside = layout.body.upper_bound(1) + 0.35 - layout.charge[1];
@@ -280,7 +280,8 @@ namespace
     entries.set("Output/Checkpoint every minutes", 5.);
   }
 
-  /// Within the range of the entries; small bodies have no chest.
+  /// Body mass clamped to the range of the entries; small bodies have no
+  /// chest.
   double allowed_mass(const double body_mass)
   {
     return std::clamp(body_mass, 1., 500.);
@@ -376,7 +377,7 @@ stage_text(const std::string &name,
       assignment.sections.erase(assignment.sections.begin());
       all.push_back(assignment);
     }
-  // What the scene describes as a whole.
+  // Sections that the scene describes by a section of its own.
   const std::map<std::string, std::string> sections = {{"Charges", "Charge"},
                                                        {"Rigid body", "Body"}};
   dealii::ParameterHandler prm;

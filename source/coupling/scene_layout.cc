@@ -20,8 +20,8 @@ namespace
   constexpr double air_pressure = 101325.; // [Pa]
   constexpr double air_density = 1.225;    // [kg/m^3]
 
-  /// Where a ray along -x from @p begin first meets the surface, by steps of
-  /// the distance to it; no point when it leaves the box.
+  /// First intersection of the ray along -x from @p begin with the surface, by
+  /// sphere tracing; nothing if the ray leaves the box.
   std::optional<Point<3>> hit(const Shape &surface, const Point<3> &begin)
   {
     const auto box = surface.bounding_box();
@@ -38,7 +38,7 @@ namespace
   }
 
 
-  /// From @p place to the corner of the box that is farthest from it.
+  /// Distance from @p place to the farthest corner of the box [m].
   double farthest_distance(const dealii::BoundingBox<3> &box,
                            const Point<3> &place)
   {
@@ -59,7 +59,7 @@ namespace
   }
 
 
-  /// Volume of a ball over the cube of its radius.
+  /// Volume of the unit ball.
   constexpr double ball = 4. / 3. * boost::math::double_constants::pi;
 
 
@@ -118,7 +118,7 @@ void SceneLayout::place_charge(const SceneParameters &scene,
       charge = {(*front)[0] + scene.distance, 0., scene.height};
     else
     {
-      // The nearest place: from inside of the box outwards, by bisection.
+      // Nearest position outside the body at this distance, by bisection.
       double low = 0.5 * (body.lower_bound(0) + body.upper_bound(0));
       double high = outside;
       if (surface.value({low, 0., scene.height}) > scene.distance)
@@ -158,9 +158,9 @@ void SceneLayout::check_charge(const SceneParameters &scene) const
                      " and would be cut by it; at least that height, or a "
                      "Mass of at most " +
                      largest_mass(charge[2]) + ", is needed");
-  // Cells at the skin that must be between charge and body.
+  // Smallest number of skin subcells between charge and body.
   constexpr double least_cells = 2.;
-  // In those of the first stage the charge burns before its front is there.
+  // Subcells of the first stage that the front needs while the charge burns.
   constexpr double least_radial_cells = 10.;
   const double cell = cell_size(scene);
   const double gap =
@@ -196,7 +196,7 @@ void SceneLayout::find_symmetry(const SceneParameters &scene,
   }
   symmetry_limit = 0.01 * body.side_length(1);
   is_half = scene.symmetry != "none" && asymmetry < symmetry_limit;
-  // What is cut in two must be halves.
+  // A charge on the plane of symmetry is centred on it.
   if (is_half)
     charge[1] = 0.;
   if (scene.symmetry == "y" && !is_half)
@@ -208,9 +208,9 @@ void SceneLayout::find_symmetry(const SceneParameters &scene,
 std::array<std::array<double, 2>, 3>
 SceneLayout::leaves_for(const double reach) const
 {
-  // Where an open side must be, at least, along direction d: the charge's
-  // mirror image in it is farther from the body than the front gets, and it
-  // leaves a leaf's room to body and charge.
+  // Smallest distance of an open side along direction d: the charge's mirror
+  // image in it is farther from the body than the front travels, and one leaf
+  // fits between it and body and charge.
   const auto side = [&](const unsigned int d, const double sign) {
     const double farthest =
       sign > 0. ? body.upper_bound(d) : -body.lower_bound(d);

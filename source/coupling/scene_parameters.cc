@@ -30,13 +30,14 @@ namespace
   void declare_scene(ParameterHandler &prm)
   {
     const Section section(prm, "Scene");
-    declare_string(prm, "Title", "", "What the report is called.");
-    declare_selection(prm,
-                      "Question",
-                      "injury",
-                      {"loads", "injury"},
-                      "What is wanted: the pressure on the body's skin alone, "
-                      "or what that does to the body.");
+    declare_string(prm, "Title", "", "Title of the report.");
+    declare_selection(
+      prm,
+      "Question",
+      "injury",
+      {"loads", "injury"},
+      "Result of the scene: the pressure on the body's skin only, "
+      "or the response of the body as well.");
     std::vector<std::string> names;
     std::string costs;
     for (const auto &accuracy : SceneParameters::accuracies)
@@ -58,15 +59,14 @@ namespace
                    0.,
                    1.,
                    "m",
-                   "Edge of the body's elements; 0: as the accuracy has it.");
+                   "Edge of the body's elements; 0: that of the accuracy.");
     declare_double(prm,
                    "End time",
                    "0.012",
                    1e-9,
                    1.,
                    "s",
-                   "Time since the detonation until which the scene is "
-                   "followed, above 0.");
+                   "End time of the scene since the detonation, above 0.");
     declare_selection(prm,
                       "Symmetry",
                       "auto",
@@ -90,7 +90,7 @@ namespace
                       "Explosive",
                       "tnt",
                       explosive_names(),
-                      "Of the library of explosives.");
+                      "Name in the library of explosives.");
     declare_double(
       prm, "Mass", "1", 1e-9, bounds::mass, "kg", "Of the sphere, above 0.");
     declare_double(prm,
@@ -99,8 +99,8 @@ namespace
                    0.,
                    bounds::specific_energy,
                    "J/kg",
-                   "Energy that the products release when they burn in air, "
-                   "at the rate of Miller; 0: none.");
+                   "Energy per mass that the products release by afterburn, at "
+                   "Miller's rate; 0: none.");
     declare_double(prm,
                    "Distance",
                    "2",
@@ -115,7 +115,7 @@ namespace
                    1e-9,
                    1e3,
                    "m",
-                   "Of the centre above the ground z = 0, above 0.");
+                   "Height of the centre above the ground z = 0, above 0.");
     declare_points(prm,
                    "Place",
                    "",

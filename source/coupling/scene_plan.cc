@@ -22,10 +22,10 @@ namespace
   constexpr double gravity = 9.81;       // [m/s^2]
   constexpr double tnt_energy = 4.184e6; // [J/kg], by convention
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  constexpr double largest_strain = 0.1;   // where small strain is taken
-  constexpr double largest_gravity = 0.05; // part of the body's speed
+  constexpr double largest_strain = 0.1;   // limit of small-strain theory
+  constexpr double largest_gravity = 0.05; // fraction of the body's speed
 
-  /// What Kingery and Bulmash have for TNT of the charge's energy.
+  /// Value of Kingery and Bulmash for TNT with the charge's energy.
   double measured(const SceneParameters &scene,
                   const SceneLayout &layout,
                   const BlastQuantity quantity)
@@ -40,7 +40,7 @@ namespace
   }
 
 
-  /// The item about what is measured of the body, with its estimate.
+  /// Item about the body at rest, with its estimate.
   Assumption rigid_body(const double displacement, const double cell)
   {
     return {"rigid_body",
@@ -130,8 +130,7 @@ namespace
   }
 
 
-  /// The items that a stage's summary lists, with their estimates or with
-  /// what was measured.
+  /// Items of a stage's summary, with their estimates or with measured values.
   std::vector<Assumption> stage_items(const std::string &folder,
                                       const char *value)
   {
@@ -158,8 +157,8 @@ namespace
   }
 
 
-  /// The largest length of the vector "NAME_x", "NAME_y", "NAME_z" of any
-  /// probe at any time of a stage; NaN without one.
+  /// Largest norm of the vector "NAME_x", "NAME_y", "NAME_z" over all probes
+  /// and times of a stage; NaN if there is none.
   double largest_vector(const std::string &folder, const std::string &name)
   {
     const std::string file = folder + "/probes.csv";
@@ -183,7 +182,7 @@ std::vector<Assumption> scene_plan(const SceneParameters &scene,
                                    const SceneLayout &layout,
                                    const double body_mass)
 {
-  // The body is met as a wall of three fifths of its box.
+  // The loaded area is three fifths of the cross-section of the body's box.
   const double front =
     0.6 * layout.body.side_length(1) *
     std::min(layout.body.side_length(2), 2. * layout.distance);

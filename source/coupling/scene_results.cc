@@ -26,7 +26,7 @@ namespace
   }
 
 
-  /// A number with its unit for people; "unknown" without one.
+  /// Value with its unit as text; "unknown" if not finite.
   std::string told(const double value, const std::string &unit)
   {
     return std::isfinite(value)
@@ -97,8 +97,8 @@ namespace
   }
 
 
-  /// Calls the entries that decided what a stage took for granted as the scene
-  /// does: those of @p items begin with the stage's section.
+  /// Replaces the entries named in @p items of the blast's plan by those of
+  /// the scene.
   std::vector<Assumption> named(std::vector<Assumption> items,
                                 const std::vector<SceneStage> &stages)
   {
@@ -126,7 +126,7 @@ namespace
   }
 
 
-  /// What the user typed, without ranks and folders.
+  /// Command line of the user without ranks and folders.
   std::string call_of(const io::CommandLine &command)
   {
     std::string call = "scene " + command.parameter_file;
@@ -136,7 +136,7 @@ namespace
   }
 
 
-  /// Of a scene and of its blast.
+  /// Plan of the scene and of its blast.
   std::vector<Assumption> whole_plan(const PlannedScene &scene,
                                      const std::string &folder)
   {

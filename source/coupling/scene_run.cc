@@ -73,7 +73,7 @@ void SceneRun::check()
 
 void SceneRun::forecast()
 {
-  // The checks of stages close it, but there may be none.
+  // The checks of stages close the log, but there may be none.
   Log::instance().close();
   tell_costs();
   collective_.run([&]() { Log::instance().open(path("log.txt"), true); });
@@ -126,7 +126,7 @@ void SceneRun::require_consent() const
     if (stage.standing().is_other && !changed.empty())
       throw InputError(here + what + ": " + changed + "; --overwrite " +
                        told_stages() + ", or give another --output");
-  // To begin anew would lose what was computed until there.
+  // Starting again would lose the computed part.
   for (const SceneStage &stage : stages_)
     if (command_.resume && stage.standing().has_checkpoint &&
         !stage.standing().is_begun && !stage.is_finished())
@@ -197,7 +197,7 @@ bool SceneRun::admits() const
 
 void SceneRun::start()
 {
-  // Asked for once more as it is, the whole scene is meant.
+  // --overwrite of an unchanged finished scene runs all stages again.
   const unsigned int anew = collective_.run_with_flags([&]() {
     return is_first_rank_ && command_.overwrite &&
                claim_->manifest().status() == "finished" &&
@@ -212,7 +212,7 @@ void SceneRun::start()
     if (!is_first_rank_)
       return;
     if (claim_->manifest().is_there() && !is_of_scene())
-      // None of its files is a stage's.
+      // The folder holds another run without files of stages.
       claim_->begin();
     else
     {
@@ -283,7 +283,7 @@ void SceneRun::execute()
     }
     catch (const std::exception &)
     {
-      // The first failure is the one to report.
+      // The first failure is reported.
     }
     throw;
   }

@@ -27,7 +27,7 @@ namespace
   namespace fs = std::filesystem;
   using Json = nlohmann::ordered_json;
 
-  /// The content of every file that the values of a parameter file name.
+  /// Contents of all files that values of a parameter file name.
   std::string contents_of_files(const std::string &text)
   {
     std::string contents;
@@ -64,7 +64,7 @@ namespace
   }
 
 
-  /// A number of a JSON object, or 0.
+  /// Number of a JSON object, 0 if missing.
   double number(const Json &object, const char *name)
   {
     return object.contains(name) && object[name].is_number()
@@ -183,7 +183,8 @@ Failure SceneStage::call(const std::vector<std::string> &arguments,
 
 CostEstimate SceneStage::check(Collective &collective)
 {
-  // Every rank has its own, for there may be no folder that all of them see.
+  // Each rank uses its own folder: a folder visible to all ranks may not
+  // exist.
   const io::TemporaryFolder temporary;
   const std::string path = temporary.path() + "/" + name_ + ".prm";
   collective.run(
@@ -214,7 +215,7 @@ void SceneStage::begin(const bool goes_on)
 
 void SceneStage::end(const double wall_seconds)
 {
-  // A tool that was stopped has no summary.
+  // A stopped tool has no summary.
   if (is_stop(stop_) && !can_resume_)
     record_.status = "stopped";
   else

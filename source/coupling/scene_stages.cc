@@ -22,7 +22,7 @@ using dealii::ParameterHandler;
 
 namespace
 {
-  /// A solver as a stage.
+  /// Runner of a solver.
   SceneStage::Runner runner(const io::ApplicationDescription &application)
   {
     return [application](const std::vector<std::string> &arguments,
@@ -35,7 +35,7 @@ namespace
   }
 
 
-  /// The body's mesh as a stage: the first rank's work.
+  /// Runner of `anatomy`, which runs on the first rank.
   SceneStage::Runner anatomy_runner(Collective &collective)
   {
     return [&collective](const std::vector<std::string> &arguments,
@@ -71,7 +71,7 @@ namespace
   }
 
 
-  /// Makes stages with what they have in common.
+  /// Creates the stages from their common inputs.
   class Maker
   {
   public:
@@ -115,7 +115,7 @@ namespace
         {});
     }
 
-    /// @throws InputError unless the blast records what the body takes
+    /// @throws InputError unless the blast records the loads for biomechanics
     void require_loads() const
     {
       for (const Assignment &assignment : wrote_)
@@ -127,7 +127,7 @@ namespace
                            "loads leaves this stage out");
     }
 
-    /// @param blast the stage whose loads it takes
+    /// @param blast stage that records the loads
     SceneStage biomechanics(const SceneStage &blast) const
     {
       SceneStage stage = solver("biomechanics",

@@ -11,7 +11,7 @@ namespace contrecoup::coupling
 {
 namespace
 {
-  /// The body is the scene's own, whatever stage it is in.
+  /// The section of the body belongs to the scene in every stage.
   bool is_shared(const std::string &path)
   {
     return path == "Body" || path.compare(0, 5, "Body/") == 0;
@@ -22,7 +22,7 @@ namespace
     return join(assignment.sections, "/") + "/" + assignment.entry;
   }
 
-  /// The sections that an entry is in.
+  /// All sections that contain an entry.
   std::vector<std::string> outer_sections(const std::string &path)
   {
     std::vector<std::string> sections;
@@ -32,7 +32,7 @@ namespace
     return sections;
   }
 
-  /// Whether a character may belong to a name, or to the path of a file.
+  /// Whether a character may be part of a name or of a file path.
   bool is_of_word(const char letter)
   {
     return std::isalnum(static_cast<unsigned char>(letter)) != 0 ||
@@ -76,7 +76,7 @@ void SceneWords::rename(const std::string &entry, const std::string &name)
 const std::pair<const std::string, std::string> *
 SceneWords::name_at(const std::string &text, const std::size_t place) const
 {
-  // A longer name that begins with another one stands behind it.
+  // A longer name sorts after its own prefix.
   auto found = entries_.upper_bound(text.substr(place, 200));
   while (found != entries_.begin())
   {
@@ -131,7 +131,7 @@ std::string SceneWords::operator()(const std::string &text) const
     std::size_t length = name != nullptr ? name->first.size() : 0;
     if (name == nullptr && begins && !head.section.empty())
     {
-      // One of the section that the message begins with.
+      // Name of an entry of the section that the message begins with.
       name = name_at(inner + text.substr(place, 200), 0);
       length = name != nullptr ? name->first.size() - inner.size() : 0;
       if (name != nullptr &&

@@ -36,8 +36,8 @@ namespace
   }
 
 
-  /// Moves what is not in @p own into the same place of another folder, unless
-  /// that is taken.
+  /// Moves files that are not in @p own to the same path in another folder,
+  /// unless that exists.
   void move_others(const fs::path &from,
                    const fs::path &to,
                    const std::vector<std::string> &own)
@@ -60,7 +60,7 @@ namespace
   }
 
 
-  /// Removes the folders that hold nothing.
+  /// Removes empty folders.
   void remove_empty(const fs::path &folder)
   {
     std::error_code ignored;

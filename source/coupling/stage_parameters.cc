@@ -21,8 +21,8 @@ namespace
 {
   using Changes = std::map<std::string, std::string>;
 
-  /// Hands all entries of @p from to @p to but for those in @p changes, by
-  /// "Section/Entry", and those whose path begins as one of @p left_out.
+  /// Copies all entries of @p from to @p to, except those in @p left_out
+  /// (beginnings of paths); @p changes, by "Section/Entry", replace values.
   void copy_entries(const ParameterHandler &from,
                     const Changes &changes,
                     ParameterHandler &to,
@@ -47,8 +47,9 @@ namespace
     apply_assignments(assignments, to);
   }
 
-  /// Moves balls, charges and where they are lit to the centre or axis of a
-  /// stage; places on the axis keep their height, z in the scene and y there.
+  /// Moves balls, charges and ignition points to the centre or axis of a
+  /// stage; points on the axis keep their height, z in the scene and y in the
+  /// stage.
   void move_charges(const ParameterHandler &scene,
                     const std::map<std::string, std::string> &values,
                     const int stage_dim,
@@ -75,7 +76,7 @@ namespace
     }
   }
 
-  /// The entries that say how the first stage itself begins.
+  /// Sets the entries of the first stage of the first stage.
   void set_stage_before(const std::map<std::string, std::string> &values,
                         const StageParameters &parameters,
                         const int stage_dim,
@@ -99,8 +100,8 @@ namespace
     return join(words, ",");
   }
 
-  /// Refuses a charge, whose subsection is the current one, that has not the
-  /// symmetry of the stage.
+  /// @throws InputError for a charge (current subsection) without the symmetry
+  /// of the stage
   void check_charge(const ParameterHandler &prm,
                     const std::string &name,
                     const bool axisymmetric_stage)
@@ -125,7 +126,8 @@ namespace
     }
   }
 
-  /// The centre of the charges of the scene, or of its balls of hot gas.
+  /// Common centre of the charges of the scene, or of its balls of hot gas
+  /// [m].
   template <int dim>
   dealii::Point<dim> centre_of_charge(ParameterHandler &scene,
                                       const bool axisymmetric_stage)
@@ -178,9 +180,9 @@ void StageParameters::declare_parameters(ParameterHandler &prm)
                     "Kind",
                     "none",
                     {"none", "spherical", "axisymmetric"},
-                    "How the blast begins: as the domain is, in 1-D around "
-                    "the centre of its charge, or (3-D) in 2-D around the "
-                    "vertical through it.");
+                    "Dimension of the first stage: none, spherical (1-D around "
+                    "the centre of the charge), or axisymmetric (for 3-D, "
+                    "around the vertical through the charge).");
   declare_double(prm,
                  "Cell size",
                  "0.001",
@@ -194,26 +196,26 @@ void StageParameters::declare_parameters(ParameterHandler &prm)
                   "3",
                   0,
                   20,
-                  "Times that leaves of an axisymmetric first stage are "
-                  "halved down to the Cell size where the blast is.");
+                  "Refinement levels of an axisymmetric first stage; leaves "
+                  "of the finest level have subcells of the Cell size.");
   declare_double(prm,
                  "Spherical cell size",
                  "0",
                  0.,
                  bounds::length,
                  "m",
-                 "Edge of the subcells of a spherical stage that an "
-                 "axisymmetric one begins with, until the front comes near "
-                 "the ground; 0: it begins with the charge.");
+                 "Edge of the subcells of a spherical stage before the "
+                 "axisymmetric one, until the front approaches the ground; "
+                 "0: no spherical stage.");
   declare_selection(
     prm,
     "Hand over at",
     "auto",
     {"auto", "time", "radius"},
-    "When the scene goes on from the first stage: just before "
-    "the front reaches the body, the ground or another side of the "
-    "domain that is no plane of symmetry of the charge, at a "
-    "time, or when the front has reached a radius.");
+    "Criterion of the hand-over from the first stage to the scene: just "
+    "before the front reaches the body, the ground or another side of the "
+    "domain that is not a plane of symmetry of the charge, at a time, or "
+    "at a radius of the front.");
   declare_double(prm,
                  "Time",
                  "0",
@@ -251,8 +253,8 @@ void StageParameters::parse_parameters(ParameterHandler &prm)
 
 namespace
 {
-  /// How far the front may go before it meets the scene's body: at least the
-  /// distance from the charge's centre or, if axisymmetric, from its axis.
+  /// Lower bound of the distance of the front when it meets the body: from the
+  /// charge's centre or, if axisymmetric, from its axis [m].
   template <int dim>
   double distance_to_body(const gas::RigidBody &body,
                           const CoarseMesh<dim> &domain,
@@ -276,14 +278,14 @@ namespace
   }
 
 
-  /// Refuses a stage whose front would meet a side or the body before the
-  /// charge has burned in it.
+  /// @throws InputError if the front would meet a side or the body before the
+  /// charge has burned in the stage
   template <int dim>
   void check_room_to_burn(const StageParameters &parameters,
                           const StagePlan<dim> &plan,
                           const double charge_extent)
   {
-    // The front leaves the charge while its last cells burn.
+    // The front leaves the charge while its last subcells burn.
     constexpr double burning_cells = 8.;
     const double size = parameters.spherical_cell_size > 0.
                           ? parameters.spherical_cell_size
@@ -302,8 +304,8 @@ namespace
   }
 
 
-  /// Shortens the way to the nearest obstacle where that is the body, after a
-  /// look at whether charges and body are where they can be.
+  /// Reduces StagePlan::nearest to the distance to the body, after checks of
+  /// charges and body.
   template <int dim>
   void meet_body(ParameterHandler &scene,
                  const CoarseMesh<dim> &domain,
@@ -318,7 +320,7 @@ namespace
     plan.nearest =
       std::min(plan.nearest,
                distance_to_body(body, domain, plan.centre, parameters.kind));
-    // Trials of the costs have larger cells, and go on as far as they can.
+    // Trial runs for cost estimates have larger subcells and are not checked.
     if (body.is_required())
       check_room_to_burn(
         parameters, plan, gas::largest_charge_extent(scene, material, domain));
@@ -437,11 +439,11 @@ void derive_first_stage(const ParameterHandler &scene,
   changes["Probes/Points"] = join(places, ";");
   changes["Probes/Lines"] = "";
   changes["Probes/Gauge planes"] = "";
-  // The scene's maps and gauges begin with what the stage knows by radius.
+  // Maps of the stage initialise the maps and gauges of the scene.
   changes["Output/Maps"] = "true";
   set_stage_before(values, parameters, stage_dim, changes);
   move_charges(scene, values, stage_dim, changes);
-  // Places in the scene mean nothing in the stage.
+  // Positions in the scene have no meaning in the stage.
   copy_entries(
     scene, changes, stage, {"Adaptation/Limit ", "Rigid body/Finer region "});
 }

@@ -27,8 +27,8 @@ namespace
     stream.read(reinterpret_cast<char *>(&number), sizeof(number));
   }
 
-  /// The file of a checkpoint that says how far the stages are; those of a
-  /// first stage that has one itself stand in the same folder.
+  /// Checkpoint file with the state of the stages; nested first stages write
+  /// to the same folder.
   template <int dim>
   std::string stages_file(const std::string &folder)
   {
@@ -88,7 +88,8 @@ void StagedSimulation<dim>::check_ways() const
                spherical_cell = parameters_.spherical_cell_size;
   if (spherical_cell == 0. || parameters_.criterion != "auto")
     return;
-  // The fronts at which the spherical stage and the axisymmetric one end.
+  // Distances of the front at the hand-over of the spherical and of the
+  // axisymmetric stage.
   const double first =
     plan_.along_axis -
     std::min(2. * cell + 4. * spherical_cell, 0.5 * plan_.along_axis);
@@ -147,12 +148,12 @@ void StagedSimulation<dim>::read_gauges()
 template <int dim>
 double StagedSimulation<dim>::margin() const
 {
-  // The front of the second stage is a subcell wide on either side.
+  // The front of the second stage is two subcells wide.
   double margin = 0.;
   const auto cell = scene_.core().smallest_cell();
   for (unsigned int d = 0; d < dim; ++d)
     margin = std::max(margin, 2. * cell[d]);
-  // Cells so large are those of a trial of the costs, which must go on.
+  // A trial run for cost estimates has larger subcells and must continue.
   return std::min(margin + 4. * parameters_.cell_size, 0.5 * plan_.nearest);
 }
 

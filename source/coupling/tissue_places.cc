@@ -16,7 +16,7 @@ using dealii::Tensor;
 
 namespace
 {
-  /// A body in cubes.
+  /// Body sampled in cubes.
   class Samples
   {
   public:
@@ -42,7 +42,8 @@ namespace
           }
     }
 
-    /// The mean of centres of a tissue for which @p counts; none without any.
+    /// Mean of the centres of a tissue for which @p counts is true; nothing if
+    /// there are none.
     std::optional<Point<3>>
     centroid(const Tissue tissue,
              const std::function<bool(const Point<3> &)> &counts) const
@@ -60,15 +61,16 @@ namespace
       return Point<3>(sum / n);
     }
 
-    /// The centre of a cube of a tissue that is nearest to @p place, so that
-    /// an element of that tissue is there; @p place itself without any.
+    /// Cube centre of a tissue nearest to @p place, where the mesh has an
+    /// element of that tissue; @p place itself if the tissue is missing.
     Point<3> nearest(const Tissue tissue, const Point<3> &place) const
     {
       Point<3> result = place;
       double least = std::numeric_limits<double>::max();
       for_each(tissue, [&](const Point<3> &center) {
         const double distance = center.distance_square(place);
-        // Round-off must not choose among places that are as near.
+        // Among equally near positions the first one wins, whatever the
+        // round-off.
         if (distance < least * (1. - 1e-9))
         {
           least = distance;
@@ -90,7 +92,7 @@ namespace
   };
 
 
-  /// The last place of a tissue on the way from @p begin along @p direction.
+  /// Last position of a tissue on the ray from @p begin along @p direction.
   Point<3> last_of(const Samples &samples,
                    const Tissue tissue,
                    const Point<3> &begin,

@@ -13,13 +13,13 @@ namespace contrecoup
 {
 namespace coupling
 {
-  /// `anatomy`: makes hexahedra by tissue of a body, with its surface, its
-  /// quality and pictures.
-  /// @param take_cost gets what --check finds
+  /// Application `anatomy`: hexahedral mesh of a body, by tissue, with its
+  /// surface, its quality report and pictures.
+  /// @param take_cost receives the cost estimate of --check
   io::ToolDescription anatomy_application(
     const std::function<void(const CostEstimate &)> &take_cost = {});
 
-  /// The files that it writes.
+  /// Names of the files that `anatomy` writes.
   io::FileNames anatomy_files();
 } // namespace coupling
 } // namespace contrecoup

@@ -14,23 +14,23 @@ namespace contrecoup
 {
 namespace coupling
 {
-  /// What a run of `anatomy` is to do.
+  /// Parameters of a run of `anatomy`.
   struct AnatomyParameters
   {
-    /// Declares every entry.
+    /// Declares all entries.
     static void declare_parameters(dealii::ParameterHandler &prm);
 
-    /// @throws InputError when entries do not go together
+    /// @throws InputError for entries that cannot be combined
     void parse_parameters(dealii::ParameterHandler &prm);
 
     BodyDescription body;
     double element_size = 0.01; ///< [m]
-    unsigned int levels = 0;    ///< of larger elements
-    SmoothingOptions smoothing; ///< no iterations: none
+    unsigned int levels = 0;    ///< coarsening levels
+    SmoothingOptions smoothing; ///< zero iterations: no smoothing
     std::string tissue_set;
     bool write_gmsh = false;
     bool write_surface = true;
-    double distance_spacing = 0.; ///< [m], 0: no grid of distances
+    double distance_spacing = 0.; ///< grid of signed distances [m], 0: none
     bool draw = true;
   };
 } // namespace coupling

@@ -7,6 +7,6 @@
 
 namespace contrecoup::coupling
 {
-/// The application "biomechanics": stress waves in a body under a blast.
+/// Application "biomechanics": stress waves in a body under a blast load.
 io::ApplicationDescription biomechanics_application();
 } // namespace contrecoup::coupling

@@ -7,7 +7,7 @@
 
 namespace contrecoup::coupling
 {
-/// The application "blast": gas dynamics in 1 to 3 dimensions, in one stage
-/// or two.
+/// Application "blast": gas dynamics in 1 to 3 dimensions, with or without a
+/// first stage in fewer dimensions.
 io::ApplicationDescription blast_application();
 } // namespace contrecoup::coupling

@@ -14,7 +14,7 @@ namespace contrecoup
 {
 namespace coupling
 {
-  /// One line of the quality table: a part, a tissue, or the whole body.
+  /// Row of the quality table: a part, a tissue, or the whole body.
   struct ReportRow
   {
     std::string kind; ///< part, tissue, body
@@ -23,14 +23,14 @@ namespace coupling
     HexQuality quality;
     double mass = 0.;            ///< [kg]
     double time_step = 0.;       ///< [s]
-    unsigned int components = 0; ///< pieces connected through faces
+    unsigned int components = 0; ///< face-connected components
   };
 
-  /// What the literature says of an organ, and what the mesh has.
+  /// Volume of an organ in the literature and in the mesh.
   struct OrganCheck
   {
     OrganReference reference;
-    double volume = 0.; ///< of the mesh [m^3]
+    double volume = 0.; ///< volume in the mesh [m^3]
 
     double difference() const
     {
@@ -42,15 +42,16 @@ namespace coupling
     }
   };
 
-  /// What a mesh amounts to.
+  /// Quality report of a mesh.
   struct BodyReport
   {
     std::vector<ReportRow> rows; ///< parts, then tissues, then the body
     std::vector<OrganCheck> checks;
     dealii::Point<3> center_of_gravity; ///< [m]
-    dealii::Point<3> lower_corner;      ///< of the box around the nodes [m]
+    dealii::Point<3> lower_corner;      ///< bounding box of the nodes [m]
     dealii::Point<3> upper_corner;
-    double surface_area = 0.; ///< facets seen along the normals [m^2]
+    /// projected area of the facets, see make_report() [m^2]
+    double surface_area = 0.;
 
     const ReportRow &body() const
     {
@@ -59,14 +60,14 @@ namespace coupling
   };
 
   /**
-   * Measures a mesh.
+   * Computes the quality report of a mesh.
    *
-   * The time step of an element is 2 / omega with omega^2 =
-   * max(12 K, 8 G_0) / (rho L^2), L = characteristic_length(): exact for a
-   * lone cube that is integrated at one point, an estimate for others.
+   * The stable time step of an element is 2 / omega with omega^2 = max(12 K, 8
+   * G_0) / (rho L^2), L = characteristic_length(): exact for a single cube
+   * with one integration point, an estimate for others.
    *
-   * The area counts each facet by its component along the normal of the true
-   * surface, so that stairs do not add to it.
+   * The surface area is the sum of the facet areas projected onto the normal
+   * of the true surface, so that a staircase surface is not overestimated.
    * @param tissue_set one of tissue_set_names()
    * @throws InputError for a tissue without properties
    */
@@ -76,10 +77,10 @@ namespace coupling
                          const std::vector<OrganReference> &references,
                          const std::string &tissue_set);
 
-  /// The table for people, one string for each line.
+  /// Report as text, one string per line.
   std::vector<std::string> to_lines(const BodyReport &report);
 
-  /// quality.csv.
+  /// Content of quality.csv.
   std::string to_csv(const BodyReport &report);
 } // namespace coupling
 } // namespace contrecoup

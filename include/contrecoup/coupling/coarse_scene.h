@@ -8,11 +8,11 @@
 namespace contrecoup::coupling
 {
 /**
- * Makes the cells of a scene, and of its first stage, 2^@p levels times as
- * large: fewer refinements in all entries that count them and, when these are
- * used up, half as many coarse leaves in each direction, rounded up.
- * @param prm every entry of application blast
- * @return whether that changed the scene by the last of the levels
+ * Coarsens a scene and its first stage: subcells become 2^@p levels times as
+ * large. Lowers all entries that count refinement levels and, once these are
+ * zero, halves the number of coarse leaves in each direction, rounding up.
+ * @param prm all entries of application blast
+ * @return whether the last of the levels still changed the scene
  */
 bool coarsen_scene(ParameterHandler &prm, unsigned int levels);
 } // namespace contrecoup::coupling

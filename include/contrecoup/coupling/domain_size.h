@@ -10,16 +10,16 @@
 namespace contrecoup::coupling
 {
 /**
- * Does what Domain/Size = by time asks: moves the open sides of a box outwards,
- * by whole coarse leaves, until a wave from the charge that they sent back
- * would be at no probe and not at the body before the end time; the entries
- * "Lower corner", "Upper corner" and "Coarse leaves" are changed, and Size
- * becomes given. The front is that of ExpectedBlast with the energy that the
- * scene holds on a coarse mesh, and the path back is that from a mirror. Says
- * what it did. Collective.
- * @param scene every entry of application blast, without or with a first stage
+ * Sizes the domain for Domain/Size = by time. Moves the open sides of a box
+ * outwards, by whole coarse leaves, until the time to first reflection from an
+ * open side at any probe and at the body is later than the end time. Sets the
+ * entries "Lower corner", "Upper corner" and "Coarse leaves", and Size to
+ * given. The front is that of ExpectedBlast with the energy of the scene on a
+ * coarse mesh; the path of a reflection is that from a mirror at the side.
+ * Logs the result. Collective.
+ * @param scene all entries of application blast, with or without a first stage
  * @throws InputError without probes and body, for meshes other than boxes, and
- * where no blast can be foreseen.
+ * for scenes whose blast cannot be predicted.
  */
 template <int dim>
 void fit_domain(ParameterHandler &scene, const MPI_Comm communicator);

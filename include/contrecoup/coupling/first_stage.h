@@ -11,9 +11,9 @@
 namespace contrecoup::coupling
 {
 /**
- * The beginning of a blast in fewer dimensions, as the scene sees it. All
- * functions are collective.
- * @tparam dim dimensions of the scene
+ * First stage of a blast, computed in fewer dimensions, as the scene sees it.
+ * All functions are collective.
+ * @tparam dim number of dimensions of the scene
  */
 template <int dim>
 class FirstStage
@@ -21,23 +21,25 @@ class FirstStage
 public:
   virtual ~FirstStage() = default;
 
-  /// The solver of the stage.
+  /// Solver of the first stage.
   virtual Simulation &simulation() = 0;
 
-  /// The stage's history as that of the scene: totals over the scene's
-  /// domain, to which @p ambient is what gas at rest would contribute
-  /// [kg, J, kg of products].
+  /// History of the stage converted to that of the scene: totals over the
+  /// scene's domain.
+  /// @param ambient totals of the scene's domain filled with gas at rest [kg,
+  /// J, kg of products]
   virtual std::vector<NamedValue>
   history(const std::array<double, 3> &ambient) = 0;
 
-  /// The gas at the places of the scene's gauges.
+  /// States at the gauges of the scene.
   virtual std::vector<gas::GasState<dim>> gauges() = 0;
 
-  /// The blast as the stage's plan knows it before its first step.
+  /// Blast as predicted by the stage's plan, before its first step.
   struct Blast
   {
-    double energy = 0.; ///< in full space [J], 0 if unknown
-    double height = 0.; ///< of its centre if the stage is axisymmetric [m]
+    double energy = 0.; ///< energy in full space [J], 0 if unknown
+    /// height of the centre if the stage is axisymmetric [m]
+    double height = 0.;
     double non_ideal_part = 0.; ///< see gas::ModellingPlan
   };
   virtual Blast blast() = 0;
@@ -45,22 +47,22 @@ public:
   /// Distance of the outermost disturbance from centre or axis [m].
   virtual double front() = 0;
 
-  /// Whether there is explosive that has not burned yet.
+  /// Whether unburned explosive is left.
   virtual bool is_burning() const = 0;
 
-  /// Whether it has the number of dimensions in which it hands over, so that
-  /// there is a profile().
+  /// Whether the stage that hands over to the scene has begun, so that
+  /// profile() may be called.
   virtual bool is_ready() const = 0;
 
-  /// The state as a profile.
+  /// Current state as a profile.
   virtual gas::ProfileData profile() = 0;
 };
 
 
 /**
- * The first stage that the parameters ask for.
+ * Creates the first stage.
  * @param scene all entries; @p declare declares them
- * @param gauges places of the scene's gauges
+ * @param gauges positions of the scene's gauges [m]
  */
 template <int dim>
 std::unique_ptr<FirstStage<dim>>

@@ -9,21 +9,23 @@
 namespace contrecoup::coupling
 {
 /**
- * How a blast's front goes on, from how it went: its distance is a power of
- * time, whose exponent is that of the last half of the course, from 0.4 of a
- * strong blast (Sedov 1946) to 1 of sound.
+ * Extrapolates the path of a blast front: the distance is taken as a power of
+ * time, with the exponent of the second half of the recorded path, between 0.4
+ * (strong blast, Sedov 1946) and 1 (sound).
  */
 class FrontCourse
 {
 public:
-  /// Takes the front's @p distance [m] at @p time [s]; meshes show it in jumps,
-  /// and only these count.
+  /// Adds the front's @p distance [m] at @p time [s]. On a mesh the front
+  /// advances in jumps; only increases are stored.
   void add(const double time, const double distance);
 
-  /// When the front will be at @p distance [s]; NaN before its second jump.
+  /// Predicted time of arrival at @p distance [m] [s]; NaN before the second
+  /// jump.
   double arrival(const double distance) const;
 
 private:
-  std::vector<std::pair<double, double>> jumps_; ///< times and distances
+  /// times [s] and distances [m]
+  std::vector<std::pair<double, double>> jumps_;
 };
 } // namespace contrecoup::coupling

@@ -12,12 +12,12 @@
 
 namespace contrecoup::coupling
 {
-/// What is known of a scene before anything of it is computed.
+/// Scene before any computation: parameters, body, layout and plan.
 class PlannedScene
 {
 public:
-  /// @param prm the scene's entries, declared and read
-  /// @throws InputError for a scene that is not possible
+  /// @param prm entries of the scene, declared and parsed
+  /// @throws InputError for an impossible scene
   explicit PlannedScene(dealii::ParameterHandler &prm);
 
   const SceneParameters &parameters() const
@@ -25,7 +25,7 @@ public:
     return parameters_;
   }
 
-  /// Kind of the body: phantom, image, and so on.
+  /// Kind of the body: phantom, image, ...
   const std::string &body_kind() const
   {
     return description_.kind();
@@ -36,7 +36,7 @@ public:
     return *body_;
   }
 
-  /// [kg]
+  /// Mass of the body [kg].
   double body_mass() const
   {
     return body_mass_;
@@ -47,23 +47,24 @@ public:
     return *layout_;
   }
 
-  /// Where biomechanics takes histories; none unless injuries are asked for.
+  /// Probes of biomechanics in tissues; empty unless injury is asked for.
   const std::vector<TissuePlace> &tissue_places() const
   {
     return tissue_places_;
   }
 
-  /// What it takes for granted, without its blast.
+  /// Assumptions of the scene, without those of its blast.
   const std::vector<Assumption> &plan() const
   {
     return plan_;
   }
 
-  /// Logs all of this.
+  /// Logs layout and plan.
   void print() const;
 
 private:
-  /// Its mass, and places in its tissues if injuries are asked for.
+  /// Computes the mass of the body and, if injury is asked for, the probes in
+  /// tissues.
   void find_body();
 
   SceneParameters parameters_;

@@ -11,10 +11,10 @@
 namespace contrecoup::coupling
 {
 /**
- * The application "scene": from a charge to what it does to a body, by the
- * stages anatomy, blast and biomechanics in folders of their own, and a
- * report. Collective; MPI is running. Never throws.
- * @param arguments of the command line, the program's name first
+ * Application "scene": from a charge to its effect on a body. Runs the stages
+ * anatomy, blast and biomechanics, each in its own folder, and writes a
+ * report. Collective; MPI is initialised. Never throws.
+ * @param arguments command line, program name first
  */
 Failure run_scene(const std::vector<std::string> &arguments);
 } // namespace contrecoup::coupling

@@ -15,24 +15,24 @@
 
 namespace contrecoup::coupling
 {
-/// @name What the stages of a scene are given: the entries that make the
-/// parameter file of each application, without the body itself. Their origins
-/// are the entries of the scene that they follow from, if they do.
+/// @name Parameter files of the stages of a scene: entries without the body
+/// itself. The origin of an entry is the entry of the scene that determines
+/// it, if any.
 /// @{
 std::vector<Assignment> anatomy_entries(const SceneParameters &scene);
 
 /**
- * The blast: a charge above rigid ground in 1-D, then in 2-D around the
- * vertical through it, then in 3-D with the body, whose facets record their
- * loads. Cells grow away from the body, and with time once the front has
- * passed.
+ * Entries of the blast: a charge above rigid ground in 1-D, then in 2-D around
+ * the vertical axis through it, then in 3-D with the body, whose facets record
+ * loads. Leaves get coarser with distance from the body and, once the front
+ * has passed, with time.
  * @param body_mass [kg]
  */
 std::vector<Assignment> blast_entries(const SceneParameters &scene,
                                       const SceneLayout &layout,
                                       const double body_mass);
 
-/// The body under these loads, whose file is given later.
+/// Entries of the body under the recorded loads; the load file is set later.
 std::vector<Assignment>
 biomechanics_entries(const SceneParameters &scene,
                      const SceneLayout &layout,
@@ -41,19 +41,19 @@ biomechanics_entries(const SceneParameters &scene,
                      double body_mass);
 /// @}
 
-/// A stage's parameter file.
+/// Parameter file of a stage.
 struct StageText
 {
-  std::string text; ///< with every entry
-  SceneWords words; ///< for what the stage says about them
+  std::string text; ///< content, all entries
+  SceneWords words; ///< translation of the stage's messages
 };
 
 
 /**
- * The parameter file of a stage.
- * @param entries of the scene's choice, in the order in which they win
- * @param scene all entries of the scene's file, of which the body and those
- * under @p name, which the user @p wrote, win over these
+ * Builds the parameter file of a stage.
+ * @param entries chosen by the scene, in order of increasing priority
+ * @param scene all entries of the scene's file; those of the body and those
+ * under @p name that the user @p wrote override @p entries
  * @param declare declares the entries of the application
  * @throws InputError for entries that the application does not have
  */

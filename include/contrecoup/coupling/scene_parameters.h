@@ -12,28 +12,28 @@
 
 namespace contrecoup::coupling
 {
-/// What a scene asks for, as its parameter file says.
+/// Parameters of a scene, read from its parameter file.
 struct SceneParameters
 {
-  /// Sizes that go together, finest last.
+  /// Preset of mesh sizes of gas and body.
   struct Accuracy
   {
     std::string name;
-    unsigned int levels;       ///< halvings of coarse leaves at the skin
-    unsigned int front_levels; ///< the same where fronts are near the body
-    double element_size;       ///< of the body [m]
-    std::string cost;          ///< of the man of the paper, in a few words
+    unsigned int levels;       ///< refinement level at the skin
+    unsigned int front_levels; ///< refinement level of fronts near the body
+    double element_size;       ///< edge of the body's elements [m]
+    std::string cost; ///< cost for the reference scene of a man, as text
   };
-  /// All that can be chosen.
+  /// All presets, finest last.
   static const std::vector<Accuracy> accuracies;
 
   /// Declares subsections "Scene", "Charge", "Body" and "Tissues", and
-  /// "Anatomy", "Blast" and "Biomechanics" with every entry of these
-  /// applications.
+  /// subsections "Anatomy", "Blast" and "Biomechanics" with all entries of
+  /// these applications.
   static void declare_parameters(dealii::ParameterHandler &prm);
 
   /// Reads "Scene", "Charge" and "Tissues".
-  /// @throws InputError for a charge at no place.
+  /// @throws InputError for a charge without a position.
   void parse_parameters(dealii::ParameterHandler &prm);
 
   bool wants_injury() const
@@ -44,16 +44,17 @@ struct SceneParameters
   std::string title;
   std::string question; ///< loads, injury
   Accuracy accuracy;
-  double end_time = 0.;                  ///< [s]
-  std::string symmetry;                  ///< auto, none, y
-  bool has_forecast = true;              ///< of what stages cost
-  bool draws_report = true;              ///< report.html
-  std::string explosive;                 ///< of the library
-  double mass = 0.;                      ///< [kg]
-  double afterburn = 0.;                 ///< energy [J/kg]
-  double distance = 0.;                  ///< from its centre to the body [m]
-  double height = 0.;                    ///< of its centre above the ground [m]
-  std::optional<dealii::Point<3>> place; ///< of its centre instead [m]
-  std::string tissues;                   ///< set of the tissue library
+  double end_time = 0.;     ///< [s]
+  std::string symmetry;     ///< auto, none, y
+  bool has_forecast = true; ///< whether to predict the costs of stages
+  bool draws_report = true; ///< report.html
+  std::string explosive;    ///< name in the library of explosives
+  double mass = 0.;         ///< [kg]
+  double afterburn = 0.;    ///< energy [J/kg]
+  double distance = 0.;     ///< from the charge's centre to the body [m]
+  double height = 0.;       ///< of the charge's centre above the ground [m]
+  /// position of the charge's centre instead [m]
+  std::optional<dealii::Point<3>> place;
+  std::string tissues; ///< set in the tissue library
 };
 } // namespace contrecoup::coupling

@@ -11,21 +11,21 @@
 
 namespace contrecoup::coupling
 {
-/// What a scene takes for granted beyond what its blast does: symmetry, a
-/// body that stands still for the gas, strain, gravity, and that the end time
-/// is late enough; as expected from the layout alone.
+/// Assumptions of a scene in addition to those of its blast, with estimates
+/// from the layout alone: symmetry, a body at rest for the gas, small strain,
+/// no gravity, and a sufficient end time.
 /// @param body_mass [kg]
 std::vector<Assumption> scene_plan(const SceneParameters &scene,
                                    const SceneLayout &layout,
                                    double body_mass);
 
-/// What the stages found of these, and of what they took for granted
-/// themselves; for stages without results nothing.
+/// Measured values of these assumptions and of those of the stages; empty for
+/// stages without results.
 /// @param folder of the scene
 std::vector<Assumption> scene_audit(const SceneParameters &scene,
                                     const SceneLayout &layout,
                                     const std::string &folder);
 
-/// The plan of a stage, as its summary has it; empty without one.
+/// Plan of a stage from its summary; empty without a summary.
 std::vector<Assumption> stage_plan(const std::string &folder);
 } // namespace contrecoup::coupling

@@ -9,15 +9,14 @@
 
 namespace contrecoup::coupling
 {
-/// Logs what the stages in a scene's folder found of what it and its blast took
-/// for granted.
+/// Logs the audit of a scene: measured values of the assumptions of scene and
+/// blast.
 void print_audit(const PlannedScene &scene, const std::string &folder);
 
 /**
- * Writes scene.json: the scene, its stages, plan and audit, as far as they
- * are known.
- * @param reused names of the stages that had been finished before
- * @param n_ranks of the run
+ * Writes scene.json: the scene, its stages, plan and audit, as far as known.
+ * @param reused names of the stages whose results are reused
+ * @param n_ranks number of ranks of the run
  * @throws SystemError when the disk fails
  */
 void write_scene(const PlannedScene &scene,

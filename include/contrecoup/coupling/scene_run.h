@@ -17,38 +17,37 @@ namespace contrecoup::coupling
 class SceneRun
 {
 public:
-  /// Plans the scene and works out its stages.
-  /// @param prm the scene's entries, declared and read
-  /// @throws InputError for a scene that is not possible
+  /// Plans the scene and creates its stages.
+  /// @param prm entries of the scene, declared and parsed
+  /// @throws InputError for an impossible scene
   SceneRun(const io::CommandLine &command,
            dealii::ParameterHandler &prm,
            Collective &collective);
 
-  /// Prints the plan and what each stage would cost. Writes nothing.
+  /// Prints the plan and the cost estimate of each stage. Writes nothing.
   void check();
 
-  /// Runs what is not finished, and makes the report.
+  /// Runs the stages that are not finished and writes the report.
   /// @throws InputError, NumericsError, SystemError naming the stage
   void execute();
 
 private:
-  /// Prints what each stage that is not finished, and all of them together,
-  /// would cost.
+  /// Prints the cost estimates of the unfinished stages and their sum.
   void tell_costs();
-  /// The same before a run.
+  /// Prints the cost estimates before a run.
   void forecast();
-  /// Whether what is in the folder is a scene's, and no other run's.
+  /// Whether the folder holds a scene and no other run.
   bool is_of_scene() const;
-  /// Takes the folder; returns false when there is nothing to do in it.
+  /// Claims the output folder; returns false when nothing is left to do.
   bool claim();
   bool admits() const;
-  /// @throws InputError when results would go that are to be kept
+  /// @throws InputError when results that must be kept would be removed
   void require_consent() const;
   std::string told_stages() const;
   void start();
   bool run_stages();
   void run_all();
-  /// Audit and report.
+  /// Writes audit and report.
   void conclude();
   std::string path(const std::string &name) const
   {
@@ -62,6 +61,6 @@ private:
   std::optional<PlannedScene> scene_;
   std::vector<SceneStage> stages_;
   std::vector<std::string> reused_;        ///< names of stages
-  std::unique_ptr<io::FolderClaim> claim_; ///< of the first rank
+  std::unique_ptr<io::FolderClaim> claim_; ///< on the first rank only
 };
 } // namespace contrecoup::coupling

@@ -15,36 +15,36 @@
 namespace contrecoup::coupling
 {
 /**
- * An application as a stage of a scene, see StageFiles. A stage that finished
- * with the same key, and whose results are all as they were written, is not run
- * again.
+ * Application as a stage of a scene, see StageFiles. A stage that finished
+ * with the same key and whose results are unchanged is not run again.
  */
 class SceneStage
 {
 public:
-  /// Runs the application with these arguments; with --check notes what it
-  /// would cost. Collective.
+  /// Runs the application with the given arguments; --check stores its cost
+  /// estimate. Collective.
   using Runner =
     std::function<Failure(const std::vector<std::string> &, CostEstimate &)>;
 
-  /// How the stage stands in the scene's folder.
+  /// State of the stage in the scene's folder.
   struct Standing
   {
-    bool has_record = false;     ///< with whatever key
-    bool is_finished = false;    ///< with this key
-    bool is_other = false;       ///< finished, but with another key
-    bool is_damaged = false;     ///< finished once, but not as it was
-    bool is_begun = false;       ///< with this key
-    bool is_new = false;         ///< what is begun, or will be, stands beside
-    bool has_checkpoint = false; ///< of what is begun, with whatever key
+    bool has_record = false;  ///< has a record, with any key
+    bool is_finished = false; ///< with this key
+    bool is_other = false;    ///< finished with another key
+    bool is_damaged = false;  ///< finished, but results were changed since
+    bool is_begun = false;    ///< with this key
+    bool is_new = false;      ///< the unfinished or next run uses NAME.new
+    /// the unfinished run has a checkpoint, any key
+    bool has_checkpoint = false;
   };
 
   /**
    * @param name of the application, see source_digest()
-   * @param text of the parameter file
-   * @param names of the files that the application writes
-   * @param upstream keys of the stages whose results this one takes
-   * @param can_resume whether the application takes --resume
+   * @param text content of the parameter file
+   * @param names files that the application writes
+   * @param upstream keys of the stages whose results this stage reads
+   * @param can_resume whether the application supports --resume
    */
   SceneStage(const std::string &name,
              const std::string &scene_folder,
@@ -65,20 +65,20 @@ public:
     return files_.folder(false);
   }
 
-  /// What the results depend on, in short: the parameters, the contents of
-  /// files that these name, the sources of the program, and the stages before.
+  /// Hash of everything that the results depend on: the parameters, the
+  /// contents of files that they name, the sources of the program, and the
+  /// keys of the stages before.
   const std::string &key() const
   {
     return record_.key;
   }
 
-  /// Finds out how the stage stands. Collective.
+  /// Determines standing(). Collective.
   void inspect(Collective &collective);
 
-  /// Brings to its end what a process was killed in, and makes sure that
-  /// nothing of somebody else is where the stage will write. By the first
-  /// rank.
-  /// @throws InputError when there is
+  /// Completes an interrupted replace() and checks that the stage will not
+  /// overwrite files of others. Called by the first rank.
+  /// @throws InputError for such files
   void prepare() const;
 
   const Standing &standing() const
@@ -86,7 +86,7 @@ public:
     return standing_;
   }
 
-  /// Makes it anew although it is finished.
+  /// Marks the stage to be run again although it is finished.
   void discard_result()
   {
     standing_.is_finished = false;
@@ -104,44 +104,45 @@ public:
     return record_;
   }
 
-  /// What stopped the run, if something did.
+  /// Failure or signal that stopped the run, if any.
   const Failure &stop() const
   {
     return stop_;
   }
 
-  /// Further arguments for the application, "--set ..." and so on.
+  /// Sets further arguments of the application, "--set ..." and so on.
   void set_arguments(const std::vector<std::string> &arguments)
   {
     arguments_ = arguments;
   }
 
-  /// What its entries are called in what it says.
+  /// Sets the translation of entry names in the stage's messages.
   void set_words(const SceneWords &words)
   {
     words_ = words;
   }
 
-  /// What one of them is called.
+  /// Translates one entry name in the stage's messages.
   void rename(const std::string &entry, const std::string &name)
   {
     words_.rename(entry, name);
   }
 
-  /// What an entry of it is called in the scene.
+  /// Name of the stage's entry in the scene.
   std::string named(const std::string &entry) const
   {
     return words_(entry);
   }
 
-  /// Says what it would do and cost, and returns the latter. Collective.
+  /// Runs --check of the application and returns its cost estimate.
+  /// Collective.
   /// @throws InputError
   CostEstimate check(Collective &collective);
 
   /**
-   * Runs it unless it is finished; goes on from its last checkpoint when that
-   * is wanted and there is one with the same key. Returns whether it is
-   * finished now; it is not when it was asked to stop. Collective.
+   * Runs the stage unless it is finished; if @p resume, continues from its
+   * last checkpoint with the same key. Collective.
+   * @return whether the stage is finished; false if it was asked to stop
    * @throws InputError, NumericsError, SystemError naming the stage
    */
   bool run(bool resume, Collective &collective);
@@ -152,7 +153,7 @@ private:
   void take_summary(double wall_seconds);
   void end(double wall_seconds);
 
-  /// Runs the application, whose messages then have the scene's words.
+  /// Runs the application and translates its messages.
   Failure call(const std::vector<std::string> &arguments,
                CostEstimate &cost) const;
 
@@ -170,7 +171,7 @@ private:
 };
 
 
-/// A short name for a text, by SHA-1: equal for equal texts, and different
-/// for all others that are likely to be met.
+/// Short hash of a text by SHA-1: equal for equal texts and, in practice,
+/// different for different ones.
 std::string short_key(const std::string &text);
 } // namespace contrecoup::coupling

@@ -11,10 +11,10 @@
 namespace contrecoup::coupling
 {
 /**
- * The stages of a scene in their order: anatomy, blast and, where injuries are
- * asked for, biomechanics, each with its parameter file. Writes nothing.
- * @param prm the scene's entries
- * @param collective must live as long as the stages
+ * Creates the stages of a scene in their order: anatomy, blast and, if injury
+ * is asked for, biomechanics, each with its parameter file. Writes nothing.
+ * @param prm entries of the scene
+ * @param collective must outlive the stages
  * @throws InputError for entries that an application does not have
  */
 std::vector<SceneStage> make_stages(const PlannedScene &scene,

@@ -14,23 +14,25 @@
 namespace contrecoup::coupling
 {
 /**
- * What the entries of a stage are called by somebody who wrote a scene: the
- * entry of the scene that they follow from, or, where the scene chose them by
- * itself or the user wrote them, their name in the section of the stage.
+ * Translates entry names in messages of a stage to the names that the user of
+ * the scene knows: the entry of the scene that determines a stage's entry or,
+ * where the scene chose it or the user wrote it, its name in the section of
+ * the stage.
  */
 class SceneWords
 {
 public:
-  /// Those of no stage, which change nothing.
+  /// Identity: changes nothing.
   SceneWords() = default;
 
   /**
-   * @param section of the scene's file that has the stage's entries
-   * @param entries of the scene's choice, whose origins are the entries of the
-   *   scene that they follow from, or empty
-   * @param sections of the stage, and what the scene has for the whole of them
-   * @param wrote all that the user wrote
-   * @param stage the stage's parameters
+   * @param section section of the scene's file with the stage's entries
+   * @param entries entries chosen by the scene; an origin is the entry of the
+   * scene that determines the entry, or empty
+   * @param sections sections of the stage and the section of the scene that
+   * stands for each
+   * @param wrote all assignments of the user
+   * @param stage parameters of the stage
    */
   SceneWords(const std::string &section,
              const std::vector<Assignment> &entries,
@@ -38,29 +40,29 @@ public:
              const std::vector<Assignment> &wrote,
              const dealii::ParameterHandler &stage);
 
-  /// Names an entry of the stage by itself.
+  /// Sets the name of one entry of the stage.
   void rename(const std::string &entry, const std::string &name);
 
-  /// A message or line of the stage with these names in it. Where it begins
-  /// with a section or an entry, names without a section are of that one.
+  /// Translates a message of the stage. If it begins with a section or an
+  /// entry, names without a section belong to that section.
   std::string operator()(const std::string &text) const;
 
 private:
-  /// What a message begins with.
+  /// Beginning of a message.
   struct Head
   {
-    std::string section;    ///< of the stage; empty without one
-    std::string name;       ///< what the scene has for that
-    std::size_t length = 0; ///< that it takes; 0 where an entry begins
+    std::string section;    ///< section of the stage; empty: none
+    std::string name;       ///< name of the section in the scene
+    std::size_t length = 0; ///< characters of the section; 0 before an entry
   };
   Head head_of(const std::string &text) const;
   void read_head(const std::string &begin, Head &head) const;
 
-  /// The longest of the names that stands at this place, and how it is called.
+  /// Longest entry name at position @p place of @p text and its translation.
   const std::pair<const std::string, std::string> *
   name_at(const std::string &text, std::size_t place) const;
 
-  std::map<std::string, std::string> entries_;  ///< stage's, scene's
-  std::map<std::string, std::string> sections_; ///< stage's, scene's
+  std::map<std::string, std::string> entries_;  ///< by name in the stage
+  std::map<std::string, std::string> sections_; ///< by name in the stage
 };
 } // namespace contrecoup::coupling

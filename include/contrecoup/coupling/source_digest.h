@@ -8,9 +8,10 @@
 namespace contrecoup::coupling
 {
 /**
- * SHA-1 of the sources of an application at the time of the build: of all files
- * of this project that its header in this folder leads to. Compilers, their
- * options and other libraries do not count, nor do the names of commits.
+ * SHA-1 of the sources of an application at build time: all files of this
+ * project that the application's header includes, directly or indirectly.
+ * Compiler, options, other libraries and commit names do not enter.
+ *
  * @param application anatomy, blast or biomechanics
  */
 std::string source_digest(const std::string &application);

@@ -9,56 +9,57 @@
 
 namespace contrecoup::coupling
 {
-/// How a stage of a scene stands, as kept in its record.
+/// Record of a stage, stored in its folder.
 struct StageRecord
 {
-  std::string key;          ///< of what it was made from
-  std::string status;       ///< started, finished, stopped, failed
-  double wall_seconds = 0.; ///< of all starts
-  double core_seconds = 0.; ///< of all starts and ranks
+  std::string key;    ///< hash of the stage's inputs, see SceneStage::key()
+  std::string status; ///< started, finished, stopped, failed
+  double wall_seconds = 0.; ///< wall-clock time of all starts
+  double core_seconds = 0.; ///< core time of all starts and ranks
   double peak_memory = 0.;  ///< [byte]
-  double disk = 0.;         ///< of its folder [byte]
+  double disk = 0.;         ///< size of the folder [byte]
 };
 
 
 /**
- * What a stage has in the scene's folder: its output folder NAME, its parameter
- * file NAME.prm and its record NAME.stage.json. A stage that is made anew while
- * a finished one is there is made beside it, as NAME.new, and takes its place
- * when it is complete. Used by one rank.
+ * Files of a stage in the scene's folder: output folder NAME, parameter file
+ * NAME.prm and record NAME.stage.json. If a stage is run again while finished
+ * results exist, it writes to NAME.new, which replaces NAME when complete.
+ * Used by one rank.
  */
 class StageFiles
 {
 public:
   StageFiles(const std::string &scene_folder, const std::string &name);
 
-  /// The names of all of this, for the scene's manifest.
+  /// Names of these files, for the scene's manifest.
   static io::FileNames names(const std::string &stage);
 
-  /// @param is_new of the stage that is made beside the finished one
+  /// @param is_new true: the new run beside the finished one
   std::string folder(bool is_new) const;
   std::string parameter_file(bool is_new) const;
   std::string record_file(bool is_new) const;
 
-  /// The record; an empty one if there is none, or if it is damaged.
+  /// Reads the record; empty if it is missing or damaged.
   StageRecord read_record(bool is_new) const;
   void write_record(bool is_new, const StageRecord &record) const;
 
-  /// Why the folder does not hold all results of a finished run as they were
-  /// written; empty if it does. Reads every one.
+  /// Reason why the folder does not hold the results of a finished run
+  /// unchanged; empty if it does. Reads all result files.
   std::string damage() const;
 
-  /// Whether a run in the folder left a complete checkpoint.
+  /// Whether the folder has a complete checkpoint.
   bool has_checkpoint(bool is_new) const;
 
   /**
-   * Lets the new stage take the place of the old one, of which only files that
-   * Contrecoup has not written are kept, in the new folder.
+   * Replaces the old stage by the new one. Files in the old folder that
+   * Contrecoup has not written move to the new folder.
+   *
    * @throws SystemError
    */
   void replace() const;
 
-  /// Brings a replace() to its end in which the process was killed.
+  /// Completes an interrupted replace().
   void mend() const;
 
 private:

@@ -11,10 +11,10 @@
 namespace contrecoup::coupling
 {
 /**
- * A blast that begins in fewer dimensions and goes on in those of its scene:
- * a first stage, and the scene's gas, which takes over its profile between
- * two steps. Histories and gauges are those of the scene throughout; fields
- * are those of the stage that is at work.
+ * Blast that begins with a first stage in fewer dimensions and continues in
+ * the dimensions of the scene. The scene's gas takes over the profile of the
+ * first stage between two steps (hand-over). Histories and gauges are those of
+ * the scene throughout; fields are those of the active stage.
  */
 template <int dim>
 class StagedSimulation : public Simulation
@@ -25,7 +25,7 @@ public:
   /// Declares all entries: those of the gas and subsection "First stage".
   static void declare_parameters(ParameterHandler &prm);
 
-  /// @throws InputError for scenes that cannot be staged.
+  /// @throws InputError for scenes that cannot begin with a first stage.
   void parse_parameters(ParameterHandler &prm);
 
   CostEstimate estimate() override;
@@ -47,7 +47,7 @@ public:
   std::vector<NamedValue> assumptions() override;
   std::vector<Assumption> plan() override;
   std::vector<Assumption> audit() override;
-  /// In the first stage, @p end_time is that of its hand-over.
+  /// During the first stage, @p end_time is the time of its hand-over.
   WorkForecast expected_work(const double end_time) override;
   std::optional<double> expected_hand_over() override;
   unsigned int dimension() const override
@@ -57,7 +57,7 @@ public:
   void finish(const std::string &folder) override;
   std::pair<std::uint64_t, std::uint64_t> size() const override;
 
-  /// The second stage, without mesh and state before the hand-over.
+  /// Gas of the second stage; no mesh and no state before the hand-over.
   gas::GasSimulation<dim> &scene()
   {
     return scene_;
@@ -67,25 +67,25 @@ public:
     return scene_;
   }
 
-  /// The first stage; null after it.
+  /// First stage; null after the hand-over.
   FirstStage<dim> *first_stage() const
   {
     return first_.get();
   }
 
 private:
-  /// The solver of the stage that is at work.
+  /// Solver of the active stage.
   Simulation &active() const;
-  /// @throws InputError when an axisymmetric stage that begins in 1-D would
-  /// end before it begins.
+  /// @throws InputError when an axisymmetric stage would hand over before its
+  /// spherical stage does.
   void check_ways() const;
   void read_gauges();
-  /// Distance before the nearest side at which "auto" hands over [m].
+  /// Distance of the front to the nearest side at which "auto" hands over [m].
   double margin() const;
-  /// Of the front from the charge at the hand-over, unless its time is
-  /// given [m].
+  /// Distance of the front from the charge at the hand-over, unless the time
+  /// is given [m].
   double hand_over_distance() const;
-  /// The front at the hand-over, for plan and audit.
+  /// Item about the front at the hand-over, for plan and audit.
   Assumption hand_over_item(const double radius) const;
   bool is_due();
   void hand_over();
@@ -93,13 +93,13 @@ private:
   MPI_Comm communicator_;
   StageParameters parameters_;
   StagePlan<dim> plan_;
-  /// The second stage, without mesh and state before the hand-over.
+  /// Gas of the second stage; no mesh and no state before the hand-over.
   mutable gas::GasSimulation<dim> scene_;
-  std::unique_ptr<FirstStage<dim>> first_; ///< nullptr after it
-  FrontCourse front_course_;               ///< of the first stage
+  std::unique_ptr<FirstStage<dim>> first_; ///< null after the hand-over
+  FrontCourse front_course_;               ///< front of the first stage
   double hand_over_time_ = 0.;             ///< [s]
   double hand_over_radius_ = 0.;           ///< [m]
-  /// In the domain, once it was asked for [m^dim].
+  /// Volume of the body in the domain, cached [m^dim].
   std::optional<double> body_volume_;
 };
 } // namespace contrecoup::coupling

@@ -12,28 +12,29 @@
 
 namespace contrecoup::coupling
 {
-/// A place in a body whose history is of interest.
+/// Named position in a body at which histories are recorded.
 struct TissuePlace
 {
   std::string name;
   dealii::Point<3> place; ///< [m]
 };
 
-/// Mass of a body of the density of water, by samples of that @p spacing [m]
-/// [kg].
+/// Mass of a body with the density of water, from samples of spacing @p
+/// spacing [m] [kg].
 double estimate_mass(const Body &body, double spacing);
 
 /**
- * Places that every report on a blast asks for, as far as the body has them:
- * "coup" and "contrecoup", the ends of the brain towards @p from and away
- * from it on the horizontal line through its centroid; "brain", its centroid;
- * "skull", the bone before the coup; "lung left" and "lung right", the
- * centroids of the lungs on both sides of their common one along y; "spinal
- * cord", its centroid. Each is moved to the nearest centre of an element of its
- * tissue.
- * @param from the charge [m]
- * @param spacing of the grid of samples, an element's edge [m]; ends are two
- * of them inside
+ * Standard positions of a blast report, as far as the body has the tissues:
+ * "coup" and "contrecoup", the ends of the brain towards @p from and away from
+ * it on the horizontal line through its centroid; "brain", its centroid;
+ * "skull", the bone in front of the coup; "lung left" and "lung right", the
+ * centroids of the lungs on either side of their common centroid along y;
+ * "spinal cord", its centroid. Each is moved to the nearest centre of an
+ * element of its tissue.
+ *
+ * @param from position of the charge [m]
+ * @param spacing spacing of the samples, an element's edge [m]; coup and
+ * contrecoup lie two spacings inside
  */
 std::vector<TissuePlace> find_tissue_places(const Body &body,
                                             const dealii::Point<3> &from,

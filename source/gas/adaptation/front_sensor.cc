@@ -11,7 +11,7 @@ namespace contrecoup::gas
 {
 namespace
 {
-  /// The sensor of one batch of leaves after another.
+  /// Computes the sensor of one batch of leaves at a time.
   template <int dim, typename Gas, typename Real>
   class BatchFronts
   {
@@ -30,7 +30,7 @@ namespace
       , velocity_(field.layout().n + 2)
     {}
 
-    /// By face; see front_sensor_by_face().
+    /// Sensor per face; see front_sensor_by_face().
     std::array<Number, 2 * dim> compute(const unsigned int batch)
     {
       reader_.bind(batch);
@@ -62,8 +62,8 @@ namespace
       return reader_.layout();
     }
 
-    /// Derivative of a velocity component from the neighbours on the leaf
-    /// [1/s].
+    /// Derivative of a velocity component from neighbouring points within the
+    /// leaf [1/s].
     Number derivative(const unsigned int component,
                       const unsigned int direction,
                       const unsigned int q) const
@@ -85,13 +85,13 @@ namespace
              (reader_.extent(direction) * edges);
     }
 
-    /// (div u)^2 / ((div u)^2 + |curl u|^2) at a point; one at rest, and
-    /// where leaves hold single points.
+    /// (div u)^2 / ((div u)^2 + |curl u|^2) at a point; one for gas at rest
+    /// and for leaves with a single point.
     Number compression_share(const unsigned int q) const
     {
       if (dim == 1 || layout().n == 1)
         return Number(1.);
-      // Slower than a change in ten thousand years.
+      // [1/s^2]; avoids 0 / 0 in gas at rest.
       const double rest = 1e-24;
       Number divergence(0.), curl_square(0.);
       for (unsigned int d = 0; d < dim; ++d)
@@ -107,8 +107,8 @@ namespace
       return square / (square + curl_square);
     }
 
-    /// Rise of the pressure along a line, towards its upper and its lower end,
-    /// where the gas does not expand.
+    /// Pressure rise along a line towards its upper and its lower end, where
+    /// the gas does not expand.
     std::array<Number, 2> line_rises(const unsigned int direction,
                                      const unsigned int line) const
     {
@@ -138,7 +138,8 @@ namespace
     LineReader<dim, Gas, Real> reader_;
     const double noise_;
     dealii::AlignedVector<Number> compression_share_;
-    dealii::AlignedVector<Number> pressure_; ///< of a line and beyond
+    /// along a line, extended at both ends
+    dealii::AlignedVector<Number> pressure_;
     dealii::AlignedVector<Number> velocity_; ///< along the line
   };
 } // namespace

@@ -9,7 +9,7 @@ namespace contrecoup::gas
 {
 namespace
 {
-  /// The sensor of one batch of leaves after another.
+  /// Computes the sensor of one batch of leaves at a time.
   template <int dim, typename Gas, typename Real>
   class BatchSensor
   {
@@ -75,7 +75,7 @@ namespace
     LineReader<dim, Gas, Real> reader_;
     const double noise_;
     const bool pressure_only_;
-    Line density_; ///< along a line and beyond
+    Line density_; ///< along a line, extended at both ends
     Line pressure_;
   };
 } // namespace

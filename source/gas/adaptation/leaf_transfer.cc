@@ -137,7 +137,7 @@ void LeafTransfer<dim>::balance(const std::vector<std::vector<double>> &from,
 {
   if (points_.exponent() == 0)
     return;
-  // Measured from one value, what is uniform needs no balance, to the bit.
+  // Integrals of the excess over one value vanish exactly for uniform leaves.
   const auto excess = [&](const std::vector<std::vector<double>> &leaves,
                           const std::vector<LeafBox<dim>> &boxes,
                           const unsigned int c,
@@ -227,7 +227,7 @@ void LeafTransfer<dim>::make_admissible(
       return is_admissible(leaf);
     });
   };
-  // The admissible set is convex and holds the mean: halving arrives.
+  // The admissible set is convex and contains the mean, so bisection succeeds.
   for (unsigned int cut = 0; cut < 10 && !all_admissible(); ++cut)
     for (auto &leaf : leaves)
       scale(leaf, mean, cut < 9 ? 0.5 : 0.);
@@ -241,8 +241,8 @@ LeafTransfer<dim>::subcell_parts(const std::vector<double> &parent,
                                  const unsigned int point) const
 {
   const auto index = points_.indices(point);
-  // Distances of the halves from the mean place along each direction, such
-  // that the volume mean of all parts is the subcell's value.
+  // Distances of the halves from the centroid along each direction, such that
+  // the volume mean of all parts equals the subcell's value.
   std::array<std::array<double, 2>, dim> distance;
   for (unsigned int d = 0; d < dim; ++d)
     distance[d] = {{-0.25, 0.25}};
@@ -329,7 +329,8 @@ std::vector<double> LeafTransfer<dim>::from_children(
   const std::vector<std::vector<double>> &children,
   const LeafBox<dim> &parent_box) const
 {
-  // Without the round-off of a mean: leaves at rest stay quiet.
+  // Uniform children are copied: the round-off of a mean would end the quiet
+  // of leaves at rest.
   if (is_uniform(children[0]) &&
       std::all_of(children.begin(), children.end(), [&](const auto &child) {
         return child == children[0];
@@ -359,7 +360,7 @@ std::vector<double> LeafTransfer<dim>::projected_parent(
   }
   std::vector<std::vector<double>> parent = {std::move(result)};
   balance(children, child_boxes(parent_box), parent, {parent_box});
-  // A projection may overshoot next to a jump.
+  // The projection may overshoot at a jump.
   make_admissible(parent, mean(parent[0], parent_box));
   return parent[0];
 }

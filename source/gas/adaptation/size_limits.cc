@@ -21,14 +21,14 @@ namespace
                    -bounds::time,
                    bounds::time,
                    "s",
-                   "When the limit begins to hold.");
+                   "Time when the limit begins to hold.");
     declare_double(prm,
                    "Until time",
                    "1e9",
                    -bounds::time,
                    bounds::time,
                    "s",
-                   "When it ends to hold; by default after every run.");
+                   "Time when the limit ends; the default is after every run.");
   }
 
 
@@ -36,17 +36,17 @@ namespace
   {
     Region::declare_parameters(
       prm,
-      "Where the limit holds: leaves with their centre in all of the domain, "
-      "within Radius of a Center, farther from all of them, or between two "
-      "corners. However coarse, a leaf that touches a ball has its Smallest "
-      "level, and none that is set as Largest level for outside of it.");
+      "Region of the limit, tested at the centres of leaves: the whole domain, "
+      "within Radius of a Center, farther from all Centers, or between two "
+      "corners. A leaf of any size that intersects a ball gets the ball's "
+      "Smallest level and is exempt from a Largest level outside of the ball.");
     declare_double(prm,
                    "Radius growth",
                    "0",
                    -bounds::speed,
                    bounds::speed,
                    "m/s",
-                   "How fast the radius grows from then on.");
+                   "Growth rate of Radius after From time.");
   }
 } // namespace
 
@@ -59,13 +59,13 @@ void SizeLimits::declare_parameters(ParameterHandler &prm)
                   "0",
                   0,
                   20,
-                  "Times that coarse leaves stay halved at least there.");
+                  "Smallest refinement level of leaves in the region.");
   declare_integer(prm,
                   "Largest level",
                   "20",
                   0,
                   20,
-                  "Times that a coarse leaf may be halved at most there.");
+                  "Largest refinement level of leaves in the region.");
   declare_when(prm);
   declare_where(prm);
 }

@@ -20,7 +20,8 @@ namespace
             leaf[point + 4 * n_points]};
   }
 
-  /// Negative arrivals are those of rises that go on.
+  /// Earlier of two arrivals; negated ones belong to rises that last, 0 means
+  /// none.
   float earlier(const float a, const float b)
   {
     if (a == 0.F || b == 0.F)
@@ -35,7 +36,7 @@ BlastMapTransfer<dim>::BlastMapTransfer(const LeafPoints<dim> &points)
   : n_points_(dealii::Utilities::pow(points.n(), dim))
   , contributions_(n_points_)
 {
-  // How much of point j of an edge point i of its half h covers.
+  // Fraction of point j of an edge that point i of its half h covers.
   const auto covered = [&](const unsigned int h,
                            const unsigned int i,
                            const unsigned int j) {

@@ -13,21 +13,22 @@
 namespace contrecoup::gas
 {
 /**
- * Where pressure fronts stand: rise / (rise + noise) in each owned leaf, with
+ * Sensor of pressure fronts: rise / (rise + noise) in each owned leaf, with
  * the largest
  *
  *   rise = sum_i |p_i+1 - p_i| / min(p_i, p_i+1)
  *            (div u)^2 / ((div u)^2 + |curl u|^2)
  *
- * over its lines of points and their next points beyond, over those i where
- * the pressure rises towards one end of the line and the gas does not expand
- * along it. So a front counts by its strength, however many points it is
- * wide. The factor is that of Ducros et al. (1999), which tells compression
- * waves from vortices; density does not enter, so that contacts are not seen.
+ * over its lines of points, extended by one point beyond either end. The sum
+ * is over the intervals i where the pressure rises towards one end of the line
+ * and the gas does not expand along it. The value of a front thus depends on
+ * its strength and not on the number of points across it. The last factor
+ * distinguishes compression from vortices (Ducros et al. 1999). The density
+ * does not enter, so that contacts are not detected.
  *
- * @param noise rise that gives one half [-]
+ * @param noise rise for which the sensor is one half [-]
  * @param field ghosts must be up to date
- * @param wanted per batch: whether to look at it; others give zero
+ * @param wanted per batch: whether to compute it; the result is zero elsewhere
  */
 template <int dim>
 std::vector<double> front_sensor(const LeafMesh<dim> &mesh,
@@ -37,14 +38,14 @@ std::vector<double> front_sensor(const LeafMesh<dim> &mesh,
                                  const double noise,
                                  const std::vector<bool> &wanted);
 
-/// A value for each face of a leaf.
+/// One value per face of a leaf.
 template <int dim>
 using FaceValues = std::array<double, 2 * dim>;
 
 /**
- * The same for each face of a leaf by itself: of fronts whose pressure falls
- * towards that face, where they run to. The largest of a leaf is
- * front_sensor().
+ * Front sensor per face of a leaf: of fronts whose pressure falls towards that
+ * face, the side to which they propagate. The maximum over the faces of a leaf
+ * is front_sensor().
  */
 template <int dim>
 std::vector<FaceValues<dim>>

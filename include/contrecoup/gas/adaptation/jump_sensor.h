@@ -12,15 +12,17 @@
 namespace contrecoup::gas
 {
 /**
- * How much density and pressure bend in each owned leaf: the largest ratio
+ * Curvature sensor of density and pressure in each owned leaf: the largest
+ * ratio
  *
  *   |s_+ - s_-| / (|s_+| + |s_-| + noise (|q_+| + 2 |q| + |q_-|) / h)
  *
- * over its points and directions, s being the divided differences to the
- * neighbouring points and h their mean distance (Loehner 1987, eq. 9). It
- * is 0 in linear fields and close to 1 at jumps that exceed the noise.
- * Ghosts of the field must be up to date.
- * @param wanted per batch: whether to look at it; others give zero
+ * over its points and directions, with s the divided differences to the
+ * neighbouring points and h their mean distance (Loehner 1987, eq. 9). It is 0
+ * for linear fields and close to 1 at jumps that exceed the noise. Ghosts of
+ * @p field must be up to date.
+ * @param wanted per batch: whether to compute it; the result is zero elsewhere
+ * @param pressure_only whether to ignore the density
  */
 template <int dim>
 std::vector<double> jump_sensor(const LeafMesh<dim> &mesh,

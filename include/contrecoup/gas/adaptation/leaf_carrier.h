@@ -10,27 +10,29 @@
 
 namespace contrecoup::gas
 {
-/// What leaves hold, gas and maps, as bytes that travel between ranks and
-/// from the octree before an adaptation to the one after it.
+/// Serialises the data of leaves (gas and maps) for transfer between ranks and
+/// from the octree before an adaptation to the octree after it.
 template <int dim>
 class LeafCarrier
 {
 public:
   using Cell = typename LeafMesh<dim>::CellIterator;
 
-  /// Keeps references to mesh, field and maps; empty maps are left out.
+  /// Keeps references to mesh, field and maps; empty maps are skipped.
   LeafCarrier(const LeafMesh<dim> &mesh,
               const LeafPoints<dim> &points,
               const GasMaterial &material,
               GasField &field,
               BlastMaps<dim> &maps);
 
-  /// What @p cell will hold: its own data or, when its children are
-  /// @p merged, theirs together. All cells give as many bytes.
+  /// Data of @p cell after the adaptation: its own data or, if its children
+  /// are @p merged, the data of the children restricted to @p cell. The number
+  /// of bytes is the same for all cells.
   std::vector<char> pack(const Cell &cell, const bool merged) const;
 
-  /// Gives @p cell or, when it was @p halved, its children what @p bytes
-  /// hold. The field and the maps have been made fit for the new octree.
+  /// Writes @p bytes to @p cell or, if it was @p halved (refined),
+  /// interpolates them to its children. Field and maps must have the size of
+  /// the new octree.
   void
   unpack(const Cell &cell, const bool halved, const char *const bytes) const;
 

@@ -14,9 +14,9 @@
 namespace contrecoup::gas
 {
 /**
- * Carries the conserved quantities of leaves over to their children and
- * back, conserving each of them to round-off and keeping every state
- * admissible. Leaf values are [component][point].
+ * Interpolates conserved quantities of a leaf to its children and restricts
+ * those of children to their parent. Conserves each quantity to round-off and
+ * keeps every state admissible. Leaf values are [component][point].
  */
 template <int dim>
 class LeafTransfer
@@ -29,17 +29,17 @@ public:
                const GasMaterial &material);
 
   /// Values of all children of a leaf, in deal.II's order. Finite volumes:
-  /// limited linear reconstruction, given up in a subcell whose parts it
-  /// would make inadmissible; Galerkin: the same polynomial, scaled towards
-  /// the mean of the leaf, by one factor for all children, where one of
-  /// them would not be admissible.
+  /// limited linear reconstruction, replaced by a constant in a subcell where
+  /// a part would be inadmissible. Galerkin: the same polynomial; if a child
+  /// would be inadmissible, all children are scaled towards the mean of the
+  /// leaf by one factor.
   std::vector<std::vector<double>>
   to_children(const std::vector<double> &parent,
               const LeafBox<dim> &parent_box) const;
 
-  /// Values of a leaf from those of all its children: volume means (finite
-  /// volumes) or the L2 projection (Galerkin), scaled towards its mean where
-  /// a node would not be admissible.
+  /// Values of a leaf from its children: volume means (finite volumes) or the
+  /// L2 projection (Galerkin), scaled towards its mean where a node would be
+  /// inadmissible.
   std::vector<double>
   from_children(const std::vector<std::vector<double>> &children,
                 const LeafBox<dim> &parent_box) const;
@@ -48,7 +48,8 @@ private:
   using Matrices =
     std::function<const dealii::FullMatrix<double> &(unsigned int)>;
 
-  /// Whether state @p first, @p first + stride, ... is admissible.
+  /// Whether the state with the components @p first, @p first + stride, ... is
+  /// admissible.
   bool is_admissible(const double *first, const unsigned int stride) const;
   bool is_admissible(const std::vector<double> &values) const;
   /// Whether all points of the leaf hold the same state.
@@ -68,11 +69,11 @@ private:
   std::vector<double>
   averaged_parent(const std::vector<std::vector<double>> &children,
                   const LeafBox<dim> &parent_box) const;
-  /// Scales all leaves towards @p mean by one factor until each point is
+  /// Scales all leaves towards @p mean by one factor such that all points are
   /// admissible.
   void make_admissible(std::vector<std::vector<double>> &leaves,
                        const std::vector<double> &mean) const;
-  /// The 2^dim parts of one subcell, [part][component].
+  /// Values of the 2^dim parts of one subcell, [part][component].
   std::array<std::vector<double>, n_children>
   subcell_parts(const std::vector<double> &parent,
                 const LeafBox<dim> &parent_box,
@@ -83,8 +84,8 @@ private:
   /// Mean of each component over the leaf's volume.
   std::vector<double> mean(const std::vector<double> &values,
                            const LeafBox<dim> &box) const;
-  /// In curvilinear geometry adds a constant to each component of @p to, so
-  /// that these leaves hold as much of it as @p from.
+  /// In curvilinear geometry, adds a constant to each component of @p to, so
+  /// that its integral equals that of @p from.
   void balance(const std::vector<std::vector<double>> &from,
                const std::vector<LeafBox<dim>> &from_boxes,
                std::vector<std::vector<double>> &to,

@@ -13,8 +13,8 @@
 
 namespace contrecoup::gas
 {
-/// Least and most times that coarse leaves are halved, by place and time, as
-/// subsections "Limit <name>" of "Adaptation" say.
+/// Smallest and largest refinement level as a function of position and time,
+/// read from subsections "Limit <name>" of "Adaptation".
 class SizeLimits
 {
 public:
@@ -28,18 +28,19 @@ public:
   static void declare_parameters(dealii::ParameterHandler &prm);
 
   /// Reads the limits; the current subsection is "Adaptation".
-  /// @throws InputError for places without @p dim coordinates and for
-  /// intervals of time or level that are empty.
+  /// @throws InputError for points without @p dim coordinates and for empty
+  /// intervals of time or level.
   void parse_parameters(dealii::ParameterHandler &prm, const unsigned int dim);
 
   /**
-   * Levels that a leaf may have: @p general, narrowed by all limits that
-   * hold at @p place and @p time [s]. Where least and most contradict each
-   * other, most counts.
+   * Refinement levels allowed for a leaf: @p general, restricted by all limits
+   * that hold at @p place and @p time [s]. Where the restrictions conflict,
+   * the largest level wins.
+   *
    * @param place centre of the leaf [m]
-   * @param reach from there to its corners [m]: whatever its size, a leaf
-   * that touches a ball is kept as fine as the ball is to be, and as fine as
-   * it may be where the limit is for what is outside
+   * @param reach distance from the centre to the corners of the leaf [m]: a
+   * leaf of any size that intersects a ball gets the ball's smallest level and
+   * is exempt from a largest level that holds outside of the ball
    */
   template <int dim>
   Levels levels(const dealii::Point<dim> &place,
@@ -58,14 +59,14 @@ private:
     Levels levels;
     double from = 0.;   ///< [s]
     double until = 0.;  ///< [s]
-    Region region;      ///< at time "from"
-    double growth = 0.; ///< of the radius [m/s]
+    Region region;      ///< region at time "from"
+    double growth = 0.; ///< growth rate of the radius [m/s]
   };
 
   static void
   check(const Limit &limit, const std::string &where, const unsigned int dim);
 
-  /// Whether a limit holds at a place; balls are larger by @p margin [m].
+  /// Whether a limit holds at a position; balls are enlarged by @p margin [m].
   template <int dim>
   static bool holds(const Limit &limit,
                     const dealii::Point<dim> &place,

@@ -20,7 +20,7 @@ namespace contrecoup::gas
  * of products. L grows either at a constant rate between two times, or by (P.
  * J. Miller, Mat. Res. Soc. Symp. Proc. 418 (1996) 413-420)
  *
- * dL/dt = a (1 - L)^m (p / 1 Mbar)^n,
+ *   dL/dt = a (1 - L)^m (p / 1 Mbar)^n,
  *
  * here with the mass-weighted mean pressure p of all products. The mixing with
  * air is not resolved: oxygen is assumed to be available.

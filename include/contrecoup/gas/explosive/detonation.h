@@ -18,7 +18,7 @@ namespace contrecoup::gas
  * points at the detonation speed D, and a subcell of size h burns while the
  * front advances by w h,
  *
- * F(x, t) = min(1, max(0, D (t - t_b(x)) / (w h))),
+ *   F(x, t) = min(1, max(0, D (t - t_b(x)) / (w h))),
  *
  * w being ChargeSet::burn_width(). Burning begins when the front is w h / 2
  * ahead of the subcell, t_b = min over i of t_i + max(0, |x - x_i| - w h / 2)

@@ -12,11 +12,11 @@
 namespace contrecoup::gas
 {
 /**
- * Carries maps over when leaves are halved and merged, such that no peak is
- * lost: a child's point takes the record of the parent's point around it; a
- * parent's point takes the largest peak, the earliest arrival and the mean
- * impulse of the children's points in its part of the leaf, and its positive
- * phase ends when the last of theirs does. Leaf values are [value][point].
+ * Interpolates and restricts maps when leaves are refined and coarsened, such
+ * that no peak is lost. A child's point takes the record of the parent's point
+ * around it. A parent's point takes the largest peak, the earliest arrival and
+ * the mean impulse of the children's points in its volume; its positive phase
+ * ends when the last of theirs does. Leaf values are [value][point].
  */
 template <int dim>
 class BlastMapTransfer
@@ -35,21 +35,21 @@ public:
 private:
   using Record = BlastRecord<float>;
 
-  /// A point of a child in the part of the leaf of a parent's point.
+  /// Point of a child that overlaps a point of the parent.
   struct Contribution
   {
     unsigned int child;
     unsigned int point;
-    double part; ///< of the volume of the parent's point [-]
+    double part; ///< fraction of the parent's point's volume [-]
   };
 
   Record merged(const std::vector<std::vector<float>> &children,
                 const unsigned int point) const;
 
   unsigned int n_points_;
-  /// The parent's point around a point of a child, [child][point].
+  /// Point of the parent around a point of a child, [child][point].
   std::array<std::vector<unsigned int>, n_children> around_;
-  /// What makes up each of the parent's points.
+  /// Points of children in each point of the parent.
   std::vector<std::vector<Contribution>> contributions_;
 };
 } // namespace contrecoup::gas
