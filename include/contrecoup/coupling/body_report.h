@@ -50,7 +50,7 @@ namespace coupling
     dealii::Point<3> center_of_gravity; ///< [m]
     dealii::Point<3> lower_corner;      ///< bounding box of the nodes [m]
     dealii::Point<3> upper_corner;
-    /// projected area of the facets, see make_report() [m^2]
+    /// Projected area of the facets, see make_report() [m^2]
     double surface_area = 0.;
 
     const ReportRow &body() const

@@ -38,7 +38,7 @@ public:
   struct Blast
   {
     double energy = 0.; ///< energy in full space [J], 0 if unknown
-    /// height of the centre if the stage is axisymmetric [m]
+    /// Height of the centre if the stage is axisymmetric [m]
     double height = 0.;
     double non_ideal_part = 0.; ///< see gas::ModellingPlan
   };

@@ -25,7 +25,7 @@ public:
   double arrival(const double distance) const;
 
 private:
-  /// times [s] and distances [m]
+  /// Times [s] and distances [m]
   std::vector<std::pair<double, double>> jumps_;
 };
 } // namespace contrecoup::coupling

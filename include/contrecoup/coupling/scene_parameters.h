@@ -53,7 +53,7 @@ struct SceneParameters
   double afterburn = 0.;    ///< energy [J/kg]
   double distance = 0.;     ///< from the charge's centre to the body [m]
   double height = 0.;       ///< of the charge's centre above the ground [m]
-  /// position of the charge's centre instead [m]
+  /// Position of the charge's centre instead [m]
   std::optional<dealii::Point<3>> place;
   std::string tissues; ///< set in the tissue library
 };

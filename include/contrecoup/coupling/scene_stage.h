@@ -35,7 +35,7 @@ public:
     bool is_damaged = false;  ///< finished, but results were changed since
     bool is_begun = false;    ///< with this key
     bool is_new = false;      ///< the unfinished or next run uses NAME.new
-    /// the unfinished run has a checkpoint, any key
+    /// The unfinished run has a checkpoint, any key
     bool has_checkpoint = false;
   };
 

@@ -138,7 +138,7 @@ namespace
     LineReader<dim, Gas, Real> reader_;
     const double noise_;
     dealii::AlignedVector<Number> compression_share_;
-    /// along a line, extended at both ends
+    /// Along a line, extended at both ends.
     dealii::AlignedVector<Number> pressure_;
     dealii::AlignedVector<Number> velocity_; ///< along the line
   };

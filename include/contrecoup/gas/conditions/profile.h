@@ -25,7 +25,7 @@ struct ProfileData
   std::string material; ///< description of equation of state and explosive
   std::string version;  ///< version of the software that wrote the profile
   double afterburn_fraction = 0.; ///< released fraction, see Afterburn [-]
-  /// energy released by afterburn in the whole gas [J]
+  /// Energy released by afterburn in the whole gas [J]
   double afterburn_released = 0.;
 
   /// Ambient density [kg/m^3], energy [J/m^3], density of products [kg/m^3].

@@ -77,7 +77,7 @@ public:
     /// centre, in the profile's coordinates [m]
     std::array<double, 2> place{};
     std::array<double, 2> width{}; ///< edge lengths [m]
-    /// half the extents of the parallelepiped [m]
+    /// Half the extents of the parallelepiped [m]
     std::array<double, 2> reach{};
     /// Unit vectors of the profile's directions at the centre.
     std::array<dealii::Tensor<1, dim>, 2> direction;

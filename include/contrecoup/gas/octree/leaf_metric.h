@@ -104,7 +104,7 @@ private:
   unsigned int n_face_points_;
   std::array<unsigned int, dim> node_stride_;
   std::array<Vector, 1U << dim> vertices_; ///< relative to vertex 0
-  /// subcell corners, relative to vertex 0
+  /// Subcell corners, relative to vertex 0
   dealii::AlignedVector<Vector> nodes_;
 };
 } // namespace contrecoup::gas

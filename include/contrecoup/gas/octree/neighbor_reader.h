@@ -88,7 +88,7 @@ private:
   using Index =
     std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
 
-  /// lane of each leaf in its batch
+  /// Lane of each leaf in its batch
   alignas(64) std::array<Index, width> lane_{};
   std::array<std::size_t, width> offset_{}; ///< offset of each leaf
   unsigned int n_sources_ = 0;

@@ -48,9 +48,9 @@ public:
   double cfl = 0.5;             ///< CFL number [-]
   bool blending = true;         ///< subcell shock capturing (DG)
   double largest_blending = 1.; ///< [-]
-  /// factor on the default threshold (DG) [-]
+  /// Factor on the default threshold (DG) [-]
   double indicator_threshold = 1.;
-  /// positivity limiter: scaling towards the mean (DG)
+  /// Positivity limiter: scaling towards the mean (DG)
   bool positivity = true;
   unsigned int largest_retries = 10;
 

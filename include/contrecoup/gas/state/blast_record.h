@@ -40,7 +40,7 @@ struct BlastRecord
 
   Number peak = 0.;    ///< peak overpressure so far [Pa]
   Number arrival = 0.; ///< time of arrival [s]; negated during the first rise
-  /// integral of positive overpressure since arrival [Pa s]
+  /// Integral of positive overpressure since arrival [Pa s]
   Number running = 0.;
   Number impulse = 0.; ///< value of running at @p end [Pa s]
   Number end = 0.;     ///< end of the positive phase [s]; 0 while it lasts
