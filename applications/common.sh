@@ -7,13 +7,13 @@ say() {
   printf '%s: %s\n' "$program" "$*" | tee -a "$log"
 }
 
-# fail TEXT...: one line on stderr, and the end.
+# fail TEXT...: prints one line on stderr and exits.
 fail() {
   printf '%s: %s\n' "$program" "$*" | tee -a "$log" >&2
   exit 1
 }
 
-# quietly COMMAND...: its output goes to the log alone, and it reads nothing.
+# quietly COMMAND...: runs it with output to the log alone and without input.
 quietly() {
   printf '+ %s\n' "$*" >>"$log"
   "$@" >>"$log" 2>&1 </dev/null
@@ -57,12 +57,13 @@ install_packages() {
 }
 
 # cores: how many processor cores this process may use. nproc alone would count
-# the threads of OMP_NUM_THREADS, which many set to 1 for MPI, as here below.
+# the threads of OMP_NUM_THREADS, which is often 1 for MPI, as below.
 cores() {
   env -u OMP_NUM_THREADS -u OMP_THREAD_LIMIT nproc
 }
 
-# build_jobs: compilers at once; each core one, each with 6 GB of memory.
+# build_jobs: number of parallel compilers; one for each core that has
+# 6 GB of memory.
 build_jobs() {
   local cores memory
   cores=$(cores)
@@ -72,7 +73,7 @@ build_jobs() {
   echo "$cores"
 }
 
-# build TARGET...: configures, and builds these with the release preset.
+# build TARGET...: configures and builds these targets with the release preset.
 build() {
   local jobs
   jobs=$(build_jobs)
@@ -92,7 +93,7 @@ build() {
   [ $ok = yes ] || fail "building failed; see $log"
 }
 
-# watch_build: redraws how many files are compiled, on a terminal.
+# watch_build: shows the number of compiled files on a terminal.
 watch_build() {
   while sleep 1; do
     printf '\r%s ' "$(grep -o '^\[[0-9]*/[0-9]*\]' "$log" | tail -n 1)"

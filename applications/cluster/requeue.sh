@@ -2,21 +2,23 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
 #
-# What the batch files share; they source it from the folder of the repository.
+# Functions that the batch files share; they source this file from the folder of
+# the repository.
 
-# complete_checkpoints OUTPUT: the complete checkpoints below it, one a line
-# with the time at which it was completed. A job that is killed while it writes
-# one leaves a folder without complete.json, which cannot be gone on from.
+# complete_checkpoints OUTPUT: the complete checkpoints below OUTPUT, each on a
+# line with its time of completion. A job that is killed while it writes a
+# checkpoint leaves a folder without complete.json, from which no run can
+# resume.
 complete_checkpoints() {
   [ ! -d "$1" ] ||
     find "$1" -path '*/checkpoint/*/complete.json' -printf '%p %T@\n' | sort
 }
 
-# run_or_requeue OUTPUT COMMAND...: runs it with srun. A run that a signal
+# run_or_requeue OUTPUT COMMAND...: runs COMMAND with srun. A run that a signal
 # stops after a checkpoint, as SLURM's does before the end of the time, ends with
 # 128 and the number of the signal (SIGINT 130, SIGUSR1 138, SIGTERM 143): the
-# job is queued again, unless there is no new checkpoint, for then the next one
-# would come no further. Any other exit code is that of the job.
+# job is queued again, unless there is no new checkpoint, since the next job
+# would then get no further. Any other exit code is that of the job.
 run_or_requeue() {
   local output=$1 before code=0
   shift

@@ -1,7 +1,7 @@
 # Writes OUTPUT, a header with version and git revision, when they changed.
 # Called at build time with -D SOURCE=... -D VERSION=... -D OUTPUT=...
 
-# A revision that git tells: with "+" when files differ from it.
+# Revision as git reports it, with "+" when files differ from it.
 function(_ask_git revision)
   find_program(GIT git)
   if(NOT GIT OR NOT EXISTS ${SOURCE}/.git)
@@ -18,7 +18,8 @@ function(_ask_git revision)
   set(${revision} "${_revision}" PARENT_SCOPE)
 endfunction()
 
-# Without git: what .git/HEAD names, with "?" as nobody looked for changes.
+# Without git: the revision that .git/HEAD names, with "?", since changes are
+# not checked.
 function(_read_head revision)
   if(NOT EXISTS ${SOURCE}/.git/HEAD)
     return()

@@ -23,7 +23,7 @@ function(contrecoup_add_benchmark_target)
   foreach(_target ${_targets})
     list(APPEND _programs $<TARGET_FILE:${_target}>)
   endforeach()
-  # How right are the times that --check predicts.
+  # Accuracy of the times that --check predicts.
   list(APPEND _programs
     "${PROJECT_SOURCE_DIR}/tests/benchmark/check_times.py ${PROJECT_BINARY_DIR}/bin")
   add_custom_target(benchmark

@@ -1,12 +1,12 @@
-# What of deal.II's headers reaches the compiler. Debian's deal.II is built with
-# the differentiation of ADOL-C and Sacado and the vectors of Trilinos and PETSc:
-# even its header of numbers includes them, and every source file pays more than
-# a second of compiling for what Contrecoup does not use. A copy of deal.II's
-# list of features that leaves these out stands before the installed one.
+# Features of deal.II that the compiler sees. Debian's deal.II is built with the
+# automatic differentiation of ADOL-C and Sacado and the vectors of Trilinos and
+# PETSc: even its header of numbers includes them, which costs more than a second
+# of compiling for each source file, and Contrecoup does not use them. A copy of
+# deal.II's list of features without these comes before the installed one.
 #
-# That is safe because no class that Contrecoup uses has other data members or
-# virtual functions without them (deal.II 9.4). Other releases are left as they
-# are.
+# This is safe because no class that Contrecoup uses has other data members or
+# virtual functions without them (deal.II 9.4). Other releases keep the
+# installed list.
 set(_config ${PROJECT_BINARY_DIR}/include/deal.II/base/config.h)
 find_file(CONTRECOUP_DEAL_II_CONFIG deal.II/base/config.h
   PATHS ${DEAL_II_INCLUDE_DIRS} NO_DEFAULT_PATH)

@@ -1,4 +1,4 @@
-# The deal.II features and the further libraries that Contrecoup is built on.
+# The deal.II features and the further libraries that Contrecoup needs.
 
 set(_missing "")
 foreach(_feature MPI P4EST HDF5 TRILINOS MUPARSER ZLIB)
@@ -19,7 +19,7 @@ if(NOT nlohmann_json_FOUND)
     "On Debian: apt install nlohmann-json3-dev")
 endif()
 
-# Surfaces are read by Assimp and judged by the predicates of CGAL.
+# Assimp reads surfaces, predicates of CGAL check them.
 find_library(CONTRECOUP_ASSIMP assimp)
 find_path(CONTRECOUP_ASSIMP_HEADERS assimp/Importer.hpp)
 find_path(CONTRECOUP_CGAL_HEADERS
@@ -32,7 +32,7 @@ if(NOT CONTRECOUP_ASSIMP OR NOT CONTRECOUP_ASSIMP_HEADERS
     "On Debian: apt install libassimp-dev libcgal-dev")
 endif()
 
-# Medical images are read by the library of NIfTI's authors.
+# The library of NIfTI's authors reads medical images.
 find_library(CONTRECOUP_NIFTI niftiio)
 find_path(CONTRECOUP_NIFTI_HEADERS nifti/nifti1_io.h)
 mark_as_advanced(CONTRECOUP_NIFTI CONTRECOUP_NIFTI_HEADERS)
@@ -41,9 +41,9 @@ if(NOT CONTRECOUP_NIFTI OR NOT CONTRECOUP_NIFTI_HEADERS)
     "On Debian: apt install libnifti-dev")
 endif()
 
-# Meshes that change take aligned memory of ever other sizes, of which glibc up
-# to 2.37 gives hardly any back: a blast at a man held six times what it used.
-# The address sanitizer has an allocator of its own.
+# Adaptive meshes allocate aligned memory of changing sizes, and glibc up to
+# 2.37 returns hardly any of it: the blast before a man held six times the
+# memory in use. The address sanitizer has its own allocator.
 find_library(CONTRECOUP_JEMALLOC jemalloc)
 mark_as_advanced(CONTRECOUP_JEMALLOC)
 if(CONTRECOUP_SANITIZE)
@@ -57,7 +57,8 @@ else()
   set(CONTRECOUP_ALLOCATOR "")
 endif()
 
-# Debian 13's deal.II asks for the linker mold but does not bring it along.
+# Debian 13's deal.II asks for the linker mold but does not depend on its
+# package.
 find_program(CONTRECOUP_MOLD mold)
 mark_as_advanced(CONTRECOUP_MOLD)
 if(NOT CONTRECOUP_MOLD)

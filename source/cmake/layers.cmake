@@ -12,16 +12,16 @@ function(contrecoup_add_layer name)
   endforeach()
 endfunction()
 
-# contrecoup_add_room(<layer> <source>...): sources of a layer in a folder of
-# their own.
+# contrecoup_add_room(<layer> <source>...): sources of a layer in their own
+# folder.
 function(contrecoup_add_room layer)
   list(TRANSFORM ARGN PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
   target_sources(contrecoup_${layer} PRIVATE ${ARGN})
 endfunction()
 
 # contrecoup_compile_together(<layer> <source>...): the compiler reads these
-# sources as one, so that templates that they share are compiled once (those of
-# JSON take five seconds a source). Names in their unnamed namespaces must differ.
+# sources as one, which compiles their common templates once (those of JSON take
+# five seconds a source). Names in their unnamed namespaces must differ.
 function(contrecoup_compile_together name)
   set_target_properties(contrecoup_${name} PROPERTIES
     UNITY_BUILD ON UNITY_BUILD_MODE GROUP)

@@ -9,7 +9,8 @@ endif()
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 
 # Seconds that each test of half a second and more takes, recorded by
-# tests/record_times.py: the dear ones start first, and limits follow from them.
+# tests/record_times.py: the longest start first, and time limits follow from
+# these times.
 set(_times ${PROJECT_SOURCE_DIR}/tests/times.csv)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${_times})
 file(STRINGS ${_times} _lines REGEX "^[a-z].*,[0-9.]+$")
@@ -29,8 +30,8 @@ set(CONTRECOUP_TEST_ENVIRONMENT
   OMP_NUM_THREADS=1
   CONTRECOUP_CHECK_SECONDS=0
   PYTHONDONTWRITEBYTECODE=1)
-# Open MPI leaks; and a library that asks for more memory than there is gets
-# none, as without sanitizers. Runs take several times as long.
+# Open MPI leaks; and a library that asks for more memory than exists gets none,
+# as without sanitizers. Runs take several times as long.
 set(CONTRECOUP_TIMEOUT_FACTOR 1)
 if(CONTRECOUP_SANITIZE)
   list(APPEND CONTRECOUP_TEST_ENVIRONMENT
@@ -40,8 +41,9 @@ suppressions=${PROJECT_SOURCE_DIR}/tests/sanitizer_suppressions.txt"
   set(CONTRECOUP_TIMEOUT_FACTOR 10)
 endif()
 
-# contrecoup_setup_test_target(<target>): contrecoup_setup_target, but tests take
-# a third less to compile: what they measure is in the layers, optimised there.
+# contrecoup_setup_test_target(<target>): contrecoup_setup_target, but tests
+# compile in a third less time: the code that they measure is in the layers,
+# optimised there.
 function(contrecoup_setup_test_target target)
   contrecoup_setup_target(${target})
   target_compile_options(${target} PRIVATE
@@ -108,8 +110,8 @@ endfunction()
 # _contrecoup_register_test(<name> RANKS <n> [TIMEOUT <s>] LABELS ...
 #   COMMAND ...): add_test with the environment and properties of all tests.
 #
-# A limit of time is there to end what hangs: ten times what the test takes
-# alone, a minute at least, ten where that is not known.
+# The time limit ends tests that hang: ten times the time of the test alone, a
+# minute at least, ten where that time is not known.
 function(_contrecoup_register_test name)
   cmake_parse_arguments(ARG "" "RANKS;TIMEOUT" "LABELS;COMMAND" ${ARGN})
   set(_seconds 0)

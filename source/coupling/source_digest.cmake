@@ -4,8 +4,8 @@
 # The sources of an application are those of the layer coupling that the header
 # include/contrecoup/coupling/NAME_application.h leads to, by its own includes,
 # those of the sources that mirror it (x.cc, x_<topic>.cc), and so on; and all
-# of the layers below that these include: there, headers do not lead to all that
-# is linked.
+# sources of the lower layers that these include, where headers do not lead to
+# everything that is linked.
 
 cmake_minimum_required(VERSION 3.25)
 
@@ -62,5 +62,5 @@ foreach(_name anatomy blast biomechanics)
   string(SHA1 _sum "${_sums}")
   string(APPEND _text "{\"${_name}\", \"${_sum}\"},\n")
 endforeach()
-# Left as it is when nothing changed.
+# Unchanged when the digest is the same.
 file(CONFIGURE OUTPUT ${OUTPUT} CONTENT "${_text}" @ONLY)

@@ -1,6 +1,6 @@
-# Bodies: whole runs, and what is refused.
+# Bodies: whole runs, and bad input.
 #
-# Against committed tables and meshes: rounding; meshes are written in single
+# Committed tables and meshes are met to rounding; meshes are written in single
 # precision.
 set(_rounding 1e-9 "*.vtu:*=2e-7")
 contrecoup_add_application_test(quickstart bounds
@@ -26,7 +26,7 @@ contrecoup_add_application_test(coarse bounds
     "Output/Pictures=false" "Output/Gmsh=true" "Output/Distance spacing=0.05"
   BOUNDS "cells == 8")
 
-# A head that head_impact runs with.
+# A head for head_impact.
 contrecoup_add_application_test(head_mesh bounds
   FILE anatomy/quickstart.prm
   SET "Output/Pictures=false" "Output/Surface=false" "Output/Gmsh=true"

@@ -22,8 +22,8 @@ biomechanics_verifies(plane_wave plane_wave
 biomechanics_verifies(plane_wave_single plane_wave
   "errors.displacement_L2 < 2.66e-4;assumptions.energy_residual < 5e-7"
   "Elements/Precision=single")
-# A push of 1 MPa, and a pull, which stretches skeleton by 1.4857e-4 in three
-# quarters of the bar.
+# Compression by 1 MPa, and tension, which stretches skeleton by 1.4857e-4 in
+# three quarters of the bar.
 biomechanics_verifies(tissue_peaks plane_wave
   "assumptions.highest_pressure_skeleton > 6.15e5;\
 assumptions.highest_pressure_skeleton < 6.2e5;\
@@ -52,7 +52,7 @@ biomechanics_verifies(shear_attenuation_100 shear_attenuation
   "Supports/Support end/Velocity y=sin(2*pi*100*t)"
   "Measures/Measure amplitude/Expected=0.674770"
   "Measures/Measure passing_zero/Expected=0.0372247")
-# A longer column, from which nothing comes back in a longer time.
+# A longer column, from which no reflection returns in a longer time.
 biomechanics_verifies(shear_attenuation_50 shear_attenuation
   "errors.amplitude < 5.6e-3;errors.passing_zero < 4.68e-4"
   "Mesh/Upper corner=0.4, 0.002, 0.002" "Mesh/Elements=200, 1, 1"
@@ -122,9 +122,8 @@ biomechanics_verifies(free_fall bounce
 biomechanics_verifies(phantom ../quickstart
   "assumptions.energy_residual < 1.83e-7" "Time/End time=1e-3")
 
-# Peaks of tissues and fields go on, too, after a stop, a kill, on a disk that
-# had been full, with a limit to the size of files and with a checkpoint of
-# another build.
+# Peaks of tissues and fields continue as well after a stop, a kill, a full
+# disk, a limit to the size of files and with a checkpoint of another build.
 contrecoup_add_application_test(runs
   ranks,resume,disk,quota,other_build,parallel_disk,parallel_sigkill
   FILE ${_folder}/plane_wave.prm SET "Output/Fields interval=2e-5"
@@ -187,8 +186,8 @@ contrecoup_add_application_test(injury bounds FILE biomechanics/quickstart.prm
   "assumptions.injury_chest_wall_velocity < 1.019"
   "assumptions.injury_chest_wall_velocity_mesh > 0.119"
   "assumptions.injury_chest_wall_velocity_mesh < 0.132")
-# On coarser elements and under a pulse that begins nearer, what the man goes
-# through is what it was, also after a stop.
+# On coarser elements and under a pulse that begins nearer, the man's peaks
+# agree with committed ones, also after a stop.
 contrecoup_add_application_test(phantom_runs regression,resume
   FILE biomechanics/quickstart.prm
   SET "Mesh/Element size=0.02" "Time/End time=1e-3"
@@ -223,8 +222,8 @@ contrecoup_add_application_test(inverted_lung bounds
   FILE biomechanics/extremes/crushed_lung.prm
   SET "Output/Fields=false" "Materials/Bulk law=linear"
   BOUNDS "status == failed" EXIT 2 MESSAGE "of lung at")
-# 10 MPa come when the run has checkpoints: without retries it fails. Of the
-# energy soon after them more is missing than later.
+# 10 MPa come when the run has checkpoints: without retries it fails. More
+# energy is missing soon after them than later.
 contrecoup_add_application_test(crushed_late failure
   FILE biomechanics/extremes/crushed_lung.prm
   SET "Output/Fields=false" "Output/Checkpoint every steps=5"
@@ -238,15 +237,15 @@ contrecoup_add_application_test(gas_too_stiff refusal
     "--set" "Materials/Tissue lung/Modulus without gas=1e6"
   MESSAGE "must be at least the bulk modulus")
 biomechanics_endures(slivers "assumptions.energy_residual < 1e-12")
-# The impulse of the load is 1.6e-5 N s, of which sampling it loses 1.8 %.
+# The impulse of the load is 1.6e-5 N s, of which sampling loses 1.8 %.
 biomechanics_endures(microsecond_pulse "assumptions.energy_residual < 1e-12;\
 history.momentum_x > 1.5678e-5;history.momentum_x < 1.5737e-5")
 biomechanics_endures(floating
   "errors.displacement < 6.7e-3;assumptions.energy_residual < 1.82e-5")
 biomechanics_endures(long_pulse
   "errors.pressure < 7.8e-7;assumptions.energy_residual < 1e-12")
-# Alternating pressures are damped, with no heat that is not booked; averages
-# of pressures hardly know of them.
+# Damping reduces alternating pressures, and the ledger has its heat; averaged
+# pressures hardly depend on it.
 contrecoup_add_application_test(layered_head bounds
   FILE biomechanics/extremes/layered_head.prm
   SET "Output/Fields=false" "Elements/Hourglass damping=0.1"

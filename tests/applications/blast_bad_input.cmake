@@ -1,5 +1,5 @@
-# What the user did wrong is said in one line, with exit code 1, and nothing
-# is written. The messages must name the entry and what is allowed or meant.
+# Bad input gives one line and exit code 1, and writes nothing. The messages
+# must name the entry and what is allowed or meant.
 set(_sod blast/verification/sod.prm)
 
 # blast_refuses(<name> <message> <arguments of contrecoup_add_application_test>)

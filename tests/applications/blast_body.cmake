@@ -1,15 +1,15 @@
 # Rigid bodies in the gas.
 set(_cylinder blast/verification/body_cylinder.prm)
 
-# A shock in a closed box runs over a sphere: mass and energy stay.
+# A shock in a closed box runs over a sphere: mass and energy are conserved.
 contrecoup_add_application_test(body_closed bounds FILE ${_cylinder}
   SET "Output/Fields=false" "Domain/Initial refinement=2"
     "Boundaries/x low=wall" "Boundaries/x high=wall" "Boundaries/y high=wall"
   BOUNDS "status == finished" "conservation.mass_relative_change < 1e-12"
     "conservation.energy_relative_change < 1e-12")
 
-# The loads on the facets are what the gas loses, and what loads.h5 holds; of the
-# whole cylinder each of two ranks has a half.
+# The loads on the facets equal the gas's loss and the content of loads.h5; each
+# of two ranks has half of the whole cylinder.
 set(_loads "Domain/Initial refinement=2" "Output/Fields=false"
   "Loads/Record=true" "Loads/Interval=0.005")
 contrecoup_add_application_test(body_loads facet_loads FILE ${_cylinder}
@@ -24,8 +24,9 @@ contrecoup_add_application_test(body_loads_on_2 facet_loads FILE ${_cylinder}
     "assumptions.loads_force_difference < 3.7e-3"
     "assumptions.loads_sampled_peak_loss < 3.7e-3" "file_difference < 9.7e-4")
 
-# With smaller leaves at the front than behind, mass, energy and loads hold as
-# well, and the stagnation point gets what such leaves everywhere give it.
+# With smaller leaves at the front than behind, mass, energy and loads are right
+# as well, and the stagnation point gets the load that such leaves everywhere
+# give.
 set(_finer_front "Rigid body/Finer region front/Levels=1"
   "Rigid body/Finer region front/Shape=box"
   "Rigid body/Finer region front/Lower corner=-2, -2"
@@ -48,7 +49,7 @@ contrecoup_add_application_test(body_levels_resume resume FILE ${_cylinder}
   COMPARE history.csv probes.csv STOP_AFTER 20)
 
 # Leaves at the body are smaller than those of fronts, so that the mesh adapts after
-# more steps than these would need alone; a stop comes in between.
+# more steps than fronts alone would need; a stop comes in between.
 set(_adaptive "Domain/Initial refinement=1" "Rigid body/Levels=2"
   "Adaptation/Active=true" "Adaptation/Interval=0" "Adaptation/Sensor=blast"
   "Adaptation/Buffer side=ahead" "Adaptation/Largest level=2"
@@ -83,11 +84,10 @@ contrecoup_add_application_test(body_smooth gauge_order
   VARY "Domain/Initial refinement=1|2|3" ERROR "1 1e-4 0.071601"
   BOUNDS "order_1 > 2.06" "error_1 < 3.82e-3" LABELS verification)
 
-# The pressure on the wall, as a gauge shows it that takes 0.04 s for a mean,
-# converges at first order: in front of a cylinder and a sphere, with 64 to 256
-# and with 64 and 128 cells in the radius, beside and behind a cylinder, with 64 and
-# 128, and beside a sphere, with 32 and 64. The peak in front stays an overshoot of
-# less than 4 %.
+# The pressure on the wall, as means over 0.04 s, converges at first order: in front
+# of a cylinder and a sphere, with 64 to 256 and with 64 and 128 cells in the
+# radius, beside and behind a cylinder, with 64 and 128, and beside a sphere, with
+# 32 and 64. The peak in front stays an overshoot of less than 4 %.
 contrecoup_add_application_test(body_cylinder_front gauge_order
   FILE blast/verification/body_cylinder_front.prm
   VARY "Domain/Initial refinement=2|3|4" ERROR "1 0.04 4.295"
@@ -108,8 +108,8 @@ contrecoup_add_application_test(body_sphere_axisymmetric gauge_order
   FILE blast/verification/body_sphere_axisymmetric.prm
   VARY "Domain/Initial refinement=3|4" ERROR "2 0.04 1.578"
   BOUNDS "order_2 > 1.3" "error_2 < 0.0127" LABELS verification)
-# What leaves this smaller domain does not come back to the body before the end, and
-# leaves as fine as 64 and 128 cells in the radius are at the body alone.
+# No reflection from this smaller domain's sides reaches the body before the end,
+# and only leaves at the body are as fine as 64 and 128 cells in the radius.
 contrecoup_add_application_test(body_cylinder_wall gauge_order
   FILE blast/verification/body_cylinder.prm
   SET "Output/Fields=false" "Loads/Record=true" "Loads/Largest loss of peaks=1"
@@ -120,8 +120,8 @@ contrecoup_add_application_test(body_cylinder_wall gauge_order
   BOUNDS "order_2 > 2.9" "error_2 < 9.3e-4" "order_3 > 2" "error_3 < 6.06e-3"
   LABELS verification)
 
-# In a steady wind the pressure on a cone is what Taylor and Maccoll's equation
-# says (tests/references/taylor_maccoll.py 2 20).
+# In a steady wind the pressure on a cone is that of Taylor and Maccoll's
+# equation (tests/references/taylor_maccoll.py 2 20).
 contrecoup_add_application_test(body_cone gauge_order
   FILE blast/verification/body_cone.prm
   VARY "Domain/Initial refinement=0" ERROR "1 0.3 last 0.911527"
@@ -151,9 +151,9 @@ contrecoup_add_application_test(body_gauges bounds FILE ${_cylinder}
 
 # Samples begin when the shock, smeared by coarse cells, meets the cylinder, at
 # 0.2 were it sharp: nothing is kept before but a first sample and one at rest,
-# and impulses are exact. Loads, gauges and fields do not depend on ranks, and
-# a run that is stopped before or after the arrival, ended by a signal or
-# killed goes on as if it had not been.
+# and impulses are exact. Loads, gauges and fields do not depend on ranks, and a
+# run that is stopped before or after the arrival, ended by a signal or killed
+# continues as if without interruption.
 contrecoup_add_application_test(body_runs
   arrival,regression,ranks,resume,sigterm,parallel_resume,parallel_sigkill
   FILE ${_cylinder} SET "Domain/Initial refinement=1" "Time/End time=50"
@@ -166,8 +166,8 @@ contrecoup_add_application_test(body_runs
     fields/*.npy TOLERANCE 1e-10 STOP_AFTER 5 20 RANKS 2 7 3 CORES 1)
 
 # The man before a blast, with cells of 80 mm near him until the front has passed him:
-# what these cells give within 3 %. Nothing comes back to him from the sides of this
-# smaller domain.
+# the loads of these cells within 3 %. No reflection from the sides of this smaller
+# domain reaches him.
 set(_human FILE blast/quickstart_human.prm SET "Rigid body/Levels=1"
   "Adaptation/Largest level=1" "Adaptation/Limit not at the body/Largest level=1"
   "Adaptation/Limit fireball/Largest level=0"

@@ -57,7 +57,8 @@ blast_burns(charge_cylindrical verification/paper_1d "${_closed}"
   "Domain/Geometry=cylindrical" "Charges/Charge 1/Shape=cylinder" ${_no_table})
 blast_burns(charge_axisymmetric verification/charge_axisymmetric "${_closed}")
 
-# Lit at the rim, the detonation runs inwards and is far stronger in the middle.
+# Ignited at the rim, the detonation runs inwards and is far stronger in the
+# middle.
 blast_burns(extreme_implosion verification/paper_1d "${_closed}"
   "Charges/Charge 1/Ignition points=0.05" ${_no_table})
 

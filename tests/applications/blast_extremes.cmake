@@ -1,5 +1,5 @@
-# The extremes: each run ends, and never with a number that is none (which
-# run_case.py looks for in all tables).
+# The extremes: each run ends, and never with a NaN (which run_case.py looks for
+# in all tables).
 #
 # blast_survives(<file> [<bounds>] [<overrides>...])
 function(blast_survives file bounds)
@@ -64,7 +64,7 @@ set(_round_off ${_gas} "conservation.products_mass_relative_change < 2e-7")
 foreach(_file charge_1_mg charge_cut hand_over_cells_times_1000 hand_over_early)
   blast_survives_in_single(${_file} "${_round_off}")
 endforeach()
-# There products are a millionth of the gas.
+# Here products are a millionth of the gas.
 blast_survives_in_single(hand_over_late
   "${_gas};conservation.products_mass_relative_change < 1.4e-6")
 blast_survives_in_single(charge_1000_kg "${_round_off}"
@@ -72,8 +72,8 @@ blast_survives_in_single(charge_1000_kg "${_round_off}"
   "Domain/Upper corner=4,4,4" "Domain/Coarse leaves=5,5,5"
   "Boundaries/x high=wall" "Boundaries/y low=symmetry"
   "Boundaries/z low=symmetry" "Time/End time=8e-4")
-# Six cells are in each edge of the nozzle instead of 6.4: 0.0326 and 1812.6
-# times what was there flow in.
+# Six cells are in each edge of the nozzle instead of 6.4: the inflow is 0.0326
+# and 1812.6 times the initial content.
 blast_survives_in_single(mach_1000_jet
   "conservation.mass_relative_change > 0.0323;\
 conservation.mass_relative_change < 0.0329;\

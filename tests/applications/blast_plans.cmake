@@ -1,4 +1,4 @@
-# What --check foretells, and what a run takes for granted.
+# Predictions of --check, and what a run takes for granted.
 
 # Steps, memory and output within a factor of 1.5: a blast that begins in 1-D
 # and goes on in an adaptive 3-D mesh, an adaptive one in 2-D, a uniform one,
@@ -24,17 +24,17 @@ contrecoup_add_application_test(forecast_body forecast
   "First stage/Spherical cell size=0.002" "Output/Fields=false"
   "Output/Pictures=false")
 
-# What presets promise.
+# Stated errors and costs of presets.
 contrecoup_add_application_test(presets presets
   FILE blast/presets/height_of_burst.prm COMPARE fast balanced accurate)
 
-# A file that is missing is named, with the one that includes it.
+# The message names a missing file and the file that includes it.
 contrecoup_add_application_test(refuses_missing_include refusal
   FILE blast/verification/sod.prm CONTENT "include no_such.prm"
   MESSAGE "no_such.prm\": there is no such file")
 
-# The plan and its audit. Where the domain ends too early the run says so, and
-# Domain/Size = by time mends it.
+# The plan and its audit. The run reports a domain that ends too early, and
+# Domain/Size = by time corrects it.
 set(_short_domain "Domain/Upper corner=2.2" "Domain/Coarse leaves=55"
   "Time/End time=0.008" "Output/Fields=false")
 contrecoup_add_application_test(audit_finds_reflection bounds
@@ -52,8 +52,8 @@ contrecoup_add_application_test(domain_by_time bounds
   "assumptions.equation_of_state.estimate > 0.683"
   "assumptions.equation_of_state.measured < 1e-12")
 # With a body and a first stage in 1-D and 2-D, in single precision and without
-# probes: what a domain larger by three coarse leaves still changes in the loads,
-# with cells of 80 mm, and what the one that was given does.
+# probes: the change of loads by a domain larger by three coarse leaves, with
+# cells of 80 mm, and by the given one.
 contrecoup_add_application_test(domain_by_time_body domain
   FILE blast/quickstart_human.prm SET "Rigid body/Levels=1"
   "Adaptation/Largest level=1"

@@ -1,7 +1,7 @@
 # The tables and fields of shortened shipped files agree with committed ones.
 # The tolerances leave room for other processors' rounding, which shocks and
-# limiters enlarge, and for the round-off in what symmetry makes zero. Meshes
-# are written in single precision.
+# limiters enlarge, and for the round-off of quantities that are zero by
+# symmetry. Meshes are written in single precision.
 #
 # blast_regresses(<name> <file> <tolerance> <steps> COMPARE <files>
 #   SET <overrides>...)

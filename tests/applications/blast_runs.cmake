@@ -1,16 +1,16 @@
-# One rank and two agree, stopped runs go on as if nothing had happened, and a
+# One rank and two agree, stopped runs continue as if without interruption, and a
 # full disk harms no checkpoint. The scenes are shortened shipped files; the front
-# gets past the probe.
+# passes the probe.
 set(_hot_ball FILE blast/showcase/hot_ball.prm)
 set(_short "Time/Largest number of steps=12" "Output/History every steps=1"
   "Adaptation/Largest level=2" "Adaptation/Interval=2"
   "Probes/Points=0.2, 0.1, 0.8")
 set(_tables COMPARE history.csv probes.csv)
 
-# What a run with maps and gauges leaves does not depend on ranks, and a stop, a
-# signal, a kill, a full disk, a limit to the size of files and a checkpoint of
-# another build change nothing of it. The momentum of a
-# symmetric explosion is round-off.
+# The results of a run with maps and probes do not depend on ranks, and a stop,
+# a signal, a kill, a full disk, a limit to the size of files and a checkpoint
+# of another build do not change them. The momentum of a symmetric explosion is
+# round-off.
 set(_gauges "Output/Maps=true" "Probes/Lines=0,0,0 : 1,0,0.5 : 11"
   "Probes/Gauge planes=-1,-1,0 : 1,1,0 : 9, 9")
 set(_all COMPARE history.csv probes.csv fields/*.npy fields/gauges_*.csv)
@@ -38,9 +38,9 @@ contrecoup_add_application_test(fields_1d_on_two_ranks bounds
   FILE blast/verification/sod.prm MPI 2 SET "Output/Fields=true"
   "Time/Largest number of steps=10" BOUNDS "status == finished")
 
-# Leaves that no wave has reached: passed over or computed, all the same. They are
-# passed over in batches, fewer where processors have more lanes: 0.77 with four
-# numbers in double precision, 0.67 with eight.
+# Quiet leaves, skipped or computed, give the same results. They are skipped in
+# batches, fewer where processors have more lanes: 0.77 with four numbers in
+# double precision, 0.67 with eight.
 foreach(_ranks 1 2)
   contrecoup_add_application_test(quiet_leaves_on_${_ranks} same ${_hot_ball}
     MPI ${_ranks} SET ${_short} "Domain/Initial refinement=2"

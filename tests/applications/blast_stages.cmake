@@ -1,5 +1,5 @@
-# Blasts that begin in fewer dimensions: what the hand-over keeps, in the
-# extremes, on two ranks, and when a run is stopped in either stage.
+# Blasts that begin in fewer dimensions: conservation by the hand-over, in the
+# extremes, on two ranks, and when a run is stopped before or after it.
 set(_closed "conservation.mass_relative_change < 1e-12"
   "conservation.energy_relative_change < 1e-12"
   "conservation.products_mass_relative_change < 1e-12")
@@ -43,11 +43,11 @@ contrecoup_add_application_test(hand_over_in_1d bounds
     "assumptions.probe_3_arrival > 5.405e-4"
     "assumptions.probe_3_arrival < 5.412e-4" LABELS verification)
 
-# Cells of 2.5 mm at the gauges, and of 40 mm where nothing gets from to them in time:
-# the peak of that run in 1-D within 3 % along the edge (2.74 %) and within 1.5 % in
-# the side's middle and along the diagonal (1.36 and 1.41 %): these and a tenth more or
-# less; of the 900 kPa of the other method they lack 6.9, 5.5 and 5.6 %. Then the
-# differences from Kingery and Bulmash's measurements.
+# Cells of 2.5 mm at the gauges, and of 40 mm in the region that does not affect them
+# in time: the peak of that run in 1-D within 3 % along the edge (2.74 %) and within
+# 1.5 % in the side's middle and along the diagonal (1.36 and 1.41 %): these and a
+# tenth more or less; of the 900 kPa of the other method they lack 6.9, 5.5 and 5.6 %.
+# Then the differences from Kingery and Bulmash's measurements.
 set(_bounds "assumptions.hand_over_radius > 0.93")
 foreach(_bound "1;836.4e3;840.7e3;5.408e-4;5.412e-4;9.9e-3;3.12e-2"
         "2;849.1e3;851.4e3;5.398e-4;5.402e-4;2.56e-2;3.33e-2"
@@ -66,9 +66,10 @@ contrecoup_add_application_test(hand_over_peak bounds ${_free_air}
   "Adaptation/Limit far/Largest level=1" "Time/End time=0.00057"
   BOUNDS "status == finished" ${_bounds} LABELS verification)
 
-# The showcase in single precision, with cells of 37 mm at fronts: what its mesh
-# costs does not grow, and single precision keeps what it can, half as much again
-# as it did: sums of rounded numbers scatter from one processor to another.
+# The showcase in single precision, with cells of 37 mm at fronts: the cost of
+# its mesh does not grow, and single precision conserves as it did, with half as
+# much again for rounding: sums of rounded numbers scatter from one processor to
+# another.
 contrecoup_add_application_test(c4_above_ground bounds
   FILE blast/showcase/c4_above_ground.prm SET "Output/Fields=false"
   "First stage/Cell size=0.005" "Domain/Coarse leaves=5, 5, 7"

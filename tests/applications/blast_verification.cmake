@@ -1,7 +1,7 @@
 # Errors of the shipped verification files against exact solutions. A bound is
 # either required (Sod, the orders, conservation) or the error of the method
 # when the test was written and a tenth more, so that no change makes it worse
-# unseen. Long files are shortened, by coarser meshes.
+# unnoticed. Long files are shortened, by coarser meshes.
 set(_folder blast/verification)
 set(_galerkin "Method/Scheme=discontinuous galerkin"
   "Method/Time stepping=ssp rk3")
@@ -13,14 +13,14 @@ function(blast_verifies name file bounds)
     LABELS verification)
 endfunction()
 
-# What leaves no wall stays to round-off.
+# Closed domains conserve mass and energy to round-off.
 set(_closed "conservation.mass_relative_change < 1e-12"
   "conservation.energy_relative_change < 1e-12")
 
 blast_verifies(sod sod "errors.density_L1 < 2.4e-3;${_closed}")
 blast_verifies(sod_van_leer sod "errors.density_L1 < 2.7e-3;${_closed}"
   "Method/Limiter=van leer")
-# What nodes and subcells of Galerkin schemes stand for, at 200 unknowns a
+# Means over the subcells of Galerkin schemes, with 200 unknowns for each
 # variable: 1.8e-3 is required of the best setting.
 blast_verifies(sod_degree_1 sod "errors.density_mean_L1 < 1.74e-3;${_closed}"
   ${_galerkin} "Method/Degree=1" "Domain/Coarse leaves=100"
@@ -170,8 +170,8 @@ blast_rests(plane_3d 3 plane)
 blast_rests(galerkin 3 plane ${_galerkin})
 
 # A shock of Mach 1.5 (overpressure 1.458 times ambient) leaves through an open
-# end, and about a hundredth of it comes back. At first the initial jump
-# itself sends a wave of that size to the left; at 1.1 it has left.
+# end, which reflects about a hundredth of it. At first the initial jump itself
+# sends a wave of that size to the left; at 1.1 it has left.
 set(_mach_1_5
   "Initial state/Riemann/Left density=1.862069"
   "Initial state/Riemann/Left velocity=0.821678"
@@ -180,7 +180,7 @@ set(_mach_1_5
   "Initial state/Riemann/Right pressure=1")
 blast_verifies(open_boundary sod "errors.pressure_Linf < 0.01458"
   ${_mach_1_5} "Time/End time=0.4")
-# Degrees 1, 2 and 3 give back 1.20, 0.44 and 0.51 % of it.
+# Degrees 1, 2 and 3 reflect 1.20, 0.44 and 0.51 % of it.
 foreach(_case "1;100;0.0193" "2;66;0.00706" "3;50;0.00819")
   list(GET _case 0 _degree)
   list(GET _case 1 _leaves)

@@ -1,5 +1,5 @@
-# What must not be computed is refused before anything is meshed; the rows are
-# in danger.py.
+# Scenes that must not be computed are refused before meshing; the rows are in
+# danger.py.
 foreach(_application blast anatomy scene biomechanics)
   set(_folder ${CMAKE_CURRENT_BINARY_DIR}/danger_${_application})
   file(MAKE_DIRECTORY ${_folder})

@@ -1,6 +1,6 @@
-# Output folders of every application: what a user has in them stays, finished
-# runs stay until --overwrite, one run at a time, exit codes of signals, disks
-# that take no more. The scenes are as small as they come.
+# Output folders of every application: files of users stay, finished runs stay
+# until --overwrite, one run at a time, exit codes of signals, full disks. The
+# scenes are as small as possible.
 set(_sod FILE blast/verification/sod.prm SET "Output/Fields=true"
   "Output/Fields interval=0.1")
 set(_ball FILE blast/showcase/hot_ball.prm SET "Adaptation/Largest level=2"
@@ -46,7 +46,7 @@ contrecoup_add_application_test(folder_foreign folder_foreign
   FILE scene/verification/head.prm COMPARE scene.json report.html
   blast/history.csv anatomy/mesh.vtu blast.prm TIMEOUT 120)
 
-# Here mpirun and signals are waited for, most of the time.
+# Most of the time goes to waiting for mpirun and signals.
 foreach(_ranks 1 2 3)
   contrecoup_add_application_test(folder_lock_on_${_ranks} folder_lock ${_ball}
     MPI ${_ranks} CORES 1 ${_long_ball} TIMEOUT 120)
@@ -91,8 +91,8 @@ contrecoup_add_application_test(folder_runs
   "Output/Fields=false" COMPARE history.csv probes.csv STOP_AFTER 20 RANKS 2 3
   TOLERANCE "1e-6" "energy_residual*=1e-15 absolute" TIMEOUT 300)
 
-# Bodies: signals come while the cells of a fine grid are filled; a folder turns
-# read-only when it is taken and nothing is written; a disk is full.
+# Bodies: signals arrive while the cells of a fine grid are filled; a folder
+# becomes read-only when it is locked and nothing is written; a disk is full.
 contrecoup_add_application_test(folder_signals folder_signals
   FILE anatomy/quickstart.prm SET "Mesh/Element size=0.0025"
   "Output/Pictures=false" COMPARE lock TIMEOUT 300)

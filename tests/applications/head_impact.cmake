@@ -4,7 +4,7 @@ set(_folder head_impact/verification)
 set(_ledger "status == finished;assumptions.energy_residual < 1e-10;\
 assumptions.energy_residual > -1e-10")
 
-# Sod's shock tube with the mesh at rest, going with the gas, and smoothed.
+# Sod's shock tube with the mesh at rest, moving with the gas, and smoothed.
 contrecoup_add_application_test(sod_euler bounds,resume,ranks,convergence
   FILE ${_folder}/sod.prm SET "Output/Fields=false"
   BOUNDS ${_ledger} "errors.density_L1 < 6.02e-3"
@@ -48,7 +48,7 @@ contrecoup_add_application_test(shaken_mesh_lagrange bounds
   LABELS extremes)
 
 # Noh's implosion onto a wall: with the gas, smoothed, at rest. The smoothed mesh
-# moves by several cells at once, which is carried over in parts.
+# moves by several cells at once, which is remapped in parts.
 contrecoup_add_application_test(noh_lagrange bounds,convergence
   FILE ${_folder}/noh.prm SET "Output/Fields=false" BOUNDS ${_ledger}
   "errors.density_L1 < 0.0471" "errors.velocity_L1 < 0.0183" "errors.pressure_L1 < 4.54e-3"
@@ -151,7 +151,7 @@ contrecoup_add_application_test(water_hammer_free_end bounds
   "Reference/Kind=none" "Rezone/Kind=elastic" "Rezone/Interval=2e-5" BOUNDS ${_ledger}
   "history.momentum_x > 0.14650" "history.momentum_x < 0.14740" LABELS verification)
 
-# Three gases whose common edge rolls up: nothing is lost.
+# Three gases whose common edge rolls up: mass and energy are conserved.
 set(_mass "history.mass > 1.3124999999999;history.mass < 1.3125000000001")
 contrecoup_add_application_test(triple_point_lagrange bounds
   FILE ${_folder}/triple_point.prm SET "Output/Fields=false"
@@ -416,11 +416,11 @@ contrecoup_add_application_test(head_30_m_s bounds
   FILE head_impact/quickstart.prm SET ${_coarse} "Region brain/Velocity z=-30"
   "Region CSF/Velocity z=-30" "Region skull/Velocity z=-30"
   BOUNDS ${_ledger} "assumptions.peak_contact_force > 4e3")
-# What --check foretells of it from runs with larger cells.
+# Predictions of --check for this head from runs with larger cells.
 contrecoup_add_application_test(forecast forecast
   FILE head_impact/quickstart.prm TOLERANCE 1.5 LEVELS "2 1" COMPARE cells
   SET "Mesh/Cell size=0.01" "Output/Pictures=false" "Time/End time=4e-4")
-# At 400 m/s its mesh tangles, and what the run says of it names the cell.
+# At 400 m/s its mesh tangles, and the message names the cell.
 contrecoup_add_application_test(head_400_m_s bounds
   FILE head_impact/quickstart.prm SET ${_coarse} "Time/End time=5e-4"
   "Region brain/Velocity z=-400" "Region CSF/Velocity z=-400"
@@ -473,7 +473,7 @@ contrecoup_add_application_test(refuses_slip_along_nothing refusal
   FILE ${_folder}/sod.prm SET "Region gas/Interface=slip" "Rezone/Kind=elastic"
   MESSAGE "Interface = slip: it meets no region that sticks")
 
-# A head of cubes that anatomy made, and what such a file may lack.
+# A head of cubes that anatomy made, and defects of such files.
 set(_of_file "Mesh/Kind=file" "Mesh/Symmetry planes="
   "Mesh/File=${CMAKE_CURRENT_BINARY_DIR}/anatomy_head_mesh/straight_1/mesh.msh"
   "Region CSF/Layer=cerebrospinal fluid" "Region skull/Layer=3"
@@ -509,8 +509,8 @@ _contrecoup_register_test(head_impact_voxel_head_figures LABELS head_report
 set_tests_properties(head_impact_voxel_head_figures
   PROPERTIES FIXTURES_REQUIRED voxel_head_report)
 
-# What its report says: figures, each with another digit, damaged files, and the
-# page in a browser without a window.
+# Content of its report: figures, each with another digit, damaged files, and
+# the page in a browser without a window.
 contrecoup_add_application_test(report bounds,pictures
   FILE head_impact/quickstart.prm SET "Mesh/Cell size=0.016"
   "Time/End time=4e-4" "Output/History every steps=1" "Injury/Every steps=1"

@@ -57,8 +57,8 @@ contrecoup_add_application_test(generalised_vortex bounds,convergence
   VARY "MPM/Cell size=0.125|0.0625" ERROR errors.displacement_L1 ORDER 1.9
   LABELS verification)
 
-# Crushed bars of metal. The numbers of 1983 are those of copper that was pulled and
-# twisted; they leave bars too long, whatever the cells.
+# Crushed bars of metal. The constants of 1983 come from tension and torsion tests
+# of copper; bars remain too long, whatever the cells.
 contrecoup_add_application_test(hardening_bar bounds
   FILE ${_folder}/hardening_bar.prm SET "Output/Fields=false"
   BOUNDS ${_ledger} "errors.extent_length < 1.86e-3" "errors.extent_foot < 0.0237"
@@ -93,7 +93,7 @@ contrecoup_add_application_test(cooks_membrane_order bounds,convergence,resume
   VARY "MPM/Cell size=8|4" ERROR errors.displacement_2 ORDER 1.85
   COMPARE history.csv STOP_AFTER 900 LABELS verification)
 
-# One particle a cell, and water that is drawn off a wall until it cavitates.
+# One particle per cell, and water that is pulled off a wall until it cavitates.
 contrecoup_add_application_test(vibrating_bar_one_particle bounds
   FILE ${_folder}/vibrating_bar.prm SET "Output/Fields=false"
   "MPM/Particles a cell=1, 1, 1" BOUNDS ${_ledger} "history.velocity_x_bar < 2.9e-4"
@@ -123,7 +123,7 @@ contrecoup_add_application_test(particles_close_a_void bounds,resume,ranks ${_co
   "errors.pressure_L1 < 5.65e4" COMPARE history.csv STOP_AFTER 100
   TOLERANCE 4e-11 "energy_residual*=1e-13 absolute" LABELS extremes)
 
-# Of matter and settings that cannot be.
+# Matter and settings that are not possible.
 contrecoup_add_application_test(particles_leave bounds
   FILE ${_folder}/two_disks.prm SET "Output/Fields=false" "Body force/x=100" EXIT 2
   MESSAGE "a particle left the grid at")

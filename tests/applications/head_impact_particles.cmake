@@ -4,8 +4,8 @@ assumptions.energy_residual > -1e-10")
 set(_particles "Method=mpm" "MPM/Cell size=0.012" "Output/Pictures=false"
   "Scheme/Courant number=0.5" "Output/History every steps=1" "Time/End time=6e-5")
 
-# One velocity for all layers, and one for each. Ranks differ by round-off, most in the
-# energy that strains store and in small pressures [Pa].
+# One velocity field for all regions, and one for each. Ranks differ by round-off, most
+# in the energy that strains store and in small pressures [Pa].
 contrecoup_add_application_test(particles_head bounds,resume,ranks
   FILE head_impact/quickstart.prm SET ${_particles} "Output/Fields=false"
   BOUNDS ${_ledger} "assumptions.peak_contact_force > 10"

@@ -19,16 +19,16 @@ set_tests_properties(scene_main_job_page PROPERTIES
 set(_few_fields "Blast/Output/Fields interval=5.2e-4"
   "Biomechanics/Output/Fields interval=5.2e-4")
 
-# A woman of an STL file, on one rank: the second would wait while the anatomy and
-# the report are made.
+# A woman of an STL file, on one rank: a second would idle during anatomy and
+# report.
 contrecoup_add_application_test(main_job_surface main_job_surface
   FILE scene/quickstart.prm OTHER_FILE anatomy/quickstart.prm
   TIMEOUT 1800 SET ${_first_look} ${_few_fields} "Body/Kind=surface"
   "Body/Surface/Organs=phantom")
 
 # A head of medical images, which Debian's mricron-data ships. Elements as coarse
-# as these bend too easily with one point of integration. It has no named places:
-# bounds are within 3 % of what the brain had.
+# as these bend too easily with one point of integration. The head has no gauges:
+# bounds are within 3 % of the brain's values.
 contrecoup_add_application_test(main_job_image main_job
   FILE scene/showcase/colin_head.prm TIMEOUT 1800
   NEEDS /usr/share/mricron/templates/ch2.nii.gz

@@ -1,6 +1,6 @@
 # Runs in single precision, the default of scenes: loads on a body are the same to
 # the last bit on 1, 2, 3 and 7 ranks, sums to their order, and a run on three ranks
-# that is stopped or killed goes on from its checkpoint.
+# that is stopped or killed continues from its checkpoint.
 contrecoup_add_application_test(single_body_runs
   ranks,parallel_resume,parallel_sigkill
   FILE blast/verification/body_sphere.prm

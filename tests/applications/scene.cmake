@@ -10,13 +10,12 @@ contrecoup_add_application_test(stages scene_run FILE ${_head}
     "assumptions.injury_intracranial_pressure_peak < 6.03e5"
     "assumptions.injury_strain_95 > 1.87e-3"
     "assumptions.injury_strain_95 < 2.26e-3")
-# What follows asks how a scene goes on, not how near its numbers are: cells of
-# 40 mm, a tenth of the work in the blast.
+# The following tests check how a scene continues, not its accuracy: cells of 40
+# mm, a tenth of the work in the blast.
 set(_brief "Scene/Accuracy=first look" "Scene/Forecast=false"
   "Scene/Report=false" "Anatomy/Output/Pictures=false")
-# Loads, probes, injuries and fields are those of a run before; what symmetry makes
-# zero is compared absolutely. Checkpoints are there so that kills find something to
-# go on from.
+# Loads, probes, injuries and fields are those of an earlier run; quantities that
+# are zero by symmetry are compared absolutely. Checkpoints let killed runs resume.
 contrecoup_add_application_test(runs scene_ranks,regression,scene_sigkill
   FILE ${_head} RANKS 2 4 CORES 1
   SET ${_brief} "Biomechanics/Elements/Precision=double"
@@ -33,10 +32,10 @@ contrecoup_add_application_test(runs scene_ranks,regression,scene_sigkill
 # In single precision, the default. Loads differ between ranks by round-off, 1.3e-7.
 # Pressures in water do by that of its bulk modulus, some ten pascals, and what
 # follows from them by 5e-6. Three measures need bounds of their own: an element of
-# 1250 in the brain more or less passes the limit of cavitation, which its dose feels
-# as well; and the head turns so little (1 is the scale of that measure) that
-# round-off of the loads, 1e-8 of the scale, is what can be seen. Elements of 6 mm
-# are too large for the energy audit, which is not asked here.
+# 1250 in the brain more or less passes the limit of cavitation, which changes its
+# dose as well; and the head turns so little (1 is the scale of that measure) that
+# round-off of the loads, 1e-8 of the scale, is visible. Elements of 6 mm are too
+# large for the default limit of the energy audit.
 contrecoup_add_application_test(single_runs scene_ranks,scene_parallel_sigkill
   FILE ${_head} RANKS 2 3 7 CORES 3 SET ${_brief} "Scene/Element size=0.006"
     "Scene/End time=0.001" "Blast/Output/Fields=false"

@@ -1,8 +1,8 @@
 # Studies of tiny runs of blast.
 set(_study study/quickstart.prm)
 
-# Results: the table's best and the orders follow from errors that the tests
-# of blast keep; here they must arrive.
+# Results: the table's best and the orders follow from errors that the tests of
+# blast keep; here they must appear.
 contrecoup_add_application_test(quickstart study_run FILE ${_study}
   BOUNDS "outcomes.stable == 8" "status == finished"
     "orders.finite volume > 0.746" "orders.finite volume < 0.902"
@@ -17,7 +17,7 @@ contrecoup_add_application_test(sigkill study_sigkill FILE ${_study})
 contrecoup_add_application_test(storage study_storage FILE ${_study})
 contrecoup_add_application_test(quota study_quota FILE ${_study} RANKS 3)
 
-# Files that it was not written for.
+# Files of other kinds.
 contrecoup_add_application_test(any_file study_any_file FILE ${_study}
   OTHER_FILE blast/verification)
 
