@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include "all_schemes.h"
 #include "particle_case.h"
 #include <gtest/gtest.h>
-
-#include <algorithm>
 
 using namespace contrecoup;
 using namespace contrecoup::mpm;
@@ -12,11 +11,11 @@ using namespace contrecoup::mpm;
 namespace
 {
 /// A block of rubber that crosses from halved cells into whole ones, and a
-/// mirror: two materials, one smoothed. @return its particles' mass, place,
-/// velocity, sorted. Collective.
-std::vector<std::array<double, 7>> crossing_block(const TransferScheme &scheme,
-                                                  const unsigned int n_steps,
-                                                  const MPI_Comm communicator)
+/// mirror: two materials, one smoothed. @return its particles, by
+/// mass. Collective.
+std::vector<ParticleState> crossing_block(const TransferScheme &scheme,
+                                          const unsigned int n_steps,
+                                          const MPI_Comm communicator)
 {
   GridBox box;
   box.n_cells = {{18, 14, 14}};
@@ -42,18 +41,9 @@ std::vector<std::array<double, 7>> crossing_block(const TransferScheme &scheme,
       return v;
     },
     {{1, 1, 1}});
-  // Masses that differ sort the particles.
-  one.particles.for_each_block([](unsigned int, ParticleBlock &block) {
-    for (std::size_t p = 0; p < block.size(); ++p)
-      block[column::mass][p] *= 1. + 1e-3 * block[column::position][p] +
-                                1e-5 * block[column::position + 1][p] +
-                                1e-7 * block[column::position + 2][p];
-  });
+  one.tell_apart();
   const auto start = one.totals();
-  const double size = 0.3 * one.step.signal_time(one.grid, one.particles);
-  for (unsigned int step = 0; step < n_steps; ++step)
-    one.step.advance(
-      one.grid, one.particles, size, 0, [](unsigned int, ParticleBlock &) {});
+  one.advance(0.3 * one.step.signal_time(one.grid, one.particles), n_steps);
   const auto end = one.totals();
   EXPECT_NEAR(one.residual(start), 0., 1e-12 * start.kinetic_energy);
   EXPECT_NEAR(end.mass, start.mass, 1e-14 * start.mass);
@@ -62,20 +52,7 @@ std::vector<std::array<double, 7>> crossing_block(const TransferScheme &scheme,
   EXPECT_GT(end.stored_energy, 1e-4 * start.kinetic_energy);
   EXPECT_LT(end.kinetic_energy + end.stored_energy,
             1.02 * start.kinetic_energy);
-  std::vector<std::array<double, 7>> own, all;
-  one.particles.for_each_block([&](unsigned int, const ParticleBlock &block) {
-    for (std::size_t p = 0; p < block.size(); ++p)
-    {
-      auto &state = own.emplace_back();
-      state[0] = block[column::mass][p];
-      for (unsigned int c = 0; c < 6; ++c)
-        state[1 + c] = block[column::position + c][p];
-    }
-  });
-  for (const auto &from : dealii::Utilities::MPI::all_gather(communicator, own))
-    all.insert(all.end(), from.begin(), from.end());
-  std::sort(all.begin(), all.end());
-  return all;
+  return one.sorted_states();
 }
 } // namespace
 
@@ -88,9 +65,9 @@ TEST(GridLevelsMotion, energies_and_momenta_are_kept_across_the_border)
     for (const auto update :
          {StressUpdate::first, StressUpdate::last, StressUpdate::modified_last})
     {
-      SCOPED_TRACE(transfer_names()[static_cast<int>(transfer)] + " " +
-                   stress_update_names()[static_cast<int>(update)]);
-      crossing_block({3, transfer, update, 2}, 300, MPI_COMM_SELF);
+      const TransferScheme scheme{3, transfer, update, 2};
+      SCOPED_TRACE(scheme_name(scheme));
+      crossing_block(scheme, 300, MPI_COMM_SELF);
     }
 }
 
@@ -101,11 +78,7 @@ TEST(GridLevelsMotion, results_do_not_depend_on_ranks)
   const auto alone = crossing_block(scheme, 60, MPI_COMM_SELF),
              shared = crossing_block(scheme, 60, MPI_COMM_WORLD);
   ASSERT_EQ(shared.size(), alone.size());
-  double largest = 0.;
-  for (std::size_t p = 0; p < alone.size(); ++p)
-    for (unsigned int c = 0; c < 7; ++c)
-      largest = std::max(largest, std::abs(shared[p][c] - alone[p][c]));
-  EXPECT_LT(largest, 1e-11);
+  EXPECT_LT(largest_difference(shared, alone), 1e-11);
 }
 
 namespace
@@ -139,15 +112,12 @@ std::array<double, 2> turning_disk(const bool has_halves)
     },
     {{2, 2, 1}});
   const auto spin = [&]() {
-    double sum = 0.;
-    disk.particles.for_each_block([&](unsigned int, const ParticleBlock &one) {
-      for (std::size_t p = 0; p < one.size(); ++p)
-        sum +=
-          one[column::mass][p] *
-          ((one[column::position][p] - middle) * one[column::velocity + 1][p] -
-           (one[column::position + 1][p] - middle) * one[column::velocity][p]);
+    return disk.sum([&](const ParticleBlock &one, const std::size_t p) {
+      return one[column::mass][p] * ((one[column::position][p] - middle) *
+                                       one[column::velocity + 1][p] -
+                                     (one[column::position + 1][p] - middle) *
+                                       one[column::velocity][p]);
     });
-    return sum;
   };
   const auto energy = [&]() {
     const auto totals = disk.totals();

@@ -60,9 +60,7 @@ std::array<double, 3> plastic_sums(const ParticleBlock &particles)
 
 TEST(Metals, SplitAndMergedParticlesKeepWhatTheyRemember)
 {
-  GridBox box;
-  TileGrid grid;
-  grid.reinit(box, MPI_COMM_SELF, {});
+  const TileGrid grid = unit_cell();
   ParticleBlock particles = worn_particles(40);
   const auto before = plastic_sums(particles);
   for (std::size_t p = 0; p < 40; p += 2)
@@ -179,13 +177,10 @@ TEST(Metals, CrushedCubeKeepsItsEnergy)
     EXPECT_NEAR(cube.residual(start), 0., 1e-12 * start.kinetic_energy);
     EXPECT_LT(end.kinetic_energy, 0.3 * start.kinetic_energy);
     double work = 0., largest = 0.;
-    cube.particles.for_each_block(
-      [&](unsigned int, const ParticleBlock &block) {
-        for (std::size_t p = 0; p < block.size(); ++p)
-        {
-          work += block[column::volume][p] * block[column::plastic_work][p];
-          largest = std::max(largest, block[column::plastic_strain][p]);
-        }
+    cube.for_each_particle(
+      [&](const ParticleBlock &block, const std::size_t p) {
+        work += block[column::volume][p] * block[column::plastic_work][p];
+        largest = std::max(largest, block[column::plastic_strain][p]);
       });
     EXPECT_GT(largest, 0.2);
     const double lost = start.kinetic_energy - end.kinetic_energy;

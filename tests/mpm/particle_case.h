@@ -5,10 +5,16 @@
 
 #include <contrecoup/mpm/particle_step.h>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
+#include <vector>
 
 namespace contrecoup::mpm
 {
+/// Mass, place and velocity of a particle.
+using ParticleState = std::array<double, 7>;
+
 /// Particles in a box of a few cells, and steps of equal size.
 class ParticleCase
 {
@@ -69,8 +75,89 @@ public:
               volume * step.materials()[material].density();
           }
     }
+    start();
+  }
+
+  /// Adds a particle of the first material; start() is to follow.
+  void add(const dealii::Point<3> &x,
+           const dealii::Tensor<1, 3> &v,
+           const double mass,
+           const double volume)
+  {
+    ParticleBlock &block = particles.block(grid.tile_at(x), 0);
+    const std::size_t p = block.append();
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      block[column::position + d][p] = x[d];
+      block[column::velocity + d][p] = v[d];
+    }
+    block[column::mass][p] = mass;
+    block[column::volume][p] = volume;
+  }
+
+  /// Makes ready for steps. Collective.
+  void start()
+  {
     particles.sort(grid);
     step.start(grid, particles);
+  }
+
+  /// Makes masses differ a little by where particles are, so that these can be
+  /// told apart.
+  void tell_apart()
+  {
+    particles.for_each_block([](unsigned int, ParticleBlock &block) {
+      for (std::size_t p = 0; p < block.size(); ++p)
+        block[column::mass][p] *= 1. + 1e-3 * block[column::position][p] +
+                                  1e-5 * block[column::position + 1][p] +
+                                  1e-7 * block[column::position + 2][p];
+    });
+  }
+
+  /// Those of all ranks, by mass. Collective.
+  std::vector<ParticleState> sorted_states() const
+  {
+    std::vector<ParticleState> own, all;
+    for_each_particle([&](const ParticleBlock &block, const std::size_t p) {
+      ParticleState &state = own.emplace_back();
+      state[0] = block[column::mass][p];
+      for (unsigned int c = 0; c < 6; ++c)
+        state[1 + c] = block[column::position + c][p];
+    });
+    for (const auto &from :
+         dealii::Utilities::MPI::all_gather(grid.communicator(), own))
+      all.insert(all.end(), from.begin(), from.end());
+    std::sort(all.begin(), all.end());
+    return all;
+  }
+
+  /// Calls @p work(block, particle) for all of this rank.
+  template <typename Work>
+  void for_each_particle(const Work &work) const
+  {
+    particles.for_each_block([&](unsigned int, const ParticleBlock &block) {
+      for (std::size_t p = 0; p < block.size(); ++p)
+        work(block, p);
+    });
+  }
+
+  /// The sum of @p term(block, particle) over those of this rank.
+  template <typename Term>
+  double sum(const Term &term) const
+  {
+    double result = 0.;
+    for_each_particle([&](const ParticleBlock &block, const std::size_t p) {
+      result += term(block, p);
+    });
+    return result;
+  }
+
+  /// Goes some steps of one size, without retries and forces from outside.
+  void advance(const double size, const unsigned int n = 1)
+  {
+    for (unsigned int i = 0; i < n; ++i)
+      step.advance(
+        grid, particles, size, 0, [](unsigned int, ParticleBlock &) {});
   }
 
   /// Goes to a time by a Courant number.
@@ -115,6 +202,25 @@ public:
   double time = 0.;
   unsigned int n_steps = 0;
 };
+
+/// The largest difference between numbers of particles in the same order.
+inline double largest_difference(const std::vector<ParticleState> &a,
+                                 const std::vector<ParticleState> &b)
+{
+  double largest = 0.;
+  for (std::size_t p = 0; p < a.size(); ++p)
+    for (unsigned int c = 0; c < a[p].size(); ++c)
+      largest = std::max(largest, std::abs(a[p][c] - b[p][c]));
+  return largest;
+}
+
+/// One cell of 1 m.
+inline TileGrid unit_cell()
+{
+  TileGrid grid;
+  grid.reinit(GridBox(), MPI_COMM_SELF, {});
+  return grid;
+}
 
 /// An elastic solid of Young's modulus and Poisson's ratio.
 inline ParticleMaterial

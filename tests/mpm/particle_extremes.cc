@@ -3,7 +3,9 @@
 
 #include <contrecoup/mpm/contact_kernels.h>
 
+#include "all_schemes.h"
 #include "particle_case.h"
+#include "sign_changes.h"
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -6,20 +6,15 @@
 #include "particle_case.h"
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 using namespace contrecoup;
 using namespace contrecoup::mpm;
 
 namespace
 {
-/// Mass, place and velocity of a particle.
-using State = std::array<double, 7>;
-
-/// A sheared block of two materials that moves over several tiles, its
-/// particles sorted by their masses, which differ. Collective.
-std::vector<State> run(const TransferScheme &scheme,
-                       const MPI_Comm communicator)
+/// A sheared block of two materials that moves over several tiles.
+/// @return its particles, by mass. Collective.
+std::vector<ParticleState> run(const TransferScheme &scheme,
+                               const MPI_Comm communicator)
 {
   GridBox box;
   box.n_cells = {{16, 12, 10}};
@@ -42,28 +37,9 @@ std::vector<State> run(const TransferScheme &scheme,
       return v;
     },
     {{1, 1, 1}});
-  block.particles.for_each_block([](unsigned int, ParticleBlock &one) {
-    for (std::size_t p = 0; p < one.size(); ++p)
-      one[column::mass][p] *= 1. + 1e-3 * one[column::position][p] +
-                              1e-5 * one[column::position + 1][p] +
-                              1e-7 * one[column::position + 2][p];
-  });
+  block.tell_apart();
   block.run(0.4, 0.4);
-  std::vector<State> own;
-  block.particles.for_each_block([&](unsigned int, const ParticleBlock &one) {
-    for (std::size_t p = 0; p < one.size(); ++p)
-    {
-      State &state = own.emplace_back();
-      state[0] = one[column::mass][p];
-      for (unsigned int c = 0; c < 6; ++c)
-        state[1 + c] = one[column::position + c][p];
-    }
-  });
-  std::vector<State> all;
-  for (const auto &from : dealii::Utilities::MPI::all_gather(communicator, own))
-    all.insert(all.end(), from.begin(), from.end());
-  std::sort(all.begin(), all.end());
-  return all;
+  return block.sorted_states();
 }
 } // namespace
 
@@ -81,7 +57,7 @@ TEST(ParticleRanks, results_do_not_depend_on_their_number)
     const auto alone = run(scheme, MPI_COMM_SELF);
     ASSERT_EQ(alone.size(), 120u);
     double way = 0.;
-    for (const State &one : alone)
+    for (const ParticleState &one : alone)
       way = std::max(way, one[1]);
     EXPECT_GT(way, 8.); // into the third tile
     for (const unsigned int n : {2u, n_ranks})
@@ -94,11 +70,7 @@ TEST(ParticleRanks, results_do_not_depend_on_their_number)
       {
         const auto shared = run(scheme, some);
         ASSERT_EQ(shared.size(), alone.size());
-        double largest = 0.;
-        for (std::size_t p = 0; p < alone.size(); ++p)
-          for (unsigned int c = 0; c < 7; ++c)
-            largest = std::max(largest, std::abs(shared[p][c] - alone[p][c]));
-        EXPECT_LT(largest, 1e-11);
+        EXPECT_LT(largest_difference(shared, alone), 1e-11);
       }
       MPI_Comm_free(&some);
     }

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include "particle_case.h"
+#include "sign_changes.h"
 #include <gtest/gtest.h>
 
 using namespace contrecoup;
@@ -33,15 +34,9 @@ ParticleCase vibrating_bar(const TransferScheme &scheme, const unsigned int n)
 /// The last time before 25 at which the bar's momentum changes its sign: 22.5.
 double last_crossing(ParticleCase &bar)
 {
-  double crossing = 0., last = bar.totals().momentum[0], before = 0.;
-  bar.run(25., 0.25, [&] {
-    const double now = bar.totals().momentum[0];
-    if (now * last < 0.)
-      crossing = before + (bar.time - before) * last / (last - now);
-    before = bar.time;
-    last = now;
-  });
-  return crossing;
+  SignChanges changes(bar.totals().momentum[0]);
+  bar.run(25., 0.25, [&] { changes.add(bar.time, bar.totals().momentum[0]); });
+  return changes.times.empty() ? 0. : changes.times.back();
 }
 } // namespace
 

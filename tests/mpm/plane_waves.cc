@@ -4,9 +4,8 @@
 #include <contrecoup/numerics/spline_dispersion.h>
 
 #include "particle_case.h"
+#include "sign_changes.h"
 #include <gtest/gtest.h>
-
-#include <algorithm>
 
 using namespace contrecoup;
 using namespace contrecoup::mpm;
@@ -52,32 +51,19 @@ Wave standing_wave(const TransferScheme &scheme,
            [&](const auto &x) { return amplitude * mode(x[0], x[1]); },
            {{2, is_plane ? 1u : 2u, 1}});
   const auto part_of_mode = [&]() {
-    double sum = 0.;
-    one.particles.for_each_block([&](unsigned int, const ParticleBlock &block) {
-      for (std::size_t p = 0; p < block.size(); ++p)
-      {
-        const auto v =
-          mode(block[column::position][p], block[column::position + 1][p]);
-        sum += v[0] * block[column::velocity][p] +
-               v[1] * block[column::velocity + 1][p];
-      }
+    return one.sum([&](const ParticleBlock &block, const std::size_t p) {
+      const auto v =
+        mode(block[column::position][p], block[column::position + 1][p]);
+      return v[0] * block[column::velocity][p] +
+             v[1] * block[column::velocity + 1][p];
     });
-    return sum;
   };
   const double start = one.totals().kinetic_energy;
-  double last = part_of_mode(), before = 0., first = -1., crossing = 0.,
-         sum = 0.;
-  unsigned int n_crossings = 0, n_samples = 0;
+  SignChanges changes(part_of_mode());
+  double sum = 0.;
+  unsigned int n_samples = 0;
   one.run(n_periods * period, courant, [&]() {
-    const double now = part_of_mode();
-    if (now * last < 0.)
-    {
-      crossing = before + (one.time - before) * last / (last - now);
-      first = first < 0. ? crossing : first;
-      ++n_crossings;
-    }
-    last = now;
-    before = one.time;
+    changes.add(one.time, part_of_mode());
     if (one.time > (n_periods - 1.) * period)
     {
       const auto totals = one.totals();
@@ -85,7 +71,8 @@ Wave standing_wave(const TransferScheme &scheme,
       ++n_samples;
     }
   });
-  return {0.5 * (n_crossings - 1) * period / (crossing - first),
+  const auto &times = changes.times;
+  return {0.5 * (times.size() - 1) * period / (times.back() - times.front()),
           sum / n_samples};
 }
 } // namespace

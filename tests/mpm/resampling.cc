@@ -3,8 +3,7 @@
 
 #include <contrecoup/mpm/resampling.h>
 
-#include <deal.II/base/tensor.h>
-
+#include "particle_case.h"
 #include <gtest/gtest.h>
 
 #include <random>
@@ -68,14 +67,6 @@ void expect_same(const std::array<double, 9> &now,
 {
   for (unsigned int i = 0; i < 9; ++i)
     EXPECT_NEAR(now[i], before[i], 1e-13 * before[0]) << i;
-}
-
-TileGrid unit_cell()
-{
-  GridBox box;
-  TileGrid grid;
-  grid.reinit(box, MPI_COMM_SELF, {});
-  return grid;
 }
 } // namespace
 
