@@ -19,17 +19,22 @@ namespace
 
   const std::vector<Parity> one_vector{vector_x, vector_y, vector_z};
 
-  /// Nodes with less mass than this part of the largest are left alone. With
-  /// linear splines, forces there do not vanish with the mass. With others the
-  /// forces on such nodes are as small as its square root, and would be missed.
-  double least_mass(const unsigned int degree)
+  /// Nodes with less mass than this part of the largest have no velocity.
+  constexpr double least_mass = 1e-60;
+
+  /// Nodes with less mass than this part of the largest are not accelerated.
+  /// With linear splines, forces there do not vanish with the mass. With others
+  /// the forces on such nodes are as small as its square root, and would be
+  /// missed.
+  double least_accelerated_mass(const unsigned int degree)
   {
-    return degree == 1 ? 1e-14 : 1e-60;
+    return degree == 1 ? 1e-14 : least_mass;
   }
 
-  /// Divides vectors by masses; zero where there is none.
+  /// Divides vectors by masses; zero where these are less than a part of the
+  /// largest.
   void divide(const TileGrid &grid,
-              const unsigned int degree,
+              const double least_part,
               const dealii::AlignedVector<double> &mass,
               const unsigned int first,
               NodeValues &values)
@@ -37,7 +42,7 @@ namespace
     double largest = 0.;
     for (std::size_t n = 0; n < grid.n_own_nodes(); ++n)
       largest = std::max(largest, mass[n]);
-    const double least = least_mass(degree) * largest;
+    const double least = least_part * largest;
     for (unsigned int d = 0; d < 3; ++d)
       for (std::size_t n = 0; n < grid.n_own_nodes(); ++n)
         values[first + d][n] =
@@ -173,6 +178,7 @@ void ParticleStep::multiply_mass_matrix(const TileGrid &grid,
 
 void ParticleStep::apply_series(const TileGrid &grid,
                                 Particles &particles,
+                                const double least_part,
                                 NodeValues Field::*const vector)
 {
   if (scheme_.series_order == 1)
@@ -186,7 +192,7 @@ void ParticleStep::apply_series(const TileGrid &grid,
     multiply_mass_matrix(grid, particles, rest, product);
     for (unsigned int f = 0; f < fields_.size(); ++f)
     {
-      divide(grid, scheme_.degree, fields_[f].matter[0], 0, product[f]);
+      divide(grid, least_part, fields_[f].matter[0], 0, product[f]);
       for (unsigned int d = 0; d < 3; ++d)
         for (std::size_t n = 0; n < grid.n_own_nodes(); ++n)
           rest[f][d][n] -= product[f][d][n];
@@ -220,10 +226,10 @@ void ParticleStep::find_velocities(const TileGrid &grid, Particles &particles)
       std::copy_n(field.matter[1 + d].begin(),
                   grid.n_own_nodes(),
                   field.before[d].begin());
-    divide(grid, scheme_.degree, field.matter[0], 0, field.before);
+    divide(grid, least_mass, field.matter[0], 0, field.before);
     stop_at_planes(grid, 0, field.before);
   }
-  apply_series(grid, particles, &Field::before);
+  apply_series(grid, particles, least_mass, &Field::before);
 }
 
 
@@ -256,6 +262,7 @@ void ParticleStep::use_velocities_before(const TileGrid &grid)
 
 void ParticleStep::accelerate(const TileGrid &grid, Particles &particles)
 {
+  const double least_part = least_accelerated_mass(scheme_.degree);
   for (Field &field : fields_)
   {
     field.motion.clear(grid);
@@ -264,10 +271,10 @@ void ParticleStep::accelerate(const TileGrid &grid, Particles &particles)
       std::copy_n(field.matter[4 + d].begin(),
                   grid.n_own_nodes(),
                   field.acceleration[d].begin());
-    divide(grid, scheme_.degree, field.matter[0], 0, field.acceleration);
+    divide(grid, least_part, field.matter[0], 0, field.acceleration);
     stop_at_planes(grid, 0, field.acceleration);
   }
-  apply_series(grid, particles, &Field::acceleration);
+  apply_series(grid, particles, least_part, &Field::acceleration);
 }
 
 

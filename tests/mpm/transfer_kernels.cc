@@ -236,6 +236,48 @@ TEST(TransferKernels, deposit_all_mass_and_momentum)
     }
 }
 
+// Linear splines: a particle on a side, an edge or a node of cells gives all to
+// their lowest node, but for a trace, and has the slopes of the cell above.
+TEST(TransferKernels, particles_on_sides_belong_to_the_cells_above)
+{
+  const WindowPlace even{{{0.25, -0.5, 1.}}, 0.5};
+  ParticleBlock block;
+  std::vector<std::array<int, 3>> cells;
+  for (int i = 0; i < 64; ++i)
+  {
+    cells.push_back({{i % 4, i / 4 % 4, i / 16}});
+    const std::size_t p = block.append();
+    for (unsigned int d = 0; d < 3; ++d)
+      block[column::position + d][p] =
+        even.lower[d] + even.cell_size * cells.back()[d];
+    block[column::mass][p] = 1.;
+  }
+  // Component d grows with the square of the node's number along d.
+  Window mass(4 * stride), velocity(3 * stride);
+  deposit(1, Deposit::momentum, false, block, even, mass.data());
+  double sum = 0.;
+  for (unsigned int i = 0; i < TileGrid::window_size; ++i)
+  {
+    bool is_inside = true;
+    const unsigned int index[] = {i % 8, i / 8 % 8, i / 64};
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      const int node = int(index[d]) + TileGrid::window_start;
+      is_inside = is_inside && node >= 0 && node < TileGrid::tile_edge;
+      velocity[stride * d + i] = node * node;
+    }
+    EXPECT_NEAR(mass[i], is_inside ? 1. : 0., 1e-17);
+    sum += mass[i];
+  }
+  EXPECT_EQ(sum, 64.);
+  collect_rate(1, velocity.data(), even, block);
+  for (std::size_t p = 0; p < block.size(); ++p)
+    for (unsigned int k = 0; k < 9; ++k)
+      EXPECT_NEAR(block[column::rate + k][p],
+                  k % 4 == 0 ? (2 * cells[p][k / 4] + 1) / even.cell_size : 0.,
+                  1e-14);
+}
+
 // What stresses do on the nodes is what they do in the particles, and forces
 // from outside work on the nodes as on the particles.
 TEST(TransferKernels, deposit_and_collect_are_adjoint)

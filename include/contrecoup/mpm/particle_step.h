@@ -148,9 +148,10 @@ private:
               Particles &particles,
               const bool is_pressure) const;
   /// Makes a vector of lumped masses that of the consistent ones, in all
-  /// fields.
+  /// fields. @param least_part of the largest mass, below which a node has none
   void apply_series(const TileGrid &grid,
                     Particles &particles,
+                    const double least_part,
                     NodeValues Field::*vector);
   void multiply_mass_matrix(const TileGrid &grid,
                             Particles &particles,

@@ -30,6 +30,8 @@ public:
   /// Particles at once: no more than a block is padded to.
   static constexpr std::size_t batch = 8;
   static_assert(batch <= ParticleBlock::padding);
+  /// Round-off of sums does not see it, nor its third power the least mass.
+  static constexpr double least_linear_weight = 1e-18;
 
   /// Those of particles @p begin to @p begin + batch of a block.
   DEAL_II_ALWAYS_INLINE void reinit(const ParticleBlock &particles,
@@ -99,6 +101,11 @@ private:
                                          const double per_cell)
   {
     auto w = spline_weights_at<degree>(fraction);
+    // What is on a side is of the cell above it, whose slope reaches for nodes
+    // that have no other mass, it may be: with a trace of it they go along.
+    if constexpr (degree == 1)
+      for (unsigned int i = 0; i < n; ++i)
+        w.value[i] = std::max(w.value[i], Lanes<double>(least_linear_weight));
     for (auto &slope : w.slope)
       slope *= per_cell;
     for (unsigned int i = 0; i < 4; ++i)
