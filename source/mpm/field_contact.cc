@@ -134,7 +134,13 @@ void FieldContact::find_gradients(const TileGrid &grid, Particles &particles)
     ++meets;
   }
   for (NodeValues &gradient : gradients_)
+  {
     gradient.add_copies(grid);
+    // The image of the matter cancels what is across its mirror.
+    for (unsigned int d = 0; d < 3; ++d)
+      for (const std::uint32_t n : grid.plane_nodes()[d])
+        gradient[d][n] = 0.;
+  }
 }
 
 
@@ -158,9 +164,6 @@ void FieldContact::find_normals(const TileGrid &grid, Pair &pair) const
     for (unsigned int d = 0; d < 3 && norm > 0.; ++d)
       pair.normals[d][n] = normal[d] / norm;
   }
-  for (unsigned int d = 0; d < 3; ++d)
-    for (const std::uint32_t n : grid.plane_nodes()[d])
-      pair.normals[d][n] = 0.;
 }
 
 

@@ -7,6 +7,8 @@
 #include "particle_case.h"
 #include <gtest/gtest.h>
 
+#include <optional>
+
 using namespace contrecoup;
 using namespace contrecoup::mpm;
 
@@ -57,8 +59,10 @@ std::array<double, 2> spin_and_energy(const ParticleCase &one,
 }
 
 /// A block that is cut by the plane x = 0, 60 steps on; or its half for x > 0,
-/// the plane a side that reflects.
-ParticleCase mirror_case(const TransferScheme &scheme, const bool is_half)
+/// the plane a side that reflects. @param interface if any, of its two parts
+ParticleCase mirror_case(const TransferScheme &scheme,
+                         const bool is_half,
+                         const std::optional<FieldInterface> &interface = {})
 {
   ParticleMaterial rubber = elastic(1e4, 0.4, 1000.);
   rubber.is_smoothed = true;
@@ -70,13 +74,20 @@ ParticleCase mirror_case(const TransferScheme &scheme, const bool is_half)
     box.lower[0] = -8.;
     box.n_cells[0] = 16;
   }
-  ParticleCase one(box, scheme, {rubber}, MPI_COMM_SELF);
+  std::vector<ParticleMaterial> materials(interface ? 2 : 1, rubber);
+  materials.back().field = interface ? 1 : 0;
+  ParticleCase one(box, scheme, materials, MPI_COMM_SELF);
+  if (interface)
+    one.step = ParticleStep(
+      scheme,
+      materials,
+      FieldContact(scheme.degree, {0, 1}, *interface, 0.25, 0.125, 0.1));
   one.fill(
-    [](const auto &x) {
-      return std::abs(x[0]) < 2. && std::abs(x[1] - 4.) < 1. &&
-                 std::abs(x[2] - 5.) < 1.
-               ? 0
-               : -1;
+    [&](const auto &x) {
+      if (std::abs(x[0]) > 2. || std::abs(x[1] - 4.) > 1. ||
+          std::abs(x[2] - 5.) > 1.)
+        return -1;
+      return interface && x[1] > 4.1 + 0.2 * x[0] * x[0] ? 1 : 0;
     },
     [](const auto &x) {
       Vector v;
@@ -154,7 +165,35 @@ TEST(ParticleConservation, affine_disk_keeps_spinning)
   EXPECT_NEAR(end[1] + disk.totals().stored_energy, start[1], 0.01 * start[1]);
 }
 
-// Half a body at a side that reflects moves as one half of the whole.
+namespace
+{
+/// Half a body at a side that reflects moves as one half of the whole.
+void expect_mirrors(const TransferScheme &scheme,
+                    const std::optional<FieldInterface> &interface = {})
+{
+  const ParticleCase half = mirror_case(scheme, true, interface),
+                     whole = mirror_case(scheme, false, interface);
+  EXPECT_NEAR(2. * half.totals().kinetic_energy,
+              whole.totals().kinetic_energy,
+              1e-12 * whole.totals().kinetic_energy);
+  const auto states = [](const ParticleCase &one) {
+    std::vector<std::array<double, column::n_state>> all;
+    one.for_each_particle([&](const ParticleBlock &block, const std::size_t p) {
+      if (block[column::position][p] > 0.)
+        block.copy_state(p, all.emplace_back().data());
+    });
+    return all;
+  };
+  const auto a = states(half), b = states(whole);
+  ASSERT_EQ(a.size(), b.size());
+  double largest = 0.;
+  for (std::size_t p = 0; p < a.size(); ++p)
+    for (unsigned int c = 0; c < 6; ++c)
+      largest = std::max(largest, std::abs(a[p][c] - b[p][c]));
+  EXPECT_LT(largest, 1e-12);
+}
+} // namespace
+
 TEST(ParticleConservation, sides_that_reflect_are_mirrors)
 {
   for (unsigned int degree = 1; degree <= 3; ++degree)
@@ -166,28 +205,19 @@ TEST(ParticleConservation, sides_that_reflect_are_mirrors)
       if (transfer == Transfer::flip)
         scheme.series_order = 2;
       SCOPED_TRACE(scheme_name(scheme));
-      const ParticleCase half = mirror_case(scheme, true),
-                         whole = mirror_case(scheme, false);
-      EXPECT_NEAR(2. * half.totals().kinetic_energy,
-                  whole.totals().kinetic_energy,
-                  1e-12 * whole.totals().kinetic_energy);
-      const auto states = [](const ParticleCase &one) {
-        std::vector<std::array<double, column::n_state>> all;
-        one.for_each_particle(
-          [&](const ParticleBlock &block, const std::size_t p) {
-            if (block[column::position][p] > 0.)
-              block.copy_state(p, all.emplace_back().data());
-          });
-        return all;
-      };
-      const auto a = states(half), b = states(whole);
-      ASSERT_EQ(a.size(), b.size());
-      double largest = 0.;
-      for (std::size_t p = 0; p < a.size(); ++p)
-        for (unsigned int c = 0; c < 6; ++c)
-          largest = std::max(largest, std::abs(a[p][c] - b[p][c]));
-      EXPECT_LT(largest, 1e-12);
+      expect_mirrors(scheme);
     }
+}
+
+// So do two parts that slide or rub along an interface which is curved there.
+TEST(ParticleConservation, sides_that_reflect_mirror_velocity_fields)
+{
+  for (const auto interface : {FieldInterface::slip, FieldInterface::contact})
+  {
+    SCOPED_TRACE(field_interface_names()[static_cast<int>(interface)]);
+    expect_mirrors({3, Transfer::flip, StressUpdate::modified_last, 2},
+                   interface);
+  }
 }
 
 namespace
