@@ -72,10 +72,6 @@ void GasScene<dim>::check_body() const
   if (scheme.kind != Scheme::Kind::finite_volume)
     throw InputError(
       "Rigid body/Kind: bodies need Method/Scheme = finite volume");
-  if (scheme.n_points % 2 == 1 && body.most_levels() > 0)
-    throw InputError("Rigid body/Levels above 0 need an even number of "
-                     "Method/Subcells, not " +
-                     std::to_string(scheme.n_points));
   if (scheme.n_points < least_points)
     throw InputError(
       "Rigid body/Kind: bodies need Method/Subcells of 4 or more, "
