@@ -11,11 +11,13 @@ contrecoup_add_application_test(particles_head bounds,resume,ranks
   BOUNDS ${_ledger} "assumptions.peak_contact_force > 10"
   COMPARE history.csv probes.csv STOP_AFTER 8
   TOLERANCE 3e-10 "energy_residual*=1e-12 absolute" "pressure_*=1e-8 absolute")
+# Sums over ranks differ in their last bit: 2e-16 of a bulk modulus of 2.2 GPa is
+# 5e-7 Pa.
 contrecoup_add_application_test(particles_head_slip bounds,resume,ranks
   FILE head_impact/quickstart.prm SET ${_particles} "Output/Fields=false"
   "Region CSF/Interface=slip" BOUNDS ${_ledger} "assumptions.peak_contact_force > 10"
   COMPARE history.csv probes.csv STOP_AFTER 8
-  TOLERANCE 3e-10 "energy_residual*=1e-12 absolute" "pressure_*=1e-8 absolute" RANKS 2 7)
+  TOLERANCE 3e-10 "energy_residual*=1e-12 absolute" "pressure_*=5e-7 absolute" RANKS 2 7)
 # Cells of 8 mm where skull and CSF are, of 16 mm elsewhere.
 contrecoup_add_application_test(particles_head_fine bounds,resume,ranks
   FILE head_impact/quickstart.prm SET ${_particles} "Output/Fields=false"
