@@ -60,10 +60,7 @@ void GasCore<dim>::parse_parameters(ParameterHandler &prm)
     scheme.n_points,
     scheme.kind == Scheme::Kind::finite_volume,
     scene_.coarse_mesh.is_axis_aligned());
-  if (scheme.n_points % 2 == 1 && scene_.body.most_levels() > 0)
-    throw InputError("Rigid body/Levels above 0 need an even number of "
-                     "Method/Subcells, not " +
-                     std::to_string(scheme.n_points));
+  scene_.check_subcells();
   adaptation_parameters_.find_buffer_steps(
     scheme.cfl * scheme.stability_limit(), dim, scheme.n_points);
   const Section section(prm, "Charges");

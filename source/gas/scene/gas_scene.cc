@@ -64,7 +64,6 @@ void GasScene<dim>::parse_parameters(ParameterHandler &prm)
 template <int dim>
 void GasScene<dim>::check_body() const
 {
-  const unsigned int least_points = 4;
   body.check(dim);
   if (dim == 1 || !coarse_mesh.is_axis_aligned())
     throw InputError("Rigid body/Kind: bodies need Domain/Mesh = box and "
@@ -72,7 +71,20 @@ void GasScene<dim>::check_body() const
   if (scheme.kind != Scheme::Kind::finite_volume)
     throw InputError(
       "Rigid body/Kind: bodies need Method/Scheme = finite volume");
-  if (scheme.n_points < least_points)
+}
+
+
+template <int dim>
+void GasScene<dim>::check_subcells() const
+{
+  const unsigned int least = 4;
+  if (body.empty())
+    return;
+  if (scheme.n_points % 2 == 1 && body.most_levels() > 0)
+    throw InputError("Rigid body/Levels above 0 need an even number of "
+                     "Method/Subcells, not " +
+                     std::to_string(scheme.n_points));
+  if (scheme.n_points < least)
     throw InputError(
       "Rigid body/Kind: bodies need Method/Subcells of 4 or more, "
       "not " +

@@ -57,6 +57,10 @@ struct GasScene
   LeafPoints<dim> points;
   double end_time = 0.; ///< [s]
 
+  /// Checks the number of subcells against the body.
+  /// @throws InputError for too few, or an odd number with levels of the body
+  void check_subcells() const;
+
 private:
   void check_body() const;
 };
