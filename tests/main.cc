@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/lanes.h>
+#include <contrecoup/base/lanes/lanes.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/coupling/anatomy_application.h>
-#include <contrecoup/io/tool.h>
+#include <contrecoup/io/application/tool.h>
 
 int main(int argc, char **argv)
 {

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/coupling/blast_application.h>
-#include <contrecoup/io/application.h>
+#include <contrecoup/io/application/application.h>
 
 int main(int argc, char **argv)
 {

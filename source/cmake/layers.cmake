@@ -38,7 +38,7 @@ function(contrecoup_setup_target target)
   target_compile_options(${target} PRIVATE ${CONTRECOUP_COMPILE_OPTIONS})
   if(target STREQUAL "contrecoup_base")
     target_precompile_headers(${target} PRIVATE
-      ${PROJECT_SOURCE_DIR}/include/contrecoup/base/precompiled.h)
+      ${PROJECT_SOURCE_DIR}/include/contrecoup/base/system/precompiled.h)
   else()
     target_precompile_headers(${target} REUSE_FROM contrecoup_base)
   endif()

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/log.h>
-#include <contrecoup/base/memory.h>
-#include <contrecoup/base/parameter_tree.h>
-#include <contrecoup/base/signals.h>
-#include <contrecoup/base/text.h>
-#include <contrecoup/base/version.h>
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/log.h>
+#include <contrecoup/base/system/memory.h>
+#include <contrecoup/base/system/signals.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/base/system/version.h>
 #include <contrecoup/coupling/anatomy_application.h>
 #include <contrecoup/coupling/anatomy_parameters.h>
 #include <contrecoup/coupling/body_report.h>
-#include <contrecoup/io/checked_file.h>
-#include <contrecoup/io/folder_claim.h>
-#include <contrecoup/io/hex_mesh_files.h>
-#include <contrecoup/io/pictures.h>
+#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/hex_mesh_files.h>
+#include <contrecoup/io/output/folder_claim.h>
+#include <contrecoup/io/output/pictures.h>
 
 #include <nlohmann/json.hpp>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/coupling/blast_application.h>
 #include <contrecoup/coupling/coarse_scene.h>
 #include <contrecoup/coupling/domain_size.h>

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/log.h>
-#include <contrecoup/base/parameter_file.h>
-#include <contrecoup/base/parameter_tree.h>
-#include <contrecoup/base/text.h>
-#include <contrecoup/base/time_parameters.h>
+#include <contrecoup/base/parameters/parameter_file.h>
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/run/time_parameters.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/log.h>
+#include <contrecoup/base/system/text.h>
 #include <contrecoup/coupling/coarse_scene.h>
 #include <contrecoup/coupling/domain_size.h>
 #include <contrecoup/coupling/staged_simulation.h>
-#include <contrecoup/geometry/body_description.h>
+#include <contrecoup/geometry/body/body_description.h>
 
 #include <algorithm>
 #include <cmath>

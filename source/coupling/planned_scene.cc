@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/log.h>
-#include <contrecoup/base/parameters.h>
-#include <contrecoup/base/text.h>
-#include <contrecoup/base/version.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/log.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/base/system/version.h>
 #include <contrecoup/coupling/planned_scene.h>
 #include <contrecoup/coupling/scene_plan.h>
-#include <contrecoup/io/plan_table.h>
+#include <contrecoup/io/run/plan_table.h>
 
 namespace contrecoup::coupling
 {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/log.h>
+#include <contrecoup/base/system/log.h>
 #include <contrecoup/coupling/scene_application.h>
 #include <contrecoup/coupling/scene_run.h>
-#include <contrecoup/io/command_line.h>
+#include <contrecoup/io/run/command_line.h>
 
 
 namespace contrecoup::coupling

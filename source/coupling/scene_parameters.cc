@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/bounds.h>
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/parameters.h>
-#include <contrecoup/base/time_parameters.h>
+#include <contrecoup/base/parameters/bounds.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/run/time_parameters.h>
+#include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/coupling/anatomy_parameters.h>
 #include <contrecoup/coupling/biomechanics_application.h>
 #include <contrecoup/coupling/blast_application.h>
 #include <contrecoup/coupling/scene_parameters.h>
-#include <contrecoup/geometry/body_description.h>
+#include <contrecoup/geometry/body/body_description.h>
 #include <contrecoup/materials/explosives.h>
 #include <contrecoup/materials/tissue_library.h>
 

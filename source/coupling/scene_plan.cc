@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/text.h>
+#include <contrecoup/base/system/text.h>
 #include <contrecoup/coupling/scene_plan.h>
-#include <contrecoup/io/checked_file.h>
-#include <contrecoup/io/history_reader.h>
+#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/output/history_reader.h>
 #include <contrecoup/materials/explosives.h>
-#include <contrecoup/numerics/kingery_bulmash.h>
+#include <contrecoup/numerics/injury/kingery_bulmash.h>
 
 #include <nlohmann/json.hpp>
 

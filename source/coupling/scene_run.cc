@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/log.h>
-#include <contrecoup/base/parameter_tree.h>
-#include <contrecoup/base/text.h>
-#include <contrecoup/base/version.h>
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/log.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/base/system/version.h>
 #include <contrecoup/coupling/scene_results.h>
 #include <contrecoup/coupling/scene_run.h>
 #include <contrecoup/coupling/scene_stages.h>
-#include <contrecoup/io/checked_file.h>
-#include <contrecoup/io/pictures.h>
+#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/output/pictures.h>
 
 #include <algorithm>
 

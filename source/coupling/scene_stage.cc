@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/log.h>
-#include <contrecoup/base/log_words.h>
-#include <contrecoup/base/text.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/log.h>
+#include <contrecoup/base/system/log_words.h>
+#include <contrecoup/base/system/text.h>
 #include <contrecoup/coupling/scene_stage.h>
 #include <contrecoup/coupling/source_digest.h>
-#include <contrecoup/io/checked_file.h>
-#include <contrecoup/io/temporary_folder.h>
+#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/temporary_folder.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/memory.h>
-#include <contrecoup/base/parameter_tree.h>
-#include <contrecoup/base/text.h>
-#include <contrecoup/base/time_parameters.h>
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/run/time_parameters.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/memory.h>
+#include <contrecoup/base/system/text.h>
 #include <contrecoup/coupling/anatomy_application.h>
 #include <contrecoup/coupling/biomechanics_application.h>
 #include <contrecoup/coupling/blast_application.h>
 #include <contrecoup/coupling/scene_files.h>
 #include <contrecoup/coupling/scene_stages.h>
-#include <contrecoup/io/application.h>
-#include <contrecoup/io/output_folder.h>
+#include <contrecoup/io/application/application.h>
+#include <contrecoup/io/output/output_folder.h>
 
 #include <filesystem>
 

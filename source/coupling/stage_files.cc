@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/log.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/log.h>
 #include <contrecoup/coupling/stage_files.h>
-#include <contrecoup/io/checked_file.h>
-#include <contrecoup/io/folder_lock.h>
+#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/output/folder_lock.h>
 
 #include <nlohmann/json.hpp>
 

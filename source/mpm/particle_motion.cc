@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/lane_math.h>
+#include <contrecoup/base/lanes/lane_math.h>
 #include <contrecoup/mpm/particle_motion.h>
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/io/field_output.h>
+#include <contrecoup/io/output/field_output.h>
 #include <contrecoup/mpm/particle_output.h>
 
 namespace contrecoup::mpm

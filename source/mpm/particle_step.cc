@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/timers.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/timers.h>
 #include <contrecoup/mpm/particle_motion.h>
 #include <contrecoup/mpm/particle_step.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/collective.h>
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/parameter_file.h>
-#include <contrecoup/base/text.h>
-#include <contrecoup/io/checked_file.h>
-#include <contrecoup/io/temporary_folder.h>
+#include <contrecoup/base/parameters/parameter_file.h>
+#include <contrecoup/base/system/collective.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/temporary_folder.h>
 #include <contrecoup/study/application_under_study.h>
 #include <contrecoup/study/child_process.h>
 

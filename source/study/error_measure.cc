@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/bounds.h>
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/parameters.h>
-#include <contrecoup/base/readable_file.h>
-#include <contrecoup/base/text.h>
-#include <contrecoup/io/numpy.h>
+#include <contrecoup/base/parameters/bounds.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/readable_file.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/io/file/numpy.h>
 #include <contrecoup/study/curve.h>
 #include <contrecoup/study/error_measure.h>
 #include <contrecoup/study/json_path.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/collective.h>
-#include <contrecoup/base/log.h>
-#include <contrecoup/io/checked_file.h>
+#include <contrecoup/base/system/collective.h>
+#include <contrecoup/base/system/log.h>
+#include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/study/outcome.h>
 
 #include <nlohmann/json.hpp>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/text.h>
-#include <contrecoup/io/checked_file.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/study/report.h>
 
 #include <cmath>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/log.h>
-#include <contrecoup/base/signals.h>
-#include <contrecoup/base/text.h>
-#include <contrecoup/base/version.h>
-#include <contrecoup/io/checked_file.h>
-#include <contrecoup/io/temporary_folder.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/log.h>
+#include <contrecoup/base/system/signals.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/base/system/version.h>
+#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/temporary_folder.h>
 #include <contrecoup/study/report.h>
 #include <contrecoup/study/study.h>
 

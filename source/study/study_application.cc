@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/parameter_tree.h>
-#include <contrecoup/base/version.h>
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/system/version.h>
 #include <contrecoup/study/study.h>
 #include <contrecoup/study/study_application.h>
 

@@ -3,9 +3,9 @@
 
 #include <contrecoup/ale/mesh/mesh_description.h>
 #include <contrecoup/ale/mesh/region_descriptions.h>
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/parameter_tree.h>
-#include <contrecoup/geometry/layered_ball.h>
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/geometry/body/layered_ball.h>
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_out.h>

@@ -3,7 +3,7 @@
 
 #include <contrecoup/ale/head/head_measures.h>
 #include <contrecoup/ale/mesh/mesh_description.h>
-#include <contrecoup/base/parameter_tree.h>
+#include <contrecoup/base/parameters/parameter_tree.h>
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/physics/transformations.h>

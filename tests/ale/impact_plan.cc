@@ -2,9 +2,9 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/ale/run/ale_simulation.h>
-#include <contrecoup/base/parameter_tree.h>
-#include <contrecoup/base/parameters.h>
-#include <contrecoup/base/time_parameters.h>
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/run/time_parameters.h>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/ale/lagrange/lagrange_step.h>
-#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/system/exceptions.h>
 
 #include "slab.h"
 #include <gtest/gtest.h>

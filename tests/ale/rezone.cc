@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/ale/rezone/rezone.h>
-#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/parameters/parameters.h>
 
 #include "slab.h"
 #include <gtest/gtest.h>

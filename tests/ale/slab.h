@@ -4,8 +4,8 @@
 #pragma once
 
 #include <contrecoup/ale/lagrange/lagrange_step.h>
-#include <contrecoup/numerics/exact_riemann.h>
-#include <contrecoup/numerics/hex8_moments.h>
+#include <contrecoup/numerics/element/hex8_moments.h>
+#include <contrecoup/numerics/exact/exact_riemann.h>
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>

@@ -5,7 +5,7 @@
 
 #include <contrecoup/ale/lagrange/lagrange_step.h>
 #include <contrecoup/ale/mesh/cell_corners.h>
-#include <contrecoup/numerics/hex8_moments.h>
+#include <contrecoup/numerics/element/hex8_moments.h>
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/collective.h>
-#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/system/collective.h>
+#include <contrecoup/base/system/exceptions.h>
 
 #include <chrono>
 #include <thread>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/collective.h>
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/memory.h>
+#include <contrecoup/base/system/collective.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/memory.h>
 
 #include <deal.II/base/exceptions.h>
 

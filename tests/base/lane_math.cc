@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exponential.h>
-#include <contrecoup/base/lane_math.h>
+#include <contrecoup/base/lanes/exponential.h>
+#include <contrecoup/base/lanes/lane_math.h>
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/parameter_file.h>
+#include <contrecoup/base/parameters/parameter_file.h>
+#include <contrecoup/base/system/exceptions.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/time_control.h>
+#include <contrecoup/base/run/time_control.h>
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 // itself under mpirun, on one rank and on two.
 
 #include <contrecoup/ale/lagrange/lagrange_step.h>
-#include <contrecoup/base/processor_time.h>
+#include <contrecoup/base/system/processor_time.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/grid_generator.h>

@@ -4,7 +4,7 @@
 // Throughput of the gas solver on a periodic cube, one row per case. Started
 // without arguments it runs itself under mpirun, on one rank and on two.
 
-#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/gas/run/gas_simulation.h>
 
 #include <deal.II/base/mpi.h>

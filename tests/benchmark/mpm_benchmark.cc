@@ -7,9 +7,9 @@
 // it. Started without arguments it runs itself under mpirun, on one rank and on
 // two.
 
-#include <contrecoup/base/processor_time.h>
+#include <contrecoup/base/system/processor_time.h>
 #include <contrecoup/mpm/particle_step.h>
-#include <contrecoup/numerics/spline_weights.h>
+#include <contrecoup/numerics/element/spline_weights.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -5,7 +5,7 @@
 // elements, one row per case. Started without arguments it runs itself under
 // mpirun, on one rank and on two.
 
-#include <contrecoup/base/processor_time.h>
+#include <contrecoup/base/system/processor_time.h>
 #include <contrecoup/solid/body/node_backup.h>
 #include <contrecoup/solid/body/node_exchange.h>
 #include <contrecoup/solid/motion/node_motion.h>

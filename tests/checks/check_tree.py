@@ -28,7 +28,11 @@ for _upper in ("ale", "coupling", "study"):
     BELOW[_upper] = BELOW["gas"] | {"gas", "solid", "mpm"}
 
 # The rooms of a layer, lowest first: each may include itself and those before.
-ROOMS = {"gas": ["octree", "state", "conditions", "explosive", "scene", "body",
+ROOMS = {"base": ["lanes", "system", "parameters", "run"],
+         "numerics": ["scheme", "element", "exact", "injury"],
+         "geometry": ["image", "shape", "body", "mesh"],
+         "io": ["file", "run", "output", "application"],
+         "gas": ["octree", "state", "conditions", "explosive", "scene", "body",
                  "kernel", "record", "adaptation", "hand_over", "run"],
          "solid": ["body", "boundary", "motion", "record", "injury", "run"],
          "ale": ["mesh", "lagrange", "exact", "rezone", "head", "particles",

@@ -23,8 +23,8 @@ namespace contrecoup
 } // namespace contrecoup
 """
 
-GOOD_SOURCE = TOP + """#include <contrecoup/base/lanes.h>
-#include <contrecoup/numerics/two.h>
+GOOD_SOURCE = TOP + """#include <contrecoup/base/lanes/lanes.h>
+#include <contrecoup/materials/two.h>
 
 namespace contrecoup
 {
@@ -49,9 +49,9 @@ class TreeTest(unittest.TestCase):
         self.root = folder.name
         with open(os.path.join(REPOSITORY, ".clang-format")) as style:
             self.write(".clang-format", style.read())
-        self.write("include/contrecoup/base/lanes.h", TOP + "#pragma once\n")
-        self.write("include/contrecoup/numerics/two.h", GOOD_HEADER)
-        self.write("source/numerics/two.cc", GOOD_SOURCE)
+        self.write("include/contrecoup/base/lanes/lanes.h", TOP + "#pragma once\n")
+        self.write("include/contrecoup/materials/two.h", GOOD_HEADER)
+        self.write("source/materials/two.cc", GOOD_SOURCE)
         self.write("applications/blast/main.cc", TOP + "int main()\n{}\n")
 
     def write(self, path, text):
@@ -73,7 +73,7 @@ class TreeTest(unittest.TestCase):
             self.assertEqual(check_tree.CHECKS[name](self.root), [], name)
 
     def test_upward_include(self):
-        self.write("source/numerics/two.cc",
+        self.write("source/materials/two.cc",
                    GOOD_SOURCE + "#  include <contrecoup/gas/state.h>\n")
         self.expect("layers", "two.cc:", "'gas'")
 
@@ -84,7 +84,7 @@ class TreeTest(unittest.TestCase):
 
     def test_upward_include_in_a_test(self):
         self.write("tests/base/lanes.cc",
-                   TOP + "#include <contrecoup/io/summary.h>\n")
+                   TOP + "#include <contrecoup/io/output/summary.h>\n")
         self.expect("layers", "tests/base/lanes.cc:4")
 
     def test_upward_include_of_a_room(self):
@@ -142,21 +142,21 @@ class TreeTest(unittest.TestCase):
         self.expect("functions", "lanes.cc:4", "61 lines")
 
     def test_source_without_header(self):
-        self.write("source/numerics/two_and_a_half.cc", GOOD_SOURCE)
+        self.write("source/materials/two_and_a_half.cc", GOOD_SOURCE)
         self.assertEqual(check_tree.mirror(self.root), [])
-        self.write("source/numerics/three.cc", GOOD_SOURCE)
-        self.expect("mirror", "include/contrecoup/numerics/three.h")
+        self.write("source/materials/three.cc", GOOD_SOURCE)
+        self.expect("mirror", "include/contrecoup/materials/three.h")
 
     def test_missing_licence(self):
-        self.write("source/numerics/two.cc", "int two();\n")
+        self.write("source/materials/two.cc", "int two();\n")
         self.expect("licence", "two.cc:1")
 
     def test_missing_pragma(self):
-        self.write("include/contrecoup/numerics/two.h", TOP)
+        self.write("include/contrecoup/materials/two.h", TOP)
         self.expect("licence", "#pragma once")
 
     def test_add_parameter(self):
-        self.write("source/numerics/two.cc",
+        self.write("source/materials/two.cc",
                    GOOD_SOURCE + 'prm.add_parameter("Two", two);\n')
         self.expect("parameters", "two.cc:14")
 
@@ -171,7 +171,7 @@ class TreeTest(unittest.TestCase):
             subprocess.run([name, "-i", os.path.join(self.root, path)],
                            check=True)
         self.assertEqual(check_tree.formatting(self.root), [])
-        self.write("include/contrecoup/numerics/two.h",
+        self.write("include/contrecoup/materials/two.h",
                    TOP + "#pragma once\n\nint   two();\n")
         self.expect("formatting", "two.h:6")
 
@@ -188,15 +188,15 @@ class TreeTest(unittest.TestCase):
             self.write(".clang-tidy", settings.read())
         self.assertEqual(check_tree.tidy(self.root), [])
         unused = "inline int one(int argument)\n{\n  return 1;\n}\n"
-        self.write("source/numerics/one.cc", TOP + "#include <vector>\n"
+        self.write("source/materials/one.cc", TOP + "#include <vector>\n"
                    "#include <deal.II/base/point.h>\n" + unused)
         self.assertEqual(check_tree.tidy(self.root), [])
-        self.write("source/numerics/one.cc", TOP + "#include <vector>\n" + unused)
-        self.expect("tidy", "source/numerics/one.cc:5", "'argument' is unused")
-        os.remove(os.path.join(self.root, "source/numerics/one.cc"))
-        self.write("include/contrecoup/base/lanes.h",
+        self.write("source/materials/one.cc", TOP + "#include <vector>\n" + unused)
+        self.expect("tidy", "source/materials/one.cc:5", "'argument' is unused")
+        os.remove(os.path.join(self.root, "source/materials/one.cc"))
+        self.write("include/contrecoup/base/lanes/lanes.h",
                    TOP + "#pragma once\n" + unused)
-        self.expect("tidy", "include/contrecoup/base/lanes.h:5")
+        self.expect("tidy", "include/contrecoup/base/lanes/lanes.h:5")
 
 
 if __name__ == "__main__":

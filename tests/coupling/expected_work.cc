@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/parameter_file.h>
-#include <contrecoup/base/parameter_tree.h>
-#include <contrecoup/base/remaining_time.h>
-#include <contrecoup/base/time_parameters.h>
+#include <contrecoup/base/parameters/parameter_file.h>
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/run/remaining_time.h>
+#include <contrecoup/base/run/time_parameters.h>
 #include <contrecoup/coupling/staged_simulation.h>
 
 #include <gtest/gtest.h>

@@ -2,11 +2,11 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/coupling/scene_files.h>
-#include <contrecoup/geometry/body.h>
-#include <contrecoup/geometry/primitive_shapes.h>
+#include <contrecoup/geometry/body/body.h>
+#include <contrecoup/geometry/shape/primitive_shapes.h>
 #include <contrecoup/materials/explosives.h>
-#include <contrecoup/numerics/expected_blast.h>
-#include <contrecoup/numerics/kingery_bulmash.h>
+#include <contrecoup/numerics/injury/expected_blast.h>
+#include <contrecoup/numerics/injury/kingery_bulmash.h>
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/log.h>
-#include <contrecoup/base/log_words.h>
-#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/log.h>
+#include <contrecoup/base/system/log_words.h>
 #include <contrecoup/coupling/scene_words.h>
 
 #include <gtest/gtest.h>

@@ -15,10 +15,10 @@ ALL = {"anatomy", "blast", "biomechanics"}
 # A file that is changed, and the applications that are made from it.
 CHANGES = (("source/gas/kernel/leaf_kernel.cc", {"blast"}),
            ("source/solid/motion/solid_operator.cc", {"biomechanics"}),
-           ("include/contrecoup/numerics/riemann_flux.h",
+           ("include/contrecoup/numerics/scheme/riemann_flux.h",
             {"blast", "biomechanics"}),
-           ("source/geometry/phantom_flesh.cc", ALL),
-           ("include/contrecoup/base/lanes.h", ALL),
+           ("source/geometry/body/phantom_flesh.cc", ALL),
+           ("include/contrecoup/base/lanes/lanes.h", ALL),
            ("source/coupling/domain_size.cc", {"blast"}),
            ("source/coupling/body_report.cc", {"anatomy"}),
            ("source/coupling/scene_plan.cc", set()),

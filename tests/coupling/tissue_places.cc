@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/coupling/tissue_places.h>
-#include <contrecoup/geometry/phantom.h>
+#include <contrecoup/geometry/body/phantom.h>
 
 #include <gtest/gtest.h>
 

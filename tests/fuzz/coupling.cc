@@ -3,8 +3,8 @@
 
 #include <contrecoup/coupling/scene_plan.h>
 #include <contrecoup/coupling/stage_files.h>
-#include <contrecoup/geometry/primitive_shapes.h>
-#include <contrecoup/io/history.h>
+#include <contrecoup/geometry/shape/primitive_shapes.h>
+#include <contrecoup/io/output/history.h>
 
 #include "fuzz.h"
 

@@ -10,19 +10,19 @@
 // of refusals are kept there, for somebody to read.
 
 #include <contrecoup/ale/run/head_impact_application.h>
-#include <contrecoup/base/declared_tree.h>
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/parameter_tree.h>
-#include <contrecoup/base/text.h>
-#include <contrecoup/base/time_parameters.h>
+#include <contrecoup/base/parameters/declared_tree.h>
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/run/time_parameters.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/text.h>
 #include <contrecoup/coupling/anatomy_application.h>
 #include <contrecoup/coupling/biomechanics_application.h>
 #include <contrecoup/coupling/blast_application.h>
 #include <contrecoup/coupling/scene_application.h>
 #include <contrecoup/coupling/scene_parameters.h>
-#include <contrecoup/io/application.h>
-#include <contrecoup/io/checked_file.h>
-#include <contrecoup/io/tool.h>
+#include <contrecoup/io/application/application.h>
+#include <contrecoup/io/application/tool.h>
+#include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/study/study_parameters.h>
 
 #include <deal.II/base/exceptions.h>

@@ -3,7 +3,7 @@
 
 #include "fuzz.h"
 
-#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/system/exceptions.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/parameter_tree.h>
-#include <contrecoup/geometry/coarse_mesh.h>
-#include <contrecoup/geometry/mesh_file.h>
-#include <contrecoup/geometry/triangle_mesh.h>
-#include <contrecoup/geometry/triangle_repair.h>
-#include <contrecoup/geometry/triangulated_surface.h>
-#include <contrecoup/geometry/voxel_image.h>
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/geometry/image/voxel_image.h>
+#include <contrecoup/geometry/mesh/coarse_mesh.h>
+#include <contrecoup/geometry/mesh/mesh_file.h>
+#include <contrecoup/geometry/shape/triangle_mesh.h>
+#include <contrecoup/geometry/shape/triangle_repair.h>
+#include <contrecoup/geometry/shape/triangulated_surface.h>
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_out.h>

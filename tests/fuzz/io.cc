@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/parameter_tree.h>
-#include <contrecoup/geometry/body_description.h>
-#include <contrecoup/io/checked_file.h>
-#include <contrecoup/io/checkpoint.h>
-#include <contrecoup/io/cost_cache.h>
-#include <contrecoup/io/history.h>
-#include <contrecoup/io/history_reader.h>
-#include <contrecoup/io/load_reader.h>
-#include <contrecoup/io/manifest.h>
-#include <contrecoup/io/numpy.h>
-#include <contrecoup/io/run_description.h>
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/geometry/body/body_description.h>
+#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/numpy.h>
+#include <contrecoup/io/output/checkpoint.h>
+#include <contrecoup/io/output/history.h>
+#include <contrecoup/io/output/history_reader.h>
+#include <contrecoup/io/output/load_reader.h>
+#include <contrecoup/io/output/manifest.h>
+#include <contrecoup/io/run/cost_cache.h>
+#include <contrecoup/io/run/run_description.h>
 
 #include "fuzz.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/parameter_tree.h>
+#include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/solid/body/mesh_description.h>
 #include <contrecoup/solid/body/solid_mesh.h>
 

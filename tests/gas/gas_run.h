@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/parameter_tree.h>
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/gas/adaptation/adaptation.h>
 #include <contrecoup/gas/body/cut_leaves.h>
 #include <contrecoup/gas/explosive/detonation.h>

@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/parameter_tree.h>
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/gas/run/gas_simulation.h>
 
 #include <gtest/gtest.h>

@@ -3,11 +3,11 @@
 
 #pragma once
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/parameter_tree.h>
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/gas/conditions/initial_state.h>
 #include <contrecoup/gas/conditions/reference_solution.h>
-#include <contrecoup/geometry/coarse_mesh.h>
+#include <contrecoup/geometry/mesh/coarse_mesh.h>
 #include <contrecoup/materials/gas_material.h>
 
 #include <string>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/geometry/body.h>
-#include <contrecoup/geometry/composed_shapes.h>
-#include <contrecoup/geometry/primitive_shapes.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/geometry/body/body.h>
+#include <contrecoup/geometry/shape/composed_shapes.h>
+#include <contrecoup/geometry/shape/primitive_shapes.h>
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/geometry/borrowed_organs.h>
-#include <contrecoup/geometry/composed_shapes.h>
-#include <contrecoup/geometry/phantom.h>
-#include <contrecoup/geometry/primitive_shapes.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/geometry/body/borrowed_organs.h>
+#include <contrecoup/geometry/body/phantom.h>
+#include <contrecoup/geometry/shape/composed_shapes.h>
+#include <contrecoup/geometry/shape/primitive_shapes.h>
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/geometry/hex_mesh.h>
-#include <contrecoup/geometry/hex_quality.h>
-#include <contrecoup/geometry/mesh_smoothing.h>
-#include <contrecoup/geometry/primitive_shapes.h>
+#include <contrecoup/geometry/mesh/hex_mesh.h>
+#include <contrecoup/geometry/mesh/hex_quality.h>
+#include <contrecoup/geometry/mesh/mesh_smoothing.h>
+#include <contrecoup/geometry/shape/primitive_shapes.h>
 
 #include <deal.II/grid/tria.h>
 

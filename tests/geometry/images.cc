@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/parameter_tree.h>
-#include <contrecoup/geometry/body_description.h>
-#include <contrecoup/geometry/grid_distance.h>
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/geometry/body/body_description.h>
+#include <contrecoup/geometry/shape/grid_distance.h>
 
 #include <gtest/gtest.h>
 #include <zlib.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/geometry/layered_ball.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/geometry/body/layered_ball.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/tensor.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/geometry/leaf_block.h>
+#include <contrecoup/geometry/mesh/leaf_block.h>
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/geometry/composed_shapes.h>
-#include <contrecoup/geometry/primitive_shapes.h>
+#include <contrecoup/geometry/shape/composed_shapes.h>
+#include <contrecoup/geometry/shape/primitive_shapes.h>
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/parameter_tree.h>
-#include <contrecoup/geometry/body_description.h>
-#include <contrecoup/geometry/triangle_intersections.h>
-#include <contrecoup/geometry/triangle_repair.h>
-#include <contrecoup/geometry/triangulated_surface.h>
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/geometry/body/body_description.h>
+#include <contrecoup/geometry/shape/triangle_intersections.h>
+#include <contrecoup/geometry/shape/triangle_repair.h>
+#include <contrecoup/geometry/shape/triangulated_surface.h>
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/signals.h>
-#include <contrecoup/io/command_line.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/signals.h>
+#include <contrecoup/io/run/command_line.h>
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/io/cost_cache.h>
-#include <contrecoup/io/cost_forecast.h>
-#include <contrecoup/io/plan_table.h>
-#include <contrecoup/io/temporary_folder.h>
+#include <contrecoup/io/application/cost_forecast.h>
+#include <contrecoup/io/file/temporary_folder.h>
+#include <contrecoup/io/run/cost_cache.h>
+#include <contrecoup/io/run/plan_table.h>
 
 #include <gtest/gtest.h>
 

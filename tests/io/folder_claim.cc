@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/io/checked_file.h>
-#include <contrecoup/io/folder_claim.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/output/folder_claim.h>
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

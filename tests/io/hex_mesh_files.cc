@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/geometry/primitive_shapes.h>
-#include <contrecoup/io/checked_file.h>
-#include <contrecoup/io/hex_mesh_files.h>
+#include <contrecoup/geometry/shape/primitive_shapes.h>
+#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/hex_mesh_files.h>
 
 #include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/grid_tools.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/io/checked_file.h>
-#include <contrecoup/io/history.h>
-#include <contrecoup/io/history_reader.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/output/history.h>
+#include <contrecoup/io/output/history_reader.h>
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/io/checked_file.h>
-#include <contrecoup/io/manifest.h>
-#include <contrecoup/io/name_patterns.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/name_patterns.h>
+#include <contrecoup/io/output/manifest.h>
 
 #include <gtest/gtest.h>
 

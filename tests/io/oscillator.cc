@@ -3,10 +3,10 @@
 
 #include "oscillator.h"
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/parameters.h>
-#include <contrecoup/io/checked_file.h>
-#include <contrecoup/io/field_output.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/output/field_output.h>
 
 #include <cmath>
 #include <csignal>

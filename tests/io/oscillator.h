@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include <contrecoup/base/simulation.h>
-#include <contrecoup/io/application.h>
+#include <contrecoup/base/run/simulation.h>
+#include <contrecoup/io/application/application.h>
 
 #include <string>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/io/summary.h>
+#include <contrecoup/io/output/summary.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

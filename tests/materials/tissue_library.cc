@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/materials/tissue_library.h>
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/numerics/spline_weights.h>
+#include <contrecoup/numerics/element/spline_weights.h>
 
 #include "all_schemes.h"
 #include "particle_case.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/numerics/spline_dispersion.h>
+#include <contrecoup/numerics/exact/spline_dispersion.h>
 
 #include "particle_case.h"
 #include "sign_changes.h"

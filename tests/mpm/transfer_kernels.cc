@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/mpm/transfer_kernels.h>
-#include <contrecoup/numerics/spline_weights.h>
+#include <contrecoup/numerics/element/spline_weights.h>
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/materials/explosives.h>
-#include <contrecoup/numerics/exact_riemann.h>
+#include <contrecoup/numerics/exact/exact_riemann.h>
 
 #include <gtest/gtest.h>
 

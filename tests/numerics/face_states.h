@@ -5,7 +5,7 @@
 
 #include <contrecoup/materials/explosives.h>
 #include <contrecoup/materials/gas_material.h>
-#include <contrecoup/numerics/riemann_flux.h>
+#include <contrecoup/numerics/scheme/riemann_flux.h>
 
 #include <array>
 #include <cmath>

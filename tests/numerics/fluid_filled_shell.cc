@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/numerics/fluid_filled_shell.h>
+#include <contrecoup/numerics/exact/fluid_filled_shell.h>
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/numerics/hex8_one_point.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/numerics/element/hex8_one_point.h>
 
 #include "hexahedra.h"
 #include <gtest/gtest.h>

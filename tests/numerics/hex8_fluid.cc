@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/materials/ideal_gas.h>
-#include <contrecoup/numerics/hex8_fluid.h>
+#include <contrecoup/numerics/element/hex8_fluid.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/numerics/hex8_full.h>
+#include <contrecoup/numerics/element/hex8_full.h>
 
 #include "hexahedra.h"
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/numerics/hex8_corner_parts.h>
-#include <contrecoup/numerics/hex8_moments.h>
-#include <contrecoup/numerics/hex8_wedge.h>
+#include <contrecoup/numerics/element/hex8_corner_parts.h>
+#include <contrecoup/numerics/element/hex8_moments.h>
+#include <contrecoup/numerics/element/hex8_wedge.h>
 
 #include <gtest/gtest.h>
 

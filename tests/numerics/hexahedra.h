@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/numerics/hex8_geometry.h>
+#include <contrecoup/numerics/element/hex8_geometry.h>
 
 #include <random>
 

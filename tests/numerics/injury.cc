@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/numerics/blast_injury.h>
-#include <contrecoup/numerics/chest_wall.h>
-#include <contrecoup/numerics/head_injury.h>
-#include <contrecoup/numerics/load_injury.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/numerics/injury/blast_injury.h>
+#include <contrecoup/numerics/injury/chest_wall.h>
+#include <contrecoup/numerics/injury/head_injury.h>
+#include <contrecoup/numerics/injury/load_injury.h>
 
 #include <gtest/gtest.h>
 

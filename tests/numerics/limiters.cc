@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/numerics/limiters.h>
-#include <contrecoup/numerics/multidimensional_limiter.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/numerics/scheme/limiters.h>
+#include <contrecoup/numerics/scheme/multidimensional_limiter.h>
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/numerics/axis_aligned_motion.h>
-#include <contrecoup/numerics/generalized_vortex.h>
+#include <contrecoup/numerics/exact/axis_aligned_motion.h>
+#include <contrecoup/numerics/exact/generalized_vortex.h>
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/materials/ideal_gas.h>
-#include <contrecoup/numerics/riemann_flux.h>
-#include <contrecoup/numerics/shear_factor.h>
+#include <contrecoup/numerics/scheme/riemann_flux.h>
+#include <contrecoup/numerics/scheme/shear_factor.h>
 
 #include <gtest/gtest.h>
 

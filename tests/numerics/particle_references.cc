@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/numerics/colliding_disks.h>
-#include <contrecoup/numerics/dam_break.h>
-#include <contrecoup/numerics/spline_dispersion.h>
-#include <contrecoup/numerics/vibrating_bar.h>
+#include <contrecoup/numerics/exact/colliding_disks.h>
+#include <contrecoup/numerics/exact/dam_break.h>
+#include <contrecoup/numerics/exact/spline_dispersion.h>
+#include <contrecoup/numerics/exact/vibrating_bar.h>
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/numerics/exact_riemann.h>
-#include <contrecoup/numerics/riemann_flux.h>
-#include <contrecoup/numerics/shear_factor.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/numerics/exact/exact_riemann.h>
+#include <contrecoup/numerics/scheme/riemann_flux.h>
+#include <contrecoup/numerics/scheme/shear_factor.h>
 
 #include "face_states.h"
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/numerics/riemann_flux.h>
+#include <contrecoup/numerics/scheme/riemann_flux.h>
 
 #include "face_states.h"
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/numerics/rigid_sphere_solution.h>
+#include <contrecoup/numerics/exact/rigid_sphere_solution.h>
 
 #include <gtest/gtest.h>
 

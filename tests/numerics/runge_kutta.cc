@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/numerics/runge_kutta.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/numerics/scheme/runge_kutta.h>
 
 #include <gtest/gtest.h>
 

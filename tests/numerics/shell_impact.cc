@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/numerics/shell_impact.h>
+#include <contrecoup/numerics/exact/shell_impact.h>
 
 #include <gtest/gtest.h>
 

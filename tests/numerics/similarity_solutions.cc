@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/numerics/noh_solution.h>
-#include <contrecoup/numerics/sedov_solution.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/numerics/exact/noh_solution.h>
+#include <contrecoup/numerics/exact/sedov_solution.h>
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/lanes.h>
+#include <contrecoup/base/lanes/lanes.h>
 
-#include <contrecoup/numerics/spline_weights.h>
+#include <contrecoup/numerics/element/spline_weights.h>
 
 #include <gtest/gtest.h>
 

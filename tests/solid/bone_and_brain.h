@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/geometry/triangulation_hexes.h>
+#include <contrecoup/geometry/mesh/triangulation_hexes.h>
 #include <contrecoup/materials/solid_material.h>
 #include <contrecoup/materials/tissue_library.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/parameter_tree.h>
+#include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/solid/injury/injury_report.h>
 
 #include "bone_and_brain.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/parameter_tree.h>
-#include <contrecoup/geometry/primitive_shapes.h>
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/geometry/shape/primitive_shapes.h>
 #include <contrecoup/solid/body/mesh_description.h>
 #include <contrecoup/solid/boundary/load_place.h>
 #include <contrecoup/solid/boundary/surface_loads.h>

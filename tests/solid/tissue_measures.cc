@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/numerics/head_injury.h>
+#include <contrecoup/numerics/injury/head_injury.h>
 #include <contrecoup/solid/body/stress_invariants.h>
 #include <contrecoup/solid/body/tissue_measures.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/parameter_tree.h>
-#include <contrecoup/io/numpy.h>
-#include <contrecoup/io/temporary_folder.h>
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/io/file/numpy.h>
+#include <contrecoup/io/file/temporary_folder.h>
 #include <contrecoup/study/error_measure.h>
 
 #include <gtest/gtest.h>

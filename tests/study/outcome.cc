@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/io/temporary_folder.h>
+#include <contrecoup/io/file/temporary_folder.h>
 #include <contrecoup/study/outcome.h>
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/parameter_tree.h>
-#include <contrecoup/io/temporary_folder.h>
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/io/file/temporary_folder.h>
 #include <contrecoup/study/report.h>
 
 #include <gtest/gtest.h>

@@ -3,9 +3,9 @@
 
 #pragma once
 
-#include <contrecoup/base/simulation.h>
-#include <contrecoup/io/manifest.h>
-#include <contrecoup/io/tool.h>
+#include <contrecoup/base/run/simulation.h>
+#include <contrecoup/io/application/tool.h>
+#include <contrecoup/io/output/manifest.h>
 
 #include <functional>
 

@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include <contrecoup/geometry/body_description.h>
-#include <contrecoup/geometry/mesh_smoothing.h>
+#include <contrecoup/geometry/body/body_description.h>
+#include <contrecoup/geometry/mesh/mesh_smoothing.h>
 
 #include <deal.II/base/parameter_handler.h>
 

@@ -3,9 +3,9 @@
 
 #pragma once
 
-#include <contrecoup/geometry/body.h>
-#include <contrecoup/geometry/hex_quality.h>
-#include <contrecoup/geometry/phantom.h>
+#include <contrecoup/geometry/body/body.h>
+#include <contrecoup/geometry/body/phantom.h>
+#include <contrecoup/geometry/mesh/hex_quality.h>
 
 #include <string>
 #include <vector>

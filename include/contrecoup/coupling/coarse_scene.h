@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/parameters/parameters.h>
 
 namespace contrecoup::coupling
 {

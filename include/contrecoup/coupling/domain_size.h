@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/parameters/parameters.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -3,10 +3,10 @@
 
 #pragma once
 
-#include <contrecoup/base/simulation.h>
+#include <contrecoup/base/run/simulation.h>
 #include <contrecoup/coupling/scene_layout.h>
 #include <contrecoup/coupling/tissue_places.h>
-#include <contrecoup/geometry/body_description.h>
+#include <contrecoup/geometry/body/body_description.h>
 
 #include <optional>
 

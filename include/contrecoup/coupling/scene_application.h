@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/base/collective.h>
+#include <contrecoup/base/system/collective.h>
 
 #include <string>
 #include <vector>

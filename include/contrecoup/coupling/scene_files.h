@@ -3,11 +3,11 @@
 
 #pragma once
 
-#include <contrecoup/base/parameter_file.h>
+#include <contrecoup/base/parameters/parameter_file.h>
 #include <contrecoup/coupling/scene_layout.h>
 #include <contrecoup/coupling/scene_words.h>
 #include <contrecoup/coupling/tissue_places.h>
-#include <contrecoup/geometry/body.h>
+#include <contrecoup/geometry/body/body.h>
 
 #include <deal.II/base/parameter_handler.h>
 

@@ -4,8 +4,8 @@
 #pragma once
 
 #include <contrecoup/coupling/scene_parameters.h>
-#include <contrecoup/geometry/shape.h>
-#include <contrecoup/numerics/expected_blast.h>
+#include <contrecoup/geometry/shape/shape.h>
+#include <contrecoup/numerics/injury/expected_blast.h>
 
 #include <array>
 

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/base/simulation.h>
+#include <contrecoup/base/run/simulation.h>
 #include <contrecoup/coupling/scene_layout.h>
 
 #include <string>

@@ -5,7 +5,7 @@
 
 #include <contrecoup/coupling/planned_scene.h>
 #include <contrecoup/coupling/scene_stage.h>
-#include <contrecoup/io/command_line.h>
+#include <contrecoup/io/run/command_line.h>
 
 namespace contrecoup::coupling
 {

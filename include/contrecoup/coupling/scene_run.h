@@ -3,10 +3,10 @@
 
 #pragma once
 
-#include <contrecoup/base/collective.h>
+#include <contrecoup/base/system/collective.h>
 #include <contrecoup/coupling/planned_scene.h>
 #include <contrecoup/coupling/scene_stage.h>
-#include <contrecoup/io/folder_claim.h>
+#include <contrecoup/io/output/folder_claim.h>
 
 #include <memory>
 #include <optional>

@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include <contrecoup/base/collective.h>
-#include <contrecoup/base/simulation.h>
+#include <contrecoup/base/run/simulation.h>
+#include <contrecoup/base/system/collective.h>
 #include <contrecoup/coupling/scene_words.h>
 #include <contrecoup/coupling/stage_files.h>
 

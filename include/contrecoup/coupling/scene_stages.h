@@ -3,10 +3,10 @@
 
 #pragma once
 
-#include <contrecoup/base/collective.h>
+#include <contrecoup/base/system/collective.h>
 #include <contrecoup/coupling/planned_scene.h>
 #include <contrecoup/coupling/scene_stage.h>
-#include <contrecoup/io/command_line.h>
+#include <contrecoup/io/run/command_line.h>
 
 namespace contrecoup::coupling
 {

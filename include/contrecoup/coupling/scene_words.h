@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/base/parameter_file.h>
+#include <contrecoup/base/parameters/parameter_file.h>
 
 #include <deal.II/base/parameter_handler.h>
 

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/io/manifest.h>
+#include <contrecoup/io/output/manifest.h>
 
 #include <string>
 

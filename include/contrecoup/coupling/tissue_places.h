@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/geometry/body.h>
+#include <contrecoup/geometry/body/body.h>
 
 #include <deal.II/base/point.h>
 

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/base/exponential.h>
+#include <contrecoup/base/lanes/exponential.h>
 #include <contrecoup/materials/jwl_parameters.h>
 
 namespace contrecoup

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/base/lane_math.h>
+#include <contrecoup/base/lanes/lane_math.h>
 
 #include <array>
 

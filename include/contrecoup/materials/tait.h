@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include <contrecoup/base/exponential.h>
-#include <contrecoup/base/logarithm.h>
+#include <contrecoup/base/lanes/exponential.h>
+#include <contrecoup/base/lanes/logarithm.h>
 
 #include <limits>
 

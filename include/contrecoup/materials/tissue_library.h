@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/base/tissues.h>
+#include <contrecoup/base/parameters/tissues.h>
 #include <contrecoup/materials/gas_filled.h>
 
 #include <string>

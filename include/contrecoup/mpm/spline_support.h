@@ -3,12 +3,12 @@
 
 #pragma once
 
-#include <contrecoup/base/lane_math.h>
+#include <contrecoup/base/lanes/lane_math.h>
 #include <contrecoup/mpm/node_values.h>
 #include <contrecoup/mpm/particle_block.h>
 #include <contrecoup/mpm/row.h>
 #include <contrecoup/mpm/transfer_kernels.h>
-#include <contrecoup/numerics/spline_weights.h>
+#include <contrecoup/numerics/element/spline_weights.h>
 
 #include <algorithm>
 

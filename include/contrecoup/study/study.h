@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/io/folder_claim.h>
+#include <contrecoup/io/output/folder_claim.h>
 #include <contrecoup/study/study_result.h>
 
 namespace contrecoup::study

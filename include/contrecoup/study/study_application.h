@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/io/tool.h>
+#include <contrecoup/io/application/tool.h>
 
 namespace contrecoup::study
 {

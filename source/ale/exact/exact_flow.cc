@@ -3,7 +3,7 @@
 
 #include <contrecoup/ale/exact/exact_flow.h>
 #include <contrecoup/ale/mesh/cell_corners.h>
-#include <contrecoup/numerics/hex8_moments.h>
+#include <contrecoup/numerics/element/hex8_moments.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/ale/exact/noh_flow.h>
-#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/parameters/parameters.h>
 
 namespace contrecoup::ale
 {

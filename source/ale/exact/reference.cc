@@ -8,8 +8,8 @@
 #include <contrecoup/ale/exact/table_flow.h>
 #include <contrecoup/ale/exact/taylor_green_flow.h>
 #include <contrecoup/ale/exact/water_hammer_flow.h>
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/exceptions.h>
 
 namespace contrecoup::ale
 {

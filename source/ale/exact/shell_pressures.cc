@@ -3,9 +3,9 @@
 
 #include <contrecoup/ale/exact/shell_pressures.h>
 #include <contrecoup/ale/mesh/cell_corners.h>
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/parameters.h>
-#include <contrecoup/numerics/hex8_moments.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/numerics/element/hex8_moments.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/ale/exact/sphere_peaks.h>
-#include <contrecoup/base/parameters.h>
-#include <contrecoup/numerics/hex8_moments.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/numerics/element/hex8_moments.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -2,9 +2,9 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/ale/head/head_measures.h>
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/parameters.h>
-#include <contrecoup/io/checked_file.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/solid/body/tissue_measures.h>
 #include <contrecoup/solid/motion/mean_motion.h>
 

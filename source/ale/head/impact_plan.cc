@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/ale/head/impact_plan.h>
-#include <contrecoup/base/text.h>
+#include <contrecoup/base/system/text.h>
 
 #include <algorithm>
 #include <cmath>

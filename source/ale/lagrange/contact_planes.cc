@@ -3,10 +3,10 @@
 
 #include <contrecoup/ale/lagrange/contact_planes.h>
 #include <contrecoup/ale/mesh/boundary_areas.h>
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/parameter_tree.h>
-#include <contrecoup/base/parameters.h>
-#include <contrecoup/base/text.h>
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/text.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -3,8 +3,8 @@
 
 #include <contrecoup/ale/lagrange/corner_forces.h>
 #include <contrecoup/ale/mesh/cell_corners.h>
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/numerics/hex8_moments.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/numerics/element/hex8_moments.h>
 
 #include <cmath>
 

@@ -3,8 +3,8 @@
 
 #include <contrecoup/ale/lagrange/heat_source.h>
 #include <contrecoup/ale/mesh/cell_corners.h>
-#include <contrecoup/base/parameters.h>
-#include <contrecoup/numerics/hex8_moments.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/numerics/element/hex8_moments.h>
 
 namespace contrecoup::ale
 {

@@ -3,7 +3,7 @@
 
 #include <contrecoup/ale/lagrange/lagrange_step.h>
 #include <contrecoup/ale/mesh/cell_corners.h>
-#include <contrecoup/numerics/hex8_corner_parts.h>
+#include <contrecoup/numerics/element/hex8_corner_parts.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -3,10 +3,10 @@
 
 #include <contrecoup/ale/lagrange/lagrange_step.h>
 #include <contrecoup/ale/mesh/cell_corners.h>
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/gather.h>
-#include <contrecoup/base/text.h>
-#include <contrecoup/numerics/hex8_moments.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/gather.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/numerics/element/hex8_moments.h>
 
 #include <deal.II/base/mpi.h>
 

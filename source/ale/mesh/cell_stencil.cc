@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/ale/mesh/cell_stencil.h>
-#include <contrecoup/numerics/hex8_moments.h>
+#include <contrecoup/numerics/element/hex8_moments.h>
 
 #include <algorithm>
 

@@ -2,12 +2,12 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/ale/mesh/file_mesh.h>
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/parameters.h>
-#include <contrecoup/base/text.h>
-#include <contrecoup/base/tissues.h>
-#include <contrecoup/geometry/hex_quality.h>
-#include <contrecoup/geometry/mesh_file.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/tissues.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/geometry/mesh/hex_quality.h>
+#include <contrecoup/geometry/mesh/mesh_file.h>
 
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/numerics/rtree.h>

@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/ale/mesh/hex_space.h>
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/numerics/hex8_moments.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/numerics/element/hex8_moments.h>
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/ale/mesh/mesh_description.h>
-#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/system/exceptions.h>
 
 #include <cmath>
 #include <limits>

@@ -3,11 +3,11 @@
 
 #include <contrecoup/ale/mesh/cell_corners.h>
 #include <contrecoup/ale/mesh/region_descriptions.h>
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/parameter_tree.h>
-#include <contrecoup/base/parameters.h>
-#include <contrecoup/base/text.h>
-#include <contrecoup/numerics/hex8_moments.h>
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/numerics/element/hex8_moments.h>
 
 #include <boost/algorithm/string/predicate.hpp>
 

@@ -2,10 +2,10 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/ale/mesh/region_material.h>
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/expression.h>
-#include <contrecoup/base/parameters.h>
-#include <contrecoup/base/text.h>
+#include <contrecoup/base/parameters/expression.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/text.h>
 #include <contrecoup/materials/explosives.h>
 
 namespace contrecoup::ale

@@ -2,9 +2,9 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/ale/mesh/symmetry_planes.h>
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/parameters.h>
-#include <contrecoup/base/text.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/text.h>
 
 #include <algorithm>
 

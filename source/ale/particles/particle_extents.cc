@@ -2,10 +2,10 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/ale/particles/particle_extents.h>
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/parameter_tree.h>
-#include <contrecoup/base/parameters.h>
-#include <contrecoup/base/text.h>
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/text.h>
 
 #include <algorithm>
 #include <cmath>

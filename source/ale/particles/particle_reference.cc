@@ -3,9 +3,9 @@
 
 #include <contrecoup/ale/exact/reference.h>
 #include <contrecoup/ale/particles/particle_reference.h>
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/parameters.h>
-#include <contrecoup/base/text.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/text.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,10 +4,10 @@
 #include <contrecoup/ale/mesh/whole_body.h>
 #include <contrecoup/ale/particles/particle_measures.h>
 #include <contrecoup/ale/particles/particle_simulation.h>
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/parameters.h>
-#include <contrecoup/base/text.h>
-#include <contrecoup/base/timers.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/base/system/timers.h>
 #include <contrecoup/mpm/particle_output.h>
 #include <contrecoup/mpm/resampling.h>
 

@@ -2,9 +2,9 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/ale/particles/particle_simulation.h>
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/io/binary_records.h>
-#include <contrecoup/io/checked_file.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/io/file/binary_records.h>
+#include <contrecoup/io/file/checked_file.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/ale/particles/probe_displacements.h>
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/exceptions.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,12 +2,12 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 // Before all of deal.II, since this file does not use the precompiled header.
-#include <contrecoup/base/lanes.h>
+#include <contrecoup/base/lanes/lanes.h>
 
 #include <contrecoup/ale/mesh/ale_state.h>
 #include <contrecoup/ale/rezone/elastic_smoothing.h>
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/text.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/text.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>

@@ -4,7 +4,7 @@
 #include <contrecoup/ale/mesh/ale_state.h>
 #include <contrecoup/ale/mesh/cell_corners.h>
 #include <contrecoup/ale/rezone/reconstruction.h>
-#include <contrecoup/numerics/hex8_moments.h>
+#include <contrecoup/numerics/element/hex8_moments.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,11 +4,11 @@
 #include <contrecoup/ale/mesh/cell_corners.h>
 #include <contrecoup/ale/rezone/inclined_walls.h>
 #include <contrecoup/ale/rezone/rezone.h>
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/parameters.h>
-#include <contrecoup/base/text.h>
-#include <contrecoup/base/timers.h>
-#include <contrecoup/numerics/hex8_moments.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/base/system/timers.h>
+#include <contrecoup/numerics/element/hex8_moments.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/ale/run/ale_output.h>
-#include <contrecoup/io/field_output.h>
+#include <contrecoup/io/output/field_output.h>
 
 namespace contrecoup::ale
 {

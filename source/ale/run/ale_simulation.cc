@@ -5,12 +5,12 @@
 #include <contrecoup/ale/mesh/whole_body.h>
 #include <contrecoup/ale/run/ale_output.h>
 #include <contrecoup/ale/run/ale_simulation.h>
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/memory.h>
-#include <contrecoup/base/parameters.h>
-#include <contrecoup/base/text.h>
-#include <contrecoup/base/timers.h>
-#include <contrecoup/io/checked_file.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/memory.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/base/system/timers.h>
+#include <contrecoup/io/file/checked_file.h>
 
 #include <deal.II/base/mpi.h>
 

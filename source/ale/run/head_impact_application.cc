@@ -4,8 +4,8 @@
 #include <contrecoup/ale/particles/particle_simulation.h>
 #include <contrecoup/ale/run/ale_simulation.h>
 #include <contrecoup/ale/run/head_impact_application.h>
-#include <contrecoup/base/parameters.h>
-#include <contrecoup/base/text.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/text.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include <contrecoup/gas/adaptation/leaf_transfer.h>
 #include <contrecoup/gas/state/primitive.h>
-#include <contrecoup/numerics/limiters.h>
+#include <contrecoup/numerics/scheme/limiters.h>
 
 namespace contrecoup::gas
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/timers.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/timers.h>
 #include <contrecoup/gas/body/body_in_gas.h>
 #include <contrecoup/gas/state/leaf_sampling.h>
 

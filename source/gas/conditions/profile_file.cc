@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/readable_file.h>
-#include <contrecoup/base/text.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/readable_file.h>
+#include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/conditions/profile_file.h>
-#include <contrecoup/io/checked_file.h>
-#include <contrecoup/io/hdf5_input.h>
+#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/hdf5_input.h>
 
 #include <deal.II/base/hdf5.h>
 

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/bounds.h>
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/parameters.h>
-#include <contrecoup/base/text.h>
+#include <contrecoup/base/parameters/bounds.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/conditions/classical_fields.h>
 #include <contrecoup/gas/conditions/initial_state.h>
 #include <contrecoup/gas/conditions/layer_fields.h>
 #include <contrecoup/gas/conditions/reference_solution.h>
 #include <contrecoup/gas/conditions/table_profile.h>
-#include <contrecoup/numerics/detonation_solution.h>
-#include <contrecoup/numerics/exact_riemann.h>
-#include <contrecoup/numerics/kingery_bulmash.h>
-#include <contrecoup/numerics/noh_solution.h>
-#include <contrecoup/numerics/point_source.h>
-#include <contrecoup/numerics/sedov_solution.h>
+#include <contrecoup/numerics/exact/detonation_solution.h>
+#include <contrecoup/numerics/exact/exact_riemann.h>
+#include <contrecoup/numerics/exact/noh_solution.h>
+#include <contrecoup/numerics/exact/point_source.h>
+#include <contrecoup/numerics/exact/sedov_solution.h>
+#include <contrecoup/numerics/injury/kingery_bulmash.h>
 
 #include <algorithm>
 #include <cmath>

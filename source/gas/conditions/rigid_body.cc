@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/parameter_tree.h>
-#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/gas/conditions/rigid_body.h>
-#include <contrecoup/geometry/body_description.h>
-#include <contrecoup/geometry/composed_shapes.h>
-#include <contrecoup/geometry/half_space.h>
+#include <contrecoup/geometry/body/body_description.h>
+#include <contrecoup/geometry/shape/composed_shapes.h>
+#include <contrecoup/geometry/shape/half_space.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/readable_file.h>
-#include <contrecoup/base/text.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/readable_file.h>
+#include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/conditions/table_profile.h>
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/bounds.h>
-#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/parameters/bounds.h>
+#include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/gas/explosive/charge.h>
 #include <contrecoup/gas/state/state_parameters.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/lane_math.h>
+#include <contrecoup/base/lanes/lane_math.h>
 #include <contrecoup/gas/kernel/leaf_kernel.h>
 #include <contrecoup/materials/ideal_gas.h>
 #include <contrecoup/materials/mie_grueneisen.h>
-#include <contrecoup/numerics/shear_factor.h>
+#include <contrecoup/numerics/scheme/shear_factor.h>
 
 namespace contrecoup::gas
 {

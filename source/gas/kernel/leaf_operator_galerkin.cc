@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
+#include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/gas/kernel/galerkin_hanging.h>
 #include <contrecoup/gas/kernel/galerkin_kernel.h>
 #include <contrecoup/gas/kernel/leaf_operator.h>

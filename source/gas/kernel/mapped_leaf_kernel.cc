@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/lane_math.h>
+#include <contrecoup/base/lanes/lane_math.h>
 #include <contrecoup/gas/kernel/mapped_leaf_kernel.h>
 #include <contrecoup/materials/ideal_gas.h>
 #include <contrecoup/materials/mie_grueneisen.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/parameters.h>
-#include <contrecoup/base/timers.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/timers.h>
 #include <contrecoup/gas/record/blast_maps.h>
 #include <contrecoup/gas/record/gas_measures.h>
 #include <contrecoup/gas/state/leaf_sampling.h>

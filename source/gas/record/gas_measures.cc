@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/lane_math.h>
+#include <contrecoup/base/lanes/lane_math.h>
 #include <contrecoup/gas/kernel/lobatto_metric.h>
 #include <contrecoup/gas/octree/leaf_box.h>
 #include <contrecoup/gas/octree/radial_nodes.h>

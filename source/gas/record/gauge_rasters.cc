@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/parameters.h>
-#include <contrecoup/base/text.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/record/blast_maps.h>
 #include <contrecoup/gas/record/gauge_rasters.h>
-#include <contrecoup/io/checked_file.h>
-#include <contrecoup/io/numpy.h>
+#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/numpy.h>
 
 #include <deal.II/base/mpi.h>
 

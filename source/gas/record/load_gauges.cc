@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/bounds.h>
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/parameters.h>
-#include <contrecoup/base/text.h>
+#include <contrecoup/base/parameters/bounds.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/record/load_gauges.h>
-#include <contrecoup/io/checked_file.h>
-#include <contrecoup/io/history_reader.h>
-#include <contrecoup/numerics/load_injury.h>
+#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/output/history_reader.h>
+#include <contrecoup/numerics/injury/load_injury.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/gather.h>
+#include <contrecoup/base/system/gather.h>
 #include <contrecoup/gas/record/gas_measures.h>
 #include <contrecoup/gas/record/wall_facets.h>
 #include <contrecoup/gas/state/primitive.h>
-#include <contrecoup/numerics/riemann_flux.h>
+#include <contrecoup/numerics/scheme/riemann_flux.h>
 
 #include <deal.II/base/mpi.h>
 

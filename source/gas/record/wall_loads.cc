@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/bounds.h>
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/parameters.h>
-#include <contrecoup/base/timers.h>
-#include <contrecoup/base/version.h>
+#include <contrecoup/base/parameters/bounds.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/timers.h>
+#include <contrecoup/base/system/version.h>
 #include <contrecoup/gas/record/wall_loads.h>
-#include <contrecoup/io/checked_file.h>
-#include <contrecoup/io/load_file.h>
+#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/output/load_file.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -4,7 +4,7 @@
 #include <contrecoup/gas/octree/leaf_box.h>
 #include <contrecoup/gas/run/cost_estimate.h>
 #include <contrecoup/gas/state/blast_record.h>
-#include <contrecoup/geometry/leaf_block.h>
+#include <contrecoup/geometry/mesh/leaf_block.h>
 
 #include <deal.II/base/quadrature_lib.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/gather.h>
-#include <contrecoup/base/parameters.h>
-#include <contrecoup/base/timers.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/gather.h>
+#include <contrecoup/base/system/timers.h>
 #include <contrecoup/gas/conditions/profile_field.h>
 #include <contrecoup/gas/record/gas_measures.h>
 #include <contrecoup/gas/run/cost_estimate.h>

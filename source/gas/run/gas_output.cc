@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/gas/run/gas_output.h>
 #include <contrecoup/gas/state/point_sampler.h>
-#include <contrecoup/io/field_output.h>
-#include <contrecoup/io/numpy.h>
+#include <contrecoup/io/file/numpy.h>
+#include <contrecoup/io/output/field_output.h>
 
 #include <deal.II/base/geometry_info.h>
 

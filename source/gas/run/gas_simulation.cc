@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/log.h>
-#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/log.h>
 #include <contrecoup/gas/conditions/profile_field.h>
 #include <contrecoup/gas/conditions/profile_file.h>
 #include <contrecoup/gas/hand_over/profile_extraction.h>
@@ -13,7 +13,7 @@
 #include <contrecoup/gas/run/gas_simulation.h>
 #include <contrecoup/gas/run/run_profile.h>
 #include <contrecoup/gas/state/leaf_sampling.h>
-#include <contrecoup/io/checked_file.h>
+#include <contrecoup/io/file/checked_file.h>
 
 #include <sstream>
 

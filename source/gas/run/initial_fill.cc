@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/text.h>
-#include <contrecoup/base/timers.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/base/system/timers.h>
 #include <contrecoup/gas/conditions/profile_field.h>
 #include <contrecoup/gas/hand_over/profile_mapping.h>
 #include <contrecoup/gas/run/initial_fill.h>

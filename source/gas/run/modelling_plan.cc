@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/gas/run/modelling_plan.h>
-#include <contrecoup/numerics/expected_blast.h>
+#include <contrecoup/numerics/injury/expected_blast.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/version.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/version.h>
 #include <contrecoup/gas/conditions/profile_field.h>
 #include <contrecoup/gas/hand_over/profile_extraction.h>
 #include <contrecoup/gas/run/run_profile.h>

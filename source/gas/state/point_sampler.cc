@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/gather.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/gather.h>
 #include <contrecoup/gas/state/point_sampler.h>
 
 #include <deal.II/fe/mapping_q1.h>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/parameter_tree.h>
-#include <contrecoup/base/parameters.h>
-#include <contrecoup/base/text.h>
-#include <contrecoup/geometry/mesh_file.h>
-#include <contrecoup/geometry/triangulation_hexes.h>
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/geometry/mesh/mesh_file.h>
+#include <contrecoup/geometry/mesh/triangulation_hexes.h>
 #include <contrecoup/solid/body/mesh_description.h>
 
 #include <deal.II/grid/grid_generator.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/numerics/hex8_geometry.h>
+#include <contrecoup/numerics/element/hex8_geometry.h>
 #include <contrecoup/solid/body/tissue_average.h>
 
 namespace contrecoup::solid

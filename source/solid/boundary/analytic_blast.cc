@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/parameters.h>
-#include <contrecoup/base/text.h>
-#include <contrecoup/numerics/kingery_bulmash.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/numerics/injury/kingery_bulmash.h>
 #include <contrecoup/solid/boundary/analytic_blast.h>
 
 namespace contrecoup::solid

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/parameters.h>
-#include <contrecoup/base/text.h>
-#include <contrecoup/geometry/body_description.h>
-#include <contrecoup/io/load_reader.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/geometry/body/body_description.h>
+#include <contrecoup/io/output/load_reader.h>
 #include <contrecoup/solid/boundary/load_place.h>
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/parameter_tree.h>
-#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/solid/boundary/analytic_blast.h>
 #include <contrecoup/solid/boundary/recorded_loads.h>
 #include <contrecoup/solid/boundary/surface_loads.h>

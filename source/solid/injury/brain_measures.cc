@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/text.h>
-#include <contrecoup/numerics/head_injury.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/numerics/injury/head_injury.h>
 #include <contrecoup/solid/body/tissue_measures.h>
 #include <contrecoup/solid/injury/brain_measures.h>
 

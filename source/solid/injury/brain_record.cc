@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/io/binary_records.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/io/file/binary_records.h>
 #include <contrecoup/solid/injury/brain_record.h>
 
 #include <deal.II/base/mpi.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/parameters.h>
-#include <contrecoup/numerics/chest_wall.h>
-#include <contrecoup/numerics/load_injury.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/numerics/injury/chest_wall.h>
+#include <contrecoup/numerics/injury/load_injury.h>
 #include <contrecoup/solid/injury/chest_injury.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/timers.h>
+#include <contrecoup/base/system/timers.h>
 #include <contrecoup/solid/motion/solid_body.h>
 
 namespace contrecoup::solid

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/gather.h>
-#include <contrecoup/base/text.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/gather.h>
+#include <contrecoup/base/system/text.h>
 #include <contrecoup/solid/body/node_backup.h>
 #include <contrecoup/solid/motion/solid_body.h>
 

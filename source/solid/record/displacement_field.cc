@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/solid/body/stress_invariants.h>
 #include <contrecoup/solid/record/displacement_field.h>
 

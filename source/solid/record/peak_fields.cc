@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/parameters.h>
-#include <contrecoup/io/checked_file.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/solid/body/stress_invariants.h>
 #include <contrecoup/solid/body/tissue_measures.h>
 #include <contrecoup/solid/record/peak_fields.h>

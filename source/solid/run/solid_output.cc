@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/io/checked_file.h>
-#include <contrecoup/io/vtk_file.h>
+#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/vtk_file.h>
 #include <contrecoup/solid/body/stress_invariants.h>
 #include <contrecoup/solid/body/tissue_average.h>
 #include <contrecoup/solid/run/solid_output.h>

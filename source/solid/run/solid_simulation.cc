@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/exceptions.h>
-#include <contrecoup/base/log.h>
-#include <contrecoup/base/parameters.h>
-#include <contrecoup/base/text.h>
-#include <contrecoup/base/timers.h>
-#include <contrecoup/io/checked_file.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/log.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/base/system/timers.h>
+#include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/solid/body/tissue_measures.h>
 #include <contrecoup/solid/boundary/load_place.h>
 #include <contrecoup/solid/run/solid_output.h>

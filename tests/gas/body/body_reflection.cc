@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/numerics/exact_riemann.h>
+#include <contrecoup/numerics/exact/exact_riemann.h>
 
 #include "body_run.h"
 #include <gtest/gtest.h>

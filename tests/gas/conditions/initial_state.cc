@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/numerics/vortex_solution.h>
+#include <contrecoup/numerics/exact/vortex_solution.h>
 
 #include "scene.h"
 #include <gtest/gtest.h>

@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/gas/conditions/table_profile.h>
-#include <contrecoup/numerics/point_source.h>
-#include <contrecoup/numerics/sedov_solution.h>
+#include <contrecoup/numerics/exact/point_source.h>
+#include <contrecoup/numerics/exact/sedov_solution.h>
 
 #include "scene.h"
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <contrecoup/ale/exact/exact_flow.h>
-#include <contrecoup/numerics/sedov_solution.h>
+#include <contrecoup/numerics/exact/sedov_solution.h>
 
 #include <deal.II/base/parameter_handler.h>
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <contrecoup/ale/exact/sphere_peaks.h>
-#include <contrecoup/numerics/fluid_filled_shell.h>
+#include <contrecoup/numerics/exact/fluid_filled_shell.h>
 
 namespace contrecoup::ale
 {

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <contrecoup/ale/exact/exact_flow.h>
-#include <contrecoup/numerics/exact_riemann.h>
+#include <contrecoup/numerics/exact/exact_riemann.h>
 
 #include <deal.II/base/parameter_handler.h>
 

@@ -4,8 +4,8 @@
 #pragma once
 
 #include <contrecoup/ale/lagrange/lagrange_step.h>
-#include <contrecoup/base/simulation.h>
-#include <contrecoup/numerics/rigid_sphere_solution.h>
+#include <contrecoup/base/run/simulation.h>
+#include <contrecoup/numerics/exact/rigid_sphere_solution.h>
 
 #include <deal.II/base/parameter_handler.h>
 

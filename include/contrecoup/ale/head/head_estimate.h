@@ -6,7 +6,7 @@
 #include <contrecoup/ale/lagrange/contact_planes.h>
 #include <contrecoup/ale/mesh/mesh_description.h>
 #include <contrecoup/ale/mesh/region_descriptions.h>
-#include <contrecoup/numerics/shell_impact.h>
+#include <contrecoup/numerics/exact/shell_impact.h>
 
 #include <optional>
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <contrecoup/ale/head/head_estimate.h>
-#include <contrecoup/base/simulation.h>
+#include <contrecoup/base/run/simulation.h>
 
 #include <vector>
 

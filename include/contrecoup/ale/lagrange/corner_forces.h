@@ -6,7 +6,7 @@
 #include <contrecoup/ale/mesh/ale_state.h>
 #include <contrecoup/ale/mesh/cell_batches.h>
 #include <contrecoup/ale/mesh/region.h>
-#include <contrecoup/numerics/hex8_moving_solid.h>
+#include <contrecoup/numerics/element/hex8_moving_solid.h>
 
 namespace contrecoup::ale
 {

@@ -5,7 +5,7 @@
 
 #include <contrecoup/ale/mesh/ale_state.h>
 #include <contrecoup/ale/mesh/hex_space.h>
-#include <contrecoup/base/expression.h>
+#include <contrecoup/base/parameters/expression.h>
 
 #include <deal.II/base/parameter_handler.h>
 

@@ -6,7 +6,7 @@
 #include <contrecoup/ale/mesh/ale_state.h>
 #include <contrecoup/ale/mesh/region.h>
 #include <contrecoup/ale/mesh/slip_walls.h>
-#include <contrecoup/base/simulation.h>
+#include <contrecoup/base/run/simulation.h>
 
 #include <deal.II/base/parameter_handler.h>
 

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/numerics/hex8_wedge.h>
+#include <contrecoup/numerics/element/hex8_wedge.h>
 
 #include <deal.II/base/aligned_vector.h>
 

@@ -5,7 +5,7 @@
 
 #include <contrecoup/ale/mesh/ale_state.h>
 #include <contrecoup/ale/mesh/hex_space.h>
-#include <contrecoup/numerics/hex8_geometry.h>
+#include <contrecoup/numerics/element/hex8_geometry.h>
 
 namespace contrecoup::ale
 {

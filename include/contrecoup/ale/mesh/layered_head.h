@@ -5,8 +5,8 @@
 
 #include <contrecoup/ale/mesh/mesh_layer.h>
 #include <contrecoup/ale/mesh/symmetry_planes.h>
-#include <contrecoup/geometry/layered_ball.h>
-#include <contrecoup/numerics/hex8_wedge.h>
+#include <contrecoup/geometry/body/layered_ball.h>
+#include <contrecoup/numerics/element/hex8_wedge.h>
 
 #include <deal.II/base/parameter_handler.h>
 

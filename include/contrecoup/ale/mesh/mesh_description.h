@@ -6,8 +6,8 @@
 #include <contrecoup/ale/mesh/file_mesh.h>
 #include <contrecoup/ale/mesh/layered_head.h>
 #include <contrecoup/ale/mesh/slip_walls.h>
-#include <contrecoup/base/expression.h>
-#include <contrecoup/geometry/body_description.h>
+#include <contrecoup/base/parameters/expression.h>
+#include <contrecoup/geometry/body/body_description.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/grid/tria.h>

@@ -8,7 +8,7 @@
 #include <contrecoup/materials/mie_grueneisen.h>
 #include <contrecoup/materials/solid_material.h>
 #include <contrecoup/materials/tait.h>
-#include <contrecoup/numerics/hex8_fluid.h>
+#include <contrecoup/numerics/element/hex8_fluid.h>
 
 #include <optional>
 #include <string>

@@ -7,7 +7,7 @@
 #include <contrecoup/ale/mesh/hex_space.h>
 #include <contrecoup/ale/mesh/mesh_layer.h>
 #include <contrecoup/ale/mesh/region_material.h>
-#include <contrecoup/base/expression.h>
+#include <contrecoup/base/parameters/expression.h>
 
 #include <deal.II/base/parameter_handler.h>
 

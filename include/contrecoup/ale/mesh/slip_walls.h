@@ -4,7 +4,7 @@
 #pragma once
 
 #include <contrecoup/ale/mesh/hex_space.h>
-#include <contrecoup/numerics/hex8_wedge.h>
+#include <contrecoup/numerics/element/hex8_wedge.h>
 
 #include <deal.II/base/tensor.h>
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <contrecoup/ale/mesh/symmetry_planes.h>
-#include <contrecoup/base/simulation.h>
+#include <contrecoup/base/run/simulation.h>
 
 namespace contrecoup::ale
 {

@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include <contrecoup/base/expression.h>
-#include <contrecoup/base/simulation.h>
+#include <contrecoup/base/parameters/expression.h>
+#include <contrecoup/base/run/simulation.h>
 #include <contrecoup/mpm/particle_material.h>
 #include <contrecoup/mpm/particles.h>
 

@@ -7,8 +7,8 @@
 #include <contrecoup/ale/exact/sphere_peaks.h>
 #include <contrecoup/ale/particles/particle_extents.h>
 #include <contrecoup/ale/particles/probe_displacements.h>
-#include <contrecoup/base/expression.h>
-#include <contrecoup/base/simulation.h>
+#include <contrecoup/base/parameters/expression.h>
+#include <contrecoup/base/run/simulation.h>
 #include <contrecoup/mpm/particle_material.h>
 #include <contrecoup/mpm/particles.h>
 

@@ -7,8 +7,8 @@
 #include <contrecoup/ale/lagrange/contact_record.h>
 #include <contrecoup/ale/particles/particle_reference.h>
 #include <contrecoup/ale/particles/particle_scene.h>
-#include <contrecoup/base/expression.h>
-#include <contrecoup/base/simulation.h>
+#include <contrecoup/base/parameters/expression.h>
+#include <contrecoup/base/run/simulation.h>
 #include <contrecoup/mpm/particle_step.h>
 
 #include <memory>

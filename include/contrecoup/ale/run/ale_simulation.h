@@ -12,7 +12,7 @@
 #include <contrecoup/ale/mesh/mesh_description.h>
 #include <contrecoup/ale/mesh/region_descriptions.h>
 #include <contrecoup/ale/rezone/rezone.h>
-#include <contrecoup/base/simulation.h>
+#include <contrecoup/base/run/simulation.h>
 
 #include <unordered_map>
 

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/io/application.h>
+#include <contrecoup/io/application/application.h>
 
 namespace contrecoup::ale
 {

@@ -6,7 +6,7 @@
 #include <contrecoup/gas/conditions/initial_state.h>
 #include <contrecoup/gas/conditions/reference_solution.h>
 #include <contrecoup/gas/state/gas_state.h>
-#include <contrecoup/geometry/coarse_mesh.h>
+#include <contrecoup/geometry/mesh/coarse_mesh.h>
 #include <contrecoup/materials/gas_material.h>
 
 #include <deal.II/base/parameter_handler.h>

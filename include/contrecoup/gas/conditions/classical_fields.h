@@ -3,11 +3,11 @@
 
 #pragma once
 
-#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/gas/conditions/initial_field.h>
-#include <contrecoup/geometry/coarse_mesh.h>
+#include <contrecoup/geometry/mesh/coarse_mesh.h>
 #include <contrecoup/materials/gas_material.h>
-#include <contrecoup/numerics/vortex_solution.h>
+#include <contrecoup/numerics/exact/vortex_solution.h>
 
 namespace contrecoup::gas
 {

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/gas/conditions/initial_field.h>
 #include <contrecoup/materials/gas_material.h>
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <contrecoup/gas/state/gas_state.h>
-#include <contrecoup/geometry/coarse_mesh.h>
+#include <contrecoup/geometry/mesh/coarse_mesh.h>
 #include <contrecoup/materials/gas_material.h>
 
 #include <deal.II/base/parameter_handler.h>

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/geometry/coarse_mesh.h>
+#include <contrecoup/geometry/mesh/coarse_mesh.h>
 
 #include <array>
 #include <map>

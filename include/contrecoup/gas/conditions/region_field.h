@@ -3,9 +3,9 @@
 
 #pragma once
 
-#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/gas/conditions/initial_field.h>
-#include <contrecoup/geometry/coarse_mesh.h>
+#include <contrecoup/geometry/mesh/coarse_mesh.h>
 #include <contrecoup/materials/gas_material.h>
 
 #include <string>

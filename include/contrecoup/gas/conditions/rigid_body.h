@@ -4,7 +4,7 @@
 #pragma once
 
 #include <contrecoup/gas/conditions/region.h>
-#include <contrecoup/geometry/body.h>
+#include <contrecoup/geometry/body/body.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/point.h>

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/base/parameters.h>
+#include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/gas/octree/leaf_points.h>
 #include <contrecoup/gas/state/gas_field.h>
 #include <contrecoup/gas/state/leaf_sampling.h>

@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include <contrecoup/base/parameters.h>
-#include <contrecoup/geometry/coarse_mesh.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/geometry/mesh/coarse_mesh.h>
 
 #include <deal.II/base/point.h>
 

@@ -7,7 +7,7 @@
 #include <contrecoup/gas/octree/hanging_group.h>
 #include <contrecoup/gas/octree/scheme.h>
 #include <contrecoup/gas/state/primitive.h>
-#include <contrecoup/numerics/lobatto_basis.h>
+#include <contrecoup/numerics/scheme/lobatto_basis.h>
 
 #include <deal.II/base/aligned_vector.h>
 

@@ -4,8 +4,8 @@
 #pragma once
 
 #include <contrecoup/gas/kernel/leaf_kernel.h>
-#include <contrecoup/numerics/lobatto_basis.h>
-#include <contrecoup/numerics/trouble_indicator.h>
+#include <contrecoup/numerics/scheme/lobatto_basis.h>
+#include <contrecoup/numerics/scheme/trouble_indicator.h>
 
 #include <array>
 #include <vector>

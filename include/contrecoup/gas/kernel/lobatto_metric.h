@@ -4,7 +4,7 @@
 #pragma once
 
 #include <contrecoup/gas/octree/leaf_metric.h>
-#include <contrecoup/numerics/lobatto_basis.h>
+#include <contrecoup/numerics/scheme/lobatto_basis.h>
 
 namespace contrecoup::gas
 {

@@ -3,11 +3,11 @@
 
 #pragma once
 
-#include <contrecoup/base/lanes.h>
+#include <contrecoup/base/lanes/lanes.h>
 
 #include <contrecoup/gas/octree/leaf_face.h>
 #include <contrecoup/gas/octree/precision.h>
-#include <contrecoup/geometry/coarse_mesh.h>
+#include <contrecoup/geometry/mesh/coarse_mesh.h>
 
 #include <deal.II/base/aligned_vector.h>
 #include <deal.II/base/mpi.h>

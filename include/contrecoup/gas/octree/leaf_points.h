@@ -5,7 +5,7 @@
 
 #include <contrecoup/gas/octree/leaf_layout.h>
 #include <contrecoup/gas/octree/scheme.h>
-#include <contrecoup/numerics/lobatto_basis.h>
+#include <contrecoup/numerics/scheme/lobatto_basis.h>
 
 #include <deal.II/base/point.h>
 

@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include <contrecoup/base/lane_math.h>
-#include <contrecoup/numerics/lobatto_basis.h>
+#include <contrecoup/base/lanes/lane_math.h>
+#include <contrecoup/numerics/scheme/lobatto_basis.h>
 
 #include <deal.II/base/aligned_vector.h>
 

@@ -4,10 +4,10 @@
 #pragma once
 
 #include <contrecoup/gas/octree/precision.h>
-#include <contrecoup/numerics/limiters.h>
-#include <contrecoup/numerics/multidimensional_limiter.h>
-#include <contrecoup/numerics/riemann_flux.h>
-#include <contrecoup/numerics/runge_kutta.h>
+#include <contrecoup/numerics/scheme/limiters.h>
+#include <contrecoup/numerics/scheme/multidimensional_limiter.h>
+#include <contrecoup/numerics/scheme/riemann_flux.h>
+#include <contrecoup/numerics/scheme/runge_kutta.h>
 
 #include <deal.II/base/parameter_handler.h>
 

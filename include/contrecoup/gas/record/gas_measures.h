@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/base/simulation.h>
+#include <contrecoup/base/run/simulation.h>
 #include <contrecoup/gas/conditions/reference_solution.h>
 #include <contrecoup/gas/octree/leaf_points.h>
 #include <contrecoup/gas/state/gas_field.h>

@@ -3,10 +3,10 @@
 
 #pragma once
 
-#include <contrecoup/base/simulation.h>
+#include <contrecoup/base/run/simulation.h>
 #include <contrecoup/gas/conditions/rigid_body.h>
 #include <contrecoup/gas/state/blast_record.h>
-#include <contrecoup/io/history.h>
+#include <contrecoup/io/output/history.h>
 
 #include <deal.II/base/parameter_handler.h>
 

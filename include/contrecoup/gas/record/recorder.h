@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/base/simulation.h>
+#include <contrecoup/base/run/simulation.h>
 #include <contrecoup/gas/body/cut_leaves.h>
 #include <contrecoup/gas/scene/gas_scene.h>
 #include <contrecoup/gas/state/blast_record.h>

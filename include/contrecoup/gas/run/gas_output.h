@@ -4,7 +4,7 @@
 #pragma once
 
 #include <contrecoup/gas/record/blast_maps.h>
-#include <contrecoup/io/field_output.h>
+#include <contrecoup/io/output/field_output.h>
 
 #include <deal.II/base/parameter_handler.h>
 

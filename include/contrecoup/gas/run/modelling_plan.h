@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/base/simulation.h>
+#include <contrecoup/base/run/simulation.h>
 #include <contrecoup/gas/record/open_sides.h>
 #include <contrecoup/gas/state/gas_state.h>
 

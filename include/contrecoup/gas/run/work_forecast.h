@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/base/remaining_time.h>
+#include <contrecoup/base/run/remaining_time.h>
 #include <contrecoup/gas/adaptation/adaptation.h>
 #include <contrecoup/gas/kernel/time_stepper.h>
 

@@ -3,9 +3,9 @@
 
 #pragma once
 
-#include <contrecoup/base/lane_math.h>
+#include <contrecoup/base/lanes/lane_math.h>
 #include <contrecoup/gas/octree/leaf_layout.h>
-#include <contrecoup/numerics/wave_speeds.h>
+#include <contrecoup/numerics/scheme/wave_speeds.h>
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/base/lanes.h>
+#include <contrecoup/base/lanes/lanes.h>
 
 #include <deal.II/base/tensor.h>
 

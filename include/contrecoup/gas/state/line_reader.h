@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/base/lane_math.h>
+#include <contrecoup/base/lanes/lane_math.h>
 #include <contrecoup/gas/octree/leaf_mesh.h>
 #include <contrecoup/gas/octree/leaf_points.h>
 #include <contrecoup/gas/octree/neighbor_reader.h>

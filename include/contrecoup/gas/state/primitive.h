@@ -3,9 +3,9 @@
 
 #pragma once
 
-#include <contrecoup/base/lane_math.h>
+#include <contrecoup/base/lanes/lane_math.h>
 #include <contrecoup/gas/state/gas_state.h>
-#include <contrecoup/numerics/riemann_flux.h>
+#include <contrecoup/numerics/scheme/riemann_flux.h>
 
 #include <array>
 

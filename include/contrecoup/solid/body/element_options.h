@@ -4,7 +4,7 @@
 #pragma once
 
 #include <contrecoup/materials/solid_material.h>
-#include <contrecoup/numerics/hourglass.h>
+#include <contrecoup/numerics/element/hourglass.h>
 
 #include <deal.II/base/parameter_handler.h>
 

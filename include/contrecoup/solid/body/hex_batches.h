@@ -3,9 +3,9 @@
 
 #pragma once
 
-#include <contrecoup/base/lanes.h>
+#include <contrecoup/base/lanes/lanes.h>
 
-#include <contrecoup/numerics/hex8_one_point.h>
+#include <contrecoup/numerics/element/hex8_one_point.h>
 #include <contrecoup/solid/body/node_fields.h>
 #include <contrecoup/solid/body/solid_mesh.h>
 

@@ -3,10 +3,10 @@
 
 #pragma once
 
-#include <contrecoup/base/expression.h>
-#include <contrecoup/geometry/body_description.h>
-#include <contrecoup/geometry/hex_mesh.h>
-#include <contrecoup/geometry/mesh_smoothing.h>
+#include <contrecoup/base/parameters/expression.h>
+#include <contrecoup/geometry/body/body_description.h>
+#include <contrecoup/geometry/mesh/hex_mesh.h>
+#include <contrecoup/geometry/mesh/mesh_smoothing.h>
 #include <contrecoup/solid/body/solid_materials.h>
 
 #include <deal.II/base/parameter_handler.h>

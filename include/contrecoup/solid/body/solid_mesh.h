@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/geometry/hex_mesh.h>
+#include <contrecoup/geometry/mesh/hex_mesh.h>
 
 #include <deal.II/base/mpi.h>
 

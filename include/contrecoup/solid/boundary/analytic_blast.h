@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/numerics/friedlander.h>
+#include <contrecoup/numerics/injury/friedlander.h>
 #include <contrecoup/solid/boundary/pressure_history.h>
 
 #include <deal.II/base/parameter_handler.h>

@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include <contrecoup/geometry/shape.h>
-#include <contrecoup/io/load_file.h>
+#include <contrecoup/geometry/shape/shape.h>
+#include <contrecoup/io/output/load_file.h>
 
 #include <deal.II/base/parameter_handler.h>
 

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/io/load_reader.h>
+#include <contrecoup/io/output/load_reader.h>
 #include <contrecoup/solid/boundary/pressure_history.h>
 
 #include <deal.II/base/parameter_handler.h>

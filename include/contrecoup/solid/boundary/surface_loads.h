@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/base/expression.h>
+#include <contrecoup/base/parameters/expression.h>
 #include <contrecoup/solid/body/node_fields.h>
 #include <contrecoup/solid/body/solid_mesh.h>
 #include <contrecoup/solid/boundary/pressure_history.h>

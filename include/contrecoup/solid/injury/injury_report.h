@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/base/simulation.h>
+#include <contrecoup/base/run/simulation.h>
 #include <contrecoup/solid/body/surface_patch.h>
 #include <contrecoup/solid/body/tissue_average.h>
 #include <contrecoup/solid/injury/brain_record.h>

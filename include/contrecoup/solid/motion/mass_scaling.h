@@ -3,9 +3,9 @@
 
 #pragma once
 
-#include <contrecoup/base/simulation.h>
+#include <contrecoup/base/run/simulation.h>
 #include <contrecoup/materials/solid_material.h>
-#include <contrecoup/numerics/hex8_geometry.h>
+#include <contrecoup/numerics/element/hex8_geometry.h>
 #include <contrecoup/solid/body/solid_mesh.h>
 
 #include <vector>

@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include <contrecoup/base/expression.h>
-#include <contrecoup/base/simulation.h>
+#include <contrecoup/base/parameters/expression.h>
+#include <contrecoup/base/run/simulation.h>
 #include <contrecoup/solid/motion/solid_body.h>
 
 #include <deal.II/base/parameter_handler.h>

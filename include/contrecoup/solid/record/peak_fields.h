@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/base/simulation.h>
+#include <contrecoup/base/run/simulation.h>
 #include <contrecoup/solid/body/tissue_average.h>
 #include <contrecoup/solid/motion/solid_body.h>
 

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/base/simulation.h>
+#include <contrecoup/base/run/simulation.h>
 #include <contrecoup/solid/motion/solid_body.h>
 
 #include <deal.II/base/parameter_handler.h>

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/base/simulation.h>
+#include <contrecoup/base/run/simulation.h>
 #include <contrecoup/solid/body/mesh_description.h>
 #include <contrecoup/solid/body/solid_materials.h>
 #include <contrecoup/solid/injury/injury_report.h>

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/parameters/tissues.h>
+#include <contrecoup/geometry/image/label_grid.h>
+#include <contrecoup/geometry/shape/placement.h>
+#include <contrecoup/geometry/shape/shape.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace contrecoup
+{
+/// A part of a body: an organ, a bone, a layer.
+struct BodyPart
+{
+  std::string name;
+  Tissue tissue;
+};
+
+/// A named point on the surface of a body.
+struct Landmark
+{
+  std::string name;       ///< lower case
+  dealii::Point<3> place; ///< [m]
+};
+
+/// Interface: a body with one or several parts. Lengths in m.
+class Body
+{
+public:
+  virtual ~Body() = default;
+
+  /// Returns this body scaled, rotated and shifted.
+  virtual std::shared_ptr<const Body>
+  placed(const Placement &placement) const = 0;
+
+  /// The parts by number; at most LabelGrid::nothing.
+  const std::vector<BodyPart> &parts() const
+  {
+    return parts_;
+  }
+
+  /// Remarks for users on the origin of the body.
+  const std::vector<std::string> &remarks() const
+  {
+    return remarks_;
+  }
+  void set_remarks(const std::vector<std::string> &remarks)
+  {
+    remarks_ = remarks;
+  }
+
+  /// Named points on the surface; empty unless the shape is predefined.
+  const std::vector<Landmark> &landmarks() const
+  {
+    return landmarks_;
+  }
+  void set_landmarks(const std::vector<Landmark> &landmarks)
+  {
+    landmarks_ = landmarks;
+  }
+
+  /// The outer surface, which encloses all parts; the gas solver sees this.
+  virtual ShapePointer surface() const = 0;
+
+  /// Number of the part at a point, or LabelGrid::nothing.
+  virtual unsigned char part_at(const dealii::Point<3> &point) const = 0;
+
+  /// Labels every voxel of a grid with the part at its centre.
+  virtual void fill(LabelGrid &grid) const = 0;
+
+protected:
+  std::vector<BodyPart> parts_;
+
+private:
+  std::vector<std::string> remarks_;
+  std::vector<Landmark> landmarks_;
+};
+
+using BodyPointer = std::shared_ptr<const Body>;
+
+/// A body of shapes inside an outer surface. A point inside the surface
+/// belongs to the first shape that contains it.
+class ShapeBody : public Body
+{
+public:
+  struct Piece
+  {
+    BodyPart part;
+    ShapePointer shape;
+  };
+
+  /// @param pieces fewer than LabelGrid::nothing
+  ShapeBody(ShapePointer surface, const std::vector<Piece> &pieces);
+  BodyPointer placed(const Placement &placement) const override;
+  ShapePointer surface() const override;
+  unsigned char part_at(const dealii::Point<3> &point) const override;
+  void fill(LabelGrid &grid) const override;
+
+  /// The pieces given to the constructor.
+  std::vector<Piece> pieces() const;
+
+private:
+  struct Block;
+  void fill_block(LabelGrid &grid, const Block &block) const;
+
+  ShapePointer surface_;
+  std::vector<ShapePointer> shapes_;
+};
+} // namespace contrecoup

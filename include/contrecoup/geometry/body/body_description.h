@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/geometry/body/body.h>
+#include <contrecoup/geometry/body/image_body.h>
+#include <contrecoup/geometry/body/phantom.h>
+#include <contrecoup/geometry/body/simple_bodies.h>
+#include <contrecoup/geometry/body/surface_body.h>
+#include <contrecoup/geometry/shape/placement.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+#include <vector>
+
+namespace contrecoup
+{
+/**
+ * A body described in a parameter file: the human phantom, a simple shape, a
+ * closed surface from a file, or a medical image; then scaled, rotated and
+ * shifted.
+ */
+class BodyDescription
+{
+public:
+  /// Declares the entries of the current subsection.
+  static void declare_parameters(dealii::ParameterHandler &prm);
+
+  /// Reads the entries of the current subsection.
+  /// @throws InputError for contradictory entries
+  void parse_parameters(dealii::ParameterHandler &prm);
+
+  /// Creates the body. The last body is cached before placement, so that
+  /// repeated calls are fast. @throws InputError when a file cannot be used
+  BodyPointer create() const;
+
+  /// Reference organ data from the literature; only for an unscaled phantom.
+  std::vector<OrganReference> references() const;
+
+  /// Prescribed mass of the phantom [kg].
+  double reference_mass() const
+  {
+    return phantom_.mass();
+  }
+
+  const std::string &kind() const
+  {
+    return kind_;
+  }
+
+private:
+  BodyPointer create_unplaced() const;
+
+  std::string text_; ///< entries that define the body before placement
+  std::vector<std::string> files_; ///< input files
+  std::string kind_;
+  Phantom phantom_;
+  SimpleBody simple_;
+  SurfaceBody from_surface_;
+  ImageDescription from_image_;
+  std::string origin_;
+  Placement placement_;
+};
+} // namespace contrecoup

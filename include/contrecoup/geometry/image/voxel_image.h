@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/lanes/lanes.h>
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace contrecoup
+{
+/// A medical image: voxel values and positions. Spatial axes: x forward
+/// (anterior), y to the left, z up (superior).
+struct VoxelImage
+{
+  std::string file;
+  std::array<unsigned int, 3> size{{0, 0, 0}};
+  std::vector<float> values; ///< first index fastest
+
+  /// The centre of voxel i is axes * i + origin [m].
+  dealii::Tensor<2, 3> axes;
+  dealii::Tensor<1, 3> origin;
+
+  std::size_t
+  index(const unsigned int i, const unsigned int j, const unsigned int k) const
+  {
+    return i + size[0] * (j + static_cast<std::size_t>(size[1]) * k);
+  }
+
+  /// Edge lengths of a voxel [m].
+  std::array<double, 3> spacing() const;
+};
+
+/**
+ * Reads NIfTI-1 (.nii, .nii.gz), or pairs of header and image (.hdr, .img),
+ * with the nifticlib library. Positions come from the sform, otherwise the
+ * qform, otherwise from voxel sizes; unspecified units are mm.
+ * @throws InputError when the file cannot be read, has colours or several
+ * frames, values that are not finite, or degenerate axes
+ */
+VoxelImage read_image(const std::string &file);
+
+/// @throws InputError unless both images have the same voxels
+void require_same_grid(const VoxelImage &a, const VoxelImage &b);
+} // namespace contrecoup

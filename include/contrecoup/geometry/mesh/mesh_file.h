@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/lanes/lanes.h>
+
+#include <deal.II/grid/tria.h>
+
+#include <map>
+#include <string>
+
+namespace contrecoup
+{
+/**
+ * Reads a mesh of hexahedra or quadrilaterals with deal.II. The file name
+ * extension determines the format (.msh, .inp, .ucd, .vtk, .unv).
+ * @param path of the file, lengths in m
+ * @param entry parameter with the path, for error messages
+ * @throws InputError when the file cannot be opened or read, has cells of
+ * other shapes, or claims more nodes or cells than it has bytes; distorted
+ * cells are accepted
+ */
+template <int dim>
+void read_mesh_file(const std::string &path,
+                    const std::string &entry,
+                    dealii::Triangulation<dim> &mesh);
+
+/**
+ * Names of the physical groups of this dimension in a Gmsh file (.msh), by
+ * number, which is deal.II's material id; empty for other formats.
+ * @throws InputError when the file cannot be opened
+ */
+std::map<unsigned int, std::string>
+read_group_names(const std::string &path, const unsigned int dimension);
+} // namespace contrecoup

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/lanes/lanes.h>
+
+#include <deal.II/base/bounding_box.h>
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace contrecoup
+{
+/// A triangulated surface; corners are counterclockwise seen from outside of a
+/// body.
+struct TriangleMesh
+{
+  using Triangle = std::array<std::uint32_t, 3>;
+
+  std::vector<dealii::Point<3>> vertices; ///< [m]
+  std::vector<Triangle> triangles;
+
+  /// Normal times area of a triangle [m^2].
+  dealii::Tensor<1, 3> area_vector(const Triangle &triangle) const;
+
+  double area() const; ///< [m^2]
+
+  /// Enclosed volume [m^3]; positive for outward orientation.
+  double volume() const;
+
+  dealii::BoundingBox<3> bounding_box() const;
+};
+
+/**
+ * Reads a surface: STL (binary or ASCII), OBJ, PLY, or another format that the
+ * Assimp library recognises by the file name extension. Coordinates have the
+ * six digits of single precision.
+ * @param unit length of a 1 in the file [m]
+ * @throws InputError when the file cannot be read, holds no triangles, or has
+ * coordinates that are not finite
+ */
+TriangleMesh read_surface(const std::string &file, double unit);
+} // namespace contrecoup

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/io/application/trial_run.h>
+
+namespace contrecoup
+{
+namespace io
+{
+  /**
+   * Predicts the cost of a scene on this machine from trial runs on coarser
+   * meshes. Each trial has cells half as large as the previous one. The last
+   * trial is the finest within @p budget seconds of processor time, or within
+   * up to five budgets if they are a hundredth of the scene's cost. A scene
+   * cheaper than that is run as it is, which gives the exact cost.
+   *
+   * The last two trials give, for each number of dimensions d that the mesh
+   * has during the run:
+   * - the number of steps as a + b 2^level, because the step size is
+   *   proportional to the cell size; or as a - b 2^-level for a stage whose
+   *   cells do not depend on the level, because it ends where coarser cells
+   *   begin;
+   * - the number of cells as the initial cells of @p rough, for instance at a
+   *   body, plus those that adaptation adds, a 2^((d-1) level) + b 2^(d
+   *   level), because tracked fronts are surfaces and the rest is volume, with
+   *   b = 0 if adaptation has just begun;
+   * - the time of a step as a + b cells.
+   *
+   * Memory is that of the last trial plus, for each further cell, the increase
+   * since the first trial, bounded to between once and twice the solver's
+   * estimate: adaptation holds two meshes at once, and a body comes with the
+   * mesh. Fields grow like cells, tables like steps, and recorded loads like
+   * surface facets times the number of recorded times.
+   *
+   * If the environment variable CONTRECOUP_CHECK_LEVELS names the levels of a
+   * first and a last trial, these are run regardless of time, so that cells,
+   * steps, memory and output do not depend on the machine's speed.
+   *
+   * @param rough estimate of the solver without trial runs; used where trials
+   * give no information
+   */
+  CostEstimate forecast_cost(const ApplicationDescription &description,
+                             const dealii::ParameterHandler &prm,
+                             const CostEstimate &rough,
+                             double budget,
+                             Collective &collective);
+
+  /// Forecast within CONTRECOUP_CHECK_SECONDS (environment variable, default 4
+  /// s), or the cached cost of an earlier run on this machine. Logs which.
+  CostEstimate known_cost(const ApplicationDescription &description,
+                          const dealii::ParameterHandler &prm,
+                          const CostEstimate &rough,
+                          Collective &collective);
+
+  /**
+   * Extrapolates a quantity a 2^(low level) + b 2^(high level), a, b >= 0, by
+   * @p levels beyond its value @p last. It was @p before at @p gap levels
+   * earlier; 0: unknown, then the mean exponent applies. Quantities that grow
+   * more slowly than a 2^(low level) keep their own rate, decreasing ones stay
+   * constant.
+   */
+  double extrapolate(double before,
+                     double last,
+                     unsigned int levels,
+                     double low,
+                     double high,
+                     unsigned int gap = 1);
+
+  /**
+   * Extrapolates a quantity a + b 2^-level by @p levels beyond its value @p
+   * last. It was @p before at @p gap levels earlier.
+   */
+  double extrapolate_to_limit(double before,
+                              double last,
+                              unsigned int levels,
+                              unsigned int gap = 1);
+} // namespace io
+} // namespace contrecoup

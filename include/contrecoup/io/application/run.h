@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/run/run_loop.h>
+#include <contrecoup/io/application/application.h>
+#include <contrecoup/io/output/output_folder.h>
+#include <contrecoup/io/run/command_line.h>
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace contrecoup
+{
+namespace io
+{
+  /// Runs a solver in its output folder: cost check, setup or restart, run
+  /// loop, summary. Every function is collective.
+  class Run
+  {
+  public:
+    Run(const CommandLine &command,
+        const ApplicationDescription &description,
+        dealii::ParameterHandler &prm,
+        Simulation &simulation,
+        Collective &collective);
+
+    /// Prints the plan and the cost of the run; writes nothing.
+    /// @throws InputError when the mesh does not fit into memory
+    void check();
+
+    /// Executes the run. @throws InputError, NumericsError, SystemError
+    void execute();
+
+  private:
+    CostEstimate estimate();
+    void prepare();
+    void summarise(const std::string &status, const std::string &message);
+    void draw_pictures() const;
+
+    const CommandLine &command_;
+    const ApplicationDescription &description_;
+    const dealii::ParameterHandler &prm_;
+    std::string parameter_text_;
+    TimeParameters time_;
+    Simulation &simulation_;
+    Collective &collective_;
+    OutputFolder folder_;
+    RunState state_;
+    double updates_before_ = 0.;
+    std::optional<std::uint64_t> resumed_from_; ///< step of the checkpoint
+    std::vector<Assumption> plan_;
+
+    std::chrono::steady_clock::time_point begin_;
+    double begin_processor_; ///< of this process [s]
+    std::chrono::steady_clock::time_point loop_begin_;
+  };
+} // namespace io
+} // namespace contrecoup

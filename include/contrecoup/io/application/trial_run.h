@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/system/collective.h>
+#include <contrecoup/io/application/application.h>
+
+#include <optional>
+#include <vector>
+
+namespace contrecoup
+{
+namespace io
+{
+  /// Measurements of a trial run while its mesh had the same dimension.
+  struct TrialStage
+  {
+    unsigned int dimension = 0;
+    double steps = 0.;         ///< number of steps
+    double cell_steps = 0.;    ///< sum of the number of cells over all steps
+    double largest_cells = 0.; ///< largest number of cells
+    /// processor time of the slowest rank, without setup [s]
+    double seconds = 0.;
+  };
+
+  /// Measurements of a trial run.
+  struct Trial
+  {
+    unsigned int levels = 0; ///< number of coarsenings
+    std::vector<TrialStage> stages;
+    double setup_seconds = 0.;  ///< of all stages [s]
+    double output_seconds = 0.; ///< for field output [s]
+    double field_bytes = 0.;    ///< of all fields [byte]
+    double table_bytes = 0.;    ///< of history and probes [byte]
+    double load_bytes = 0.;     ///< of recorded loads [byte]
+    double known_cells = 0.;    ///< initial cells by the solver's estimate
+    double unknowns_per_cell = 0.;
+    double memory_per_cell = 0.; ///< by the solver's estimate [byte]
+    double peak_memory = 0.;     ///< of all ranks [byte]
+    double seconds = 0.;         ///< processor time of the trial itself [s]
+    double field_seconds = 0.;   ///< part of `seconds` for fields [s]
+  };
+
+  /**
+   * Runs a scene with 2^@p levels times larger cells to its end, silently,
+   * with its output in a temporary folder that is removed. If the trial is
+   * stopped after @p longest seconds of wall time, its cost is extrapolated in
+   * proportion to simulated time. Collective.
+   * @param prm all entries of the scene
+   * @return nothing if the scene cannot be that coarse, if the trial failed,
+   * or if it was stopped before 2 % of its simulated time
+   */
+  std::optional<Trial> try_run(const ApplicationDescription &description,
+                               const dealii::ParameterHandler &prm,
+                               unsigned int levels,
+                               double longest,
+                               Collective &collective);
+} // namespace io
+} // namespace contrecoup

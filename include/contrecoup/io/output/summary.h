@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/run/simulation.h>
+#include <contrecoup/base/run/time_control.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace contrecoup
+{
+namespace io
+{
+  /// Content of summary.json.
+  struct Summary
+  {
+    std::string application;
+    std::string status;  ///< finished, stopped, failed
+    std::string message; ///< why it failed
+    RunState state;
+    std::optional<std::uint64_t> resumed_from; ///< step of the checkpoint
+    double wall_seconds = 0.;                  ///< of this start
+    double loop_seconds = 0.;                  ///< of this start, without setup
+    double core_seconds = 0.; ///< processor time of this start, all ranks
+    double updates = 0.;      ///< of this start
+    unsigned int ranks = 1;
+    std::uint64_t cells = 0;
+    std::uint64_t unknowns = 0;
+    double peak_memory = 0.; ///< [byte]
+    std::vector<NamedValue> first_values;
+    std::vector<NamedValue> last_values;
+    std::vector<NamedValue> errors;
+    std::vector<NamedValue> assumptions;
+    std::vector<Assumption> plan;         ///< with estimates
+    std::vector<Assumption> audit;        ///< with measurements
+    std::map<std::string, double> timers; ///< [s]
+  };
+
+  /**
+   * Text of summary.json. "wall_seconds" at the top is the total, that under
+   * "performance" the time loop; "core_seconds" there is the total processor
+   * time of all ranks. For each conserved quantity Q of the history,
+   * "conservation" has Q_first, Q_last and Q_relative_change = (last - first)
+   * / |first|. Values that are not finite become null. "resumed_from_step" is
+   * the step of the checkpoint from which this start resumed, null for a new
+   * run. "assumptions" has the values of that name and, for each item of the
+   * audit, an object with decision, quantity, unit, estimate, measured value,
+   * limit, whether it holds, and the entry that changes the decision.
+   */
+  std::string to_text(const Summary &summary);
+} // namespace io
+} // namespace contrecoup

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/run/simulation.h>
+
+#include <string>
+#include <vector>
+
+namespace contrecoup
+{
+namespace io
+{
+  /// Lines about the assumptions of a run: decision, estimate, limit, and the
+  /// entry that changes the decision; then a warning for each estimate beyond
+  /// its limit. Empty without assumptions.
+  std::vector<std::string> plan_lines(const std::vector<Assumption> &plan);
+
+  /// The same after the run, with measurements beside estimates, and a warning
+  /// for each measurement beyond its limit.
+  std::vector<std::string> audit_lines(const std::vector<Assumption> &plan,
+                                       const std::vector<Assumption> &audit);
+
+  /// The assumption with this name, or nullptr.
+  const Assumption *find_assumption(const std::vector<Assumption> &items,
+                                    const std::string &name);
+} // namespace io
+} // namespace contrecoup

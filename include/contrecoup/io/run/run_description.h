@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/run/simulation.h>
+#include <contrecoup/base/run/time_control.h>
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace contrecoup
+{
+namespace io
+{
+  /// Format number of checkpoints: run.json and the solvers' files. Increase
+  /// it with any change of them, so that other builds refuse the files.
+  constexpr int checkpoint_format = 5;
+
+  /// State of run loop and outputs in a checkpoint: run.json.
+  struct RunDescription
+  {
+    std::string application;
+    std::string build; ///< of the writing program, see this_build()
+    RunState state;
+    std::map<std::string, std::string> parameters;
+    std::uint64_t history_bytes = 0;
+    std::uint64_t probes_bytes = 0;
+    std::vector<std::pair<double, std::string>> fields;
+    std::vector<NamedValue> first_values;
+  };
+
+  /// Version and git revision of this program: "0.1.0 (a2ee2390193e)".
+  std::string this_build();
+
+  /// Converts to JSON; from_text() restores numbers bitwise. The build is
+  /// always that of this program.
+  std::string to_text(const RunDescription &description);
+
+  /// @throws InputError when @p text is no result of to_text(), or has another
+  /// format; names both builds
+  RunDescription from_text(const std::string &text);
+
+  /**
+   * Compares the entries of two runs, "Section/Entry" and value.
+   * @param exempt entries, or sections ending in "/", that may differ
+   * @throws InputError naming the first entry that differs
+   */
+  void require_same_scene(const std::map<std::string, std::string> &before,
+                          const std::map<std::string, std::string> &now,
+                          const std::vector<std::string> &exempt);
+} // namespace io
+} // namespace contrecoup

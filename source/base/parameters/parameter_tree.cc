@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/parameters/declared_tree.h>
+#include <contrecoup/base/parameters/parameter_names.h>
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/readable_file.h>
+#include <contrecoup/base/system/text.h>
+
+#include <deal.II/base/patterns.h>
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <sstream>
+
+namespace contrecoup
+{
+namespace
+{
+  using declared::between;
+  using declared::is_entry;
+  using declared::is_pattern;
+  using declared::names;
+  using declared::pattern_of;
+  using declared::Tree;
+  using declared::tree_of;
+
+  /// The pattern with this description. deal.II's own function supports commas
+  /// as separators only.
+  std::unique_ptr<dealii::Patterns::PatternBase>
+  pattern_of_text(const std::string &description)
+  {
+    if (description.find("[List of <[List of <") == 0)
+      return points_pattern().clone();
+    return dealii::Patterns::pattern_factory(description);
+  }
+
+  /// Declares the entries of @p node in the current subsection of @p prm.
+  void declare_copy(const Tree &node, ParameterHandler &prm)
+  {
+    if (!node.is_object())
+      return;
+    for (const auto &item : node.items())
+      if (is_entry(item.value()))
+      {
+        const auto text = [&](const char *field) {
+          return item.value()[field].get<std::string>();
+        };
+        prm.declare_entry(item.key(),
+                          text("default_value"),
+                          *pattern_of_text(text("pattern_description")),
+                          text("documentation"));
+      }
+      else
+      {
+        prm.enter_subsection(item.key());
+        declare_copy(item.value(), prm);
+        prm.leave_subsection();
+      }
+  }
+
+  std::string where(const std::vector<std::string> &sections,
+                    const std::size_t depth)
+  {
+    if (depth == 0)
+      return "at the top level";
+    return "in \"" + join({sections.begin(), sections.begin() + depth}, "/") +
+           "\"";
+  }
+
+  /// Declares the named items in @p assignment and checks that its entry
+  /// exists. Returns the entry's node.
+  const Tree &
+  find_entry(const Assignment &assignment, ParameterHandler &prm, Tree &tree)
+  {
+    Tree *node = &tree;
+    const auto &sections = assignment.sections;
+    for (std::size_t depth = 0; depth < sections.size(); ++depth)
+    {
+      const std::string &section = sections[depth];
+      const std::vector<std::string> known = names(*node, false);
+      const bool declared =
+        std::find(known.begin(), known.end(), section) != known.end();
+      const std::string pattern = pattern_of(*node, section);
+      if (is_pattern(section) || (!declared && pattern.empty()))
+        throw InputError(assignment.origin + ": unknown subsection " +
+                         quotation(section) + " " + where(sections, depth) +
+                         suggestion(section, known));
+      if (!declared)
+      {
+        const Tree copy = (*node)[pattern];
+        for (std::size_t i = 0; i <= depth; ++i)
+          prm.enter_subsection(sections[i]);
+        declare_copy(copy, prm);
+        for (std::size_t i = 0; i <= depth; ++i)
+          prm.leave_subsection();
+        (*node)[section] = copy;
+      }
+      node = &(*node)[section];
+    }
+    const std::vector<std::string> known = names(*node, true);
+    if (std::find(known.begin(), known.end(), assignment.entry) == known.end())
+      throw InputError(assignment.origin + ": unknown entry " +
+                       quotation(assignment.entry) + " " +
+                       where(sections, sections.size()) +
+                       suggestion(assignment.entry, known));
+    return (*node)[assignment.entry];
+  }
+
+  std::string plain_range(const std::string &kind, const std::string &range)
+  {
+    const std::size_t dots = range.find("...");
+    std::string lower = range.substr(0, dots);
+    std::string upper = range.substr(dots + 3);
+    if (lower == "-MAX_DOUBLE" || lower == "-2147483648")
+      lower.clear();
+    if (upper == "MAX_DOUBLE" || upper == "2147483647")
+      upper.clear();
+    if (lower.empty() && upper.empty())
+      return kind;
+    if (upper.empty())
+      return kind + " of at least " + lower;
+    if (lower.empty())
+      return kind + " of at most " + upper;
+    return kind + " from " + lower + " to " + upper;
+  }
+
+  void write_entry(const Tree &entry,
+                   const std::string &name,
+                   const std::string &indent,
+                   const bool annotated,
+                   std::ostream &out)
+  {
+    const auto text = [&](const char *field) {
+      return entry[field].get<std::string>();
+    };
+    if (annotated)
+    {
+      const std::string allowed = plain_words(text("pattern_description"));
+      std::string comment = text("documentation");
+      if (!allowed.empty())
+        comment += " Allowed: " + allowed + ".";
+      if (text("value") != text("default_value"))
+        comment += " Default: " + text("default_value");
+      for (const std::string &line : wrap(comment, 76 - indent.size()))
+        out << indent << "# " << line << '\n';
+    }
+    out << indent << "set " << name << " = " << text("value") << '\n';
+  }
+
+  void write_section(const Tree &node,
+                     const std::string &indent,
+                     const bool annotated,
+                     std::ostream &out)
+  {
+    if (!node.is_object())
+      return;
+    bool first = true;
+    for (const std::string &name : names(node, true))
+    {
+      if (annotated && !first)
+        out << '\n';
+      first = false;
+      write_entry(node[name], name, indent, annotated, out);
+    }
+    for (const std::string &name : names(node, false))
+    {
+      if (is_pattern(name) && !annotated)
+        continue;
+      if (!first)
+        out << '\n';
+      first = false;
+      if (is_pattern(name))
+        out << indent << "# any number of times, a name for the *\n";
+      out << indent << "subsection " << name << '\n';
+      write_section(node[name], indent + "  ", annotated, out);
+      out << indent << "end\n";
+    }
+  }
+
+  /// Value of an assignment; the name of an existing file is made absolute.
+  std::string resolve_file(const Assignment &assignment,
+                           const std::string &description)
+  {
+    namespace fs = std::filesystem;
+    if (description.find("[FileName ") != 0 || assignment.value.empty())
+      return assignment.value;
+    std::error_code ignored;
+    for (const fs::path &folder : {fs::path(assignment.folder), fs::path()})
+      if (fs::is_regular_file(folder / assignment.value, ignored))
+        return fs::absolute(folder / assignment.value)
+          .lexically_normal()
+          .string();
+    return assignment.value;
+  }
+
+  /// Error text: what the entry allows instead of the given value.
+  std::string refusal(const Assignment &assignment,
+                      const std::string &description)
+  {
+    std::vector<std::string> path = assignment.sections;
+    path.push_back(assignment.entry);
+    std::vector<std::string> choices;
+    if (description.find("[Selection ") == 0)
+      choices = split(between(description, "[Selection ", "]"), '|');
+    const std::string meant = nearest(assignment.value, choices);
+    const std::string help = meant.empty()
+                               ? "; allowed: "
+                               : "; did you mean \"" + meant + "\"? Allowed: ";
+    return assignment.origin + ": entry \"" + join(path, "/") +
+           "\" cannot be " + quotation(assignment.value) + help +
+           plain_words(description);
+  }
+
+  void collect(const Tree &node,
+               const std::string &path,
+               std::map<std::string, std::string> &values)
+  {
+    if (!node.is_object())
+      return;
+    for (const auto &item : node.items())
+      if (is_entry(item.value()))
+        values[path + item.key()] = item.value()["value"].get<std::string>();
+      else if (!is_pattern(item.key()))
+        collect(item.value(), path + item.key() + "/", values);
+  }
+
+  void collect_assignments(const Tree &node,
+                           std::vector<std::string> &sections,
+                           std::vector<Assignment> &assignments)
+  {
+    if (!node.is_object())
+      return;
+    for (const auto &item : node.items())
+      if (is_entry(item.value()))
+        assignments.push_back({sections,
+                               item.key(),
+                               item.value()["value"].get<std::string>(),
+                               "derived parameters"});
+      else if (!is_pattern(item.key()))
+      {
+        sections.push_back(item.key());
+        collect_assignments(item.value(), sections, assignments);
+        sections.pop_back();
+      }
+  }
+} // namespace
+
+void apply_assignments(const std::vector<Assignment> &assignments,
+                       ParameterHandler &prm)
+{
+  Tree tree = tree_of(prm);
+  for (const Assignment &assignment : with_declared_names(assignments, prm))
+  {
+    const Tree &entry = find_entry(assignment, prm, tree);
+    const auto description = entry["pattern_description"].get<std::string>();
+    for (const std::string &section : assignment.sections)
+      prm.enter_subsection(section);
+    try
+    {
+      prm.set(assignment.entry, resolve_file(assignment, description));
+    }
+    catch (const ParameterHandler::ExcValueDoesNotMatchPattern &)
+    {
+      throw InputError(refusal(assignment, description));
+    }
+    for (std::size_t i = 0; i < assignment.sections.size(); ++i)
+      prm.leave_subsection();
+  }
+}
+
+std::vector<std::string> item_names(const ParameterHandler &prm,
+                                    const std::string &kind)
+{
+  const Tree tree = tree_of(prm);
+  const Tree *node = &tree;
+  std::vector<std::string> path = split(kind, '/');
+  const std::string stem = path.back() + " ";
+  path.pop_back();
+  for (const std::string &section : path)
+    node = &node->at(section);
+  std::vector<std::string> items;
+  for (const std::string &name : names(*node, false))
+    if (!is_pattern(name) && name.compare(0, stem.size(), stem) == 0)
+      items.push_back(name.substr(stem.size()));
+  return items;
+}
+
+std::vector<Assignment> assignments_of(const ParameterHandler &prm)
+{
+  std::vector<std::string> sections;
+  std::vector<Assignment> assignments;
+  collect_assignments(tree_of(prm), sections, assignments);
+  return assignments;
+}
+
+std::map<std::string, std::string> parameter_values(const ParameterHandler &prm)
+{
+  std::map<std::string, std::string> values;
+  collect(tree_of(prm), "", values);
+  return values;
+}
+
+std::string parameter_text(const ParameterHandler &prm, const bool annotated)
+{
+  std::ostringstream text;
+  write_section(tree_of(prm), "", annotated, text);
+  return text.str();
+}
+
+std::string plain_words(const std::string &pattern)
+{
+  if (pattern.find("[Double ") == 0)
+    return plain_range("a number", between(pattern, "[Double ", " (incl"));
+  if (pattern.find("[Integer range ") == 0)
+    return plain_range("a whole number",
+                       between(pattern, "[Integer range ", " (incl"));
+  if (pattern == "[Integer]")
+    return "a whole number";
+  if (pattern.find("[FileName ") == 0)
+    return "the name of a file";
+  if (pattern == "[Bool]")
+    return "true, false";
+  if (pattern.find("[Selection ") == 0)
+    return join(split(between(pattern, "[Selection ", "]"), '|'), ", ");
+  if (pattern.find("[List of <[List of <") == 0)
+    return "points of one to three numbers from -1e6 to 1e6, as in \"0,0,1; "
+           "0,0,2\"";
+  if (pattern.find("[List of <") == 0)
+  {
+    const std::string count = between(pattern, "> of length ", " (inclusive)");
+    const std::size_t dots = count.find("...");
+    const std::string most = count.substr(dots + 3);
+    return count.substr(0, dots) +
+           (most == "4294967295" ? " or more" : " to " + most) +
+           " values separated by commas, each " +
+           plain_words(between(pattern, "[List of <", "> of length"));
+  }
+  return "";
+}
+} // namespace contrecoup

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/geometry/body/body_description.h>
+#include <contrecoup/geometry/body/borrowed_organs.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace contrecoup
+{
+namespace
+{
+  /// State of a file, and of the voxel file that belongs to a header.
+  std::string fingerprint(const std::filesystem::path &file)
+  {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(file, ignored))
+      return "none";
+    std::ostringstream text;
+    text << std::ifstream(file, std::ios::binary).rdbuf();
+    const std::string own =
+      std::to_string(text.str().size()) + " " +
+      std::to_string(std::hash<std::string>()(text.str()));
+    if (file.extension() != ".hdr")
+      return own;
+    return own + " " +
+           fingerprint(std::filesystem::path(file).replace_extension(".img"));
+  }
+
+  /// Entries, with their subsections, that define a body before placement.
+  std::vector<std::vector<std::string>> names_of_origin()
+  {
+    dealii::ParameterHandler prm;
+    BodyDescription::declare_parameters(prm);
+    std::vector<std::vector<std::string>> names;
+    for (const auto &entry : parameter_values(prm))
+    {
+      const std::vector<std::string> words = split(entry.first, '/');
+      if (words.size() > 1 || words[0] == "Kind" || words[0] == "Scale")
+        names.push_back(words);
+    }
+    return names;
+  }
+} // namespace
+
+void BodyDescription::declare_parameters(dealii::ParameterHandler &prm)
+{
+  declare_selection(prm,
+                    "Kind",
+                    "phantom",
+                    {"phantom", "shape", "surface", "image"},
+                    "The human phantom, a simple shape, a triangulated "
+                    "surface from a file, or a medical image.");
+  declare_selection(prm,
+                    "Origin",
+                    "as given",
+                    {"as given", "middle", "bottom"},
+                    "Reference point of the scaled and rotated body, which "
+                    "Shift moves away from the origin: its own origin, the "
+                    "centre of its bounding box, or the bottom centre of "
+                    "that box.");
+  Placement::declare_parameters(prm);
+  {
+    const Section section(prm, "Phantom");
+    Phantom::declare_parameters(prm);
+  }
+  {
+    const Section section(prm, "Shape");
+    SimpleBody::declare_parameters(prm);
+  }
+  {
+    const Section section(prm, "Surface");
+    SurfaceBody::declare_parameters(prm);
+  }
+  const Section section(prm, "Image");
+  ImageDescription::declare_parameters(prm);
+}
+
+void BodyDescription::parse_parameters(dealii::ParameterHandler &prm)
+{
+  static const auto names = names_of_origin();
+  text_.clear();
+  files_.clear();
+  for (std::vector<std::string> path : names)
+  {
+    const std::string entry = path.back();
+    path.pop_back();
+    text_ += prm.get(path, entry) + "\n";
+    if (entry == "File" || entry == "Brain mask")
+      files_.push_back(prm.get(path, entry));
+  }
+  kind_ = prm.get("Kind");
+  origin_ = prm.get("Origin");
+  placement_.parse_parameters(prm);
+  if (kind_ == "phantom")
+  {
+    const Section section(prm, "Phantom");
+    phantom_.parse_parameters(prm);
+  }
+  else if (kind_ == "surface")
+  {
+    {
+      const Section section(prm, "Surface");
+      from_surface_.parse_parameters(prm);
+    }
+    const Section section(prm, "Phantom");
+    if (from_surface_.has_organs())
+      phantom_.parse_parameters(prm);
+  }
+  else if (kind_ == "image")
+  {
+    const Section section(prm, "Image");
+    from_image_.parse_parameters(prm);
+  }
+  else
+  {
+    const Section section(prm, "Shape");
+    simple_.parse_parameters(prm);
+  }
+}
+
+BodyPointer BodyDescription::create_unplaced() const
+{
+  if (kind_ == "phantom")
+    return phantom_.create();
+  if (kind_ == "surface")
+  {
+    const BodyPointer body = from_surface_.create(placement_.scale());
+    if (!from_surface_.has_organs())
+      return body;
+    const auto giver =
+      std::dynamic_pointer_cast<const ShapeBody>(phantom_.create());
+    return borrow_organs(*body, *giver, from_surface_.largest_loss());
+  }
+  if (kind_ == "image")
+    return from_image_.create();
+  return simple_.create();
+}
+
+BodyPointer BodyDescription::create() const
+{
+  // Plan, stages and trial runs of a scene create the same body, whose images
+  // may take seconds to read.
+  static std::string last_text;
+  static BodyPointer last;
+  std::string text = text_;
+  for (const std::string &file : files_)
+    text += fingerprint(file) + "\n";
+  if (!last || last_text != text)
+  {
+    last.reset();
+    last = create_unplaced();
+    last_text = text;
+  }
+  BodyPointer body = last;
+  if (!placement_.is_identity())
+    body = body->placed(placement_);
+  if (origin_ == "as given")
+    return body;
+  // The placement includes the shift; now move the reference point there.
+  const auto box = body->surface()->bounding_box();
+  dealii::Point<3> point = box.center();
+  if (origin_ == "bottom")
+    point[2] = box.lower_bound(2);
+  return body->placed(
+    Placement(1., dealii::Tensor<1, 3>(), placement_.shift() - point));
+}
+
+std::vector<OrganReference> BodyDescription::references() const
+{
+  if (kind_ == "phantom" && placement_.scale() == 1.)
+    return phantom_.references();
+  return {};
+}
+} // namespace contrecoup

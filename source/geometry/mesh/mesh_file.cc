@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/readable_file.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/geometry/mesh/mesh_file.h>
+
+#include <deal.II/grid/grid_in.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <sstream>
+
+namespace contrecoup
+{
+namespace
+{
+  /// Whether a line of a VTK file announces a number of entries.
+  bool counts_for_vtk(const std::string &line)
+  {
+    for (const char *const word : {"POINTS ", "CELLS ", "CELL_TYPES "})
+      if (line.rfind(word, 0) == 0)
+        return true;
+    return false;
+  }
+
+
+  /// Largest number of nodes, cells or blocks that a text claims: deal.II
+  /// allocates memory for the claim before it reads.
+  std::uint64_t largest_claim(std::istream &text, const std::string &ending)
+  {
+    std::uint64_t largest = 0;
+    bool is_next = ending == "inp" || ending == "ucd";
+    for (std::string line; std::getline(text, line);)
+    {
+      if (line.rfind('#', 0) == 0)
+        continue;
+      std::istringstream words(line);
+      if (ending == "vtk" && counts_for_vtk(line))
+      {
+        std::string keyword;
+        words >> keyword;
+        is_next = true;
+      }
+      std::uint64_t claim = 0;
+      for (unsigned int i = 0; is_next && i < 2 && words >> claim; ++i)
+        largest = std::max(largest, claim);
+      is_next = ending == "msh" && line.rfind('$', 0) == 0;
+    }
+    return largest;
+  }
+} // namespace
+
+
+template <int dim>
+void read_mesh_file(const std::string &path,
+                    const std::string &entry,
+                    dealii::Triangulation<dim> &mesh)
+{
+  const std::string where = entry + " = " + path + ": ";
+  const std::string why = why_unreadable(path);
+  if (!why.empty())
+    throw InputError(where + why);
+  std::ifstream stream(path);
+  std::error_code error;
+  const std::uint64_t size = std::filesystem::file_size(path, error);
+  if (!stream || error)
+    throw InputError(where + "the file cannot be opened");
+  std::string ending = std::filesystem::path(path).extension();
+  ending.erase(0, 1);
+  const std::vector<std::string> known = {
+    "msh", "vtk", "vtu", "inp", "ucd", "unv", "xda", "dbmesh", "dat"};
+  if (std::find(known.begin(), known.end(), ending) == known.end())
+    throw InputError(where + "its name must end as that of a mesh: ." +
+                     join(known, ", ."));
+  const std::uint64_t claim = largest_claim(stream, ending);
+  if (claim > size)
+    throw InputError(where + "it has " + std::to_string(size) +
+                     " bytes and claims " + std::to_string(claim) +
+                     " nodes or cells");
+  stream.clear();
+  stream.seekg(0);
+  try
+  {
+    dealii::GridIn<dim> reader(mesh);
+    reader.read(stream, dealii::GridIn<dim>::parse_format(ending));
+  }
+  catch (const std::exception &problem)
+  {
+    // Accept distorted cells; later checks name their position.
+    if (dynamic_cast<
+          const typename dealii::Triangulation<dim>::DistortedCellList *>(
+          &problem) == nullptr)
+      throw InputError(where + "deal.II cannot read it as a mesh of " +
+                       (dim == 3 ? "hexahedra" : "quadrilaterals"));
+  }
+  if (!mesh.all_reference_cells_are_hyper_cube())
+    throw InputError(where + "it has cells that are no " +
+                     (dim == 3 ? "hexahedra" : "quadrilaterals"));
+}
+
+
+std::map<unsigned int, std::string>
+read_group_names(const std::string &path, const unsigned int dimension)
+{
+  std::map<unsigned int, std::string> names;
+  if (std::filesystem::path(path).extension() != ".msh")
+    return names;
+  std::ifstream stream(path);
+  if (!stream)
+    throw InputError(path + ": the file cannot be opened");
+  bool is_inside = false;
+  for (std::string line; std::getline(stream, line);)
+  {
+    line = trim(line);
+    if (line == "$PhysicalNames")
+      is_inside = true;
+    else if (line == "$EndPhysicalNames" || line == "$Nodes")
+      break;
+    else if (is_inside)
+    {
+      std::istringstream words(line);
+      unsigned int of_dimension = 0, number = 0;
+      std::string name;
+      // The first line is the number of names.
+      if (words >> of_dimension >> number >> std::quoted(name) &&
+          of_dimension == dimension && !name.empty())
+        names[number] = name;
+    }
+  }
+  return names;
+}
+
+
+template void read_mesh_file(const std::string &,
+                             const std::string &,
+                             dealii::Triangulation<1> &);
+template void read_mesh_file(const std::string &,
+                             const std::string &,
+                             dealii::Triangulation<2> &);
+template void read_mesh_file(const std::string &,
+                             const std::string &,
+                             dealii::Triangulation<3> &);
+} // namespace contrecoup

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/geometry/shape/shape.h>
+
+namespace contrecoup
+{
+using dealii::BoundingBox;
+using dealii::Point;
+using dealii::Tensor;
+
+Tensor<1, 3> Shape::gradient(const Point<3> &point) const
+{
+  const auto [lower, upper] = bounding_box().get_boundary_points();
+  const double step = 1e-6 * lower.distance(upper);
+  Tensor<1, 3> result;
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    Point<3> before = point;
+    Point<3> behind = point;
+    before[d] -= step;
+    behind[d] += step;
+    result[d] = (value(behind) - value(before)) / (2. * step);
+  }
+  return result;
+}
+
+Tensor<1, 3> Shape::normal(const Point<3> &point) const
+{
+  const Tensor<1, 3> slope = gradient(point);
+  const double length = slope.norm();
+  if (length > 0.)
+    return slope / length;
+  return Point<3>::unit_vector(2);
+}
+
+Point<3> Shape::project(const Point<3> &point) const
+{
+  constexpr unsigned int most_steps = 50;
+  const auto [lower, upper] = bounding_box().get_boundary_points();
+  const double tolerance = 1e-9 * lower.distance(upper);
+  Point<3> foot = point;
+  for (unsigned int step = 0; step < most_steps; ++step)
+  {
+    const double here = value(foot);
+    if (std::abs(here) < tolerance)
+      break;
+    const Tensor<1, 3> slope = gradient(foot);
+    // A gradient near 0 indicates a ridge, where a full step overshoots.
+    foot -= slope * (here / std::max(slope.norm_square(), 0.1));
+  }
+  return foot;
+}
+
+double Shape::distance(const Point<3> &point) const
+{
+  const double length = point.distance(project(point));
+  return value(point) < 0. ? -length : length;
+}
+
+BoundingBox<3> bounding_box(const std::vector<BoundingBox<3>> &boxes)
+{
+  BoundingBox<3> all = boxes.front();
+  for (const BoundingBox<3> &box : boxes)
+    all.merge_with(box);
+  return all;
+}
+
+double distance_to_box(const BoundingBox<3> &box, const Point<3> &point)
+{
+  const auto &[lower, upper] = box.get_boundary_points();
+  double square = 0.;
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    const double gap = std::max({lower[d] - point[d], point[d] - upper[d], 0.});
+    square += gap * gap;
+  }
+  return std::sqrt(square);
+}
+} // namespace contrecoup

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/log.h>
+#include <contrecoup/base/system/memory.h>
+#include <contrecoup/base/system/processor_time.h>
+#include <contrecoup/base/system/signals.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/base/system/timers.h>
+#include <contrecoup/base/system/version.h>
+#include <contrecoup/io/application/cost_forecast.h>
+#include <contrecoup/io/application/run.h>
+#include <contrecoup/io/output/pictures.h>
+#include <contrecoup/io/output/summary.h>
+#include <contrecoup/io/run/plan_table.h>
+
+namespace contrecoup
+{
+namespace io
+{
+  namespace
+  {
+    /// Entries of the run loop that may differ on --resume.
+    const std::vector<std::string> free_entries = {
+      "Time/End time",
+      "Time/Largest number of steps",
+      "Time/Steps in this run",
+      "Time/Minutes in this run",
+      "Output/"};
+
+    TimeParameters parse_time(dealii::ParameterHandler &prm)
+    {
+      TimeParameters parameters;
+      parameters.parse_parameters(prm);
+      return parameters;
+    }
+
+    /// Reason for stopping; empty without a signal.
+    std::string told_stop(const int signal)
+    {
+      return signal == 0 ? ""
+                         : std::string(Stopped(signal).what()) +
+                             "; --resume goes on from here";
+    }
+
+    double seconds_since(const std::chrono::steady_clock::time_point begin)
+    {
+      return std::chrono::duration<double>(std::chrono::steady_clock::now() -
+                                           begin)
+        .count();
+    }
+  } // namespace
+
+  Run::Run(const CommandLine &command,
+           const ApplicationDescription &description,
+           dealii::ParameterHandler &prm,
+           Simulation &simulation,
+           Collective &collective)
+    : command_(command)
+    , description_(description)
+    , prm_(prm)
+    , parameter_text_("# " + description.name + " " + version() + " (" +
+                      git_revision() + "): every entry as used\n\n" +
+                      parameter_text(prm, false))
+    , time_(parse_time(prm))
+    , simulation_(simulation)
+    , collective_(collective)
+    , folder_(command.output_folder,
+              description.name,
+              parameter_values(prm),
+              description.files ? description.files(prm) : FileNames(),
+              collective)
+    , begin_(std::chrono::steady_clock::now())
+    , begin_processor_(processor_seconds())
+    , loop_begin_(begin_)
+  {}
+
+  CostEstimate Run::estimate()
+  {
+    CostEstimate cost;
+    collective_.run([&]() { cost = simulation_.estimate(); },
+                    ExitCode::bad_input);
+    const double available = available_memory(collective_.communicator());
+    if (available > 0. && cost.memory > available)
+      throw InputError("a mesh of " + brief(cost.cells) + " cells needs " +
+                       bytes(cost.memory) + " of memory, this machine has " +
+                       bytes(available) + " left");
+    return cost;
+  }
+
+  void Run::check()
+  {
+    const CostEstimate cost =
+      known_cost(description_, prm_, estimate(), collective_);
+    if (description_.take_cost)
+      description_.take_cost(cost);
+    log_line(description_.name + " would run" +
+             (description_.take_cost ? "" : " " + command_.parameter_file) +
+             ":");
+    log_line("  cells     " + brief(cost.cells, 7));
+    log_line("  unknowns  " + brief(cost.unknowns, 7));
+    log_line("  steps     about " + brief(cost.steps, 3) + " to time " +
+             brief(time_.end_time, 6) + " s");
+    log_line("  memory    about " + bytes(cost.memory));
+    log_line("  wall time about " + duration(cost.seconds));
+    log_line("  output    " +
+             (cost.output > 0. ? "about " + bytes(cost.output) + " in " : "") +
+             folder_.path());
+    log_line("The parameters are valid.");
+  }
+
+  void Run::prepare()
+  {
+    const unsigned int ranks =
+      dealii::Utilities::MPI::n_mpi_processes(collective_.communicator());
+    log_line(description_.name + " " + version() + " (" + git_revision() +
+             "), " + std::to_string(ranks) +
+             (ranks == 1 ? " rank, " : " ranks, ") + command_.parameter_file);
+    const TimerScope timer("setup");
+    simulation_.set_output_folder(folder_.path());
+    if (command_.resume)
+    {
+      auto exempt = free_entries;
+      exempt.insert(exempt.end(),
+                    description_.free_on_resume.begin(),
+                    description_.free_on_resume.end());
+      const std::string checkpoint =
+        folder_.find_checkpoint(exempt, time_.end_time);
+      collective_.run([&]() { simulation_.restore(checkpoint); },
+                      ExitCode::bad_input);
+      state_ = folder_.resume();
+      updates_before_ = state_.updates;
+      resumed_from_ = state_.step;
+      log_line("resumed from " + checkpoint + ", step " +
+               std::to_string(state_.step) + ", time " + brief(state_.time, 6) +
+               " s");
+    }
+    else
+    {
+      collective_.run([&]() { simulation_.setup(); }, ExitCode::bad_input);
+      folder_.start();
+    }
+    const auto size = simulation_.size();
+    log_line(std::to_string(size.first) + " cells, " +
+             std::to_string(size.second) + " unknowns; output in " +
+             folder_.path());
+    collective_.run([&]() { plan_ = simulation_.plan(); });
+    for (const std::string &line : plan_lines(plan_))
+      log_line(line);
+    folder_.write_text("parameters.prm", parameter_text_);
+    collective_.run([&]() {
+      Log::instance().open(folder_.path("log.txt"), command_.resume);
+    });
+  }
+
+  void Run::execute()
+  {
+    if (!folder_.claim(command_))
+      return;
+    estimate();
+    prepare();
+
+    loop_begin_ = std::chrono::steady_clock::now();
+    RunLoop loop(time_, simulation_, folder_, collective_);
+    try
+    {
+      const bool is_finished = loop.run(state_) == RunStatus::finished;
+      folder_.flush();
+      if (is_finished)
+        collective_.run([&]() { simulation_.finish(folder_.path()); });
+      const std::string status = is_finished ? "finished" : "stopped";
+      summarise(status, told_stop(loop.stop_signal()));
+      if (is_finished)
+        draw_pictures();
+      folder_.set_status(status);
+    }
+    catch (const std::exception &)
+    {
+      const Failure failure =
+        to_failure(std::current_exception(), ExitCode::system_failed);
+      try
+      {
+        folder_.flush();
+        summarise("failed", failure.message);
+        folder_.set_status("failed");
+      }
+      catch (const std::exception &)
+      {
+        // Report the first failure.
+      }
+      throw;
+    }
+    if (loop.stop_signal() != 0)
+      throw Stopped(loop.stop_signal());
+  }
+
+  void Run::summarise(const std::string &status, const std::string &message)
+  {
+    const MPI_Comm all = collective_.communicator();
+    Summary summary;
+    summary.application = description_.name;
+    summary.status = status;
+    summary.message = message;
+    summary.state = state_;
+    summary.resumed_from = resumed_from_;
+    summary.wall_seconds = seconds_since(begin_);
+    summary.loop_seconds = seconds_since(loop_begin_);
+    summary.core_seconds =
+      dealii::Utilities::MPI::sum(processor_seconds() - begin_processor_, all);
+    summary.updates = state_.updates - updates_before_;
+    summary.ranks = dealii::Utilities::MPI::n_mpi_processes(all);
+    summary.peak_memory = peak_memory(all);
+    summary.first_values = folder_.first_values();
+    summary.last_values = folder_.last_values();
+    summary.timers = Timers::instance().largest(all);
+    std::tie(summary.cells, summary.unknowns) = simulation_.size();
+    if (status != "failed")
+      collective_.run([&]() {
+        summary.errors = simulation_.errors();
+        summary.assumptions = simulation_.assumptions();
+        summary.plan = plan_;
+        summary.audit = simulation_.audit();
+      });
+    folder_.write_text("summary.json", to_text(summary));
+
+    log_line(Timers::instance().table(all, summary.wall_seconds));
+    log_line(status + " at step " + std::to_string(state_.step) + ", time " +
+             brief(state_.time, 6) + " s, after " +
+             duration(summary.wall_seconds) +
+             (message.empty() ? "" : ": " + message));
+    for (const NamedValue &error : summary.errors)
+      log_line("  " + error.name + " = " + brief(error.value, 6));
+    for (const std::string &line : audit_lines(plan_, summary.audit))
+      log_line(line);
+    log_line("results in " + folder_.path());
+    collective_.run([]() { Log::instance().check(); });
+  }
+
+  void Run::draw_pictures() const
+  {
+    if (description_.pictures.empty() || !prm_.get_bool({"Output"}, "Pictures"))
+      return;
+    const MPI_Comm all = collective_.communicator();
+    collective_.run([&]() {
+      if (dealii::Utilities::MPI::this_mpi_process(all) == 0)
+        draw(description_.pictures, folder_.path(), "pictures", "pictures");
+    });
+  }
+} // namespace io
+} // namespace contrecoup

@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/run/run_loop.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/gather.h>
+#include <contrecoup/base/system/log.h>
+#include <contrecoup/base/system/memory.h>
+#include <contrecoup/base/system/processor_time.h>
+#include <contrecoup/io/application/trial_run.h>
+#include <contrecoup/io/file/temporary_folder.h>
+#include <contrecoup/io/output/output_folder.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace contrecoup
+{
+namespace io
+{
+  namespace
+  {
+    /// Wraps a simulation and measures the cost of its functions; saves
+    /// nothing.
+    class MeasuredSimulation : public Simulation
+    {
+    public:
+      MeasuredSimulation(Simulation &inner,
+                         Trial &trial,
+                         const double longest,
+                         const MPI_Comm communicator)
+        : inner_(inner)
+        , trial_(trial)
+        , end_(processor_seconds() + longest)
+        , communicator_(communicator)
+        , last_(processor_seconds())
+      {}
+
+      /// Whether advance() threw because the trial exceeded its time.
+      bool is_too_long() const
+      {
+        return is_too_long_;
+      }
+
+      CostEstimate estimate() override
+      {
+        return inner_.estimate();
+      }
+      void setup() override
+      {
+        inner_.setup();
+        note_size();
+        trial_.setup_seconds += lap();
+      }
+      void restore(const std::string &) override
+      {}
+      void save(const std::string &) override
+      {}
+      double time() const override
+      {
+        return inner_.time();
+      }
+      StepReport advance(const double largest_step) override
+      {
+        is_too_long_ =
+          dealii::Utilities::MPI::max(last_ > end_ ? 1 : 0, communicator_) > 0;
+        if (is_too_long_)
+          throw SystemError("the trial takes too long");
+        const unsigned int dimension = inner_.dimension();
+        if (trial_.stages.empty() ||
+            trial_.stages.back().dimension != dimension)
+          trial_.stages.push_back({dimension});
+        const StepReport report = inner_.advance(largest_step);
+        TrialStage &stage = trial_.stages.back();
+        stage.steps += 1.;
+        const double cells = note_size();
+        stage.cell_steps += cells;
+        stage.largest_cells = std::max(stage.largest_cells, cells);
+        stage.seconds += lap();
+        return report;
+      }
+      bool adapt() override
+      {
+        TrialStage &stage = trial_.stages.back();
+        const bool changed = inner_.adapt();
+        const bool handed_over = inner_.dimension() != stage.dimension;
+        (handed_over ? trial_.setup_seconds : stage.seconds) += lap();
+        return changed;
+      }
+      std::vector<NamedValue> history() override
+      {
+        return inner_.history();
+      }
+      std::vector<NamedValue> probes() override
+      {
+        return inner_.probes();
+      }
+      std::string write_fields(const std::string &folder,
+                               const unsigned int index) override
+      {
+        if (!trial_.stages.empty())
+          trial_.stages.back().seconds += lap();
+        const std::string file = inner_.write_fields(folder, index);
+        trial_.output_seconds += lap();
+        return file;
+      }
+      std::vector<NamedValue> errors() override
+      {
+        return {};
+      }
+      std::vector<NamedValue> assumptions() override
+      {
+        return {};
+      }
+      std::pair<std::uint64_t, std::uint64_t> size() const override
+      {
+        return inner_.size();
+      }
+
+    private:
+      /// Processor time since the last call [s].
+      double lap()
+      {
+        const double before = last_;
+        last_ = processor_seconds();
+        return last_ - before;
+      }
+
+      double note_size()
+      {
+        const auto size = inner_.size();
+        const auto cells = static_cast<double>(size.first);
+        trial_.unknowns_per_cell =
+          std::max(trial_.unknowns_per_cell,
+                   static_cast<double>(size.second) / std::max(1., cells));
+        return cells;
+      }
+
+      Simulation &inner_;
+      Trial &trial_;
+      const double end_; ///< processor time at which the trial stops [s]
+      MPI_Comm communicator_;
+      double last_;
+      bool is_too_long_ = false;
+    };
+
+    /// Suppresses all output of a trial.
+    class Silence
+    {
+    public:
+      Silence()
+      {
+        Log::instance().set_active(false);
+      }
+      ~Silence()
+      {
+        Log::instance().set_active(
+          dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0);
+      }
+    };
+
+    double bytes_in(const std::string &path)
+    {
+      namespace fs = std::filesystem;
+      double sum = 0.;
+      std::error_code ignored;
+      if (fs::is_regular_file(path))
+        sum += static_cast<double>(fs::file_size(path, ignored));
+      else
+        for (const auto &entry :
+             fs::recursive_directory_iterator(path, ignored))
+          if (entry.is_regular_file(ignored))
+            sum += static_cast<double>(entry.file_size(ignored));
+      return sum;
+    }
+
+    /// Combines measurements of all ranks, and extrapolates the missing
+    /// simulated time and the omitted field outputs.
+    void complete(Trial &trial,
+                  const double part,
+                  const double outputs,
+                  const MPI_Comm all)
+    {
+      for (TrialStage &stage : trial.stages)
+        stage.seconds = dealii::Utilities::MPI::max(stage.seconds, all);
+      for (double *seconds : {&trial.setup_seconds, &trial.output_seconds})
+        *seconds = dealii::Utilities::MPI::max(*seconds, all);
+      trial.peak_memory = peak_memory(all);
+      trial.field_seconds = trial.output_seconds;
+      trial.seconds = trial.setup_seconds + trial.output_seconds;
+      for (const TrialStage &stage : trial.stages)
+        trial.seconds += stage.seconds;
+      for (double *number : {&trial.output_seconds, &trial.field_bytes})
+        *number *= outputs / part;
+      trial.table_bytes /= part;
+      trial.load_bytes /= part;
+      if (!trial.stages.empty())
+        for (double *number : {&trial.stages.back().steps,
+                               &trial.stages.back().cell_steps,
+                               &trial.stages.back().seconds})
+          *number /= part;
+    }
+
+    /// Reduces the number of field outputs at intervals to a few; returns the
+    /// ratio of wanted to remaining outputs.
+    double thin_out(TimeParameters &time)
+    {
+      constexpr double few = 4.;
+      const double wanted = time.fields_interval > 0.
+                              ? std::floor(time.end_time / time.fields_interval)
+                              : 0.;
+      if (!(wanted > few))
+        return 1.;
+      time.fields_interval = time.end_time / few;
+      return (wanted + 1.) / (few + 1.);
+    }
+
+    /// Makes the simulation write pending results, as with each checkpoint;
+    /// finish() would also check the accuracy of so coarse a run.
+    void save_results(const std::string &folder,
+                      Simulation &simulation,
+                      Collective &collective)
+    {
+      const std::string checkpoint = folder + "/checkpoint";
+      collective.run([&]() {
+        if (dealii::Utilities::MPI::this_mpi_process(
+              collective.communicator()) == 0)
+          std::filesystem::create_directory(checkpoint);
+      });
+      simulation.save(checkpoint);
+    }
+
+    /// Runs @p simulation in @p folder; returns the completed fraction of
+    /// time.
+    double run_in(const std::string &folder,
+                  const std::string &application,
+                  const TimeParameters &time,
+                  Simulation &simulation,
+                  Trial &trial,
+                  const double longest,
+                  Collective &collective)
+    {
+      const CostEstimate rough = simulation.estimate();
+      trial.memory_per_cell = rough.memory / std::max(1., rough.cells);
+      trial.known_cells = rough.cells;
+      MeasuredSimulation measured(
+        simulation, trial, longest, collective.communicator());
+      simulation.set_output_folder(folder);
+      measured.setup();
+      // The folder is new, so no claim is necessary.
+      OutputFolder output(folder, application, {}, {}, collective);
+      RunState state;
+      const double begin = measured.time();
+      RunLoop loop(time, measured, output, collective);
+      try
+      {
+        loop.run(state);
+      }
+      catch (const std::exception &)
+      {
+        if (!measured.is_too_long())
+          throw;
+      }
+      output.flush();
+      save_results(folder, simulation, collective);
+      trial.field_bytes = bytes_in(folder + "/fields");
+      trial.load_bytes = bytes_in(folder + "/loads.h5");
+      trial.table_bytes = bytes_in(folder + "/history.csv") +
+                          bytes_in(folder + "/probes.csv") +
+                          bytes_in(folder + "/load_gauges.csv");
+      return measured.is_too_long()
+               ? (measured.time() - begin) / (time.end_time - begin)
+               : 1.;
+    }
+  } // namespace
+
+  std::optional<Trial> try_run(const ApplicationDescription &description,
+                               const dealii::ParameterHandler &prm,
+                               const unsigned int levels,
+                               const double longest,
+                               Collective &collective)
+  {
+    const MPI_Comm all = collective.communicator();
+    const Silence silence;
+    Trial trial;
+    trial.levels = levels;
+    double part = 0., outputs = 1.;
+    forget_peak_memory();
+    try
+    {
+      collective.run([&]() {
+        dealii::ParameterHandler coarse;
+        TimeParameters::declare_parameters(coarse);
+        description.declare_parameters(coarse);
+        apply_assignments(contrecoup::assignments_of(prm), coarse);
+        if (levels > 0 && !description.coarsen(coarse, levels))
+          throw InputError("the scene cannot be so coarse");
+        TimeParameters time;
+        time.parse_parameters(coarse);
+        time.minutes_in_this_run = 0.;
+        time.steps_in_this_run = 0;
+        time.checkpoint_every_steps = 0;
+        time.checkpoint_every_minutes = 0.;
+        time.checkpoint_at_the_end = false;
+        outputs = thin_out(time);
+        const auto simulation = description.create(coarse, all);
+        std::unique_ptr<TemporaryFolder> folder;
+        std::string path;
+        if (dealii::Utilities::MPI::this_mpi_process(all) == 0)
+        {
+          folder = std::make_unique<TemporaryFolder>();
+          path = folder->path();
+        }
+        path = broadcast_text(all, path, 0);
+        // The run loop needs its own Collective for errors, besides that of
+        // setup.
+        Collective inner(all);
+        part = run_in(
+          path, description.name, time, *simulation, trial, longest, inner);
+      });
+    }
+    catch (const std::exception &)
+    {
+      return std::nullopt;
+    }
+    if (part < 0.02)
+      return std::nullopt;
+    complete(trial, part, outputs, all);
+    return trial;
+  }
+} // namespace io
+} // namespace contrecoup

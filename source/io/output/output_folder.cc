@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/gather.h>
+#include <contrecoup/base/system/log.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/output/field_output.h>
+#include <contrecoup/io/output/output_folder.h>
+
+#include <filesystem>
+
+namespace contrecoup
+{
+namespace io
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    bool is_first_rank(const Collective &collective)
+    {
+      return dealii::Utilities::MPI::this_mpi_process(
+               collective.communicator()) == 0;
+    }
+
+    NamedValue
+    number(const std::string &name, const std::string &unit, const double value)
+    {
+      return {name, unit, value};
+    }
+  } // namespace
+
+  OutputFolder::OutputFolder(
+    const std::string &path,
+    const std::string &application,
+    const std::map<std::string, std::string> &parameters,
+    const FileNames &names,
+    Collective &collective)
+    : collective_(collective)
+    , path_(path)
+    , names_(run_files() + names)
+    , writes_(is_first_rank(collective))
+    , history_(path + "/history.csv")
+    , probes_(path + "/probes.csv")
+    , checkpoints_(path + "/checkpoint", collective)
+  {
+    run_.application = application;
+    run_.parameters = parameters;
+  }
+
+  bool OutputFolder::claim(const CommandLine &command)
+  {
+    const auto may_run = [&]() {
+      if (!writes_)
+        return 0U;
+      claim_ = std::make_unique<FolderClaim>(
+        path_, run_.application, names_, make_run_input(run_.parameters));
+      const auto can_go_on = [&]() { return checkpoints_.has_complete(); };
+      return claim_->admits(command, can_go_on) ? 1U : 0U;
+    };
+    return collective_.run_with_flags(may_run) != 0;
+  }
+
+  void OutputFolder::start()
+  {
+    run_.fields.clear();
+    collective_.run([&]() {
+      if (writes_)
+        claim_->begin();
+    });
+  }
+
+  std::string
+  OutputFolder::find_checkpoint(const std::vector<std::string> &exempt,
+                                const double end_time)
+  {
+    const auto found = checkpoints_.newest();
+    if (!found)
+      throw InputError("--resume: \"" + path_ +
+                       "\" holds no complete checkpoint");
+    const RunDescription earlier = from_text(found->run);
+    if (earlier.application != run_.application)
+      throw InputError("\"" + found->folder + "\" is a checkpoint of \"" +
+                       earlier.application + "\", not of \"" +
+                       run_.application + "\"");
+    const std::string builds = earlier.build == this_build()
+                                 ? ""
+                                 : "the checkpoint was written by " +
+                                     earlier.build + ", this is " +
+                                     this_build();
+    try
+    {
+      require_same_scene(earlier.parameters, run_.parameters, exempt);
+    }
+    catch (const InputError &error)
+    {
+      throw InputError(error.what() + (builds.empty() ? "" : "; " + builds));
+    }
+    if (earlier.state.time > (1. + 1e-9) * end_time)
+      throw InputError("Time/End time = " + brief(end_time, 6) + " s: \"" +
+                       found->folder + "\" is of " +
+                       brief(earlier.state.time, 6) +
+                       " s already; --resume needs a later end, --overwrite "
+                       "begins anew");
+    if (!builds.empty())
+      log_line(builds + ": what follows may differ from what it would have "
+                        "computed");
+    const auto parameters = run_.parameters;
+    run_ = earlier;
+    run_.parameters = parameters;
+    return found->folder;
+  }
+
+  RunState OutputFolder::resume()
+  {
+    collective_.run(
+      [&]() {
+        if (!writes_)
+          return;
+        claim_->go_on();
+        history_.resume(run_.history_bytes);
+        probes_.resume(run_.probes_bytes);
+      },
+      ExitCode::bad_input);
+    return run_.state;
+  }
+
+  void OutputFolder::write_history(const RunState &state,
+                                   const std::vector<NamedValue> &values)
+  {
+    if (run_.first_values.empty())
+      run_.first_values = values;
+    last_values_ = values;
+    if (!writes_)
+      return;
+    std::vector<NamedValue> row = {
+      number("step", "", static_cast<double>(state.step)),
+      number("time", "s", state.time),
+      number("step size", "s", state.step_size)};
+    row.insert(row.end(), values.begin(), values.end());
+    history_.add_row(row);
+  }
+
+  void OutputFolder::write_probes(const RunState &state,
+                                  const std::vector<NamedValue> &values)
+  {
+    if (!writes_)
+      return;
+    std::vector<NamedValue> row = {number("time", "s", state.time)};
+    row.insert(row.end(), values.begin(), values.end());
+    probes_.add_row(row);
+  }
+
+  void OutputFolder::write_fields(const RunState &state, Simulation &simulation)
+  {
+    collective_.run([&]() {
+      if (writes_)
+        fs::create_directories(path("fields"));
+    });
+    std::string file;
+    collective_.run([&]() {
+      file = simulation.write_fields(
+        path("fields"), static_cast<unsigned int>(state.field_index));
+    });
+    // Of 1-D fields, only the first rank writes and knows the name.
+    file = broadcast_text(collective_.communicator(), file, 0);
+    // A .pvd collection cannot list other formats.
+    if (fs::path(file).extension() != ".vtu" &&
+        fs::path(file).extension() != ".pvtu")
+      return;
+    // Do not list an index twice after a failed attempt.
+    const std::string entry = "fields/" + fs::path(file).filename().string();
+    if (run_.fields.empty() || run_.fields.back().second != entry)
+      run_.fields.emplace_back(state.time, entry);
+    collective_.run([&]() {
+      if (!writes_)
+        return;
+      history_.flush();
+      probes_.flush();
+      write_collection(path("fields.pvd"), run_.fields);
+    });
+  }
+
+  void OutputFolder::write_checkpoint(const RunState &state,
+                                      Simulation &simulation)
+  {
+    flush();
+    run_.state = state;
+    run_.history_bytes = history_.size();
+    run_.probes_bytes = probes_.size();
+    checkpoints_.write(to_text(run_), [&](const std::string &folder) {
+      simulation.save(folder);
+    });
+  }
+
+  void OutputFolder::flush()
+  {
+    collective_.run([&]() {
+      history_.flush();
+      probes_.flush();
+    });
+  }
+
+  void OutputFolder::set_status(const std::string &status)
+  {
+    collective_.run([&]() {
+      if (writes_)
+        claim_->set_status(status);
+    });
+  }
+
+  void OutputFolder::write_text(const std::string &name,
+                                const std::string &text)
+  {
+    collective_.run([&]() {
+      if (writes_)
+        write_file(path(name), [&](std::ostream &out) { out << text; });
+    });
+  }
+
+  FileNames OutputFolder::run_files()
+  {
+    const FileNames names = {{"parameters.prm",
+                              "history.csv",
+                              "probes.csv",
+                              "fields.pvd",
+                              "summary.json"},
+                             {"log.txt"}};
+    return names + Checkpoints::files("checkpoint");
+  }
+
+  std::string OutputFolder::path(const std::string &name) const
+  {
+    return name.empty() ? path_ : path_ + "/" + name;
+  }
+
+  const std::vector<NamedValue> &OutputFolder::first_values() const
+  {
+    return run_.first_values;
+  }
+
+  const std::vector<NamedValue> &OutputFolder::last_values() const
+  {
+    return last_values_;
+  }
+} // namespace io
+} // namespace contrecoup

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/system/version.h>
+#include <contrecoup/io/output/summary.h>
+#include <contrecoup/io/run/plan_table.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace contrecoup
+{
+namespace io
+{
+  namespace
+  {
+    using Json = nlohmann::ordered_json;
+
+    Json number(const double value)
+    {
+      return std::isfinite(value) ? Json(value) : Json(nullptr);
+    }
+
+    Json by_name(const std::vector<NamedValue> &values)
+    {
+      Json object = Json::object();
+      for (const NamedValue &value : values)
+        object[value.name] = number(value.value);
+      return object;
+    }
+
+    Json conservation(const std::vector<NamedValue> &first,
+                      const std::vector<NamedValue> &last)
+    {
+      Json object = Json::object();
+      for (const NamedValue &begin : first)
+        for (const NamedValue &end : last)
+          if (begin.conserved && begin.name == end.name)
+          {
+            object[begin.name + "_first"] = number(begin.value);
+            object[begin.name + "_last"] = number(end.value);
+            object[begin.name + "_relative_change"] =
+              end.value == begin.value
+                ? Json(0.)
+                : number((end.value - begin.value) / std::abs(begin.value));
+          }
+      return object;
+    }
+
+    Json assumptions(const Summary &summary)
+    {
+      Json object = by_name(summary.assumptions);
+      for (const Assumption &item : summary.audit)
+      {
+        const Assumption *planned = find_assumption(summary.plan, item.name);
+        object[item.name] = {
+          {"decision", item.decision},
+          {"quantity", item.quantity},
+          {"unit", item.unit},
+          {"estimate", planned ? number(planned->value) : Json(nullptr)},
+          {"measured", number(item.value)},
+          {item.is_least ? "at_least" : "at_most", number(item.limit)},
+          {"holds", !item.fails()},
+          {"entry", item.entry}};
+      }
+      return object;
+    }
+
+    Json performance(const Summary &summary)
+    {
+      const double rate = summary.updates / summary.loop_seconds;
+      return {{"wall_seconds", number(summary.loop_seconds)},
+              {"core_seconds", number(summary.core_seconds)},
+              {"updates", number(summary.updates)},
+              {"updates_per_second", number(rate)},
+              {"updates_per_second_per_core", number(rate / summary.ranks)},
+              {"peak_memory_bytes", number(summary.peak_memory)}};
+    }
+  } // namespace
+
+  std::string to_text(const Summary &summary)
+  {
+    Json timers = Json::object();
+    for (const auto &[name, seconds] : summary.timers)
+      timers[name] = number(seconds);
+    Json json = {{"application", summary.application},
+                 {"version", version()},
+                 {"git_revision", git_revision()},
+                 {"status", summary.status}};
+    if (!summary.message.empty())
+      json["message"] = summary.message;
+    json["time"] = number(summary.state.time);
+    json["steps"] = summary.state.step;
+    json["resumed_from_step"] =
+      summary.resumed_from ? Json(*summary.resumed_from) : Json(nullptr);
+    json["retries"] = summary.state.retries;
+    json["ranks"] = summary.ranks;
+    json["cells"] = summary.cells;
+    json["unknowns"] = summary.unknowns;
+    json["wall_seconds"] = number(summary.wall_seconds);
+    json["performance"] = performance(summary);
+    json["conservation"] =
+      conservation(summary.first_values, summary.last_values);
+    json["errors"] = by_name(summary.errors);
+    json["assumptions"] = assumptions(summary);
+    json["timers"] = timers;
+    return json.dump(2) + "\n";
+  }
+} // namespace io
+} // namespace contrecoup

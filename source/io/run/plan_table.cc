@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/io/run/plan_table.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace contrecoup
+{
+namespace io
+{
+  namespace
+  {
+    using Row = std::vector<std::string>;
+
+    std::string number(const double value, const std::string &unit)
+    {
+      if (!std::isfinite(value))
+        return "unknown";
+      return brief(value, 3) + (unit == "-" ? "" : " " + unit);
+    }
+
+    std::string limit(const Assumption &item)
+    {
+      if (std::isnan(item.limit))
+        return "";
+      return (item.is_least ? "at least " : "at most ") +
+             number(item.limit, item.unit);
+    }
+
+    /// Formats rows with aligned columns.
+    std::vector<std::string> aligned(const std::vector<Row> &rows)
+    {
+      std::vector<std::size_t> width;
+      for (const Row &row : rows)
+      {
+        width.resize(std::max(width.size(), row.size()), 0);
+        for (std::size_t i = 0; i < row.size(); ++i)
+          width[i] = std::max(width[i], row[i].size());
+      }
+      std::vector<std::string> lines;
+      for (const Row &row : rows)
+      {
+        std::string line = " ";
+        for (std::size_t i = 0; i < row.size(); ++i)
+          line +=
+            " " + row[i] +
+            (i + 1 < row.size() ? std::string(width[i] - row[i].size() + 1, ' ')
+                                : "");
+        lines.push_back(line);
+      }
+      return lines;
+    }
+
+    std::string warning(const Assumption &item, const std::string &kind)
+    {
+      return "WARNING: " + item.name + ": " + item.quantity + " is " + kind +
+             " " + number(item.value, item.unit) + ", allowed is " +
+             limit(item) + "; see " + item.entry;
+    }
+  } // namespace
+
+  const Assumption *find_assumption(const std::vector<Assumption> &items,
+                                    const std::string &name)
+  {
+    for (const Assumption &item : items)
+      if (item.name == name)
+        return &item;
+    return nullptr;
+  }
+
+  std::vector<std::string> plan_lines(const std::vector<Assumption> &plan)
+  {
+    if (plan.empty())
+      return {};
+    std::vector<Row> rows = {
+      {"plan", "what is done", "estimate", "limit", "decided by"}};
+    for (const Assumption &item : plan)
+      rows.push_back({item.name,
+                      item.decision,
+                      number(item.value, item.unit),
+                      limit(item),
+                      item.entry});
+    std::vector<std::string> lines = aligned(rows);
+    for (const Assumption &item : plan)
+      if (item.fails())
+        lines.push_back(warning(item, "estimated at"));
+    return lines;
+  }
+
+  std::vector<std::string> audit_lines(const std::vector<Assumption> &plan,
+                                       const std::vector<Assumption> &audit)
+  {
+    if (audit.empty())
+      return {};
+    std::vector<Row> rows = {
+      {"audit", "what was measured", "estimate", "measured", "limit", "holds"}};
+    for (const Assumption &item : audit)
+    {
+      const Assumption *planned = find_assumption(plan, item.name);
+      const bool known = std::isfinite(item.value) && !std::isnan(item.limit);
+      rows.push_back({item.name,
+                      item.quantity,
+                      planned ? number(planned->value, item.unit) : "",
+                      number(item.value, item.unit),
+                      limit(item),
+                      item.fails() ? "NO"
+                      : known      ? "yes"
+                                   : ""});
+    }
+    std::vector<std::string> lines = aligned(rows);
+    for (const Assumption &item : audit)
+      if (item.fails())
+        lines.push_back(warning(item, "measured at"));
+    return lines;
+  }
+} // namespace io
+} // namespace contrecoup

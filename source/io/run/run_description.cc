@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/version.h>
+#include <contrecoup/io/run/run_description.h>
+
+#include <nlohmann/json.hpp>
+
+namespace contrecoup
+{
+namespace io
+{
+  namespace
+  {
+    using Json = nlohmann::ordered_json;
+
+    /// Calls @p visit with name and value of each member of the state.
+    template <typename State, typename Visitor>
+    void visit_members(State &state, const Visitor &visit)
+    {
+      visit("step", state.step);
+      visit("time", state.time);
+      visit("step_size", state.step_size);
+      visit("free_step", state.free_step);
+      visit("retries", state.retries);
+      visit("updates", state.updates);
+      visit("field_index", state.field_index);
+      visit("history_step", state.history_step);
+      visit("probe_step", state.probe_step);
+      visit("field_step", state.field_step);
+    }
+
+    /// @throws InputError unless the checkpoint has the format of this build
+    void require_same_format(const Json &json, const std::string &build)
+    {
+      const Json format = json.value("format", Json());
+      if (format == checkpoint_format)
+        return;
+      throw InputError(
+        "the checkpoint was written by " + build + " in format " +
+        (format.is_null() ? "0" : format.dump()) + "; this is " + this_build() +
+        " and reads format " + std::to_string(checkpoint_format) +
+        ": go on with the former, or begin anew with --overwrite");
+    }
+  } // namespace
+
+  std::string this_build()
+  {
+    return version() + " (" + git_revision() + ")";
+  }
+
+  std::string to_text(const RunDescription &description)
+  {
+    Json state = Json::object();
+    visit_members(description.state, [&](const char *name, const auto &value) {
+      state[name] = value;
+    });
+    Json first = Json::array();
+    for (const NamedValue &value : description.first_values)
+      first.push_back({value.name, value.unit, value.value, value.conserved});
+    const Json text = {{"application", description.application},
+                       {"version", version()},
+                       {"git_revision", git_revision()},
+                       {"format", checkpoint_format},
+                       {"state", state},
+                       {"history_bytes", description.history_bytes},
+                       {"probes_bytes", description.probes_bytes},
+                       {"fields", description.fields},
+                       {"first_values", first},
+                       {"parameters", description.parameters}};
+    return text.dump(1) + "\n";
+  }
+
+  RunDescription from_text(const std::string &text)
+  {
+    try
+    {
+      const Json json = Json::parse(text);
+      RunDescription description;
+      json.at("application").get_to(description.application);
+      description.build = json.at("version").get<std::string>() + " (" +
+                          json.at("git_revision").get<std::string>() + ")";
+      require_same_format(json, description.build);
+      json.at("history_bytes").get_to(description.history_bytes);
+      json.at("probes_bytes").get_to(description.probes_bytes);
+      json.at("fields").get_to(description.fields);
+      json.at("parameters").get_to(description.parameters);
+      visit_members(description.state, [&](const char *name, auto &value) {
+        json.at("state").at(name).get_to(value);
+      });
+      for (const Json &value : json.at("first_values"))
+        description.first_values.push_back(
+          {value.at(0), value.at(1), value.at(2), value.at(3)});
+      return description;
+    }
+    catch (const nlohmann::json::exception &error)
+    {
+      throw InputError("\"run.json\" of the checkpoint is damaged: " +
+                       std::string(error.what()));
+    }
+  }
+
+  void require_same_scene(const std::map<std::string, std::string> &before,
+                          const std::map<std::string, std::string> &now,
+                          const std::vector<std::string> &exempt)
+  {
+    const auto is_exempt = [&](const std::string &entry) {
+      for (const std::string &name : exempt)
+        if (entry == name ||
+            (name.back() == '/' && entry.compare(0, name.size(), name) == 0))
+          return true;
+      return false;
+    };
+    const std::string problem = "the checkpoint belongs to another scene: ";
+    for (const auto &[entry, value] : now)
+    {
+      if (is_exempt(entry))
+        continue;
+      const auto other = before.find(entry);
+      if (other == before.end())
+        throw InputError(problem + "it has no entry \"" + entry + "\"");
+      if (other->second != value)
+        throw InputError(problem + "\"" + entry + "\" was \"" + other->second +
+                         "\" and is now \"" + value + "\"");
+    }
+    for (const auto &[entry, value] : before)
+      if (!is_exempt(entry) && now.find(entry) == now.end())
+        throw InputError(problem + "its entry \"" + entry + "\" = \"" + value +
+                         "\" is now missing");
+  }
+} // namespace io
+} // namespace contrecoup

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/numerics/injury/blast_injury.h>
+
+#include <cmath>
+
+namespace contrecoup
+{
+double lung_median_lethal_overpressure(const double duration,
+                                       const double mass,
+                                       const double ambient_pressure)
+{
+  const double psi = 6894.757;
+  const double sea_level = 101325.;
+  // In milliseconds, scaled to a body of 70 kg at sea level.
+  const double scaled = 1e3 * duration * std::cbrt(70. / mass) *
+                        std::sqrt(ambient_pressure / sea_level);
+  return 61.5 * psi * (1. + 6.76 * std::pow(scaled, -1.064)) *
+         (ambient_pressure / sea_level);
+}
+
+
+double lung_threshold_overpressure(const double duration,
+                                   const double mass,
+                                   const double ambient_pressure)
+{
+  return lung_median_lethal_overpressure(duration, mass, ambient_pressure) / 5.;
+}
+
+
+double eardrum_rupture_probability(const double overpressure)
+{
+  if (!(overpressure > 0.))
+    return 0.;
+  const double probit = -12.6 + 1.524 * std::log(overpressure);
+  // A probit of 5 is the median.
+  return 0.5 * std::erfc((5. - probit) / std::sqrt(2.));
+}
+} // namespace contrecoup

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/numerics/injury/blast_injury.h>
+#include <contrecoup/numerics/injury/chest_wall.h>
+#include <contrecoup/numerics/injury/load_injury.h>
+
+#include <algorithm>
+
+namespace contrecoup
+{
+namespace
+{
+  constexpr double sea_level = 101325.; // Pa
+
+  /// Fraction of its peak at which a wave counts as arrived.
+  constexpr double arrived = 0.05;
+
+  double peak_of(const std::vector<double> &overpressures)
+  {
+    double peak = 0.;
+    for (const double value : overpressures)
+      peak = std::max(peak, value);
+    return peak;
+  }
+} // namespace
+
+
+double first_positive_phase(const std::vector<double> &times,
+                            const std::vector<double> &overpressures)
+{
+  const double peak = peak_of(overpressures);
+  if (!(peak > 0.))
+    return 0.;
+  const auto begin =
+    std::find_if(overpressures.begin(), overpressures.end(), [&](double value) {
+      return value >= arrived * peak;
+    });
+  const auto end = std::find_if(
+    begin, overpressures.end() - 1, [](double value) { return value <= 0.; });
+  return times[end - overpressures.begin()] -
+         times[begin - overpressures.begin()];
+}
+
+
+LoadInjury load_injury(const std::vector<double> &times,
+                       const std::vector<double> &overpressures,
+                       const double body_mass)
+{
+  LoadInjury injury;
+  injury.chest_wall_velocity =
+    chest_wall_response(times, overpressures, sea_level).velocity;
+  injury.peak = peak_of(overpressures);
+  injury.positive_phase = first_positive_phase(times, overpressures);
+  if (injury.positive_phase > 0.)
+    injury.lung_exposure =
+      injury.peak / lung_median_lethal_overpressure(
+                      injury.positive_phase, body_mass, sea_level);
+  injury.eardrum_rupture = eardrum_rupture_probability(injury.peak);
+  return injury;
+}
+} // namespace contrecoup
