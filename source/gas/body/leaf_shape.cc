@@ -3,6 +3,7 @@
 
 #include <contrecoup/gas/body/cut_cell.h>
 #include <contrecoup/gas/body/leaf_shape.h>
+#include <contrecoup/gas/octree/lattice.h>
 
 #include <algorithm>
 
@@ -27,12 +28,9 @@ namespace
       for (unsigned int i = 0; i < values.size(); ++i)
       {
         dealii::Point<dim> place = box.origin;
-        unsigned int rest = i;
+        const auto index = lattice_indices<dim>(i, n);
         for (unsigned int d = 0; d < dim; ++d)
-        {
-          place[d] += box.extents[d] * ((rest % n + shift) / n_cells);
-          rest /= n;
-        }
+          place[d] += box.extents[d] * ((index[d] + shift) / n_cells);
         const double value = body.value(place);
         values[i] = std::abs(value) < smallest ? 0. : value;
       }
@@ -50,19 +48,6 @@ namespace
     unsigned int n;
     std::vector<double> values;
   };
-
-
-  template <int dim>
-  std::array<unsigned int, dim> places_of(unsigned int q, const unsigned int n)
-  {
-    std::array<unsigned int, dim> result;
-    for (unsigned int d = 0; d < dim; ++d)
-    {
-      result[d] = q % n;
-      q /= n;
-    }
-    return result;
-  }
 
 
   /// Mean radius of the open part of an edge along the radius, in parts of that
@@ -122,11 +107,11 @@ LeafShape<dim> cut_shape(const LeafBox<dim> &box,
   const Grid<dim> grid(box, layout.n, 0., layout.n + 1, body);
   std::array<unsigned int, n_corners> corner;
   for (unsigned int v = 0; v < n_corners; ++v)
-    corner[v] = grid.index(places_of<dim>(v, 2));
+    corner[v] = grid.index(lattice_indices<dim>(v, 2));
   LeafShape<dim> shape;
   for (unsigned int q = 0; q < layout.n_points; ++q)
   {
-    const unsigned int first = grid.index(places_of<dim>(q, layout.n));
+    const unsigned int first = grid.index(lattice_indices<dim>(q, layout.n));
     std::array<double, n_corners> values;
     for (unsigned int v = 0; v < n_corners; ++v)
       values[v] = grid.values[first + corner[v]];
@@ -137,7 +122,7 @@ LeafShape<dim> cut_shape(const LeafBox<dim> &box,
   for (unsigned int d = 0; d < dim; ++d)
     for_each_face(
       layout, d, [&](const unsigned int layer, const unsigned int q) {
-        auto place = places_of<dim>(q, layout.n);
+        auto place = lattice_indices<dim>(q, layout.n);
         place[d] = layer;
         const unsigned int first = grid.index(place);
         std::array<double, n_corners / 2> values;
@@ -171,11 +156,11 @@ LeafShape<dim> staircase_shape(const LeafBox<dim> &box,
   };
   LeafShape<dim> shape;
   for (unsigned int q = 0; q < layout.n_points; ++q)
-    shape.fraction.push_back(is_open(places_of<dim>(q, layout.n)));
+    shape.fraction.push_back(is_open(lattice_indices<dim>(q, layout.n)));
   for (unsigned int d = 0; d < dim; ++d)
     for_each_face(
       layout, d, [&](const unsigned int layer, const unsigned int q) {
-        auto place = places_of<dim>(q, layout.n);
+        auto place = lattice_indices<dim>(q, layout.n);
         place[d] = layer;
         auto below = place;
         --below[d];

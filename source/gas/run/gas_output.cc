@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/gas/octree/lattice.h>
 #include <contrecoup/gas/run/gas_output.h>
 #include <contrecoup/gas/state/point_sampler.h>
 #include <contrecoup/io/file/numpy.h>
@@ -41,19 +42,18 @@ namespace
     std::vector<std::vector<std::pair<unsigned int, double>>> stencils(
       dealii::Utilities::pow(m, dim));
     for (unsigned int o = 0; o < stencils.size(); ++o)
+    {
+      const auto place = lattice_indices<dim>(o, m);
       for (unsigned int q = 0; q < n_points; ++q)
       {
         const auto index = points.indices(q);
         double weight = 1.;
-        unsigned int rest = o;
         for (unsigned int d = 0; d < dim; ++d)
-        {
-          weight *= line[rest % m][index[d]];
-          rest /= m;
-        }
+          weight *= line[place[d]][index[d]];
         if (weight != 0.)
           stencils[o].emplace_back(q, weight);
       }
+    }
     return stencils;
   }
 
