@@ -78,8 +78,10 @@ public:
                                      material,
                                      this->boundary,
                                      body.empty() ? nullptr : &cut_leaves);
+    quiet_leaves = std::make_unique<QuietLeaves<dim>>(
+      mesh, QuietLeaves<dim>::parse_parameters(prm));
     stepper = std::make_unique<TimeStepper<dim>>(
-      mesh, scheme, *gas_operator, QuietLeaves<dim>::parse_parameters(prm));
+      mesh, scheme, *gas_operator, *quiet_leaves);
     adaptation = std::make_unique<Adaptation<dim>>(
       adaptation_parameters, mesh, points, material);
     if (!body.empty())
@@ -162,8 +164,7 @@ public:
   bool adapt()
   {
     stepper->update_ghosts(field);
-    const bool changed =
-      adaptation->adapt(field, time, &stepper->quiet_leaves());
+    const bool changed = adaptation->adapt(field, time, quiet_leaves.get());
     if (changed && !charges.empty())
     {
       detonation.reinit(mesh, points, charges);
@@ -171,7 +172,7 @@ public:
     }
     if (changed)
       reinit();
-    size_ratios = adaptation->size_ratios(time);
+    size_ratios = adaptation->levels().size_ratios(time);
     return changed;
   }
 
@@ -202,15 +203,7 @@ public:
   /// The gas after a step of size @p step [s], for recorders.
   GasSnapshot<dim> snapshot(const double step = 0.) const
   {
-    return {*this,
-            mesh,
-            field,
-            cut_leaves,
-            stepper->quiet_leaves(),
-            time,
-            step,
-            0,
-            {}};
+    return {*this, mesh, field, cut_leaves, *quiet_leaves, time, step, 0, {}};
   }
 
   Detonation<dim> detonation;
@@ -219,6 +212,7 @@ public:
   CutLeaves<dim> cut_leaves;
   GasField field;
   std::unique_ptr<GasOperator<dim>> gas_operator;
+  std::unique_ptr<QuietLeaves<dim>> quiet_leaves;
   std::unique_ptr<TimeStepper<dim>> stepper;
   std::unique_ptr<Adaptation<dim>> adaptation;
   std::vector<double> size_ratios;

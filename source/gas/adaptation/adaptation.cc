@@ -4,6 +4,7 @@
 #include <contrecoup/gas/adaptation/adaptation.h>
 #include <contrecoup/gas/adaptation/jump_sensor.h>
 #include <contrecoup/gas/adaptation/leaf_carrier.h>
+#include <contrecoup/gas/adaptation/line_adaptation.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/grid_tools.h>
@@ -22,6 +23,7 @@ Adaptation<dim>::Adaptation(const AdaptationParameters &parameters,
   , mesh_(mesh)
   , points_(points)
   , material_(material)
+  , levels_(parameters_, mesh)
   , pace_(parameters)
 {
   weigh_leaves();
@@ -144,7 +146,7 @@ bool Adaptation<dim>::adapt_now(GasField &field, BlastMaps<dim> &maps)
     spread(marks);
   set_flags(marks);
   if constexpr (dim == 1)
-    balance_line();
+    balance_line(mesh_);
   mesh_.triangulation().prepare_coarsening_and_refinement();
   bool any = false;
   for (const auto &cell : mesh_.triangulation().active_cell_iterators())
@@ -152,10 +154,7 @@ bool Adaptation<dim>::adapt_now(GasField &field, BlastMaps<dim> &maps)
                   (cell->refine_flag_set() || cell->coarsen_flag_set()));
   if (dealii::Utilities::MPI::max(any ? 1U : 0U, mesh_.communicator()) == 0)
     return false;
-  if constexpr (dim == 1)
-    carry_over_line(field, maps);
-  else
-    carry_over(field, maps);
+  carry_over(field, maps);
   return true;
 }
 
@@ -232,7 +231,7 @@ void Adaptation<dim>::set_flags(const std::vector<FaceMarks> &marks)
     const unsigned int level = cell->level();
     cell->clear_refine_flag();
     cell->clear_coarsen_flag();
-    const auto allowed = levels(leaf);
+    const auto allowed = levels_.levels(leaf, time_);
     const double mark =
       *std::max_element(marks[leaf].begin(), marks[leaf].end());
     if ((mark >= parameters_.refine && level < allowed.most) ||
@@ -251,7 +250,7 @@ bool Adaptation<dim>::refine_where(
 {
   for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
     if (static_cast<unsigned int>(mesh_.cell(leaf)->level()) <
-          levels(leaf).most &&
+          levels_.levels(leaf, time_).most &&
         wanted(leaf))
       mesh_.cell(leaf)->set_refine_flag();
   return refine_flagged();
@@ -267,7 +266,7 @@ bool Adaptation<dim>::refine_flagged()
   if (dealii::Utilities::MPI::max(any ? 1U : 0U, mesh_.communicator()) == 0)
     return false;
   if constexpr (dim == 1)
-    balance_line();
+    balance_line(mesh_);
   mesh_.triangulation().execute_coarsening_and_refinement();
   mesh_.rebuild();
   return true;
@@ -275,14 +274,46 @@ bool Adaptation<dim>::refine_flagged()
 
 
 template <int dim>
+void Adaptation<dim>::refine_at_body()
+{
+  do
+    for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
+      if (levels_.is_too_coarse_at_body(leaf))
+        mesh_.cell(leaf)->set_refine_flag();
+  while (refine_flagged());
+}
+
+
+template <int dim>
+void Adaptation<dim>::refine_fine_box()
+{
+  do
+    for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
+      if (parameters_.fine_level > 0 &&
+          static_cast<unsigned int>(mesh_.cell(leaf)->level()) <
+            levels_.levels(leaf, time_).least)
+        mesh_.cell(leaf)->set_refine_flag();
+  while (refine_flagged());
+}
+
+
+template <int dim>
 void Adaptation<dim>::carry_over(GasField &field, BlastMaps<dim> &maps)
 {
-  if constexpr (dim > 1)
+  const LeafCarrier<dim> carrier(mesh_, points_, material_, field, maps);
+  const auto make_room = [&]() {
+    mesh_.rebuild();
+    field.reinit(field.layout(), mesh_.n_stored_batches());
+    if (!maps.empty())
+      maps.reinit(field.layout().n_points, mesh_.n_owned());
+  };
+  if constexpr (dim == 1)
+    adapt_line(mesh_, carrier, make_room);
+  else
   {
     using Cell = typename LeafMesh<dim>::CellIterator;
     using Status = typename LeafMesh<dim>::Tria::CellStatus;
     using Bytes = boost::iterator_range<std::vector<char>::const_iterator>;
-    const LeafCarrier<dim> carrier(mesh_, points_, material_, field, maps);
     auto &tria = mesh_.triangulation();
     const auto handle = tria.register_data_attach(
       [&](const Cell &cell, const Status status) {
@@ -290,16 +321,13 @@ void Adaptation<dim>::carry_over(GasField &field, BlastMaps<dim> &maps)
       },
       false);
     tria.execute_coarsening_and_refinement();
-    mesh_.rebuild();
-    field.reinit(field.layout(), mesh_.n_stored_batches());
-    if (!maps.empty())
-      maps.reinit(field.layout().n_points, mesh_.n_owned());
+    make_room();
     tria.notify_ready_to_unpack(
       handle, [&](const Cell &cell, const Status status, const Bytes &bytes) {
         carrier.unpack(cell, status == tria.CELL_REFINE, &*bytes.begin());
       });
-    field.fill_padding(mesh_.n_owned());
   }
+  field.fill_padding(mesh_.n_owned());
 }
 
 

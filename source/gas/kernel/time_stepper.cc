@@ -10,11 +10,11 @@ template <int dim>
 TimeStepper<dim>::TimeStepper(const LeafMesh<dim> &mesh,
                               const Scheme &scheme,
                               GasOperator<dim> &gas_operator,
-                              const bool skip_quiet_leaves)
+                              QuietLeaves<dim> &quiet_leaves)
   : mesh_(mesh)
   , scheme_(scheme)
   , operator_(gas_operator)
-  , quiet_leaves_(mesh, skip_quiet_leaves)
+  , quiet_leaves_(quiet_leaves)
 {}
 
 

@@ -81,8 +81,9 @@ void GasCore<dim>::create_octree()
                                 scene_.material,
                                 scene_.boundary,
                                 body_.empty() ? nullptr : &body_.cut_leaves());
+  quiet_leaves_ = std::make_unique<QuietLeaves<dim>>(mesh_, skip_quiet_leaves_);
   stepper_ = std::make_unique<TimeStepper<dim>>(
-    mesh_, scene_.scheme, *operator_, skip_quiet_leaves_);
+    mesh_, scene_.scheme, *operator_, *quiet_leaves_);
   adaptation_ = std::make_unique<Adaptation<dim>>(
     adaptation_parameters_, mesh_, scene_.points, scene_.material);
   if (!body_.empty())
@@ -209,10 +210,9 @@ void GasCore<dim>::update_burn()
 template <int dim>
 StepReport GasCore<dim>::advance(const double largest_step)
 {
-  const auto &quiet = stepper_->quiet_leaves();
   const auto rates = stepper_->largest_rates(adaptation_->size_ratios());
   const double stable = stepper_->stable_step(rates.all);
-  const double n_before = quiet.n_possible();
+  const double n_before = quiet_leaves_->n_possible();
   const auto result =
     stepper_->advance(field_, time_, std::min(stable, largest_step));
   if (result.failed)
@@ -222,15 +222,15 @@ StepReport GasCore<dim>::advance(const double largest_step)
   last_step_ = result.step;
   wall_force_ = result.wall_force;
   n_careful_steps_ += result.careful ? 1. : 0.;
-  count_work(quiet.n_possible() - n_before, result.step / stable);
+  count_work(quiet_leaves_->n_possible() - n_before, result.step / stable);
   adaptation_->add_step(rates.fronts / rates.all);
   update_burn();
   if (afterburn_.release(
         time_, result.step, mesh_, scene_.points, scene_.material, field_))
     stepper_->analyse(field_);
 
-  const double n_computed =
-    dealii::Utilities::MPI::sum(quiet.n_computed(), mesh_.communicator());
+  const double n_computed = dealii::Utilities::MPI::sum(
+    quiet_leaves_->n_computed(), mesh_.communicator());
   StepReport report;
   report.step_size = result.step;
   report.retries = result.retries;
@@ -292,7 +292,7 @@ bool GasCore<dim>::adapt(BlastMaps<dim> &maps)
   adaptation_->restart(time_);
   stepper_->update_ghosts(field_);
   const bool changed =
-    adaptation_->adapt(field_, maps, time_, &stepper_->quiet_leaves());
+    adaptation_->adapt(field_, maps, time_, quiet_leaves_.get());
   if (changed)
     mesh_changed();
   else
@@ -339,7 +339,7 @@ GasSnapshot<dim> GasCore<dim>::snapshot() const
           mesh_,
           field_,
           body_.cut_leaves(),
-          stepper_->quiet_leaves(),
+          *quiet_leaves_,
           time_,
           last_step_,
           n_steps_,
@@ -373,7 +373,7 @@ template <int dim>
 double GasCore<dim>::skipped_updates() const
 {
   const double n_possible = dealii::Utilities::MPI::sum(
-    stepper_->quiet_leaves().n_possible(), mesh_.communicator());
+    quiet_leaves_->n_possible(), mesh_.communicator());
   return n_possible > 0. ? 1. - n_computed_ / n_possible : 0.;
 }
 
@@ -415,6 +415,7 @@ GasCore<dim>::expected_work(const double end_time,
   const WorkForecaster<dim> forecaster(
     mesh_,
     *stepper_,
+    *quiet_leaves_,
     *adaptation_,
     centre,
     front,

@@ -20,6 +20,7 @@ namespace
 template <int dim>
 WorkForecaster<dim>::WorkForecaster(const LeafMesh<dim> &mesh,
                                     const TimeStepper<dim> &stepper,
+                                    const QuietLeaves<dim> &quiet_leaves,
                                     const Adaptation<dim> &adaptation,
                                     const dealii::Point<dim> &centre,
                                     std::function<double(double)> front,
@@ -30,7 +31,6 @@ WorkForecaster<dim>::WorkForecaster(const LeafMesh<dim> &mesh,
   , sound_speed_(sound_speed)
   , leaves_(mesh.n_owned())
 {
-  const auto &quiet = stepper.quiet_leaves();
   for (unsigned int i = 0; i < leaves_.size(); ++i)
   {
     const auto &cell = mesh.cell(i);
@@ -38,9 +38,9 @@ WorkForecaster<dim>::WorkForecaster(const LeafMesh<dim> &mesh,
     leaf.reached_at = cell->center().distance(centre) - 0.5 * cell->diameter();
     leaf.diameter = cell->diameter();
     leaf.rate = stepper.signal_rate(i);
-    leaf.is_active = quiet.is_active(i / mesh.width());
+    leaf.is_active = quiet_leaves.is_active(i / mesh.width());
     leaf.level = cell->level();
-    leaf.least_level = adaptation.least_level_near_body(i);
+    leaf.least_level = adaptation.levels().least_level_near_body(i);
     leaf.merges_now = merges(i, adaptation.time());
   }
 }
@@ -50,8 +50,8 @@ template <int dim>
 unsigned int WorkForecaster<dim>::merges(const unsigned int leaf,
                                          const double time) const
 {
-  const unsigned int level =
-    std::max(adaptation_.most_level(leaf, time), leaves_[leaf].least_level);
+  const unsigned int level = std::max(
+    adaptation_.levels().most_level(leaf, time), leaves_[leaf].least_level);
   return std::max(leaves_[leaf].level, level) - level;
 }
 
@@ -99,7 +99,7 @@ WorkForecast WorkForecaster<dim>::forecast(const double time,
         continue;
       }
       // The front halves leaves as far as it may, and those behind it stay.
-      const unsigned int most = adaptation_.most_level(i, then);
+      const unsigned int most = adaptation_.levels().most_level(i, then);
       const double size =
         std::ldexp(1., int(std::max(most, leaf.level) - leaf.level));
       const bool is_at_front = front - leaf.reached_at < leaf.diameter;

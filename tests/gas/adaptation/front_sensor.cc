@@ -436,11 +436,10 @@ TEST(Balance, RanksShareTheActiveLeaves)
   {
     run.steps(2);
     run.stepper->update_ghosts(run.field);
-    if (run.adaptation->adapt(
-          run.field, run.time, &run.stepper->quiet_leaves()))
+    if (run.adaptation->adapt(run.field, run.time, run.quiet_leaves.get()))
       run.stepper->reinit(run.field);
   }
-  const auto &quiet = run.stepper->quiet_leaves();
+  const auto &quiet = *run.quiet_leaves;
   double mine = 0.;
   for (unsigned int leaf = 0; leaf < run.mesh.n_owned(); ++leaf)
     mine += quiet.is_active(leaf / run.mesh.width()) ? 1. : 0.;

@@ -280,7 +280,7 @@ TEST(BodyLevels, FrontsInLeavesThatAreSmallForTheBodyAloneHaveLessBuffer)
   std::array<unsigned int, 2> n_finer = {{0, 0}};
   for (const unsigned int later : {0U, 1U})
   {
-    const auto ratios = run.adaptation->size_ratios(later);
+    const auto ratios = run.adaptation->levels().size_ratios(later);
     ASSERT_EQ(ratios.size(), run.mesh.n_owned());
     for (unsigned int leaf = 0; leaf < run.mesh.n_owned(); ++leaf)
     {

@@ -5,8 +5,8 @@
 
 #include <contrecoup/gas/adaptation/adaptation_pace.h>
 #include <contrecoup/gas/adaptation/front_sensor.h>
+#include <contrecoup/gas/adaptation/leaf_levels.h>
 #include <contrecoup/gas/adaptation/leaf_transfer.h>
-#include <contrecoup/gas/conditions/rigid_body.h>
 #include <contrecoup/gas/record/blast_maps.h>
 #include <contrecoup/gas/state/gas_field.h>
 #include <contrecoup/gas/state/quiet_leaves.h>
@@ -52,13 +52,14 @@ public:
   /// true, without carrying the field over. Returns whether any was.
   bool refine_where(const std::function<bool(const unsigned int leaf)> &wanted);
 
-  /// Leaves that meet the surface of @p body, and those within one such leaf
-  /// of it, shall be halved as often as the body says beyond @p initial_level,
-  /// neither more nor less; the body must outlive this object.
+  /// See LeafLevels.
   void set_body(const RigidBody &body, const unsigned int initial_level)
   {
-    body_ = &body;
-    initial_level_ = initial_level;
+    levels_.set_body(body, initial_level);
+  }
+  const LeafLevels<dim> &levels() const
+  {
+    return levels_;
   }
 
   /// Halves the leaves at the body until they have their level.
@@ -80,20 +81,14 @@ public:
     pace_.restart(time);
   }
 
-  /// For each owned leaf at time @p time [s], the ratio of its edge length to
-  /// that of the smallest leaf that fronts may have there, at most 1: a front
-  /// in a smaller leaf, beside a body, has a buffer that is thinner by it [-].
-  std::vector<double> size_ratios(const double time) const;
-
-  /// Finds size_ratios() for steps from here on. Call after mesh and state
-  /// changed, and after adapt().
+  /// Finds size_ratios() for the steps from here on. Call after adapt().
   void update_size_ratios()
   {
-    size_ratios_ =
-      parameters_.active ? size_ratios(pace_.start()) : std::vector<double>();
+    if (parameters_.active)
+      size_ratios_ = levels_.size_ratios(pace_.start());
   }
 
-  /// What update_size_ratios() found; empty: all are one.
+  /// See LeafLevels; empty: all are one.
   const std::vector<double> &size_ratios() const
   {
     return size_ratios_;
@@ -121,14 +116,6 @@ public:
     return time_;
   }
 
-  /// The finest level that fine box and limits of size let an owned leaf have
-  /// at time @p time [s].
-  unsigned int most_level(const unsigned int leaf, const double time) const;
-
-  /// The coarsest level that an owned leaf can have beside the leaves at the
-  /// body.
-  unsigned int least_level_near_body(const unsigned int leaf) const;
-
   /// Sensor of each owned leaf, from 0 (smooth) to 1 (a jump). The field's
   /// ghosts must be up to date.
   std::vector<double> sensors(const GasField &field) const;
@@ -145,18 +132,6 @@ private:
   std::vector<FaceMarks> face_marks(const GasField &field) const;
   /// Batches whose leaves are looked at.
   std::vector<bool> wanted_batches() const;
-  /// Levels that a leaf may have.
-  SizeLimits::Levels levels(const unsigned int leaf) const;
-  /// What fine box and limits leave of the levels @p general at time @p time
-  /// [s].
-  SizeLimits::Levels narrowed(const unsigned int leaf,
-                              SizeLimits::Levels general,
-                              const double time) const;
-  /// See RigidBody::layers_to().
-  double layers_from_body(const unsigned int leaf) const;
-  /// Level that the leaf shall have if it is at the body.
-  unsigned int body_level(const unsigned int leaf) const;
-  bool is_in_fine_box(const dealii::Point<dim> &place) const;
   void weigh_leaves();
   /// What a leaf costs that persists, is merged or halved, in parts of the
   /// cost of a quiet one.
@@ -171,17 +146,12 @@ private:
                FaceMarks &result) const;
   void set_flags(const std::vector<FaceMarks> &marks);
   void carry_over(GasField &field, BlastMaps<dim> &maps);
-  /// In 1-D, changes the flags so that neighbours stay within one level and
-  /// siblings merge together.
-  void balance_line();
-  void carry_over_line(GasField &field, BlastMaps<dim> &maps);
 
   const AdaptationParameters parameters_;
   LeafMesh<dim> &mesh_;
   const LeafPoints<dim> points_;
   const GasMaterial material_;
-  const RigidBody *body_ = nullptr;
-  unsigned int initial_level_ = 0;
+  LeafLevels<dim> levels_;
   AdaptationPace pace_;
   std::vector<double> size_ratios_;
   double time_ = 0.; ///< [s]

@@ -25,10 +25,11 @@ template <int dim>
 class TimeStepper
 {
 public:
+  /// Keeps references.
   TimeStepper(const LeafMesh<dim> &mesh,
               const Scheme &scheme,
               GasOperator<dim> &gas_operator,
-              const bool skip_quiet_leaves = true);
+              QuietLeaves<dim> &quiet_leaves);
 
   /// Renews what depends on the mesh and computes sensor and signal rate
   /// of the current state.
@@ -86,15 +87,6 @@ public:
   /// Goes ahead by @p step [s] or, after retries, by less. Collective.
   Result advance(GasField &field, const double time, const double step);
 
-  QuietLeaves<dim> &quiet_leaves()
-  {
-    return quiet_leaves_;
-  }
-  const QuietLeaves<dim> &quiet_leaves() const
-  {
-    return quiet_leaves_;
-  }
-
   /// Largest signal rate of a leaf, see Stage::signal_rate [1/s].
   double signal_rate(const unsigned int leaf) const
   {
@@ -135,7 +127,7 @@ private:
   Precision precision_ = Precision::double_precision; ///< of the field
   std::tuple<dealii::AlignedVector<double>, dealii::AlignedVector<float>>
     signal_rates_;
-  QuietLeaves<dim> quiet_leaves_;
+  QuietLeaves<dim> &quiet_leaves_;
   unsigned int unphysical_leaf_ = no_leaf;
   std::array<double, 6> wall_force_; ///< see Result
 };

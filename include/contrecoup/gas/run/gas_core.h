@@ -132,6 +132,7 @@ private:
   LeafMesh<dim> mesh_;
   BodyInGas<dim> body_;
   GasField field_;
+  std::unique_ptr<QuietLeaves<dim>> quiet_leaves_;
   std::unique_ptr<GasOperator<dim>> operator_;
   std::unique_ptr<TimeStepper<dim>> stepper_;
   std::unique_ptr<Adaptation<dim>> adaptation_;

@@ -30,6 +30,7 @@ public:
   /// @param sound_speed of the gas at rest [m/s]
   WorkForecaster(const LeafMesh<dim> &mesh,
                  const TimeStepper<dim> &stepper,
+                 const QuietLeaves<dim> &quiet_leaves,
                  const Adaptation<dim> &adaptation,
                  const dealii::Point<dim> &centre,
                  std::function<double(double)> front,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/gas/adaptation/adaptation.h>
+#include <contrecoup/gas/adaptation/leaf_levels.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace contrecoup::gas
 {
 template <int dim>
-bool Adaptation<dim>::is_in_fine_box(const dealii::Point<dim> &place) const
+bool LeafLevels<dim>::is_in_fine_box(const dealii::Point<dim> &place) const
 {
   if (parameters_.fine_level == 0)
     return false;
@@ -22,7 +22,8 @@ bool Adaptation<dim>::is_in_fine_box(const dealii::Point<dim> &place) const
 
 
 template <int dim>
-SizeLimits::Levels Adaptation<dim>::levels(const unsigned int leaf) const
+SizeLimits::Levels LeafLevels<dim>::levels(const unsigned int leaf,
+                                           const double time) const
 {
   SizeLimits::Levels general = {parameters_.least_level,
                                 parameters_.most_level};
@@ -36,12 +37,12 @@ SizeLimits::Levels Adaptation<dim>::levels(const unsigned int leaf) const
     if (layers <= 2.)
       general.most = std::min(general.most, level + 2);
   }
-  return narrowed(leaf, general, time_);
+  return narrowed(leaf, general, time);
 }
 
 
 template <int dim>
-SizeLimits::Levels Adaptation<dim>::narrowed(const unsigned int leaf,
+SizeLimits::Levels LeafLevels<dim>::narrowed(const unsigned int leaf,
                                              SizeLimits::Levels general,
                                              const double time) const
 {
@@ -54,15 +55,13 @@ SizeLimits::Levels Adaptation<dim>::narrowed(const unsigned int leaf,
 
 
 template <int dim>
-std::vector<double> Adaptation<dim>::size_ratios(const double time) const
+std::vector<double> LeafLevels<dim>::size_ratios(const double time) const
 {
   std::vector<double> result(mesh_.n_owned());
   for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
   {
     const unsigned int level = mesh_.cell(leaf)->level();
-    const unsigned int most =
-      narrowed(leaf, {parameters_.least_level, parameters_.most_level}, time)
-        .most;
+    const unsigned int most = most_level(leaf, time);
     result[leaf] = std::pow(0.5, std::max(level, most) - most);
   }
   return result;
@@ -70,7 +69,7 @@ std::vector<double> Adaptation<dim>::size_ratios(const double time) const
 
 
 template <int dim>
-unsigned int Adaptation<dim>::most_level(const unsigned int leaf,
+unsigned int LeafLevels<dim>::most_level(const unsigned int leaf,
                                          const double time) const
 {
   return narrowed(leaf, {parameters_.least_level, parameters_.most_level}, time)
@@ -80,12 +79,12 @@ unsigned int Adaptation<dim>::most_level(const unsigned int leaf,
 
 template <int dim>
 unsigned int
-Adaptation<dim>::least_level_near_body(const unsigned int leaf) const
+LeafLevels<dim>::least_level_near_body(const unsigned int leaf) const
 {
   if (body_ == nullptr)
     return 0;
   const int finest = body_level(leaf);
-  CellIterator cell = mesh_.cell(leaf);
+  typename LeafMesh<dim>::CellIterator cell = mesh_.cell(leaf);
   for (; cell->level() > 0; cell = cell->parent())
   {
     const auto &parent = cell->parent();
@@ -105,7 +104,7 @@ Adaptation<dim>::least_level_near_body(const unsigned int leaf) const
 
 
 template <int dim>
-unsigned int Adaptation<dim>::body_level(const unsigned int leaf) const
+unsigned int LeafLevels<dim>::body_level(const unsigned int leaf) const
 {
   const auto &cell = mesh_.cell(leaf);
   return initial_level_ +
@@ -114,7 +113,7 @@ unsigned int Adaptation<dim>::body_level(const unsigned int leaf) const
 
 
 template <int dim>
-double Adaptation<dim>::layers_from_body(const unsigned int leaf) const
+double LeafLevels<dim>::layers_from_body(const unsigned int leaf) const
 {
   const auto &cell = mesh_.cell(leaf);
   return body_->layers_to(cell->vertex(0),
@@ -124,33 +123,16 @@ double Adaptation<dim>::layers_from_body(const unsigned int leaf) const
 
 
 template <int dim>
-void Adaptation<dim>::refine_at_body()
+bool LeafLevels<dim>::is_too_coarse_at_body(const unsigned int leaf) const
 {
-  do
-    for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
-      if (body_ != nullptr &&
-          static_cast<unsigned int>(mesh_.cell(leaf)->level()) <
-            body_level(leaf) &&
-          layers_from_body(leaf) <= RigidBody::at_body)
-        mesh_.cell(leaf)->set_refine_flag();
-  while (refine_flagged());
+  return body_ != nullptr &&
+         static_cast<unsigned int>(mesh_.cell(leaf)->level()) <
+           body_level(leaf) &&
+         layers_from_body(leaf) <= RigidBody::at_body;
 }
 
 
-template <int dim>
-void Adaptation<dim>::refine_fine_box()
-{
-  do
-    for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
-      if (parameters_.fine_level > 0 &&
-          static_cast<unsigned int>(mesh_.cell(leaf)->level()) <
-            levels(leaf).least)
-        mesh_.cell(leaf)->set_refine_flag();
-  while (refine_flagged());
-}
-
-
-template class Adaptation<1>;
-template class Adaptation<2>;
-template class Adaptation<3>;
+template class LeafLevels<1>;
+template class LeafLevels<2>;
+template class LeafLevels<3>;
 } // namespace contrecoup::gas
