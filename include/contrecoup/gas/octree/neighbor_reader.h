@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#if CONTRECOUP_LANE_BITS == 512
+#ifdef __AVX2__
 #  include <immintrin.h>
 #endif
 
@@ -20,7 +20,8 @@ namespace contrecoup::gas
 /**
  * Reads the values of the neighbours of a batch, one leaf per lane. In Morton
  * order the neighbours lie in two or three batches; loading these whole and
- * permuting lanes (AVX-512) is several times faster than a gather per value.
+ * permuting lanes (AVX-512, AVX2) is several times faster than a gather per
+ * value.
  */
 template <typename Real>
 class NeighborReader
@@ -35,17 +36,14 @@ public:
     for (unsigned int lane = 0; lane < width; ++lane)
     {
       offset_[lane] = layout.offset(leaves[lane]);
-      lane_[lane] = leaves[lane] % width;
-      const std::size_t source = offset_[lane] - lane_[lane];
+      const unsigned int from = leaves[lane] % width;
+      const std::size_t source = offset_[lane] - from;
       unsigned int s = 0;
       while (s < n_sources_ && source_[s] != source)
         ++s;
       if (s == n_sources_)
-      {
-        source_[n_sources_++] = source;
-        mask_[s] = 0;
-      }
-      mask_[s] |= 1U << lane;
+        add_source(source);
+      take(s, lane, from);
     }
   }
 
@@ -53,46 +51,125 @@ public:
   /// at address @p at.
   Lanes<Real> read(const Real *at) const
   {
-    Lanes<Real> result;
-#if CONTRECOUP_LANE_BITS == 512
-    const __m512i lanes = _mm512_load_si512(lane_.data());
-    if constexpr (sizeof(Real) == 4)
-    {
-      result.data = _mm512_setzero_ps();
-      for (unsigned int s = 0; s < n_sources_; ++s)
-        result.data =
-          _mm512_mask_permutexvar_ps(result.data,
-                                     static_cast<__mmask16>(mask_[s]),
-                                     lanes,
-                                     _mm512_loadu_ps(at + source_[s]));
-    }
-    else
-    {
-      result.data = _mm512_setzero_pd();
-      for (unsigned int s = 0; s < n_sources_; ++s)
-        result.data =
-          _mm512_mask_permutexvar_pd(result.data,
-                                     static_cast<__mmask8>(mask_[s]),
-                                     lanes,
-                                     _mm512_loadu_pd(at + source_[s]));
-    }
+    std::array<Lanes<Real>, 1> result;
+    read(at, 0, result);
+    return result[0];
+  }
+
+  /// Values of consecutive components, @p stride numbers apart in memory.
+  template <std::size_t n>
+  DEAL_II_ALWAYS_INLINE void read(const Real *at,
+                                  const std::size_t stride,
+                                  std::array<Lanes<Real>, n> &result) const
+  {
+#ifdef __AVX2__
+    for (std::size_t c = 0; c < n; ++c)
+      result[c] = Lanes<Real>(0.);
+    for (unsigned int s = 0; s < n_sources_; ++s)
+      for (std::size_t c = 0; c < n; ++c)
+        put(s, at + source_[s] + c * stride, result[c]);
 #else
-    for (unsigned int lane = 0; lane < width; ++lane)
-      result[lane] = at[offset_[lane]];
+    for (std::size_t c = 0; c < n; ++c)
+      for (unsigned int lane = 0; lane < width; ++lane)
+        result[c][lane] = at[offset_[lane] + c * stride];
 #endif
-    return result;
+  }
+
+  /// Number of distinct batches that hold the leaves.
+  unsigned int n_sources() const
+  {
+    return n_sources_;
+  }
+  /// Offset of one of these batches in the field.
+  std::size_t source(const unsigned int s) const
+  {
+    return source_[s];
   }
 
 private:
+#if CONTRECOUP_LANE_BITS >= 512
   /// Unsigned integer of the size of Real.
   using Index =
     std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
+  using Mask = std::uint16_t;
 
-  /// Lane of each leaf in its batch
-  alignas(64) std::array<Index, width> lane_{};
+  void add_source(const std::size_t source)
+  {
+    mask_[n_sources_] = 0;
+    source_[n_sources_++] = source;
+  }
+  void
+  take(const unsigned int s, const unsigned int lane, const unsigned int from)
+  {
+    lane_[lane] = from;
+    mask_[s] |= Mask(1U << lane);
+  }
+  DEAL_II_ALWAYS_INLINE void
+  put(const unsigned int s, const Real *values, Lanes<Real> &result) const
+  {
+    const __m512i lanes = _mm512_load_si512(lane_.data());
+    if constexpr (sizeof(Real) == 4)
+      result.data = _mm512_mask_permutexvar_ps(
+        result.data, mask_[s], lanes, _mm512_loadu_ps(values));
+    else
+      result.data = _mm512_mask_permutexvar_pd(
+        result.data, __mmask8(mask_[s]), lanes, _mm512_loadu_pd(values));
+  }
+
+  alignas(
+    64) std::array<Index, width> lane_{}; ///< lane of each leaf in its batch
+  std::array<Mask, width> mask_{};        ///< lanes filled by each batch
+#elif defined(__AVX2__)
+  /// Words of 32 bits, of which a number takes one or two.
+  using Words = std::array<std::uint32_t, 8>;
+
+  void add_source(const std::size_t source)
+  {
+    mask_[n_sources_] = Words{};
+    source_[n_sources_++] = source;
+  }
+  void
+  take(const unsigned int s, const unsigned int lane, const unsigned int from)
+  {
+    constexpr unsigned int n_words = sizeof(Real) / 4;
+    for (unsigned int w = 0; w < n_words; ++w)
+    {
+      word_[n_words * lane + w] = n_words * from + w;
+      mask_[s][n_words * lane + w] = 0xffffffffU;
+    }
+  }
+  DEAL_II_ALWAYS_INLINE void
+  put(const unsigned int s, const Real *values, Lanes<Real> &result) const
+  {
+    const __m256i words =
+      _mm256_load_si256(reinterpret_cast<const __m256i *>(word_.data()));
+    const __m256 mask =
+      _mm256_load_ps(reinterpret_cast<const float *>(mask_[s].data()));
+    if constexpr (sizeof(Real) == 4)
+      result.data = _mm256_blendv_ps(
+        result.data,
+        _mm256_permutevar8x32_ps(_mm256_loadu_ps(values), words),
+        mask);
+    else
+      result.data = _mm256_castps_pd(
+        _mm256_blendv_ps(_mm256_castpd_ps(result.data),
+                         _mm256_permutevar8x32_ps(
+                           _mm256_castpd_ps(_mm256_loadu_pd(values)), words),
+                         mask));
+  }
+  alignas(32) Words word_{}; ///< word that each lane's word is read from
+  alignas(32) std::array<Words, width> mask_; ///< lanes filled by each batch
+#else
+  void add_source(const std::size_t source)
+  {
+    source_[n_sources_++] = source;
+  }
+  void take(const unsigned int, const unsigned int, const unsigned int)
+  {}
+#endif
+
   std::array<std::size_t, width> offset_{}; ///< offset of each leaf
   unsigned int n_sources_ = 0;
   std::array<std::size_t, width> source_{}; ///< offsets of distinct batches
-  std::array<unsigned int, width> mask_{};  ///< lanes filled by each batch
 };
 } // namespace contrecoup::gas
