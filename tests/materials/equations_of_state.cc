@@ -403,3 +403,59 @@ TEST(Jwl, KeepsSlowlyDecayingExponentials)
       gas.cold_energy_density(1630. / volume, 1.) / expected, 1., 1e-6);
   }
 }
+
+
+namespace
+{
+// Where kernels take air that carries hardly any products for air, results
+// must not depend on which other cells share the lanes.
+template <typename Number>
+void expect_traced_air(const Number &density, const Number &pressure)
+{
+  const MieGrueneisen mixture = MieGrueneisen::jwl_in_air(tnt());
+  const TracedAir air = mixture.air();
+  for (const double part : {0., 1e-3, 1.})
+  {
+    const Number products(part * negligible_products<Number>);
+    ASSERT_TRUE(mixture.is_air(density, products));
+    Number energy, other_energy, square, other_square;
+    mixture.energy_and_sound_speed(density, pressure, products, energy, square);
+    air.energy_and_sound_speed(
+      density, pressure, products, other_energy, other_square);
+    EXPECT_EQ(largest_lane(energy - other_energy), 0.);
+    EXPECT_EQ(smallest_lane(energy - other_energy), 0.);
+    EXPECT_EQ(largest_lane(square - other_square), 0.);
+    EXPECT_EQ(smallest_lane(square - other_square), 0.);
+    EXPECT_EQ(largest_lane(mixture.cold_energy_density(density, products) -
+                           air.cold_energy_density(density, products)),
+              0.);
+  }
+}
+
+} // namespace
+
+TEST(TracedAir, IsTheMixtureToTheLastBit)
+{
+  for (const double density : {1e-3, 0.3, 1.2, 12.})
+    for (const double pressure : {1., 1e5, 3.3e7})
+    {
+      expect_traced_air<double>(density, pressure);
+      expect_traced_air<Lanes<double>>(density, pressure);
+      expect_traced_air<float>(density, pressure);
+      expect_traced_air<Lanes<float>>(density, pressure);
+    }
+}
+
+TEST(TracedAir, IsNotTakenForOtherGases)
+{
+  const MieGrueneisen mixture = MieGrueneisen::jwl_in_air(tnt());
+  EXPECT_TRUE(mixture.is_air(1.2, 0.));
+  EXPECT_FALSE(mixture.is_air(1.2, 1e-12));
+  EXPECT_FALSE(mixture.is_air(100., 0.));
+  EXPECT_FALSE(MieGrueneisen::jwl(tnt()).is_air(1.2, 0.));
+  EXPECT_FALSE(MieGrueneisen::stiffened_gas(1.4, 0.).is_air(1.2, 0.));
+  Lanes<float> products(0.f);
+  EXPECT_TRUE(mixture.is_air(Lanes<float>(1.2f), products));
+  products[n_lanes<float> - 1] = 1e-6f;
+  EXPECT_FALSE(mixture.is_air(Lanes<float>(1.2f), products));
+}

@@ -6,6 +6,8 @@
 #include <contrecoup/base/lanes/exponential.h>
 #include <contrecoup/materials/jwl_parameters.h>
 
+#include <limits>
+
 namespace contrecoup
 {
 /// Cold curve and Grueneisen coefficient at one density and mass fraction.
@@ -18,6 +20,15 @@ struct ColdState
   Number omega;          ///< [-]
   Number inverse_omega;  ///< [-]
 };
+
+/// Mass fraction of products [-] up to which gas in air is taken for air: what
+/// it adds to the Grueneisen coefficient is lost in rounding.
+template <typename Number>
+inline constexpr double
+  negligible_products = std::numeric_limits<Number>::epsilon() / 8.;
+template <typename Scalar, std::size_t width>
+inline constexpr double negligible_products<LaneGroup<Scalar, width>> =
+  negligible_products<Scalar>;
 
 /**
  * Cold curve, Grueneisen coefficient and specific heat of MieGrueneisen, with
@@ -64,6 +75,31 @@ public:
     return cold;
   }
 
+  /// rho e_c [J/m^3] of products alone.
+  template <typename Number>
+  DEAL_II_ALWAYS_INLINE Number
+  energy_density_of_products(const Number &density) const
+  {
+    if (!any_less(Number(dilute_density_), density))
+      return Number(p_infinity_);
+    return at(density, Number(1.)).energy_density;
+  }
+
+  /// Whether a gas whose lanes have at most this density and mass fraction of
+  /// products is an ideal gas of Grueneisen coefficient omega_alone().
+  template <typename Number>
+  DEAL_II_ALWAYS_INLINE bool is_air(const Number &density,
+                                    const Number &products) const
+  {
+    return uses_products_ && !any_less(Number(dilute_density_), density) &&
+           !any_less(Number(negligible_products<Number>), products);
+  }
+  /// omega without products [-].
+  double omega_alone() const
+  {
+    return omega_alone_;
+  }
+
   /// Specific heat c_v of the mixture [J/(kg K)].
   template <typename Number>
   DEAL_II_ALWAYS_INLINE Number specific_heat(const Number &products) const
@@ -90,14 +126,20 @@ private:
     if (!uses_products_)
       return Number(share_alone_);
 
-    Number share(0.);
-    if (any_less(Number(0.), products))
-    {
-      share =
-        clip(products) * specific_heat_products_ / specific_heat(products);
-      cold.omega = share * omega_difference_ + omega_alone_;
-      cold.inverse_omega = Number(1.) / cold.omega;
-    }
+    const Number negligible(negligible_products<Number>);
+    if (!any_less(negligible, products))
+      return Number(0.);
+    const Number share =
+      select_less(negligible,
+                  products,
+                  Number(clip(products) * specific_heat_products_ /
+                         specific_heat(products)),
+                  Number(0.));
+    cold.omega = share * omega_difference_ + omega_alone_;
+    cold.inverse_omega = select_less(negligible,
+                                     products,
+                                     Number(Number(1.) / cold.omega),
+                                     cold.inverse_omega);
     return share;
   }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/materials/cold_curve.h>
+#include <contrecoup/materials/traced_air.h>
 
 namespace contrecoup
 {
@@ -50,6 +51,19 @@ public:
                                   double gamma_air = 1.4,
                                   double gas_constant = 287.05287);
 
+  /// Whether a gas whose lanes have at most this density and mass fraction of
+  /// products behaves as air(), to the last bit.
+  template <typename Number>
+  DEAL_II_ALWAYS_INLINE bool is_air(const Number &density,
+                                    const Number &products) const
+  {
+    return curve_.is_air(density, products);
+  }
+  TracedAir air() const
+  {
+    return TracedAir(curve_.omega_alone());
+  }
+
   /// Whether the state depends on the mass fraction of products.
   bool uses_products() const
   {
@@ -95,7 +109,7 @@ public:
   DEAL_II_ALWAYS_INLINE Number
   cold_energy_density(const Number &density, const Number & /*products*/) const
   {
-    return curve_.at(density, Number(1.)).energy_density;
+    return curve_.energy_density_of_products(density);
   }
 
   /// Temperature (e - e_c) / c_v [K].
