@@ -21,14 +21,22 @@ namespace
 
 
 template <int dim, typename Gas, typename Real>
-EmbeddedKernel<dim, Gas, Real>::EmbeddedKernel(const LeafMesh<dim> &mesh,
-                                               const LeafLayout &layout,
-                                               const Scheme &scheme,
-                                               const Gas &gas,
-                                               const Boundary<dim> &boundary,
-                                               const CutLeaves<dim> &cut_leaves)
-  : Base(mesh, layout, scheme, gas, boundary)
+EmbeddedKernel<dim, Gas, Real>::EmbeddedKernel(
+  const LeafMesh<dim> &mesh,
+  const LeafLayout &layout,
+  const Scheme &scheme,
+  const Gas &gas,
+  const Boundary<dim> &boundary,
+  const CutLeaves<dim> &cut_leaves,
+  PrimitiveField<dim, Gas, Real> &primitives)
+  : mesh_(mesh)
+  , layout_(layout)
+  , scheme_(scheme)
+  , gas_(gas)
   , cut_leaves_(cut_leaves)
+  , radial_(radial_exponent(mesh.coarse_mesh().geometry()), layout.n)
+  , sweep_(mesh, layout, scheme, gas, boundary, primitives)
+  , new_state_(mesh, layout, gas, sweep_.leaves())
 {}
 
 
@@ -51,7 +59,7 @@ void EmbeddedKernel<dim, Gas, Real>::reinit()
     for (auto &faces : openings.beyond)
       faces.resize(layout_.n_face_points);
     for (unsigned int lane = 0; lane < mesh_.n_filled_lanes(batch); ++lane)
-      take(batch * Base::width + lane, lane, openings);
+      take(batch * width + lane, lane, openings);
     if (cut_leaves_.treatment() == RigidBody::Treatment::embedded)
       pack_walls(batch, openings);
     all_openings_.push_back(std::move(openings));
@@ -84,10 +92,10 @@ template <int dim, typename Gas, typename Real>
 void EmbeddedKernel<dim, Gas, Real>::pack_walls(const unsigned int batch,
                                                 Openings &openings) const
 {
-  unsigned int n_filled = Base::width;
+  unsigned int n_filled = width;
   for (unsigned int lane = 0; lane < mesh_.n_filled_lanes(batch); ++lane)
   {
-    const unsigned int leaf = batch * Base::width + lane;
+    const unsigned int leaf = batch * width + lane;
     if (cut_leaves_.shape(leaf) == nullptr)
       continue;
     const auto size = leaf_box(mesh_, leaf).extents / double(layout_.n);
@@ -99,7 +107,7 @@ void EmbeddedKernel<dim, Gas, Real>::pack_walls(const unsigned int batch,
       const double area = wall.norm();
       if (!(area > 0.) || cut_leaves_.fractions()(leaf, q) == 0.)
         continue;
-      if (n_filled == Base::width)
+      if (n_filled == width)
       {
         n_filled = 0;
         openings.walls.emplace_back();
@@ -109,12 +117,12 @@ void EmbeddedKernel<dim, Gas, Real>::pack_walls(const unsigned int batch,
         empty.normal.fill(Number(0.));
         empty.point.fill(q);
         empty.lane.fill(lane);
-        empty.offset.fill(q * Base::width + lane);
+        empty.offset.fill(q * width + lane);
       }
       WallPack &walls = openings.walls.back();
       walls.point[n_filled] = q;
       walls.lane[n_filled] = lane;
-      walls.offset[n_filled] = q * Base::width + lane;
+      walls.offset[n_filled] = q * width + lane;
       for (unsigned int d = 0; d < dim; ++d)
         walls.normal[d][n_filled] = wall[d] / area;
       walls.area[n_filled] = area;
@@ -131,89 +139,40 @@ void EmbeddedKernel<dim, Gas, Real>::update(
   const BasicStage<Real> &stage,
   const HangingData<dim, Real> &hanging)
 {
-  Base::bind(batch, stage);
+  sweep_.bind(batch, stage);
+  batch_ = batch;
+  burn_ = sweep_.leaves().burn();
   bind_openings(batch);
-  Base::load(stage.in);
-  Base::residual_.fill(Number(0.));
-  Base::bind_radii();
   for (unsigned int direction = 0; direction < dim; ++direction)
-    sweep_openings(direction, hanging);
-  add_walls();
+    sweep(direction, hanging);
+  add_walls(stage.time);
   write(stage);
   if (stage.wall_force != nullptr)
     add_wall_force(stage);
-  Base::sensor_.store(stage.sensor_out + batch * Base::width);
+  sweep_.leaves().sensor().store(stage.sensor_out + batch * width);
 }
 
 
 template <int dim, typename Gas, typename Real>
-void EmbeddedKernel<dim, Gas, Real>::sweep_openings(
+void EmbeddedKernel<dim, Gas, Real>::sweep(
   const unsigned int direction,
   const HangingData<dim, Real> &hanging)
 {
-  for (unsigned int line = 0; line < layout_.n_face_points; ++line)
-  {
-    Base::fill_line(direction, line);
-    Base::fill_line_ends(direction, line, hanging);
-    if (Base::burn_ != nullptr)
-      Base::fill_progress(direction, line);
-    if (Base::needs_shear_factor())
-      Base::fill_compression(direction, line);
-    fill_touch(direction, line);
-    Base::template reconstruct<true>();
-    Base::line_fluxes(direction);
-    Base::replace_hanging_fluxes(
-      direction, line, hanging, Base::flux_[0], Base::flux_[layout_.n]);
-    add_open_fluxes(direction, line);
-  }
-}
-
-
-template <int dim, typename Gas, typename Real>
-void EmbeddedKernel<dim, Gas, Real>::fill_touch(const unsigned int direction,
-                                                const unsigned int line)
-{
-  const int n = layout_.n;
-  for (int f = 0; f <= n; ++f)
-    Base::touch(f) = positive(opening(direction, f, line));
-  Base::touch(-1) = positive(openings_->beyond[2 * direction][line]);
-  Base::touch(n + 1) = positive(openings_->beyond[2 * direction + 1][line]);
-}
-
-
-template <int dim, typename Gas, typename Real>
-void EmbeddedKernel<dim, Gas, Real>::add_open_fluxes(
-  const unsigned int direction,
-  const unsigned int line)
-{
-  const unsigned int stride = layout_.stride(direction);
-  const unsigned int first = layout_.face_point(2 * direction, line, 0);
-  for (unsigned int i = 0; i < layout_.n; ++i)
-  {
-    Number low = opening(direction, i, line);
-    Number high = opening(direction, i + 1, line);
-    Number inverse = inverse_size(direction);
-    if constexpr (dim == 2)
-      if (direction == 0 && !Base::radial_.is_plane())
-      {
-        low *= Base::radial_.area(i);
-        high *= Base::radial_.area(i + 1);
-        inverse = Base::radial_.inverse_volume(i);
-      }
-    for (unsigned int c = 0; c < nc; ++c)
+  CutFaces<Number> faces;
+  faces.stride = layout_.n_face_points;
+  faces.inverse_size = inverse_size(direction);
+  if constexpr (dim == 2)
+    if (direction == 0 && !radial_.is_plane())
     {
-      // The pressure of the cell itself exerts no net force on it: left out,
-      // a gas at rest keeps every bit.
-      const Number base = c == C::momentum
-                            ? Base::exerted_pressure(i, Base::cell(i))
-                            : Number(0.);
-      Base::residual_[rotated_component<dim>(c, direction) * layout_.n_points +
-                      first + i * stride] +=
-        ((Base::flux_[i][c] - base) * low -
-         (Base::flux_[i + 1][c] - base) * high) *
-        inverse;
+      radial_.reinit(mesh_.origins(batch_)[0], mesh_.extents(batch_)[0]);
+      faces.weights = &radial_;
     }
-  }
+  sweep_.sweep(direction, hanging, [&](const unsigned int line) {
+    faces.opening = &opening(direction, 0, line);
+    for (unsigned int side = 0; side < 2; ++side)
+      faces.beyond[side] = &openings_->beyond[2 * direction + side][line];
+    return faces;
+  });
 }
 
 
@@ -231,31 +190,31 @@ EmbeddedKernel<dim, Gas, Real>::opening_of(const unsigned int point,
 
 
 template <int dim, typename Gas, typename Real>
-void EmbeddedKernel<dim, Gas, Real>::add_walls()
+void EmbeddedKernel<dim, Gas, Real>::add_walls(const double time)
 {
   wall_force_.fill(Number(0.));
   wall_area_.fill(Number(0.));
   for (const WallPack &walls : openings_->walls)
-    add_embedded_walls(walls);
+    add_embedded_walls(walls, time);
   if (cut_leaves_.treatment() == RigidBody::Treatment::staircase)
     for (unsigned int q = 0; q < layout_.n_points; ++q)
-      add_staircase_wall(q);
+      add_staircase_wall(q, time);
 }
 
 
 template <int dim, typename Gas, typename Real>
-void EmbeddedKernel<dim, Gas, Real>::add_embedded_walls(const WallPack &walls)
+void EmbeddedKernel<dim, Gas, Real>::add_embedded_walls(const WallPack &walls,
+                                                        const double time)
 {
   Values inside;
   for (unsigned int c = 0; c < nc; ++c)
-    inside[c].gather(
-      reinterpret_cast<const Real *>(&Base::primitive_[c * layout_.n_points]),
-      walls.offset.data());
+    inside[c].gather(sweep_.primitive() + layout_.value(c, 0),
+                     walls.offset.data());
   Number progress(0.);
-  if (Base::burn_ != nullptr)
-    for (unsigned int i = 0; i < Base::width; ++i)
-      progress[i] = Base::burn_->progress(
-        batch_ * Base::width + walls.lane[i], walls.point[i], Base::time_);
+  if (burn_ != nullptr)
+    for (unsigned int i = 0; i < width; ++i)
+      progress[i] =
+        burn_->progress(batch_ * width + walls.lane[i], walls.point[i], time);
   Number speed(0.);
   for (unsigned int d = 0; d < dim; ++d)
     speed += inside[C::momentum + d] * walls.normal[d];
@@ -265,9 +224,9 @@ void EmbeddedKernel<dim, Gas, Real>::add_embedded_walls(const WallPack &walls)
   for (unsigned int d = 0; d < dim; ++d)
   {
     const Number change = excess * walls.normal[d];
-    Number *residual = &Base::residual_[(C::momentum + d) * layout_.n_points];
-    for (unsigned int i = 0; i < Base::width; ++i)
-      residual[walls.point[i]][walls.lane[i]] -= change[i];
+    Number *rates = sweep_.rates(C::momentum + d);
+    for (unsigned int i = 0; i < width; ++i)
+      rates[walls.point[i]][walls.lane[i]] -= change[i];
     const Number area = walls.normal[d] * walls.area * walls.volume;
     wall_force_[d] += pressure * area;
     wall_area_[d] += area;
@@ -277,14 +236,15 @@ void EmbeddedKernel<dim, Gas, Real>::add_embedded_walls(const WallPack &walls)
 
 template <int dim, typename Gas, typename Real>
 void EmbeddedKernel<dim, Gas, Real>::add_staircase_wall(
-  const unsigned int point)
+  const unsigned int point,
+  const double time)
 {
   Values inside;
   for (unsigned int c = 0; c < nc; ++c)
-    inside[c] = Base::primitive_[c * layout_.n_points + point];
+    inside[c].load(sweep_.primitive() + layout_.value(c, point));
   Number progress(0.);
-  if (Base::burn_ != nullptr)
-    progress = Base::progress(point, Base::time_);
+  if (burn_ != nullptr)
+    progress = sweep_.leaves().progress(point, time);
   const Number own = exerted_pressure(inside, progress);
   const Number is_gas = positive(openings_->fraction[point]);
   const Number &volume = openings_->volume[point];
@@ -297,7 +257,7 @@ void EmbeddedKernel<dim, Gas, Real>::add_staircase_wall(
     const Number speed = inside[C::momentum + d];
     const Number below = wall_pressure(inside, -speed, progress);
     const Number above = wall_pressure(inside, speed, progress);
-    Base::residual_[(C::momentum + d) * layout_.n_points + point] +=
+    sweep_.rates(C::momentum + d)[point] +=
       ((below - own) * low - (above - own) * high) * inverse_size(d);
     const Number area = inverse_size(d) * volume;
     wall_force_[d] += (above * high - below * low) * area;
@@ -317,15 +277,15 @@ EmbeddedKernel<dim, Gas, Real>::wall_pressure(Values inside,
   Values image = inside;
   inside[C::momentum] = speed;
   image[C::momentum] = -speed;
-  auto left = to_face_state<dim>(Base::gas_, inside);
-  auto right = to_face_state<dim>(Base::gas_, image);
-  if (Base::burn_ != nullptr)
+  auto left = to_face_state<dim>(gas_, inside);
+  auto right = to_face_state<dim>(gas_, image);
+  if (burn_ != nullptr)
   {
-    Base::burn_->template hold_back<dim>(progress, left);
-    Base::burn_->template hold_back<dim>(progress, right);
+    burn_->template hold_back<dim>(progress, left);
+    burn_->template hold_back<dim>(progress, right);
   }
   return to_array<dim, Gas>(
-    numerical_flux(Base::scheme_.flux, left, right, Number(1.)))[C::momentum];
+    numerical_flux(scheme_.flux, left, right, Number(1.)))[C::momentum];
 }
 
 
@@ -335,10 +295,10 @@ EmbeddedKernel<dim, Gas, Real>::exerted_pressure(const Values &inside,
                                                  const Number &progress) const
 {
   const Number &pressure = inside[C::energy];
-  if (Base::burn_ == nullptr)
+  if (burn_ == nullptr)
     return pressure;
-  return Base::burn_->pressure(
-    pressure, Base::burn_->fraction(progress, inside[C::density]));
+  return burn_->pressure(pressure,
+                         burn_->fraction(progress, inside[C::density]));
 }
 
 
@@ -357,7 +317,7 @@ void EmbeddedKernel<dim, Gas, Real>::write(const BasicStage<Real> &stage)
     {
       Number u, old;
       u.load(in + layout_.value(c, q));
-      u += Base::residual_[c * layout_.n_points + q] * rate;
+      u += sweep_.rates(c)[q] * rate;
       if (stage.a != 0.)
       {
         old.load(start + layout_.value(c, q));
@@ -366,7 +326,7 @@ void EmbeddedKernel<dim, Gas, Real>::write(const BasicStage<Real> &stage)
       u.store(out + layout_.value(c, q));
     }
   }
-  Base::fill_padding(out);
+  new_state_.fill_padding(batch_, out);
 }
 
 
@@ -375,7 +335,7 @@ void EmbeddedKernel<dim, Gas, Real>::add_wall_force(
   const BasicStage<Real> &stage) const
 {
   for (unsigned int d = 0; d < dim; ++d)
-    for (unsigned int lane = 0; lane < Base::width; ++lane)
+    for (unsigned int lane = 0; lane < width; ++lane)
     {
       (*stage.wall_force)[d] += stage.weight * double(wall_force_[d][lane]);
       (*stage.wall_force)[3 + d] += stage.weight * double(wall_area_[d][lane]);
@@ -387,7 +347,6 @@ template <int dim, typename Gas, typename Real>
 void EmbeddedKernel<dim, Gas, Real>::conclude(const unsigned int batch,
                                               const BasicStage<Real> &stage)
 {
-  batch_ = batch;
   const Real *out = stage.out + batch * layout_.batch_size();
   Number smallest(1.);
   for (unsigned int q = 0; q < layout_.n_points; ++q)
@@ -395,10 +354,10 @@ void EmbeddedKernel<dim, Gas, Real>::conclude(const unsigned int batch,
     Values u;
     for (unsigned int c = 0; c < nc; ++c)
       u[c].load(out + layout_.value(c, q));
-    smallest = std::min(smallest, is_admissible<dim>(Base::gas_, u));
+    smallest = std::min(smallest, is_admissible<dim>(gas_, u));
   }
-  Base::report(smallest, stage);
-  Base::fill_padding(stage.out + batch * layout_.batch_size());
+  new_state_.report(batch, smallest, stage);
+  new_state_.fill_padding(batch, stage.out + batch * layout_.batch_size());
   if (stage.signal_rate != nullptr)
     analyse(batch, stage);
 }
@@ -408,14 +367,11 @@ template <int dim, typename Gas, typename Real>
 void EmbeddedKernel<dim, Gas, Real>::analyse(const unsigned int batch,
                                              const BasicStage<Real> &stage)
 {
-  Base::bind_burn(batch, stage);
   bind_openings(batch);
-  Base::load(stage.out);
-  const Number rate = Base::largest_rate(stage);
-  const auto where_open = [this](const unsigned int d, const unsigned int q) {
-    return positive(opening_of(q, d, 1));
-  };
-  Base::store_sensors(rate, Base::largest_jump(where_open), stage);
+  new_state_.analyse(
+    batch, stage, [this](const unsigned int d, const unsigned int q) {
+      return positive(opening_of(q, d, 1));
+    });
 }
 
 

@@ -12,15 +12,18 @@ template <int dim, typename Gas, typename Real>
 FiniteVolumeHanging<dim, Gas, Real>::FiniteVolumeHanging(
   const LeafLayout &layout,
   const Scheme &scheme,
-  const Gas &gas)
+  const Gas &gas,
+  PrimitiveField<dim, Gas, Real> &primitives)
   : layout_(layout)
   , scheme_(scheme)
   , gas_(gas)
+  , primitives_(primitives)
   , coarse_progress_(layout.n_face_points)
   , coarse_halo_(layout.n_face_points)
   , coarse_flux_(layout.n_face_points)
   , first_flux_(layout.n_face_points)
   , open_sum_(layout.n_face_points)
+  , writer_(layout.n_face_points)
 {
   for (auto &slope : coarse_slope_)
     slope.resize(layout.n_face_points);
@@ -48,7 +51,7 @@ void FiniteVolumeHanging<dim, Gas, Real>::compute(
 {
   careful_ = stage.careful;
   openings_ = openings;
-  load(group, stage.in);
+  load(group);
   load_progress(group, stage);
   if (openings_ == nullptr)
     average_fine_side();
@@ -67,30 +70,42 @@ void FiniteVolumeHanging<dim, Gas, Real>::compute(
 
 
 template <int dim, typename Gas, typename Real>
-void FiniteVolumeHanging<dim, Gas, Real>::load(const HangingGroup<dim> &group,
-                                               const Real *state)
+void FiniteVolumeHanging<dim, Gas, Real>::load(const HangingGroup<dim> &group)
 {
-  const auto gather = [&](const unsigned int *offsets,
-                          const unsigned int point) {
-    Values u;
-    for (unsigned int c = 0; c < nc; ++c)
-      u[c].gather(state + layout_.value(c, point), offsets);
-    return to_primitive<dim>(gas_, u);
-  };
+  load_leaves(
+    group.coarse_leaf.data(),
+    group.coarse_face,
+    [](const unsigned int q) { return q; },
+    coarse_);
+  for (unsigned int part = 0; part < n_fine; ++part)
+    load_leaves(
+      group.fine_leaf[part].data(),
+      group.match.face,
+      [&](const unsigned int q) { return fine_point(group, q); },
+      fine_[part]);
+}
+
+
+template <int dim, typename Gas, typename Real>
+template <typename PointAt>
+void FiniteVolumeHanging<dim, Gas, Real>::load_leaves(
+  const unsigned int *leaves,
+  const unsigned int face,
+  const PointAt &point_at,
+  std::array<dealii::AlignedVector<Values>, 2> &layers)
+{
+  reader_.reinit(leaves, layout_);
+  for (unsigned int s = 0; s < reader_.n_sources(); ++s)
+    primitives_.batch(reader_.source(s) / layout_.batch_size());
   for (unsigned int layer = 0; layer < 2; ++layer)
-  {
-    const unsigned int depth = std::min(layer, layout_.n - 1);
     for (unsigned int q = 0; q < layout_.n_face_points; ++q)
     {
-      coarse_[layer][q] =
-        gather(group.coarse_offset.data(),
-               layout_.face_point(group.coarse_face, q, depth));
-      for (unsigned int part = 0; part < n_fine; ++part)
-        fine_[part][layer][q] = gather(
-          group.fine_offset[part].data(),
-          layout_.face_point(group.match.face, fine_point(group, q), depth));
+      const unsigned int point =
+        layout_.face_point(face, point_at(q), std::min(layer, layout_.n - 1));
+      reader_.read(primitives_.data() + layout_.value(0, point),
+                   layout_.value(1, 0),
+                   layers[layer][q]);
     }
-  }
 }
 
 
@@ -458,33 +473,17 @@ void FiniteVolumeHanging<dim, Gas, Real>::average_open_fluxes(
 
 
 template <int dim, typename Gas, typename Real>
-void FiniteVolumeHanging<dim, Gas, Real>::store(
-  const HangingGroup<dim> &group,
-  HangingData<dim, Real> &hanging) const
+void FiniteVolumeHanging<dim, Gas, Real>::store(const HangingGroup<dim> &group,
+                                                HangingData<dim, Real> &hanging)
 {
-  for (unsigned int lane = 0; lane < group.n_filled; ++lane)
-    for (unsigned int c = 0; c < nc; ++c)
-    {
-      const unsigned int face = group.face[lane];
-      Real *coarse_flux = hanging.flux(face, 0, c);
-      Real *coarse_halo = hanging.halo(face, 0, c);
-      for (unsigned int q = 0; q < layout_.n_face_points; ++q)
-      {
-        coarse_flux[q] = coarse_flux_[q][c][lane];
-        coarse_halo[q] = coarse_halo_[q][c][lane];
-      }
-      for (unsigned int part = 0; part < n_fine; ++part)
-      {
-        Real *fine_flux = hanging.flux(face, 1 + part, c);
-        Real *fine_halo = hanging.halo(face, 1 + part, c);
-        for (unsigned int q = 0; q < layout_.n_face_points; ++q)
-        {
-          const unsigned int at = fine_point(group, q);
-          fine_flux[at] = fine_flux_[part][q][c][lane];
-          fine_halo[at] = fine_halo_[part][q][c][lane];
-        }
-      }
-    }
+  const auto same_point = [](const unsigned int q) { return q; };
+  const auto own_point = [&](const unsigned int q) {
+    return fine_point(group, q);
+  };
+  writer_.write(group, 0, coarse_flux_, coarse_halo_, same_point, hanging);
+  for (unsigned int part = 0; part < n_fine; ++part)
+    writer_.write(
+      group, 1 + part, fine_flux_[part], fine_halo_[part], own_point, hanging);
 }
 
 

@@ -2,9 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/gas/kernel/embedded_operator.h>
-#include <contrecoup/gas/kernel/finite_volume_hanging.h>
-#include <contrecoup/gas/kernel/finite_volume_kernel.h>
-#include <contrecoup/gas/kernel/leaf_operator.h>
+#include <contrecoup/gas/kernel/finite_volume_operator.h>
 #include <contrecoup/gas/kernel/mapped_finite_volume_kernel.h>
 
 namespace contrecoup::gas
@@ -27,7 +25,7 @@ make_finite_volume_operator(const LeafMesh<dim> &mesh,
             LeafOperator<dim,
                          Gas,
                          MappedFiniteVolumeKernel<dim, Gas>,
-                         FiniteVolumeHanging<dim, Gas>>>(
+                         NoHangingFaces<dim, Gas>>>(
             mesh, layout, scheme, gas, boundary);
       return visit_precision(
         layout.precision,
@@ -37,12 +35,8 @@ make_finite_volume_operator(const LeafMesh<dim> &mesh,
             if (cut_leaves != nullptr)
               return std::make_unique<EmbeddedOperator<dim, Gas, Real>>(
                 mesh, layout, scheme, gas, boundary, *cut_leaves);
-          return std::make_unique<
-            LeafOperator<dim,
-                         Gas,
-                         FiniteVolumeKernel<dim, Gas, Real>,
-                         FiniteVolumeHanging<dim, Gas, Real>,
-                         Real>>(mesh, layout, scheme, gas, boundary);
+          return std::make_unique<FiniteVolumeOperator<dim, Gas, Real>>(
+            mesh, layout, scheme, gas, boundary);
         });
     },
     material.model());

@@ -30,11 +30,15 @@ namespace
     return precision == Precision::single_precision ? 1.7e8 : 1e8;
   }
 
-  /// Bytes for each unknown: three copies of the state and what output and
-  /// octree need.
-  double bytes_per_unknown(const Precision precision)
+  /// Bytes for each unknown: three copies of the state, for finite volumes its
+  /// primitive values, and what output and octree need.
+  double bytes_per_unknown(const Scheme &scheme)
   {
-    return precision == Precision::single_precision ? 28. : 40.;
+    const bool is_single = scheme.precision == Precision::single_precision;
+    const double of_state = is_single ? 28. : 40.;
+    return scheme.kind == Scheme::Kind::finite_volume
+             ? of_state + (is_single ? 4. : 8.)
+             : of_state;
   }
 
   /// Coarse cells, and the largest signal rate in one [1/s].
@@ -191,7 +195,7 @@ CostEstimate estimate_cost(const GasScene<dim> &scene,
       : n_leaves_with_body(mesh, scene.body);
   result.unknowns =
     result.cells * scene.layout.n_points * scene.layout.n_components;
-  result.memory = result.unknowns * bytes_per_unknown(scheme.precision);
+  result.memory = result.unknowns * bytes_per_unknown(scheme);
   if (has_maps)
     result.memory +=
       result.cells * scene.layout.n_points * sizeof(BlastRecord<float>);

@@ -4,7 +4,8 @@
 #pragma once
 
 #include <contrecoup/gas/body/cut_leaves.h>
-#include <contrecoup/gas/kernel/finite_volume_kernel.h>
+#include <contrecoup/gas/kernel/batch_sweep.h>
+#include <contrecoup/gas/kernel/new_state.h>
 
 namespace contrecoup::gas
 {
@@ -16,20 +17,22 @@ namespace contrecoup::gas
  * is closed. Points without gas keep their values.
  */
 template <int dim, typename Gas, typename Real = double>
-class EmbeddedKernel : private FiniteVolumeKernel<dim, Gas, Real>
+class EmbeddedKernel
 {
 public:
-  using Base = FiniteVolumeKernel<dim, Gas, Real>;
-  using Number = typename Base::Number;
-  using Values = typename Base::Values;
+  using Sweep = BatchSweep<dim, Gas, Real>;
+  using Number = typename Sweep::Number;
+  using Values = typename Sweep::Values;
   using C = Component<dim>;
 
+  /// @param primitives of the state that stages read
   EmbeddedKernel(const LeafMesh<dim> &mesh,
                  const LeafLayout &layout,
                  const Scheme &scheme,
                  const Gas &gas,
                  const Boundary<dim> &boundary,
-                 const CutLeaves<dim> &cut_leaves);
+                 const CutLeaves<dim> &cut_leaves,
+                 PrimitiveField<dim, Gas, Real> &primitives);
 
   /// Takes over the shapes of all leaves in cut batches.
   void reinit();
@@ -47,18 +50,16 @@ public:
   void analyse(const unsigned int batch, const BasicStage<Real> &stage);
 
 private:
-  using Base::batch_;
-  using Base::layout_;
-  using Base::mesh_;
-  using Base::nc;
+  static constexpr unsigned int nc = Sweep::nc;
+  static constexpr unsigned int width = n_lanes<Real>;
 
   /// Pieces of the wall, as many as lanes, of any points and leaves of a batch.
   struct WallPack
   {
-    std::array<unsigned int, Base::width> point;
-    std::array<unsigned int, Base::width> lane;
+    std::array<unsigned int, width> point;
+    std::array<unsigned int, width> lane;
     /// Where the points' values stand among those of a component.
-    std::array<unsigned int, Base::width> offset;
+    std::array<unsigned int, width> offset;
     /// Vector out of the gas, of which the unit length is kept apart.
     std::array<Number, dim> normal;
     Number area;   ///< over the cell's volume [1/m]; 0: no piece
@@ -93,17 +94,15 @@ private:
   {
     return openings_->face[direction][layer * layout_.n_face_points + line];
   }
-  void sweep_openings(const unsigned int direction,
-                      const HangingData<dim, Real> &hanging);
-  void fill_touch(const unsigned int direction, const unsigned int line);
+  void sweep(const unsigned int direction,
+             const HangingData<dim, Real> &hanging);
   /// Opening of the low (side 0) or high face of a point.
   const Number &opening_of(const unsigned int point,
                            const unsigned int direction,
                            const unsigned int side) const;
-  void add_open_fluxes(const unsigned int direction, const unsigned int line);
-  void add_walls();
-  void add_embedded_walls(const WallPack &walls);
-  void add_staircase_wall(const unsigned int point);
+  void add_walls(const double time);
+  void add_embedded_walls(const WallPack &walls, const double time);
+  void add_staircase_wall(const unsigned int point, const double time);
   /// Pressure on a wall that the gas moves towards at @p speed.
   /// @param inside primitive values, of which the velocity does not count
   /// @param progress Burn::progress(), where explosive burns
@@ -119,7 +118,16 @@ private:
   void write(const BasicStage<Real> &stage);
   void add_wall_force(const BasicStage<Real> &stage) const;
 
+  const LeafMesh<dim> &mesh_;
+  const LeafLayout layout_;
+  const Scheme &scheme_;
+  const Gas gas_;
   const CutLeaves<dim> &cut_leaves_;
+  RadialWeights radial_;
+  Sweep sweep_;
+  NewState<dim, Gas, Real> new_state_;
+  unsigned int batch_ = 0;
+  const Burn *burn_ = nullptr;         ///< see LeafKernel
   std::vector<int> openings_of_batch_; ///< index, or -1
   std::vector<Openings> all_openings_;
   const Openings *openings_ = nullptr; ///< of the bound batch

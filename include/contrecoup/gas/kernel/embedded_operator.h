@@ -5,28 +5,17 @@
 
 #include <contrecoup/gas/body/state_redistribution.h>
 #include <contrecoup/gas/kernel/embedded_kernel.h>
-#include <contrecoup/gas/kernel/finite_volume_hanging.h>
-#include <contrecoup/gas/kernel/finite_volume_kernel.h>
-#include <contrecoup/gas/kernel/leaf_operator.h>
+#include <contrecoup/gas/kernel/finite_volume_operator.h>
 
 namespace contrecoup::gas
 {
 /// Finite volumes around a rigid body: the plain kernel where leaves are open,
 /// another where they are cut, nothing where there is no gas.
 template <int dim, typename Gas, typename Real = double>
-class EmbeddedOperator
-  : public LeafOperator<dim,
-                        Gas,
-                        FiniteVolumeKernel<dim, Gas, Real>,
-                        FiniteVolumeHanging<dim, Gas, Real>,
-                        Real>
+class EmbeddedOperator : public FiniteVolumeOperator<dim, Gas, Real>
 {
 public:
-  using Base = LeafOperator<dim,
-                            Gas,
-                            FiniteVolumeKernel<dim, Gas, Real>,
-                            FiniteVolumeHanging<dim, Gas, Real>,
-                            Real>;
+  using Base = FiniteVolumeOperator<dim, Gas, Real>;
   using Base::analyse;
   using Base::apply;
   using GasOperator<dim>::redistribute;
@@ -39,7 +28,13 @@ public:
                    const CutLeaves<dim> &cut_leaves)
     : Base(mesh, layout, scheme, gas, boundary)
     , cut_leaves_(cut_leaves)
-    , embedded_kernel_(mesh, layout, scheme, gas, boundary, cut_leaves)
+    , embedded_kernel_(mesh,
+                       layout,
+                       scheme,
+                       gas,
+                       boundary,
+                       cut_leaves,
+                       Base::primitives_)
   {}
 
   void reinit() override
@@ -53,9 +48,9 @@ public:
   void apply(const BasicStage<Real> &stage,
              QuietLeaves<dim> &quiet_leaves) override
   {
-    quiet_leaves.begin_stage(stage.in);
+    Base::begin_stage(stage, quiet_leaves);
     for (unsigned int g = 0; g < groups_.size(); ++g)
-      if (Base::is_active(groups_[g], quiet_leaves))
+      if (is_active(groups_[g], quiet_leaves))
         hanging_kernel_.compute(groups_[g],
                                 stage,
                                 hanging_,

@@ -4,8 +4,11 @@
 #pragma once
 
 #include <contrecoup/gas/body/hanging_openings.h>
+#include <contrecoup/gas/kernel/hanging_writer.h>
+#include <contrecoup/gas/kernel/primitive_field.h>
 #include <contrecoup/gas/kernel/stage.h>
 #include <contrecoup/gas/octree/hanging_group.h>
+#include <contrecoup/gas/octree/neighbor_reader.h>
 #include <contrecoup/gas/octree/scheme.h>
 #include <contrecoup/gas/state/primitive.h>
 
@@ -28,9 +31,11 @@ public:
   using Values = std::array<Number, nc>;
   using C = Component<dim>;
 
+  /// @param primitives of the state that stages read
   FiniteVolumeHanging(const LeafLayout &layout,
                       const Scheme &scheme,
-                      const Gas &gas);
+                      const Gas &gas,
+                      PrimitiveField<dim, Gas, Real> &primitives);
 
   /// @param openings where a rigid body is, what it leaves open: slopes do not
   /// look through what is closed, and the coarse side gets the mean over what
@@ -43,7 +48,14 @@ public:
 private:
   static constexpr unsigned int n_fine = HangingFace<dim>::n_fine;
 
-  void load(const HangingGroup<dim> &group, const Real *state);
+  void load(const HangingGroup<dim> &group);
+  /// Reads two layers at @p face of the leaves, of which @p point_at(q) is
+  /// the face point that meets the coarse one q.
+  template <typename PointAt>
+  void load_leaves(const unsigned int *leaves,
+                   const unsigned int face,
+                   const PointAt &point_at,
+                   std::array<dealii::AlignedVector<Values>, 2> &layers);
   void load_progress(const HangingGroup<dim> &group,
                      const BasicStage<Real> &stage);
   void average_fine_side();
@@ -62,8 +74,7 @@ private:
   Number inner_radii(const HangingGroup<dim> &group) const;
   void average_fluxes(const HangingGroup<dim> &group);
   void average_open_fluxes(const HangingGroup<dim> &group);
-  void store(const HangingGroup<dim> &group,
-             HangingData<dim, Real> &hanging) const;
+  void store(const HangingGroup<dim> &group, HangingData<dim, Real> &hanging);
 
   /// Slope of the coarse values along face coordinate @p t at a point,
   /// from the neighbours on the same leaf.
@@ -83,6 +94,8 @@ private:
   const LeafLayout layout_;
   const Scheme &scheme_;
   const Gas gas_;
+  PrimitiveField<dim, Gas, Real> &primitives_;
+  NeighborReader<Real> reader_;
   bool careful_ = false; ///< see Stage::careful
   const HangingOpenings<dim, Real> *openings_ = nullptr;
   /// Set where a leaf of the group is still to burn.
@@ -104,5 +117,6 @@ private:
   /// Sum of what its fine ones have open, or of the volumes beyond it.
   dealii::AlignedVector<Number> open_sum_;
   std::array<dealii::AlignedVector<Values>, n_fine> fine_flux_;
+  HangingWriter<dim, Real, nc> writer_;
 };
 } // namespace contrecoup::gas

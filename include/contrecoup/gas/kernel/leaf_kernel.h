@@ -34,7 +34,6 @@ public:
   using Values = std::array<Number, nc>;
   using C = Component<dim>;
 
-protected:
   /// @param positions places of the points along an edge, from 0 to 1
   LeafKernel(const LeafMesh<dim> &mesh,
              const LeafLayout &layout,
@@ -77,6 +76,47 @@ protected:
   /// Primitive state of a point of the neighbours across @p face.
   Values neighbor_primitive(const unsigned int face,
                             const unsigned int point) const;
+
+  /// Reader of the neighbours across @p face.
+  const NeighborReader<Real> &neighbors(const unsigned int face) const
+  {
+    return neighbors_[face];
+  }
+  unsigned int batch() const
+  {
+    return batch_;
+  }
+  const Boundary<dim> &boundary() const
+  {
+    return boundary_;
+  }
+  /// Null where neither a leaf of the batch nor a neighbour is still to burn.
+  const Burn *burn() const
+  {
+    return burn_;
+  }
+  /// What fill_progress() filled: Burn::progress() of the line's first point,
+  /// those of points -1 to n beside it.
+  const Number *line_progress() const
+  {
+    return &line_progress_[1];
+  }
+  /// Shock sensor of the leaves.
+  const Number &sensor() const
+  {
+    return sensor_;
+  }
+  /// Shock sensor of the neighbours across @p face.
+  const Number &neighbor_sensor(const unsigned int face) const
+  {
+    return neighbor_sensor_[face];
+  }
+  /// One in lanes of leaves that a shock may be leaving through an open
+  /// boundary along a direction, else zero.
+  const Number &leaving(const unsigned int direction) const
+  {
+    return leaving_[direction];
+  }
 
   /// Primitive state beyond the boundary in the lane of @p special, from
   /// and to values in the frame of the line.
@@ -143,6 +183,7 @@ protected:
                        const Values &right,
                        Values &flux) const;
 
+protected:
   const LeafMesh<dim> &mesh_;
   const LeafLayout layout_;
   const Scheme &scheme_;

@@ -11,6 +11,34 @@
 
 namespace contrecoup::gas
 {
+/// Owned leaves at boundaries with a state of their own; see
+/// QuietLeaves::reinit().
+template <int dim>
+std::vector<unsigned int>
+leaves_at_driven_boundaries(const LeafMesh<dim> &mesh,
+                            const Boundary<dim> &boundary)
+{
+  std::vector<unsigned int> result;
+  for (unsigned int batch = 0; batch < mesh.n_batches(); ++batch)
+    for (auto s = mesh.special_begin(batch); s != mesh.special_end(batch); ++s)
+      if (s->kind == SpecialFace::Kind::boundary &&
+          boundary.kind(s->index) != Boundary<dim>::Kind::wall &&
+          boundary.kind(s->index) != Boundary<dim>::Kind::open)
+        result.push_back(batch * mesh.width() + s->lane);
+  return result;
+}
+
+/// Whether a batch that is active meets a face of the group.
+template <int dim>
+bool is_active(const HangingGroup<dim> &group,
+               const QuietLeaves<dim> &quiet_leaves)
+{
+  return std::any_of(
+    group.face.begin(),
+    group.face.begin() + group.n_filled,
+    [&](const unsigned int face) { return quiet_leaves.is_active_face(face); });
+}
+
 /// A gas operator made of a kernel for batches of leaves and one for
 /// groups of hanging faces.
 template <int dim,
@@ -63,15 +91,7 @@ public:
 
   std::vector<unsigned int> driven_leaves() const override
   {
-    std::vector<unsigned int> result;
-    for (unsigned int batch = 0; batch < mesh_.n_batches(); ++batch)
-      for (auto s = mesh_.special_begin(batch); s != mesh_.special_end(batch);
-           ++s)
-        if (s->kind == SpecialFace::Kind::boundary &&
-            boundary_.kind(s->index) != Boundary<dim>::Kind::wall &&
-            boundary_.kind(s->index) != Boundary<dim>::Kind::open)
-          result.push_back(batch * mesh_.width() + s->lane);
-    return result;
+    return leaves_at_driven_boundaries(mesh_, boundary_);
   }
 
 protected:
@@ -81,16 +101,6 @@ protected:
     for (const auto &group : groups_)
       if (is_active(group, quiet_leaves))
         hanging_kernel_.compute(group, stage, hanging_);
-  }
-
-  static bool is_active(const HangingGroup<dim> &group,
-                        const QuietLeaves<dim> &quiet_leaves)
-  {
-    return std::any_of(group.face.begin(),
-                       group.face.begin() + group.n_filled,
-                       [&](const unsigned int face) {
-                         return quiet_leaves.is_active_face(face);
-                       });
   }
 
   const LeafMesh<dim> &mesh_;

@@ -10,6 +10,20 @@
 
 namespace contrecoup::gas
 {
+/// Stands for the kernel of hanging faces, which mapped leaves do not have.
+template <int dim, typename Gas>
+struct NoHangingFaces
+{
+  NoHangingFaces(const LeafLayout &, const Scheme &, const Gas &)
+  {}
+  template <typename Group>
+  void compute(const Group &, const Stage &, HangingData<dim> &)
+  {
+    Assert(false, dealii::ExcInternalError());
+  }
+};
+
+
 /**
  * One stage of the finite-volume scheme on one batch of leaves of any
  * shape: multilinear images of the cube, with neighbours in any

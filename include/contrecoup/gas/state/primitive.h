@@ -79,12 +79,14 @@ to_conserved(const Gas &gas, const std::array<Number, n_conserved<dim, Gas>> &p)
   return u;
 }
 
-/// Converts primitive quantities to an argument of a Riemann flux. The
-/// velocity must be in the frame of the face (normal component first).
+/// Converts primitive quantities to an argument of a Riemann flux, and to the
+/// internal energy per volume rho e [J/m^3]. The velocity must be in the frame
+/// of the face (normal component first).
 template <int dim, typename Gas, typename Number>
 DEAL_II_ALWAYS_INLINE inline FaceState<dim, Number>
 to_face_state(const Gas &gas,
-              const std::array<Number, n_conserved<dim, Gas>> &p)
+              const std::array<Number, n_conserved<dim, Gas>> &p,
+              Number &internal_energy_density)
 {
   using C = Component<dim>;
   FaceState<dim, Number> state;
@@ -100,7 +102,7 @@ to_face_state(const Gas &gas,
     state.products = p[C::products];
   else
     state.products = Number(0.);
-  Number internal_energy_density, sound_speed_squared;
+  Number sound_speed_squared;
   gas.energy_and_sound_speed(state.density,
                              state.pressure,
                              state.products,
@@ -109,6 +111,16 @@ to_face_state(const Gas &gas,
   state.energy_density = internal_energy_density + state.density * square * 0.5;
   state.sound_speed = std::sqrt(std::max(sound_speed_squared, Number(0.)));
   return state;
+}
+
+/// Converts primitive quantities to an argument of a Riemann flux alone.
+template <int dim, typename Gas, typename Number>
+DEAL_II_ALWAYS_INLINE inline FaceState<dim, Number>
+to_face_state(const Gas &gas,
+              const std::array<Number, n_conserved<dim, Gas>> &p)
+{
+  Number internal_energy_density;
+  return to_face_state<dim>(gas, p, internal_energy_density);
 }
 
 /// Converts a flux to an array of n_conserved values, in the frame of the

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/gas/kernel/finite_volume_hanging.h>
+#include <contrecoup/gas/kernel/finite_volume_kernel.h>
+#include <contrecoup/gas/kernel/leaf_operator.h>
+
+namespace contrecoup::gas
+{
+/// Finite volumes on axis-aligned leaves without a body.
+template <int dim, typename Gas, typename Real = double>
+class FiniteVolumeOperator : public GasOperator<dim>
+{
+public:
+  using GasOperator<dim>::apply;
+  using GasOperator<dim>::analyse;
+
+  FiniteVolumeOperator(const LeafMesh<dim> &mesh,
+                       const LeafLayout &layout,
+                       const Scheme &scheme,
+                       const Gas &gas,
+                       const Boundary<dim> &boundary)
+    : mesh_(mesh)
+    , layout_(layout)
+    , boundary_(boundary)
+    , primitives_(layout, gas)
+    , kernel_(mesh, layout, scheme, gas, boundary, primitives_)
+    , hanging_kernel_(layout, scheme, gas, primitives_)
+  {}
+
+  void reinit() override
+  {
+    primitives_.reinit(mesh_.n_stored_batches());
+    groups_ = group_hanging_faces(mesh_, layout_);
+    hanging_.resize(mesh_.hanging_faces().size(), layout_);
+  }
+
+  void apply(const BasicStage<Real> &stage,
+             QuietLeaves<dim> &quiet_leaves) override
+  {
+    begin_stage(stage, quiet_leaves);
+    for (const auto &group : groups_)
+      if (is_active(group, quiet_leaves))
+        hanging_kernel_.compute(group, stage, hanging_);
+    for (unsigned int batch = 0; batch < mesh_.n_batches(); ++batch)
+      if (quiet_leaves.is_active(batch))
+      {
+        kernel_.update(batch, stage, hanging_);
+        quiet_leaves.watch(batch, stage.out);
+      }
+  }
+
+  void analyse(const BasicStage<Real> &stage) override
+  {
+    for (unsigned int batch = 0; batch < mesh_.n_batches(); ++batch)
+      kernel_.analyse(batch, stage);
+  }
+
+  std::vector<unsigned int> driven_leaves() const override
+  {
+    return leaves_at_driven_boundaries(mesh_, boundary_);
+  }
+
+protected:
+  void begin_stage(const BasicStage<Real> &stage,
+                   QuietLeaves<dim> &quiet_leaves)
+  {
+    quiet_leaves.begin_stage(stage.in);
+    primitives_.begin_stage(stage.in);
+  }
+
+  const LeafMesh<dim> &mesh_;
+  const LeafLayout layout_;
+  const Boundary<dim> &boundary_;
+  PrimitiveField<dim, Gas, Real> primitives_;
+  FiniteVolumeKernel<dim, Gas, Real> kernel_;
+  FiniteVolumeHanging<dim, Gas, Real> hanging_kernel_;
+  std::vector<HangingGroup<dim>> groups_;
+  HangingData<dim, Real> hanging_;
+};
+} // namespace contrecoup::gas

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/gas/octree/scheme.h>
+#include <contrecoup/gas/state/burn.h>
+#include <contrecoup/gas/state/primitive.h>
+
+#include <array>
+
+namespace contrecoup::gas
+{
+/**
+ * A row of subcells along one direction of the leaves of a batch, one leaf per
+ * lane, with all that the fluxes between these subcells depend on. Velocities
+ * are in the frame of the line: the component along it comes first.
+ */
+template <typename Number, unsigned int n_components>
+struct Line
+{
+  using Values = std::array<Number, n_components>;
+
+  const Scheme *scheme = nullptr;
+  unsigned int n = 1; ///< subcells of the leaf
+  /// Primitive values of the first subcell. Two subcells before it and two
+  /// behind the last one have values too.
+  const Values *subcells = nullptr;
+  /// Whether velocity slopes are bounded; see Stage::careful.
+  bool bounds_velocity = false;
+
+  /// Where explosive is still to burn: Burn::progress() of subcells -1 to n.
+  const Burn *burn = nullptr;
+  const Number *progress = nullptr;
+
+  /// Where the flux may need a shear factor: the most negative velocity
+  /// difference across the line at subcells -1 to n [m/s]; else null.
+  const Number *compression = nullptr;
+  /// Positive in lanes with a shock next to the first face, the inner faces
+  /// and the last face.
+  std::array<Number, 3> shock;
+
+  /// One in lanes that a shock may be leaving through an open boundary, along
+  /// the line; null: none.
+  const Number *leaving = nullptr;
+
+  /// At the first and last face: fluxes of hanging faces in the lanes that
+  /// have one; null: no lane has.
+  std::array<const Values *, 2> hanging_flux = {{nullptr, nullptr}};
+  std::array<const Number *, 2> has_hanging = {{nullptr, nullptr}};
+};
+} // namespace contrecoup::gas
