@@ -161,7 +161,7 @@ endfunction()
 #                 .h5, .vtu) agree with those in
 #                 tests/applications/references/<application>_<name>/; a
 #                 tolerance is a part of the largest value of a column or
-#                 field, or absolute, see tests/applications/samples.py
+#                 field, or absolute, see tests/applications/cases/samples.py
 #   ranks         COMPARE, TOLERANCE: one rank agrees with each of RANKS
 #                 (default 2)
 #   same          VARY "Section/Entry=true|false": both runs leave the same
@@ -215,9 +215,9 @@ endfunction()
 #                 leaves the COMPARE files
 #   other_build   a checkpoint of another build is resumed with a word, or refused
 #   main_job*     OTHER_FILE: the first lines in
-#                 tests/applications/main_job_cases.py tell
+#                 tests/applications/cases/main_job_cases.py tell
 #   study_*, scene_*, folder_*  the first lines in study_cases.py, scene_cases.py
-#                 and folder_cases.py of tests/applications tell
+#                 and folder_cases.py of tests/applications/cases tell
 # No value may contain a semicolon.
 function(contrecoup_add_application_test name kind)
   cmake_parse_arguments(ARG ""

@@ -259,5 +259,5 @@ biomechanics_endures(million_steps "assumptions.energy_residual < 6.4e-8")
 contrecoup_add_application_test(inverted_element refusal
   FILE biomechanics/quickstart.prm
   ARGUMENTS "--set" "Mesh/Kind=file"
-    "--set" "Mesh/File=${CMAKE_CURRENT_SOURCE_DIR}/inverted_hexahedron.msh"
+    "--set" "Mesh/File=${CMAKE_CURRENT_SOURCE_DIR}/meshes/inverted_hexahedron.msh"
   MESSAGE "hexahedron 1 of")

@@ -90,10 +90,10 @@ contrecoup_add_application_test(ranks_mapped_galerkin ranks FILE ${_ball}
   TOLERANCE 1e-10 "momentum*=1e-12 absolute")
 
 contrecoup_add_application_test(refuses_inverted_cell refusal FILE ${_vortex}
-  SET "Domain/Mesh file=${CMAKE_CURRENT_SOURCE_DIR}/inverted_cell.msh"
+  SET "Domain/Mesh file=${CMAKE_CURRENT_SOURCE_DIR}/meshes/inverted_cell.msh"
   MESSAGE "cell 1 with centre")
 contrecoup_add_application_test(refuses_triangle refusal FILE ${_vortex}
-  SET "Domain/Mesh file=${CMAKE_CURRENT_SOURCE_DIR}/triangle.msh"
+  SET "Domain/Mesh file=${CMAKE_CURRENT_SOURCE_DIR}/meshes/triangle.msh"
   MESSAGE "quadrilaterals")
 contrecoup_add_application_test(refuses_unknown_generator refusal FILE ${_ball}
   SET "Domain/Generator=hyper_bal" MESSAGE "Domain/Generator = hyper_bal")

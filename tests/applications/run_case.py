@@ -18,6 +18,9 @@ import shutil
 import subprocess
 import sys
 
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, os.path.join(HERE, "cases"))
+
 import cost_cases
 import folder_cases
 import full_disk
@@ -34,8 +37,7 @@ from case import (Case, Failed, Skipped, check_bound, check_finite,
                   expand, look_up, read_summary, snapshot)
 
 
-REPOSITORY = os.path.dirname(os.path.dirname(os.path.dirname(
-    os.path.abspath(__file__))))
+REPOSITORY = os.path.dirname(os.path.dirname(HERE))
 # Values in a table that regressions keep as it is.
 LARGEST_TABLE = 5000
 SAMPLES = ".samples.csv"
@@ -228,8 +230,7 @@ def stem(case):
     """The Mach stem of the run is smooth: bounds of 'deviation', see stem.py.
     """
     output = case.straight()
-    script = os.path.join(os.path.dirname(os.path.abspath(__file__)),
-                          "stem.py")
+    script = os.path.join(HERE, "cases", "stem.py")
     run = subprocess.run([script, output], capture_output=True, text=True)
     if run.returncode != 0:
         raise Failed(f"stem.py failed: {run.stderr}")
@@ -240,8 +241,7 @@ def stem(case):
 def wedge(case):
     """Bounds of the angles of shocks at a wedge of --angle, see wedge.py."""
     output = case.straight()
-    script = os.path.join(os.path.dirname(os.path.abspath(__file__)),
-                          "wedge.py")
+    script = os.path.join(HERE, "cases", "wedge.py")
     run = subprocess.run([script, output, case.options.angle],
                          capture_output=True, text=True)
     print(run.stdout, run.stderr)

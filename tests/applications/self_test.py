@@ -13,8 +13,8 @@ import tempfile
 import traceback
 import unittest
 
-import folder_cases
 import run_case
+from run_case import folder_cases
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 AT_ONCE = 4
@@ -45,7 +45,7 @@ class SelfTest(unittest.TestCase):
         """Runs one case; returns its exit code and output."""
         arguments = [kind, "--name=case", "--file=" + self.file,
                      "--set=Flaw=" + flaw, "--application="
-                     + os.path.join(HERE, self.program), *options]
+                     + os.path.join(HERE, "stand_ins", self.program), *options]
         with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
             child = os.fork()
             if child == 0:
@@ -412,7 +412,7 @@ class FolderTest(SelfTest):
         self.add_program("blast")
 
     def add_program(self, name):
-        os.symlink(os.path.join(HERE, "stand_in_folder.py"),
+        os.symlink(os.path.join(HERE, "stand_ins", "stand_in_folder.py"),
                    os.path.join(self.root, name))
 
     def case(self, kind, *options, flaw="none"):
@@ -487,7 +487,7 @@ class StudyTest(SelfTest):
         super().setUp()
         # Where it is, there is the application blast as well.
         for name in ("study", "blast"):
-            os.symlink(os.path.join(HERE, "stand_in_study.py"),
+            os.symlink(os.path.join(HERE, "stand_ins", "stand_in_study.py"),
                        os.path.join(self.root, name))
 
     def case(self, kind, *options, flaw="none"):

@@ -19,7 +19,7 @@ import zlib
 import numpy
 
 APPLICATIONS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..",
-                            "..", "applications")
+                            "..", "..", "applications")
 
 # Samples of a large array that a reference keeps.
 N_SAMPLES = 24

@@ -15,8 +15,8 @@ from report_reader import require_same
 
 STAGES = ("anatomy", "blast", "biomechanics")
 KNOWN_DIFFERENCES = os.path.join(
-    os.path.dirname(os.path.dirname(os.path.dirname(
-        os.path.abspath(__file__)))),
+    os.path.dirname(os.path.dirname(os.path.dirname(os.path.dirname(
+        os.path.abspath(__file__))))),
     "applications", "plot", "report", "known_differences.csv")
 
 # Rows of the injury table, by names of injury.csv.
