@@ -273,9 +273,10 @@ namespace coupling
       HexMesh mesh_;
     };
 
-    void execute(const io::CommandLine &command,
-                 dealii::ParameterHandler &prm,
-                 const std::function<void(const CostEstimate &)> &take_cost)
+    void
+    execute(const io::CommandLine &command,
+            dealii::ParameterHandler &prm,
+            const std::function<void(const CostEstimate &)> &on_cost_estimate)
     {
       if (command.resume)
         throw InputError("--resume: anatomy has no steps to go on with; run "
@@ -286,15 +287,15 @@ namespace coupling
       if (command.check)
       {
         const CostEstimate cost = AnatomyRun(parameters, folder).check();
-        if (take_cost)
-          take_cost(cost);
+        if (on_cost_estimate)
+          on_cost_estimate(cost);
         return;
       }
       io::FolderClaim claim(folder,
                             "anatomy",
                             anatomy_files(),
                             io::make_run_input(parameter_values(prm)));
-      if (!claim.admits(command, {}))
+      if (!claim.may_proceed(command, {}))
         return;
       AnatomyRun(parameters, folder)
         .execute("# anatomy " + version() + " (" + git_revision() +
@@ -320,16 +321,16 @@ namespace coupling
   }
 
   io::ToolDescription anatomy_application(
-    const std::function<void(const CostEstimate &)> &take_cost)
+    const std::function<void(const CostEstimate &)> &on_cost_estimate)
   {
     return {"anatomy",
             "Makes a body for blasts: hexahedra by tissue, their surface and "
             "their quality, from a human phantom, a simple shape, a surface or "
             "medical images.",
             AnatomyParameters::declare_parameters,
-            [take_cost](const io::CommandLine &command,
-                        dealii::ParameterHandler &prm) {
-              execute(command, prm, take_cost);
+            [on_cost_estimate](const io::CommandLine &command,
+                               dealii::ParameterHandler &prm) {
+              execute(command, prm, on_cost_estimate);
             }};
   }
 } // namespace coupling

@@ -20,7 +20,7 @@ namespace
     Log::instance().set_active(is_first_rank);
     io::CommandLine command;
     dealii::ParameterHandler prm;
-    std::string told;
+    std::string text;
     collective.run(
       [&]() {
         std::vector<const char *> words;
@@ -28,24 +28,24 @@ namespace
           words.push_back(word.c_str());
         command = io::parse_command_line(
           static_cast<int>(words.size()), words.data(), "scene");
-        told = io::requested_text(
+        text = io::requested_text(
           command,
           "scene",
           "Follows a blast from the charge to the injuries of a body, in "
           "stages that are kept, and reports on it.",
           "Runs on several cores with mpirun -np N scene FILE.prm ...",
           SceneParameters::declare_parameters);
-        if (!told.empty())
+        if (!text.empty())
           return;
         SceneParameters::declare_parameters(prm);
         io::read_parameters(command, prm);
       },
       ExitCode::bad_input);
-    if (!told.empty())
+    if (!text.empty())
     {
       collective.run([&]() {
         if (is_first_rank)
-          io::print_requested(told);
+          io::print_requested(text);
       });
       return;
     }

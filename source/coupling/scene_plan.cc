@@ -148,8 +148,8 @@ namespace
       one.quantity = text(item, "quantity");
       one.unit = text(item, "unit", "-");
       one.value = number(item, value);
-      one.is_least = item.contains("at_least");
-      one.limit = number(item, one.is_least ? "at_least" : "at_most");
+      one.is_lower_limit = item.contains("at_least");
+      one.limit = number(item, one.is_lower_limit ? "at_least" : "at_most");
       one.entry = "Blast/" + text(item, "entry");
       items.push_back(one);
     }

@@ -62,9 +62,10 @@ namespace
         {"estimate", planned ? told(planned->value, item.unit) : "unknown"},
         {"found", told(item.value, item.unit)},
         {"limit",
-         std::isnan(item.limit) ? ""
-                                : (item.is_least ? "at least " : "at most ") +
-                                    told(item.limit, item.unit)},
+         std::isnan(item.limit)
+           ? ""
+           : (item.is_lower_limit ? "at least " : "at most ") +
+               told(item.limit, item.unit)},
         {"holds", nullptr},
         {"entry", item.entry}};
       if (std::isfinite(item.value) && !std::isnan(item.limit))

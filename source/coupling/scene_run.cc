@@ -100,7 +100,7 @@ bool SceneRun::claim()
   for (SceneStage &stage : stages_)
     stage.inspect(collective_);
   const unsigned int may_run = collective_.run_with_flags(
-    [&]() { return is_first_rank_ && admits() ? 1U : 0U; });
+    [&]() { return is_first_rank_ && may_proceed() ? 1U : 0U; });
   return may_run != 0;
 }
 
@@ -156,7 +156,7 @@ bool SceneRun::is_of_scene() const
 }
 
 
-bool SceneRun::admits() const
+bool SceneRun::may_proceed() const
 {
   if (command_.resume)
   {
@@ -168,7 +168,7 @@ bool SceneRun::admits() const
                        "\" holds no stage of a scene");
   }
   const io::Manifest &manifest = claim_->manifest();
-  if (!manifest.is_there() || command_.overwrite)
+  if (!manifest.exists() || command_.overwrite)
     return true;
   if (!is_of_scene())
     throw InputError("\"" + command_.output_folder + "\" holds a run of \"" +
@@ -211,15 +211,15 @@ void SceneRun::start()
   collective_.run([&]() {
     if (!is_first_rank_)
       return;
-    if (claim_->manifest().is_there() && !is_of_scene())
+    if (claim_->manifest().exists() && !is_of_scene())
       // The folder holds another run without files of stages.
       claim_->begin();
     else
     {
-      if (command_.overwrite && claim_->manifest().is_there())
+      if (command_.overwrite && claim_->manifest().exists())
         log_line("--overwrite " + told_stages() +
                  "; what was there before goes when the new is complete");
-      claim_->go_on();
+      claim_->resume();
     }
     io::write_file(path("parameters.prm"), [&](std::ostream &out) {
       out << "# scene " << version() << " (" << git_revision()

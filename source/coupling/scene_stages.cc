@@ -29,7 +29,9 @@ namespace
                          CostEstimate &cost) {
       forget_peak_memory();
       io::ApplicationDescription stage = application;
-      stage.take_cost = [&cost](const CostEstimate &found) { cost = found; };
+      stage.on_cost_estimate = [&cost](const CostEstimate &found) {
+        cost = found;
+      };
       return io::run_within(arguments, stage);
     };
   }

@@ -159,7 +159,7 @@ std::string StageFiles::damage() const
   try
   {
     const io::Manifest manifest(folder(false));
-    if (!manifest.is_there())
+    if (!manifest.exists())
       return "\"" + folder(false) + "/" + io::Manifest::name + "\" is missing";
     if (manifest.status() != "finished")
       return "the run in \"" + folder(false) + "\" is " + manifest.status();
@@ -216,7 +216,7 @@ void StageFiles::clear_old() const
   if (!exists(old) || !exists(folder(false)))
     return;
   io::Manifest manifest(old);
-  if (manifest.is_there())
+  if (manifest.exists())
   {
     std::vector<std::string> own = manifest.own_files();
     own.insert(own.end(), {io::Manifest::name, io::FolderLock::name});

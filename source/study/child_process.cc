@@ -187,12 +187,12 @@ ProcessEnd ChildProcess::wait()
   return *end_;
 }
 
-void ChildProcess::terminate(const double patience)
+void ChildProcess::terminate(const double grace_period)
 {
   if (poll())
     return;
-  const double last = seconds() + patience;
-  if (patience > 0.)
+  const double last = seconds() + grace_period;
+  if (grace_period > 0.)
     signal_group(SIGTERM);
   while (!poll() && seconds() < last)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));

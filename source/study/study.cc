@@ -240,7 +240,7 @@ void Study::prepare(const std::string &parameter_text,
   if (resume && !fs::exists(path(marker)))
     throw InputError("--resume: \"" + folder_ + "\" holds no study");
   if (resume)
-    claim.go_on();
+    claim.resume();
   else
     claim.begin();
   fs::create_directories(path("variants"));
@@ -369,7 +369,7 @@ void Study::execute(const io::CommandLine &command,
   identify_tasks();
   io::FolderClaim claim(
     folder_, "study", file_names(folder_, tasks_), io::make_run_input(entries));
-  if (!claim.admits(
+  if (!claim.may_proceed(
         command, [&]() { return has_outcomes(); }, "more values"))
     return;
   prepare(parameter_text, command.resume, claim);

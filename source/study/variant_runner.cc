@@ -16,7 +16,7 @@ namespace contrecoup::study
 namespace
 {
   /// Time for a run to exit after a termination signal [s].
-  constexpr double patience = 10.;
+  constexpr double grace_period = 10.;
 } // namespace
 
 std::string Task::run_folder() const
@@ -48,7 +48,7 @@ bool VariantRunner::run(std::vector<Task> &tasks,
     if (SignalGuard::stop_signal() != 0)
     {
       for (Running &running : running_)
-        running.process->terminate(patience);
+        running.process->terminate(grace_period);
       running_.clear();
       return false;
     }
@@ -89,7 +89,7 @@ void VariantRunner::look_after(const std::function<void(const Task &)> &report)
     if (!end && time_limit_ > 0. && seconds > time_limit_)
     {
       running->timed_out = true;
-      process.terminate(patience);
+      process.terminate(grace_period);
     }
     if (!process.poll())
     {

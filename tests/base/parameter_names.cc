@@ -47,19 +47,20 @@ oversights_of(const std::string &text,
     assignments.push_back(parse_override(one));
   ParameterHandler prm;
   declare_all(prm);
-  return oversights("overlooked.prm", with_declared_names(assignments, prm));
+  return find_oversights("overlooked.prm",
+                         with_declared_names(assignments, prm));
 }
 } // namespace
 
 TEST(ParameterNames, CaseAndSeparatorsDoNotMatterWhenOneNameIsMeant)
 {
-  EXPECT_EQ(meant_name("C4", {"tnt", "c-4"}), "c-4");
-  EXPECT_EQ(meant_name("end_TIME", {"End time", "Time"}), "End time");
-  EXPECT_EQ(meant_name("a b", {"a-b", "ab"}), "") << "two are alike";
-  EXPECT_EQ(meant_name("ab", {"a-b", "ab"}), "ab") << "one is the same";
-  EXPECT_EQ(meant_name("-X", {"x", "-x"}), "-x");
-  EXPECT_EQ(meant_name("X", {"-x"}), "") << "a sign is no separator";
-  EXPECT_EQ(meant_name("", {"x"}), "");
+  EXPECT_EQ(resolve_name("C4", {"tnt", "c-4"}), "c-4");
+  EXPECT_EQ(resolve_name("end_TIME", {"End time", "Time"}), "End time");
+  EXPECT_EQ(resolve_name("a b", {"a-b", "ab"}), "") << "two are alike";
+  EXPECT_EQ(resolve_name("ab", {"a-b", "ab"}), "ab") << "one is the same";
+  EXPECT_EQ(resolve_name("-X", {"x", "-x"}), "-x");
+  EXPECT_EQ(resolve_name("X", {"-x"}), "") << "a sign is no separator";
+  EXPECT_EQ(resolve_name("", {"x"}), "");
 }
 
 TEST(ParameterNames, NamesAndWordsBecomeTheDeclaredOnes)
@@ -121,5 +122,5 @@ TEST(ParameterNames, SaysThatAFileSetsNothing)
                 "so that each has its default"}))
       << text;
   EXPECT_EQ(oversights_of("", {"Adapt=no"}).size(), 1u);
-  EXPECT_TRUE(oversights("", {}).empty()) << "there is no file";
+  EXPECT_TRUE(find_oversights("", {}).empty()) << "there is no file";
 }

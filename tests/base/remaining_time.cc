@@ -45,7 +45,7 @@ TEST(RemainingTime, OldStepsAreForgotten)
 TEST(RemainingTime, FollowsTheForecastOfTheSolver)
 {
   RemainingTime remaining;
-  remaining.expect({{2., 10.}, {3., 50.}, {5., 1.}});
+  remaining.set_forecast({{2., 10.}, {3., 50.}, {5., 1.}});
   remaining.add(0.5, 100., 25.);
   EXPECT_NEAR(remaining.left(0., 5.), 0.25 * (20. + 50. + 2.), 1e-12);
   EXPECT_NEAR(remaining.left(1.5, 2.5), 0.25 * (5. + 25.), 1e-12);
@@ -55,7 +55,7 @@ TEST(RemainingTime, FollowsTheForecastOfTheSolver)
 TEST(RemainingTime, WhatTheSolverDoesNotKnowIsNotKnown)
 {
   RemainingTime remaining;
-  remaining.expect({{5., std::nan("")}});
+  remaining.set_forecast({{5., std::nan("")}});
   remaining.add(0.5, 100., 25.);
   EXPECT_TRUE(std::isnan(remaining.left(0., 5.)));
 }

@@ -115,7 +115,7 @@ courses_of(const Lines &lines, const double end, const bool with_last_stage)
     }
     const double until = hand_over.value_or(end);
     if (step % 8 == 0 || course.empty())
-      remaining.expect(simulation.expected_work(until));
+      remaining.set_forecast(simulation.expected_work(until));
     course.emplace_back(work, 1e9 * remaining.left(simulation.time(), until));
   }
   return courses;

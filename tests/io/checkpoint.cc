@@ -108,7 +108,7 @@ TEST(RunDescription, ComesBackBitByBit)
   description.application = "oscillator";
   description.state.step = 123456789012ull;
   description.state.time = 1. / 3.;
-  description.state.free_step = 1e-310;
+  description.state.unbounded_step = 1e-310;
   description.history_bytes = 77;
   description.fields = {{0.1, "fields/a.vtu"}};
   description.first_values = {{"mass", "kg", 2. / 3., true}};
@@ -117,7 +117,7 @@ TEST(RunDescription, ComesBackBitByBit)
   EXPECT_EQ(again.application, "oscillator");
   EXPECT_EQ(again.state.step, 123456789012ull);
   EXPECT_EQ(again.state.time, 1. / 3.);
-  EXPECT_EQ(again.state.free_step, 1e-310);
+  EXPECT_EQ(again.state.unbounded_step, 1e-310);
   EXPECT_EQ(again.state.history_step, -1);
   EXPECT_EQ(again.history_bytes, 77u);
   EXPECT_EQ(again.fields, description.fields);

@@ -72,10 +72,16 @@ TEST(CostCache, DoesWithoutAFolder)
 
 namespace
 {
-Assumption item(const double value, const bool is_least)
+Assumption item(const double value, const bool is_lower_limit)
 {
-  return {
-    "gravity", "left out", "its speed", "m/s", value, 2., is_least, "A/B"};
+  return {"gravity",
+          "left out",
+          "its speed",
+          "m/s",
+          value,
+          2.,
+          is_lower_limit,
+          "A/B"};
 }
 
 bool warns(const std::vector<std::string> &lines)

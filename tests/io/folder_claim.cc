@@ -65,17 +65,16 @@ void leave_run(const std::string &folder, const std::string &status)
   claim.set_status(status);
 }
 
-bool admits(const std::string &folder,
-            const RunInput &wanted,
-            const bool can_go_on,
-            const std::string &option = "")
+bool may_proceed(const std::string &folder,
+                 const RunInput &wanted,
+                 const bool can_resume,
+                 const std::string &option = "")
 {
   CommandLine command;
   command.resume = option == "--resume";
   command.overwrite = option == "--overwrite";
-  return FolderClaim(folder, "blast", names, wanted).admits(command, [&]() {
-    return can_go_on;
-  });
+  return FolderClaim(folder, "blast", names, wanted)
+    .may_proceed(command, [&]() { return can_resume; });
 }
 } // namespace
 
@@ -161,10 +160,10 @@ TEST(FolderClaim, RefusesForeignFilesThatItWouldOverwrite)
 {
   const std::string folder = fresh("foreign");
   write(folder + "/thesis.txt");
-  EXPECT_TRUE(admits(folder, input, false));
+  EXPECT_TRUE(may_proceed(folder, input, false));
   write(folder + "/history.csv", "mine");
   EXPECT_TRUE(
-    has(refusal([&]() { admits(folder, input, false, "--overwrite"); }),
+    has(refusal([&]() { may_proceed(folder, input, false, "--overwrite"); }),
         "history.csv"));
   EXPECT_EQ(read_file(folder + "/history.csv"), "mine");
 }
@@ -173,13 +172,13 @@ TEST(FolderClaim, AFinishedRunStays)
 {
   const std::string folder = fresh("finished");
   leave_run(folder, "finished");
-  EXPECT_FALSE(admits(folder, input, true));
-  EXPECT_TRUE(has(refusal([&]() { admits(folder, other, true); }),
+  EXPECT_FALSE(may_proceed(folder, input, true));
+  EXPECT_TRUE(has(refusal([&]() { may_proceed(folder, other, true); }),
                   "\"A/B\" was \"1\" and is now \"2\"; --overwrite"));
-  EXPECT_TRUE(admits(folder, other, true, "--overwrite"));
-  EXPECT_TRUE(admits(folder, other, true, "--resume"));
+  EXPECT_TRUE(may_proceed(folder, other, true, "--overwrite"));
+  EXPECT_TRUE(may_proceed(folder, other, true, "--resume"));
   write(folder + "/history.csv", "cut");
-  EXPECT_TRUE(has(refusal([&]() { admits(folder, input, true); }),
+  EXPECT_TRUE(has(refusal([&]() { may_proceed(folder, input, true); }),
                   "--overwrite computes it anew"));
 }
 
@@ -189,13 +188,14 @@ TEST(FolderClaim, WhatCanGoOnStays)
   {
     const std::string folder = fresh("unfinished");
     leave_run(folder, status);
-    const std::string message = refusal([&]() { admits(folder, input, true); });
+    const std::string message =
+      refusal([&]() { may_proceed(folder, input, true); });
     EXPECT_TRUE(has(message, status)) << message;
     EXPECT_TRUE(has(message, "--resume goes on")) << message;
     EXPECT_TRUE(has(message, "--overwrite begins anew")) << message;
-    EXPECT_TRUE(admits(folder, input, false));
-    EXPECT_TRUE(admits(folder, input, true, "--resume"));
-    EXPECT_TRUE(admits(folder, input, true, "--overwrite"));
+    EXPECT_TRUE(may_proceed(folder, input, false));
+    EXPECT_TRUE(may_proceed(folder, input, true, "--resume"));
+    EXPECT_TRUE(may_proceed(folder, input, true, "--overwrite"));
   }
 }
 
@@ -205,5 +205,6 @@ TEST(FolderClaim, AnotherApplicationsResultsStay)
   leave_run(folder, "failed");
   CommandLine command;
   const FolderClaim claim(folder, "biomechanics", names, input);
-  EXPECT_TRUE(has(refusal([&]() { claim.admits(command, {}); }), "\"blast\""));
+  EXPECT_TRUE(
+    has(refusal([&]() { claim.may_proceed(command, {}); }), "\"blast\""));
 }

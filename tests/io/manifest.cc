@@ -60,15 +60,15 @@ Manifest finished_run(const std::string &folder)
 
 TEST(NamePatterns, DigitsAndAnyCharacters)
 {
-  EXPECT_TRUE(fits("fields_0001.vtu", "fields_#.vtu"));
-  EXPECT_TRUE(fits("fields_12345.0003.vtu", "fields_#.#.vtu"));
-  EXPECT_TRUE(fits("plane_y_0_pressure_0001.npy", "plane_*_#.npy"));
-  EXPECT_TRUE(fits("a", "*a"));
-  EXPECT_FALSE(fits("fields_.vtu", "fields_#.vtu"));
-  EXPECT_FALSE(fits("fields_1a.vtu", "fields_#.vtu"));
-  EXPECT_FALSE(fits("fields_1.vtu2", "fields_#.vtu"));
-  EXPECT_FALSE(fits("x.txt", "fields_#.vtu"));
-  EXPECT_FALSE(fits("", "#"));
+  EXPECT_TRUE(matches("fields_0001.vtu", "fields_#.vtu"));
+  EXPECT_TRUE(matches("fields_12345.0003.vtu", "fields_#.#.vtu"));
+  EXPECT_TRUE(matches("plane_y_0_pressure_0001.npy", "plane_*_#.npy"));
+  EXPECT_TRUE(matches("a", "*a"));
+  EXPECT_FALSE(matches("fields_.vtu", "fields_#.vtu"));
+  EXPECT_FALSE(matches("fields_1a.vtu", "fields_#.vtu"));
+  EXPECT_FALSE(matches("fields_1.vtu2", "fields_#.vtu"));
+  EXPECT_FALSE(matches("x.txt", "fields_#.vtu"));
+  EXPECT_FALSE(matches("", "#"));
 }
 
 TEST(NamePatterns, FindAndRemoveNothingElse)
@@ -99,7 +99,7 @@ TEST(Manifest, NothingIsContrecoupsWithoutOne)
                            "inner/history.csv"})
     write(folder + "/" + file);
   const Manifest manifest(folder);
-  EXPECT_FALSE(manifest.is_there());
+  EXPECT_FALSE(manifest.exists());
   EXPECT_EQ(manifest.own_files(), Names{});
   EXPECT_EQ(manifest.foreign_files(names),
             (Names{"fields/fields_0001.vtu", "history.csv"}));

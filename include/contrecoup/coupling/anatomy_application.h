@@ -15,9 +15,9 @@ namespace coupling
 {
   /// Application `anatomy`: hexahedral mesh of a body, by tissue, with its
   /// surface, its quality report and pictures.
-  /// @param take_cost receives the cost estimate of --check
+  /// @param on_cost_estimate receives the cost estimate of --check
   io::ToolDescription anatomy_application(
-    const std::function<void(const CostEstimate &)> &take_cost = {});
+    const std::function<void(const CostEstimate &)> &on_cost_estimate = {});
 
   /// Names of the files that `anatomy` writes.
   io::FileNames anatomy_files();

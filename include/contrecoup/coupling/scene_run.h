@@ -40,7 +40,7 @@ private:
   bool is_of_scene() const;
   /// Claims the output folder; returns false when nothing is left to do.
   bool claim();
-  bool admits() const;
+  bool may_proceed() const;
   /// @throws InputError when results that must be kept would be removed
   void require_consent() const;
   std::string told_stages() const;

@@ -44,8 +44,9 @@ public:
   /// Waits for the end of the process.
   ProcessEnd wait();
 
-  /// Sends a termination signal, and kills the process after @p patience [s].
-  void terminate(double patience);
+  /// Sends a termination signal, and kills the process after @p grace_period
+  /// [s].
+  void terminate(double grace_period);
 
   /// Wall time since the start [s].
   double seconds() const;

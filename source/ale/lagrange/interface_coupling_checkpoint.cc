@@ -22,8 +22,8 @@ namespace
     std::array<double, 3> acceleration;
   };
 
-  using io::put;
-  using io::take;
+  using io::read_binary;
+  using io::write_binary;
 
   std::string file_of(const std::string &folder, const unsigned int rank)
   {
@@ -40,12 +40,13 @@ void InterfaceCoupling::save(const std::string &folder) const
   const unsigned int rank =
     dealii::Utilities::MPI::this_mpi_process(space_->communicator());
   io::write_file(file_of(folder, rank), [&](std::ostream &out) {
-    put(out, all);
-    put(out, static_cast<std::uint64_t>(nodes_.size()));
+    write_binary(out, all);
+    write_binary(out, static_cast<std::uint64_t>(nodes_.size()));
     for (const Node &node : nodes_)
-      put(out,
-          NodeRecord{space_->node_number(node.node),
-                     {{node.before[0], node.before[1], node.before[2]}}});
+      write_binary(
+        out,
+        NodeRecord{space_->node_number(node.node),
+                   {{node.before[0], node.before[1], node.before[2]}}});
   });
 }
 
@@ -64,12 +65,12 @@ void InterfaceCoupling::restore(const std::string &folder)
     const std::string file = file_of(folder, rank);
     std::ifstream in(file, std::ios::binary);
     std::uint64_t n_nodes = 0;
-    take(in, record_);
-    take(in, n_nodes);
+    read_binary(in, record_);
+    read_binary(in, n_nodes);
     for (std::uint64_t i = 0; i < n_nodes && in; ++i)
     {
       NodeRecord record{};
-      take(in, record);
+      read_binary(in, record);
       const auto found = here.find(record.node);
       if (!in || found == here.end())
         continue;

@@ -71,7 +71,7 @@ void ParticleSimulation::save(const std::string &folder)
                     reference_.record()};
     particles_.for_each_block(
       [&](unsigned int, const mpm::ParticleBlock &) { ++numbers.n_blocks; });
-    io::put(out, numbers);
+    io::write_binary(out, numbers);
     io::put_list(out, least_pressures_);
     io::put_list(out, reference_.peaks());
     for (const auto &[tile, blocks] : particles_.tiles())
@@ -79,7 +79,7 @@ void ParticleSimulation::save(const std::string &folder)
       {
         if (blocks[m].size() == 0)
           continue;
-        io::put(out, BlockHead{tile, m});
+        io::write_binary(out, BlockHead{tile, m});
         std::vector<double> states(mpm::column::n_state * blocks[m].size());
         for (std::size_t p = 0; p < blocks[m].size(); ++p)
           blocks[m].copy_state(p, &states[mpm::column::n_state * p]);
@@ -93,7 +93,7 @@ void ParticleSimulation::restore_file(const std::string &file)
 {
   std::istringstream in(io::read_file(file));
   Numbers numbers;
-  io::take(in, numbers);
+  io::read_binary(in, numbers);
   if (!in || numbers.n_materials != scene_.materials().size() ||
       numbers.cell_size != scene_.cell_size())
     throw InputError("Checkpoint file " + file + " is of another scene");
@@ -131,7 +131,7 @@ void ParticleSimulation::restore_file(const std::string &file)
   for (std::uint64_t i = 0; i < numbers.n_blocks; ++i)
   {
     BlockHead head;
-    io::take(in, head);
+    io::read_binary(in, head);
     std::vector<double> states;
     io::take_list(in, file, states);
     if (!in || head.material >= numbers.n_materials ||

@@ -55,8 +55,8 @@ namespace
     std::array<double, 9> values;
   };
 
-  using io::put;
-  using io::take;
+  using io::read_binary;
+  using io::write_binary;
 
   std::string file_of(const std::string &folder, const unsigned int rank)
   {
@@ -73,28 +73,28 @@ void AleSimulation::save(const std::string &folder)
   const SmoothingMemory memory = rezone_.memory();
   const auto rank = dealii::Utilities::MPI::this_mpi_process(communicator_);
   io::write_file(file_of(folder, rank), [&](std::ostream &out) {
-    put(out,
-        Numbers{space_.n_own_nodes(),
-                space_.n_own_cells(),
-                n_nodes_,
-                n_cells_,
-                rezone_.n_rezones(),
-                rezone_.n_left_out(),
-                state_.time,
-                initial_energy_,
-                work,
-                slip_work,
-                energy_scale_,
-                last_step_,
-                reference_.peaks().size(),
-                memory.first_iterations,
-                contact,
-                contact_,
-                initial_kinetic_energy_});
+    write_binary(out,
+                 Numbers{space_.n_own_nodes(),
+                         space_.n_own_cells(),
+                         n_nodes_,
+                         n_cells_,
+                         rezone_.n_rezones(),
+                         rezone_.n_left_out(),
+                         state_.time,
+                         initial_energy_,
+                         work,
+                         slip_work,
+                         energy_scale_,
+                         last_step_,
+                         reference_.peaks().size(),
+                         memory.first_iterations,
+                         contact,
+                         contact_,
+                         initial_kinetic_energy_});
     for (const double pressure : least_pressures_)
-      put(out, pressure);
+      write_binary(out, pressure);
     for (const auto &peak : reference_.peaks())
-      put(out, peak);
+      write_binary(out, peak);
     for (std::size_t n = 0; n < space_.n_own_nodes(); ++n)
     {
       NodeRecord record{space_.node_number(n), {}, {}, {}};
@@ -110,7 +110,7 @@ void AleSimulation::save(const std::string &folder)
         record.smoothing[d] = memory.displacement[width * n + d];
         record.smoothing[3 + d] = memory.hierarchy_position[width * n + d];
       }
-      put(out, record);
+      write_binary(out, record);
     }
     for (std::size_t c = 0; c < space_.n_own_cells(); ++c)
     {
@@ -119,7 +119,7 @@ void AleSimulation::save(const std::string &folder)
         {{state_.mass[c], state_.energy[c], state_.products[c]}}};
       for (std::size_t k = 0; k < 6 && !state_.relaxed.empty(); ++k)
         record.values[3 + k] = state_.relaxed[k * space_.n_cells() + c];
-      put(out, record);
+      write_binary(out, record);
     }
   });
   lagrange_.coupling().save(folder);
@@ -130,13 +130,13 @@ void AleSimulation::save(const std::string &folder)
 void AleSimulation::restore_peaks(std::istream &in, const std::size_t n_peaks)
 {
   for (double &pressure : least_pressures_)
-    take(in, pressure);
+    read_binary(in, pressure);
   auto &peaks = reference_.peaks();
   peaks.resize(n_peaks, {{0., 0.}});
   for (std::size_t i = 0; i < n_peaks; ++i)
   {
     std::array<double, 2> peak{};
-    take(in, peak);
+    read_binary(in, peak);
     // Only the rank that recorded the probe has nonzero peaks.
     for (unsigned int k = 0; k < 2; ++k)
       peaks[i][k] = std::max(peaks[i][k], peak[k]);
@@ -152,7 +152,7 @@ void AleSimulation::restore_cells(
   for (std::uint64_t i = 0; i < n; ++i)
   {
     CellRecord record;
-    take(in, record);
+    read_binary(in, record);
     const auto found = cells.find(record.cell);
     if (found == cells.end())
       continue;
@@ -182,7 +182,7 @@ void AleSimulation::restore(const std::string &folder)
        ++rank)
   {
     std::ifstream in(file, std::ios::binary);
-    take(in, numbers);
+    read_binary(in, numbers);
     if (!in || numbers.n_global_nodes != n_nodes_ ||
         numbers.n_global_cells != n_cells_)
       throw InputError("Checkpoint file " + file + " belongs to another mesh");
@@ -190,7 +190,7 @@ void AleSimulation::restore(const std::string &folder)
     for (std::uint64_t i = 0; i < numbers.n_nodes; ++i)
     {
       NodeRecord record;
-      take(in, record);
+      read_binary(in, record);
       const auto found = nodes.find(record.node);
       if (found == nodes.end())
         continue;

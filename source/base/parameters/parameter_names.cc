@@ -25,7 +25,7 @@ namespace
 
   /// The name in lower case without separators between letters; "-x" and "x"
   /// stay different.
-  std::string essence(const std::string &name)
+  std::string normalised(const std::string &name)
   {
     std::string result;
     for (std::size_t i = 0; i < name.size(); ++i)
@@ -54,7 +54,7 @@ namespace
       const std::string stem = name.substr(0, name.size() - 1);
       if (declared::is_pattern(name) && section.size() > stem.size() &&
           section[stem.size() - 1] == ' ' &&
-          essence(section.substr(0, stem.size())) == essence(stem))
+          normalised(section.substr(0, stem.size())) == normalised(stem))
         return stem + section.substr(stem.size());
     }
     return "";
@@ -68,12 +68,14 @@ namespace
     for (const std::string &name : declared::names(node, false))
       if (declared::pattern_of(node, name).empty())
         known.push_back(name);
-    const std::string meant = meant_name(section, known);
-    const std::string item = meant.empty() ? name_of_item(section, node) : "";
-    if (meant.empty() && item.empty())
+    const std::string resolved = resolve_name(section, known);
+    const std::string item =
+      resolved.empty() ? name_of_item(section, node) : "";
+    if (resolved.empty() && item.empty())
       return nullptr;
-    section = meant.empty() ? item : meant;
-    return &node[meant.empty() ? declared::pattern_of(node, item) : meant];
+    section = resolved.empty() ? item : resolved;
+    return &node[resolved.empty() ? declared::pattern_of(node, item)
+                                  : resolved];
   }
 
   std::string declared_value(const std::string &value,
@@ -84,13 +86,13 @@ namespace
       known = split(declared::between(description, "[Selection ", "]"), '|');
     else if (description == "[Bool]")
     {
-      if (!meant_name(value, {"true", "yes", "on", "1"}).empty())
+      if (!resolve_name(value, {"true", "yes", "on", "1"}).empty())
         return "true";
-      if (!meant_name(value, {"false", "no", "off", "0"}).empty())
+      if (!resolve_name(value, {"false", "no", "off", "0"}).empty())
         return "false";
     }
-    const std::string meant = meant_name(value, known);
-    return meant.empty() ? value : meant;
+    const std::string resolved = resolve_name(value, known);
+    return resolved.empty() ? value : resolved;
   }
 
   void use_declared_names(Assignment &assignment, const Tree &tree)
@@ -103,7 +105,7 @@ namespace
         return;
     }
     const std::string entry =
-      meant_name(assignment.entry, declared::names(*node, true));
+      resolve_name(assignment.entry, declared::names(*node, true));
     if (entry.empty())
       return;
     assignment.entry = entry;
@@ -114,21 +116,21 @@ namespace
 } // namespace
 
 
-std::string meant_name(const std::string &name,
-                       const std::vector<std::string> &known)
+std::string resolve_name(const std::string &name,
+                         const std::vector<std::string> &known)
 {
   if (std::find(known.begin(), known.end(), name) != known.end())
     return name;
-  const std::string wanted = essence(name);
-  std::string meant;
+  const std::string wanted = normalised(name);
+  std::string resolved;
   for (const std::string &candidate : known)
-    if (essence(candidate) == wanted)
+    if (normalised(candidate) == wanted)
     {
-      if (!meant.empty())
+      if (!resolved.empty())
         return "";
-      meant = candidate;
+      resolved = candidate;
     }
-  return meant;
+  return resolved;
 }
 
 
@@ -144,8 +146,9 @@ with_declared_names(const std::vector<Assignment> &assignments,
 }
 
 
-std::vector<std::string> oversights(const std::string &file,
-                                    const std::vector<Assignment> &assignments)
+std::vector<std::string>
+find_oversights(const std::string &file,
+                const std::vector<Assignment> &assignments)
 {
   // Separates file name and line number: "\"file.prm\", line 7".
   const std::string mark = "\", line ";

@@ -42,10 +42,10 @@ bool Progress::wants_forecast() const
           seconds(now - last_line_) >= log_forecast);
 }
 
-void Progress::expect(WorkForecast forecast,
-                      const std::optional<double> hand_over)
+void Progress::set_forecast(WorkForecast forecast,
+                            const std::optional<double> hand_over)
 {
-  remaining_.expect(std::move(forecast));
+  remaining_.set_forecast(std::move(forecast));
   hand_over_ = hand_over;
   last_forecast_ = Clock::now();
 }

@@ -12,7 +12,7 @@ namespace contrecoup
 namespace
 {
   /// Decay time of the cost of a step [s], longer than some field outputs.
-  constexpr double memory = 30.;
+  constexpr double decay_time = 30.;
 
   /// Work from @p begin to @p end. The first interval extends to earlier
   /// times, the last one to later times.
@@ -36,7 +36,7 @@ void RemainingTime::add(const double step_size,
                         const double updates,
                         const double cost)
 {
-  const double kept = std::exp(-cost / memory);
+  const double kept = std::exp(-cost / decay_time);
   time_ = kept * time_ + step_size;
   updates_ = kept * updates_ + updates;
   cost_ = kept * cost_ + cost;

@@ -57,7 +57,7 @@ RunStatus RunLoop::run(RunState &state)
   }
   catch (const NumericsError &)
   {
-    write_last_words(state);
+    write_fields_after_failure(state);
     throw;
   }
 }
@@ -81,7 +81,7 @@ RunStatus RunLoop::loop(RunState &state)
     if ((flags & forecast_bit) != 0)
       collective_.run([&]() {
         const auto hand_over = simulation_.expected_hand_over();
-        progress_->expect(
+        progress_->set_forecast(
           simulation_.expected_work(hand_over.value_or(parameters.end_time)),
           hand_over);
       });
@@ -220,7 +220,7 @@ void RunLoop::checkpoint(RunState &state)
   last_checkpoint_ = Clock::now();
 }
 
-void RunLoop::write_last_words(RunState &state)
+void RunLoop::write_fields_after_failure(RunState &state)
 {
   if (!control_.parameters().fields)
     return;

@@ -63,7 +63,7 @@ double TimeControl::bound(const RunState &state) const
 
   const double remaining = target - state.time;
   double step = remaining;
-  if (remaining > state.free_step && remaining < 2. * state.free_step)
+  if (remaining > state.unbounded_step && remaining < 2. * state.unbounded_step)
     step = 0.5 * remaining;
   if (parameters_.largest_step > 0.)
     step = std::min(step, parameters_.largest_step);
@@ -76,9 +76,9 @@ void TimeControl::after_step(RunState &state,
                              const double bound) const
 {
   if (step_size < bound * (1. - 1e-12))
-    state.free_step = step_size;
+    state.unbounded_step = step_size;
   else
-    state.free_step = std::max(state.free_step, step_size);
+    state.unbounded_step = std::max(state.unbounded_step, step_size);
   state.time = time;
   state.step_size = step_size;
   ++state.step;

@@ -35,21 +35,21 @@ namespace
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 
-  constexpr int giving_up = 1; ///< tag of messages from failed ranks
+  constexpr int failure_tag = 1; ///< tag of messages from failed ranks
 
   /// Rank of a message from a failed rank, if there is one.
-  std::optional<int> heard_from(const MPI_Comm communicator)
+  std::optional<int> sender_of_failure(const MPI_Comm communicator)
   {
     int there = 0;
     MPI_Status status;
-    MPI_Iprobe(MPI_ANY_SOURCE, giving_up, communicator, &there, &status);
+    MPI_Iprobe(MPI_ANY_SOURCE, failure_tag, communicator, &there, &status);
     if (there == 0)
       return std::nullopt;
     MPI_Recv(nullptr,
              0,
              MPI_INT,
              status.MPI_SOURCE,
-             giving_up,
+             failure_tag,
              communicator,
              MPI_STATUS_IGNORE);
     return status.MPI_SOURCE;
@@ -57,23 +57,24 @@ namespace
 
   /// Whether another failed rank reports the error: one that announced it
   /// earlier, or a lower rank at the same time.
-  bool
-  another_speaks(const MPI_Comm communicator, const int rank, const int n_ranks)
+  bool other_rank_reports(const MPI_Comm communicator,
+                          const int rank,
+                          const int n_ranks)
   {
-    if (heard_from(communicator))
+    if (sender_of_failure(communicator))
       return true;
     for (int other = 0; other < n_ranks; ++other)
       if (other != rank)
       {
         MPI_Request request;
         MPI_Isend(
-          nullptr, 0, MPI_INT, other, giving_up, communicator, &request);
+          nullptr, 0, MPI_INT, other, failure_tag, communicator, &request);
         MPI_Request_free(&request);
       }
     constexpr double delay = 0.5; // upper bound of message latency [s]
     for (const auto end = seconds_from_now(delay); Clock::now() < end;)
     {
-      if (const auto other = heard_from(communicator); !other)
+      if (const auto other = sender_of_failure(communicator); !other)
         sleep_a_little();
       else if (*other < rank)
         return true;
@@ -154,9 +155,9 @@ void throw_failure(const Failure &failure)
   throw SystemError(failure.message);
 }
 
-Collective::Collective(const MPI_Comm communicator, const double patience)
+Collective::Collective(const MPI_Comm communicator, const double timeout)
   : communicator_(communicator)
-  , patience_(patience)
+  , timeout_(timeout)
 {
   MPI_Comm_dup(communicator, &agreement_);
   MPI_Comm_rank(agreement_, &rank_);
@@ -198,10 +199,11 @@ Collective::run_with_flags(const std::function<unsigned int()> &function,
   {
     own = to_failure(std::current_exception(), otherwise);
   }
-  return agree(own, flags);
+  return combine_failures(own, flags);
 }
 
-unsigned int Collective::agree(const Failure &own, const unsigned int flags)
+unsigned int Collective::combine_failures(const Failure &own,
+                                          const unsigned int flags)
 {
   if (n_ranks_ == 1)
   {
@@ -225,13 +227,13 @@ unsigned int Collective::agree(const Failure &own, const unsigned int flags)
     MPI_Wait(&request, MPI_STATUS_IGNORE);
   else
   {
-    const auto give_up = seconds_from_now(patience_);
+    const auto deadline = seconds_from_now(timeout_);
     int finished = 0;
     MPI_Test(&request, &finished, MPI_STATUS_IGNORE);
     while (finished == 0)
     {
-      if (Clock::now() > give_up)
-        abandon(own);
+      if (Clock::now() > deadline)
+        abort_all(own);
       sleep_a_little();
       MPI_Test(&request, &finished, MPI_STATUS_IGNORE);
     }
@@ -249,12 +251,11 @@ unsigned int Collective::agree(const Failure &own, const unsigned int flags)
   return all;
 }
 
-void Collective::abandon(const Failure &own) const
+void Collective::abort_all(const Failure &own) const
 {
-  if (another_speaks(agreement_, rank_, n_ranks_))
+  if (other_rank_reports(agreement_, rank_, n_ranks_))
     // The reporting rank aborts this rank as well.
-    for (const auto end = seconds_from_now(10. * patience_);
-         Clock::now() < end;)
+    for (const auto end = seconds_from_now(10. * timeout_); Clock::now() < end;)
       sleep_a_little();
   if (!is_stop(own))
     std::cerr << "error: " << own.message << std::endl;

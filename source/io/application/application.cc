@@ -28,8 +28,8 @@ namespace io
       description.declare_parameters(prm);
     }
 
-    std::string told_text(const CommandLine &command,
-                          const ApplicationDescription &description)
+    std::string text_on_request(const CommandLine &command,
+                                const ApplicationDescription &description)
     {
       return requested_text(
         command,
@@ -55,22 +55,22 @@ namespace io
       CommandLine command;
       ParameterHandler prm;
       std::unique_ptr<Simulation> simulation;
-      std::string told;
+      std::string text;
       collective.run(
         [&]() {
           command = parse_command_line(argc, argv, description.name);
-          told = told_text(command, description);
-          if (!told.empty())
+          text = text_on_request(command, description);
+          if (!text.empty())
             return;
           declare(description, prm);
           read_parameters(command, prm);
         },
         ExitCode::bad_input);
-      if (!told.empty())
+      if (!text.empty())
       {
         collective.run([&]() {
           if (first_rank)
-            print_requested(told);
+            print_requested(text);
         });
         return;
       }

@@ -303,7 +303,8 @@ namespace io
     return trials.empty() ? rough : result;
   }
 
-  CostEstimate known_cost(const ApplicationDescription &description,
+  CostEstimate
+  cached_or_forecast_cost(const ApplicationDescription &description,
                           const dealii::ParameterHandler &prm,
                           const CostEstimate &rough,
                           Collective &collective)

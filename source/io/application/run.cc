@@ -93,12 +93,13 @@ namespace io
   void Run::check()
   {
     const CostEstimate cost =
-      known_cost(description_, prm_, estimate(), collective_);
-    if (description_.take_cost)
-      description_.take_cost(cost);
-    log_line(description_.name + " would run" +
-             (description_.take_cost ? "" : " " + command_.parameter_file) +
-             ":");
+      cached_or_forecast_cost(description_, prm_, estimate(), collective_);
+    if (description_.on_cost_estimate)
+      description_.on_cost_estimate(cost);
+    log_line(
+      description_.name + " would run" +
+      (description_.on_cost_estimate ? "" : " " + command_.parameter_file) +
+      ":");
     log_line("  cells     " + brief(cost.cells, 7));
     log_line("  unknowns  " + brief(cost.unknowns, 7));
     log_line("  steps     about " + brief(cost.steps, 3) + " to time " +

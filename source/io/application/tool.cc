@@ -30,15 +30,15 @@ namespace io
     {
       const CommandLine command =
         parse_command_line(argc, argv, description.name);
-      const std::string told =
+      const std::string text =
         requested_text(command,
                        description.name,
                        description.purpose,
                        "Starts what it needs on several cores itself.",
                        description.declare_parameters);
-      if (!told.empty())
+      if (!text.empty())
       {
-        print_requested(told);
+        print_requested(text);
         return;
       }
       dealii::ParameterHandler prm;

@@ -22,17 +22,17 @@ namespace io
       return std::isdigit(static_cast<unsigned char>(letter)) != 0;
     }
 
-    bool fits(const char *name, const char *pattern)
+    bool matches(const char *name, const char *pattern)
     {
       if (*pattern == '\0')
         return *name == '\0';
       if (*pattern == '*')
-        return fits(name, pattern + 1) ||
-               (*name != '\0' && fits(name + 1, pattern));
+        return matches(name, pattern + 1) ||
+               (*name != '\0' && matches(name + 1, pattern));
       if (*pattern == '#')
         return is_digit(*name) &&
-               (fits(name + 1, pattern) || fits(name + 1, pattern + 1));
-      return *name == *pattern && fits(name + 1, pattern + 1);
+               (matches(name + 1, pattern) || matches(name + 1, pattern + 1));
+      return *name == *pattern && matches(name + 1, pattern + 1);
     }
 
     bool is_exact(const std::string &pattern)
@@ -54,7 +54,7 @@ namespace io
       }
       else
         for (const auto &item : fs::directory_iterator(folder, ignored))
-          if (io::fits(item.path().filename().string(), pattern))
+          if (io::matches(item.path().filename().string(), pattern))
             names.push_back(item.path().filename().string());
       return names;
     }
@@ -80,9 +80,9 @@ namespace io
     }
   } // namespace
 
-  bool fits(const std::string &name, const std::string &pattern)
+  bool matches(const std::string &name, const std::string &pattern)
   {
-    return fits(name.c_str(), pattern.c_str());
+    return matches(name.c_str(), pattern.c_str());
   }
 
   std::vector<std::string> find_files(const std::string &folder,

@@ -31,7 +31,7 @@ namespace io
     }
 
     /// "a, b, c and 4 more".
-    std::string told(const std::vector<std::string> &names)
+    std::string list_text(const std::vector<std::string> &names)
     {
       constexpr std::size_t most = 3;
       if (names.size() <= most + 1)
@@ -107,7 +107,7 @@ namespace io
       throw InputError("\"" + folder_ +
                        "\" holds files that no run of Contrecoup wrote and "
                        "this one would overwrite: " +
-                       told(foreign) + "; give another --output");
+                       list_text(foreign) + "; give another --output");
   }
 
   std::string FolderClaim::difference() const
@@ -117,11 +117,11 @@ namespace io
     return io::difference(manifest_.input(), input_);
   }
 
-  bool FolderClaim::admits(const CommandLine &command,
-                           const std::function<bool()> &can_go_on,
-                           const std::string &more) const
+  bool FolderClaim::may_proceed(const CommandLine &command,
+                                const std::function<bool()> &can_resume,
+                                const std::string &more) const
   {
-    if (!manifest_.is_there() || command.overwrite || command.resume)
+    if (!manifest_.exists() || command.overwrite || command.resume)
       return true;
     const std::string changed = difference();
     const std::string here = "\"" + folder_ + "\" holds ";
@@ -138,7 +138,7 @@ namespace io
                          "; --overwrite computes it anew");
       log_line("finished before, nothing is done: \"" + folder_ +
                "\" holds the results; " +
-               (can_go_on && can_go_on()
+               (can_resume && can_resume()
                   ? "--resume goes on from there (with " + more + "), "
                   : "") +
                "--overwrite computes all anew");
@@ -146,7 +146,7 @@ namespace io
     }
     if (manifest_.application() != application_)
       throw InputError(here + "a run that has not finished: " + changed + ways);
-    if (can_go_on && can_go_on())
+    if (can_resume && can_resume())
       throw InputError(here + "a run that has not finished (" +
                        manifest_.status() +
                        "); --resume goes on with it, --overwrite begins anew");
@@ -160,14 +160,14 @@ namespace io
       log_line("removing what the earlier run (" + manifest_.application() +
                ", " + manifest_.status() + ") left in " + folder_ + ": " +
                std::to_string(files.size()) + " files, " +
-               bytes(size_of(folder_, files)) + " (" + told(files) + ")");
+               bytes(size_of(folder_, files)) + " (" + list_text(files) + ")");
     manifest_.begin(application_, names_, input_);
     made_.clear();
   }
 
-  void FolderClaim::go_on()
+  void FolderClaim::resume()
   {
-    manifest_.go_on(application_, names_, input_);
+    manifest_.resume(application_, names_, input_);
     made_.clear();
   }
 

@@ -181,7 +181,7 @@ namespace io
         require_inside(one);
     for (const auto &result : results_)
       require_inside(result.first);
-    // Read last, because is_there() tests it.
+    // Read last, because exists() tests it.
     json.at("application").get_to(application_);
   }
 
@@ -256,7 +256,7 @@ namespace io
     for (const std::string &folder : folders(names_))
     {
       const Manifest inner(path(folder));
-      if (!inner.is_there())
+      if (!inner.exists())
         continue;
       for (const std::string &file : inner.own_files())
         files.push_back(folder + "/" + file);
@@ -276,15 +276,15 @@ namespace io
                        const RunInput &input)
   {
     const std::vector<std::string> old_files = own_files();
-    go_on(application, names, input);
+    resume(application, names, input);
     remove_files(folder_, old_files);
     names_ = names;
     write();
   }
 
-  void Manifest::go_on(const std::string &application,
-                       const FileNames &names,
-                       const RunInput &input)
+  void Manifest::resume(const std::string &application,
+                        const FileNames &names,
+                        const RunInput &input)
   {
     application_ = application;
     status_ = "started";

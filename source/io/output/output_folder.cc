@@ -57,8 +57,8 @@ namespace io
         return 0U;
       claim_ = std::make_unique<FolderClaim>(
         path_, run_.application, names_, make_run_input(run_.parameters));
-      const auto can_go_on = [&]() { return checkpoints_.has_complete(); };
-      return claim_->admits(command, can_go_on) ? 1U : 0U;
+      const auto can_resume = [&]() { return checkpoints_.has_complete(); };
+      return claim_->may_proceed(command, can_resume) ? 1U : 0U;
     };
     return collective_.run_with_flags(may_run) != 0;
   }
@@ -119,7 +119,7 @@ namespace io
       [&]() {
         if (!writes_)
           return;
-        claim_->go_on();
+        claim_->resume();
         history_.resume(run_.history_bytes);
         probes_.resume(run_.probes_bytes);
       },

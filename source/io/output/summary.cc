@@ -60,7 +60,7 @@ namespace io
           {"unit", item.unit},
           {"estimate", planned ? number(planned->value) : Json(nullptr)},
           {"measured", number(item.value)},
-          {item.is_least ? "at_least" : "at_most", number(item.limit)},
+          {item.is_lower_limit ? "at_least" : "at_most", number(item.limit)},
           {"holds", !item.fails()},
           {"entry", item.entry}};
       }

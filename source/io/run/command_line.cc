@@ -73,7 +73,7 @@ namespace io
     {
       const std::vector<Assignment> assignments = assignments_of(command, prm);
       apply_assignments(assignments, prm);
-      return oversights(command.parameter_file, assignments);
+      return find_oversights(command.parameter_file, assignments);
     }
   } // namespace
 
@@ -81,7 +81,7 @@ namespace io
   single_commands(const std::vector<std::string> &arguments)
   {
     std::vector<std::string> files, options;
-    bool checks = false, only_tells = false;
+    bool checks = false, only_prints = false;
     for (std::size_t i = 0; i < arguments.size(); ++i)
     {
       const std::string &word = arguments[i];
@@ -90,10 +90,10 @@ namespace io
       if (takes_value(word) && i + 1 < arguments.size())
         options.push_back(arguments[++i]);
       checks = checks || word == "--check";
-      only_tells = only_tells || word == "--help" || word == "-h" ||
-                   word == "--version" || word == "--print-parameters";
+      only_prints = only_prints || word == "--help" || word == "-h" ||
+                    word == "--version" || word == "--print-parameters";
     }
-    if (!checks || only_tells || files.size() < 2)
+    if (!checks || only_prints || files.size() < 2)
       return {arguments};
     std::vector<std::vector<std::string>> commands;
     for (const std::string &file : files)
@@ -107,20 +107,20 @@ namespace io
   int run_each(
     const std::vector<std::string> &arguments,
     const std::function<Failure(const std::vector<std::string> &)> &work,
-    const bool tells)
+    const bool writes_output)
   {
     const auto commands = single_commands(arguments);
     int code = 0;
     for (const std::vector<std::string> &command : commands)
     {
       const std::string file = commands.size() > 1 ? command.back() : "";
-      if (tells && !file.empty())
+      if (writes_output && !file.empty())
         std::cout << file << ":" << std::endl;
       const Failure failure = work(command);
       if (is_stop(failure))
         return static_cast<int>(failure.code);
       code = std::max(code, static_cast<int>(failure.code));
-      if (!tells || failure.code == ExitCode::done)
+      if (!writes_output || failure.code == ExitCode::done)
         continue;
       const bool names_it = failure.message.find(file) != std::string::npos;
       std::cerr << "error: " << (names_it ? "" : file + ": ") << failure.message
@@ -157,9 +157,9 @@ namespace io
           (word == "--set" ? ", \"Section/Entry=value\"" : ", a folder"));
       apply(word, value, command);
     }
-    const bool only_tells =
+    const bool only_prints =
       command.help || command.version || command.print_parameters;
-    if (command.parameter_file.empty() && !only_tells)
+    if (command.parameter_file.empty() && !only_prints)
       throw InputError("no parameter file is given; --help shows how");
     if (command.resume && command.overwrite)
       throw InputError("--resume keeps what --overwrite removes; give one of "

@@ -26,7 +26,7 @@ namespace io
     {
       if (std::isnan(item.limit))
         return "";
-      return (item.is_least ? "at least " : "at most ") +
+      return (item.is_lower_limit ? "at least " : "at most ") +
              number(item.limit, item.unit);
     }
 

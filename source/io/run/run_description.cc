@@ -22,7 +22,7 @@ namespace io
       visit("step", state.step);
       visit("time", state.time);
       visit("step_size", state.step_size);
-      visit("free_step", state.free_step);
+      visit("free_step", state.unbounded_step);
       visit("retries", state.retries);
       visit("updates", state.updates);
       visit("field_index", state.field_index);

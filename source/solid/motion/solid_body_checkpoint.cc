@@ -36,8 +36,8 @@ struct SolidBody<Real>::Numbers
 
 namespace
 {
-  using io::put;
-  using io::take;
+  using io::read_binary;
+  using io::write_binary;
 
   std::string file_of(const std::string &folder, const unsigned int rank)
   {
@@ -133,7 +133,7 @@ namespace
     for (std::uint64_t i = 0; i < n; ++i)
     {
       DampingRecord<Real> record;
-      take(in, record);
+      read_binary(in, record);
       const auto found = cells.find(record.cell);
       if (found != cells.end())
         for_damping(
@@ -166,28 +166,29 @@ void SolidBody<Real>::save(const std::string &folder) const
           damping.back().values[k] = forces[k][lane];
       });
   io::write_file(file_of(folder, rank), [&](std::ostream &out) {
-    put(out,
-        Numbers{mesh_.nodes.size(),
-                mesh_.cells.size(),
-                mesh_.n_global_nodes,
-                mesh_.n_global_cells,
-                mesh_.tissues.size(),
-                operator_.batches().n_relaxed(),
-                damping.size(),
-                sizeof(Real),
-                time_,
-                relaxed_time_,
-                times_,
-                external_work_,
-                nodal_work_,
-                step_change_,
-                initial_energy_});
+    write_binary(out,
+                 Numbers{mesh_.nodes.size(),
+                         mesh_.cells.size(),
+                         mesh_.n_global_nodes,
+                         mesh_.n_global_cells,
+                         mesh_.tissues.size(),
+                         operator_.batches().n_relaxed(),
+                         damping.size(),
+                         sizeof(Real),
+                         time_,
+                         relaxed_time_,
+                         times_,
+                         external_work_,
+                         nodal_work_,
+                         step_change_,
+                         initial_energy_});
     for (const TissueEnergies &one : operator_.losses())
-      put(out, one);
+      write_binary(out, one);
     for (std::size_t i = 0; i < mesh_.nodes.size(); ++i)
-      put(out,
-          NodeRecord<Real>{
-            mesh_.global_node[i], node_values(nodes_, i), reactions[i]});
+      write_binary(out,
+                   NodeRecord<Real>{mesh_.global_node[i],
+                                    node_values(nodes_, i),
+                                    reactions[i]});
     for (std::size_t i = 0; i < mesh_.cells.size(); ++i)
     {
       CellRecord<Real> record{mesh_.global_cell[i], {}};
@@ -199,7 +200,7 @@ void SolidBody<Real>::save(const std::string &folder) const
                 CellRecord<Real>::size(operator_.batches().n_relaxed()));
     }
     for (const DampingRecord<Real> &record : damping)
-      put(out, record);
+      write_binary(out, record);
   });
 }
 
@@ -221,7 +222,7 @@ void SolidBody<Real>::restore(const std::string &folder)
     for (std::uint64_t i = 0; i < numbers.n_nodes; ++i)
     {
       NodeRecord<Real> record;
-      take(in, record);
+      read_binary(in, record);
       const auto found = node.find(record.node);
       if (found == node.end())
         continue;
@@ -268,7 +269,7 @@ typename SolidBody<Real>::Numbers
 SolidBody<Real>::read_numbers(std::istream &in, const std::string &file)
 {
   Numbers numbers;
-  take(in, numbers);
+  read_binary(in, numbers);
   if (!in || numbers.n_global_nodes != mesh_.n_global_nodes ||
       numbers.n_global_cells != mesh_.n_global_cells ||
       numbers.n_tissues != mesh_.tissues.size() ||
@@ -281,7 +282,7 @@ SolidBody<Real>::read_numbers(std::istream &in, const std::string &file)
   initial_energy_ = numbers.initial_energy;
   std::vector<TissueEnergies> losses(operator_.losses().size());
   for (TissueEnergies &one : losses)
-    take(in, one);
+    read_binary(in, one);
   // Rank 0 continues the sums over all saved ranks.
   if (dealii::Utilities::MPI::this_mpi_process(communicator_) != 0)
     return numbers;

@@ -17,13 +17,13 @@ namespace contrecoup
  * that differs in case, or in blanks, "-" and "_" between letters or digits,
  * so that "C4" is "c-4". Empty if there is none, or more than one.
  */
-std::string meant_name(const std::string &name,
-                       const std::vector<std::string> &known);
+std::string resolve_name(const std::string &name,
+                         const std::vector<std::string> &known);
 
 /**
  * Replaces names of subsections, entries and selections by those declared, see
- * meant_name(), and yes, on, 1, no, off, 0 by true and false. Undeclared names
- * stay.
+ * resolve_name(), and yes, on, 1, no, off, 0 by true and false. Undeclared
+ * names stay.
  */
 std::vector<Assignment>
 with_declared_names(const std::vector<Assignment> &assignments,
@@ -36,6 +36,7 @@ with_declared_names(const std::vector<Assignment> &assignments,
  * @param file name of the parameter file, empty for none
  * @param assignments with declared names
  */
-std::vector<std::string> oversights(const std::string &file,
-                                    const std::vector<Assignment> &assignments);
+std::vector<std::string>
+find_oversights(const std::string &file,
+                const std::vector<Assignment> &assignments);
 } // namespace contrecoup

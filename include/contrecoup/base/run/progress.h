@@ -33,7 +33,7 @@ public:
 
   /// Sets the solver's forecast, see RemainingTime: until the end, or until
   /// the expected end of the first stage @p hand_over [s].
-  void expect(WorkForecast forecast, std::optional<double> hand_over);
+  void set_forecast(WorkForecast forecast, std::optional<double> hand_over);
 
   /// Call when another solver takes over.
   void restart();

@@ -25,7 +25,7 @@ public:
 
   /// Sets the solver's forecast; empty: recent cost per second of simulated
   /// time.
-  void expect(WorkForecast forecast)
+  void set_forecast(WorkForecast forecast)
   {
     forecast_ = std::move(forecast);
   }

@@ -73,7 +73,7 @@ private:
   void probes(RunState &state);
   void fields(RunState &state);
   void checkpoint(RunState &state);
-  void write_last_words(RunState &state);
+  void write_fields_after_failure(RunState &state);
 
   TimeControl control_;
   Simulation &simulation_;

@@ -59,13 +59,13 @@ struct Assumption
   double value = std::numeric_limits<double>::quiet_NaN();
   /// Upper or lower limit of the figure; NaN: for information only.
   double limit = std::numeric_limits<double>::quiet_NaN();
-  bool is_least = false; ///< whether the limit is a lower one
-  std::string entry;     ///< parameter entry that changes the decision
+  bool is_lower_limit = false; ///< otherwise an upper limit
+  std::string entry;           ///< parameter entry that changes the decision
 
   /// Whether the figure is known and violates its limit.
   bool fails() const
   {
-    return is_least ? value < limit : value > limit;
+    return is_lower_limit ? value < limit : value > limit;
   }
 };
 

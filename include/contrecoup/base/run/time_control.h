@@ -17,7 +17,7 @@ struct RunState
   double time = 0.;       ///< simulated time [s]
   double step_size = 0.;  ///< of the last step [s]
   /// Last step size that the solver chose without a bound [s].
-  double free_step = 0.;
+  double unbounded_step = 0.;
   std::uint64_t retries = 0;     ///< total number of step size reductions
   double updates = 0.;           ///< total number of updated unknowns
   std::uint64_t field_index = 0; ///< index of the next field output

@@ -51,7 +51,7 @@ class Collective
 {
 public:
   /// @param patience time that a failed rank waits for the others [s]
-  explicit Collective(MPI_Comm communicator, double patience = 5.);
+  explicit Collective(MPI_Comm communicator, double timeout = 5.);
   ~Collective();
   Collective(const Collective &) = delete;
   Collective &operator=(const Collective &) = delete;
@@ -73,12 +73,12 @@ public:
   MPI_Comm communicator() const;
 
 private:
-  unsigned int agree(const Failure &own, unsigned int flags);
-  void abandon(const Failure &own) const;
+  unsigned int combine_failures(const Failure &own, unsigned int flags);
+  void abort_all(const Failure &own) const;
 
   MPI_Comm communicator_;
   MPI_Comm agreement_;
-  double patience_;
+  double timeout_;
   int rank_;
   int n_ranks_;
 };

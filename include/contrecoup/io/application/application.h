@@ -53,7 +53,7 @@ namespace io
 
     /// Receives the cost estimate of --check instead of the terminal, for
     /// applications that run this one as a part. Empty: not used.
-    std::function<void(const CostEstimate &)> take_cost = {};
+    std::function<void(const CostEstimate &)> on_cost_estimate = {};
   };
 
   /**

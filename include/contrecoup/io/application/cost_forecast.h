@@ -49,7 +49,8 @@ namespace io
 
   /// Forecast within CONTRECOUP_CHECK_SECONDS (environment variable, default 4
   /// s), or the cached cost of an earlier run on this machine. Logs which.
-  CostEstimate known_cost(const ApplicationDescription &description,
+  CostEstimate
+  cached_or_forecast_cost(const ApplicationDescription &description,
                           const dealii::ParameterHandler &prm,
                           const CostEstimate &rough,
                           Collective &collective);

@@ -22,7 +22,7 @@ namespace contrecoup::io
 {
 /// Writes a trivially copyable value.
 template <typename Value>
-void put(std::ostream &out, const Value &value)
+void write_binary(std::ostream &out, const Value &value)
 {
   static_assert(std::is_trivially_copyable_v<Value>);
   out.write(reinterpret_cast<const char *>(&value), sizeof(value));
@@ -30,7 +30,7 @@ void put(std::ostream &out, const Value &value)
 
 /// Reads a value. Callers must check the stream for premature end.
 template <typename Value>
-void take(std::istream &in, Value &value)
+void read_binary(std::istream &in, Value &value)
 {
   static_assert(std::is_trivially_copyable_v<Value>);
   in.read(reinterpret_cast<char *>(&value), sizeof(value));
@@ -41,7 +41,7 @@ template <typename Value>
 void put_list(std::ostream &out, const std::vector<Value> &list)
 {
   static_assert(std::is_trivially_copyable_v<Value>);
-  put(out, static_cast<std::uint64_t>(list.size()));
+  write_binary(out, static_cast<std::uint64_t>(list.size()));
   out.write(reinterpret_cast<const char *>(list.data()),
             static_cast<std::streamsize>(list.size() * sizeof(Value)));
 }
@@ -56,7 +56,7 @@ void take_list(std::istream &in,
 {
   static_assert(std::is_trivially_copyable_v<Value>);
   std::uint64_t size = 0;
-  take(in, size);
+  read_binary(in, size);
   const auto rest = static_cast<std::uint64_t>(
     std::max<std::streamsize>(in.rdbuf()->in_avail(), 0));
   if (!in || size > rest / sizeof(Value))

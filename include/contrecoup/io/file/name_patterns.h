@@ -15,7 +15,7 @@ namespace io
   /// @{
 
   /// Whether a name without folders matches a pattern.
-  bool fits(const std::string &name, const std::string &pattern);
+  bool matches(const std::string &name, const std::string &pattern);
 
   /**
    * Files, relative to @p folder, that match any of the patterns, sorted and

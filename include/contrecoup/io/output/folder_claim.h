@@ -17,7 +17,7 @@ namespace io
   /**
    * Exclusive use of an output folder by one run: creates it if necessary,
    * locks it, and makes sure that no foreign files have names the run will
-   * write. Existing content stays until begin() or go_on(). For use by one
+   * write. Existing content stays until begin() or resume(). For use by one
    * rank.
    */
   class FolderClaim
@@ -40,15 +40,15 @@ namespace io
     /**
      * Whether the command may begin or resume here. If the same run has
      * finished here before, logs that and returns false.
-     * @param can_go_on whether --resume can continue an earlier run; empty for
+     * @param can_resume whether --resume can continue an earlier run; empty for
      * an application without --resume
      * @param more what --resume would need to have work to do
      * @throws InputError when the command would remove results of an earlier
      * run without --resume or --overwrite
      */
-    bool admits(const CommandLine &command,
-                const std::function<bool()> &can_go_on,
-                const std::string &more = "a later end") const;
+    bool may_proceed(const CommandLine &command,
+                     const std::function<bool()> &can_resume,
+                     const std::string &more = "a later end") const;
 
     const Manifest &manifest() const
     {
@@ -63,7 +63,7 @@ namespace io
     void begin();
 
     /// Keeps the files of an earlier run.
-    void go_on();
+    void resume();
 
     /// Sets the status of the run, see Manifest.
     void set_status(const std::string &status);

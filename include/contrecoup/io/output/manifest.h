@@ -63,7 +63,7 @@ namespace io
     /// @throws InputError when "manifest.json" is damaged or foreign
     explicit Manifest(const std::string &folder);
 
-    bool is_there() const
+    bool exists() const
     {
       return !application_.empty();
     }
@@ -95,9 +95,9 @@ namespace io
                const RunInput &input);
 
     /// Continues the recorded run: keeps existing files.
-    void go_on(const std::string &application,
-               const FileNames &names,
-               const RunInput &input);
+    void resume(const std::string &application,
+                const FileNames &names,
+                const RunInput &input);
 
     /// Sets the status of the run; if it is finished, also size and CRC-32 of
     /// each result.

@@ -58,7 +58,7 @@ namespace io
   int run_each(
     const std::vector<std::string> &arguments,
     const std::function<Failure(const std::vector<std::string> &)> &work,
-    bool tells);
+    bool writes_output);
 
   /// Text of --help. @param parallel explains the use of several cores
   std::string help_text(const std::string &application,
