@@ -55,7 +55,7 @@ namespace coupling
           body_->fill(filled);
           require_elements(std::any_of(
             filled.labels.begin(), filled.labels.end(), [](const auto label) {
-              return label != LabelGrid::nothing;
+              return label != LabelGrid::outside;
             }));
         }
         log_line("anatomy would mesh the " + parameters_.body.kind() + " of " +
@@ -148,7 +148,7 @@ namespace coupling
           std::max(parameters_.element_size, std::cbrt(box.volume() / 3e5)));
         body_->fill(grid);
         const auto n_empty = std::count(
-          grid.labels.begin(), grid.labels.end(), LabelGrid::nothing);
+          grid.labels.begin(), grid.labels.end(), LabelGrid::outside);
         return grid.volume() *
                static_cast<double>(grid.labels.size() - n_empty);
       }

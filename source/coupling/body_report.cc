@@ -57,7 +57,7 @@ namespace coupling
     count_tissue_components(LabelGrid grid, const std::vector<BodyPart> &parts)
     {
       for (unsigned char &label : grid.labels)
-        if (label != LabelGrid::nothing)
+        if (label != LabelGrid::outside)
           label = static_cast<unsigned char>(parts[label].tissue);
       return count_components(grid);
     }
@@ -92,7 +92,7 @@ namespace coupling
           report.rows.push_back(tissues[i]);
         }
       body.kind = body.name = "body";
-      body.components = part_components[LabelGrid::nothing];
+      body.components = part_components[LabelGrid::outside];
       report.rows.push_back(body);
       report.center_of_gravity /= body.mass;
     }

@@ -36,7 +36,7 @@ namespace
           for (unsigned int i = 0; i < grid_.size[0]; ++i)
           {
             const unsigned char label = grid_.at(i, j, k);
-            if (label != LabelGrid::nothing &&
+            if (label != LabelGrid::outside &&
                 body_.parts()[label].tissue == tissue)
               work(grid_.center(i, j, k));
           }
@@ -83,7 +83,7 @@ namespace
     bool is(const Tissue tissue, const Point<3> &place) const
     {
       const unsigned char part = body_.part_at(place);
-      return part != LabelGrid::nothing && body_.parts()[part].tissue == tissue;
+      return part != LabelGrid::outside && body_.parts()[part].tissue == tissue;
     }
 
   private:
@@ -153,7 +153,7 @@ double estimate_mass(const Body &body, const double spacing)
   body.fill(grid);
   const auto n_filled = std::count_if(
     grid.labels.begin(), grid.labels.end(), [](const unsigned char label) {
-      return label != LabelGrid::nothing;
+      return label != LabelGrid::outside;
     });
   constexpr double density = 1000.; // of water [kg/m^3]
   return density * grid.volume() * static_cast<double>(n_filled);

@@ -21,9 +21,9 @@ ColdCurve ColdCurve::stiffened_gas(const double gamma,
   ColdCurve curve;
   curve.p_infinity_ = p_infinity;
   curve.dilute_density_ = std::numeric_limits<float>::max();
-  curve.omega_alone_ = gamma - 1.;
-  curve.inverse_omega_alone_ = 1. / curve.omega_alone_;
-  curve.specific_heat_alone_ = gas_constant / curve.omega_alone_;
+  curve.base_omega_ = gamma - 1.;
+  curve.inverse_base_omega_ = 1. / curve.base_omega_;
+  curve.base_specific_heat_ = gas_constant / curve.base_omega_;
   return curve;
 }
 
@@ -33,10 +33,10 @@ ColdCurve ColdCurve::jwl(const JwlParameters &products)
   curve.products_ = products;
   curve.dilute_density_ = products.reference_density *
                           std::min(products.R1, products.R2) / largest_exponent;
-  curve.share_alone_ = 1.;
-  curve.omega_alone_ = products.omega;
-  curve.inverse_omega_alone_ = 1. / products.omega;
-  curve.specific_heat_alone_ = products.specific_heat;
+  curve.constant_weight_ = 1.;
+  curve.base_omega_ = products.omega;
+  curve.inverse_base_omega_ = 1. / products.omega;
+  curve.base_specific_heat_ = products.specific_heat;
   curve.inverse_R1_ = 1. / products.R1;
   curve.inverse_R2_ = 1. / products.R2;
   return curve;
@@ -48,13 +48,13 @@ ColdCurve ColdCurve::jwl_in_air(const JwlParameters &products,
 {
   ColdCurve curve = jwl(products);
   curve.uses_products_ = true;
-  curve.omega_alone_ = gamma_air - 1.;
-  curve.inverse_omega_alone_ = 1. / curve.omega_alone_;
-  curve.omega_difference_ = products.omega - curve.omega_alone_;
-  curve.specific_heat_alone_ = gas_constant / curve.omega_alone_;
+  curve.base_omega_ = gamma_air - 1.;
+  curve.inverse_base_omega_ = 1. / curve.base_omega_;
+  curve.omega_difference_ = products.omega - curve.base_omega_;
+  curve.base_specific_heat_ = gas_constant / curve.base_omega_;
   curve.specific_heat_products_ = products.specific_heat;
   curve.specific_heat_difference_ =
-    products.specific_heat - curve.specific_heat_alone_;
+    products.specific_heat - curve.base_specific_heat_;
   return curve;
 }
 } // namespace contrecoup

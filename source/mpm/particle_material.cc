@@ -94,11 +94,11 @@ namespace
       strain_volume(material, rate, strain.dilatation, step, particles, p);
     Symmetric3<Lane> shear;
     for (unsigned int k = 0; k < 6; ++k)
-      shear[k] = law.twice_shear * strain.measure[k];
+      shear[k] = law.twice_shear * strain.shear_measure[k];
     if (solid.is_viscoelastic())
     {
       auto relaxed = load_some<6>(particles, column::relaxed, p);
-      relaxed = relax(relaxed, strain.measure, law.decay_after);
+      relaxed = relax(relaxed, strain.shear_measure, law.decay_after);
       store_some(relaxed, column::relaxed, particles, p);
       for (unsigned int k = 0; k < 6; ++k)
         shear[k] -= law.twice_relaxing * relaxed[k];

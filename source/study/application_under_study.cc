@@ -70,7 +70,8 @@ ApplicationUnderStudy::ApplicationUnderStudy(const std::string &name,
   , ranks_(ranks)
 {}
 
-std::string ApplicationUnderStudy::ask(const Settings &settings,
+std::string
+ApplicationUnderStudy::run_with_option(const Settings &settings,
                                        const std::string &option) const
 {
   std::vector<std::string> words = {program_, parameter_file_};
@@ -98,7 +99,7 @@ std::string ApplicationUnderStudy::ask(const Settings &settings,
 std::map<std::string, std::string>
 ApplicationUnderStudy::entries(const Settings &settings) const
 {
-  const std::string text = ask(settings, "--print-parameters");
+  const std::string text = run_with_option(settings, "--print-parameters");
   const io::TemporaryFolder folder;
   const std::string file = folder.path() + "/parameters.prm";
   io::write_file(file, [&](std::ostream &out) { out << text; });
@@ -115,7 +116,7 @@ ApplicationUnderStudy::entries(const Settings &settings) const
 
 std::string ApplicationUnderStudy::plan(const Settings &settings) const
 {
-  return ask(settings, "--check");
+  return run_with_option(settings, "--check");
 }
 
 std::vector<std::string>

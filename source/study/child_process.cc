@@ -90,11 +90,11 @@ namespace
 
   /// Code of the new process before exec(): only async-signal-safe calls.
   /// Returns if one fails.
-  void become(char *const *command,
-              char *const *variables,
-              const char *output_file,
-              const char *error_file,
-              const pid_t parent)
+  void exec_child(char *const *command,
+                  char *const *variables,
+                  const char *output_file,
+                  const char *error_file,
+                  const pid_t parent)
   {
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -140,11 +140,11 @@ ChildProcess::ChildProcess(const std::vector<std::string> &command,
   id_ = fork();
   if (id_ == 0)
   {
-    become(words.data(),
-           environment.data(),
-           output_file.c_str(),
-           error_file.c_str(),
-           parent);
+    exec_child(words.data(),
+               environment.data(),
+               output_file.c_str(),
+               error_file.c_str(),
+               parent);
     const int reason = errno;
     const ssize_t ignored = write(pipe_ends[1], &reason, sizeof(reason));
     _exit(ignored > 0 ? 127 : 126);

@@ -20,17 +20,20 @@ namespace
     return (std::pow(a / b, p) - 1.) / (1. - std::pow(c / b, p));
   }
 
-  /// Order for which ratio() equals @p wanted, by bisection.
-  double
-  order_of(const double a, const double b, const double c, const double wanted)
+  /// Order for which ratio() equals @p required_ratio, by bisection.
+  double order_of(const double a,
+                  const double b,
+                  const double c,
+                  const double required_ratio)
   {
     double low = lowest_order, high = highest_order;
-    if (!(ratio(a, b, c, low) < wanted && wanted < ratio(a, b, c, high)))
+    if (!(ratio(a, b, c, low) < required_ratio &&
+          required_ratio < ratio(a, b, c, high)))
       return nan;
     for (int i = 0; i < 100; ++i)
     {
       const double middle = 0.5 * (low + high);
-      (ratio(a, b, c, middle) < wanted ? low : high) = middle;
+      (ratio(a, b, c, middle) < required_ratio ? low : high) = middle;
     }
     return 0.5 * (low + high);
   }

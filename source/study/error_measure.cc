@@ -180,10 +180,10 @@ void ErrorMeasure::parse_parameters(ParameterHandler &prm)
 
 bool ErrorMeasure::compares_files() const
 {
-  return of_curve() == "curve" || quantity_ == "plane";
+  return curve_feature() == "curve" || quantity_ == "plane";
 }
 
-std::string ErrorMeasure::of_curve() const
+std::string ErrorMeasure::curve_feature() const
 {
   const std::size_t space = quantity_.find(' ');
   return space == std::string::npos ? "" : quantity_.substr(space + 1);
@@ -241,7 +241,7 @@ double ErrorMeasure::quantity(const std::string &folder,
   if (quantity_ == "summary")
     return number_at(summary, name_, "Error/Name: the summary of a run");
   const Curve course = curve(folder);
-  const std::string kind = of_curve();
+  const std::string kind = curve_feature();
   return kind == "peak"      ? peak(course)
          : kind == "lowest"  ? lowest(course)
          : kind == "impulse" ? impulse(course)
@@ -272,12 +272,12 @@ std::string ErrorMeasure::short_name() const
 {
   std::string name = kind_ == "exact" || quantity_ == "summary"
                        ? name_
-                       : name_ + "_" + of_curve();
+                       : name_ + "_" + curve_feature();
   std::replace(name.begin(), name.end(), '.', '_');
   return name;
 }
 
-double ErrorMeasure::wanted() const
+double ErrorMeasure::required_error() const
 {
   return wanted_;
 }

@@ -62,11 +62,11 @@ namespace
     std::vector<std::string> labels;
     for (const auto &row : factor.values)
     {
-      std::vector<std::string> told;
+      std::vector<std::string> texts;
       for (const std::string &text : row)
         if (!text.empty())
-          told.push_back(text);
-      labels.push_back(told.empty() ? "as in the file" : join(told, ", "));
+          texts.push_back(text);
+      labels.push_back(texts.empty() ? "as in the file" : join(texts, ", "));
     }
     return labels;
   }

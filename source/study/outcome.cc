@@ -137,7 +137,7 @@ Outcome judge(const ProcessEnd &end,
   return outcome;
 }
 
-bool tells_of_storage(const Outcome &outcome)
+bool is_storage_failure(const Outcome &outcome)
 {
   if (outcome.exit_code == 0)
     return false;

@@ -30,11 +30,11 @@ std::vector<bool> pareto_front(const std::vector<double> &costs,
 
 std::optional<std::size_t> cheapest(const std::vector<double> &costs,
                                     const std::vector<double> &errors,
-                                    const double wanted)
+                                    const double required_error)
 {
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < costs.size(); ++i)
-    if (std::isfinite(costs[i]) && errors[i] <= wanted &&
+    if (std::isfinite(costs[i]) && errors[i] <= required_error &&
         (!best || costs[i] < costs[*best]))
       best = i;
   return best;

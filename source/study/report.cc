@@ -34,7 +34,7 @@ namespace
     return std::isfinite(value) ? Json(value) : Json(nullptr);
   }
 
-  std::string told(const double value, const int digits = 3)
+  std::string number_text(const double value, const int digits = 3)
   {
     return std::isfinite(value) ? brief(value, digits) : "";
   }
@@ -95,12 +95,12 @@ namespace
       out << '|';
       for (const std::string &label : row.variant.labels)
         out << ' ' << cell(label) << " |";
-      out << ' ' << row.outcome.kind << " | " << told(row.unknowns, 9) << " | "
-          << told(row.steps, 9) << " | " << cost_text(parameters.cost, row.cost)
-          << " |";
+      out << ' ' << row.outcome.kind << " | " << number_text(row.unknowns, 9)
+          << " | " << number_text(row.steps, 9) << " | "
+          << cost_text(parameters.cost, row.cost) << " |";
       if (has_errors)
-        out << ' ' << told(row.error) << " | " << told(row.order) << " | "
-            << (row.on_front ? "*" : "") << " |";
+        out << ' ' << number_text(row.error) << " | " << number_text(row.order)
+            << " | " << (row.on_front ? "*" : "") << " |";
       out << '\n';
     }
     return out.str();
@@ -124,7 +124,7 @@ namespace
       for (const std::string &label : labels)
         out << ' ' << cell(label) << " |";
       for (const double value : values)
-        out << ' ' << told(value, 4) << " |";
+        out << ' ' << number_text(value, 4) << " |";
       out << '\n';
     };
     for (const ResultRow &row : result.rows)
@@ -246,7 +246,7 @@ std::string to_json(const StudyParameters &parameters,
     {"error",
      parameters.error.is_active() ? Json(parameters.error.title())
                                   : Json(nullptr)},
-    {"wanted", parameters.error.wanted()},
+    {"wanted", parameters.error.required_error()},
     {"factors", factors},
     {"series", result.series},
     {"recommended",

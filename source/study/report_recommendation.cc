@@ -54,10 +54,10 @@ std::vector<std::string> recommendation(const StudyParameters &parameters,
                                         const StudyResult &result)
 {
   const ResultRow *best = most_accurate(result);
-  if (parameters.error.wanted() <= 0. || best == nullptr)
+  if (parameters.error.required_error() <= 0. || best == nullptr)
     return {};
   const std::string goal = "the " + parameters.error.title() + " at or below " +
-                           brief(parameters.error.wanted(), 3);
+                           brief(parameters.error.required_error(), 3);
   if (!result.recommended)
     return {"No variant keeps " + goal + ". The most accurate, " +
             describe(parameters, *best) + ", has " + brief(best->error, 3) +

@@ -190,7 +190,7 @@ std::string Study::path(const std::string &name) const
   return folder_ + "/" + name;
 }
 
-std::string Study::told(const Task &task) const
+std::string Study::task_label(const Task &task) const
 {
   const bool is_reference = has_reference_ && &task == &tasks_.front();
   return is_reference ? "the reference run" : join(task.variant.labels, ", ");
@@ -205,7 +205,8 @@ std::string Study::plan_of_first() const
   }
   catch (const InputError &error)
   {
-    throw InputError("the first run (" + told(first) + "): " + error.what());
+    throw InputError("the first run (" + task_label(first) +
+                     "): " + error.what());
   }
 }
 
@@ -272,7 +273,7 @@ void Study::report(const Task &task)
   const auto left = static_cast<double>(tasks_.size() - n_done_);
   log_line(std::to_string(n_done_) + " of " + std::to_string(tasks_.size()) +
            "  " + outcome.kind + "  " + duration(outcome.wall_seconds) + "  " +
-           told(task) +
+           task_label(task) +
            (outcome.reason.empty() ? "" : ": " + one_line(outcome.reason)) +
            "  (about " + duration(passed * left / done_now) + " left)");
   const bool is_reference = has_reference_ && &task == &tasks_.front();
@@ -319,10 +320,10 @@ void Study::write_results(const std::string &status, const double seconds)
     summary["recommended"] = result.rows[*result.recommended].variant.labels;
   write_text(path("summary.json"), summary.dump(2) + "\n");
   if (status == "finished")
-    conclude(result);
+    write_recommendation(result);
 }
 
-void Study::conclude(const StudyResult &result)
+void Study::write_recommendation(const StudyResult &result)
 {
   io::remove_quietly(path("recommended.prm"));
   if (result.recommended)

@@ -141,7 +141,7 @@ namespace
         rows[i - 1]->error, rows[i]->error, rows[i - 1]->width, rows[i]->width);
   }
 
-  void find_front(const double wanted, StudyResult &result)
+  void find_front(const double required_error, StudyResult &result)
   {
     std::vector<double> costs, errors;
     for (const ResultRow &row : result.rows)
@@ -152,8 +152,8 @@ namespace
     const std::vector<bool> front = pareto_front(costs, errors);
     for (std::size_t i = 0; i < front.size(); ++i)
       result.rows[i].on_front = front[i];
-    if (wanted > 0.)
-      result.recommended = cheapest(costs, errors, wanted);
+    if (required_error > 0.)
+      result.recommended = cheapest(costs, errors, required_error);
   }
 
   /// Summary of a run; null if it cannot be read.
@@ -236,7 +236,7 @@ StudyResult evaluate(const StudyParameters &parameters,
       extrapolate_series(i, result);
     find_orders(i, result);
   }
-  find_front(parameters.error.wanted(), result);
+  find_front(parameters.error.required_error(), result);
   remark_columns(parameters.columns, result);
   const std::string &reference = parameters.error.reference_folder();
   if (!reference.empty())

@@ -58,7 +58,7 @@ bool VariantRunner::run(std::vector<Task> &tasks,
         start(*next);
       ++next;
     }
-    look_after(report);
+    poll_running(report);
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   return true;
@@ -79,7 +79,8 @@ void VariantRunner::start(Task &task)
        command, task.folder + "/screen.txt", task.folder + "/errors.txt")});
 }
 
-void VariantRunner::look_after(const std::function<void(const Task &)> &report)
+void VariantRunner::poll_running(
+  const std::function<void(const Task &)> &report)
 {
   for (auto running = running_.begin(); running != running_.end();)
   {
@@ -103,7 +104,7 @@ void VariantRunner::look_after(const std::function<void(const Task &)> &report)
                             task.folder + "/errors.txt");
     outcome.wall_seconds = seconds;
     outcome.time_limit = time_limit_;
-    if (tells_of_storage(outcome))
+    if (is_storage_failure(outcome))
       throw SystemError("the run in \"" + task.folder +
                         "\" could not write its files: " + outcome.reason);
     write_outcome(task.outcome_file(), outcome, task.identity);

@@ -36,7 +36,7 @@ HexMesh cube(const unsigned int n)
   LabelGrid grid;
   grid.spacing = 1. / n;
   grid.size = {{n + 2, n + 2, n + 2}};
-  grid.labels.assign((n + 2) * (n + 2) * (n + 2), LabelGrid::nothing);
+  grid.labels.assign((n + 2) * (n + 2) * (n + 2), LabelGrid::outside);
   for (unsigned int k = 1; k <= n; ++k)
     for (unsigned int j = 1; j <= n; ++j)
       for (unsigned int i = 1; i <= n; ++i)

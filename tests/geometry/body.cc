@@ -25,9 +25,9 @@ BodyPointer make_body()
   return std::make_shared<ShapeBody>(
     std::make_shared<Intersection>(
       std::make_shared<Union>(std::vector<ShapePointer>{outer, bar}), box),
-    std::vector<ShapeBody::Piece>{{{"bar", Tissue::skeleton}, bar},
-                                  {{"inner", Tissue::brain}, inner},
-                                  {{"outer", Tissue::soft_tissue}, outer}});
+    std::vector<ShapeBody::PartShape>{{{"bar", Tissue::skeleton}, bar},
+                                      {{"inner", Tissue::brain}, inner},
+                                      {{"outer", Tissue::soft_tissue}, outer}});
 }
 
 double volume_of(const LabelGrid &grid, const unsigned char label)
@@ -101,7 +101,7 @@ TEST(LabelGrid, CoversItsBoxWithRoomToSpare)
   EXPECT_NEAR(grid.origin[2] / 0.1, std::round(grid.origin[2] / 0.1), 1e-12);
   EXPECT_EQ(grid.labels.size(),
             std::size_t(grid.size[0]) * grid.size[1] * grid.size[2]);
-  EXPECT_EQ(grid.at_any(-1, 0, 0), LabelGrid::nothing);
+  EXPECT_EQ(grid.label_or_outside(-1, 0, 0), LabelGrid::outside);
 }
 
 
@@ -130,7 +130,7 @@ std::array<unsigned int, 256> count_pieces(const std::string &picture)
   grid.size = {{3, 3, 2}};
   for (const char c : picture)
     if (c != ' ')
-      grid.labels.push_back(c == '.' ? LabelGrid::nothing : c - '0');
+      grid.labels.push_back(c == '.' ? LabelGrid::outside : c - '0');
   return count_components(grid);
 }
 
@@ -141,12 +141,12 @@ TEST(LabelGrid, PiecesAreConnectedThroughFaces)
   const auto ring = count_pieces("000 010 000  ... ... ...");
   EXPECT_EQ(ring[0], 1u);
   EXPECT_EQ(ring[1], 1u);
-  EXPECT_EQ(ring[LabelGrid::nothing], 1u);
+  EXPECT_EQ(ring[LabelGrid::outside], 1u);
   // Cubes that touch at edges only, beside two on top of each other.
   const auto diagonal = count_pieces("0.. .0. ..2  .0. ... ..2");
   EXPECT_EQ(diagonal[0], 3u);
   EXPECT_EQ(diagonal[2], 1u);
-  EXPECT_EQ(diagonal[LabelGrid::nothing], 4u);
+  EXPECT_EQ(diagonal[LabelGrid::outside], 4u);
   // A bow that stands on its two ends.
   const auto bow = count_pieces("1.1 ... ...  111 ... 1..");
   EXPECT_EQ(bow[1], 2u);

@@ -187,13 +187,13 @@ TEST_F(Images, VoxelsAreWhereTheHeaderSays)
     EXPECT_EQ(body->parts()[1].tissue, Tissue::skeleton);
     // Ours: x forward is NIfTI's second axis here, y left the first.
     EXPECT_EQ(body->part_at({0., 0., 0.}), 0);
-    EXPECT_EQ(body->part_at({0., 0.002, 0.}), LabelGrid::nothing);
+    EXPECT_EQ(body->part_at({0., 0.002, 0.}), LabelGrid::outside);
     EXPECT_EQ(body->part_at({0., 0.004, 0.}), 1);
     EXPECT_EQ(body->part_at({0.003, 0.002, 0.}), 0);
-    EXPECT_EQ(body->part_at({0., 0.002, 0.004}), LabelGrid::nothing);
+    EXPECT_EQ(body->part_at({0., 0.002, 0.004}), LabelGrid::outside);
     EXPECT_EQ(body->part_at({0.003, 0.0029, 0.0055}), 1);
-    EXPECT_EQ(body->part_at({0.003, 0.0029, 0.0061}), LabelGrid::nothing);
-    EXPECT_EQ(body->part_at({-0.002, 0., 0.}), LabelGrid::nothing);
+    EXPECT_EQ(body->part_at({0.003, 0.0029, 0.0061}), LabelGrid::outside);
+    EXPECT_EQ(body->part_at({-0.002, 0., 0.}), LabelGrid::outside);
   }
 }
 
@@ -219,11 +219,11 @@ TEST_F(Images, PlaceAndUnitAreThoseOfTheHeader)
         return body->part_at({0.02 + x, -0.01 + y, 0.03 + z});
       };
       EXPECT_EQ(part_at(0., 0., 0.), 0);
-      EXPECT_EQ(part_at(0., 0.002, 0.), LabelGrid::nothing);
+      EXPECT_EQ(part_at(0., 0.002, 0.), LabelGrid::outside);
       EXPECT_EQ(part_at(0., 0.004, 0.), 1);
       EXPECT_EQ(part_at(0.003, 0.0029, 0.0055), 1);
-      EXPECT_EQ(part_at(0.003, 0.0029, 0.0061), LabelGrid::nothing);
-      EXPECT_EQ(part_at(-0.002, 0., 0.), LabelGrid::nothing);
+      EXPECT_EQ(part_at(0.003, 0.0029, 0.0061), LabelGrid::outside);
+      EXPECT_EQ(part_at(-0.002, 0., 0.), LabelGrid::outside);
     }
 }
 
@@ -238,7 +238,7 @@ TEST_F(Images, WithoutAFormTheFirstAxisIsToTheRight)
   EXPECT_EQ(body->part_at({0., 0., 0.}), 0);
   EXPECT_EQ(body->part_at({0., -0.004, 0.}), 1);
   EXPECT_EQ(body->part_at({0.003, -0.002, 0.}), 0);
-  EXPECT_EQ(body->part_at({0., 0.004, 0.}), LabelGrid::nothing);
+  EXPECT_EQ(body->part_at({0., 0.004, 0.}), LabelGrid::outside);
 }
 
 
@@ -252,7 +252,7 @@ TEST_F(Images, LabelsAreScaledAsTheHeaderSays)
     create({"Image/File=" + write("a.nii", make_nifti(header, small_labels)),
             "Image/Labels=3: brain; 5: skeleton; 7: lung; 1: none"});
   EXPECT_EQ(body->part_at({0., 0., 0.}), 0);
-  EXPECT_EQ(body->part_at({0., 0.002, 0.}), LabelGrid::nothing);
+  EXPECT_EQ(body->part_at({0., 0.002, 0.}), LabelGrid::outside);
   EXPECT_EQ(body->part_at({0., 0.004, 0.}), 1);
   EXPECT_EQ(body->part_at({0.003, 0.002, 0.004}), 2);
 }
@@ -365,7 +365,7 @@ TEST_F(Images, HeadsHaveTheirLayersByTheRules)
             "Image/Head/Skull thickness=0.004"});
   const auto tissue_at = [&](const double r) {
     const unsigned char part = head->part_at({0.03, 0.030 + 1e-3 * r, 0.03});
-    return part == LabelGrid::nothing ? Tissue::none
+    return part == LabelGrid::outside ? Tissue::none
                                       : head->parts()[part].tissue;
   };
   EXPECT_EQ(tissue_at(0.), Tissue::cerebrospinal_fluid);

@@ -38,7 +38,7 @@ Filled fill(const Body &body, const double spacing)
   filled.grid = make_grid(body.surface()->bounding_box(), spacing);
   body.fill(filled.grid);
   for (const unsigned char label : filled.grid.labels)
-    if (label != LabelGrid::nothing)
+    if (label != LabelGrid::outside)
       filled.volume[body.parts()[label].name] += filled.grid.volume();
   return filled;
 }
@@ -80,7 +80,7 @@ TEST(Phantom, OrgansHaveTheirVolumes)
     EXPECT_NEAR(
       volume_of(filled, reference) / reference.volume, 1., reference.tolerance)
       << reference.name;
-  EXPECT_EQ(count_components(filled.grid)[LabelGrid::nothing], 1u);
+  EXPECT_EQ(count_components(filled.grid)[LabelGrid::outside], 1u);
 }
 
 
@@ -201,7 +201,7 @@ TEST(SimpleBody, LayersOfAHead)
   EXPECT_EQ(head->part_at({0.071, 0., 0.}), 1);
   EXPECT_EQ(head->part_at({0., 0.073, 0.}), 2);
   EXPECT_EQ(head->part_at({0., 0., 0.080}), 3);
-  EXPECT_EQ(head->part_at({0., 0., 0.085}), LabelGrid::nothing);
+  EXPECT_EQ(head->part_at({0., 0., 0.085}), LabelGrid::outside);
 }
 
 

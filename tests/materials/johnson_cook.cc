@@ -225,7 +225,7 @@ TEST(JohnsonCook, WithoutYieldIsNeoHookean)
       solid_strain<SolidKinematics::neo_hookean>(h, cofactors);
     Symmetric3<double> shear;
     for (unsigned int k = 0; k < 6; ++k)
-      shear[k] = 2. * strain.measure[k];
+      shear[k] = 2. * strain.shear_measure[k];
     const auto piola =
       piola_stress<SolidKinematics::neo_hookean>(h, cofactors, 0., shear);
     const auto kirchhoff = times(piola, transposed(h));

@@ -95,8 +95,8 @@ TEST(SolidLaw, SmallStrainsAreTheLimitOfFiniteOnes)
   const auto large = solid_strain<SolidKinematics::neo_hookean>(h, c);
   for (unsigned int k = 0; k < 6; ++k)
   {
-    EXPECT_NEAR(green.measure[k], small.measure[k], 1e-13);
-    EXPECT_NEAR(large.measure[k], small.measure[k], 1e-13);
+    EXPECT_NEAR(green.shear_measure[k], small.shear_measure[k], 1e-13);
+    EXPECT_NEAR(large.shear_measure[k], small.shear_measure[k], 1e-13);
   }
   EXPECT_NEAR(green.dilatation, small.dilatation, 1e-14);
 }
@@ -117,7 +117,7 @@ TEST(SolidLaw, NeoHookeanStressDerivesFromItsEnergy)
     solid_strain<SolidKinematics::neo_hookean>(h, cofactor(h));
   Symmetric3<double> shear;
   for (unsigned int k = 0; k < 6; ++k)
-    shear[k] = law.twice_shear * strain.measure[k];
+    shear[k] = law.twice_shear * strain.shear_measure[k];
   const auto p = piola_stress<SolidKinematics::neo_hookean>(
     h, cofactor(h), law.bulk * strain.dilatation, shear);
   for (unsigned int i = 0; i < 3; ++i)

@@ -29,9 +29,9 @@ Corners
 forces(const HexModel<double> &model, const Corners &x, const Corners &u)
 {
   HexState<double> state{};
-  HexHeat<double> heat;
+  HexDissipation<double> dissipation;
   return one_point_forces<kinematics, false>(
-    model, x, u, [&]() { return u; }, state, heat);
+    model, x, u, [&]() { return u; }, state, dissipation);
 }
 
 /// Energy of strains and springs.
@@ -260,9 +260,9 @@ TEST(Hex8, LanesDoWhatNumbersDo)
   m.law.twice_shear = 2e6;
   m.hourglass.stiffness = hourglass_spring * 1e6;
   HexState<Lane> state{};
-  HexHeat<Lane> heat;
+  HexDissipation<Lane> dissipation;
   const auto f = one_point_forces<SolidKinematics::finite_rotation, false>(
-    m, x, u, [&]() { return u; }, state, heat);
+    m, x, u, [&]() { return u; }, state, dissipation);
   for (unsigned int lane = 0; lane < n; ++lane)
   {
     const Corners one = forces<SolidKinematics::finite_rotation>(

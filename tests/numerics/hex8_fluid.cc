@@ -61,8 +61,8 @@ TEST(Compression, finds_the_least_eigenvalue_and_its_direction)
     const auto pairs = dealii::eigenvectors(e);
     const auto found = find_compression(gradient);
     const double size = e.norm();
-    EXPECT_NEAR(found.size, size, 1e-14 * size);
-    EXPECT_NEAR(found.least, pairs[2].first, 1e-6 * size);
+    EXPECT_NEAR(found.norm, size, 1e-14 * size);
+    EXPECT_NEAR(found.smallest_eigenvalue, pairs[2].first, 1e-6 * size);
     if (pairs[1].first - pairs[2].first < 0.2 * size)
       continue;
     for (unsigned int i = 0; i < 3; ++i)
@@ -91,7 +91,7 @@ TEST(Compression, finds_a_projector_for_almost_double_eigenvalues)
           gradient[i][j] = (i == j ? -1. : 0.) + 0.97 * axis[i] * axis[j];
       gradient[0][0] += gap;
       const auto found = find_compression(gradient);
-      EXPECT_NEAR(found.least, -1., 1e-6);
+      EXPECT_NEAR(found.smallest_eigenvalue, -1., 1e-6);
       double trace = 0., norm_square = 0.;
       for (unsigned int i = 0; i < 3; ++i)
       {

@@ -22,9 +22,10 @@ template <SolidKinematics kinematics>
 Corners forces(const Corners &x, const Corners &u)
 {
   HexState<double> state{};
-  HexHeat<double> heat;
+  HexDissipation<double> dissipation;
   std::array<Symmetric3<double>, 8> relaxed{};
-  return full_forces<kinematics, false>(model(), x, u, state, relaxed, heat);
+  return full_forces<kinematics, false>(
+    model(), x, u, state, relaxed, dissipation);
 }
 
 template <SolidKinematics kinematics>
@@ -114,10 +115,10 @@ TEST(Hex8Full, LinearFieldsHaveTheForcesOfOnePoint)
       u[c][d] = 0.01 * x[c][d] + 0.02 * x[c][(d + 1) % 3];
   HexModel<double> one = model();
   HexState<double> state{};
-  HexHeat<double> heat;
+  HexDissipation<double> dissipation;
   const Corners expected =
     one_point_forces<SolidKinematics::finite_rotation, false>(
-      one, x, u, [&]() { return u; }, state, heat);
+      one, x, u, [&]() { return u; }, state, dissipation);
   const Corners found = forces<SolidKinematics::finite_rotation>(x, u);
   for (unsigned int c = 0; c < 8; ++c)
     for (unsigned int d = 0; d < 3; ++d)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/numerics/element/hex8_corner_parts.h>
+#include <contrecoup/numerics/element/hex8_corner_weights.h>
 #include <contrecoup/numerics/element/hex8_moments.h>
 #include <contrecoup/numerics/element/hex8_wedge.h>
 
@@ -38,7 +38,7 @@ constexpr std::array<std::array<double, 2>, 4> skewed{
 TEST(Hex8Wedge, weighs_corners_by_what_is_around_them)
 {
   const HexWedge wedge{2, 0.1};
-  const auto ring = hex_corner_parts(
+  const auto ring = hex_corner_weights(
     wedge_cell(wedge, {{{{0., 0.}}, {{1., 0.}}, {{1., 1.}}, {{0., 1.}}}}));
   for (unsigned int i = 0; i < 8; ++i)
     EXPECT_NEAR(ring[i], (i % 4 == 1 || i % 4 == 2 ? 2. : 1.) / 12., 1e-15);
@@ -50,7 +50,7 @@ TEST(Hex8Wedge, weighs_corners_by_what_is_around_them)
                                   {{2., 0., 1.}},
                                   {{2., 3., 1.}},
                                   {{0., 3., 1.}}}};
-  for (const double part : hex_corner_parts(brick))
+  for (const double part : hex_corner_weights(brick))
     EXPECT_NEAR(part, 0.125, 1e-15);
 }
 
@@ -81,7 +81,7 @@ TEST(Hex8Wedge, knows_the_lengths_of_motion_along_its_sides)
           wanted += std::pow((volume(1e-3) - volume(-1e-3)) / 2e-3, 2);
         }
       auto g = hex_geometry(to_modes(corners));
-      wedge.keep_lengths(g);
+      wedge.restrict_lengths(g);
       EXPECT_NEAR(g.gradient_square, wanted, 1e-9 * wanted) << axis;
     }
 }
@@ -118,7 +118,7 @@ TEST(Hex8Wedge, has_the_gradients_of_a_body_of_revolution)
   EXPECT_NEAR(h[1][1], 0.2 * height * 2. * 0.3 / moments.volume, 1e-14);
   auto modes = hourglass_modes(g, to_modes(u), h);
   EXPECT_GT(std::abs(modes[0][1]), 1e-3);
-  wedge.keep_modes(modes);
+  wedge.restrict_modes(modes);
   for (const auto &mode : modes)
     for (const double value : mode)
       EXPECT_NEAR(value, 0., 1e-15);

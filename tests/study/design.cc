@@ -24,7 +24,7 @@ Factor factor(const std::string &entry, const std::vector<std::string> &values)
   return result;
 }
 
-std::string told(const Variant &variant)
+std::string text_of(const Variant &variant)
 {
   std::string text;
   for (const auto &[entry, value] : variant.settings)
@@ -32,11 +32,11 @@ std::string told(const Variant &variant)
   return text;
 }
 
-std::vector<std::string> told(const std::vector<Variant> &variants)
+std::vector<std::string> text_of(const std::vector<Variant> &variants)
 {
   std::vector<std::string> texts;
   for (const Variant &variant : variants)
-    texts.push_back(told(variant));
+    texts.push_back(text_of(variant));
   return texts;
 }
 
@@ -46,14 +46,14 @@ const std::vector<Factor> factors = {factor("a", {"1", "2"}),
 
 TEST(Design, FullGridHasEveryCombination)
 {
-  EXPECT_EQ(told(make_design(factors, {})),
+  EXPECT_EQ(text_of(make_design(factors, {})),
             (std::vector<std::string>{
               "a1 b3 ", "a1 b4 ", "a1 b5 ", "a2 b3 ", "a2 b4 ", "a2 b5 "}));
 }
 
 TEST(Design, OneAtATimeLeavesTheOthersAtTheirFirst)
 {
-  EXPECT_EQ(told(make_design(factors, {"one at a time"})),
+  EXPECT_EQ(text_of(make_design(factors, {"one at a time"})),
             (std::vector<std::string>{"a1 b3 ", "a2 b3 ", "a1 b4 ", "a1 b5 "}));
 }
 
@@ -79,8 +79,10 @@ TEST(Design, LatinHypercubeHitsEachPartOnce)
   }
   EXPECT_EQ(parts.size(), n);
   EXPECT_EQ(n_x, n / 2);
-  EXPECT_EQ(told(make_design(both, {"latin hypercube", n, 5})), told(variants));
-  EXPECT_NE(told(make_design(both, {"latin hypercube", n, 6})), told(variants));
+  EXPECT_EQ(text_of(make_design(both, {"latin hypercube", n, 5})),
+            text_of(variants));
+  EXPECT_NE(text_of(make_design(both, {"latin hypercube", n, 6})),
+            text_of(variants));
   EXPECT_THROW(make_design(both, {}), contrecoup::InputError);
 }
 

@@ -60,20 +60,20 @@ TEST(Outcome, TellsOfStorage)
         "cannot write log.txt: is the disk full?",
         "loads.h5 cannot be written",
         ""})
-    EXPECT_TRUE(tells_of_storage(judged(
+    EXPECT_TRUE(is_storage_failure(judged(
       {3, 0}, "", reason[0] == 0 ? "" : "error: " + std::string(reason))))
       << reason;
-  EXPECT_TRUE(tells_of_storage(
+  EXPECT_TRUE(is_storage_failure(
     judged({1, 0},
            "",
            "error: cannot make the output folder: No space left on device")));
-  EXPECT_FALSE(tells_of_storage(judged({1, 0}, "")));
-  EXPECT_FALSE(tells_of_storage(judged({3, 0}, "", "error: out of memory")));
-  EXPECT_FALSE(tells_of_storage(
+  EXPECT_FALSE(is_storage_failure(judged({1, 0}, "")));
+  EXPECT_FALSE(is_storage_failure(judged({3, 0}, "", "error: out of memory")));
+  EXPECT_FALSE(is_storage_failure(
     judged({2, 0}, R"({"status": "failed", "message": "negative"})")));
-  EXPECT_FALSE(tells_of_storage(judged({0, SIGKILL}, "")));
+  EXPECT_FALSE(is_storage_failure(judged({0, SIGKILL}, "")));
   EXPECT_FALSE(
-    tells_of_storage(judged({}, R"({"status": "finished", "retries": 0})")));
+    is_storage_failure(judged({}, R"({"status": "finished", "retries": 0})")));
 }
 
 TEST(Outcome, IsFoundAgainForTheSameIdentityAlone)

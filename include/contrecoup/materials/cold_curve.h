@@ -67,9 +67,9 @@ public:
     cold.energy_density = Number(p_infinity_);
     cold.slope = Number(0.);
 
-    const Number share = mix(products, cold);
+    const Number weight = mix(products, cold);
     const Number dense =
-      select_less(Number(dilute_density_), density, share, Number(0.));
+      select_less(Number(dilute_density_), density, weight, Number(0.));
     if (any_less(Number(0.), dense))
       add_exponentials(density, dense, cold);
     return cold;
@@ -86,7 +86,7 @@ public:
   }
 
   /// Whether a gas whose lanes have at most this density and mass fraction of
-  /// products is an ideal gas of Grueneisen coefficient omega_alone().
+  /// products is an ideal gas of Grueneisen coefficient base_omega().
   template <typename Number>
   DEAL_II_ALWAYS_INLINE bool is_air(const Number &density,
                                     const Number &products) const
@@ -95,9 +95,9 @@ public:
            !any_less(Number(negligible_products<Number>), products);
   }
   /// omega without products [-].
-  double omega_alone() const
+  double base_omega() const
   {
-    return omega_alone_;
+    return base_omega_;
   }
 
   /// Specific heat c_v of the mixture [J/(kg K)].
@@ -105,8 +105,8 @@ public:
   DEAL_II_ALWAYS_INLINE Number specific_heat(const Number &products) const
   {
     return uses_products_ ? Number(clip(products) * specific_heat_difference_ +
-                                   specific_heat_alone_)
-                          : Number(specific_heat_alone_);
+                                   base_specific_heat_)
+                          : Number(base_specific_heat_);
   }
 
 private:
@@ -121,42 +121,42 @@ private:
   DEAL_II_ALWAYS_INLINE Number mix(const Number &products,
                                    ColdState<Number> &cold) const
   {
-    cold.omega = Number(omega_alone_);
-    cold.inverse_omega = Number(inverse_omega_alone_);
+    cold.omega = Number(base_omega_);
+    cold.inverse_omega = Number(inverse_base_omega_);
     if (!uses_products_)
-      return Number(share_alone_);
+      return Number(constant_weight_);
 
     const Number negligible(negligible_products<Number>);
     if (!any_less(negligible, products))
       return Number(0.);
-    const Number share =
+    const Number weight =
       select_less(negligible,
                   products,
                   Number(clip(products) * specific_heat_products_ /
                          specific_heat(products)),
                   Number(0.));
-    cold.omega = share * omega_difference_ + omega_alone_;
+    cold.omega = weight * omega_difference_ + base_omega_;
     cold.inverse_omega = select_less(negligible,
                                      products,
                                      Number(Number(1.) / cold.omega),
                                      cold.inverse_omega);
-    return share;
+    return weight;
   }
 
-  /// Adds the exponential terms with the weight @p share.
+  /// Adds the exponential terms with the @p weight.
   template <typename Number>
   void add_exponentials(const Number &density,
-                        const Number &share,
+                        const Number &weight,
                         ColdState<Number> &cold) const
   {
     const double reference = products_.reference_density;
-    // Where the share is zero, any finite value will do.
+    // Where the weight is zero, any finite value will do.
     const Number volume =
       Number(reference) / std::max(density, Number(dilute_density_));
     const Number first =
-      share * products_.A * exponential(Number(volume * -products_.R1));
+      weight * products_.A * exponential(Number(volume * -products_.R1));
     const Number second =
-      share * products_.B * exponential(Number(volume * -products_.R2));
+      weight * products_.B * exponential(Number(volume * -products_.R2));
 
     cold.pressure = cold.pressure + (first + second);
     cold.energy_density =
@@ -170,11 +170,11 @@ private:
   bool uses_products_ = false;
   double p_infinity_ = 0.;
   double dilute_density_ = 0.;
-  double share_alone_ = 0.; ///< w if Y is not used
-  double omega_alone_ = 0.; ///< omega without products
-  double inverse_omega_alone_ = 0.;
+  double constant_weight_ = 0.; ///< w if Y is not used
+  double base_omega_ = 0.;      ///< omega without products
+  double inverse_base_omega_ = 0.;
   double omega_difference_ = 0.;
-  double specific_heat_alone_ = 1.;
+  double base_specific_heat_ = 1.;
   double specific_heat_products_ = 1.;
   double specific_heat_difference_ = 0.;
   double inverse_R1_ = 1.;

@@ -35,25 +35,29 @@ public:
    * @param exponent gamma: 1 isothermal, 1.4 adiabatic
    * @param stiffest upper bound of -dp/dJ over K, at least 1
    */
-  GasFilling(const double part, const double exponent, const double stiffest)
-    : part_(part)
+  GasFilling(const double gas_fraction,
+             const double exponent,
+             const double max_stiffness)
+    : gas_fraction_(gas_fraction)
     , exponent_(exponent)
-    , stiffest_(stiffest)
-    , least_(part * std::expm1(-std::log(stiffest) / (exponent + 1.)))
-    , least_stress_(gas_stress(least_))
-    , least_energy_(gas_energy(least_))
+    , max_stiffness_(max_stiffness)
+    , constant_stiffness_limit_(
+        gas_fraction * std::expm1(-std::log(max_stiffness) / (exponent + 1.)))
+    , stress_at_limit_(gas_stress(constant_stiffness_limit_))
+    , energy_at_limit_(gas_energy(constant_stiffness_limit_))
   {}
 
   bool exists() const
   {
-    return part_ > 0.;
+    return gas_fraction_ > 0.;
   }
 
   /// -p / K at a dilatation J - 1.
   double stress(const double dilatation) const
   {
-    return dilatation < least_
-             ? least_stress_ + stiffest_ * (dilatation - least_)
+    return dilatation < constant_stiffness_limit_
+             ? stress_at_limit_ +
+                 max_stiffness_ * (dilatation - constant_stiffness_limit_)
              : gas_stress(dilatation);
   }
 
@@ -66,61 +70,65 @@ public:
   /// Integral of stress() from 0 to a dilatation.
   double energy(const double dilatation) const
   {
-    const double more = dilatation - least_;
-    return dilatation < least_
-             ? least_energy_ + more * (least_stress_ + 0.5 * stiffest_ * more)
+    const double excess = dilatation - constant_stiffness_limit_;
+    return dilatation < constant_stiffness_limit_
+             ? energy_at_limit_ +
+                 excess * (stress_at_limit_ + 0.5 * max_stiffness_ * excess)
              : gas_energy(dilatation);
   }
 
   /// -dp/dJ / K.
   double stiffness(const double dilatation) const
   {
-    return dilatation < least_
-             ? stiffest_
-             : std::exp(-(exponent_ + 1.) * std::log1p(dilatation / part_));
+    return dilatation < constant_stiffness_limit_
+             ? max_stiffness_
+             : std::exp(-(exponent_ + 1.) *
+                        std::log1p(dilatation / gas_fraction_));
   }
 
 private:
   double gas_stress(const double dilatation) const
   {
-    return -part_ / exponent_ *
-           std::expm1(-exponent_ * std::log1p(dilatation / part_));
+    return -gas_fraction_ / exponent_ *
+           std::expm1(-exponent_ * std::log1p(dilatation / gas_fraction_));
   }
 
   double gas_energy(const double dilatation) const
   {
-    const double logarithm = std::log1p(dilatation / part_);
+    const double logarithm = std::log1p(dilatation / gas_fraction_);
     const double power = exponent_ - 1.;
-    const double rest = std::abs(power) < 1e-6
-                          ? logarithm
-                          : -std::expm1(-power * logarithm) / power;
-    return part_ / exponent_ * (dilatation - part_ * rest);
+    const double logarithmic_mean = std::abs(power) < 1e-6
+                                      ? logarithm
+                                      : -std::expm1(-power * logarithm) / power;
+    return gas_fraction_ / exponent_ *
+           (dilatation - gas_fraction_ * logarithmic_mean);
   }
 
-  double part_ = 0.;
+  double gas_fraction_ = 0.;
   double exponent_ = 1.;
-  double stiffest_ = 1.;
-  double least_ = 0.; ///< dilatation below which stiffness is constant
-  double least_stress_ = 0.;
-  double least_energy_ = 0.;
+  double max_stiffness_ = 1.;
+  double constant_stiffness_limit_ =
+    0.; ///< dilatation below which stiffness is constant
+  double stress_at_limit_ = 0.;
+  double energy_at_limit_ = 0.;
 };
 
 /// Applies @p function (of double) to a number, or to each lane.
 template <typename Function>
-inline double apply(const Function &function, const double x)
+inline double apply_to_lanes(const Function &function, const double x)
 {
   return function(x);
 }
 
 template <typename Function>
-inline float apply(const Function &function, const float x)
+inline float apply_to_lanes(const Function &function, const float x)
 {
   return static_cast<float>(function(x));
 }
 
 template <typename Function, typename Scalar, std::size_t width>
-inline LaneGroup<Scalar, width> apply(const Function &function,
-                                      const LaneGroup<Scalar, width> &x)
+inline LaneGroup<Scalar, width>
+apply_to_lanes(const Function &function, const LaneGroup<Scalar, width> &x)
 {
   LaneGroup<Scalar, width> result;
   for (std::size_t lane = 0; lane < width; ++lane)

@@ -61,7 +61,7 @@ public:
   }
   TracedAir air() const
   {
-    return TracedAir(curve_.omega_alone());
+    return TracedAir(curve_.base_omega());
   }
 
   /// Whether the state depends on the mass fraction of products.

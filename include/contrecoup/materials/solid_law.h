@@ -41,7 +41,8 @@ volumetric_stress(const SolidLaw<Number> &law, const Number &dilatation)
   if (!law.gas.exists())
     return law.bulk * dilatation;
   return law.bulk *
-         apply([&](const double x) { return law.gas.stress(x); }, dilatation);
+         apply_to_lanes([&](const double x) { return law.gas.stress(x); },
+                        dilatation);
 }
 
 /// Energy of volumetric strain [J/m^3].
@@ -52,16 +53,17 @@ inline Number volumetric_energy(const SolidLaw<Number> &law,
   if (!law.gas.exists())
     return Number(0.5) * law.bulk * dilatation * dilatation;
   return law.bulk *
-         apply([&](const double x) { return law.gas.energy(x); }, dilatation);
+         apply_to_lanes([&](const double x) { return law.gas.energy(x); },
+                        dilatation);
 }
 
 /// Strain measures of the stress.
 template <typename Number>
 struct SolidStrain
 {
-  Number dilatation;          ///< tr H or det F - 1
-  Symmetric3<Number> total;   ///< sym H, or Green-Lagrange strain E
-  Symmetric3<Number> measure; ///< shear stress over 2 G_0
+  Number dilatation;                ///< tr H or det F - 1
+  Symmetric3<Number> total;         ///< sym H, or Green-Lagrange strain E
+  Symmetric3<Number> shear_measure; ///< shear stress over 2 G_0
 };
 
 /// sym H, plus H^T H / 2 unless strains are small.
@@ -155,16 +157,16 @@ solid_strain(const Matrix3<Number> &h, const Matrix3<Number> &cofactors)
   SolidStrain<Number> strain;
   strain.total = green_strain<finite>(h);
   const Number trace = strain.total[0] + strain.total[1] + strain.total[2];
-  strain.measure = strain.total;
+  strain.shear_measure = strain.total;
   for (unsigned int i = 0; i < 3; ++i)
-    strain.measure[i] -= Number(1. / 3.) * trace;
+    strain.shear_measure[i] -= Number(1. / 3.) * trace;
   if constexpr (finite)
     strain.dilatation = finite_dilatation(h, cofactors);
   else
     strain.dilatation = trace;
   if constexpr (kinematics == SolidKinematics::neo_hookean)
-    strain.measure =
-      neo_hookean_measure(strain.total, strain.measure, strain.dilatation);
+    strain.shear_measure = neo_hookean_measure(
+      strain.total, strain.shear_measure, strain.dilatation);
   return strain;
 }
 
@@ -221,7 +223,8 @@ inline Number stored_energy(const SolidLaw<Number> &law,
                             const SolidStrain<Number> &strain,
                             const Symmetric3<Number> &relaxed)
 {
-  Number shear = Number(0.5) * contract(strain.measure, strain.measure);
+  Number shear =
+    Number(0.5) * contract(strain.shear_measure, strain.shear_measure);
   if constexpr (kinematics == SolidKinematics::neo_hookean)
   {
     const Number trace = strain.total[0] + strain.total[1] + strain.total[2];

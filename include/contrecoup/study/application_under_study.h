@@ -44,7 +44,8 @@ public:
   unsigned int ranks() const;
 
 private:
-  std::string ask(const Settings &settings, const std::string &option) const;
+  std::string run_with_option(const Settings &settings,
+                              const std::string &option) const;
 
   std::string name_;
   std::string program_;

@@ -61,7 +61,7 @@ public:
   std::string short_name() const;
 
   /// Required error; 0: none given.
-  double wanted() const;
+  double required_error() const;
 
 private:
   double quantity(const std::string &folder,
@@ -71,7 +71,7 @@ private:
 
   /// Feature of a curve: last word of the quantity; empty for other
   /// quantities.
-  std::string of_curve() const;
+  std::string curve_feature() const;
 
   /// Curve from probes.csv or history.csv of the run in @p folder, averaged
   /// over the averaging time.

@@ -44,7 +44,7 @@ Outcome judge(const ProcessEnd &end,
 
 /// Whether the run failed because files could not be written: disk full or
 /// read-only, quota. Further runs would fail as well.
-bool tells_of_storage(const Outcome &outcome);
+bool is_storage_failure(const Outcome &outcome);
 
 /// Identity of a variant: application, version, ranks and all entries. Runs of
 /// equal identity give the same result.

@@ -14,9 +14,9 @@ namespace contrecoup::study
 std::vector<bool> pareto_front(const std::vector<double> &costs,
                                const std::vector<double> &errors);
 
-/// The cheapest setting with an error of at most @p wanted; none if there is
-/// none.
+/// The cheapest setting with an error of at most @p required_error; none if
+/// there is none.
 std::optional<std::size_t> cheapest(const std::vector<double> &costs,
                                     const std::vector<double> &errors,
-                                    double wanted);
+                                    double required_error);
 } // namespace contrecoup::study

@@ -38,7 +38,7 @@ private:
   /// the application does not know
   void require_known_entries() const;
   /// Name of a run for messages.
-  std::string told(const Task &task) const;
+  std::string task_label(const Task &task) const;
   std::string plan_of_first() const;
   void require_known(const Settings &settings, const std::string &where) const;
 
@@ -51,7 +51,7 @@ private:
                io::FolderClaim &claim);
   void report(const Task &task);
   void write_results(const std::string &status, double seconds);
-  void conclude(const StudyResult &result);
+  void write_recommendation(const StudyResult &result);
   void draw() const;
   std::string path(const std::string &name) const;
 

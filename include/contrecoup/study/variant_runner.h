@@ -59,7 +59,7 @@ private:
   };
 
   void start(Task &task);
-  void look_after(const std::function<void(const Task &)> &report);
+  void poll_running(const std::function<void(const Task &)> &report);
 
   const ApplicationUnderStudy &application_;
   unsigned int slots_;

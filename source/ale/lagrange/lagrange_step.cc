@@ -3,7 +3,7 @@
 
 #include <contrecoup/ale/lagrange/lagrange_step.h>
 #include <contrecoup/ale/mesh/cell_corners.h>
-#include <contrecoup/numerics/element/hex8_corner_parts.h>
+#include <contrecoup/numerics/element/hex8_corner_weights.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -54,7 +54,7 @@ void LagrangeStep::start(AleState &state)
   for (std::size_t c = 0; c < space_->n_own_cells(); ++c)
   {
     if (state.wedge.active())
-      parts = hex_corner_parts(corners_of(space_->cell(c), state.position));
+      parts = hex_corner_weights(corners_of(space_->cell(c), state.position));
     for (unsigned int i = 0; i < 8; ++i)
       masses[width * space_->cell(c)[i] + 3] += parts[i] * state.mass[c];
   }

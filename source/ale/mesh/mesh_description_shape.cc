@@ -28,7 +28,7 @@ int MeshDescription::layer_at(const dealii::Point<3> &place) const
   if (body_)
   {
     const unsigned char part = body_->part_at(place);
-    return part == LabelGrid::nothing ? -1 : part;
+    return part == LabelGrid::outside ? -1 : part;
   }
   if (kind_ == "half ball")
     return place[0] >= 0. && place.norm() < radius_ ? 0 : -1;

@@ -17,25 +17,27 @@ struct ShapeBody::Block
   bool meets_surface;
 };
 
-ShapeBody::ShapeBody(ShapePointer surface, const std::vector<Piece> &pieces)
+ShapeBody::ShapeBody(ShapePointer surface,
+                     const std::vector<PartShape> &part_shapes)
   : surface_(std::move(surface))
 {
-  AssertThrow(pieces.size() < LabelGrid::nothing, dealii::ExcInternalError());
-  for (const Piece &piece : pieces)
+  AssertThrow(part_shapes.size() < LabelGrid::outside,
+              dealii::ExcInternalError());
+  for (const PartShape &part_shape : part_shapes)
   {
-    parts_.push_back(piece.part);
-    shapes_.push_back(piece.shape);
+    parts_.push_back(part_shape.part);
+    shapes_.push_back(part_shape.shape);
   }
 }
 
 BodyPointer ShapeBody::placed(const Placement &placement) const
 {
-  std::vector<Piece> pieces;
+  std::vector<PartShape> part_shapes;
   for (std::size_t i = 0; i < shapes_.size(); ++i)
-    pieces.push_back(
+    part_shapes.push_back(
       {parts_[i], std::make_shared<PlacedShape>(shapes_[i], placement)});
   const auto body = std::make_shared<ShapeBody>(
-    std::make_shared<PlacedShape>(surface_, placement), pieces);
+    std::make_shared<PlacedShape>(surface_, placement), part_shapes);
   body->set_remarks(remarks());
   std::vector<Landmark> moved = landmarks();
   for (Landmark &landmark : moved)
@@ -44,9 +46,9 @@ BodyPointer ShapeBody::placed(const Placement &placement) const
   return body;
 }
 
-std::vector<ShapeBody::Piece> ShapeBody::pieces() const
+std::vector<ShapeBody::PartShape> ShapeBody::part_shapes() const
 {
-  std::vector<Piece> result;
+  std::vector<PartShape> result;
   for (std::size_t i = 0; i < shapes_.size(); ++i)
     result.push_back({parts_[i], shapes_[i]});
   return result;
@@ -63,7 +65,7 @@ unsigned char ShapeBody::part_at(const Point<3> &point) const
     for (std::size_t i = 0; i < shapes_.size(); ++i)
       if (shapes_[i]->value(point) <= 0.)
         return i;
-  return LabelGrid::nothing;
+  return LabelGrid::outside;
 }
 
 void ShapeBody::fill(LabelGrid &grid) const

@@ -5,7 +5,7 @@
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/geometry/body/body_description.h>
-#include <contrecoup/geometry/body/borrowed_organs.h>
+#include <contrecoup/geometry/body/inserted_organs.h>
 
 #include <filesystem>
 #include <fstream>
@@ -133,9 +133,9 @@ BodyPointer BodyDescription::create_unplaced() const
     const BodyPointer body = from_surface_.create(placement_.scale());
     if (!from_surface_.has_organs())
       return body;
-    const auto giver =
+    const auto donor =
       std::dynamic_pointer_cast<const ShapeBody>(phantom_.create());
-    return borrow_organs(*body, *giver, from_surface_.largest_loss());
+    return insert_organs(*body, *donor, from_surface_.largest_loss());
   }
   if (kind_ == "image")
     return from_image_.create();

@@ -65,7 +65,7 @@ namespace
     unsigned int last = 0;
     for (const LabelRow &row : table)
       last = std::max(last, row.last);
-    std::vector<unsigned char> part(last + 1, LabelGrid::nothing);
+    std::vector<unsigned char> part(last + 1, LabelGrid::outside);
     for (std::size_t i = 0; i < table.size(); ++i)
       for (unsigned int label = table[i].first; label <= table[i].last; ++label)
         part[label] = i;
@@ -95,7 +95,7 @@ std::vector<LabelRow> parse_label_table(const std::string &text)
   if (table.empty())
     throw InputError("Body/Image/Labels is empty: it must name the labels of "
                      "the image, such as \"1: brain; 2-5: skeleton\"");
-  if (table.size() >= LabelGrid::nothing)
+  if (table.size() >= LabelGrid::outside)
     throw InputError("Body/Image/Labels has " + std::to_string(table.size()) +
                      " rows, at most 254 are allowed");
   return table;
@@ -113,7 +113,7 @@ ImageBody::ImageBody(const VoxelImage &image,
   parts_ = parts;
   VoxelMask mask{image.size, image.spacing(), {}};
   for (const unsigned char label : labels)
-    mask.inside.push_back(label != LabelGrid::nothing);
+    mask.inside.push_back(label != LabelGrid::outside);
   if (mask.count() == 0)
     throw InputError("image \"" + image.file +
                      "\": no voxel belongs to a part of the body");
@@ -151,7 +151,7 @@ unsigned char ImageBody::part_at(const Point<3> &point) const
   {
     const double nearest = std::floor(index[d] + 0.5);
     if (!(nearest >= 0. && nearest < size_[d]))
-      return LabelGrid::nothing;
+      return LabelGrid::outside;
     voxel[d] = static_cast<std::size_t>(nearest);
   }
   return (*labels_)[voxel[0] + size_[0] * (voxel[1] + size_[1] * voxel[2])];
@@ -233,8 +233,8 @@ BodyPointer ImageDescription::create_from_labels() const
                        "name");
     const unsigned char part = part_of[label];
     const bool is_body =
-      part != LabelGrid::nothing && table_[part].part.tissue != Tissue::none;
-    labels.push_back(is_body ? part : LabelGrid::nothing);
+      part != LabelGrid::outside && table_[part].part.tissue != Tissue::none;
+    labels.push_back(is_body ? part : LabelGrid::outside);
   }
   std::vector<BodyPart> parts;
   for (const LabelRow &row : table_)

@@ -17,8 +17,8 @@ namespace
   constexpr double reference_stature = 1.756; ///< [m]
   constexpr double mean_density = 990.;       ///< [kg/m^3]
 
-  void append(std::vector<ShapeBody::Piece> &all,
-              const std::vector<ShapeBody::Piece> &more)
+  void append(std::vector<ShapeBody::PartShape> &all,
+              const std::vector<ShapeBody::PartShape> &more)
   {
     all.insert(all.end(), more.begin(), more.end());
   }
@@ -111,19 +111,19 @@ BodyPointer Phantom::create() const
 {
   const phantom::Frame frame{
     stature_ / reference_stature, find_girth(), head_scale_};
-  std::vector<ShapeBody::Piece> pieces = phantom::make_nerves(frame);
-  append(pieces, phantom::make_skeleton(frame));
-  append(pieces, phantom::make_organs(frame));
+  std::vector<ShapeBody::PartShape> part_shapes = phantom::make_nerves(frame);
+  append(part_shapes, phantom::make_skeleton(frame));
+  append(part_shapes, phantom::make_organs(frame));
   const ShapePointer flesh = phantom::make_flesh(frame);
   if (skin_thickness_ > 0.)
   {
-    pieces.push_back({{"soft tissue", Tissue::soft_tissue},
-                      std::make_shared<Offset>(flesh, -skin_thickness_)});
-    pieces.push_back({{"skin", Tissue::skin}, flesh});
+    part_shapes.push_back({{"soft tissue", Tissue::soft_tissue},
+                           std::make_shared<Offset>(flesh, -skin_thickness_)});
+    part_shapes.push_back({{"skin", Tissue::skin}, flesh});
   }
   else
-    pieces.push_back({{"soft tissue", Tissue::soft_tissue}, flesh});
-  const auto body = std::make_shared<ShapeBody>(flesh, pieces);
+    part_shapes.push_back({{"soft tissue", Tissue::soft_tissue}, flesh});
+  const auto body = std::make_shared<ShapeBody>(flesh, part_shapes);
   body->set_landmarks(phantom::find_landmarks(frame, *flesh));
   return body;
 }
@@ -179,19 +179,19 @@ namespace phantom
 
   ShapePointer make_rod(const Frame &frame,
                         const double side,
-                        const std::vector<Stop> &stops,
+                        const std::vector<RodNode> &rod_nodes,
                         const double thickness,
                         const unsigned int n_between)
   {
     std::vector<Sweep::Node> nodes;
-    for (const Stop &stop : stops)
-      nodes.push_back({frame.at(stop.x, side * stop.y, stop.z),
-                       frame.height * thickness * stop.radius});
+    for (const RodNode &rod_node : rod_nodes)
+      nodes.push_back({frame.at(rod_node.x, side * rod_node.y, rod_node.z),
+                       frame.height * thickness * rod_node.radius});
     return std::make_shared<Sweep>(
       n_between > 0 ? smooth_curve(nodes, n_between) : nodes);
   }
 
-  std::vector<ShapeBody::Piece> make_nerves(const Frame &frame)
+  std::vector<ShapeBody::PartShape> make_nerves(const Frame &frame)
   {
     const Point<3> center = frame.at_head(0., 0., 0.);
     const double h = frame.height;
@@ -221,7 +221,7 @@ namespace phantom
                std::vector<ShapePointer>{cranial_fluid, canal(0.94, 0.0085)})}};
   }
 
-  std::vector<ShapeBody::Piece> make_organs(const Frame &frame)
+  std::vector<ShapeBody::PartShape> make_organs(const Frame &frame)
   {
     const double h = frame.height;
     const auto inner_chest = std::make_shared<Ellipsoid>(

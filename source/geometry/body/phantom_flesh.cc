@@ -15,12 +15,12 @@ namespace phantom
   {
     using Shapes = std::vector<ShapePointer>;
 
-    /// A limb through @p stops on one side of the body.
+    /// A limb through @p rod_nodes on one side of the body.
     ShapePointer make_limb(const Frame &frame,
                            const double side,
-                           const std::vector<Stop> &stops)
+                           const std::vector<RodNode> &rod_nodes)
     {
-      return make_rod(frame, side, stops, frame.girth, 1);
+      return make_rod(frame, side, rod_nodes, frame.girth, 1);
     }
 
     /// A lobe of the trunk, which grows laterally with the girth.
@@ -99,13 +99,14 @@ namespace phantom
                                           {-0.010, 0.110, 0.060, 0.037}});
       // Feet do not grow with the girth. Their soles are cut at the ground.
       std::vector<Sweep::Node> nodes;
-      for (const Stop &stop : std::vector<Stop>{{-0.048, 0.110, 0.030, 0.036},
-                                                {0.020, 0.112, 0.045, 0.036},
-                                                {0.080, 0.116, 0.032, 0.037},
-                                                {0.130, 0.120, 0.020, 0.030},
-                                                {0.165, 0.122, 0.012, 0.021}})
-        nodes.push_back(
-          {frame.at(stop.x, side * stop.y, stop.z), h * stop.radius});
+      for (const RodNode &rod_node :
+           std::vector<RodNode>{{-0.048, 0.110, 0.030, 0.036},
+                                {0.020, 0.112, 0.045, 0.036},
+                                {0.080, 0.116, 0.032, 0.037},
+                                {0.130, 0.120, 0.020, 0.030},
+                                {0.165, 0.122, 0.012, 0.021}})
+        nodes.push_back({frame.at(rod_node.x, side * rod_node.y, rod_node.z),
+                         h * rod_node.radius});
       const ShapePointer foot = std::make_shared<Sweep>(smooth_curve(nodes, 2));
       return std::make_shared<Union>(Shapes{leg, foot}, 0.03 * h);
     }

@@ -15,23 +15,24 @@ namespace phantom
   {
     using Shapes = std::vector<ShapePointer>;
 
-    /// A bone through @p stops. @param side 1: left, -1: mirrored to the right
+    /// A bone through @p rod_nodes. @param side 1: left, -1: mirrored to the
+    /// right
     ShapePointer make_bone(const Frame &frame,
                            const double side,
-                           const std::vector<Stop> &stops,
+                           const std::vector<RodNode> &rod_nodes,
                            const unsigned int n_between = 1)
     {
-      return make_rod(frame, side, stops, 1., n_between);
+      return make_rod(frame, side, rod_nodes, 1., n_between);
     }
 
     /// A bone of the head.
     ShapePointer make_head_bone(const Frame &frame,
-                                const std::vector<Stop> &stops)
+                                const std::vector<RodNode> &rod_nodes)
     {
       std::vector<Sweep::Node> nodes;
-      for (const Stop &stop : stops)
-        nodes.push_back(
-          {frame.at_head(stop.x, stop.y, stop.z), frame.head * stop.radius});
+      for (const RodNode &rod_node : rod_nodes)
+        nodes.push_back({frame.at_head(rod_node.x, rod_node.y, rod_node.z),
+                         frame.head * rod_node.radius});
       return std::make_shared<Sweep>(smooth_curve(nodes, 2));
     }
 
@@ -89,10 +90,11 @@ namespace phantom
       const double s = frame.head;
       const double h = frame.height;
       const auto with_head = [&](const std::vector<Sweep::Node> &top,
-                                 const std::vector<Stop> &rest) {
+                                 const std::vector<RodNode> &rest) {
         std::vector<Sweep::Node> nodes = top;
-        for (const Stop &stop : rest)
-          nodes.push_back({frame.at(stop.x, stop.y, stop.z), h * stop.radius});
+        for (const RodNode &rod_node : rest)
+          nodes.push_back({frame.at(rod_node.x, rod_node.y, rod_node.z),
+                           h * rod_node.radius});
         return std::make_shared<Sweep>(smooth_curve(nodes, 2));
       };
       return std::make_shared<Union>(
@@ -324,7 +326,7 @@ namespace phantom
     }
   } // namespace
 
-  std::vector<ShapeBody::Piece> make_skeleton(const Frame &frame)
+  std::vector<ShapeBody::PartShape> make_skeleton(const Frame &frame)
   {
     Shapes legs;
     for (const double side : {-1., 1.})

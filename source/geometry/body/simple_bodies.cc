@@ -171,17 +171,17 @@ BodyPointer SimpleBody::create() const
   else
     shape = std::make_shared<Ellipsoid>(origin,
                                         Point<3>(size_[0], size_[1], size_[2]));
-  std::vector<ShapeBody::Piece> pieces{
+  std::vector<ShapeBody::PartShape> part_shapes{
     {{"core: " + name_of(tissues_[0]), tissues_[0]}, shape}};
   double depth = 0.;
   for (std::size_t i = 0; i < layers_.size(); ++i)
   {
     depth += layers_[i];
-    pieces.push_back(
+    part_shapes.push_back(
       {{"layer " + std::to_string(i + 1) + ": " + name_of(tissues_[i + 1]),
         tissues_[i + 1]},
        std::make_shared<Offset>(shape, depth)});
   }
-  return std::make_shared<ShapeBody>(pieces.back().shape, pieces);
+  return std::make_shared<ShapeBody>(part_shapes.back().shape, part_shapes);
 }
 } // namespace contrecoup

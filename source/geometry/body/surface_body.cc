@@ -183,7 +183,8 @@ BodyPointer SurfaceBody::create(const double scale) const
   const std::vector<std::string> remarks = make_remarks(mesh, report);
   const auto shape = std::make_shared<TriangulatedSurface>(std::move(mesh));
   const auto body = std::make_shared<ShapeBody>(
-    shape, std::vector<ShapeBody::Piece>{{{name_of(tissue_), tissue_}, shape}});
+    shape,
+    std::vector<ShapeBody::PartShape>{{{name_of(tissue_), tissue_}, shape}});
   body->set_remarks(remarks);
   return body;
 }

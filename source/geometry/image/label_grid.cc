@@ -12,11 +12,12 @@ namespace contrecoup
 {
 using dealii::Point;
 
-unsigned char LabelGrid::at_any(const int i, const int j, const int k) const
+unsigned char
+LabelGrid::label_or_outside(const int i, const int j, const int k) const
 {
   if (i < 0 || j < 0 || k < 0 || i >= static_cast<int>(size[0]) ||
       j >= static_cast<int>(size[1]) || k >= static_cast<int>(size[2]))
-    return nothing;
+    return outside;
   return at(i, j, k);
 }
 
@@ -57,7 +58,7 @@ LabelGrid make_grid(const dealii::BoundingBox<3> &box,
         brief(most_cubes) + " of them");
     grid.size[d] = static_cast<unsigned int>(last - first);
   }
-  grid.labels.assign(static_cast<std::size_t>(count), LabelGrid::nothing);
+  grid.labels.assign(static_cast<std::size_t>(count), LabelGrid::outside);
   return grid;
 }
 
@@ -108,7 +109,7 @@ namespace
     for (unsigned int i = 0; i < grid.size[0]; ++i)
     {
       unsigned char label = grid.at(i, j, k);
-      if (label == LabelGrid::nothing)
+      if (label == LabelGrid::outside)
         continue;
       if (whole)
         label = 0;
@@ -185,7 +186,7 @@ namespace
 std::array<unsigned int, 256> count_components(const LabelGrid &grid)
 {
   std::array<unsigned int, 256> counts = count_pieces(grid, false);
-  counts[LabelGrid::nothing] = count_pieces(grid, true)[0];
+  counts[LabelGrid::outside] = count_pieces(grid, true)[0];
   return counts;
 }
 } // namespace contrecoup

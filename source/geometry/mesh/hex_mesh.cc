@@ -74,7 +74,7 @@ namespace
     {
       const int half = 1 << (level - 1);
       const unsigned char label = grid_.labels[number(base)];
-      if (label == LabelGrid::nothing)
+      if (label == LabelGrid::outside)
         return false;
       for (int z = -1; z < 3; ++z)
         for (int y = -1; y < 3; ++y)
@@ -83,7 +83,7 @@ namespace
             const std::array<int, 3> place{{int(base[0]) + x * half,
                                             int(base[1]) + y * half,
                                             int(base[2]) + z * half}};
-            if (grid_.at_any(place[0], place[1], place[2]) != label)
+            if (grid_.label_or_outside(place[0], place[1], place[2]) != label)
               return false;
             const unsigned int other =
               level_[grid_.index(place[0], place[1], place[2])];
@@ -163,14 +163,14 @@ namespace
         {int(place[0]), int(place[1]), int(place[2])}};
       neighbor[face / 2] += face % 2 ? 1 : -1;
       const unsigned char other =
-        grid.at_any(neighbor[0], neighbor[1], neighbor[2]);
+        grid.label_or_outside(neighbor[0], neighbor[1], neighbor[2]);
       if (other <= mesh.part.back())
         continue;
       HexMesh::Facet facet;
       for (unsigned int v = 0; v < 4; ++v)
         facet.nodes[v] = cell[face_corners[face][v]];
       facet.cell = mesh.cells.size() - 1;
-      if (other == LabelGrid::nothing)
+      if (other == LabelGrid::outside)
         mesh.boundary.push_back(facet);
       else
         mesh.interfaces.push_back(facet.nodes);
@@ -292,7 +292,7 @@ HexMesh make_hex_mesh(const LabelGrid &grid,
       for (unsigned int i = 0; i < grid.size[0]; ++i)
       {
         const unsigned char label = grid.at(i, j, k);
-        if (label == LabelGrid::nothing)
+        if (label == LabelGrid::outside)
           continue;
         const unsigned int level = merging.level({{i, j, k}});
         const unsigned int width = 1 << level;

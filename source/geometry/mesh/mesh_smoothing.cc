@@ -15,7 +15,7 @@ namespace
   constexpr double backwards = -0.6732;
 
   /// Location of a node; higher values take precedence.
-  enum Place : unsigned char
+  enum NodeLocation : unsigned char
   {
     inside = 0,
     interface = 1,
@@ -29,29 +29,29 @@ namespace
     Smoother(HexMesh &mesh, const SmoothingOptions &options)
       : mesh_(mesh)
       , options_(options)
-      , place_(mesh.nodes.size(), inside)
+      , locations_(mesh.nodes.size(), inside)
       , displacement_(mesh.nodes.size())
-      , share_(mesh.nodes.size(), 1.F)
+      , reduction_(mesh.nodes.size(), 1.F)
       , original_(mesh.nodes)
     {
       for (const auto &nodes : mesh.interfaces)
         for (const std::uint32_t node : nodes)
-          place_[node] = interface;
+          locations_[node] = interface;
       for (const HexMesh::Facet &facet : mesh.boundary)
         for (const std::uint32_t node : facet.nodes)
-          place_[node] = boundary;
+          locations_[node] = boundary;
     }
 
     SmoothingReport run()
     {
       filter();
       spread();
-      hold_back();
+      limit_displacements();
       SmoothingReport report;
-      for (std::size_t i = 0; i < place_.size(); ++i)
+      for (std::size_t i = 0; i < locations_.size(); ++i)
       {
-        report.n_moved += place_[i] != inside;
-        report.n_held_back += share_[i] < 1.F;
+        report.n_moved += locations_[i] != inside;
+        report.n_held_back += reduction_[i] < 1.F;
         report.largest_displacement = std::max(
           report.largest_displacement, mesh_.nodes[i].distance(original_[i]));
       }
@@ -62,16 +62,16 @@ namespace
     /// Applies the filter to boundary and interfaces.
     void filter()
     {
-      std::vector<Tensor<1, 3>> sum(place_.size());
-      std::vector<unsigned int> count(place_.size());
+      std::vector<Tensor<1, 3>> sum(locations_.size());
+      std::vector<unsigned int> count(locations_.size());
       for (unsigned int step = 0; step < 2 * options_.iterations; ++step)
       {
         std::fill(sum.begin(), sum.end(), Tensor<1, 3>());
         std::fill(count.begin(), count.end(), 0);
-        const auto add = [&](const auto &nodes, const Place place) {
+        const auto add = [&](const auto &nodes, const NodeLocation location) {
           for (unsigned int v = 0; v < 4; ++v)
             for (const unsigned int w : {(v + 1) % 4, (v + 3) % 4})
-              if (place_[nodes[v]] == place)
+              if (locations_[nodes[v]] == location)
               {
                 sum[nodes[v]] += mesh_.nodes[nodes[w]];
                 ++count[nodes[v]];
@@ -86,7 +86,7 @@ namespace
           if (count[i] > 0)
             mesh_.nodes[i] += factor * (sum[i] / count[i] - mesh_.nodes[i]);
       }
-      for (std::size_t i = 0; i < place_.size(); ++i)
+      for (std::size_t i = 0; i < locations_.size(); ++i)
         displacement_[i] = mesh_.nodes[i] - original_[i];
     }
 
@@ -94,8 +94,8 @@ namespace
     void spread()
     {
       constexpr unsigned int n_rounds = 6;
-      std::vector<Tensor<1, 3>> sum(place_.size());
-      std::vector<unsigned int> count(place_.size());
+      std::vector<Tensor<1, 3>> sum(locations_.size());
+      std::vector<unsigned int> count(locations_.size());
       for (unsigned int round = 0; round < n_rounds; ++round)
       {
         std::fill(sum.begin(), sum.end(), Tensor<1, 3>());
@@ -105,13 +105,13 @@ namespace
             for (const auto &[to, from] :
                  {std::make_pair(cell[edge[0]], cell[edge[1]]),
                   std::make_pair(cell[edge[1]], cell[edge[0]])})
-              if (place_[to] == inside)
+              if (locations_[to] == inside)
               {
                 sum[to] += displacement_[from];
                 ++count[to];
               }
-        for (std::size_t i = 0; i < place_.size(); ++i)
-          if (place_[i] == inside)
+        for (std::size_t i = 0; i < locations_.size(); ++i)
+          if (locations_[i] == inside)
             displacement_[i] = sum[i] / std::max(count[i], 1u);
       }
     }
@@ -119,8 +119,8 @@ namespace
     /// Sets positions from displacements and their reduction factors.
     void apply()
     {
-      for (std::size_t i = 0; i < place_.size(); ++i)
-        mesh_.nodes[i] = original_[i] + share_[i] * displacement_[i];
+      for (std::size_t i = 0; i < locations_.size(); ++i)
+        mesh_.nodes[i] = original_[i] + reduction_[i] * displacement_[i];
       for (const HexMesh::HangingNode &hanging : mesh_.hanging_nodes)
       {
         Tensor<1, 3> sum;
@@ -131,9 +131,9 @@ namespace
     }
 
     /// Reduces displacements until all elements satisfy the bound.
-    void hold_back()
+    void limit_displacements()
     {
-      std::vector<unsigned char> is_reduced(place_.size());
+      std::vector<unsigned char> is_reduced(locations_.size());
       while (true)
       {
         apply();
@@ -170,14 +170,14 @@ namespace
             marked[master] = 1;
       for (std::size_t i = 0; i < marked.size(); ++i)
         if (marked[i])
-          share_[i] = share_[i] < 0.1F ? 0.F : 0.75F * share_[i];
+          reduction_[i] = reduction_[i] < 0.1F ? 0.F : 0.75F * reduction_[i];
     }
 
     HexMesh &mesh_;
     const SmoothingOptions &options_;
-    std::vector<unsigned char> place_;
+    std::vector<unsigned char> locations_;
     std::vector<Tensor<1, 3>> displacement_;
-    std::vector<float> share_;
+    std::vector<float> reduction_;
     std::vector<Point<3>> original_;
   };
 } // namespace

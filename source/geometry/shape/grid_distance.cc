@@ -22,8 +22,8 @@ namespace
     const std::vector<float> before = values;
     for (std::size_t i = 0; i < values.size(); ++i)
     {
-      const std::size_t place = i / stride % n;
-      if (place > 0 && place + 1 < n)
+      const std::size_t location = i / stride % n;
+      if (location > 0 && location + 1 < n)
         values[i] = 0.25F * before[i - stride] + 0.5F * before[i] +
                     0.25F * before[i + stride];
     }
@@ -86,15 +86,15 @@ void GridDistance::limit_slope()
     for (std::size_t y = 0; y < size_[1]; ++y)
       for (std::size_t x = 0; x < size_[0]; ++x, ++i)
       {
-        const std::array<std::size_t, 3> place{{x, y, z}};
+        const std::array<std::size_t, 3> location{{x, y, z}};
         double square = 0.;
         std::size_t stride = 1;
         for (unsigned int d = 0; d < 3; ++d)
         {
           double steepest = 0.;
-          if (place[d] > 0)
+          if (location[d] > 0)
             steepest = std::abs(values_[i] - values_[i - stride]);
-          if (place[d] + 1 < size_[d])
+          if (location[d] + 1 < size_[d])
             steepest = std::max<double>(
               steepest, std::abs(values_[i + stride] - values_[i]));
           square += std::pow(steepest / spacing_[d], 2);
@@ -107,45 +107,46 @@ void GridDistance::limit_slope()
     value *= factor;
 }
 
-GridDistance::Place GridDistance::locate(const Point<3> &point) const
+GridDistance::GridLocation GridDistance::locate(const Point<3> &point) const
 {
   const Tensor<1, 3> offset = transpose(rotation_) * (point - origin_);
-  Place place;
+  GridLocation location;
   for (unsigned int d = 0; d < 3; ++d)
   {
     const double last = (size_[d] - 1) * spacing_[d];
     const double inside = std::min(std::max(offset[d], 0.), last);
-    place.beyond[d] = offset[d] - inside;
+    location.beyond[d] = offset[d] - inside;
     const double index = inside / spacing_[d];
-    place.cell[d] =
+    location.cell[d] =
       std::min<std::size_t>(static_cast<std::size_t>(index), size_[d] - 2);
-    place.part[d] = index - place.cell[d];
+    location.fraction[d] = index - location.cell[d];
   }
-  return place;
+  return location;
 }
 
-double GridDistance::corner(const Place &place, const unsigned int c) const
+double GridDistance::corner(const GridLocation &location,
+                            const unsigned int c) const
 {
-  const std::size_t x = place.cell[0] + (c & 1);
-  const std::size_t y = place.cell[1] + ((c >> 1) & 1);
-  const std::size_t z = place.cell[2] + ((c >> 2) & 1);
+  const std::size_t x = location.cell[0] + (c & 1);
+  const std::size_t y = location.cell[1] + ((c >> 1) & 1);
+  const std::size_t z = location.cell[2] + ((c >> 2) & 1);
   return values_[x + size_[0] * (y + size_[1] * z)];
 }
 
-double GridDistance::interpolate(const Place &place) const
+double GridDistance::interpolate(const GridLocation &location) const
 {
   double sum = 0.;
   for (unsigned int c = 0; c < 8; ++c)
   {
     double weight = 1.;
     for (unsigned int d = 0; d < 3; ++d)
-      weight *= (c >> d) & 1 ? place.part[d] : 1. - place.part[d];
-    sum += weight * corner(place, c);
+      weight *= (c >> d) & 1 ? location.fraction[d] : 1. - location.fraction[d];
+    sum += weight * corner(location, c);
   }
   return sum;
 }
 
-Tensor<1, 3> GridDistance::slope(const Place &place) const
+Tensor<1, 3> GridDistance::slope(const GridLocation &location) const
 {
   Tensor<1, 3> sum;
   for (unsigned int c = 0; c < 8; ++c)
@@ -154,17 +155,18 @@ Tensor<1, 3> GridDistance::slope(const Place &place) const
       double weight = ((c >> along) & 1 ? 1. : -1.) / spacing_[along];
       for (unsigned int d = 0; d < 3; ++d)
         if (d != along)
-          weight *= (c >> d) & 1 ? place.part[d] : 1. - place.part[d];
-      sum[along] += weight * corner(place, c);
+          weight *=
+            (c >> d) & 1 ? location.fraction[d] : 1. - location.fraction[d];
+      sum[along] += weight * corner(location, c);
     }
   return sum;
 }
 
 double GridDistance::value(const Point<3> &point) const
 {
-  const Place place = locate(point);
-  const double inner = interpolate(place);
-  const double beyond = place.beyond.norm();
+  const GridLocation location = locate(point);
+  const double inner = interpolate(location);
+  const double beyond = location.beyond.norm();
   // The body lies in the convex grid, so the two legs enclose an angle of at
   // least 90 degrees.
   return beyond > 0. ? std::hypot(inner, beyond) : inner;
@@ -172,18 +174,18 @@ double GridDistance::value(const Point<3> &point) const
 
 Tensor<1, 3> GridDistance::gradient(const Point<3> &point) const
 {
-  const Place place = locate(point);
-  const double beyond = place.beyond.norm();
-  Tensor<1, 3> inner = slope(place);
+  const GridLocation location = locate(point);
+  const double beyond = location.beyond.norm();
+  Tensor<1, 3> inner = slope(location);
   if (beyond == 0.)
     return rotation_ * inner;
   // Beyond a side of the grid, only the outer leg varies normal to it.
   for (unsigned int d = 0; d < 3; ++d)
-    if (place.beyond[d] != 0.)
+    if (location.beyond[d] != 0.)
       inner[d] = 0.;
-  const double value = interpolate(place);
+  const double value = interpolate(location);
   return rotation_ *
-         ((value * inner + place.beyond) / std::hypot(value, beyond));
+         ((value * inner + location.beyond) / std::hypot(value, beyond));
 }
 
 dealii::BoundingBox<3> GridDistance::bounding_box() const

@@ -188,12 +188,12 @@ Sweep::Sweep(const std::vector<Node> &nodes)
   for (const Node &node : nodes)
     box_.merge_with(box_around(node.center, same_in_all(node.radius)));
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
-    pieces_.push_back(make_piece(nodes[i], nodes[i + 1]));
-  if (pieces_.empty())
-    pieces_.push_back(make_piece(nodes.front(), nodes.front()));
+    segments_.push_back(make_segment(nodes[i], nodes[i + 1]));
+  if (segments_.empty())
+    segments_.push_back(make_segment(nodes.front(), nodes.front()));
 }
 
-Sweep::Piece Sweep::make_piece(const Node &a, const Node &b)
+Sweep::Segment Sweep::make_segment(const Node &a, const Node &b)
 {
   const double length = a.center.distance(b.center);
   // One ball may contain the other.
@@ -218,45 +218,47 @@ Sweep::Piece Sweep::make_piece(const Node &a, const Node &b)
           std::sqrt(1. - sine * sine)};
 }
 
-double
-Sweep::distance_to(const Piece &piece, const Point<3> &point, double &place)
+double Sweep::distance_to(const Segment &segment,
+                          const Point<3> &point,
+                          double &on_axis)
 {
-  const Tensor<1, 3> offset = point - piece.begin;
-  const double along = offset * piece.axis;
+  const Tensor<1, 3> offset = point - segment.begin;
+  const double along = offset * segment.axis;
   const double aside =
     std::sqrt(std::max(0., offset.norm_square() - along * along));
   // Project along the normal of the lateral surface onto the axis.
-  place = along - (piece.cosine > 0. ? aside * piece.sine / piece.cosine : 0.);
-  if (piece.length == 0.)
-    place = 0.;
-  place = std::min(std::max(place, 0.), piece.length);
-  const double part = piece.length > 0. ? place / piece.length : 0.;
+  on_axis =
+    along - (segment.cosine > 0. ? aside * segment.sine / segment.cosine : 0.);
+  if (segment.length == 0.)
+    on_axis = 0.;
+  on_axis = std::min(std::max(on_axis, 0.), segment.length);
+  const double fraction = segment.length > 0. ? on_axis / segment.length : 0.;
   const double radius =
-    (1. - part) * piece.radius_begin + part * piece.radius_end;
-  return std::hypot(along - place, aside) - radius;
+    (1. - fraction) * segment.radius_begin + fraction * segment.radius_end;
+  return std::hypot(along - on_axis, aside) - radius;
 }
 
 double Sweep::value(const Point<3> &point) const
 {
-  double least = std::numeric_limits<double>::max();
-  double place = 0.;
-  for (const Piece &piece : pieces_)
-    least = std::min(least, distance_to(piece, point, place));
-  return least;
+  double nearest = std::numeric_limits<double>::max();
+  double on_axis = 0.;
+  for (const Segment &segment : segments_)
+    nearest = std::min(nearest, distance_to(segment, point, on_axis));
+  return nearest;
 }
 
 Tensor<1, 3> Sweep::gradient(const Point<3> &point) const
 {
-  double least = std::numeric_limits<double>::max();
+  double nearest = std::numeric_limits<double>::max();
   Tensor<1, 3> result;
-  for (const Piece &piece : pieces_)
+  for (const Segment &segment : segments_)
   {
-    double place = 0.;
-    const double here = distance_to(piece, point, place);
-    if (here < least)
+    double on_axis = 0.;
+    const double here = distance_to(segment, point, on_axis);
+    if (here < nearest)
     {
-      least = here;
-      result = direction(point - (piece.begin + place * piece.axis));
+      nearest = here;
+      result = direction(point - (segment.begin + on_axis * segment.axis));
     }
   }
   return result;

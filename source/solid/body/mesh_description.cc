@@ -249,7 +249,7 @@ double MeshDescription::estimate_elements() const
     make_grid(box, std::max(element_size_, std::cbrt(box.volume() / 3e5)));
   body->fill(grid);
   const auto n_empty =
-    std::count(grid.labels.begin(), grid.labels.end(), LabelGrid::nothing);
+    std::count(grid.labels.begin(), grid.labels.end(), LabelGrid::outside);
   return grid.volume() / std::pow(element_size_, 3) *
          static_cast<double>(grid.labels.size() - n_empty);
 }

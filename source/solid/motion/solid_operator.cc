@@ -178,24 +178,24 @@ void SolidOperator<Real>::add_range(const Range &range,
                                     const HexModel<Lane> &model,
                                     TissueEnergies &losses)
 {
-  add_batches<viscoelastic>(range,
-                            nodes,
-                            model,
-                            losses,
-                            [&](const HexModel<Lane> &model_now,
-                                const unsigned int batch,
-                                const HexVectors<Lane> &x,
-                                const HexVectors<Lane> &u,
-                                HexState<Lane> &state,
-                                HexHeat<Lane> &heat) {
-                              const auto velocities = [&]() {
-                                return corner_velocities(
-                                  nodes.velocity.data(),
-                                  batches_.offsets(batch, 0));
-                              };
-                              return one_point_forces<kinematics, viscoelastic>(
-                                model_now, x, u, velocities, state, heat);
-                            });
+  add_batches<viscoelastic>(
+    range,
+    nodes,
+    model,
+    losses,
+    [&](const HexModel<Lane> &model_now,
+        const unsigned int batch,
+        const HexVectors<Lane> &x,
+        const HexVectors<Lane> &u,
+        HexState<Lane> &state,
+        HexDissipation<Lane> &dissipation) {
+      const auto velocities = [&]() {
+        return corner_velocities(nodes.velocity.data(),
+                                 batches_.offsets(batch, 0));
+      };
+      return one_point_forces<kinematics, viscoelastic>(
+        model_now, x, u, velocities, state, dissipation);
+    });
 }
 
 

@@ -24,13 +24,13 @@ void SolidOperator<Real>::add_full_range(const Range &range,
         const HexVectors<Lane> &x,
         const HexVectors<Lane> &u,
         HexState<Lane> &state,
-        HexHeat<Lane> &heat) {
+        HexDissipation<Lane> &dissipation) {
       std::array<Symmetric3<Lane>, 8> relaxed;
       if constexpr (viscoelastic)
         for (unsigned int k = 0; k < 48; ++k)
           relaxed[k / 6][k % 6] = batches_.relaxed_of(range, batch)[k];
       const HexVectors<Lane> forces = full_forces<kinematics, viscoelastic>(
-        model_now, x, u, state, relaxed, heat);
+        model_now, x, u, state, relaxed, dissipation);
       if constexpr (viscoelastic)
         for (unsigned int k = 0; k < 48; ++k)
           batches_.relaxed_of(range, batch)[k] = relaxed[k / 6][k % 6];

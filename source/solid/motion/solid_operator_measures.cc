@@ -68,7 +68,7 @@ namespace
     for (unsigned int k = 0; k < 6; ++k)
     {
       stretch[k] = strain.total[k] - relaxed[k];
-      rate[k] = strain.measure[k] - relaxed[k];
+      rate[k] = strain.shear_measure[k] - relaxed[k];
     }
     const double part =
       times.relax_after / (times.relax_before + times.relax_after);
@@ -89,7 +89,7 @@ namespace
     Number loss{};
     if (stored != nullptr)
     {
-      relaxed = relaxed_now(stored, strain.measure, law.decay_after);
+      relaxed = relaxed_now(stored, strain.shear_measure, law.decay_after);
       loss = half_step_loss(law, strain, relaxed, times);
     }
     return {stored_energy<kinematics>(law, strain, relaxed), loss};
@@ -104,10 +104,10 @@ namespace
     const auto strain = solid_strain<kinematics>(h, cofactor(h));
     Symmetric3<Number> shear, relaxed{};
     if (stored != nullptr)
-      relaxed = relaxed_now(stored, strain.measure, law.decay_after);
+      relaxed = relaxed_now(stored, strain.shear_measure, law.decay_after);
     for (unsigned int k = 0; k < 6; ++k)
       shear[k] =
-        law.twice_shear * strain.measure[k] -
+        law.twice_shear * strain.shear_measure[k] -
         (stored == nullptr ? Number() : law.twice_relaxing * relaxed[k]);
     return shear;
   }

@@ -88,21 +88,21 @@ using BodyPointer = std::shared_ptr<const Body>;
 class ShapeBody : public Body
 {
 public:
-  struct Piece
+  struct PartShape
   {
     BodyPart part;
     ShapePointer shape;
   };
 
   /// @param pieces fewer than LabelGrid::nothing
-  ShapeBody(ShapePointer surface, const std::vector<Piece> &pieces);
+  ShapeBody(ShapePointer surface, const std::vector<PartShape> &part_shapes);
   BodyPointer placed(const Placement &placement) const override;
   ShapePointer surface() const override;
   unsigned char part_at(const dealii::Point<3> &point) const override;
   void fill(LabelGrid &grid) const override;
 
   /// The pieces given to the constructor.
-  std::vector<Piece> pieces() const;
+  std::vector<PartShape> part_shapes() const;
 
 private:
   struct Block;

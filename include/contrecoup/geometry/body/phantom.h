@@ -85,7 +85,7 @@ namespace phantom
   };
 
   /// A node of a rod: position in the 50th percentile, and radius [m].
-  struct Stop
+  struct RodNode
   {
     double x, y, z, radius;
   };
@@ -101,7 +101,7 @@ namespace phantom
    */
   ShapePointer make_rod(const Frame &frame,
                         double side,
-                        const std::vector<Stop> &stops,
+                        const std::vector<RodNode> &rod_nodes,
                         double thickness,
                         unsigned int n_between);
 
@@ -110,13 +110,13 @@ namespace phantom
 
   /// Creates the bones: skull, spine, ribs, shoulders, arm bones, pelvis, leg
   /// bones. Brain, cord and fluid are not cut out.
-  std::vector<ShapeBody::Piece> make_skeleton(const Frame &frame);
+  std::vector<ShapeBody::PartShape> make_skeleton(const Frame &frame);
 
   /// Creates brain, spinal cord and cerebrospinal fluid.
-  std::vector<ShapeBody::Piece> make_nerves(const Frame &frame);
+  std::vector<ShapeBody::PartShape> make_nerves(const Frame &frame);
 
   /// Creates heart, liver and lungs.
-  std::vector<ShapeBody::Piece> make_organs(const Frame &frame);
+  std::vector<ShapeBody::PartShape> make_organs(const Frame &frame);
 
   /// Finds the points of the skin at which blast loads are usually reported:
   /// forehead, vertex, occiput, throat, chest (breast bone), abdomen, back,

@@ -13,7 +13,7 @@
 namespace contrecoup
 {
 /// A body of one tissue with a triangulated surface from a file; optionally
-/// with the organs of the phantom, see borrow_organs().
+/// with the organs of the phantom, see insert_organs().
 class SurfaceBody
 {
 public:

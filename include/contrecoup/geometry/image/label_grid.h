@@ -18,7 +18,7 @@ namespace contrecoup
 struct LabelGrid
 {
   /// Label of voxels outside of all parts.
-  static constexpr unsigned char nothing = 255;
+  static constexpr unsigned char outside = 255;
 
   dealii::Point<3> origin; ///< corner with the smallest coordinates [m]
   double spacing = 0.;     ///< edge length of a voxel [m]
@@ -38,7 +38,7 @@ struct LabelGrid
   }
 
   /// Label of a voxel; `nothing` outside of the grid.
-  unsigned char at_any(const int i, const int j, const int k) const;
+  unsigned char label_or_outside(const int i, const int j, const int k) const;
 
   /// Centre of a voxel [m].
   dealii::Point<3> center(const unsigned int i,

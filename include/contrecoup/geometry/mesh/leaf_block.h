@@ -27,21 +27,21 @@ struct LeafBlock
 
 /**
  * Sums a value over the leaves of a block by recursive bisection. If @p
- * is_even(block) is true, each leaf of the block has the value @p of_each;
+ * is_uniform(block) is true, each leaf of the block has the value @p of_each;
  * otherwise the block is halved along its longest edge. A single leaf has the
  * value @p of_one(block).
  *
  * For a surface in n^3 leaves this takes about n^2 evaluations.
  */
-template <int dim, typename IsEven, typename OfOne>
+template <int dim, typename IsUniform, typename OfOne>
 double sum_over_leaves(const LeafBlock<dim> &block,
-                       const IsEven &is_even,
+                       const IsUniform &is_uniform,
                        const double of_each,
                        const OfOne &of_one)
 {
   if (block.n_leaves() == 1.)
     return of_one(block);
-  if (is_even(block))
+  if (is_uniform(block))
     return of_each * block.n_leaves();
   unsigned int longest = 0;
   for (unsigned int d = 1; d < dim; ++d)
@@ -51,7 +51,7 @@ double sum_over_leaves(const LeafBlock<dim> &block,
   LeafBlock<dim> first = block, second = block;
   first.end[longest] = second.begin[longest] =
     block.begin[longest] + (block.end[longest] - block.begin[longest]) / 2;
-  return sum_over_leaves<dim>(first, is_even, of_each, of_one) +
-         sum_over_leaves<dim>(second, is_even, of_each, of_one);
+  return sum_over_leaves<dim>(first, is_uniform, of_each, of_one) +
+         sum_over_leaves<dim>(second, is_uniform, of_each, of_one);
 }
 } // namespace contrecoup

@@ -34,20 +34,20 @@ public:
 
 private:
   /// A cell between eight voxel centres, and local coordinates in the cell.
-  struct Place
+  struct GridLocation
   {
     std::array<std::size_t, 3> cell;
-    std::array<double, 3> part; ///< local coordinates, 0 to 1
+    std::array<double, 3> fraction; ///< local coordinates, 0 to 1
     /// from the grid to an outside point, in grid axes [m]
     dealii::Tensor<1, 3> beyond;
   };
 
   void smooth(const VoxelMask &padded);
   void limit_slope();
-  Place locate(const dealii::Point<3> &point) const;
-  double interpolate(const Place &place) const;
-  dealii::Tensor<1, 3> slope(const Place &place) const;
-  double corner(const Place &place, unsigned int c) const;
+  GridLocation locate(const dealii::Point<3> &point) const;
+  double interpolate(const GridLocation &location) const;
+  dealii::Tensor<1, 3> slope(const GridLocation &location) const;
+  double corner(const GridLocation &location, unsigned int c) const;
 
   std::array<unsigned int, 3> size_;
   std::array<double, 3> spacing_;

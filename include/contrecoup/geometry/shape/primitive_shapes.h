@@ -109,7 +109,7 @@ public:
 
 private:
   /// The convex hull of two balls, with precomputed geometry.
-  struct Piece
+  struct Segment
   {
     dealii::Point<3> begin;
     dealii::Tensor<1, 3> axis; ///< unit vector
@@ -120,13 +120,14 @@ private:
     double cosine; ///< of the same angle
   };
 
-  static Piece make_piece(const Node &a, const Node &b);
+  static Segment make_segment(const Node &a, const Node &b);
   /// Signed distance to a segment. @param place result: point on the axis
   /// whose ball is nearest
-  static double
-  distance_to(const Piece &piece, const dealii::Point<3> &point, double &place);
+  static double distance_to(const Segment &segment,
+                            const dealii::Point<3> &point,
+                            double &on_axis);
 
-  std::vector<Piece> pieces_;
+  std::vector<Segment> segments_;
   dealii::BoundingBox<3> box_;
 };
 

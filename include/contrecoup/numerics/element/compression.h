@@ -13,10 +13,10 @@ namespace contrecoup
 template <typename Number>
 struct Compression
 {
-  Matrix3<Number> rate; ///< symmetric [1/s]
-  Number least;         ///< smallest eigenvalue of `rate` [1/s]
-  Number size;          ///< Frobenius norm of `rate` [1/s]
-  /// Projector on the eigenspace of `least`, with unit trace.
+  Matrix3<Number> rate;       ///< symmetric [1/s]
+  Number smallest_eigenvalue; ///< smallest eigenvalue of `rate` [1/s]
+  Number norm;                ///< Frobenius norm of `rate` [1/s]
+  /// Projector on the eigenspace of `smallest_eigenvalue`, with unit trace.
   Matrix3<Number> direction;
 };
 
@@ -56,8 +56,8 @@ find_compression(const Matrix3<Number> &gradient)
     d -= (d * d * (Number(6.) + Number(4.) * d) - right) /
          (Number(12.) * d * (Number(1.) + d) + tiny);
   const Number f = Number(-0.5) - d;
-  result.least = mean + Number(2.) * size * f;
-  result.size = sqrt(Number(3.) * mean * mean + Number(6.) * square);
+  result.smallest_eigenvalue = mean + Number(2.) * size * f;
+  result.norm = sqrt(Number(3.) * mean * mean + Number(6.) * square);
 
   // Regularise the case of three equal eigenvalues.
   const Number all = Number(1e-12) * square + tiny;
@@ -69,7 +69,7 @@ find_compression(const Matrix3<Number> &gradient)
     for (unsigned int i = 0; i < 3; ++i)
       result.direction[i][i] += Number(1. / 3.) * all;
   };
-  find_direction(result.least);
+  find_direction(result.smallest_eigenvalue);
   // A double root is accurate to half of the digits only; between the two
   // roots the formula gives no projector, slightly below both it does.
   const auto &found = result.direction;
@@ -77,10 +77,11 @@ find_compression(const Matrix3<Number> &gradient)
   Number norm_square{};
   for (const auto &row : found)
     norm_square += dot(row, row);
-  find_direction(result.least - select_less(Number(1. + 1e-6) * trace * trace,
-                                            norm_square,
-                                            Number(1e-6) * result.size,
-                                            Number()));
+  find_direction(result.smallest_eigenvalue -
+                 select_less(Number(1. + 1e-6) * trace * trace,
+                             norm_square,
+                             Number(1e-6) * result.norm,
+                             Number()));
   const Number scale =
     Number(1.) /
     (result.direction[0][0] + result.direction[1][1] + result.direction[2][2]);

@@ -81,12 +81,12 @@ viscous_stress(const FluidViscosity &coefficients,
     edge_square += dot(edges[i], edges[i]);
   const Number length =
     determinant / sqrt(max(square, determinant * determinant / edge_square));
-  const Number rate = Number() - compression.least;
+  const Number rate = Number() - compression.smallest_eigenvalue;
   // Phase the viscosity in, since round-off of eigenvalue or velocities in
   // matter at rest must not count as compression.
   const Number part =
     min(Number(1.),
-        rate / (Number(0.01) * compression.size +
+        rate / (Number(0.01) * compression.norm +
                 Number(1e-8) * sound_speed / length + Number(1e-200)));
   const Number mu = part * density * length *
                     (rate * length * coefficients.quadratic +
@@ -120,7 +120,7 @@ fluid_forces(const Law &law,
   using std::sqrt;
   const HexVectors<Number> x = to_modes(x_corners), v = to_modes(v_corners);
   HexGeometry<Number> g = hex_geometry(x);
-  wedge.keep_lengths(g);
+  wedge.restrict_lengths(g);
   const Matrix3<Number> gradient = mean_gradient(g, v);
   const Number density = element.mass * g.inverse_volume;
   Number square;
@@ -137,7 +137,7 @@ fluid_forces(const Law &law,
     stress[i][i] -= element.pressure;
 
   std::array<Vector3<Number>, 4> damping = hourglass_modes(g, v, gradient);
-  wedge.keep_modes(damping);
+  wedge.restrict_modes(damping);
   const Number damper =
     density * sound_speed * g.damping_area() * (coefficients.hourglass / 8.);
   for (auto &mode : damping)

@@ -131,7 +131,7 @@ full_forces(const HexModel<Number> &model,
             const HexVectors<Number> &u_corners,
             HexState<Number> &state,
             std::array<Symmetric3<Number>, 8> &relaxed,
-            HexHeat<Number> &heat)
+            HexDissipation<Number> &dissipation)
 {
   const HexVectors<Number> x = to_modes(x_corners), u = to_modes(u_corners);
   const HexGeometry<Number> g = hex_geometry(x);
@@ -141,8 +141,8 @@ full_forces(const HexModel<Number> &model,
                                      mean_gradient(g, u),
                                      g.wave_length(),
                                      state,
-                                     heat);
-  heat.bulk_viscosity *= g.volume;
+                                     dissipation);
+  dissipation.bulk_viscosity *= g.volume;
   HexVectors<Number> force = mode_forces(g, pressure, {});
   for (unsigned int i = 0; i < 8; ++i)
   {
@@ -155,7 +155,7 @@ full_forces(const HexModel<Number> &model,
     Number loss{};
     const Symmetric3<Number> shear =
       update_shear<viscoelastic>(model.law, strain, relaxed[i], loss);
-    heat.relaxation += point.volume * loss;
+    dissipation.relaxation += point.volume * loss;
     const Matrix3<Number> stress =
       piola_stress<kinematics>(point.h, cofactors, Number(), shear);
     Matrix3<Number> reference;

@@ -75,7 +75,7 @@ hourglass_resistance(const MovingSolidModel<Number> &model,
   for (unsigned int m = 0; m < 4; ++m)
     for (unsigned int i = 0; i < 3; ++i)
       force[m][i] = spring * of_displacement[m][i] + damper * of_velocity[m][i];
-  model.wedge.keep_modes(force);
+  model.wedge.restrict_modes(force);
   return force;
 }
 
@@ -100,7 +100,7 @@ moving_solid_forces(const MovingSolidModel<Number> &model,
       displacement[i][d] = x_corners[i][d] - undeformed[i][d];
   const HexVectors<Number> u = to_modes(displacement), v = to_modes(v_corners);
   HexGeometry<Number> g = hex_geometry(to_modes(undeformed));
-  model.wedge.keep_lengths(g);
+  model.wedge.restrict_lengths(g);
   const Matrix3<Number> h = mean_gradient(g, u), rate = mean_gradient(g, v);
   Matrix3<Number> cofactors{};
   if constexpr (kinematics != SolidKinematics::small_strain)

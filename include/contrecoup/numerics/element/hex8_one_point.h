@@ -94,7 +94,7 @@ hourglass_modes(const HexGeometry<Number> &g,
 /// Energy dissipated in a step; per volume from update_stress(), total from
 /// one_point_forces() [J].
 template <typename Number>
-struct HexHeat
+struct HexDissipation
 {
   Number bulk_viscosity{};
   Number relaxation{};
@@ -112,25 +112,25 @@ inline DEAL_II_ALWAYS_INLINE Symmetric3<Number>
 update_shear(const SolidLaw<Number> &law,
              const SolidStrain<Number> &strain,
              Symmetric3<Number> &relaxed,
-             Number &heat)
+             Number &dissipation)
 {
   Symmetric3<Number> shear;
   for (unsigned int k = 0; k < 6; ++k)
-    shear[k] = law.twice_shear * strain.measure[k];
+    shear[k] = law.twice_shear * strain.shear_measure[k];
   if constexpr (viscoelastic)
   {
     const Symmetric3<Number> now =
-      relax(relaxed, strain.measure, law.decay_before);
+      relax(relaxed, strain.shear_measure, law.decay_before);
     Symmetric3<Number> stretch, rate;
     for (unsigned int k = 0; k < 6; ++k)
     {
       shear[k] -= law.twice_relaxing * now[k];
       stretch[k] = strain.total[k] - now[k];
-      rate[k] = strain.measure[k] - now[k];
+      rate[k] = strain.shear_measure[k] - now[k];
     }
-    heat =
+    dissipation =
       law.twice_relaxing * law.dissipation_per_strain * contract(stretch, rate);
-    relaxed = relax(now, strain.measure, law.decay_after);
+    relaxed = relax(now, strain.shear_measure, law.decay_after);
   }
   return shear;
 }
@@ -146,7 +146,7 @@ update_stress(const SolidLaw<Number> &law,
               const Matrix3<Number> &h,
               const Number &length,
               HexState<Number> &state,
-              HexHeat<Number> &heat)
+              HexDissipation<Number> &dissipation)
 {
   Matrix3<Number> cofactors{};
   if constexpr (kinematics != SolidKinematics::small_strain)
@@ -154,12 +154,13 @@ update_stress(const SolidLaw<Number> &law,
   const SolidStrain<Number> strain = solid_strain<kinematics>(h, cofactors);
   const Number change = strain.dilatation - state.dilatation;
   const Number q = viscosity.pressure(change, length);
-  heat.bulk_viscosity = Number(-0.5) * change * (q + state.viscous_pressure);
+  dissipation.bulk_viscosity =
+    Number(-0.5) * change * (q + state.viscous_pressure);
   state.dilatation = strain.dilatation;
   state.viscous_pressure = q;
 
-  const Symmetric3<Number> shear =
-    update_shear<viscoelastic>(law, strain, state.relaxed, heat.relaxation);
+  const Symmetric3<Number> shear = update_shear<viscoelastic>(
+    law, strain, state.relaxed, dissipation.relaxation);
   return piola_stress<kinematics>(
     h, cofactors, law.bulk * strain.dilatation - q, shear);
 }
@@ -192,16 +193,16 @@ one_point_forces(const HexModel<Number> &model,
                  const HexVectors<Number> &u_corners,
                  const Velocities &velocities,
                  HexState<Number> &state,
-                 HexHeat<Number> &heat)
+                 HexDissipation<Number> &dissipation)
 {
   const HexVectors<Number> x = to_modes(x_corners), u = to_modes(u_corners);
   const HexGeometry<Number> g = hex_geometry(x);
   const Matrix3<Number> h = mean_gradient(g, u);
   Matrix3<Number> stress = update_stress<kinematics, viscoelastic>(
-    model.law, model.viscosity, h, g.wave_length(), state, heat);
-  heat.bulk_viscosity *= g.volume;
+    model.law, model.viscosity, h, g.wave_length(), state, dissipation);
+  dissipation.bulk_viscosity *= g.volume;
   if constexpr (viscoelastic)
-    heat.relaxation *= g.volume;
+    dissipation.relaxation *= g.volume;
 
   const std::array<Vector3<Number>, 4> q = hourglass_modes(g, u, h);
   std::array<Vector3<Number>, 4> resistance;
@@ -225,11 +226,12 @@ one_point_forces(const HexModel<Number> &model,
   if (control.has_damper())
   {
     const HexVectors<Number> v = to_modes(velocities());
-    heat.hourglass = add_damping(control.viscosity * g.damping_area(),
-                                 hourglass_modes(g, v, mean_gradient(g, v)),
-                                 Number(0.5) * model.step,
-                                 state.damping,
-                                 resistance);
+    dissipation.hourglass =
+      add_damping(control.viscosity * g.damping_area(),
+                  hourglass_modes(g, v, mean_gradient(g, v)),
+                  Number(0.5) * model.step,
+                  state.damping,
+                  resistance);
   }
   return to_corners(mode_forces(g, stress, resistance));
 }

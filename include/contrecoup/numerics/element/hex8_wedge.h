@@ -36,7 +36,7 @@ struct HexWedge
   /// Keeps only the hourglass mode within the meridional section; the others
   /// represent rotations of the section.
   template <typename Number>
-  void keep_modes(std::array<Vector3<Number>, 4> &modes) const
+  void restrict_modes(std::array<Vector3<Number>, 4> &modes) const
   {
     if (active())
       modes[0] = modes[2] = modes[3] =
@@ -45,7 +45,7 @@ struct HexWedge
 
   /// Computes lengths from motion along the sides, excluding the width.
   template <typename Number>
-  void keep_lengths(HexGeometry<Number> &g) const
+  void restrict_lengths(HexGeometry<Number> &g) const
   {
     if (!active())
       return;

@@ -23,12 +23,13 @@ struct SplineWeightsOf
 using SplineWeights = SplineWeightsOf<double>;
 
 /// spline_shift() is added to position / cell size before rounding down;
-/// spline_lead() is the number of nodes from the first spline to the result.
+/// first_node_offset() is the number of nodes from the first spline to the
+/// result.
 constexpr double spline_shift(const unsigned int degree)
 {
   return degree == 2 ? 0.5 : 0.;
 }
-constexpr int spline_lead(const unsigned int degree)
+constexpr int first_node_offset(const unsigned int degree)
 {
   return degree == 1 ? 0 : 1;
 }
@@ -79,7 +80,7 @@ inline SplineWeights spline_weights(const double place)
 {
   const double node = std::floor(place + spline_shift(degree));
   SplineWeights w = spline_weights_at<degree>(place - node);
-  w.first = static_cast<int>(node) - spline_lead(degree);
+  w.first = static_cast<int>(node) - first_node_offset(degree);
   return w;
 }
 

@@ -42,7 +42,7 @@ namespace internal
   inline DEAL_II_ALWAYS_INLINE FaceFlux<dim, Number>
   blended_flux(const FaceState<dim, Number> &left,
                const FaceState<dim, Number> &right,
-               const Number &lean,
+               const Number &bias,
                const Number &viscosity)
   {
     const FaceFlux<dim, Number> a = euler_flux(left);
@@ -51,7 +51,7 @@ namespace internal
     const auto blend =
       [&](const Number &flux_a, const Number &flux_b, const Number &jump) {
         return (flux_a + flux_b) * 0.5 +
-               (lean * (flux_a - flux_b) + viscosity * jump);
+               (bias * (flux_a - flux_b) + viscosity * jump);
       };
     FaceFlux<dim, Number> flux;
     flux.mass = blend(a.mass, b.mass, left.density - right.density);

@@ -46,16 +46,17 @@ gradient_limiter_factor(const GradientLimiter limiter,
 {
   const Number zero(0.), one(1.), tiny(std::numeric_limits<float>::min());
   // Room and change along the increment, both positive.
-  const Number room =
+  const Number allowed_change =
     select_less(increment, zero, Number(-room_below), room_above);
   const Number change = std::abs(increment);
   if (limiter == GradientLimiter::barth_jespersen)
-    return std::min(room, change) / std::max(change, tiny) +
+    return std::min(allowed_change, change) / std::max(change, tiny) +
            select_less(change, tiny, one, zero);
 
-  const Number common = room * room + plateau;
-  return std::min(one,
-                  Number((common + change * room * 2. + tiny) /
-                         (common + change * (change * 2. + room) + tiny)));
+  const Number common = allowed_change * allowed_change + plateau;
+  return std::min(
+    one,
+    Number((common + change * allowed_change * 2. + tiny) /
+           (common + change * (change * 2. + allowed_change) + tiny)));
 }
 } // namespace contrecoup

@@ -71,9 +71,9 @@ namespace internal
   /// - u)^2 / 2 + p (s - u) / (rho (S - u))) is positive.
   template <int dim, typename Number>
   inline DEAL_II_ALWAYS_INLINE Number
-  middle_state_soundness(const FaceState<dim, Number> &state,
-                         const Number &contact,
-                         const Number &reach)
+  middle_state_admissibility(const FaceState<dim, Number> &state,
+                             const Number &contact,
+                             const Number &reach)
   {
     const Number change = contact - state.velocity[0];
     Number square = change * change;
@@ -133,7 +133,7 @@ namespace internal
     flux.products = flux.mass * side.products;
 
     const Number soundness =
-      middle_state_soundness(side, contact, Number(bow - normal));
+      middle_state_admissibility(side, contact, Number(bow - normal));
     if (!all_greater(soundness, zero))
     {
       const FaceFlux<dim, Number> hllc = flux;
@@ -143,13 +143,13 @@ namespace internal
     return flux;
   }
 
-  /// flux + (1 - share) (other - flux); exact if both are equal or share is 1.
+  /// flux + (1 - weight) (other - flux); exact if both are equal or weight is 1.
   template <int dim, typename Number>
-  inline DEAL_II_ALWAYS_INLINE void blend(const Number &share,
+  inline DEAL_II_ALWAYS_INLINE void blend(const Number &hllc_weight,
                                           const FaceFlux<dim, Number> &other,
                                           FaceFlux<dim, Number> &flux)
   {
-    const Number rest = Number(1.) - share;
+    const Number rest = Number(1.) - hllc_weight;
     flux.mass = flux.mass + rest * (other.mass - flux.mass);
     for (int d = 0; d < dim; ++d)
       flux.momentum[d] =

@@ -57,15 +57,15 @@ public:
     Number below = tiny;
     for (unsigned int i = 0; i + 1 < n; ++i)
       below += energy[i];
-    Number share = energy[n - 1] / (below + energy[n - 1]);
+    Number energy_fraction = energy[n - 1] / (below + energy[n - 1]);
     if (n > 2)
-      share = std::max(share, energy[n - 2] / below);
+      energy_fraction = std::max(energy_fraction, energy[n - 2] / below);
 
     const double sharpness = std::log((1. - 1e-4) / 1e-4);
     Number alpha =
       Number(1.) /
-      (Number(1.) +
-       exponential(Number((share - threshold_) * (-sharpness / threshold_))));
+      (Number(1.) + exponential(Number((energy_fraction - threshold_) *
+                                       (-sharpness / threshold_))));
     // Clip the tails of the transition.
     alpha = select_less(alpha, Number(1e-3), Number(0.), alpha);
     return select_less(Number(1. - 1e-3), alpha, Number(1.), alpha);

@@ -54,7 +54,7 @@ namespace internal
       const Number bounded = std::max(pressure, Number(stiffness * 0.125));
       const Number inverse =
         Number(1.) / std::max(Number(bounded * density), tiny);
-      steepness_ = (stiffness + bounded) * inverse * 0.5;
+      shock_coefficient_ = (stiffness + bounded) * inverse * 0.5;
       inverse_ = density * inverse;
     }
 
@@ -65,10 +65,11 @@ namespace internal
     {
       const Number zero(0.);
       const Number rise = behind - pressure_;
-      const Number argument = select_less(rise,
-                                          zero,
-                                          Number(rise * inverse_ + 1.),
-                                          Number(square_ + steepness_ * rise));
+      const Number argument =
+        select_less(rise,
+                    zero,
+                    Number(rise * inverse_ + 1.),
+                    Number(square_ + shock_coefficient_ * rise));
       const Number root = std::sqrt(std::max(argument, zero));
       return density_ *
              select_less(
@@ -79,13 +80,13 @@ namespace internal
     DEAL_II_ALWAYS_INLINE Number front_speed(const Number &behind) const
     {
       const Number rise = std::max(Number(behind - pressure_), Number(0.));
-      return std::sqrt(square_ + steepness_ * rise);
+      return std::sqrt(square_ + shock_coefficient_ * rise);
     }
 
   private:
     Number density_, pressure_, sound_speed_, square_;
-    Number steepness_; ///< G / rho
-    Number inverse_;   ///< 1 / p, bounded
+    Number shock_coefficient_; ///< G / rho
+    Number inverse_;           ///< 1 / p, bounded
   };
 
   /// Front speeds, relative to each gas, of the waves from a strong jump. The

@@ -53,7 +53,7 @@ void SolidOperator<Real>::add_batches(const Range &range,
   for (unsigned int first = range.begin; first < range.end;
        first += batches_at_once)
   {
-    HexHeat<Lane> sum;
+    HexDissipation<Lane> sum;
     const unsigned int last = std::min(first + batches_at_once, range.end);
     for (unsigned int batch = first; batch < last; ++batch)
     {
@@ -66,15 +66,15 @@ void SolidOperator<Real>::add_batches(const Range &range,
       load_corners(nodes.place.data(), offsets, x, u);
       HexState<Lane> state;
       batches_.template load_state<viscoelastic>(range, batch, state);
-      HexHeat<Lane> heat;
-      const HexVectors<Lane> forces =
-        find_forces(has_gas ? stiffened : model, batch, x, u, state, heat);
+      HexDissipation<Lane> dissipation;
+      const HexVectors<Lane> forces = find_forces(
+        has_gas ? stiffened : model, batch, x, u, state, dissipation);
       batches_.template store_state<viscoelastic>(range, batch, state);
       least = std::min(least, state.dilatation);
       subtract_forces(nodes.force.data(), offsets, forces);
-      sum.bulk_viscosity += heat.bulk_viscosity;
-      sum.relaxation += heat.relaxation;
-      sum.hourglass += heat.hourglass;
+      sum.bulk_viscosity += dissipation.bulk_viscosity;
+      sum.relaxation += dissipation.relaxation;
+      sum.hourglass += dissipation.hourglass;
     }
     losses.bulk_viscosity += sum_of<Real>(sum.bulk_viscosity);
     losses.relaxation += sum_of<Real>(sum.relaxation);

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/system/exceptions.h>
-#include <contrecoup/geometry/body/borrowed_organs.h>
+#include <contrecoup/geometry/body/inserted_organs.h>
 #include <contrecoup/geometry/body/phantom.h>
 #include <contrecoup/geometry/shape/composed_shapes.h>
 #include <contrecoup/geometry/shape/primitive_shapes.h>
@@ -32,7 +32,7 @@ std::map<std::string, double> volumes(const Body &body, const double spacing)
   LabelGrid grid = make_grid(body.surface()->bounding_box(), spacing);
   body.fill(grid);
   for (const unsigned char label : grid.labels)
-    if (label != LabelGrid::nothing)
+    if (label != LabelGrid::outside)
       result[body.parts()[label].name] += grid.volume();
   return result;
 }
@@ -45,15 +45,15 @@ ShapeBody filled(const ShapePointer &surface)
 } // namespace
 
 
-TEST(BorrowedOrgans, GrowWithThePersonAndStayInPlace)
+TEST(InsertedOrgans, GrowWithThePersonAndStayInPlace)
 {
   const BodyPointer man = make_man();
-  const auto giver = std::dynamic_pointer_cast<const ShapeBody>(man);
-  ASSERT_TRUE(giver);
+  const auto donor = std::dynamic_pointer_cast<const ShapeBody>(man);
+  ASSERT_TRUE(donor);
   const dealii::Tensor<1, 3> shift({2., -1., 0.});
   const auto larger = std::make_shared<PlacedShape>(
     man->surface(), Placement(1.1, dealii::Tensor<1, 3>(), shift));
-  const BodyPointer person = borrow_organs(filled(larger), *giver, 0.01);
+  const BodyPointer person = insert_organs(filled(larger), *donor, 0.01);
   const auto before = volumes(*man, 0.01), after = volumes(*person, 0.011);
   for (const std::string name : {"brain", "lungs", "liver", "pelvis"})
     EXPECT_NEAR(
@@ -69,12 +69,12 @@ TEST(BorrowedOrgans, GrowWithThePersonAndStayInPlace)
 }
 
 
-TEST(BorrowedOrgans, ThatDoNotFitAreRefused)
+TEST(InsertedOrgans, ThatDoNotFitAreRefused)
 {
-  const auto giver = std::dynamic_pointer_cast<const ShapeBody>(make_man());
+  const auto donor = std::dynamic_pointer_cast<const ShapeBody>(make_man());
   const auto ball = std::make_shared<Sphere>(Point<3>(0., 0., 1.), 0.9);
-  EXPECT_NO_THROW(borrow_organs(filled(ball), *giver, 1.));
+  EXPECT_NO_THROW(insert_organs(filled(ball), *donor, 1.));
   const auto needle =
     std::make_shared<Ellipsoid>(Point<3>(0., 0., 1.), Point<3>(0.1, 0.1, 0.9));
-  EXPECT_THROW(borrow_organs(filled(needle), *giver, 0.1), InputError);
+  EXPECT_THROW(insert_organs(filled(needle), *donor, 0.1), InputError);
 }

@@ -3,7 +3,7 @@
 
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
-#include <contrecoup/geometry/body/borrowed_organs.h>
+#include <contrecoup/geometry/body/inserted_organs.h>
 
 #include <random>
 
@@ -33,7 +33,7 @@ namespace
       for (unsigned int d = 0; d < 3; ++d)
         point[d] = box.lower_bound(d) + place(random) * box.side_length(d);
       const unsigned char part = organs.part_at(point);
-      if (part == LabelGrid::nothing || !is_organ(organs.parts()[part]))
+      if (part == LabelGrid::outside || !is_organ(organs.parts()[part]))
         continue;
       n_all += 1.;
       n_outside += surface.value(point) > 0. ? 1. : 0.;
@@ -43,17 +43,17 @@ namespace
 } // namespace
 
 
-BodyPointer borrow_organs(const Body &taker,
-                          const ShapeBody &giver,
+BodyPointer insert_organs(const Body &recipient,
+                          const ShapeBody &donor,
                           const double largest_loss)
 {
-  const ShapePointer skin = taker.surface();
+  const ShapePointer skin = recipient.surface();
   const auto box = skin->bounding_box();
-  const auto original = giver.surface()->bounding_box();
+  const auto original = donor.surface()->bounding_box();
   const double scale = box.side_length(2) / original.side_length(2);
   dealii::Tensor<1, 3> shift = box.center() - scale * original.center();
   const auto placed = std::dynamic_pointer_cast<const ShapeBody>(
-    giver.placed(Placement(scale, dealii::Tensor<1, 3>(), shift)));
+    donor.placed(Placement(scale, dealii::Tensor<1, 3>(), shift)));
   const double lost = part_outside(*placed, *skin);
   if (lost > largest_loss)
     throw InputError(
@@ -63,13 +63,13 @@ BodyPointer borrow_organs(const Body &taker,
       brief(100. * largest_loss, 3) +
       " %; does the person stand upright, face +x and reach from the soles to "
       "the vertex?");
-  std::vector<ShapeBody::Piece> pieces;
-  for (const ShapeBody::Piece &piece : placed->pieces())
-    if (is_organ(piece.part))
-      pieces.push_back(piece);
-  pieces.push_back({taker.parts()[0], skin});
-  const auto body = std::make_shared<ShapeBody>(skin, pieces);
-  auto remarks = taker.remarks();
+  std::vector<ShapeBody::PartShape> part_shapes;
+  for (const ShapeBody::PartShape &part_shape : placed->part_shapes())
+    if (is_organ(part_shape.part))
+      part_shapes.push_back(part_shape);
+  part_shapes.push_back({recipient.parts()[0], skin});
+  const auto body = std::make_shared<ShapeBody>(skin, part_shapes);
+  auto remarks = recipient.remarks();
   remarks.push_back("organs are those of the phantom, " + brief(scale) +
                     " times as large; they are not this person's. " +
                     brief(100. * lost, 2) +
