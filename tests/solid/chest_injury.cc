@@ -20,7 +20,7 @@ void follow_blast(ChestInjury &chest, const double start)
   for (unsigned int i = 0; i <= 4000; ++i)
   {
     const double s = i / 1000.;
-    chest.follow(
+    chest.record(
       start + s * duration, 200e3 * (1. - s) * std::exp(-s), 3. * s - s * s);
   }
 }
@@ -74,7 +74,7 @@ TEST(ChestInjury, GoesOnFromWhatItFollowed)
                  until_700(whole.pressures()),
                  until_700(whole.wall_velocities()));
   for (std::size_t i = 700; i < whole.times().size(); ++i)
-    second.follow(
+    second.record(
       whole.times()[i], whole.pressures()[i], whole.wall_velocities()[i]);
   EXPECT_EQ(values(second), values(whole));
 }

@@ -56,28 +56,29 @@ public:
       for (unsigned int d = 0; d < 3; ++d)
         body.nodes().velocity_of(i)[d] = 0.;
     }
-    follow(time);
+    record(time);
   }
 
   /// Follows the head at a time, undeformed, with this velocity and turning of
   /// the brain.
   void move(const double time,
             const Tensor<1, 3> &velocity,
-            const Tensor<1, 3> &turning)
+            const Tensor<1, 3> &angular_velocity)
   {
     const Point<3> middle(0.03, 0.02, 0.03);
     for (std::size_t i = 0; i < body.mesh().nodes.size(); ++i)
     {
       const Tensor<1, 3> all =
         velocity +
-        cross_product_3d(turning, Tensor<1, 3>(body.mesh().nodes[i] - middle));
+        cross_product_3d(angular_velocity,
+                         Tensor<1, 3>(body.mesh().nodes[i] - middle));
       for (unsigned int d = 0; d < 3; ++d)
       {
         body.nodes().displacement_of(i)[d] = 0.;
         body.nodes().velocity_of(i)[d] = all[d];
       }
     }
-    follow(time);
+    record(time);
   }
 
   std::map<std::string, double> measures() const
@@ -92,10 +93,10 @@ public:
   solid::InjuryReport<double> report;
 
 private:
-  void follow(const double time)
+  void record(const double time)
   {
     body.start(time);
-    report.follow(body);
+    report.record(body);
   }
 };
 

@@ -22,10 +22,10 @@ struct Part
       std::find(mesh.tissues.begin(), mesh.tissues.end(), Tissue::brain);
     average.reinit(
       mesh, exchange, static_cast<unsigned int>(brain - mesh.tissues.begin()));
-    for (const std::uint32_t cell : average.cells())
+    for (const std::uint32_t cell : average.elements())
     {
       Point<3> middle;
-      for (const std::uint32_t node : mesh.cells[cell])
+      for (const std::uint32_t node : mesh.elements[cell])
         middle += mesh.nodes[node] / 8.;
       middles.push_back(middle);
     }

@@ -35,7 +35,7 @@ void set_up(solid::SolidBody<Real> &body, const double speed)
     solid::Supports(),
     solid::SurfaceLoads(),
     MPI_COMM_WORLD);
-  body.certify_step();
+  body.find_stable_step();
   for (std::size_t i = 0; i < body.mesh().nodes.size(); ++i)
     body.nodes().velocity_of(i)[0] =
       Real(body.mesh().nodes[i][0] < 0.045 ? speed : -speed);
@@ -46,7 +46,7 @@ void set_up(solid::SolidBody<Real> &body, const double speed)
 template <typename Real>
 std::vector<double> state_of(const solid::SolidBody<Real> &body)
 {
-  std::vector<double> state{body.time(), body.balance().residual()};
+  std::vector<double> state{body.time(), body.energy_ledger().residual()};
   for (std::size_t i = 0; i < body.mesh().nodes.size(); ++i)
     for (unsigned int d = 0; d < 3; ++d)
     {

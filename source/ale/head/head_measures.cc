@@ -93,19 +93,19 @@ void HeadMeasures::reinit(const HexSpace &space,
   brain_ = find(regions, "Brain", brain_name_);
   skull_ = find(regions, "Skull", skull_name_);
   cells_.clear();
-  record_.pieces.clear();
+  record_.samples.clear();
   std::vector<solid::NodalAverage::Corners> corners;
   std::vector<double> volumes;
   for (std::uint32_t c = 0; c < space.n_own_cells(); ++c)
     if (space.region(c) == brain_)
     {
       cells_.push_back(c);
-      solid::BrainPiece piece;
-      piece.cell = space.cell_number(c);
-      piece.volume = lagrange.values(state, c).volume;
-      record_.pieces.push_back(piece);
+      solid::BrainSample sample;
+      sample.cell = space.cell_number(c);
+      sample.volume = lagrange.values(state, c).volume;
+      record_.samples.push_back(sample);
       corners.push_back(space.cell(c));
-      volumes.push_back(piece.volume);
+      volumes.push_back(sample.volume);
     }
   solid::NodalAverage::AddRanks add_ranks;
   if (dealii::Utilities::MPI::n_mpi_processes(space.communicator()) > 1)
@@ -141,19 +141,19 @@ void HeadMeasures::follow_brain(const LagrangeStep &lagrange,
                                 const double span)
 {
   std::vector<double> pressures;
-  for (std::size_t i = 0; i < record_.pieces.size(); ++i)
+  for (std::size_t i = 0; i < record_.samples.size(); ++i)
   {
     const CellValues values = lagrange.values(state, cells_[i]);
-    record_.pieces[i].peak_strain =
-      std::max(record_.pieces[i].peak_strain, values.principal_strain);
+    record_.samples[i].peak_strain =
+      std::max(record_.samples[i].peak_strain, values.principal_strain);
     pressures.push_back(values.pressure);
   }
-  solid::take_pressures(span,
-                        pressures,
-                        average_.average(pressures),
-                        averaged_,
-                        record_.pieces,
-                        record_.sums);
+  solid::record_pressures(span,
+                          pressures,
+                          average_.average(pressures),
+                          averaged_,
+                          record_.samples,
+                          record_.sums);
 }
 
 
@@ -178,14 +178,16 @@ void HeadMeasures::follow_motion(const HexSpace &space, const AleState &state)
   record_.speeds.emplace_back();
   for (unsigned int d = 0; d < 3; ++d)
     record_.speeds.back()[d] = motion.velocity()[d];
-  solid::raise_spin(record_.largest_spin, motion.turning());
+  solid::update_largest_angular_velocity(record_.largest_angular_velocity,
+                                         motion.angular_velocity());
 }
 
 
 std::vector<solid::InjuryMeasure>
 HeadMeasures::measures(const MPI_Comm communicator) const
 {
-  auto list = solid::brain_measures(record_.pieces, record_.sums, communicator);
+  auto list =
+    solid::brain_measures(record_.samples, record_.sums, communicator);
   if (!averaged_)
     for (solid::InjuryMeasure &measure : list)
       if (measure.value.unit == "Pa")
@@ -197,9 +199,9 @@ HeadMeasures::measures(const MPI_Comm communicator) const
                                             record_.speeds,
                                             "the mean motion of " + who +
                                               ", until the end of the run"));
-  list.push_back(solid::head_turning_measure(record_.largest_spin,
-                                             "the mean turning of " + who +
-                                               ", until the end of the run"));
+  list.push_back(solid::head_rotation_measure(record_.largest_angular_velocity,
+                                              "the mean turning of " + who +
+                                                ", until the end of the run"));
   return list;
 }
 

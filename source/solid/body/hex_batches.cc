@@ -27,12 +27,13 @@ void HexBatches<Real>::reinit(const SolidMesh &mesh,
   n_points_ = n_points;
   ranges_.clear();
   cells_.clear();
-  slots_.assign(mesh.cells.size(), spare);
+  slots_.assign(mesh.elements.size(), spare);
   unsigned int n_relaxed = 0, n_damping = 0;
-  for (std::uint32_t first = 0; first < mesh.cells.size();)
+  for (std::uint32_t first = 0; first < mesh.elements.size();)
   {
     std::uint32_t last = first;
-    for (; last < mesh.cells.size() && mesh.tissue[last] == mesh.tissue[first];
+    for (;
+         last < mesh.elements.size() && mesh.tissue[last] == mesh.tissue[first];
          ++last)
     {
       slots_[last] = static_cast<std::uint32_t>(cells_.size());
@@ -63,7 +64,7 @@ void HexBatches<Real>::reinit(const SolidMesh &mesh,
     {
       const unsigned int node = cells_[slot] == spare
                                   ? spare_node + corner
-                                  : mesh.cells[cells_[slot]][corner];
+                                  : mesh.elements[cells_[slot]][corner];
       offsets_[(slot / n * 8 + corner) * n + slot % n] =
         NodeFields<Real>::width * node;
     }
@@ -76,24 +77,24 @@ void HexBatches<Real>::reinit(const SolidMesh &mesh,
 
 
 template <typename Real>
-void HexBatches<Real>::wake(const unsigned int batch,
-                            const NodeFields<Real> &nodes)
+void HexBatches<Real>::activate(const unsigned int batch,
+                                const NodeFields<Real> &nodes)
 {
   constexpr unsigned int numbers = NodeFields<Real>::width * nodes.block;
   const unsigned int *offset = offsets(batch, 0);
   unsigned int any = 0;
   for (unsigned int i = 0; i < 8 * n; ++i)
-    any |= nodes.awake[offset[i] / numbers];
-  awake_[batch] = static_cast<unsigned char>(any);
-  n_awake_ += any;
+    any |= nodes.active[offset[i] / numbers];
+  active_[batch] = static_cast<unsigned char>(any);
+  n_active_ += any;
 }
 
 
 template <typename Real>
-void HexBatches<Real>::wake_all()
+void HexBatches<Real>::activate_all()
 {
-  awake_.assign(n_batches(), 1);
-  n_awake_ = n_batches();
+  active_.assign(n_batches(), 1);
+  n_active_ = n_batches();
 }
 
 
@@ -103,8 +104,8 @@ void HexBatches<Real>::reset_state()
   dilatation.fill(Lane(Real()));
   viscous_pressure.fill(Lane(Real()));
   relaxed.fill(Lane(Real()));
-  awake_.assign(n_batches(), 0);
-  n_awake_ = 0;
+  active_.assign(n_batches(), 0);
+  n_active_ = 0;
   damping.fill(Lane(Real()));
 }
 
@@ -114,16 +115,17 @@ void HexBatches<Real>::reinit_nodes(const SolidMesh &mesh,
                                     NodeFields<Real> &nodes)
 {
   nodes.reinit(mesh.nodes.size() + 8);
-  const auto place = [&](const std::size_t node,
-                         const unsigned int d) -> Real & {
-    return nodes.place[NodeFields<Real>::place_width * node + d];
+  const auto coordinate = [&](const std::size_t node,
+                              const unsigned int d) -> Real & {
+    return nodes
+      .position_and_displacement[NodeFields<Real>::position_width * node + d];
   };
   for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
     for (unsigned int d = 0; d < 3; ++d)
-      place(i, d) = static_cast<Real>(mesh.nodes[i][d]);
+      coordinate(i, d) = static_cast<Real>(mesh.nodes[i][d]);
   for (unsigned int corner = 0; corner < 8; ++corner)
     for (unsigned int d = 0; d < 3; ++d)
-      place(mesh.nodes.size() + corner, d) = Real(corner_sign[corner][d]);
+      coordinate(mesh.nodes.size() + corner, d) = Real(corner_sign[corner][d]);
 }
 
 

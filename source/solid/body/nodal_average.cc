@@ -12,22 +12,23 @@ void NodalAverage::reinit(std::vector<Corners> corners,
 {
   add_ranks_ = std::move(add_ranks);
   n_mesh_nodes_ = n_nodes;
-  at_ = std::move(corners);
+  corner_indices_ = std::move(corners);
   volumes_ = std::move(volumes);
   nodes_.clear();
   constexpr std::uint32_t none = -1;
-  std::vector<std::uint32_t> place(n_nodes, none);
-  for (Corners &corners_of_one : at_)
+  std::vector<std::uint32_t> index(n_nodes, none);
+  for (Corners &corners_of_one : corner_indices_)
     for (std::uint32_t &node : corners_of_one)
     {
-      if (place[node] == none)
+      if (index[node] == none)
       {
-        place[node] = static_cast<std::uint32_t>(nodes_.size());
+        index[node] = static_cast<std::uint32_t>(nodes_.size());
         nodes_.push_back(node);
       }
-      node = place[node];
+      node = index[node];
     }
-  inverse_volumes_ = nodal_sums(std::vector<double>(at_.size(), 1.));
+  inverse_volumes_ =
+    nodal_sums(std::vector<double>(corner_indices_.size(), 1.));
   for (double &value : inverse_volumes_)
     value = 1. / value;
 }
@@ -37,8 +38,8 @@ std::vector<double>
 NodalAverage::nodal_sums(const std::vector<double> &values) const
 {
   std::vector<double> sums(nodes_.size(), 0.);
-  for (std::size_t i = 0; i < at_.size(); ++i)
-    for (const std::uint32_t node : at_[i])
+  for (std::size_t i = 0; i < corner_indices_.size(); ++i)
+    for (const std::uint32_t node : corner_indices_[i])
       sums[node] += volumes_[i] * values[i];
   if (!add_ranks_)
     return sums;
@@ -58,9 +59,9 @@ NodalAverage::average(const std::vector<double> &values) const
   std::vector<double> at_nodes = nodal_sums(values);
   for (std::size_t i = 0; i < at_nodes.size(); ++i)
     at_nodes[i] *= inverse_volumes_[i];
-  std::vector<double> result(at_.size(), 0.);
-  for (std::size_t i = 0; i < at_.size(); ++i)
-    for (const std::uint32_t node : at_[i])
+  std::vector<double> result(corner_indices_.size(), 0.);
+  for (std::size_t i = 0; i < corner_indices_.size(); ++i)
+    for (const std::uint32_t node : corner_indices_[i])
       result[i] += at_nodes[node] / 8.;
   return result;
 }

@@ -103,17 +103,17 @@ namespace
                       const double bulk_modulus,
                       const std::string &name)
   {
-    const double part = read_double(prm, "Gas part");
-    if (part == 0.)
+    const double gas_fraction = read_double(prm, "Gas part");
+    if (gas_fraction == 0.)
       return {};
-    const double stiffest =
+    const double max_stiffness =
       read_double(prm, "Modulus without gas") / bulk_modulus;
-    if (!(stiffest >= 1.))
+    if (!(max_stiffness >= 1.))
       throw InputError("Materials/Tissue " + name +
                        "/Modulus without gas must be at least the bulk "
                        "modulus, " +
                        brief(bulk_modulus) + " Pa");
-    return {part, read_double(prm, "Gas exponent"), stiffest};
+    return {gas_fraction, read_double(prm, "Gas exponent"), max_stiffness};
   }
 
   /// Choices of "Bulk law".

@@ -99,7 +99,7 @@ namespace
 
     SolidMesh build()
     {
-      part_.n_global_cells = mesh_.cells.size();
+      part_.n_global_elements = mesh_.cells.size();
       part_.n_global_nodes = mesh_.nodes.size();
       find_tissues();
       take_cells();
@@ -153,9 +153,9 @@ namespace
           HexMesh::Cell local;
           for (unsigned int c = 0; c < 8; ++c)
             local[c] = take_node(mesh_.cells[cell][c]);
-          part_.cells.push_back(local);
+          part_.elements.push_back(local);
           part_.tissue.push_back(tissue);
-          part_.global_cell.push_back(cell);
+          part_.global_element.push_back(cell);
         }
     }
 
@@ -176,13 +176,13 @@ namespace
 
     void take_boundary()
     {
-      std::vector<std::uint32_t> local_cell(mesh_.cells.size(), none);
-      for (std::size_t i = 0; i < part_.cells.size(); ++i)
-        local_cell[part_.global_cell[i]] = i;
+      std::vector<std::uint32_t> local_element(mesh_.cells.size(), none);
+      for (std::size_t i = 0; i < part_.elements.size(); ++i)
+        local_element[part_.global_element[i]] = i;
       for (HexMesh::Facet facet : mesh_.boundary)
-        if (local_cell[facet.cell] != none)
+        if (local_element[facet.cell] != none)
         {
-          facet.cell = local_cell[facet.cell];
+          facet.cell = local_element[facet.cell];
           for (std::uint32_t &node : facet.nodes)
             node = local_node_[node];
           part_.boundary.push_back(facet);

@@ -10,20 +10,20 @@ void TissueAverage::reinit(const SolidMesh &mesh,
                            const NodeExchange &exchange,
                            const unsigned int tissue)
 {
-  cells_.clear();
+  elements_.clear();
   std::vector<NodalAverage::Corners> corners;
   std::vector<double> volumes;
-  for (std::uint32_t i = 0; i < mesh.cells.size(); ++i)
+  for (std::uint32_t i = 0; i < mesh.elements.size(); ++i)
   {
     if (mesh.tissue[i] != tissue)
       continue;
-    cells_.push_back(i);
+    elements_.push_back(i);
     HexVectors<double> x;
     for (unsigned int c = 0; c < 8; ++c)
       for (unsigned int d = 0; d < 3; ++d)
-        x[c][d] = mesh.nodes[mesh.cells[i][c]][d];
+        x[c][d] = mesh.nodes[mesh.elements[i][c]][d];
     volumes.push_back(hex_geometry(to_modes(x)).volume);
-    corners.push_back(mesh.cells[i]);
+    corners.push_back(mesh.elements[i]);
   }
   NodalAverage::AddRanks add_ranks;
   if (!mesh.neighbors.empty())

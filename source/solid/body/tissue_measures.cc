@@ -35,7 +35,7 @@ std::string tissue_column(const std::string &quantity, const Tissue tissue)
 
 double percentile(const std::vector<double> &values,
                   const std::vector<double> &weights,
-                  const double part,
+                  const double fraction,
                   const MPI_Comm communicator)
 {
   using dealii::Utilities::MPI::sum;
@@ -47,7 +47,7 @@ double percentile(const std::vector<double> &values,
     double weight = 0.;
     for (std::size_t i = 0; i < values.size(); ++i)
       weight += values[i] <= limit ? weights[i] : 0.;
-    return sum(weight, communicator) >= part * whole * (1. - 1e-12);
+    return sum(weight, communicator) >= fraction * whole * (1. - 1e-12);
   };
   constexpr double infinity = std::numeric_limits<double>::infinity();
   double low = infinity, high = -infinity;

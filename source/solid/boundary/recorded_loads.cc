@@ -28,7 +28,7 @@ namespace
 
   /// Largest relative difference of impulses that the pressure factor
   /// corrects; a larger one means different surfaces.
-  constexpr double largest_mended = 0.1;
+  constexpr double largest_correction = 0.1;
 
   /// Least fraction of the recorded impulse, summed as magnitudes, that must
   /// arrive on this surface.
@@ -184,8 +184,8 @@ void RecordedLoads::set_time(const double time)
   after_ = std::upper_bound(ends.begin(), ends.end(), now) - ends.begin();
   if (after_ < ends.size() && middle(after_) <= now)
     ++after_;
-  started_ = after_ < ends.size() ? 1. : 0.;
-  if (started_ == 0.)
+  is_loaded_ = after_ < ends.size() ? 1. : 0.;
+  if (is_loaded_ == 0.)
     return;
   before_ = after_ == 0 ? 0 : after_ - 1;
   const double begin = after_ == 0 ? 0. : middle(before_);
@@ -201,7 +201,7 @@ void RecordedLoads::set_time(const double time)
 
 double RecordedLoads::pressure(const std::size_t facet) const
 {
-  if (started_ == 0. || source_[facet] == none)
+  if (is_loaded_ == 0. || source_[facet] == none)
     return 0.;
   const float *row = &samples_[source_[facet] * count_];
   const double now = row[after_ - first_];
@@ -229,9 +229,9 @@ void RecordedLoads::measure_impulses()
   sum_impulses(impulse);
   const double ratio = mapped_impulse_ * recorded_impulse_ /
                        std::max(recorded_impulse_.norm_square(), 1e-300);
-  const bool mends = std::abs(ratio - 1.) < largest_mended;
-  factor_ = keep_impulse_ && mends ? 1. / ratio : 1.;
-  log_line((keep_impulse_ && !mends ? "WARNING: " : "") +
+  const bool corrects = std::abs(ratio - 1.) < largest_correction;
+  factor_ = keep_impulse_ && corrects ? 1. / ratio : 1.;
+  log_line((keep_impulse_ && !corrects ? "WARNING: " : "") +
            std::string("recorded loads: their impulse on this surface is ") +
            brief(ratio) +
            " of the recorded one, and pressures get the factor " +
@@ -266,8 +266,8 @@ void RecordedLoads::sum_impulses(const std::vector<double> &impulse)
       double projection = 0.;
       for (unsigned int d = 0; d < 3; ++d)
       {
-        const double part = areas_[i][d] * normal[d];
-        projection += mirrored_[d] ? std::abs(part) : part;
+        const double component = areas_[i][d] * normal[d];
+        projection += mirrored_[d] ? std::abs(component) : component;
       }
       arriving += std::abs(impulse[source_[i]]) * std::max(0., projection);
     }
@@ -288,7 +288,7 @@ void RecordedLoads::sum_impulses(const std::vector<double> &impulse)
 }
 
 
-std::vector<NamedValue> RecordedLoads::audit() const
+std::vector<NamedValue> RecordedLoads::check_values() const
 {
   double largest = 0., unmatched = 0., distance = 0.;
   for (std::size_t i = 0; i < source_.size(); ++i)

@@ -43,11 +43,11 @@ void Supports::parse_parameters(ParameterHandler &prm)
       name, Expression(path + "/Where", prm.get("Where")), {}, {}};
     for (const std::string &axis : split(prm.get("Directions"), ','))
     {
-      const auto place = std::string("xyz").find(axis);
-      if (axis.size() != 1 || place == std::string::npos)
+      const auto index = std::string("xyz").find(axis);
+      if (axis.size() != 1 || index == std::string::npos)
         throw InputError(path + "/Directions = \"" + prm.get("Directions") +
                          "\" must be some of x, y, z, separated by commas");
-      support.directions.push_back(static_cast<unsigned int>(place));
+      support.directions.push_back(static_cast<unsigned int>(index));
     }
     for (const std::string axis : {"x", "y", "z"})
       support.velocity.emplace_back(path + "/Velocity " + axis,
@@ -83,20 +83,21 @@ void Supports::set_forces(NodeFields<Real> &nodes,
   for (Entry &entry : entries_)
   {
     Real &force = nodes.force_of(entry.node)[entry.direction];
-    const double rest = double(force) - entry.reaction;
+    const double other_forces = double(force) - entry.reaction;
     const Expression &velocity =
       supports_[entry.support].velocity[entry.direction];
-    const double wanted =
-      velocity.is_zero() ? 0. : velocity.value(entry.place, time + 0.5 * next);
+    const double wanted = velocity.is_zero()
+                            ? 0.
+                            : velocity.value(entry.position, time + 0.5 * next);
     const double now = nodes.velocity_of(entry.node)[entry.direction];
     const double mass = 1. / double(nodes.inverse_mass_of(entry.node));
     force = static_cast<Real>(mass * (wanted - now) / (0.5 * (before + next)));
-    entry.reaction = double(force) - rest;
+    entry.reaction = double(force) - other_forces;
   }
 }
 
 
-void Supports::forget()
+void Supports::reset_reactions()
 {
   for (Entry &entry : entries_)
     entry.reaction = 0.;
@@ -104,7 +105,7 @@ void Supports::forget()
 
 
 template <typename Real>
-void Supports::hold(NodeFields<Real> &nodes) const
+void Supports::zero_supported_forces(NodeFields<Real> &nodes) const
 {
   for (const Entry &entry : entries_)
     nodes.force_of(entry.node)[entry.direction] = Real();
@@ -131,8 +132,8 @@ template void Supports::set_forces(NodeFields<float> &,
                                    const double,
                                    const double,
                                    const double);
-template void Supports::hold(NodeFields<double> &) const;
-template void Supports::hold(NodeFields<float> &) const;
+template void Supports::zero_supported_forces(NodeFields<double> &) const;
+template void Supports::zero_supported_forces(NodeFields<float> &) const;
 template double Supports::power(const NodeFields<double> &) const;
 template double Supports::power(const NodeFields<float> &) const;
 } // namespace contrecoup::solid

@@ -220,12 +220,12 @@ double SurfaceLoads::power(const NodeFields<Real> &nodes) const
 }
 
 
-std::vector<NamedValue> SurfaceLoads::audit() const
+std::vector<NamedValue> SurfaceLoads::check_values() const
 {
   std::vector<NamedValue> values;
   for (const Load &load : loads_)
     if (load.history)
-      for (const NamedValue &value : load.history->audit())
+      for (const NamedValue &value : load.history->check_values())
         values.push_back(value);
   return values;
 }

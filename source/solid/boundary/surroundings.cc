@@ -70,18 +70,18 @@ void Surroundings::parse_parameters(ParameterHandler &prm)
   const Section section(prm, "Ground");
   has_ground_ = prm.get_bool("Active");
   height_ = read_double(prm, "Height");
-  part_ = read_double(prm, "Stiffness");
+  stiffness_fraction_ = read_double(prm, "Stiffness");
 }
 
 
 void Surroundings::set_step(const double step, const double used)
 {
-  if (has_ground_ && !(used + part_ <= 1.))
-    throw InputError("Ground/Stiffness = " + brief(part_) +
+  if (has_ground_ && !(used + stiffness_fraction_ <= 1.))
+    throw InputError("Ground/Stiffness = " + brief(stiffness_fraction_) +
                      " makes steps unstable; beside the body, which takes " +
                      brief(used) + ", at most " + brief(1. - used) +
                      " is left; a smaller Elements/Step safety leaves more");
-  stiffness_ = 4. * part_ / (step * step);
+  stiffness_ = 4. * stiffness_fraction_ / (step * step);
 }
 
 
@@ -89,7 +89,8 @@ template <typename Real>
 double Surroundings::depth(const NodeFields<Real> &nodes,
                            const std::size_t node) const
 {
-  const Real *place = &nodes.place[nodes.place_width * node];
+  const Real *position_and_displacement =
+    &nodes.position_and_displacement[nodes.position_width * node];
   return height_ - (double(place[2]) + double(place[5]));
 }
 

@@ -62,45 +62,52 @@ namespace
 } // namespace
 
 
-void take_pressures(const double span,
-                    const std::vector<double> &pressures,
-                    const std::vector<double> &averages,
-                    const bool averaged,
-                    std::vector<BrainPiece> &pieces,
-                    BrainSums &sums)
+void record_pressures(const double span,
+                      const std::vector<double> &pressures,
+                      const std::vector<double> &averages,
+                      const bool averaged,
+                      std::vector<BrainSample> &samples,
+                      BrainSums &sums)
 {
-  for (std::size_t i = 0; i < pieces.size(); ++i)
+  for (std::size_t i = 0; i < samples.size(); ++i)
   {
-    BrainPiece &piece = pieces[i];
-    const double weight = span * piece.volume;
+    BrainSample &sample = samples[i];
+    const double weight = span * sample.volume;
     const double pressure = averaged ? averages[i] : pressures[i];
-    piece.take_pressure(pressure);
+    sample.record_pressure(pressure);
     sums.cavitation_dose += pressure < cavitation_pressure ? weight : 0.;
-    const double rest = pressures[i] - averages[i];
-    sums.rough += weight * rest * rest;
-    sums.smooth += weight * averages[i] * averages[i];
+    const double fluctuation = pressures[i] - averages[i];
+    sums.fluctuation_square += weight * fluctuation * fluctuation;
+    sums.average_square += weight * averages[i] * averages[i];
   }
 }
 
 
-std::vector<InjuryMeasure> brain_measures(const std::vector<BrainPiece> &pieces,
-                                          const BrainSums &of_rank,
-                                          const MPI_Comm communicator)
+std::vector<InjuryMeasure>
+brain_measures(const std::vector<BrainSample> &samples,
+               const BrainSums &of_rank,
+               const MPI_Comm communicator)
 {
   std::vector<double> strains, volumes;
   double peak = 0., lowest = 0.;
-  std::vector<double> sums{
-    0., 0., 0., 0., of_rank.cavitation_dose, of_rank.rough, of_rank.smooth};
-  for (const BrainPiece &piece : pieces)
+  std::vector<double> sums{0.,
+                           0.,
+                           0.,
+                           0.,
+                           of_rank.cavitation_dose,
+                           of_rank.fluctuation_square,
+                           of_rank.average_square};
+  for (const BrainSample &sample : samples)
   {
-    strains.push_back(piece.peak_strain);
-    volumes.push_back(piece.volume);
-    sums[0] += piece.volume;
-    sums[1] += piece.peak_strain > 0.15 ? piece.volume : 0.;
-    sums[2] += piece.peak_strain > 0.25 ? piece.volume : 0.;
-    sums[3] += piece.lowest_pressure < cavitation_pressure ? piece.volume : 0.;
-    peak = std::max(peak, piece.peak_pressure);
-    lowest = std::min(lowest, piece.lowest_pressure);
+    strains.push_back(sample.peak_strain);
+    volumes.push_back(sample.volume);
+    sums[0] += sample.volume;
+    sums[1] += sample.peak_strain > 0.15 ? sample.volume : 0.;
+    sums[2] += sample.peak_strain > 0.25 ? sample.volume : 0.;
+    sums[3] +=
+      sample.lowest_pressure < cavitation_pressure ? sample.volume : 0.;
+    peak = std::max(peak, sample.peak_pressure);
+    lowest = std::min(lowest, sample.lowest_pressure);
   }
   mpi::sum(sums, communicator, sums);
   std::vector<InjuryMeasure> list;
@@ -126,20 +133,21 @@ head_motion_measure(const std::vector<double> &times,
 }
 
 
-void raise_spin(std::array<double, 3> &largest,
-                const dealii::Tensor<1, 3> &turning)
+void update_largest_angular_velocity(
+  std::array<double, 3> &largest,
+  const dealii::Tensor<1, 3> &angular_velocity)
 {
   for (unsigned int d = 0; d < 3; ++d)
-    largest[d] = std::max(largest[d], std::abs(turning[d]));
+    largest[d] = std::max(largest[d], std::abs(angular_velocity[d]));
 }
 
 
-InjuryMeasure head_turning_measure(const std::array<double, 3> &largest,
-                                   const std::string &turning)
+InjuryMeasure head_rotation_measure(const std::array<double, 3> &largest,
+                                    const std::string &motion)
 {
   return {{"injury_bric", "-", brain_injury_criterion(largest)},
           "1.0: half of injuries of degree 4 (Takhounts et al. 2013)",
-          "of " + turning};
+          "of " + motion};
 }
 
 

@@ -17,12 +17,12 @@ void BrainRecord::save(std::ostream &out) const
                std::vector<double>{double(n_steps),
                                    last_time,
                                    sums.cavitation_dose,
-                                   sums.rough,
-                                   sums.smooth,
-                                   largest_spin[0],
-                                   largest_spin[1],
-                                   largest_spin[2]});
-  io::put_list(out, pieces);
+                                   sums.fluctuation_square,
+                                   sums.average_square,
+                                   largest_angular_velocity[0],
+                                   largest_angular_velocity[1],
+                                   largest_angular_velocity[2]});
+  io::put_list(out, samples);
   io::put_list(out, times);
   io::put_list(out, speeds);
 }
@@ -34,7 +34,7 @@ void BrainRecord::restore(std::istream &in,
                           const MPI_Comm communicator)
 {
   std::vector<double> numbers;
-  std::vector<BrainPiece> saved;
+  std::vector<BrainSample> saved;
   io::take_list(in, file, numbers);
   io::take_list(in, file, saved);
   io::take_list(in, file, times);
@@ -49,15 +49,15 @@ void BrainRecord::restore(std::istream &in,
       dealii::Utilities::MPI::this_mpi_process(communicator))
   {
     sums.cavitation_dose += numbers[2];
-    sums.rough += numbers[3];
-    sums.smooth += numbers[4];
+    sums.fluctuation_square += numbers[3];
+    sums.average_square += numbers[4];
   }
-  largest_spin = {{numbers[5], numbers[6], numbers[7]}};
+  largest_angular_velocity = {{numbers[5], numbers[6], numbers[7]}};
   std::unordered_map<std::uint32_t, std::size_t> here;
-  for (std::size_t i = 0; i < pieces.size(); ++i)
-    here[pieces[i].cell] = i;
-  for (const BrainPiece &piece : saved)
-    if (here.count(piece.cell) > 0)
-      pieces[here[piece.cell]] = piece;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    here[samples[i].cell] = i;
+  for (const BrainSample &sample : saved)
+    if (here.count(sample.cell) > 0)
+      samples[here[sample.cell]] = sample;
 }
 } // namespace contrecoup::solid

@@ -49,7 +49,7 @@ void ChestInjury::parse_parameters(dealii::ParameterHandler &prm)
 }
 
 
-void ChestInjury::follow(const double time,
+void ChestInjury::record(const double time,
                          const double pressure,
                          const double wall_velocity)
 {

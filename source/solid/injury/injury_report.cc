@@ -73,15 +73,16 @@ void InjuryReport<Real>::reinit(const SolidBody<Real> &body)
     std::find(mesh.tissues.begin(), mesh.tissues.end(), Tissue::brain) -
     mesh.tissues.begin());
   average_.reinit(mesh, body.exchange(), brain_);
-  piece_of_cell_.assign(mesh.cells.size(), none);
-  record_.pieces.clear();
-  for (const std::uint32_t cell : average_.cells())
+  sample_of_element_.assign(mesh.elements.size(), none);
+  record_.samples.clear();
+  for (const std::uint32_t cell : average_.elements())
   {
-    piece_of_cell_[cell] = static_cast<std::uint32_t>(record_.pieces.size());
-    BrainPiece piece;
-    piece.cell = mesh.global_cell[cell];
-    piece.volume = average_.volumes()[record_.pieces.size()];
-    record_.pieces.push_back(piece);
+    sample_of_element_[cell] =
+      static_cast<std::uint32_t>(record_.samples.size());
+    BrainSample sample;
+    sample.cell = mesh.global_element[cell];
+    sample.volume = average_.volumes()[record_.samples.size()];
+    record_.samples.push_back(sample);
   }
   chest_wall_.reinit(
     mesh, chest_.place(), chest_.radius(), body.communicator());
@@ -90,14 +91,14 @@ void InjuryReport<Real>::reinit(const SolidBody<Real> &body)
 
 
 template <typename Real>
-void InjuryReport<Real>::follow(const SolidBody<Real> &body)
+void InjuryReport<Real>::record(const SolidBody<Real> &body)
 {
   if (++record_.n_steps % interval_ != 0)
     return;
   follow_brain(body, body.time() - record_.last_time);
   record_.last_time = body.time();
   follow_head(body);
-  chest_.follow(body.time(),
+  chest_.record(body.time(),
                 body.loads().pressure_near(chest_.place(), body.communicator()),
                 chest_wall_.inward_velocity(body.nodes()));
 }
@@ -107,23 +108,23 @@ template <typename Real>
 void InjuryReport<Real>::follow_brain(const SolidBody<Real> &body,
                                       const double span)
 {
-  std::vector<double> pressures(record_.pieces.size());
+  std::vector<double> pressures(record_.samples.size());
   body.elements().visit(
     body.nodes(),
     body.times(),
     [&](const std::uint32_t cell, const ElementValues &element) {
-      const std::uint32_t i = piece_of_cell_[cell];
+      const std::uint32_t i = sample_of_element_[cell];
       pressures[i] = pressure_of(element.stress);
-      record_.pieces[i].peak_strain =
-        raised_to_principal(record_.pieces[i].peak_strain, element.strain);
+      record_.samples[i].peak_strain =
+        raised_to_principal(record_.samples[i].peak_strain, element.strain);
     },
     brain_);
-  take_pressures(span,
-                 pressures,
-                 average_.average(pressures),
-                 averaged_,
-                 record_.pieces,
-                 record_.sums);
+  record_pressures(span,
+                   pressures,
+                   average_.average(pressures),
+                   averaged_,
+                   record_.samples,
+                   record_.sums);
 }
 
 
@@ -133,10 +134,10 @@ void InjuryReport<Real>::follow_head(const SolidBody<Real> &body)
   // Each element of the brain is a point mass at its centre.
   MeanMotion motion;
   const SolidMesh &mesh = body.mesh();
-  for (std::size_t i = 0; i < record_.pieces.size(); ++i)
+  for (std::size_t i = 0; i < record_.samples.size(); ++i)
   {
     Tensor<1, 3> place, velocity;
-    for (const std::uint32_t node : mesh.cells[average_.cells()[i]])
+    for (const std::uint32_t node : mesh.elements[average_.elements()[i]])
       for (unsigned int d = 0; d < 3; ++d)
       {
         place[d] += (mesh.nodes[node][d] +
@@ -144,11 +145,12 @@ void InjuryReport<Real>::follow_head(const SolidBody<Real> &body)
                     8.;
         velocity[d] += double(body.nodes().velocity_of(node)[d]) / 8.;
       }
-    motion.add(record_.pieces[i].volume, place, velocity);
+    motion.add(record_.samples[i].volume, place, velocity);
   }
   if (!motion.find(body.communicator()))
     return;
-  raise_spin(record_.largest_spin, motion.turning());
+  update_largest_angular_velocity(record_.largest_angular_velocity,
+                                  motion.angular_velocity());
   const Tensor<1, 3> &velocity = motion.velocity();
   record_.times.push_back(body.time());
   record_.speeds.push_back({{velocity[0], velocity[1], velocity[2]}});
@@ -175,7 +177,7 @@ void InjuryReport<Real>::add_brain(const SolidBody<Real> &body,
                                    std::vector<InjuryMeasure> &list) const
 {
   for (const InjuryMeasure &measure :
-       brain_measures(record_.pieces, record_.sums, body.communicator()))
+       brain_measures(record_.samples, record_.sums, body.communicator()))
     list.push_back(measure);
 }
 
@@ -190,8 +192,8 @@ void InjuryReport<Real>::add_head(std::vector<InjuryMeasure> &list) const
                         record_.speeds,
                         "the mean motion of the brain; made for impacts, not "
                         "blasts"));
-  list.push_back(head_turning_measure(record_.largest_spin,
-                                      "the mean turning of the brain"));
+  list.push_back(head_rotation_measure(record_.largest_angular_velocity,
+                                       "the mean turning of the brain"));
 }
 
 

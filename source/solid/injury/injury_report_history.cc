@@ -11,13 +11,13 @@ template <typename Real>
 std::vector<NamedValue>
 InjuryReport<Real>::history(const SolidBody<Real> &body) const
 {
-  std::vector<double> strains(record_.pieces.size()),
-    pressures(record_.pieces.size());
+  std::vector<double> strains(record_.samples.size()),
+    pressures(record_.samples.size());
   body.elements().visit(
     body.nodes(),
     body.times(),
     [&](const std::uint32_t cell, const ElementValues &element) {
-      const std::uint32_t i = piece_of_cell_[cell];
+      const std::uint32_t i = sample_of_element_[cell];
       strains[i] = largest_principal(element.strain);
       pressures[i] = pressure_of(element.stress);
     },
@@ -25,17 +25,18 @@ InjuryReport<Real>::history(const SolidBody<Real> &body) const
   if (averaged_)
     pressures = average_.average(pressures);
   std::vector<double> volumes;
-  for (const BrainPiece &piece : record_.pieces)
-    volumes.push_back(piece.volume);
+  for (const BrainSample &sample : record_.samples)
+    volumes.push_back(sample.volume);
   const MPI_Comm communicator = body.communicator();
   if (dealii::Utilities::MPI::sum(volumes.size(), communicator) == 0)
     return {};
-  const auto part = [&](const std::vector<double> &values, const double below) {
+  const auto percentile_below = [&](const std::vector<double> &values,
+                                    const double below) {
     return percentile(values, volumes, below, communicator);
   };
-  return {{"brain_strain_95", "-", part(strains, 0.95)},
-          {"brain_pressure_95", "Pa", part(pressures, 0.95)},
-          {"brain_pressure_5", "Pa", part(pressures, 0.05)}};
+  return {{"brain_strain_95", "-", percentile_below(strains, 0.95)},
+          {"brain_pressure_95", "Pa", percentile_below(pressures, 0.95)},
+          {"brain_pressure_5", "Pa", percentile_below(pressures, 0.05)}};
 }
 
 

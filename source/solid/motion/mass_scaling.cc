@@ -32,28 +32,29 @@ void MassScaling::reinit(const SolidMesh &mesh,
                          const MPI_Comm communicator)
 {
   active_ = smallest_step > 0.;
-  shares_.assign(mesh.tissues.size(), {});
+  nodal_masses_.assign(mesh.tissues.size(), {});
   report_.clear();
   if (!active_)
     return;
   std::vector<double> sums(2 * mesh.tissues.size(), 0.);
-  for (std::size_t i = 0; i < mesh.cells.size(); ++i)
+  for (std::size_t i = 0; i < mesh.elements.size(); ++i)
   {
     HexVectors<double> x;
     for (unsigned int c = 0; c < 8; ++c)
       for (unsigned int d = 0; d < 3; ++d)
-        x[c][d] = mesh.nodes[mesh.cells[i][c]][d];
+        x[c][d] = mesh.nodes[mesh.elements[i][c]][d];
     const HexGeometry<double> geometry = hex_geometry(to_modes(x));
     const unsigned int tissue = mesh.tissue[i];
     // Factor on the density: (smallest_step * omega / 2)^2.
-    const double wanted = 0.25 * smallest_step * smallest_step *
-                          element_square_frequency(geometry, materials[tissue]);
-    if (wanted <= 1.)
+    const double density_factor =
+      0.25 * smallest_step * smallest_step *
+      element_square_frequency(geometry, materials[tissue]);
+    if (density_factor <= 1.)
       continue;
     const double added =
-      (wanted - 1.) * materials[tissue].density * geometry.volume;
-    for (const std::uint32_t node : mesh.cells[i])
-      shares_[tissue].push_back({node, added / 8.});
+      (density_factor - 1.) * materials[tissue].density * geometry.volume;
+    for (const std::uint32_t node : mesh.elements[i])
+      nodal_masses_[tissue].push_back({node, added / 8.});
     sums[2 * tissue] += 1.;
     sums[2 * tissue + 1] += added;
   }
@@ -71,9 +72,9 @@ void MassScaling::reinit(const SolidMesh &mesh,
 
 void MassScaling::add_to(std::vector<double> &masses) const
 {
-  for (const std::vector<Share> &tissue : shares_)
-    for (const Share &share : tissue)
-      masses[share.node] += share.mass;
+  for (const std::vector<NodalMass> &tissue : nodal_masses_)
+    for (const NodalMass &added : tissue)
+      masses[added.node] += added.mass;
 }
 
 
@@ -82,8 +83,8 @@ double MassScaling::kinetic_energy(const unsigned int tissue,
                                    const std::vector<Real> &squares) const
 {
   double sum = 0.;
-  for (const Share &share : shares_[tissue])
-    sum += 0.5 * share.mass * double(squares[share.node]);
+  for (const NodalMass &added : nodal_masses_[tissue])
+    sum += 0.5 * added.mass * double(squares[added.node]);
   return sum;
 }
 

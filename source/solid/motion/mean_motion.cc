@@ -10,18 +10,18 @@
 namespace contrecoup::solid
 {
 void MeanMotion::add(const double mass,
-                     const Vector &place,
+                     const Vector &position,
                      const Vector &velocity)
 {
-  const Vector spin = cross_product_3d(place, velocity);
+  const Vector angular_momentum = cross_product_3d(position, velocity);
   sums_[0] += mass;
   for (unsigned int d = 0; d < 3; ++d)
   {
-    sums_[1 + d] += mass * place[d];
+    sums_[1 + d] += mass * position[d];
     sums_[4 + d] += mass * velocity[d];
-    sums_[7 + d] += mass * spin[d];
-    sums_[10 + d] += mass * place[d] * place[d];
-    sums_[13 + d] += mass * place[d] * place[(d + 1) % 3];
+    sums_[7 + d] += mass * angular_momentum[d];
+    sums_[10 + d] += mass * position[d] * position[d];
+    sums_[13 + d] += mass * position[d] * position[(d + 1) % 3];
   }
 }
 
@@ -36,8 +36,8 @@ bool MeanMotion::find(const MPI_Comm communicator,
     sums_[i] /= sums_[0];
   const Vector centre({sums_[1], sums_[2], sums_[3]});
   velocity_ = Vector({sums_[4], sums_[5], sums_[6]});
-  Vector spin = Vector({sums_[7], sums_[8], sums_[9]}) -
-                cross_product_3d(centre, velocity_);
+  Vector angular_momentum = Vector({sums_[7], sums_[8], sums_[9]}) -
+                            cross_product_3d(centre, velocity_);
   dealii::SymmetricTensor<2, 3> inertia;
   double square = 0.;
   for (unsigned int d = 0; d < 3; ++d)
@@ -57,12 +57,13 @@ bool MeanMotion::find(const MPI_Comm communicator,
       velocity_[d] = 0.;
       for (unsigned int e = 0; e < 3; ++e)
         if (e != d)
-          spin[e] = inertia[d][e] = 0.;
+          angular_momentum[e] = inertia[d][e] = 0.;
     }
   constexpr double least_part = 1e-12;
-  turning_ = determinant(inertia) > least_part * std::pow(trace(inertia), 3)
-               ? Vector(invert(inertia) * spin)
-               : Vector();
+  angular_velocity_ =
+    determinant(inertia) > least_part * std::pow(trace(inertia), 3)
+      ? Vector(invert(inertia) * angular_momentum)
+      : Vector();
   return true;
 }
 } // namespace contrecoup::solid

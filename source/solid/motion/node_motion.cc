@@ -57,10 +57,10 @@ double move_nodes(NodeFields<Real> &nodes,
   for (std::size_t first = 0; first < counted.size(); first += block)
   {
     const std::size_t last = std::min(first + block, counted.size());
-    unsigned char &awake = nodes.awake[first / block];
-    if (awake == 0 && free_of_forces(nodes, first, last))
+    unsigned char &is_active = nodes.active[first / block];
+    if (is_active == 0 && free_of_forces(nodes, first, last))
       continue;
-    awake = 1;
+    is_active = 1;
     std::array<Part<Real>, n_parts> sum;
     sum.fill(zero);
     for (std::size_t i = first; i < last; ++i)

@@ -21,7 +21,7 @@ void SolidBody<Real>::reinit(
   exchange_.reinit(mesh_, communicator);
   operator_.reinit(mesh_, find_materials(mesh_.tissues), options);
   operator_.reinit_nodes(nodes_);
-  skips_quiet_ = options.skip_quiet;
+  skips_inactive_ = options.skip_quiet;
   set_masses();
   supports_ = supports;
   supports_.reinit(mesh_);
@@ -94,7 +94,7 @@ void SolidBody<Real>::move_hanging()
       nodes_.displacement_of(one.node)[d] = displacement;
       nodes_.velocity_of(one.node)[d] = velocity;
       if (displacement != Real())
-        nodes_.awake[one.node / nodes_.block] = 1;
+        nodes_.active[one.node / nodes_.block] = 1;
     }
 }
 
@@ -105,8 +105,8 @@ void SolidBody<Real>::assemble()
   {
     const TimerScope timer("elements");
     operator_.add_forces(nodes_, times_);
-    computed_ += operator_.batches().n_awake();
-    offered_ += operator_.batches().n_batches();
+    computed_updates_ += operator_.batches().n_active();
+    total_updates_ += operator_.batches().n_batches();
   }
   const TimerScope timer("loads");
   loads_.set_time(time_);
@@ -114,7 +114,7 @@ void SolidBody<Real>::assemble()
   gather_hanging(nodes_.force.data(), 3, nodes_.width);
   exchange_.add(nodes_.force.data(), 3, nodes_.width);
   surroundings_.add_forces(nodes_);
-  supports_.forget();
+  supports_.reset_reactions();
 }
 
 
@@ -122,22 +122,22 @@ template <typename Real>
 void SolidBody<Real>::start(const double time)
 {
   time_ = time;
-  relaxed_time_ = time;
+  time_of_relaxed_strain_ = time;
   times_ = StepTimes();
   move_hanging();
-  nodes_.find_awake();
-  if (!skips_quiet_)
-    operator_.batches().wake_all();
+  nodes_.mark_active_blocks();
+  if (!skips_inactive_)
+    operator_.batches().activate_all();
   assemble();
-  const EnergyBalance now = balance();
+  const EnergyLedger now = energy_ledger();
   initial_energy_ = now.sum.kinetic + now.sum.internal() + now.contact;
   find_least_dilatations();
-  past_.reset();
+  snapshot_.reset();
 }
 
 
 template <typename Real>
-void SolidBody<Real>::book_step_change(const double before, const double next)
+void SolidBody<Real>::add_step_change(const double before, const double next)
 {
   double sum = 0.;
   for (std::size_t i = 0; i < counted_.size(); ++i)
@@ -154,7 +154,7 @@ void SolidBody<Real>::take_step(const double step)
 {
   supports_.set_forces(nodes_, time_, times_.before, step);
   if (step != times_.before)
-    book_step_change(times_.before, step);
+    add_step_change(times_.before, step);
   {
     const TimerScope timer("nodes");
     nodal_work_ += move_nodes(nodes_, counted_, times_.before, step);
@@ -167,33 +167,33 @@ void SolidBody<Real>::take_step(const double step)
   external_work_ += 0.5 * step * power();
   time_ += step;
   times_.before = step;
-  times_.relax_before = time_ - relaxed_time_;
+  times_.relax_before = time_ - time_of_relaxed_strain_;
   times_.relax_after = 0.5 * step;
   assemble();
-  relaxed_time_ = time_ + times_.relax_after;
+  time_of_relaxed_strain_ = time_ + times_.relax_after;
   supports_.set_forces(nodes_, time_, step, step);
   external_work_ += 0.5 * step * power();
 }
 
 
 template <typename Real>
-EnergyBalance SolidBody<Real>::balance() const
+EnergyLedger SolidBody<Real>::energy_ledger() const
 {
-  EnergyBalance balance;
-  balance.tissues = operator_.energies(nodes_, times_);
+  EnergyLedger ledger;
+  ledger.tissues = operator_.energies(nodes_, times_);
   if (mass_scaling_.active())
   {
     const std::vector<Real> squares =
       operator_.velocity_squares(nodes_, times_);
-    for (unsigned int k = 0; k < balance.tissues.size(); ++k)
-      balance.tissues[k].kinetic += mass_scaling_.kinetic_energy(k, squares);
+    for (unsigned int k = 0; k < ledger.tissues.size(); ++k)
+      ledger.tissues[k].kinetic += mass_scaling_.kinetic_energy(k, squares);
   }
   std::vector<double> numbers{external_work_,
                               nodal_work_ +
                                 work_until_now(nodes_, counted_, times_.before),
                               step_change_,
                               surroundings_.contact_energy(nodes_, counted_)};
-  for (const TissueEnergies &one : balance.tissues)
+  for (const TissueEnergies &one : ledger.tissues)
     numbers.insert(numbers.end(),
                    {one.kinetic,
                     one.stored,
@@ -201,30 +201,30 @@ EnergyBalance SolidBody<Real>::balance() const
                     one.bulk_viscosity,
                     one.relaxation});
   dealii::Utilities::MPI::sum(numbers, communicator_, numbers);
-  balance.external_work = numbers[0];
-  balance.contact = numbers[3];
-  balance.nodal_internal_work = numbers[0] - numbers[1] - balance.contact;
-  balance.initial = initial_energy_;
-  balance.step_change = numbers[2];
+  ledger.external_work = numbers[0];
+  ledger.contact = numbers[3];
+  ledger.nodal_internal_work = numbers[0] - numbers[1] - ledger.contact;
+  ledger.initial = initial_energy_;
+  ledger.step_change = numbers[2];
   const double *next = &numbers[4];
-  for (TissueEnergies &one : balance.tissues)
+  for (TissueEnergies &one : ledger.tissues)
   {
     one = {next[0], next[1], next[2], next[3], next[4]};
     next += 5;
-    balance.sum.kinetic += one.kinetic;
-    balance.sum.stored += one.stored;
-    balance.sum.hourglass += one.hourglass;
-    balance.sum.bulk_viscosity += one.bulk_viscosity;
-    balance.sum.relaxation += one.relaxation;
+    ledger.sum.kinetic += one.kinetic;
+    ledger.sum.stored += one.stored;
+    ledger.sum.hourglass += one.hourglass;
+    ledger.sum.bulk_viscosity += one.bulk_viscosity;
+    ledger.sum.relaxation += one.relaxation;
   }
-  return balance;
+  return ledger;
 }
 
 
 template <typename Real>
-double SolidBody<Real>::quiet_part() const
+double SolidBody<Real>::skipped_fraction() const
 {
-  std::vector<double> sums{computed_, offered_};
+  std::vector<double> sums{computed_updates_, total_updates_};
   dealii::Utilities::MPI::sum(sums, communicator_, sums);
   return sums[1] > 0. ? 1. - sums[0] / sums[1] : 0.;
 }

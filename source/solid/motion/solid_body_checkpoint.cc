@@ -14,12 +14,12 @@ namespace contrecoup::solid
 {
 /// Header of each checkpoint file: global values.
 template <typename Real>
-struct SolidBody<Real>::Numbers
+struct SolidBody<Real>::CheckpointHeader
 {
   std::uint64_t n_nodes;
   std::uint64_t n_cells;
   std::uint64_t n_global_nodes;
-  std::uint64_t n_global_cells;
+  std::uint64_t n_global_elements;
   std::uint64_t n_tissues;
   /// relaxed strain components per viscoelastic element
   std::uint64_t n_relaxed;
@@ -158,30 +158,30 @@ void SolidBody<Real>::save(const std::string &folder) const
       reactions[node][d] = value;
     });
   std::vector<DampingRecord<Real>> damping;
-  for (std::size_t i = 0; i < mesh_.cells.size(); ++i)
+  for (std::size_t i = 0; i < mesh_.elements.size(); ++i)
     for_damping(
       operator_.batches(), i, [&](const auto *forces, const unsigned int lane) {
-        damping.push_back({mesh_.global_cell[i], {}});
+        damping.push_back({mesh_.global_element[i], {}});
         for (unsigned int k = 0; k < 12; ++k)
           damping.back().values[k] = forces[k][lane];
       });
   io::write_file(file_of(folder, rank), [&](std::ostream &out) {
     write_binary(out,
-                 Numbers{mesh_.nodes.size(),
-                         mesh_.cells.size(),
-                         mesh_.n_global_nodes,
-                         mesh_.n_global_cells,
-                         mesh_.tissues.size(),
-                         operator_.batches().n_relaxed(),
-                         damping.size(),
-                         sizeof(Real),
-                         time_,
-                         relaxed_time_,
-                         times_,
-                         external_work_,
-                         nodal_work_,
-                         step_change_,
-                         initial_energy_});
+                 CheckpointHeader{mesh_.nodes.size(),
+                                  mesh_.elements.size(),
+                                  mesh_.n_global_nodes,
+                                  mesh_.n_global_elements,
+                                  mesh_.tissues.size(),
+                                  operator_.batches().n_relaxed(),
+                                  damping.size(),
+                                  sizeof(Real),
+                                  time_,
+                                  time_of_relaxed_strain_,
+                                  times_,
+                                  external_work_,
+                                  nodal_work_,
+                                  step_change_,
+                                  initial_energy_});
     for (const TissueEnergies &one : operator_.losses())
       write_binary(out, one);
     for (std::size_t i = 0; i < mesh_.nodes.size(); ++i)
@@ -189,9 +189,9 @@ void SolidBody<Real>::save(const std::string &folder) const
                    NodeRecord<Real>{mesh_.global_node[i],
                                     node_values(nodes_, i),
                                     reactions[i]});
-    for (std::size_t i = 0; i < mesh_.cells.size(); ++i)
+    for (std::size_t i = 0; i < mesh_.elements.size(); ++i)
     {
-      CellRecord<Real> record{mesh_.global_cell[i], {}};
+      CellRecord<Real> record{mesh_.global_element[i], {}};
       for_each_state(
         operator_.batches(), i, [&](const unsigned int k, const Real value) {
           record.values[k] = value;
@@ -212,14 +212,14 @@ void SolidBody<Real>::restore(const std::string &folder)
   std::unordered_map<std::uint32_t, std::uint32_t> node, cell;
   for (std::size_t i = 0; i < mesh_.nodes.size(); ++i)
     node[mesh_.global_node[i]] = i;
-  for (std::size_t i = 0; i < mesh_.cells.size(); ++i)
-    cell[mesh_.global_cell[i]] = i;
+  for (std::size_t i = 0; i < mesh_.elements.size(); ++i)
+    cell[mesh_.global_element[i]] = i;
   for (unsigned int rank = 0; std::filesystem::exists(file_of(folder, rank));
        ++rank)
   {
     std::ifstream in(file_of(folder, rank), std::ios::binary);
-    const Numbers numbers = read_numbers(in, file_of(folder, rank));
-    for (std::uint64_t i = 0; i < numbers.n_nodes; ++i)
+    const CheckpointHeader header = read_header(in, file_of(folder, rank));
+    for (std::uint64_t i = 0; i < header.n_nodes; ++i)
     {
       NodeRecord<Real> record;
       read_binary(in, record);
@@ -234,11 +234,11 @@ void SolidBody<Real>::restore(const std::string &folder)
         reactions[found->second][d] = record.reaction[d];
       }
     }
-    for (std::uint64_t i = 0; i < numbers.n_cells; ++i)
+    for (std::uint64_t i = 0; i < header.n_cells; ++i)
     {
       CellRecord<Real> record;
       in.read(reinterpret_cast<char *>(&record),
-              CellRecord<Real>::size(numbers.n_relaxed));
+              CellRecord<Real>::size(header.n_relaxed));
       const auto found = cell.find(record.cell);
       if (found != cell.end())
         for_each_state(
@@ -246,7 +246,7 @@ void SolidBody<Real>::restore(const std::string &folder)
           found->second,
           [&](const unsigned int k, Real &value) { value = record.values[k]; });
     }
-    take_damping(in, numbers.n_damped, cell, operator_.batches());
+    take_damping(in, header.n_damped, cell, operator_.batches());
     if (!in)
       throw InputError("Checkpoint file " + file_of(folder, rank) +
                        " ends too early");
@@ -256,46 +256,46 @@ void SolidBody<Real>::restore(const std::string &folder)
                                   double &value) { value = reactions[i][d]; });
   loads_.set_time(time_);
   // History variables may differ from zero where nodes are at rest.
-  nodes_.find_awake();
-  operator_.batches().wake_all();
+  nodes_.mark_active_blocks();
+  operator_.batches().activate_all();
   operator_.find_least_dilatations();
   find_least_dilatations();
-  past_.reset();
+  snapshot_.reset();
 }
 
 
 template <typename Real>
-typename SolidBody<Real>::Numbers
-SolidBody<Real>::read_numbers(std::istream &in, const std::string &file)
+typename SolidBody<Real>::CheckpointHeader
+SolidBody<Real>::read_header(std::istream &in, const std::string &file)
 {
-  Numbers numbers;
-  read_binary(in, numbers);
-  if (!in || numbers.n_global_nodes != mesh_.n_global_nodes ||
-      numbers.n_global_cells != mesh_.n_global_cells ||
-      numbers.n_tissues != mesh_.tissues.size() ||
-      numbers.n_relaxed != operator_.batches().n_relaxed() ||
-      numbers.number_size != sizeof(Real))
+  CheckpointHeader header;
+  read_binary(in, header);
+  if (!in || header.n_global_nodes != mesh_.n_global_nodes ||
+      header.n_global_elements != mesh_.n_global_elements ||
+      header.n_tissues != mesh_.tissues.size() ||
+      header.n_relaxed != operator_.batches().n_relaxed() ||
+      header.number_size != sizeof(Real))
     throw InputError("Checkpoint file " + file + " belongs to another scene");
-  time_ = numbers.time;
-  relaxed_time_ = numbers.relaxed_time;
-  times_ = numbers.times;
-  initial_energy_ = numbers.initial_energy;
+  time_ = header.time;
+  time_of_relaxed_strain_ = header.relaxed_time;
+  times_ = header.times;
+  initial_energy_ = header.initial_energy;
   std::vector<TissueEnergies> losses(operator_.losses().size());
   for (TissueEnergies &one : losses)
     read_binary(in, one);
   // Rank 0 continues the sums over all saved ranks.
   if (dealii::Utilities::MPI::this_mpi_process(communicator_) != 0)
-    return numbers;
-  external_work_ += numbers.external_work;
-  nodal_work_ += numbers.nodal_work;
-  step_change_ += numbers.step_change;
+    return header;
+  external_work_ += header.external_work;
+  nodal_work_ += header.nodal_work;
+  step_change_ += header.step_change;
   for (std::size_t i = 0; i < losses.size(); ++i)
   {
     operator_.losses()[i].hourglass += losses[i].hourglass;
     operator_.losses()[i].bulk_viscosity += losses[i].bulk_viscosity;
     operator_.losses()[i].relaxation += losses[i].relaxation;
   }
-  return numbers;
+  return header;
 }
 
 

@@ -27,7 +27,7 @@ namespace
 
 /// A copy of an earlier state, and the steps made since.
 template <typename Real>
-struct SolidBody<Real>::Past
+struct SolidBody<Real>::Snapshot
 {
   NodeBackup<Real> nodes;
   HexMemory<Lanes<Real>> memory;
@@ -41,42 +41,43 @@ struct SolidBody<Real>::Past
 
 
 template <typename Real>
-void SolidBody<Real>::keep()
+void SolidBody<Real>::save_snapshot()
 {
-  if (!past_)
-    past_ = std::make_shared<Past>();
-  past_->nodes.keep(nodes_);
-  past_->memory = operator_.batches();
-  past_->losses = operator_.losses();
-  past_->supports = supports_;
-  past_->time = time_;
-  past_->relaxed_time = relaxed_time_;
-  past_->times = times_;
-  past_->external_work = external_work_;
-  past_->nodal_work = nodal_work_;
-  past_->step_change = step_change_;
-  past_->steps.clear();
+  if (!snapshot_)
+    snapshot_ = std::make_shared<Snapshot>();
+  snapshot_->nodes.save(nodes_);
+  snapshot_->memory = operator_.batches();
+  snapshot_->losses = operator_.losses();
+  snapshot_->supports = supports_;
+  snapshot_->time = time_;
+  snapshot_->relaxed_time = time_of_relaxed_strain_;
+  snapshot_->times = times_;
+  snapshot_->external_work = external_work_;
+  snapshot_->nodal_work = nodal_work_;
+  snapshot_->step_change = step_change_;
+  snapshot_->steps.clear();
 }
 
 
 template <typename Real>
-void SolidBody<Real>::go_back()
+void SolidBody<Real>::restore_snapshot()
 {
-  past_->nodes.put_back(nodes_);
-  static_cast<HexMemory<Lanes<Real>> &>(operator_.batches()) = past_->memory;
-  operator_.losses() = past_->losses;
-  supports_ = past_->supports;
-  time_ = past_->time;
-  relaxed_time_ = past_->relaxed_time;
-  times_ = past_->times;
-  external_work_ = past_->external_work;
-  nodal_work_ = past_->nodal_work;
-  step_change_ = past_->step_change;
+  snapshot_->nodes.restore(nodes_);
+  static_cast<HexMemory<Lanes<Real>> &>(operator_.batches()) =
+    snapshot_->memory;
+  operator_.losses() = snapshot_->losses;
+  supports_ = snapshot_->supports;
+  time_ = snapshot_->time;
+  time_of_relaxed_strain_ = snapshot_->relaxed_time;
+  times_ = snapshot_->times;
+  external_work_ = snapshot_->external_work;
+  nodal_work_ = snapshot_->nodal_work;
+  step_change_ = snapshot_->step_change;
   loads_.set_time(time_);
-  for (const double step : past_->steps)
+  for (const double step : snapshot_->steps)
     take_step(step);
   find_least_dilatations();
-  keep();
+  save_snapshot();
 }
 
 
@@ -104,8 +105,8 @@ template <typename Real>
 typename SolidBody<Real>::Advance
 SolidBody<Real>::advance(const double step, const unsigned int largest_retries)
 {
-  if (!past_ || past_->steps.size() >= steps_between_copies)
-    keep();
+  if (!snapshot_ || snapshot_->steps.size() >= steps_between_copies)
+    save_snapshot();
   const std::vector<double> before = least_dilatations_;
   Advance result{step, 0};
   for (;;)
@@ -115,12 +116,12 @@ SolidBody<Real>::advance(const double step, const unsigned int largest_retries)
     if (is_physical(before))
       break;
     if (result.retries >= largest_retries)
-      give_up(result);
-    go_back();
+      throw_step_failure(result);
+    restore_snapshot();
     result.step *= 0.5;
     ++result.retries;
   }
-  past_->steps.push_back(result.step);
+  snapshot_->steps.push_back(result.step);
   for (std::size_t i = 0; i < least_dilatations_.size(); ++i)
     least_volume_ = std::min(least_volume_, 1. + least_dilatations_[i]);
   return result;
@@ -128,12 +129,12 @@ SolidBody<Real>::advance(const double step, const unsigned int largest_retries)
 
 
 template <typename Real>
-void SolidBody<Real>::give_up(const Advance &failed)
+void SolidBody<Real>::throw_step_failure(const Advance &failed)
 {
   // Find the most compressed element; values that are not finite come first.
   double least = std::numeric_limits<double>::infinity();
   std::uint32_t cell = 0;
-  for (std::uint32_t i = 0; i < mesh_.cells.size(); ++i)
+  for (std::uint32_t i = 0; i < mesh_.elements.size(); ++i)
   {
     const double value = operator_.dilatation(i);
     const double dilatation = std::isfinite(value) ? value : -1e300;
@@ -144,10 +145,10 @@ void SolidBody<Real>::give_up(const Advance &failed)
     }
   }
   std::ostringstream text;
-  if (!mesh_.cells.empty())
+  if (!mesh_.elements.empty())
     describe(cell, text);
-  go_back();
-  if (!mesh_.cells.empty())
+  restore_snapshot();
+  if (!mesh_.elements.empty())
   {
     const ElementValues before = operator_.values(nodes_, times_, cell);
     text << "; before the step it had " << brief(1. + before.dilatation)
@@ -172,9 +173,9 @@ void SolidBody<Real>::describe(const std::uint32_t cell,
                                std::ostream &text) const
 {
   dealii::Point<3> centre;
-  for (const std::uint32_t node : mesh_.cells[cell])
+  for (const std::uint32_t node : mesh_.elements[cell])
     centre += mesh_.nodes[node] / 8.;
-  text << "element " << mesh_.global_cell[cell] << " of "
+  text << "element " << mesh_.global_element[cell] << " of "
        << name_of(mesh_.tissues[mesh_.tissue[cell]]) << " at (" << centre
        << ") m would be left with " << brief(1. + operator_.dilatation(cell))
        << " of its volume, where more than " << brief(least_allowed)

@@ -17,7 +17,7 @@ namespace
   constexpr double tolerance = 2e-3;
 
   /// Pseudo-random number in [-1, 1] of a node and direction.
-  double scatter(const std::uint64_t node, const unsigned int direction)
+  double pseudo_random(const std::uint64_t node, const unsigned int direction)
   {
     std::uint64_t x = (3 * node + direction + 1) * 0x9e3779b97f4a7c15ULL;
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
@@ -73,7 +73,7 @@ double SolidBody<Real>::lanczos_step(double &before, double &next)
   operator_.add_linear_forces(nodes_);
   gather_hanging(nodes_.force.data(), 3, nodes_.width);
   exchange_.add(nodes_.force.data(), 3, nodes_.width);
-  supports_.hold(nodes_);
+  supports_.zero_supported_forces(nodes_);
   double product = 0.;
   for (std::size_t i = 0; i < counted_.size(); ++i)
     for (unsigned int d = 0; d < 3; ++d)
@@ -126,8 +126,8 @@ double SolidBody<Real>::largest_square_frequency(double &uncertainty,
   for (std::size_t i = 0; i < mesh_.nodes.size(); ++i)
     for (unsigned int d = 0; d < 3; ++d)
       nodes_.force_of(i)[d] =
-        static_cast<Real>(scatter(mesh_.global_node[i], d));
-  supports_.hold(nodes_);
+        static_cast<Real>(pseudo_random(mesh_.global_node[i], d));
+  supports_.zero_supported_forces(nodes_);
   for (std::size_t i = 0; i < mesh_.nodes.size(); ++i)
     for (unsigned int d = 0; d < 3; ++d)
     {
@@ -166,12 +166,12 @@ double SolidBody<Real>::largest_square_frequency(double &uncertainty,
 
 
 template <typename Real>
-StepCertificate SolidBody<Real>::certify_step()
+StableStep SolidBody<Real>::find_stable_step()
 {
   const TimerScope timer("step size");
-  StepCertificate certificate;
+  StableStep stable_step;
   const double square =
-    largest_square_frequency(certificate.uncertainty, certificate.iterations);
+    largest_square_frequency(stable_step.uncertainty, stable_step.iterations);
   for (std::size_t i = 0; i < nodes_.size(); ++i)
     for (unsigned int d = 0; d < 3; ++d)
     {
@@ -179,26 +179,26 @@ StepCertificate SolidBody<Real>::certify_step()
       nodes_.velocity_of(i)[d] = Real();
       nodes_.force_of(i)[d] = Real();
     }
-  find_weakest_element(certificate);
-  certificate.body_step =
-    square > 0. ? 2. / (std::sqrt(square) * (1. + certificate.uncertainty))
-                : certificate.element_step;
-  return certificate;
+  find_weakest_element(stable_step);
+  stable_step.body_step =
+    square > 0. ? 2. / (std::sqrt(square) * (1. + stable_step.uncertainty))
+                : stable_step.element_step;
+  return stable_step;
 }
 
 
 template <typename Real>
-void SolidBody<Real>::find_weakest_element(StepCertificate &certificate)
+void SolidBody<Real>::find_weakest_element(StableStep &stable_step)
 {
   double largest = 0.;
   std::vector<double> squares(mesh_.tissues.size(), 0.);
   std::uint32_t weakest = 0;
-  for (std::uint32_t i = 0; i < mesh_.cells.size(); ++i)
+  for (std::uint32_t i = 0; i < mesh_.elements.size(); ++i)
   {
     HexVectors<double> x;
     for (unsigned int c = 0; c < 8; ++c)
       for (unsigned int d = 0; d < 3; ++d)
-        x[c][d] = mesh_.nodes[mesh_.cells[i][c]][d];
+        x[c][d] = mesh_.nodes[mesh_.elements[i][c]][d];
     const HexGeometry<double> geometry = hex_geometry(to_modes(x));
     const SolidMaterial &material = operator_.materials()[mesh_.tissue[i]];
     const double square = element_square_frequency(geometry, material);
@@ -218,12 +218,12 @@ void SolidBody<Real>::find_weakest_element(StepCertificate &certificate)
   mine.rank = dealii::Utilities::MPI::this_mpi_process(communicator_);
   MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE_INT, MPI_MAXLOC, communicator_);
   std::array<double, 5> numbers{};
-  if (all.rank == mine.rank && !mesh_.cells.empty())
+  if (all.rank == mine.rank && !mesh_.elements.empty())
   {
     dealii::Point<3> centre;
-    for (const std::uint32_t node : mesh_.cells[weakest])
+    for (const std::uint32_t node : mesh_.elements[weakest])
       centre += mesh_.nodes[node] / 8.;
-    numbers = {{double(mesh_.global_cell[weakest]),
+    numbers = {{double(mesh_.global_element[weakest]),
                 double(mesh_.tissues[mesh_.tissue[weakest]]),
                 centre[0],
                 centre[1],
@@ -234,10 +234,10 @@ void SolidBody<Real>::find_weakest_element(StepCertificate &certificate)
   element_steps_.clear();
   for (const double square : squares)
     element_steps_.push_back(2. / std::sqrt(square));
-  certificate.element_step = 2. / std::sqrt(all.value);
-  certificate.element = static_cast<std::uint32_t>(numbers[0]);
-  certificate.tissue = static_cast<Tissue>(static_cast<int>(numbers[1]));
-  certificate.place = dealii::Point<3>(numbers[2], numbers[3], numbers[4]);
+  stable_step.element_step = 2. / std::sqrt(all.value);
+  stable_step.element = static_cast<std::uint32_t>(numbers[0]);
+  stable_step.tissue = static_cast<Tissue>(static_cast<int>(numbers[1]));
+  stable_step.center = dealii::Point<3>(numbers[2], numbers[3], numbers[4]);
 }
 
 

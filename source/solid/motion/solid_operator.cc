@@ -160,7 +160,8 @@ Lanes<Real> SolidOperator<Real>::secant_bulk(const SolidLaw<Lane> &law,
                                              const unsigned int batch) const
 {
   HexVectors<Lane> x, u;
-  load_corners(nodes.place.data(), batches_.offsets(batch, 0), x, u);
+  load_corners(
+    nodes.position_and_displacement.data(), batches_.offsets(batch, 0), x, u);
   const Matrix3<Lane> h = mean_gradient(hex_geometry(to_modes(x)), to_modes(u));
   const Lane dilatation = options_.kinematics == SolidKinematics::small_strain
                             ? h[0][0] + h[1][1] + h[2][2]
@@ -251,7 +252,7 @@ template <typename Real>
 void SolidOperator<Real>::add_linear_forces(NodeFields<Real> &nodes)
 {
   // Compute all batches; without a step, there is no viscosity.
-  batches_.wake_all();
+  batches_.activate_all();
   TissueEnergies unused;
   if (full())
     add_full_linear_forces(nodes);

@@ -149,8 +149,8 @@ namespace
       for (const Vector3<Number> &b : g.volume_gradient)
         for (unsigned int i = 0; i < 3; ++i)
         {
-          const Number part = dot(c[i], b);
-          deformed += part * part;
+          const Number component = dot(c[i], b);
+          deformed += component * component;
         }
       of_volume = Number(8.) * deformed / g.gradient_square;
       const Symmetric3<Number> e = green_strain<true>(h);
@@ -194,7 +194,7 @@ void SolidOperator<Real>::energies_of(const Range &range,
   {
     const unsigned int *offsets = batches_.offsets(batch, 0);
     HexVectors<Lane> x, u;
-    load_corners(nodes.place.data(), offsets, x, u);
+    load_corners(nodes.position_and_displacement.data(), offsets, x, u);
     x = to_modes(x);
     u = to_modes(u);
     const HexGeometry<Lane> g = hex_geometry(x);
@@ -304,15 +304,18 @@ double SolidOperator<Real>::deformed_step(const NodeFields<Real> &nodes,
     if (!finite && !material.gas.exists())
       continue;
     const double shear = material.instantaneous_shear;
-    const double stiffest =
+    const double largest_stiffness =
       std::max(0., material.bulk_modulus - 2. / 3. * shear) + 2. * shear;
     // Squared ratio of an element's own stable step to that of the body.
     const Lane own =
-      Real(material.density / (2. * stiffest * body_step * body_step));
+      Real(material.density / (2. * largest_stiffness * body_step * body_step));
     for (unsigned int batch = range.begin; batch < range.end; ++batch)
     {
       HexVectors<Lane> x, u;
-      load_corners(nodes.place.data(), batches_.offsets(batch, 0), x, u);
+      load_corners(nodes.position_and_displacement.data(),
+                   batches_.offsets(batch, 0),
+                   x,
+                   u);
       const HexGeometry<Lane> g = hex_geometry(to_modes(x));
       const Lane stiffer =
         stiffening(material, finite, g, mean_gradient(g, to_modes(u)));
@@ -337,7 +340,8 @@ void SolidOperator<Real>::visit_batch(const Range &range,
                                       Values &values) const
 {
   HexVectors<Lane> x, u;
-  load_corners(nodes.place.data(), batches_.offsets(batch, 0), x, u);
+  load_corners(
+    nodes.position_and_displacement.data(), batches_.offsets(batch, 0), x, u);
   const HexGeometry<Lane> g = hex_geometry(to_modes(x));
   const Matrix3<Lane> h = mean_gradient(g, to_modes(u));
   const Matrix3<Lane> cofactors = cofactor(h);
@@ -407,7 +411,7 @@ void SolidOperator<Real>::visit_range(
   const Range &range,
   const NodeFields<Real> &nodes,
   const StepTimes &times,
-  const bool moved,
+  const bool skip_inactive,
   const std::function<void(std::uint32_t, const ElementValues &)> &function)
   const
 {
@@ -415,7 +419,7 @@ void SolidOperator<Real>::visit_range(
   Values values;
   for (unsigned int batch = range.begin; batch < range.end; ++batch)
   {
-    if (moved && !batches_.was_awake(batch))
+    if (skip_inactive && !batches_.was_active(batch))
       continue;
     visit_any(range, batch, nodes, model, values);
     const unsigned int n_filled = count_filled(batches_, batch);
@@ -439,7 +443,7 @@ void SolidOperator<Real>::visit(
 
 
 template <typename Real>
-void SolidOperator<Real>::visit_moved(
+void SolidOperator<Real>::visit_active(
   const NodeFields<Real> &nodes,
   const StepTimes &times,
   const std::function<void(std::uint32_t, const ElementValues &)> &function,

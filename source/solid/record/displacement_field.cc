@@ -153,7 +153,7 @@ void ReferenceMotion::add_pressure(const SolidBody<Real> &body,
     body.times(),
     [&](const std::uint32_t cell, const ElementValues &element) {
       dealii::Point<3> middle;
-      for (const std::uint32_t node : mesh.cells[cell])
+      for (const std::uint32_t node : mesh.elements[cell])
         middle += mesh.nodes[node] / 8.;
       const double theory = pressure_->value(middle, body.time());
       sums[0] +=

@@ -79,7 +79,7 @@ template <typename Real>
 void PeakFields<Real>::reinit(const SolidBody<Real> &body)
 {
   for (std::vector<float> &field : fields_)
-    field.assign(body.mesh().cells.size(), 0.F);
+    field.assign(body.mesh().elements.size(), 0.F);
   averages_.assign(body.mesh().tissues.size(), {});
   for (unsigned int k = 0; k < averages_.size(); ++k)
     averages_[k].reinit(body.mesh(), body.exchange(), k);
@@ -88,14 +88,14 @@ void PeakFields<Real>::reinit(const SolidBody<Real> &body)
 
 
 template <typename Real>
-void PeakFields<Real>::follow(const SolidBody<Real> &body)
+void PeakFields<Real>::record(const SolidBody<Real> &body)
 {
   if (++n_steps_ % interval_ != 0)
     return;
-  std::vector<float> pressures(body.mesh().cells.size(), 0.F);
+  std::vector<float> pressures(body.mesh().elements.size(), 0.F);
   for (unsigned int k = 0; k < averages_.size(); ++k)
   {
-    body.elements().visit_moved(
+    body.elements().visit_active(
       body.nodes(),
       body.times(),
       [&](const std::uint32_t cell, const ElementValues &element) {
@@ -107,16 +107,17 @@ void PeakFields<Real>::follow(const SolidBody<Real> &body)
           static_cast<float>(raised_to_principal(strain, element.strain));
       },
       k);
-    const std::vector<std::uint32_t> &cells = averages_[k].cells();
-    std::vector<double> values(cells.size());
-    for (std::size_t i = 0; i < cells.size(); ++i)
-      values[i] = pressures[cells[i]];
+    const std::vector<std::uint32_t> &elements = averages_[k].elements();
+    std::vector<double> values(elements.size());
+    for (std::size_t i = 0; i < elements.size(); ++i)
+      values[i] = pressures[elements[i]];
     if (averaged_)
       values = averages_[k].average(values);
-    for (std::size_t i = 0; i < cells.size(); ++i)
+    for (std::size_t i = 0; i < elements.size(); ++i)
     {
       const auto pressure = static_cast<float>(values[i]);
-      float &highest = fields_[0][cells[i]], &lowest = fields_[1][cells[i]];
+      float &highest = fields_[0][elements[i]],
+            &lowest = fields_[1][elements[i]];
       highest = std::max(highest, pressure);
       lowest = std::min(lowest, pressure);
     }
@@ -133,13 +134,13 @@ PeakFields<Real>::measures(const SolidBody<Real> &body) const
   for (unsigned int k = 0; k < averages_.size(); ++k)
   {
     const Tissue tissue = body.mesh().tissues[k];
-    const std::vector<std::uint32_t> &cells = averages_[k].cells();
+    const std::vector<std::uint32_t> &elements = averages_[k].elements();
     for (unsigned int n = 0; n < n_fields; ++n)
     {
       // All fields but the lowest pressure start from zero and grow.
       const float sign = n == 1 ? -1.F : 1.F;
       float extreme = 0.F;
-      for (const std::uint32_t cell : cells)
+      for (const std::uint32_t cell : elements)
         extreme = std::max(extreme, sign * fields_[n][cell]);
       list.push_back(
         {tissue_column(names[n], tissue),
@@ -147,7 +148,7 @@ PeakFields<Real>::measures(const SolidBody<Real> &body) const
          sign * dealii::Utilities::MPI::max(extreme, body.communicator())});
     }
     std::vector<double> strains;
-    for (const std::uint32_t cell : cells)
+    for (const std::uint32_t cell : elements)
       strains.push_back(fields_[3][cell]);
     list.push_back(
       {tissue_column("principal_strain_95", tissue),
@@ -167,7 +168,7 @@ void PeakFields<Real>::save(const SolidBody<Real> &body,
   std::vector<Record> records;
   for (std::size_t i = 0; i < fields_[0].size(); ++i)
     records.push_back(
-      {body.mesh().global_cell[i],
+      {body.mesh().global_element[i],
        {{fields_[0][i], fields_[1][i], fields_[2][i], fields_[3][i]}}});
   io::write_file(file_of(folder, rank), [&](std::ostream &out) {
     const std::uint64_t size = records.size();
@@ -185,8 +186,8 @@ void PeakFields<Real>::restore(const SolidBody<Real> &body,
 {
   reinit(body);
   std::unordered_map<std::uint32_t, std::size_t> here;
-  for (std::size_t i = 0; i < body.mesh().cells.size(); ++i)
-    here[body.mesh().global_cell[i]] = i;
+  for (std::size_t i = 0; i < body.mesh().elements.size(); ++i)
+    here[body.mesh().global_element[i]] = i;
   for (unsigned int rank = 0; std::filesystem::exists(file_of(folder, rank));
        ++rank)
   {

@@ -130,19 +130,19 @@ void SolidProbes::parse_parameters(ParameterHandler &prm)
   {
     const Section section(prm, "Probes");
     for (const dealii::Point<3> &point : read_points<3>(prm, "Points"))
-      places_.push_back({point, false, 0, false, 0});
+      locations_.push_back({point, false, 0, false, 0});
   }
   const std::size_t n_quantities = probe_quantities().size();
-  values_.assign(n_quantities * places_.size(), 0.);
+  values_.assign(n_quantities * locations_.size(), 0.);
   for (const std::string &name : item_names(prm, "Measures/Measure"))
   {
     const Section section(prm, "Measures");
     const Section item(prm, "Measure " + name);
     const unsigned int probe = read_unsigned(prm, "Probe");
-    if (probe > places_.size())
+    if (probe > locations_.size())
       throw InputError(
         "Measures/Measure " + name + "/Probe = " + std::to_string(probe) +
-        ", but Probes/Points has " + std::to_string(places_.size()));
+        ", but Probes/Points has " + std::to_string(locations_.size()));
     const std::vector<std::string> names = quantity_names();
     const auto quantity =
       std::find(names.begin(), names.end(), prm.get("Quantity"));
@@ -161,33 +161,33 @@ void SolidProbes::parse_parameters(ParameterHandler &prm)
 
 void SolidProbes::reinit(const SolidMesh &mesh, const MPI_Comm communicator)
 {
-  for (Place &place : places_)
+  for (ProbeLocation &location : locations_)
   {
     double least = std::numeric_limits<double>::max();
     for (std::uint32_t i = 0; i < mesh.nodes.size(); ++i)
     {
-      const double distance = mesh.nodes[i].distance_square(place.point);
+      const double distance = mesh.nodes[i].distance_square(location.point);
       if (distance < least)
       {
         least = distance;
-        place.node = i;
+        location.node = i;
       }
     }
-    place.has_node = is_nearest(least, communicator);
+    location.has_node = is_nearest(least, communicator);
     least = std::numeric_limits<double>::max();
-    for (std::uint32_t i = 0; i < mesh.cells.size(); ++i)
+    for (std::uint32_t i = 0; i < mesh.elements.size(); ++i)
     {
       dealii::Point<3> middle;
-      for (const std::uint32_t node : mesh.cells[i])
+      for (const std::uint32_t node : mesh.elements[i])
         middle += mesh.nodes[node] / 8.;
-      const double distance = middle.distance_square(place.point);
+      const double distance = middle.distance_square(location.point);
       if (distance < least)
       {
         least = distance;
-        place.cell = i;
+        location.element = i;
       }
     }
-    place.has_cell = is_nearest(least, communicator);
+    location.has_element = is_nearest(least, communicator);
   }
 }
 
@@ -197,18 +197,18 @@ void SolidProbes::read(const SolidBody<Real> &body)
 {
   std::fill(values_.begin(), values_.end(), 0.);
   double *value = values_.data();
-  for (const Place &place : places_)
+  for (const ProbeLocation &location : locations_)
   {
-    if (place.has_node)
+    if (location.has_node)
       for (unsigned int d = 0; d < 3; ++d)
       {
-        value[d] = body.nodes().displacement_of(place.node)[d];
-        value[3 + d] = body.nodes().velocity_of(place.node)[d];
+        value[d] = body.nodes().displacement_of(location.node)[d];
+        value[3 + d] = body.nodes().velocity_of(location.node)[d];
       }
-    if (place.has_cell)
+    if (location.has_element)
     {
       const ElementValues element =
-        body.elements().values(body.nodes(), body.times(), place.cell);
+        body.elements().values(body.nodes(), body.times(), location.element);
       value[6] = pressure_of(element.stress);
       value[7] = von_mises(element.stress);
       value[8] = largest_principal(element.strain);

@@ -28,11 +28,11 @@ namespace
         points.push_back(static_cast<float>(node[d]));
     file.add("Points", "points", points, 3);
     std::vector<std::uint32_t> corners;
-    corners.reserve(8 * mesh.cells.size());
-    for (const HexMesh::Cell &cell : mesh.cells)
+    corners.reserve(8 * mesh.elements.size());
+    for (const HexMesh::Cell &cell : mesh.elements)
       corners.insert(corners.end(), cell.begin(), cell.end());
     file.add("Cells", "connectivity", corners);
-    std::vector<std::int64_t> offsets(mesh.cells.size());
+    std::vector<std::int64_t> offsets(mesh.elements.size());
     for (std::size_t i = 0; i < offsets.size(); ++i)
       offsets[i] = 8 * static_cast<std::int64_t>(i + 1);
     file.add("Cells", "offsets", offsets);
@@ -59,7 +59,7 @@ namespace
       tissue.push_back(static_cast<unsigned char>(mesh.tissues[index]));
     file.add("CellData", "tissue", tissue);
     std::vector<std::vector<float>> values(
-      cell_names.size(), std::vector<float>(mesh.cells.size()));
+      cell_names.size(), std::vector<float>(mesh.elements.size()));
     body.elements().visit(
       body.nodes(),
       body.times(),
@@ -73,11 +73,11 @@ namespace
       TissueAverage average;
       average.reinit(mesh, body.exchange(), tissue);
       std::vector<double> pressures;
-      for (const std::uint32_t cell : average.cells())
+      for (const std::uint32_t cell : average.elements())
         pressures.push_back(values[0][cell]);
       pressures = average.average(pressures);
       for (std::size_t i = 0; i < pressures.size(); ++i)
-        values[1][average.cells()[i]] = static_cast<float>(pressures[i]);
+        values[1][average.elements()[i]] = static_cast<float>(pressures[i]);
     }
     for (std::size_t k = 0; k < cell_names.size(); ++k)
       file.add("CellData", cell_names[k], values[k]);
@@ -137,7 +137,7 @@ std::string write_solid(const SolidBody<Real> &body,
   };
   const std::string sizes =
     "NumberOfPoints=\"" + std::to_string(body.mesh().nodes.size()) +
-    "\" NumberOfCells=\"" + std::to_string(body.mesh().cells.size()) + "\"";
+    "\" NumberOfCells=\"" + std::to_string(body.mesh().elements.size()) + "\"";
   io::VtkFile file("UnstructuredGrid", "", sizes);
   add_points(file, body);
   add_fields(file, body);

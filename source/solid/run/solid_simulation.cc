@@ -8,7 +8,7 @@
 #include <contrecoup/base/system/timers.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/solid/body/tissue_measures.h>
-#include <contrecoup/solid/boundary/load_place.h>
+#include <contrecoup/solid/boundary/load_alignment.h>
 #include <contrecoup/solid/run/solid_output.h>
 #include <contrecoup/solid/run/solid_simulation.h>
 
@@ -116,7 +116,7 @@ void SolidSimulation<Real>::parse_parameters(ParameterHandler &prm)
   }
   supports_.parse_parameters(prm);
   loads_.parse_parameters(prm);
-  check_load_place(prm);
+  check_load_alignment(prm);
   surroundings_.parse_parameters(prm);
   initial_.parse_parameters(prm);
   reference_.parse_parameters(prm);
@@ -166,8 +166,8 @@ void SolidSimulation<Real>::build()
     supports_,
     loads_,
     communicator_);
-  certificate_ = body_.certify_step();
-  stable_step_ = safety_ * options_.step_factor() * certificate_.body_step;
+  stability_ = body_.find_stable_step();
+  stable_step_ = safety_ * options_.step_factor() * stability_.body_step;
   // Bulk viscosity reduces the step that remains for the body itself.
   const double factor = options_.step_factor();
   surroundings_.set_step(stable_step_,
@@ -190,7 +190,7 @@ void SolidSimulation<Real>::setup()
   body_.start(0.);
   if (probes_.measures())
     probes_.read(body_);
-  audit_energy();
+  check_energy();
 }
 
 
@@ -200,15 +200,15 @@ void SolidSimulation<Real>::report_step() const
   std::ostringstream line;
   line << "step " << brief(stable_step_) << " s: " << brief(safety_)
        << " of what the body allows, "
-       << brief(options_.step_factor() * certificate_.body_step)
+       << brief(options_.step_factor() * stability_.body_step)
        << " s (highest frequency within "
-       << brief(100. * certificate_.uncertainty, 2) << " % after "
-       << certificate_.iterations << " iterations); alone, element "
-       << certificate_.element << " of " << name_of(certificate_.tissue)
-       << " at (" << certificate_.place << ") m "
+       << brief(100. * stability_.uncertainty, 2) << " % after "
+       << stability_.iterations << " iterations); alone, element "
+       << stability_.element << " of " << name_of(stability_.tissue) << " at ("
+       << stability_.center << ") m "
        << (body_.mass_scaling().active() ? "without added mass " : "")
        << "would allow "
-       << brief(options_.step_factor() * certificate_.element_step) << " s";
+       << brief(options_.step_factor() * stability_.element_step) << " s";
   log_line(line.str());
   const std::vector<NamedValue> &scaled = body_.mass_scaling().report();
   for (std::size_t i = 0; i < scaled.size(); i += 2)
@@ -232,16 +232,16 @@ StepReport SolidSimulation<Real>::advance(const double largest_step)
   report.retries = made.retries;
   reduction_ = std::min(
     1., std::ldexp(reduction_, -static_cast<int>(made.retries)) * regrowth);
-  report.updates = static_cast<double>(body_.mesh().n_global_cells);
+  report.updates = static_cast<double>(body_.mesh().n_global_elements);
   if (injury_.active())
   {
     const TimerScope timer("injury");
-    injury_.follow(body_);
+    injury_.record(body_);
   }
   if (peaks_.active())
   {
     const TimerScope timer("peaks");
-    peaks_.follow(body_);
+    peaks_.record(body_);
   }
   if (probes_.measures())
     probes_.read(body_);
@@ -258,7 +258,7 @@ double SolidSimulation<Real>::allowed_step()
     // Deformation may use half of the margin that the safety factor leaves
     // before the step is reduced.
     const double deformed = 0.5 * (1. + safety_) * options_.step_factor() *
-                            body_.deformed_step(certificate_.body_step);
+                            body_.deformed_step(stability_.body_step);
     if (deformed < stable_step_ && deformed_step_ >= stable_step_)
       log_line("time " + brief(body_.time()) +
                " s: deformed elements allow steps of " + brief(deformed) +
@@ -274,24 +274,24 @@ double SolidSimulation<Real>::allowed_step()
 
 
 template <typename Real>
-EnergyBalance SolidSimulation<Real>::audit_energy()
+EnergyLedger SolidSimulation<Real>::check_energy()
 {
   const TimerScope timer("energy audit");
-  EnergyBalance balance = body_.balance();
+  EnergyLedger ledger = body_.energy_ledger();
   energy_scale_ =
     std::max({energy_scale_,
-              balance.initial,
-              std::abs(balance.external_work),
-              balance.sum.kinetic + std::abs(balance.sum.internal())});
-  return balance;
+              ledger.initial,
+              std::abs(ledger.external_work),
+              ledger.sum.kinetic + std::abs(ledger.sum.internal())});
+  return ledger;
 }
 
 
 template <typename Real>
 std::vector<NamedValue> SolidSimulation<Real>::history()
 {
-  const EnergyBalance balance = audit_energy();
-  const TissueEnergies &sum = balance.sum;
+  const EnergyLedger ledger = check_energy();
+  const TissueEnergies &sum = ledger.sum;
   const dealii::Tensor<1, 3> momentum = body_.momentum();
   std::vector<NamedValue> values{
     {"mass", "kg", body_.mass(), true},
@@ -301,23 +301,23 @@ std::vector<NamedValue> SolidSimulation<Real>::history()
     {"hourglass_energy", "J", sum.hourglass},
     {"bulk_viscosity_energy", "J", sum.bulk_viscosity},
     {"relaxation_energy", "J", sum.relaxation},
-    {"external_work", "J", balance.external_work},
-    {"nodal_internal_work", "J", balance.nodal_internal_work},
-    {"step_change_energy", "J", balance.step_change},
-    {"energy_residual", "J", balance.residual()},
+    {"external_work", "J", ledger.external_work},
+    {"nodal_internal_work", "J", ledger.nodal_internal_work},
+    {"step_change_energy", "J", ledger.step_change},
+    {"energy_residual", "J", ledger.residual()},
     {"momentum_x", "N s", momentum[0]},
     {"momentum_y", "N s", momentum[1]},
     {"momentum_z", "N s", momentum[2]}};
   if (surroundings_.has_ground())
   {
-    values.push_back({"contact_energy", "J", balance.contact});
+    values.push_back({"contact_energy", "J", ledger.contact});
     values.push_back({"ground_force", "N", body_.ground_force()});
   }
   const std::vector<Tissue> &tissues = body_.mesh().tissues;
   if (tissues.size() > 1)
     for (std::size_t i = 0; i < tissues.size(); ++i)
     {
-      const TissueEnergies &one = balance.tissues[i];
+      const TissueEnergies &one = ledger.tissues[i];
       values.push_back(
         {tissue_column("kinetic_energy", tissues[i]), "J", one.kinetic});
       values.push_back(
@@ -364,27 +364,27 @@ std::vector<NamedValue> SolidSimulation<Real>::errors()
 template <typename Real>
 std::vector<NamedValue> SolidSimulation<Real>::assumptions()
 {
-  const EnergyBalance balance = audit_energy();
+  const EnergyLedger ledger = check_energy();
   const double scale = std::max(energy_scale_, 1e-300);
   std::vector<NamedValue> values{
-    {"energy_residual", "-", balance.residual() / scale},
+    {"energy_residual", "-", ledger.residual() / scale},
     {"nodal_work_difference",
      "-",
-     (balance.nodal_internal_work + balance.initial - balance.sum.internal()) /
+     (ledger.nodal_internal_work + ledger.initial - ledger.sum.internal()) /
        scale},
     {"hourglass_part",
      "-",
-     balance.sum.hourglass / std::max(balance.sum.internal(), 1e-3 * scale)},
-    {"quiet_elements", "-", body_.quiet_part()},
+     ledger.sum.hourglass / std::max(ledger.sum.internal(), 1e-3 * scale)},
+    {"quiet_elements", "-", body_.skipped_fraction()},
     {"stable_step", "s", stable_step_},
-    {"element_step", "s", certificate_.element_step},
-    {"body_step", "s", certificate_.body_step},
+    {"element_step", "s", stability_.element_step},
+    {"body_step", "s", stability_.body_step},
     {"least_volume", "-", body_.least_volume()}};
   for (const NamedValue &value : probes_.measured())
     values.push_back(value);
   for (const NamedValue &value : body_.mass_scaling().report())
     values.push_back(value);
-  for (const NamedValue &value : body_.loads().audit())
+  for (const NamedValue &value : body_.loads().check_values())
     values.push_back(value);
   if (injury_.active())
     for (const InjuryMeasure &measure : injury_.measures(body_))
@@ -415,37 +415,38 @@ template <typename Real>
 void SolidSimulation<Real>::finish(const std::string &folder)
 {
   report_injury(folder);
-  const EnergyBalance balance = audit_energy();
+  const EnergyLedger ledger = check_energy();
   if (energy_scale_ == 0.)
     return;
-  const double residual = std::abs(balance.residual()) / energy_scale_;
-  log_line("energy: " + brief(balance.sum.kinetic) + " J kinetic, " +
-           brief(balance.sum.internal()) + " J internal, work of loads " +
-           brief(balance.external_work) + " J, missing " +
+  const double residual = std::abs(ledger.residual()) / energy_scale_;
+  log_line("energy: " + brief(ledger.sum.kinetic) + " J kinetic, " +
+           brief(ledger.sum.internal()) + " J internal, work of loads " +
+           brief(ledger.external_work) + " J, missing " +
            brief(100. * residual, 3) + " %");
   if (!(residual <= largest_residual_))
     throw NumericsError(
       "energy audit: " + brief(100. * residual) +
       " % of the energy is missing; Energy audit/Largest residual allows " +
       brief(100. * largest_residual_) + " %");
-  const double part = balance.sum.hourglass /
-                      std::max(balance.sum.internal(), 1e-3 * energy_scale_);
-  if (part > largest_hourglass_)
+  const double hourglass_fraction =
+    ledger.sum.hourglass /
+    std::max(ledger.sum.internal(), 1e-3 * energy_scale_);
+  if (hourglass_fraction > largest_hourglass_)
     throw NumericsError("energy audit: hourglass control has " +
-                        brief(100. * part) +
+                        brief(100. * hourglass_fraction) +
                         " % of the internal energy; Energy audit/Largest "
                         "hourglass part allows " +
                         brief(100. * largest_hourglass_) + " %");
-  if (part > notable_hourglass)
-    log_line("WARNING: hourglass control has " + brief(100. * part) +
-             " % of the internal energy");
+  if (hourglass_fraction > notable_hourglass)
+    log_line("WARNING: hourglass control has " +
+             brief(100. * hourglass_fraction) + " % of the internal energy");
 }
 
 
 template <typename Real>
 std::pair<std::uint64_t, std::uint64_t> SolidSimulation<Real>::size() const
 {
-  return {body_.mesh().n_global_cells, 3 * body_.mesh().n_global_nodes};
+  return {body_.mesh().n_global_elements, 3 * body_.mesh().n_global_nodes};
 }
 
 

@@ -100,28 +100,28 @@ public:
   double memory() const;
 
   /// Whether a batch must be computed, because one of its nodes was ever
-  /// displaced. A batch that is awake stays awake.
-  bool is_awake(const unsigned int batch, const NodeFields<Real> &nodes)
+  /// displaced. An active batch stays active.
+  bool is_active(const unsigned int batch, const NodeFields<Real> &nodes)
   {
-    if (awake_[batch] == 0)
-      wake(batch, nodes);
-    return awake_[batch] != 0;
+    if (active_[batch] == 0)
+      activate(batch, nodes);
+    return active_[batch] != 0;
   }
 
-  /// The result of the last call of is_awake().
-  bool was_awake(const unsigned int batch) const
+  /// The result of the last call of is_active().
+  bool was_active(const unsigned int batch) const
   {
-    return awake_[batch] != 0;
+    return active_[batch] != 0;
   }
 
-  /// Number of batches that are awake.
-  unsigned int n_awake() const
+  /// Number of active batches.
+  unsigned int n_active() const
   {
-    return n_awake_;
+    return n_active_;
   }
 
-  /// Marks all batches as awake.
-  void wake_all();
+  /// Marks all batches as active.
+  void activate_all();
 
   /// The relaxed strains of a viscoelastic batch.
   Lane *relaxed_of(const Range &range, const unsigned int batch)
@@ -177,11 +177,11 @@ public:
   void reset_state();
 
 private:
-  void wake(const unsigned int batch, const NodeFields<Real> &nodes);
+  void activate(const unsigned int batch, const NodeFields<Real> &nodes);
 
   unsigned int n_points_ = 1;
-  unsigned int n_awake_ = 0;
-  std::vector<unsigned char> awake_; ///< by batch
+  unsigned int n_active_ = 0;
+  std::vector<unsigned char> active_; ///< by batch
   std::vector<Range> ranges_;
   dealii::AlignedVector<unsigned int> offsets_;
   std::vector<std::uint32_t> cells_;
@@ -192,10 +192,11 @@ private:
 /// Gathers positions @p x and displacements @p u of a batch's corners [m] from
 /// NodeFields::place.
 template <typename Real>
-inline DEAL_II_ALWAYS_INLINE void load_corners(const Real *place,
-                                               const unsigned int *offsets,
-                                               HexVectors<Lanes<Real>> &x,
-                                               HexVectors<Lanes<Real>> &u)
+inline DEAL_II_ALWAYS_INLINE void
+load_corners(const Real *position_and_displacement,
+             const unsigned int *offsets,
+             HexVectors<Lanes<Real>> &x,
+             HexVectors<Lanes<Real>> &u)
 {
   constexpr unsigned int n = n_lanes<Real>;
   for (unsigned int corner = 0; corner < 8; ++corner)
@@ -203,9 +204,11 @@ inline DEAL_II_ALWAYS_INLINE void load_corners(const Real *place,
     unsigned int doubled[n];
     for (unsigned int lane = 0; lane < n; ++lane)
       doubled[lane] = 2 * offsets[n * corner + lane];
-    Lanes<Real> values[NodeFields<Real>::place_width];
-    dealii::vectorized_load_and_transpose(
-      NodeFields<Real>::place_width, place, doubled, values);
+    Lanes<Real> values[NodeFields<Real>::position_width];
+    dealii::vectorized_load_and_transpose(NodeFields<Real>::position_width,
+                                          position_and_displacement,
+                                          doubled,
+                                          values);
     for (unsigned int d = 0; d < 3; ++d)
     {
       x[corner][d] = values[d];

@@ -61,7 +61,7 @@ private:
   std::size_t n_mesh_nodes_ = 0;
   std::vector<double> volumes_;
   std::vector<std::uint32_t> nodes_;    ///< nodes of the elements, each once
-  std::vector<Corners> at_;             ///< positions of the corners in nodes_
+  std::vector<Corners> corner_indices_; ///< positions of the corners in nodes_
   std::vector<double> inverse_volumes_; ///< per node of nodes_ [1/m^3]
 };
 } // namespace contrecoup::solid

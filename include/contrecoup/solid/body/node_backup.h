@@ -16,7 +16,7 @@ template <typename Real>
 class NodeBackup
 {
 public:
-  void keep(const NodeFields<Real> &nodes)
+  void save(const NodeFields<Real> &nodes)
   {
     numbers_.resize(width * nodes.size());
     for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -26,11 +26,11 @@ public:
       next = std::copy_n(nodes.velocity_of(i), 3, next);
       std::copy_n(nodes.force_of(i), 3, next);
     }
-    awake_ = nodes.awake;
+    active_ = nodes.active;
   }
 
   /// @param nodes has the size that keep() saw
-  void put_back(NodeFields<Real> &nodes) const
+  void restore(NodeFields<Real> &nodes) const
   {
     for (std::size_t i = 0; i < nodes.size(); ++i)
     {
@@ -39,18 +39,18 @@ public:
       std::copy_n(from + 3, 3, nodes.velocity_of(i));
       std::copy_n(from + 6, 3, nodes.force_of(i));
     }
-    nodes.awake = awake_;
+    nodes.active = active_;
   }
 
   std::size_t memory_consumption() const
   {
-    return numbers_.capacity() * sizeof(Real) + awake_.capacity();
+    return numbers_.capacity() * sizeof(Real) + active_.capacity();
   }
 
 private:
   static constexpr unsigned int width = 9;
 
   std::vector<Real> numbers_;
-  std::vector<unsigned char> awake_;
+  std::vector<unsigned char> active_;
 };
 } // namespace contrecoup::solid

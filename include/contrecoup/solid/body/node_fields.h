@@ -20,39 +20,40 @@ namespace contrecoup::solid
 template <typename Real>
 struct NodeFields
 {
-  static constexpr unsigned int place_width = 8;
+  static constexpr unsigned int position_width = 8;
   static constexpr unsigned int width = 4;
 
-  dealii::AlignedVector<Real> place; ///< x, y, z, u_x, u_y, u_z, 0, 0 [m]
+  dealii::AlignedVector<Real>
+    position_and_displacement;       ///< x, y, z, u_x, u_y, u_z, 0, 0 [m]
   dealii::AlignedVector<Real> force; ///< f_x, f_y, f_z, 0 [N]
   /// v_x, v_y, v_z [m/s], 1 / mass [1/kg]
   dealii::AlignedVector<Real> velocity;
 
-  /// Number of nodes in a block of `awake`.
+  /// Number of nodes in a block of `active`.
   static constexpr std::size_t block = 64;
   /// Whether any node of a block was ever displaced or had an initial
   /// velocity. Elements of other blocks have no forces and zero history.
-  std::vector<unsigned char> awake;
+  std::vector<unsigned char> active;
 
   /// Sizes all fields for @p n_nodes nodes and sets them to zero.
   void reinit(const std::size_t n_nodes)
   {
-    place.resize(place_width * n_nodes);
+    position_and_displacement.resize(position_width * n_nodes);
     force.resize(width * n_nodes);
     velocity.resize(width * n_nodes);
-    place.fill(Real());
+    position_and_displacement.fill(Real());
     force.fill(Real());
     velocity.fill(Real());
-    awake.assign(n_nodes / block + 1, 0);
+    active.assign(n_nodes / block + 1, 0);
   }
 
   /// Marks the blocks of all nodes with a displacement or velocity.
-  void find_awake()
+  void mark_active_blocks()
   {
     for (std::size_t i = 0; i < size(); ++i)
       for (unsigned int d = 0; d < 3; ++d)
         if (displacement_of(i)[d] != Real() || velocity_of(i)[d] != Real())
-          awake[i / block] = 1;
+          active[i / block] = 1;
   }
 
   std::size_t size() const
@@ -62,11 +63,11 @@ struct NodeFields
 
   Real *displacement_of(const std::size_t node)
   {
-    return &place[place_width * node + 3];
+    return &position_and_displacement[position_width * node + 3];
   }
   const Real *displacement_of(const std::size_t node) const
   {
-    return &place[place_width * node + 3];
+    return &position_and_displacement[position_width * node + 3];
   }
   Real *force_of(const std::size_t node)
   {

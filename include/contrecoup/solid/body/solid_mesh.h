@@ -30,7 +30,7 @@ struct SolidMesh
   };
 
   std::vector<dealii::Point<3>> nodes; ///< [m]
-  std::vector<HexMesh::Cell> cells;    ///< node numbers are local
+  std::vector<HexMesh::Cell> elements; ///< node numbers are local
   std::vector<unsigned char> tissue;   ///< index in `tissues`, by cell
   std::vector<Tissue> tissues;         ///< all tissues of the whole mesh
   std::vector<HexMesh::Facet> boundary;
@@ -38,12 +38,12 @@ struct SolidMesh
   std::vector<HexMesh::HangingNode> hanging_nodes;
 
   std::vector<std::uint32_t> global_node;
-  std::vector<std::uint32_t> global_cell;
+  std::vector<std::uint32_t> global_element;
   /// Whether this rank owns a node; each node has exactly one owner.
   std::vector<unsigned char> owned;
   std::vector<Neighbor> neighbors; ///< by rank, ascending
   std::uint64_t n_global_nodes = 0;
-  std::uint64_t n_global_cells = 0;
+  std::uint64_t n_global_elements = 0;
 };
 
 /**

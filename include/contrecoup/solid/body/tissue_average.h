@@ -22,9 +22,9 @@ public:
               const unsigned int tissue);
 
   /// Elements of the tissue, ascending, by local cell number.
-  const std::vector<std::uint32_t> &cells() const
+  const std::vector<std::uint32_t> &elements() const
   {
-    return cells_;
+    return elements_;
   }
 
   /// Undeformed volumes of cells() [m^3].
@@ -41,7 +41,7 @@ public:
   }
 
 private:
-  std::vector<std::uint32_t> cells_;
+  std::vector<std::uint32_t> elements_;
   NodalAverage average_;
 };
 } // namespace contrecoup::solid

@@ -32,12 +32,12 @@ std::string tissue_column(const std::string &quantity, const Tissue tissue);
  *
  * @param values of this rank
  * @param weights of the values, such as volumes
- * @param part fraction of the total weight below the result, 0 to 1
+ * @param fraction of the total weight below the result, 0 to 1
  * @return 0 if all weights are zero
  */
 double percentile(const std::vector<double> &values,
                   const std::vector<double> &weights,
-                  const double part,
+                  const double fraction,
                   const MPI_Comm communicator);
 
 /// Returns the larger of @p value and the largest principal value of @p

@@ -45,7 +45,7 @@ public:
     time_ = time;
   }
   double pressure(std::size_t facet) const override;
-  std::vector<NamedValue> audit() const override
+  std::vector<NamedValue> check_values() const override
   {
     return {};
   }

@@ -31,6 +31,6 @@ public:
 
   /// Checks of the mapping of loads onto the facets, for the summary.
   /// Collective.
-  virtual std::vector<NamedValue> audit() const = 0;
+  virtual std::vector<NamedValue> check_values() const = 0;
 };
 } // namespace contrecoup::solid

@@ -43,7 +43,7 @@ public:
   /// Distances of the facets, the pressure factor, and the impulse of all
   /// samples on the recorded surface and, including the factor, on this
   /// surface. Collective.
-  std::vector<NamedValue> audit() const override;
+  std::vector<NamedValue> check_values() const override;
 
 private:
   void measure_impulses();
@@ -73,7 +73,7 @@ private:
   std::size_t before_ = 0;
   std::size_t after_ = 0;
   double weight_ = 0.;
-  double started_ = 0.; ///< 0 before the first sample, then 1
+  double is_loaded_ = 0.; ///< 0 before the first sample, then 1
 
   dealii::Tensor<1, 3> recorded_impulse_; ///< including mirrored facets [N s]
   dealii::Tensor<1, 3> mapped_impulse_;   ///< without the factor [N s]

@@ -37,11 +37,11 @@ public:
                   const double next);
 
   /// Sets all reactions to zero. Call after forces were assembled anew.
-  void forget();
+  void reset_reactions();
 
   /// Sets forces on supported components to zero, for the eigenvalue solver.
   template <typename Real>
-  void hold(NodeFields<Real> &nodes) const;
+  void zero_supported_forces(NodeFields<Real> &nodes) const;
 
   /// Calls @p function(node, direction, reaction [N]) for each supported
   /// component.
@@ -72,7 +72,7 @@ private:
     unsigned int direction;
     unsigned int support;
     bool counted;
-    dealii::Point<3> place;
+    dealii::Point<3> position;
     double reaction; ///< part of the nodal force [N]
   };
 

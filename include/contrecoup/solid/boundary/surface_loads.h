@@ -42,7 +42,7 @@ public:
   double power(const NodeFields<Real> &nodes) const;
 
   /// Checks of recorded loads, for the summary. Collective.
-  std::vector<NamedValue> audit() const;
+  std::vector<NamedValue> check_values() const;
 
   /// Pressure on the loaded facet whose centre is nearest to @p point [Pa];
   /// the mean of equally near facets, 0 without loads. Collective.

@@ -64,8 +64,8 @@ private:
   dealii::Tensor<1, 3> gravity_; ///< [m/s^2]
   bool has_gravity_ = false;
   bool has_ground_ = false;
-  double height_ = 0.;    ///< z of the ground [m]
-  double part_ = 0.;      ///< fraction of 4 / step^2
-  double stiffness_ = 0.; ///< per mass [1/s^2]
+  double height_ = 0.;             ///< z of the ground [m]
+  double stiffness_fraction_ = 0.; ///< fraction of 4 / step^2
+  double stiffness_ = 0.;          ///< per mass [1/s^2]
 };
 } // namespace contrecoup::solid

@@ -24,7 +24,7 @@ namespace contrecoup::solid
 constexpr double cavitation_pressure = -100e3;
 
 /// Extreme values that one element or particle of the brain has seen.
-struct BrainPiece
+struct BrainSample
 {
   std::uint32_t cell = 0; ///< number in the whole mesh
   double volume = 0.;     ///< [m^3]
@@ -33,7 +33,7 @@ struct BrainPiece
   double lowest_pressure = 0.;
 
   /// Updates the extreme pressures.
-  void take_pressure(const double pressure)
+  void record_pressure(const double pressure)
   {
     peak_pressure = std::max(peak_pressure, pressure);
     lowest_pressure = std::min(lowest_pressure, pressure);
@@ -47,8 +47,8 @@ struct BrainSums
   double cavitation_dose = 0.;
   /// Integrals of (p - average)^2 and of average^2 over volume and time [Pa^2
   /// m^3 s]; zero without averaging.
-  double rough = 0.;
-  double smooth = 0.;
+  double fluctuation_square = 0.;
+  double average_square = 0.;
 };
 
 /**
@@ -58,18 +58,19 @@ struct BrainSums
  * @param averages of the pressures over neighbours [Pa]
  * @param averaged whether extreme values use the averages
  */
-void take_pressures(const double span,
-                    const std::vector<double> &pressures,
-                    const std::vector<double> &averages,
-                    const bool averaged,
-                    std::vector<BrainPiece> &pieces,
-                    BrainSums &sums);
+void record_pressures(const double span,
+                      const std::vector<double> &pressures,
+                      const std::vector<double> &averages,
+                      const bool averaged,
+                      std::vector<BrainSample> &samples,
+                      BrainSums &sums);
 
 /// Injury measures from the pieces of all ranks; empty without pieces.
 /// Collective.
-std::vector<InjuryMeasure> brain_measures(const std::vector<BrainPiece> &pieces,
-                                          const BrainSums &sums,
-                                          const MPI_Comm communicator);
+std::vector<InjuryMeasure>
+brain_measures(const std::vector<BrainSample> &samples,
+               const BrainSums &sums,
+               const MPI_Comm communicator);
 
 /// Head injury criterion (HIC) of a velocity history [m/s] at @p times [s].
 /// @param motion describes what moves, for the report
@@ -79,13 +80,14 @@ head_motion_measure(const std::vector<double> &times,
                     const std::string &motion);
 
 /// Updates the largest absolute angular velocities about each axis [rad/s].
-void raise_spin(std::array<double, 3> &largest,
-                const dealii::Tensor<1, 3> &turning);
+void update_largest_angular_velocity(
+  std::array<double, 3> &largest,
+  const dealii::Tensor<1, 3> &angular_velocity);
 
 /// Brain injury criterion (BrIC) of the largest angular velocities [rad/s].
-/// @param turning describes what turns, for the report
-InjuryMeasure head_turning_measure(const std::array<double, 3> &largest,
-                                   const std::string &turning);
+/// @param motion describes what turns, for the report
+InjuryMeasure head_rotation_measure(const std::array<double, 3> &largest,
+                                    const std::string &motion);
 
 /// The measures as a table for injury.csv.
 std::string to_csv(const std::vector<InjuryMeasure> &measures);

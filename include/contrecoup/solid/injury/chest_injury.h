@@ -41,7 +41,7 @@ public:
   /// Records overpressure [Pa] and inward velocity of the chest wall [m/s] at
   /// a time [s]; times must increase.
   void
-  follow(const double time, const double pressure, const double wall_velocity);
+  record(const double time, const double pressure, const double wall_velocity);
 
   /// Injury measures; empty before the second call of follow().
   std::vector<InjuryMeasure> measures() const;

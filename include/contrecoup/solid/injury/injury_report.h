@@ -36,7 +36,7 @@ public:
   void reinit(const SolidBody<Real> &body);
 
   /// Call after each step. Collective.
-  void follow(const SolidBody<Real> &body);
+  void record(const SolidBody<Real> &body);
 
   /// Percentiles by volume of the brain at the present: 95 % of principal
   /// strain, 95 % and 5 % of pressure. Collective.
@@ -64,7 +64,7 @@ private:
   /// index of the tissue; number of tissues if there is none
   unsigned int brain_ = 0;
   TissueAverage average_; ///< of the brain
-  std::vector<std::uint32_t> piece_of_cell_;
+  std::vector<std::uint32_t> sample_of_element_;
   BrainRecord record_;
 };
 } // namespace contrecoup::solid

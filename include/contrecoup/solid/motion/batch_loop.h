@@ -57,13 +57,13 @@ void SolidOperator<Real>::add_batches(const Range &range,
     const unsigned int last = std::min(first + batches_at_once, range.end);
     for (unsigned int batch = first; batch < last; ++batch)
     {
-      if (!batches_.is_awake(batch, nodes))
+      if (!batches_.is_active(batch, nodes))
         continue;
       if (has_gas)
         stiffened.law.bulk = secant_bulk(model.law, nodes, batch);
       const unsigned int *offsets = batches_.offsets(batch, 0);
       HexVectors<Lane> x, u;
-      load_corners(nodes.place.data(), offsets, x, u);
+      load_corners(nodes.position_and_displacement.data(), offsets, x, u);
       HexState<Lane> state;
       batches_.template load_state<viscoelastic>(range, batch, state);
       HexDissipation<Lane> dissipation;

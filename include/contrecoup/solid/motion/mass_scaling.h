@@ -55,14 +55,14 @@ public:
 
 private:
   /// Mass that scaled elements add to a node.
-  struct Share
+  struct NodalMass
   {
     std::uint32_t node;
     double mass; ///< [kg]
   };
 
   bool active_ = false;
-  std::vector<std::vector<Share>> shares_; ///< by tissue
+  std::vector<std::vector<NodalMass>> nodal_masses_; ///< by tissue
   std::vector<NamedValue> report_;
 };
 } // namespace contrecoup::solid

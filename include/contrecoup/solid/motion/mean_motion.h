@@ -20,7 +20,7 @@ public:
 
   /// Adds a point mass.
   /// @param mass in any unit
-  void add(const double mass, const Vector &place, const Vector &velocity);
+  void add(const double mass, const Vector &position, const Vector &velocity);
 
   /**
    * Sums over all ranks and solves for the motion. Collective.
@@ -37,15 +37,15 @@ public:
     return velocity_;
   }
   /// Angular velocity [rad/s]; 0 for masses on a line.
-  const Vector &turning() const
+  const Vector &angular_velocity() const
   {
-    return turning_;
+    return angular_velocity_;
   }
 
 private:
   /// Mass, first moments, momentum, angular momentum, squares of coordinates,
   /// and products x y, y z, z x.
   std::vector<double> sums_ = std::vector<double>(16, 0.);
-  Vector velocity_, turning_;
+  Vector velocity_, angular_velocity_;
 };
 } // namespace contrecoup::solid

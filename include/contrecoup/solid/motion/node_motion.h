@@ -12,8 +12,8 @@ namespace contrecoup::solid
 /**
  * One central-difference step: computes velocities at the middle of the next
  * step from the present forces, then displacements at its end, and sets forces
- * to zero. Marks blocks of moving nodes as awake. Blocks that are neither
- * awake nor loaded are skipped, which does not change results.
+ * to zero. Marks blocks of moving nodes as active. Blocks that are neither
+ * active nor loaded are skipped, which does not change results.
  * @param counted whether this rank counts a node in sums
  * @param before size of the last step [s]
  * @param next size of the next step [s]

@@ -16,19 +16,19 @@
 namespace contrecoup::solid
 {
 /// Stable step of the assembled body, and of its most restrictive element.
-struct StepCertificate
+struct StableStep
 {
   double body_step = 0.;     ///< 2 / omega_max of the body [s]
   double uncertainty = 0.;   ///< of omega_max, relative
   double element_step = 0.;  ///< smallest step of any single element [s]
   std::uint32_t element = 0; ///< the element with that step, in the whole mesh
   Tissue tissue = Tissue::none; ///< tissue of the element
-  dealii::Point<3> place;       ///< centre of the element [m]
+  dealii::Point<3> center;      ///< centre of the element [m]
   unsigned int iterations = 0;
 };
 
 /// Energies summed over all ranks [J].
-struct EnergyBalance
+struct EnergyLedger
 {
   std::vector<TissueEnergies> tissues;
   TissueEnergies sum;
@@ -79,7 +79,7 @@ public:
   /// The largest stable step without bulk viscosity, by Lanczos iteration.
   /// Call at rest only: the method uses displacements and velocities as work
   /// vectors and sets them to zero.
-  StepCertificate certify_step();
+  StableStep find_stable_step();
 
   /// Sets gravity and ground; Surroundings::set_step() must have been called.
   void set_surroundings(const Surroundings &surroundings)
@@ -89,7 +89,7 @@ public:
 
   /// Fraction of element updates that were skipped because nothing had moved
   /// there, since the start or the last restart.
-  double quiet_part() const;
+  double skipped_fraction() const;
 
   /// Force of the ground on the body [N].
   double ground_force() const;
@@ -132,7 +132,7 @@ public:
     return least_volume_;
   }
 
-  EnergyBalance balance() const;
+  EnergyLedger energy_ledger() const;
 
   double time() const
   {
@@ -193,26 +193,26 @@ public:
   void restore(const std::string &folder);
 
 private:
-  struct Numbers; ///< global values in a checkpoint
-  struct Past;    ///< an earlier state for retries
+  struct CheckpointHeader; ///< global values in a checkpoint
+  struct Snapshot;         ///< an earlier state for retries
 
   void take_step(const double step);
-  void keep();
-  void go_back();
+  void save_snapshot();
+  void restore_snapshot();
   void find_least_dilatations();
   bool is_physical(const std::vector<double> &before) const;
-  [[noreturn]] void give_up(const Advance &failed);
+  [[noreturn]] void throw_step_failure(const Advance &failed);
   void describe(const std::uint32_t cell, std::ostream &text) const;
 
-  Numbers read_numbers(std::istream &in, const std::string &file);
+  CheckpointHeader read_header(std::istream &in, const std::string &file);
   void set_masses();
   void gather_hanging(Real *values, unsigned int width, unsigned int stride);
   void move_hanging();
   void assemble();
-  void book_step_change(const double before, const double next);
+  void add_step_change(const double before, const double next);
   double largest_square_frequency(double &uncertainty, unsigned int &n);
   double lanczos_step(double &before, double &next);
-  void find_weakest_element(StepCertificate &certificate);
+  void find_weakest_element(StableStep &stable_step);
 
   MPI_Comm communicator_ = MPI_COMM_SELF;
   SolidMesh mesh_;
@@ -226,18 +226,19 @@ private:
   MassScaling mass_scaling_;
   /// nodes that this rank counts in sums; hanging nodes have no inertia
   std::vector<unsigned char> counted_;
-  bool skips_quiet_ = true;
-  double computed_ = 0.; ///< number of computed batches, of this rank
-  double offered_ = 0.;  ///< number of computed and skipped batches
+  bool skips_inactive_ = true;
+  double computed_updates_ = 0.; ///< number of computed batches, of this rank
+  double total_updates_ = 0.;    ///< number of computed and skipped batches
   double mass_ = 0.;
   double time_ = 0.;
-  double relaxed_time_ = 0.; ///< time of the stored relaxed strains [s]
+  double time_of_relaxed_strain_ =
+    0.; ///< time of the stored relaxed strains [s]
   StepTimes times_;
   double external_work_ = 0.; ///< of this rank
   double nodal_work_ = 0.;    ///< work of all forces, of this rank [J]
-  double step_change_ = 0.;   ///< see EnergyBalance, of this rank [J]
+  double step_change_ = 0.;   ///< see EnergyLedger, of this rank [J]
   double initial_energy_ = 0.;
-  std::shared_ptr<Past> past_;
+  std::shared_ptr<Snapshot> snapshot_;
   std::vector<double> least_dilatations_; ///< by tissue, of all ranks
   std::vector<double> element_steps_;     ///< by tissue, at rest [s]
   double least_volume_ = 1.;

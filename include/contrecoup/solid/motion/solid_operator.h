@@ -112,9 +112,9 @@ public:
     const unsigned int tissue = all_tissues) const;
   static constexpr unsigned int all_tissues = -1;
 
-  /// As visit(), for the elements of one tissue that are awake; all others
+  /// As visit(), for the elements of one tissue that are active; all others
   /// have zero strain and stress.
-  void visit_moved(
+  void visit_active(
     const NodeFields<Real> &nodes,
     const StepTimes &times,
     const std::function<void(std::uint32_t, const ElementValues &)> &function,
@@ -165,7 +165,7 @@ private:
   /// The linear elastic model of a body at rest.
   HexModel<Lane> linear_model(const SolidMaterial &material) const;
 
-  /// Loop over the awake batches of a tissue: adds the forces that @p
+  /// Loop over the active batches of a tissue: adds the forces that @p
   /// find_forces(model, batch, corners, displacements, state, heat) returns.
   /// The state includes relaxed strains if @p viscoelastic.
   template <bool viscoelastic, typename Forces>
@@ -221,7 +221,7 @@ private:
   visit_range(const Range &range,
               const NodeFields<Real> &nodes,
               const StepTimes &times,
-              const bool moved,
+              const bool skip_inactive,
               const std::function<void(std::uint32_t, const ElementValues &)>
                 &function) const;
 

@@ -42,7 +42,7 @@ public:
   void reinit(const SolidBody<Real> &body);
 
   /// Call after each step. Collective.
-  void follow(const SolidBody<Real> &body);
+  void record(const SolidBody<Real> &body);
 
   /// For each tissue, as "highest_pressure_brain": the extreme values over its
   /// elements and, as "principal_strain_95_brain", the volume-weighted 95th

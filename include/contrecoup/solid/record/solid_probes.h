@@ -49,7 +49,7 @@ public:
 
   bool empty() const
   {
-    return places_.empty();
+    return locations_.empty();
   }
 
   /// The last values read, named "probe_1_pressure" and so on.
@@ -65,13 +65,13 @@ public:
   void load(std::istream &stream);
 
 private:
-  struct Place
+  struct ProbeLocation
   {
     dealii::Point<3> point;
     bool has_node = false; ///< on this rank
     std::uint32_t node = 0;
-    bool has_cell = false;
-    std::uint32_t cell = 0;
+    bool has_element = false;
+    std::uint32_t element = 0;
   };
 
   struct Measure
@@ -94,7 +94,7 @@ private:
     double result() const;
   };
 
-  std::vector<Place> places_;
+  std::vector<ProbeLocation> locations_;
   std::vector<Measure> measures_;
   std::vector<double> values_;
 };

@@ -64,7 +64,7 @@ private:
   void build();
   void report_step() const;
   void report_injury(const std::string &folder);
-  EnergyBalance audit_energy();
+  EnergyLedger check_energy();
   double allowed_step();
 
   MPI_Comm communicator_;
@@ -86,7 +86,7 @@ private:
   double end_time_ = 0.;
 
   SolidBody<Real> body_;
-  StepCertificate certificate_;
+  StableStep stability_;
   double stable_step_ = 0.;
   double reduction_ = 1.; ///< factor on the step after retries
   double deformed_step_ = std::numeric_limits<double>::infinity();

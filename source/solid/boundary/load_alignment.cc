@@ -6,7 +6,7 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/geometry/body/body_description.h>
 #include <contrecoup/io/output/load_reader.h>
-#include <contrecoup/solid/boundary/load_place.h>
+#include <contrecoup/solid/boundary/load_alignment.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ namespace
   using dealii::Tensor;
 
   /// Largest number of facets in the means; more change nothing.
-  constexpr std::size_t most_looked_at = 4000;
+  constexpr std::size_t max_sampled_facets = 4000;
 
   Point<3> point_at(const std::vector<double> &numbers, const std::size_t i)
   {
@@ -60,7 +60,7 @@ namespace
 
 
   /// Three coordinates, rounded to 0.1 mm.
-  std::string told(const Tensor<1, 3> &vector)
+  std::string text_of(const Tensor<1, 3> &vector)
   {
     std::vector<std::string> numbers;
     for (unsigned int d = 0; d < 3; ++d)
@@ -69,49 +69,52 @@ namespace
   }
 
 
-  std::string told(const LoadPlace &place, const double largest_misfit)
+  std::string text_of(const LoadAlignment &alignment,
+                      const double largest_misfit)
   {
-    return "its facets, " + brief(1e3 * place.facet_edge, 3) +
-           " mm wide, are in the mean " + brief(1e3 * place.distance, 3) +
+    return "its facets, " + brief(1e3 * alignment.facet_edge, 3) +
+           " mm wide, are in the mean " + brief(1e3 * alignment.distance, 3) +
            " mm off the body's surface (Largest misfit = " +
            brief(largest_misfit) + " allows " +
-           brief(1e3 * largest_misfit * place.facet_edge, 3) +
-           " mm), the cosine between normals is " + brief(place.agreement, 2) +
-           ", and their middle is " + told(place.offset) + " m from the body's";
+           brief(1e3 * largest_misfit * alignment.facet_edge, 3) +
+           " mm), the cosine between normals is " +
+           brief(alignment.agreement, 2) + ", and their middle is " +
+           text_of(alignment.offset) + " m from the body's";
   }
 } // namespace
 
 
-LoadPlace measure_load_place(const io::LoadFile::Facets &facets,
-                             const Shape &surface,
-                             const std::array<bool, 3> &mirrored)
+LoadAlignment measure_load_alignment(const io::LoadFile::Facets &facets,
+                                     const Shape &surface,
+                                     const std::array<bool, 3> &mirrored)
 {
-  LoadPlace place;
+  LoadAlignment alignment;
   const std::size_t n_facets = facets.areas.size();
-  const std::size_t stride = 1 + n_facets / most_looked_at;
+  const std::size_t stride = 1 + n_facets / max_sampled_facets;
   double area = 0.;
   for (std::size_t i = 0; i < n_facets; i += stride)
   {
     const Point<3> middle = point_at(facets.centroids, i);
     const Point<3> foot = surface.project(middle);
     area += facets.areas[i];
-    place.distance += facets.areas[i] * middle.distance(foot);
-    place.agreement +=
+    alignment.distance += facets.areas[i] * middle.distance(foot);
+    alignment.agreement +=
       facets.areas[i] *
       (Tensor<1, 3>(point_at(facets.normals, i)) * surface.normal(foot));
   }
   if (!(area > 0.))
-    return place;
-  place.distance /= area;
-  place.agreement /= area;
-  place.facet_edge = std::sqrt(area * static_cast<double>(stride) /
-                               static_cast<double>(n_facets));
-  place.offset = middle_of(facets, mirrored) - surface.bounding_box().center();
-  return place;
+    return alignment;
+  alignment.distance /= area;
+  alignment.agreement /= area;
+  alignment.facet_edge = std::sqrt(area * static_cast<double>(stride) /
+                                   static_cast<double>(n_facets));
+  alignment.offset =
+    middle_of(facets, mirrored) - surface.bounding_box().center();
+  return alignment;
 }
 
 
-void check_load_place(ParameterHandler &prm)
+void check_load_alignment(ParameterHandler &prm)
 {
   std::string file;
   std::array<bool, 3> mirrored{};
@@ -131,14 +134,14 @@ void check_load_place(ParameterHandler &prm)
   const BodyPointer body = read_body(prm);
   if (!body)
     return;
-  const LoadPlace place = measure_load_place(
+  const LoadAlignment alignment = measure_load_alignment(
     io::LoadReader(file).facets(), *body->surface(), mirrored);
-  if (!(place.distance <= largest_misfit * place.facet_edge) ||
-      !(place.agreement > 0.))
-    throw InputError(
-      "Loads/Recorded/File = \"" + file +
-      "\" is not of this body where it is: " + told(place, largest_misfit) +
-      "; Body must be that of the blast, whose parameters.prm "
-      "has its Shift, Rotation and Scale");
+  if (!(alignment.distance <= largest_misfit * alignment.facet_edge) ||
+      !(alignment.agreement > 0.))
+    throw InputError("Loads/Recorded/File = \"" + file +
+                     "\" is not of this body where it is: " +
+                     text_of(alignment, largest_misfit) +
+                     "; Body must be that of the blast, whose parameters.prm "
+                     "has its Shift, Rotation and Scale");
 }
 } // namespace contrecoup::solid

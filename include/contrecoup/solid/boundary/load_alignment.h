@@ -14,7 +14,7 @@ namespace contrecoup::solid
 {
 /// Position of recorded facets relative to the surface of a body, as
 /// area-weighted means.
-struct LoadPlace
+struct LoadAlignment
 {
   double facet_edge = 0.; ///< edge of a square with the mean facet area [m]
   double distance = 0.;   ///< from facet centres to the surface [m]
@@ -26,9 +26,9 @@ struct LoadPlace
 
 /// Measures the position of facets. @param mirrored coordinate directions in
 /// which facets are mirrored across a symmetry plane through 0
-LoadPlace measure_load_place(const io::LoadFile::Facets &facets,
-                             const Shape &surface,
-                             const std::array<bool, 3> &mirrored);
+LoadAlignment measure_load_alignment(const io::LoadFile::Facets &facets,
+                                     const Shape &surface,
+                                     const std::array<bool, 3> &mirrored);
 
 /**
  * Checks before meshing that recorded loads (subsection "Loads/Recorded") fit
@@ -36,5 +36,5 @@ LoadPlace measure_load_place(const io::LoadFile::Facets &facets,
  * recorded loads or such a body.
  * @throws InputError that states the misfit
  */
-void check_load_place(dealii::ParameterHandler &prm);
+void check_load_alignment(dealii::ParameterHandler &prm);
 } // namespace contrecoup::solid

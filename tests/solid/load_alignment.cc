@@ -5,7 +5,7 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/geometry/shape/primitive_shapes.h>
 #include <contrecoup/solid/body/mesh_description.h>
-#include <contrecoup/solid/boundary/load_place.h>
+#include <contrecoup/solid/boundary/load_alignment.h>
 #include <contrecoup/solid/boundary/surface_loads.h>
 
 #include <gtest/gtest.h>
@@ -50,39 +50,40 @@ io::LoadFile::Facets facets_of_ball(const bool is_half)
 // The distances between two balls that are a way apart which is smaller than
 // their radius have the mean of half that way, and the cosines between their
 // normals that of 1 less a third of (way / radius)^2, exactly.
-TEST(LoadPlace, FacetsAreHalfTheWayOffABallThatWasMoved)
+TEST(LoadAlignment, FacetsAreHalfTheWayOffABallThatWasMoved)
 {
   const auto facets = facets_of_ball(false);
   const double edge = std::sqrt(facets.areas[0]);
   for (const double way : {0., 0.02, 0.08})
   {
-    const solid::LoadPlace place = solid::measure_load_place(
+    const solid::LoadAlignment alignment = solid::measure_load_alignment(
       facets, Sphere(Point<3>(0., 0., way), radius), {});
-    EXPECT_NEAR(place.distance, 0.5 * way, 2e-3 * way + 1e-12);
-    EXPECT_NEAR(place.facet_edge, edge, 1e-9);
-    EXPECT_NEAR(place.offset[2], -way, 1e-3 * radius);
-    EXPECT_NEAR(place.offset.norm(), way, 1e-2 * radius);
+    EXPECT_NEAR(alignment.distance, 0.5 * way, 2e-3 * way + 1e-12);
+    EXPECT_NEAR(alignment.facet_edge, edge, 1e-9);
+    EXPECT_NEAR(alignment.offset[2], -way, 1e-3 * radius);
+    EXPECT_NEAR(alignment.offset.norm(), way, 1e-2 * radius);
     const double part = way / radius;
-    EXPECT_NEAR(place.agreement, 1. - part * part / 3., 1e-3 * part + 1e-12);
+    EXPECT_NEAR(
+      alignment.agreement, 1. - part * part / 3., 1e-3 * part + 1e-12);
   }
 }
 
 
 // Seen from the other side, facets on the surface face the wrong way.
-TEST(LoadPlace, FacetsThatFaceInwardsDisagree)
+TEST(LoadAlignment, FacetsThatFaceInwardsDisagree)
 {
   auto facets = facets_of_ball(false);
   for (double &number : facets.normals)
     number *= -1.;
-  const solid::LoadPlace place =
-    solid::measure_load_place(facets, Sphere(Point<3>(), radius), {});
-  EXPECT_NEAR(place.agreement, -1., 1e-12);
+  const solid::LoadAlignment alignment =
+    solid::measure_load_alignment(facets, Sphere(Point<3>(), radius), {});
+  EXPECT_NEAR(alignment.agreement, -1., 1e-12);
 }
 
 
 // Loads of the ball are taken; those that lie on it but face inwards, as on the
 // wall of a cavity, are those of another body.
-TEST(LoadPlace, LoadsOnTheSurfaceOfAnotherBodyAreRefused)
+TEST(LoadAlignment, LoadsOnTheSurfaceOfAnotherBodyAreRefused)
 {
   const std::string file = "load_place.h5";
   for (const double sign : {1., -1.})
@@ -104,22 +105,22 @@ TEST(LoadPlace, LoadsOnTheSurfaceOfAnotherBodyAreRefused)
                        {{"Loads", "Recorded"}, "File", file, "test"}},
                       prm);
     if (sign > 0.)
-      EXPECT_NO_THROW(solid::check_load_place(prm));
+      EXPECT_NO_THROW(solid::check_load_alignment(prm));
     else
-      EXPECT_THROW(solid::check_load_place(prm), InputError);
+      EXPECT_THROW(solid::check_load_alignment(prm), InputError);
   }
 }
 
 
 // Recorded at y > 0: mirrored, their middle is that of the ball.
-TEST(LoadPlace, HalvesAreWholesWhenTheyAreMirrored)
+TEST(LoadAlignment, HalvesAreWholesWhenTheyAreMirrored)
 {
   const auto facets = facets_of_ball(true);
   const Sphere ball(Point<3>(), radius);
-  const auto half = solid::measure_load_place(facets, ball, {});
+  const auto half = solid::measure_load_alignment(facets, ball, {});
   EXPECT_NEAR(half.offset[1], 0.5 * radius, 1e-2 * radius);
   const auto whole =
-    solid::measure_load_place(facets, ball, {{false, true, false}});
+    solid::measure_load_alignment(facets, ball, {{false, true, false}});
   EXPECT_NEAR(whole.offset[1], 0., 1e-12);
   EXPECT_NEAR(whole.distance, 0., 1e-12);
 }
