@@ -92,7 +92,7 @@ TEST(ElasticSmoothing, stiffness_keeps_small_cells)
     smoothing.solve(slab.state.position, displacement);
     const double first = (0.2 + 0.8 / 8.) / 8.;
     double width_now = 0.;
-    for (std::size_t n = 0; n < slab.space.n_own_nodes(); ++n)
+    for (std::size_t n = 0; n < slab.space.n_locally_owned_nodes(); ++n)
       if (std::abs(slab.state.position[width * n] - first) < 1e-12)
         width_now = std::max(width_now, 1. + displacement[width * n] / first);
     widths.push_back(dealii::Utilities::MPI::max(width_now, MPI_COMM_WORLD));

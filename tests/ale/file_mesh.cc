@@ -176,7 +176,7 @@ TEST_F(FileMeshes, AreTheHeadThatWasWritten)
   for (const auto &[id, area] : areas)
     EXPECT_NEAR(area, 0., 1e-15) << id;
   EXPECT_EQ(description.n_cells(), head.n_active_cells());
-  EXPECT_EQ(description.part(), 0.25);
+  EXPECT_EQ(description.computed_fraction(), 0.25);
   EXPECT_EQ(description.file()->n_pieces(), 1U);
   EXPECT_EQ(description.walls().count(1), 1U);
   EXPECT_EQ(description.walls().count(0), 0U);
@@ -188,7 +188,7 @@ TEST_F(FileMeshes, HaveNamesOfTissuesAndOfTheFile)
   write(cubes({{{0, 0, 0}}, {{1, 0, 0}}}, ""));
   const MeshLayers tissues = read(mesh).layers();
   ASSERT_EQ(tissues.size(), 2U);
-  EXPECT_EQ(tissues[0].told(), "brain (4)");
+  EXPECT_EQ(tissues[0].label(), "brain (4)");
   EXPECT_TRUE(tissues[1].is_called("Spinal cord"));
   EXPECT_TRUE(tissues[1].is_called("5"));
   EXPECT_FALSE(tissues[1].is_called("4"));
@@ -197,8 +197,8 @@ TEST_F(FileMeshes, HaveNamesOfTissuesAndOfTheFile)
               "$PhysicalNames\n3\n2 4 \"a side\"\n3 4 \"my brain\"\n"
               "nonsense\n$EndPhysicalNames\n"));
   const MeshLayers names = read(mesh).layers();
-  EXPECT_EQ(names[0].told(), "my brain (4)");
-  EXPECT_EQ(names[1].told(), "spinal cord (5)");
+  EXPECT_EQ(names[0].label(), "my brain (4)");
+  EXPECT_EQ(names[1].label(), "spinal cord (5)");
 }
 
 TEST_F(FileMeshes, GiveRegionsTheirCells)

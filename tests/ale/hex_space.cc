@@ -43,13 +43,15 @@ TEST(HexSpace, has_every_cell_once_with_its_corners)
   space.reinit(bricks(mesh), MPI_COMM_WORLD);
   const auto x = space.positions(4);
   double sum = 0.;
-  for (std::size_t c = 0; c < space.n_own_cells(); ++c)
+  for (std::size_t c = 0; c < space.n_locally_owned_cells(); ++c)
     sum += volume(space, x, c);
   EXPECT_NEAR(dealii::Utilities::MPI::sum(sum, MPI_COMM_WORLD), 60., 1e-12);
-  EXPECT_EQ(dealii::Utilities::MPI::sum(space.n_own_cells(), MPI_COMM_WORLD),
-            60U);
-  EXPECT_EQ(dealii::Utilities::MPI::sum(space.n_own_nodes(), MPI_COMM_WORLD),
-            6U * 4U * 5U);
+  EXPECT_EQ(
+    dealii::Utilities::MPI::sum(space.n_locally_owned_cells(), MPI_COMM_WORLD),
+    60U);
+  EXPECT_EQ(
+    dealii::Utilities::MPI::sum(space.n_locally_owned_nodes(), MPI_COMM_WORLD),
+    6U * 4U * 5U);
   for (std::size_t c = 0; c < space.n_cells(); ++c)
   {
     EXPECT_NEAR(volume(space, x, c), 1., 1e-14);
@@ -99,7 +101,7 @@ TEST(HexSpace, faces_close_every_own_cell)
       EXPECT_NEAR(0.5 * area[d], face.boundary % 2 ? 1. : -1., 1e-14);
     }
   }
-  for (std::size_t c = 0; c < space.n_own_cells(); ++c)
+  for (std::size_t c = 0; c < space.n_locally_owned_cells(); ++c)
   {
     EXPECT_EQ(count[c], 6U);
     for (unsigned int d = 0; d < 3; ++d)
@@ -116,7 +118,7 @@ TEST(HexSpace, knows_all_cells_around_nodes_of_own_cells)
   for (const auto &cell : mesh.active_cell_iterators())
     for (const unsigned int v : cell->vertex_indices())
       expected[cell->vertex_index(v)].insert(cell->index());
-  for (std::size_t c = 0; c < space.n_own_cells(); ++c)
+  for (std::size_t c = 0; c < space.n_locally_owned_cells(); ++c)
     for (const unsigned int node : space.cell(c))
     {
       std::set<unsigned int> found;
@@ -135,12 +137,12 @@ TEST(HexSpace, exchanges_fields_of_nodes)
   exchange.reinit(space.nodes(), 4);
   ASSERT_EQ(exchange.size(), 4 * space.n_nodes());
   dealii::AlignedVector<double> count(exchange.size());
-  for (std::size_t c = 0; c < space.n_own_cells(); ++c)
+  for (std::size_t c = 0; c < space.n_locally_owned_cells(); ++c)
     for (const unsigned int node : space.cell(c))
       count[4 * node + 2] += 1.;
-  exchange.add_copies(count);
-  exchange.update_copies(count);
-  for (std::size_t c = 0; c < space.n_own_cells(); ++c)
+  exchange.compress_add(count);
+  exchange.update_ghost_values(count);
+  for (std::size_t c = 0; c < space.n_locally_owned_cells(); ++c)
     for (const unsigned int node : space.cell(c))
       EXPECT_EQ(count[4 * node + 2], space.cells_around(node).size());
 }

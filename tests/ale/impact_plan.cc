@@ -153,14 +153,14 @@ TEST(ImpactPlan, audits_friction_and_contact)
   plan.velocity[2] = -1.;
   plan.planes = {
     {"wall", dealii::Point<3>(), dealii::Tensor<1, 3>({0., 0., 1.}), 0.}};
-  const auto find = [&](const ImpactPlan::Findings &found,
+  const auto find = [&](const ImpactPlan::ImpactResults &found,
                         const std::string &name) {
     for (const Assumption &item : plan.audit(found))
       if (item.name == name)
         return item;
     return Assumption();
   };
-  ImpactPlan::Findings found{{}, 1., 0., 3., 6.};
+  ImpactPlan::ImpactResults found{{}, 1., 0., 3., 6.};
   EXPECT_NEAR(find(found, "friction").value, 0.15, 1e-15);
   EXPECT_TRUE(find(found, "friction").fails());
   EXPECT_EQ(find(found, "contact").value, 0.5);

@@ -86,7 +86,7 @@ struct LiquidOnSolid
   double interface_velocity() const
   {
     double sum = 0.;
-    for (std::size_t n = 0; n < space.n_own_nodes(); ++n)
+    for (std::size_t n = 0; n < space.n_locally_owned_nodes(); ++n)
       if (std::abs(space.positions(AleState::width)[AleState::width * n] -
                    0.01) < 1e-9)
         sum += state.velocity[AleState::width * n];

@@ -50,17 +50,17 @@ Errors errors(const unsigned int n, const bool linear)
   for (unsigned int i = 1; i <= 4; ++i)
     remap.apply(slab.state, none, wavy(slab, 0.2 / n, i));
   Errors result;
-  for (std::size_t c = 0; c < slab.space.n_own_cells(); ++c)
+  for (std::size_t c = 0; c < slab.space.n_locally_owned_cells(); ++c)
     result.density +=
       std::abs(slab.state.mass[c] / hex_moments(slab.corners(c)).volume -
                mean(c)) /
-      slab.space.n_own_cells();
-  for (std::size_t i = 0; i < slab.space.n_own_nodes(); ++i)
+      slab.space.n_locally_owned_cells();
+  for (std::size_t i = 0; i < slab.space.n_locally_owned_nodes(); ++i)
     for (unsigned int d = 0; d < 3; ++d)
       result.velocity +=
         std::abs(slab.state.velocity[width * i + d] -
                  velocity(&slab.state.position[width * i], d)) /
-        slab.space.n_own_nodes();
+        slab.space.n_locally_owned_nodes();
   result.density = dealii::Utilities::MPI::max(result.density, MPI_COMM_WORLD);
   result.velocity =
     dealii::Utilities::MPI::max(result.velocity, MPI_COMM_WORLD);
@@ -78,7 +78,7 @@ TEST(Remap, keeps_uniform_states_and_velocities_of_nodes_at_rest)
     remap.apply(slab.state,
                 slab.step.walls(),
                 i % 2 == 0 ? shaken(slab, 0.04) : wavy(slab, 0.03, i % 3 + 1));
-  for (std::size_t c = 0; c < slab.space.n_own_cells(); ++c)
+  for (std::size_t c = 0; c < slab.space.n_locally_owned_cells(); ++c)
   {
     const double volume = hex_moments(slab.corners(c)).volume;
     EXPECT_NEAR(slab.state.mass[c] / volume, 1.3, 1e-13);
@@ -127,7 +127,7 @@ TEST(Remap, keeps_velocities_over_ten_thousand_cycles_at_rest)
     {
       EXPECT_NEAR(slab.state.velocity[i], before.velocity[i], 1e-12);
     }
-  for (std::size_t c = 0; c < slab.space.n_own_cells(); ++c)
+  for (std::size_t c = 0; c < slab.space.n_locally_owned_cells(); ++c)
     EXPECT_NEAR(slab.state.energy[c], before.energy[c], 1e-12 * energy);
 }
 
@@ -153,7 +153,8 @@ TEST(Remap, heats_alike_in_every_moving_frame)
     for (unsigned int i = 1; i <= 3; ++i)
       remap.apply(slab.state, none, wavy(slab, 0.05, i));
     energies.emplace_back(slab.state.energy.begin(),
-                          slab.state.energy.begin() + slab.space.n_own_cells());
+                          slab.state.energy.begin() +
+                            slab.space.n_locally_owned_cells());
   }
   for (std::size_t c = 0; c < energies[0].size(); ++c)
     EXPECT_NEAR(energies[1][c], energies[0][c], 1e-9 * energies[0][c]);
@@ -207,7 +208,7 @@ TEST(Remap, makes_no_new_extrema)
   remap.reinit(slab.space);
   for (unsigned int i = 1; i <= 30; ++i)
     remap.apply(slab.state, slab.step.walls(), wavy(slab, 0.03, i % 3 + 1));
-  for (std::size_t c = 0; c < slab.space.n_own_cells(); ++c)
+  for (std::size_t c = 0; c < slab.space.n_locally_owned_cells(); ++c)
   {
     const double volume = hex_moments(slab.corners(c)).volume;
     EXPECT_GT(slab.state.mass[c] / volume, 1. - 1e-4) << slab.centre(c);
@@ -237,7 +238,7 @@ TEST(Remap, makes_no_new_extrema_in_flat_cells_in_a_row)
         *x += 0.005 * std::sin(7. * i * x[0]) + 1e-8 * std::sin(i * x[1]);
     remap.apply(slab.state, slab.step.walls(), position);
   }
-  for (std::size_t c = 0; c < slab.space.n_own_cells(); ++c)
+  for (std::size_t c = 0; c < slab.space.n_locally_owned_cells(); ++c)
   {
     const double volume = hex_moments(slab.corners(c)).volume;
     EXPECT_GT(slab.state.mass[c] / volume, 1. - 1e-3) << slab.centre(c);

@@ -30,7 +30,7 @@ double largest_outflow(const Slab &slab,
       outflow[swept > 0. ? face.outside : face.inside] += std::abs(swept);
   }
   double largest = 0.;
-  for (std::size_t c = 0; c < slab.space.n_own_cells(); ++c)
+  for (std::size_t c = 0; c < slab.space.n_locally_owned_cells(); ++c)
     largest =
       std::max(largest, outflow[c] / hex_moments(slab.corners(c)).volume);
   return dealii::Utilities::MPI::max(largest, MPI_COMM_WORLD);
@@ -56,7 +56,7 @@ double largest_error(const unsigned int n, const RemapLimiter limiter)
   for (unsigned int i = 1; i <= n; ++i)
     remap.apply(slab.state, slab.step.walls(), wavy(slab, 0.2 / n, i % 4 + 1));
   double largest = 0.;
-  for (std::size_t c = 0; c < slab.space.n_own_cells(); ++c)
+  for (std::size_t c = 0; c < slab.space.n_locally_owned_cells(); ++c)
     largest = std::max(
       largest,
       std::abs(slab.state.mass[c] / hex_moments(slab.corners(c)).volume -
@@ -103,7 +103,7 @@ TEST(RemapBounds, stays_within_all_bounds_when_strict)
       i % 3 == 0 ? wavy(slab, 0.03, i % 2 + 1) : shaken(slab, 0.36 / 8., i);
     largest = std::max(largest, largest_outflow(slab, position));
     remap.apply(slab.state, slab.step.walls(), position);
-    for (std::size_t c = 0; c < slab.space.n_own_cells(); ++c)
+    for (std::size_t c = 0; c < slab.space.n_locally_owned_cells(); ++c)
     {
       const double density =
         slab.state.mass[c] / hex_moments(slab.corners(c)).volume;
@@ -143,7 +143,7 @@ TEST(RemapBounds, bounds_velocities_when_strict)
   for (unsigned int i = 1; i <= 20; ++i)
   {
     remap.apply(slab.state, none, shaken(slab, 0.15 / 6., i));
-    for (std::size_t n = 0; n < slab.space.n_own_nodes(); ++n)
+    for (std::size_t n = 0; n < slab.space.n_locally_owned_nodes(); ++n)
       for (unsigned int d = 0; d < 3; ++d)
       {
         ASSERT_GT(slab.state.velocity[AleState::width * n + d], 2. + d - 1e-13);
@@ -181,7 +181,7 @@ TEST(RemapBounds, bears_large_motion_at_a_thousandfold_density)
     for (unsigned int i = 0; i < 20; ++i)
     {
       remap.apply(slab.state, slab.step.walls(), i % 2 == 0 ? away : home);
-      for (std::size_t c = 0; c < slab.space.n_own_cells(); ++c)
+      for (std::size_t c = 0; c < slab.space.n_locally_owned_cells(); ++c)
       {
         const double volume = hex_moments(slab.corners(c)).volume;
         EXPECT_GT(slab.state.mass[c] / volume, 1. - 1e-9);

@@ -112,7 +112,7 @@ TEST(Rezone, slides_along_inclined_walls_as_along_others)
     for (unsigned int d = 0; d < 3; ++d)
       EXPECT_NEAR(found.slab.state.position[stride * n + d], place[d], 1e-11);
   }
-  for (std::size_t c = 0; c < found.slab.space.n_own_cells(); ++c)
+  for (std::size_t c = 0; c < found.slab.space.n_locally_owned_cells(); ++c)
     EXPECT_NEAR(found.slab.state.mass[c], expected.slab.state.mass[c], 1e-11);
 }
 
@@ -169,7 +169,7 @@ TEST(Rezone, IsLeftOutWhereNoMotionGivesValidCells)
   }
   const auto before = state.position;
   EXPECT_FALSE(box.rezone.apply(state, box.slab.step.walls()));
-  EXPECT_EQ(box.rezone.n_left_out(), 1u);
+  EXPECT_EQ(box.rezone.n_skipped(), 1u);
   EXPECT_EQ(box.rezone.n_rezones(), 0u);
   for (std::size_t i = 0; i < before.size(); ++i)
     EXPECT_EQ(state.position[i], before[i]);

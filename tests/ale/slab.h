@@ -114,7 +114,7 @@ struct Slab
     const ExactRiemann exact({1., 0., 1.}, {0.125, 0., 0.1}, gas);
     const unsigned int n_points = 20;
     double sum = 0., volume = 0.;
-    for (std::size_t c = 0; c < space.n_own_cells(); ++c)
+    for (std::size_t c = 0; c < space.n_locally_owned_cells(); ++c)
     {
       const auto x = corners(c);
       const double size = hex_moments(x).volume;

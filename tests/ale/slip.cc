@@ -146,7 +146,7 @@ TEST(Slip, PassesSoundOn)
   stuck.run(1.5e-5);
   sliding.run(1.5e-5);
   double solid_speed = 0.;
-  for (std::size_t c = 0; c < stuck.space.n_own_cells(); ++c)
+  for (std::size_t c = 0; c < stuck.space.n_locally_owned_cells(); ++c)
     for (unsigned int i = 0; i < 8; ++i)
     {
       const double

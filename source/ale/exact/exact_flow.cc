@@ -60,7 +60,7 @@ std::vector<NamedValue> flow_errors(const ExactFlow &flow,
 {
   // Errors of density, velocity and pressure; volume.
   std::vector<double> sums(4, 0.);
-  for (std::size_t c = 0; c < space.n_own_cells(); ++c)
+  for (std::size_t c = 0; c < space.n_locally_owned_cells(); ++c)
   {
     const auto x = corners_of(space.cell(c), state.position);
     const auto centre = hex_position(to_modes(x), {});
@@ -69,11 +69,11 @@ std::vector<NamedValue> flow_errors(const ExactFlow &flow,
     const auto element = lagrange.values(state, c);
     const CellSums exact =
       sum_up(flow, x, corners_of(space.cell(c), state.velocity), state.time);
-    const double part = element.volume / exact.volume;
-    sums[0] += std::abs(element.mass - part * exact.density);
-    sums[1] += part * exact.velocity_error;
+    const double fraction = element.volume / exact.volume;
+    sums[0] += std::abs(element.mass - fraction * exact.density);
+    sums[1] += fraction * exact.velocity_error;
     sums[2] +=
-      std::abs(element.pressure * element.volume - part * exact.pressure);
+      std::abs(element.pressure * element.volume - fraction * exact.pressure);
     sums[3] += element.volume;
   }
   dealii::Utilities::MPI::sum(sums, space.communicator(), sums);

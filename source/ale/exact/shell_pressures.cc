@@ -65,7 +65,7 @@ void ShellPressures::follow(const HexSpace &space,
                             const AleState &state,
                             const std::vector<std::uint32_t> &probes,
                             const double step,
-                            Peaks &parts)
+                            Peaks &peaks)
 {
   if (places_.empty() && !probes.empty())
   {
@@ -83,26 +83,26 @@ void ShellPressures::follow(const HexSpace &space,
         places_.back()[d] = moments.first[d] / moments.volume;
     }
   }
-  parts.resize(probes.size() + 1, {{0., 0.}});
+  peaks.resize(probes.size() + 1, {{0., 0.}});
   const double duration = shell_.contact_time();
   const double middle = state.time - 0.5 * step;
   if (middle > duration)
     return;
   const double weight =
     2. * step / duration * std::sin(dealii::numbers::PI * middle / duration);
-  parts.back()[0] += weight * lagrange.contact().force;
+  peaks.back()[0] += weight * lagrange.contact().force;
   for (std::size_t i = 0; i < probes.size(); ++i)
   {
     if (probes[i] == HexSpace::no_cell)
       continue;
     const double pressure = lagrange.values(state, probes[i]).pressure;
-    parts[i][pressure > 0. ? 0 : 1] += weight * std::abs(pressure);
+    peaks[i][pressure > 0. ? 0 : 1] += weight * std::abs(pressure);
   }
 }
 
 
 std::vector<NamedValue>
-ShellPressures::errors(const Peaks &parts,
+ShellPressures::errors(const Peaks &peaks,
                        const double mass,
                        const MPI_Comm communicator) const
 {
@@ -111,18 +111,18 @@ ShellPressures::errors(const Peaks &parts,
     return dealii::Utilities::MPI::max(value, communicator);
   };
   std::vector<double> amplitudes, distances, cosines;
-  for (std::size_t i = 0; i + 1 < parts.size(); ++i)
+  for (std::size_t i = 0; i + 1 < peaks.size(); ++i)
   {
     dealii::Point<3> place;
     for (unsigned int d = 0; d < 3; ++d)
       place[d] = dealii::Utilities::MPI::sum(
         i < places_.size() ? places_[i][d] : 0., communicator);
-    amplitudes.push_back(largest(parts[i][0]) - largest(parts[i][1]));
+    amplitudes.push_back(largest(peaks[i][0]) - largest(peaks[i][1]));
     distances.push_back(place.norm());
     cosines.push_back(-place[2] / place.norm());
   }
   const double acceleration =
-    largest(parts.back()[0]) / mass / shell_.peak_acceleration();
+    largest(peaks.back()[0]) / mass / shell_.peak_acceleration();
   std::vector<NamedValue> result{{"acceleration", "-", acceleration - 1.}};
   for (std::size_t i = 0; i + 1 < amplitudes.size(); i += 2)
   {

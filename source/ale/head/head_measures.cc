@@ -96,7 +96,7 @@ void HeadMeasures::reinit(const HexSpace &space,
   record_.samples.clear();
   std::vector<solid::NodalAverage::Corners> corners;
   std::vector<double> volumes;
-  for (std::uint32_t c = 0; c < space.n_own_cells(); ++c)
+  for (std::uint32_t c = 0; c < space.n_locally_owned_cells(); ++c)
     if (space.region(c) == brain_)
     {
       cells_.push_back(c);
@@ -113,8 +113,8 @@ void HeadMeasures::reinit(const HexSpace &space,
     FieldExchange exchange;
     exchange.reinit(space.nodes(), 1);
     add_ranks = [exchange](dealii::AlignedVector<double> &values) {
-      exchange.add_copies(values);
-      exchange.update_copies(values);
+      exchange.compress_add(values);
+      exchange.update_ghost_values(values);
     };
   }
   average_.reinit(std::move(corners),
@@ -161,7 +161,7 @@ void HeadMeasures::follow_motion(const HexSpace &space, const AleState &state)
 {
   // Each cell is a point mass at its centre.
   solid::MeanMotion motion;
-  for (std::size_t c = 0; c < space.n_own_cells(); ++c)
+  for (std::size_t c = 0; c < space.n_locally_owned_cells(); ++c)
     if (space.region(c) == moving_region())
     {
       dealii::Tensor<1, 3> place, velocity;

@@ -145,11 +145,11 @@ void ImpactPlan::add_symmetry(std::vector<Assumption> &items) const
 {
   const std::string entry = "Mesh/Symmetry planes",
                     wedge_entry = "Mesh/Wedge axis";
-  if (part < 1.)
+  if (computed_fraction < 1.)
   {
     items.push_back(
       for_information("symmetry",
-                      (wedge.empty() ? brief(part) + " of the body"
+                      (wedge.empty() ? brief(computed_fraction) + " of the body"
                                      : "a wedge about " + wedge) +
                         " is computed",
                       "cost saved of that of the whole body",
@@ -164,15 +164,15 @@ void ImpactPlan::add_symmetry(std::vector<Assumption> &items) const
                      false,
                      entry});
   }
-  if (enough < cost)
-    items.push_back(
-      for_information("unused_symmetry",
-                      (enough_wedge.empty() ? brief(enough) + " of the body"
-                                            : "a wedge about " + enough_wedge) +
-                        " would do",
-                      "cost that further symmetry would save",
-                      1. - enough / cost,
-                      enough_wedge.empty() ? entry : wedge_entry));
+  if (least_cost < cost)
+    items.push_back(for_information(
+      "unused_symmetry",
+      (least_cost_wedge.empty() ? brief(least_cost) + " of the body"
+                                : "a wedge about " + least_cost_wedge) +
+        " would do",
+      "cost that further symmetry would save",
+      1. - least_cost / cost,
+      least_cost_wedge.empty() ? entry : wedge_entry));
 }
 
 
@@ -243,26 +243,26 @@ void ImpactPlan::add_file(std::vector<Assumption> &items) const
 }
 
 
-std::vector<Assumption> ImpactPlan::audit(const Findings &findings) const
+std::vector<Assumption> ImpactPlan::audit(const ImpactResults &results) const
 {
   std::vector<Assumption> items = plan();
   const auto liquids = tense_liquids(regions);
   for (std::size_t k = 0; k < liquids.size(); ++k)
-    items[k].value = findings.least_pressures[liquids[k]];
+    items[k].value = results.least_pressures[liquids[k]];
   const double friction = has_friction()
-                            ? 0. - findings.friction_work
-                            : usual_friction * findings.sliding_work;
+                            ? 0. - results.friction_work
+                            : usual_friction * results.sliding_work;
   for (Assumption &item : items)
   {
     if (item.name == "contact")
       item.value =
-        findings.contact_end < 0. ? 0. : findings.contact_end / end_time;
+        results.contact_end < 0. ? 0. : results.contact_end / end_time;
     if (item.name == "friction")
-      item.value = findings.kinetic_energy > 0.
-                     ? friction / findings.kinetic_energy
+      item.value = results.kinetic_energy > 0.
+                     ? friction / results.kinetic_energy
                      : unknown;
     if (item.name == "coupling")
-      item.value = std::abs(findings.interface_work) / findings.largest_energy;
+      item.value = std::abs(results.interface_work) / results.largest_energy;
   }
   return items;
 }

@@ -84,7 +84,7 @@ void ContactPlanes::reinit(
 {
   space_ = &space;
   surface_.clear();
-  pushes_.clear();
+  corrections_.clear();
   if (planes_.empty())
     return;
   const auto areas = boundary_areas(space, position, is_free);
@@ -121,7 +121,7 @@ void ContactPlanes::require_outside(
 void ContactPlanes::apply(dealii::AlignedVector<double> &velocity,
                           const dealii::AlignedVector<double> &position)
 {
-  pushes_.clear();
+  corrections_.clear();
   for (const ContactPlane &plane : planes_)
     for (const SurfaceNode &at : surface_)
     {
@@ -139,7 +139,7 @@ void ContactPlanes::apply(dealii::AlignedVector<double> &velocity,
       const auto change = inwards * plane.normal + slowed;
       for (unsigned int d = 0; d < 3; ++d)
         velocity[width * at.node + d] += change[d];
-      pushes_.push_back({at, inwards, plane.normal, slowed});
+      corrections_.push_back({at, inwards, plane.normal, slowed});
     }
 }
 
@@ -150,19 +150,19 @@ ContactPlanes::measures(const dealii::AlignedVector<double> &mean,
                         const double step) const
 {
   ContactMeasures result;
-  for (const Push &push : pushes_)
+  for (const VelocityCorrection &correction : corrections_)
   {
-    const std::uint32_t node = push.at.node;
-    if (node >= space_->n_own_nodes())
+    const std::uint32_t node = correction.at.node;
+    if (node >= space_->n_locally_owned_nodes())
       continue;
     const double mass = 1. / velocity[width * node + 3];
     const auto v = vector_at(mean, node);
-    result.force += mass * push.normal / step;
-    result.area += push.at.area;
-    result.work += mass * push.normal * (v * push.direction);
-    result.friction_work += mass * (v * push.tangential);
-    const auto along = v - (v * push.direction) * push.direction;
-    result.sliding_work += mass * push.normal * along.norm();
+    result.force += mass * correction.normal / step;
+    result.area += correction.at.area;
+    result.work += mass * correction.normal * (v * correction.direction);
+    result.friction_work += mass * (v * correction.tangential);
+    const auto along = v - (v * correction.direction) * correction.direction;
+    result.sliding_work += mass * correction.normal * along.norm();
   }
   return result;
 }

@@ -225,11 +225,11 @@ bool CornerForces::uses_energy(const unsigned int region) const
 }
 
 
-bool CornerForces::do_work(const dealii::AlignedVector<double> &before,
-                           const dealii::AlignedVector<double> &velocity,
-                           const double step,
-                           dealii::AlignedVector<double> &after,
-                           const bool is_first_half) const
+bool CornerForces::add_work(const dealii::AlignedVector<double> &before,
+                            const dealii::AlignedVector<double> &velocity,
+                            const double step,
+                            dealii::AlignedVector<double> &after,
+                            const bool is_first_half) const
 {
   bool is_finite = true;
   for (const CellBatches::Range &range : batches_.ranges())

@@ -34,7 +34,7 @@ double HeatSource::add(const HexSpace &space,
   if (!is_active())
     return 0.;
   double sum = 0.;
-  for (std::size_t c = 0; c < space.n_own_cells(); ++c)
+  for (std::size_t c = 0; c < space.n_locally_owned_cells(); ++c)
   {
     const auto corners = corners_of(space.cell(c), state.position);
     const auto moments = hex_moments(corners);

@@ -114,11 +114,11 @@ void InterfaceCoupling::reinit(const HexSpace &space,
   find_free_directions(walls);
   const std::uint64_t n_nodes = nodes_.size();
   if (dealii::Utilities::MPI::sum(n_nodes, space.communicator()) == 0)
-    miss_interface();
+    throw_no_interface();
 }
 
 
-void InterfaceCoupling::miss_interface() const
+void InterfaceCoupling::throw_no_interface() const
 {
   throw InputError("Coupling/Scheme = " + name() +
                    " needs a fluid and a solid that share nodes; without, it "
@@ -141,7 +141,7 @@ void InterfaceCoupling::require_interface(
   for (unsigned int v = 0; v < mesh.n_vertices(); ++v)
     if (has_solid[v] && has_fluid[v])
       return;
-  miss_interface();
+  throw_no_interface();
 }
 
 
@@ -150,9 +150,9 @@ void InterfaceCoupling::find_nodes(const std::vector<Region> &regions)
   // Per node: mass of solids, and number of fluid cells.
   FieldExchange exchange;
   exchange.reinit(space_->nodes(), 2);
-  dealii::AlignedVector<double> shares(exchange.size());
+  dealii::AlignedVector<double> sums(exchange.size());
   const auto undeformed = space_->positions(width);
-  for (std::size_t c = 0; c < space_->n_own_cells(); ++c)
+  for (std::size_t c = 0; c < space_->n_locally_owned_cells(); ++c)
   {
     const SolidMaterial *const solid = regions[space_->region(c)].solid();
     const auto corners = corners_of(space_->cell(c), undeformed);
@@ -160,17 +160,17 @@ void InterfaceCoupling::find_nodes(const std::vector<Region> &regions)
       solid == nullptr ? 0. : solid->density * hex_moments(corners).volume;
     for (const std::uint32_t node : space_->cell(c))
     {
-      shares[2 * node] += 0.125 * mass;
-      shares[2 * node + 1] += solid == nullptr ? 1. : 0.;
+      sums[2 * node] += 0.125 * mass;
+      sums[2 * node + 1] += solid == nullptr ? 1. : 0.;
     }
   }
-  exchange.add_copies(shares);
-  for (std::uint32_t n = 0; n < space_->n_own_nodes(); ++n)
-    if (shares[2 * n] > 0. && shares[2 * n + 1] > 0.)
+  exchange.compress_add(sums);
+  for (std::uint32_t n = 0; n < space_->n_locally_owned_nodes(); ++n)
+    if (sums[2 * n] > 0. && sums[2 * n + 1] > 0.)
     {
       Node node{};
       node.node = n;
-      node.solid_mass = shares[2 * n];
+      node.solid_mass = sums[2 * n];
       nodes_.push_back(node);
     }
 }
@@ -215,15 +215,16 @@ bool InterfaceCoupling::balance(const dealii::AlignedVector<double> &velocity,
     const double mass = 1. / velocity[width * node.node + 3];
     node.ratio = mass / node.solid_mass - 1.;
     record_.largest_ratio = std::max(record_.largest_ratio, node.ratio);
-    node.alone = node.free * vector_at(force, node.node) / node.solid_mass;
+    node.uncoupled_acceleration =
+      node.free * vector_at(force, node.node) / node.solid_mass;
     if (is_first_half)
       node.now = node.before;
   }
   has_diverged_ = !iterate();
   for (Node &node : nodes_)
   {
-    node.imbalance =
-      node.solid_mass * ((1. + node.ratio) * node.now - node.alone);
+    node.imbalance = node.solid_mass * ((1. + node.ratio) * node.now -
+                                        node.uncoupled_acceleration);
     for (unsigned int d = 0; d < 3; ++d)
       force[width * node.node + d] += node.imbalance[d];
   }
@@ -237,7 +238,7 @@ bool InterfaceCoupling::iterate()
   {
     iterations_ = 1;
     for (Node &node : nodes_)
-      node.now = node.alone - node.ratio * node.before;
+      node.now = node.uncoupled_acceleration - node.ratio * node.before;
     return true;
   }
   double first = 0.;
@@ -246,10 +247,11 @@ bool InterfaceCoupling::iterate()
     std::vector<double> sums(4, 0.);
     for (Node &node : nodes_)
     {
-      const Vector residual = node.alone - (1. + node.ratio) * node.now;
+      const Vector residual =
+        node.uncoupled_acceleration - (1. + node.ratio) * node.now;
       const Vector change = residual - node.residual;
       sums[0] += residual * residual;
-      sums[1] += node.alone * node.alone;
+      sums[1] += node.uncoupled_acceleration * node.uncoupled_acceleration;
       sums[2] += node.residual * change;
       sums[3] += change * change;
       node.residual = residual;
@@ -275,7 +277,7 @@ bool InterfaceCoupling::iterate()
 }
 
 
-std::string InterfaceCoupling::problem() const
+std::string InterfaceCoupling::failure_text() const
 {
   if (!active())
     return "";

@@ -49,18 +49,18 @@ void LagrangeStep::reinit(
 void LagrangeStep::start(AleState &state)
 {
   dealii::AlignedVector<double> masses(node_exchange_.size());
-  std::array<double, 8> parts;
-  parts.fill(0.125);
-  for (std::size_t c = 0; c < space_->n_own_cells(); ++c)
+  std::array<double, 8> weights;
+  weights.fill(0.125);
+  for (std::size_t c = 0; c < space_->n_locally_owned_cells(); ++c)
   {
     if (state.wedge.active())
-      parts = hex_corner_weights(corners_of(space_->cell(c), state.position));
+      weights = hex_corner_weights(corners_of(space_->cell(c), state.position));
     for (unsigned int i = 0; i < 8; ++i)
-      masses[width * space_->cell(c)[i] + 3] += parts[i] * state.mass[c];
+      masses[width * space_->cell(c)[i] + 3] += weights[i] * state.mass[c];
   }
-  node_exchange_.add_copies(masses);
-  node_exchange_.update_copies(masses);
-  node_exchange_.update_copies(state.velocity);
+  node_exchange_.compress_add(masses);
+  node_exchange_.update_ghost_values(masses);
+  node_exchange_.update_ghost_values(state.velocity);
   for (std::size_t n = 0; n < space_->n_nodes(); ++n)
     state.velocity[width * n + 3] = 1. / masses[width * n + 3];
   walls_.apply(state.velocity, state.time);
@@ -73,7 +73,7 @@ void LagrangeStep::add_forces(AleState &state, const double step)
 {
   force_.fill(0.);
   forces_.compute(state, step, force_);
-  node_exchange_.add_copies(force_);
+  node_exchange_.compress_add(force_);
 }
 
 
@@ -82,7 +82,7 @@ void LagrangeStep::accelerate(AleState &state,
                               const double step) const
 {
   const auto body = acceleration_(state.time);
-  for (std::size_t n = 0; n < space_->n_own_nodes(); ++n)
+  for (std::size_t n = 0; n < space_->n_locally_owned_nodes(); ++n)
   {
     const double *before = &start.velocity[width * n];
     double *after = &state.velocity[width * n];
@@ -91,7 +91,7 @@ void LagrangeStep::accelerate(AleState &state,
         before[d] + step * (force_[width * n + d] * before[3] + body[d]);
     after[3] = before[3];
   }
-  node_exchange_.update_copies(state.velocity);
+  node_exchange_.update_ghost_values(state.velocity);
 }
 
 
@@ -132,14 +132,14 @@ double LagrangeStep::move_by_mean(AleState &state,
       change_of_energy += mean * (after - before);
       work_of_forces += mean * force_[i + d];
     }
-    if (n < space_->n_own_nodes())
+    if (n < space_->n_locally_owned_nodes())
       work += change_of_energy / state.velocity[i + 3] - step * work_of_forces;
   }
   return work;
 }
 
 
-void LagrangeStep::book_contact(const ContactMeasures &now)
+void LagrangeStep::add_contact(const ContactMeasures &now)
 {
   contact_.force = now.force;
   contact_.area = now.area;
@@ -163,7 +163,8 @@ bool LagrangeStep::try_step(AleState &state,
   ties_.apply(state.velocity);
   planes_.apply(state.velocity, start.position);
   move(state, start, 0.5 * step);
-  forces_.do_work(start.energy, state.velocity, 0.5 * step, state.energy, true);
+  forces_.add_work(
+    start.energy, state.velocity, 0.5 * step, state.energy, true);
 
   state.time = begin + 0.5 * step;
   add_forces(state, step);
@@ -176,7 +177,7 @@ bool LagrangeStep::try_step(AleState &state,
   planes_.apply(state.velocity, start.position);
   const double work = move_by_mean(state, start, step);
   const bool is_finite =
-    forces_.do_work(start.energy, mean_, step, state.energy, false);
+    forces_.add_work(start.energy, mean_, step, state.energy, false);
   // Forces for the start of the next step.
   add_forces(state, 0.);
   if (!all(is_finite && forces_.has_volumes()))
@@ -185,7 +186,7 @@ bool LagrangeStep::try_step(AleState &state,
   slip_work_ += ties_.work(mean_);
   coupling_.finish_step(mean_, step);
   if (!planes_.empty())
-    book_contact(planes_.measures(mean_, state.velocity, step));
+    add_contact(planes_.measures(mean_, state.velocity, step));
   state.time = begin + step;
   return true;
 }
@@ -195,9 +196,9 @@ double LagrangeStep::advance(AleState &state,
                              const double largest_step,
                              const double courant,
                              const unsigned int largest_retries,
-                             const bool is_as_left)
+                             const bool state_is_unchanged)
 {
-  if (!is_as_left || !has_forces_)
+  if (!state_is_unchanged || !has_forces_)
     add_forces(state, 0.);
   has_forces_ = false;
   const double rate =
@@ -205,7 +206,7 @@ double LagrangeStep::advance(AleState &state,
   if (!(state.time + courant / rate > state.time))
     give_up_signals(state, courant / rate);
   Start &start = start_;
-  start.take(state);
+  start.swap_from(state);
   ties_.find_normals(start.position, walls_);
   const double begin = state.time;
   double step = std::min(largest_step, courant / rate);

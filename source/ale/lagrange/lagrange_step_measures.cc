@@ -84,12 +84,12 @@ void LagrangeStep::set_contact(const ContactMeasures &contact)
 AleTotals LagrangeStep::totals(const AleState &state) const
 {
   std::vector<double> sums(6, 0.);
-  for (std::size_t c = 0; c < space_->n_own_cells(); ++c)
+  for (std::size_t c = 0; c < space_->n_locally_owned_cells(); ++c)
   {
     sums[0] += state.mass[c];
     sums[1] += state.energy[c];
   }
-  for (std::size_t n = 0; n < space_->n_own_nodes(); ++n)
+  for (std::size_t n = 0; n < space_->n_locally_owned_nodes(); ++n)
   {
     const double *v = &state.velocity[width * n];
     const double mass = 1. / v[3];
@@ -113,7 +113,7 @@ void LagrangeStep::give_up(const AleState &state, const double step) const
   // Find the cell with the smallest volume on all ranks.
   double least = std::numeric_limits<double>::max();
   std::size_t worst = 0;
-  for (std::size_t c = 0; c < space_->n_own_cells(); ++c)
+  for (std::size_t c = 0; c < space_->n_locally_owned_cells(); ++c)
   {
     const double volume =
       hex_moments(corners_of(space_->cell(c), state.position)).volume;
@@ -125,7 +125,7 @@ void LagrangeStep::give_up(const AleState &state, const double step) const
   }
   const double all = dealii::Utilities::MPI::min(least, space_->communicator());
   std::string text = "the mesh tangles";
-  const bool is_here = least == all && space_->n_own_cells() > 0;
+  const bool is_here = least == all && space_->n_locally_owned_cells() > 0;
   if (is_here)
   {
     const auto x = corners_of(space_->cell(worst), state.position)[0];
@@ -136,7 +136,7 @@ void LagrangeStep::give_up(const AleState &state, const double step) const
            brief(state.energy[worst]) + " J";
   }
   text = text_of_owner(space_->communicator(), is_here, text);
-  const std::string coupling = coupling_.problem();
+  const std::string coupling = coupling_.failure_text();
   throw NumericsError("time " + exact(state.time) + " s: with a step of " +
                       brief(step) + " s " +
                       (coupling_.has_diverged() ? coupling : text + coupling));
@@ -148,7 +148,7 @@ void LagrangeStep::give_up_signals(const AleState &state,
 {
   double fastest = 0.;
   std::size_t worst = 0;
-  for (std::size_t c = 0; c < space_->n_own_cells(); ++c)
+  for (std::size_t c = 0; c < space_->n_locally_owned_cells(); ++c)
   {
     const double rate = forces_.signal_rate(state, c);
     if (!(rate <= fastest))
@@ -159,7 +159,7 @@ void LagrangeStep::give_up_signals(const AleState &state,
   }
   const MPI_Comm all = space_->communicator();
   const bool is_here = fastest == dealii::Utilities::MPI::max(fastest, all) &&
-                       space_->n_own_cells() > 0;
+                       space_->n_locally_owned_cells() > 0;
   std::string text = "no cell";
   if (is_here)
   {

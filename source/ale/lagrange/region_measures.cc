@@ -63,7 +63,7 @@ std::vector<NamedValue> region_measures(const HexSpace &space,
 {
   std::vector<Extrema> extrema(regions.size());
   std::vector<Sums> sums(regions.size());
-  for (std::size_t c = 0; c < space.n_own_cells(); ++c)
+  for (std::size_t c = 0; c < space.n_locally_owned_cells(); ++c)
     add_cell(space,
              lagrange.values(state, c),
              state,
@@ -74,11 +74,11 @@ std::vector<NamedValue> region_measures(const HexSpace &space,
   std::vector<NamedValue> result;
   for (std::size_t i = 0; i < regions.size(); ++i)
   {
-    std::vector<double> most{extrema[i].most_negative_pressure,
-                             extrema[i].pressure,
-                             extrema[i].shear_strain,
-                             extrema[i].speed_squared};
-    dealii::Utilities::MPI::max(most, communicator, most);
+    std::vector<double> largest{extrema[i].most_negative_pressure,
+                                extrema[i].pressure,
+                                extrema[i].shear_strain,
+                                extrema[i].speed_squared};
+    dealii::Utilities::MPI::max(largest, communicator, largest);
     std::vector<double> sum{sums[i].mass,
                             sums[i].momentum[0],
                             sums[i].momentum[1],
@@ -87,17 +87,17 @@ std::vector<NamedValue> region_measures(const HexSpace &space,
                             sums[i].kinetic_energy};
     dealii::Utilities::MPI::sum(sum, communicator, sum);
     const std::string name = "_" + regions[i].name;
-    result.push_back({"least_pressure" + name, "Pa", -most[0]});
-    result.push_back({"largest_pressure" + name, "Pa", most[1]});
+    result.push_back({"least_pressure" + name, "Pa", -largest[0]});
+    result.push_back({"largest_pressure" + name, "Pa", largest[1]});
     result.push_back({"kinetic_energy" + name, "J", sum[5]});
     if (regions[i].solid() == nullptr)
     {
-      result.push_back({"largest_speed" + name, "m/s", std::sqrt(most[3])});
+      result.push_back({"largest_speed" + name, "m/s", std::sqrt(largest[3])});
       if (std::holds_alternative<Tait>(regions[i].law))
         result.push_back({"void_volume" + name, "m^3", sum[4]});
       continue;
     }
-    result.push_back({"largest_shear_strain" + name, "-", most[2]});
+    result.push_back({"largest_shear_strain" + name, "-", largest[2]});
     for (unsigned int d = 0; d < 3; ++d)
       result.push_back({std::string("velocity_") + "xyz"[d] + name,
                         "m/s",

@@ -36,7 +36,7 @@ void SlipTies::reinit(const HexSpace &space)
   for (const HexSpace::SlidingPair &pair : pairs)
     held[pair.sliding] = pair.held;
   for (const HexSpace::Face &face : space.faces())
-    if (space.is_sliding(face) && face.inside < space.n_own_cells())
+    if (space.is_sliding(face) && face.inside < space.n_locally_owned_cells())
     {
       faces_.push_back({{}, space.slides(face.inside) ? 1. : -1.});
       for (unsigned int i = 0; i < 4; ++i)
@@ -58,8 +58,8 @@ void SlipTies::find_normals(const dealii::AlignedVector<double> &position,
       for (unsigned int d = 0; d < 3; ++d)
         areas_[width * node + d] += 0.25 * area[d];
   }
-  exchange_.add_copies(areas_);
-  exchange_.update_copies(areas_);
+  exchange_.compress_add(areas_);
+  exchange_.update_ghost_values(areas_);
   walls.remove_normal_parts(areas_);
   for (std::size_t i = 0; i < normals_.size(); ++i)
   {
@@ -97,7 +97,7 @@ double SlipTies::work(const dealii::AlignedVector<double> &mean) const
   for (std::size_t i = 0; i < impulses_.size(); ++i)
   {
     const auto [sliding, held] = space_->sliding_pairs()[i];
-    if (sliding < space_->n_own_nodes())
+    if (sliding < space_->n_locally_owned_nodes())
       for (unsigned int d = 0; d < 3; ++d)
         result += impulses_[i][d] *
                   (mean[width * sliding + d] - mean[width * held + d]);

@@ -39,8 +39,8 @@ boundary_areas(const HexSpace &space,
       for (unsigned int d = 0; d < 3; ++d)
         areas[3 * node + d] += 0.25 * area[d];
   }
-  exchange.add_copies(areas);
-  exchange.update_copies(areas);
+  exchange.compress_add(areas);
+  exchange.update_ghost_values(areas);
   std::vector<dealii::Tensor<1, 3>> result(space.n_nodes());
   for (std::size_t node = 0; node < result.size(); ++node)
     for (unsigned int d = 0; d < 3; ++d)

@@ -14,7 +14,7 @@ void CellBatches::reinit(const HexSpace &space, const unsigned int width)
   cells_.clear();
   weights_.clear();
   std::map<unsigned int, std::vector<unsigned int>> of_region;
-  for (unsigned int c = 0; c < space.n_own_cells(); ++c)
+  for (unsigned int c = 0; c < space.n_locally_owned_cells(); ++c)
     of_region[space.region(c)].push_back(c);
   for (const auto &[region, cells] : of_region)
   {

@@ -58,7 +58,7 @@ void CellStencil::reinit(const HexSpace &space)
 
 void CellStencil::find_neighbors(const HexSpace &space)
 {
-  Lists lists(space.n_own_cells());
+  Lists lists(space.n_locally_owned_cells());
   for (std::uint32_t c = 0; c < lists.size(); ++c)
     for (const std::uint32_t node : space.cell(c))
       for (const std::uint32_t other : space.cells_around(node))
@@ -79,8 +79,8 @@ void CellStencil::find_inside(const HexSpace &space)
     if (is_wall(space, face))
       for (const std::uint32_t node : face.nodes)
         n_walls[node] += 1.;
-  exchange.add_copies(n_walls);
-  exchange.update_copies(n_walls);
+  exchange.compress_add(n_walls);
+  exchange.update_ghost_values(n_walls);
   for (const auto &[sliding, held] : space.sliding_pairs())
     n_walls[sliding] = n_walls[held] = n_walls[sliding] + n_walls[held];
   is_inside_.clear();
@@ -91,9 +91,11 @@ void CellStencil::find_inside(const HexSpace &space)
 
 void CellStencil::find_faces(const HexSpace &space)
 {
-  Lists faces(space.n_own_cells()), opposite(space.n_own_cells());
+  Lists faces(space.n_locally_owned_cells()),
+    opposite(space.n_locally_owned_cells());
   // Neighbour across each face of owned cells; no_cell at walls.
-  std::vector<std::array<std::uint32_t, 6>> across(space.n_own_cells());
+  std::vector<std::array<std::uint32_t, 6>> across(
+    space.n_locally_owned_cells());
   for (auto &cells : across)
     cells.fill(HexSpace::no_cell);
   for (std::uint32_t f = 0; f < space.faces().size(); ++f)
@@ -104,7 +106,7 @@ void CellStencil::find_faces(const HexSpace &space)
     for (const auto &[cell, other] :
          {std::make_pair(face.inside, face.outside),
           std::make_pair(face.outside, face.inside)})
-      if (cell < space.n_own_cells())
+      if (cell < space.n_locally_owned_cells())
       {
         faces[cell].push_back(f);
         across[cell][face_number(space.cell(cell), face)] = other;

@@ -37,7 +37,8 @@ void FieldExchange::reinit(const dealii::Utilities::MPI::Partitioner &single,
 }
 
 
-void FieldExchange::update_copies(dealii::AlignedVector<double> &field) const
+void FieldExchange::update_ghost_values(
+  dealii::AlignedVector<double> &field) const
 {
   const std::size_t n_own = partitioner_->locally_owned_size();
   const std::size_t n_copies = partitioner_->n_ghost_indices();
@@ -55,7 +56,7 @@ void FieldExchange::update_copies(dealii::AlignedVector<double> &field) const
 }
 
 
-void FieldExchange::add_copies(dealii::AlignedVector<double> &field) const
+void FieldExchange::compress_add(dealii::AlignedVector<double> &field) const
 {
   const std::size_t n_own = partitioner_->locally_owned_size();
   const std::size_t n_copies = partitioner_->n_ghost_indices();

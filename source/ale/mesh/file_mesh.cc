@@ -25,7 +25,7 @@ namespace
   /// deal.II's vertex number of each corner of HexMesh.
   constexpr unsigned int vertex_of_corner[] = {0, 1, 3, 2, 4, 5, 7, 6};
 
-  std::string told(const Point<3> &place)
+  std::string text_of(const Point<3> &place)
   {
     return "(" + brief(place[0]) + ", " + brief(place[1]) + ", " +
            brief(place[2]) + ") m";
@@ -137,21 +137,21 @@ void FileMesh::refuse(const std::string &reason) const
 }
 
 
-const FileMesh::Findings &FileMesh::findings() const
+const FileMesh::MeshStatistics &FileMesh::statistics() const
 {
-  if (!findings_)
+  if (!statistics_)
   {
     Mesh mesh;
     create(mesh);
   }
-  return *findings_;
+  return *statistics_;
 }
 
 
 void FileMesh::create(Mesh &mesh) const
 {
   read_mesh_file(file_, "Mesh/File", mesh);
-  auto found = std::make_shared<Findings>();
+  auto found = std::make_shared<MeshStatistics>();
   measure_cells(mesh, *found);
   refuse_hanging_nodes(mesh);
   found->n_pieces = refuse_joints(mesh);
@@ -160,11 +160,11 @@ void FileMesh::create(Mesh &mesh) const
   for (unsigned int d = 0; d < 3; ++d)
     if (planes_[d])
       cut_by_plane(mesh, d);
-  findings_ = found;
+  statistics_ = found;
 }
 
 
-void FileMesh::measure_cells(const Mesh &mesh, Findings &found) const
+void FileMesh::measure_cells(const Mesh &mesh, MeshStatistics &found) const
 {
   found.n_cells = mesh.n_active_cells();
   found.cell_size = std::numeric_limits<double>::max();
@@ -183,7 +183,7 @@ void FileMesh::measure_cells(const Mesh &mesh, Findings &found) const
     {
       found.scaled_jacobian = quality;
       worst = std::to_string(cell->active_cell_index()) + " at " +
-              told(cell->center());
+              text_of(cell->center());
     }
   }
   if (n_refused > 0)
@@ -207,7 +207,7 @@ void FileMesh::refuse_hanging_nodes(const Mesh &mesh) const
     tree.query(boost::geometry::index::nearest(middle, 1),
                std::back_inserter(nearest));
     if (!nearest.empty() && nearest[0].distance(middle) < 1e-6 * size)
-      refuse("the node at " + told(middle) +
+      refuse("the node at " + text_of(middle) +
              " hangs amid a larger cell, as after `anatomy` with "
              "Mesh/Coarsening levels above 0; cells must share whole faces");
   };
@@ -258,7 +258,7 @@ unsigned int FileMesh::refuse_joints(const Mesh &mesh) const
         return;
       const std::size_t n = n_cells[smaller];
       refuse((n == 1 ? "a cell touches" : std::to_string(n) + " cells touch") +
-             " the others at the node " + told(mesh.get_vertices()[node]) +
+             " the others at the node " + text_of(mesh.get_vertices()[node]) +
              " alone, about which they would swing; leave them out, or join "
              "them by faces");
     });

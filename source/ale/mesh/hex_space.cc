@@ -98,8 +98,8 @@ std::vector<bool> HexSpace::find_double_vertices() const
       count[2 * vertices_->global_to_local(dofs[3 * v] / 3) +
             (slides_[cell->material_id()] ? 1 : 0)] += 1.;
   }
-  exchange.add_copies(count);
-  exchange.update_copies(count);
+  exchange.compress_add(count);
+  exchange.update_ghost_values(count);
   for (std::size_t v = 0; v < result.size(); ++v)
     result[v] = count[2 * v] > 0. && count[2 * v + 1] > 0.;
   return result;
@@ -143,7 +143,7 @@ HexSpace::numbers_of_nodes(const std::vector<bool> &is_double) const
     numbers[2 * v + 1] =
       is_double[v] ? static_cast<double>(next++) : numbers[2 * v];
   }
-  exchange.update_copies(numbers);
+  exchange.update_ghost_values(numbers);
   std::vector<VertexNodes> result(is_double.size());
   for (std::size_t v = 0; v < result.size(); ++v)
     for (unsigned int i = 0; i < 2; ++i)

@@ -130,13 +130,13 @@ void LayeredHead::find_wedge(ParameterHandler &prm)
 }
 
 
-double LayeredHead::part() const
+double LayeredHead::computed_fraction() const
 {
-  const double part = computed_part(ball_.is_halved);
+  const double fraction = fraction_within(ball_.is_halved);
   // Of four straight cells to a quarter of the circumference.
   return ball_.wedge_axis > 2
-           ? part
-           : 4. * part * ball_.wedge_slope / dealii::numbers::PI;
+           ? fraction
+           : 4. * fraction * ball_.wedge_slope / dealii::numbers::PI;
 }
 
 
@@ -166,7 +166,7 @@ double LayeredHead::n_cells_of_wedge(const bool is_halved) const
 double LayeredHead::n_cells() const
 {
   return ball_.wedge_axis > 2
-           ? part() * n_cells_of_whole()
+           ? computed_fraction() * n_cells_of_whole()
            : n_cells_of_wedge(ball_.is_halved[ball_.wedge_axis]);
 }
 

@@ -120,7 +120,7 @@ void RegionDescriptions::check_layers(const MeshLayers &layers) const
 {
   std::vector<std::string> known;
   for (const MeshLayer &layer : layers)
-    known.push_back(layer.told());
+    known.push_back(layer.label());
   for (const Description &description : descriptions_)
     if (!iequals(description.layer, "any") &&
         std::none_of(layers.begin(), layers.end(), [&](const MeshLayer &layer) {
@@ -167,7 +167,7 @@ RegionDescriptions::find(const dealii::Point<3> &place,
     throw InputError(
       "Region: the cell at (" + std::to_string(place[0]) + ", " +
       std::to_string(place[1]) + ", " + std::to_string(place[2]) + ") m" +
-      (layer.name.empty() ? "" : " of \"" + layer.told() + "\"") +
+      (layer.name.empty() ? "" : " of \"" + layer.label() + "\"") +
       " is in none");
   return descriptions_[found];
 }

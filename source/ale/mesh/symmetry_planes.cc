@@ -56,11 +56,11 @@ SymmetryPlanes read_symmetry_planes(ParameterHandler &prm)
 }
 
 
-double computed_part(const SymmetryPlanes &planes)
+double fraction_within(const SymmetryPlanes &planes)
 {
-  double part = 1.;
+  double fraction = 1.;
   for (const bool is_halved : planes)
-    part *= is_halved ? 0.5 : 1.;
-  return part;
+    fraction *= is_halved ? 0.5 : 1.;
+  return fraction;
 }
 } // namespace contrecoup::ale

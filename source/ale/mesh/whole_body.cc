@@ -8,7 +8,7 @@
 namespace contrecoup::ale
 {
 void set_to_whole(std::vector<NamedValue> &values,
-                  const double part,
+                  const double computed_fraction,
                   const SymmetryPlanes &planes)
 {
   static const std::vector<std::string> summed{
@@ -16,7 +16,7 @@ void set_to_whole(std::vector<NamedValue> &values,
   for (NamedValue &value : values)
   {
     if (std::find(summed.begin(), summed.end(), value.unit) != summed.end())
-      value.value /= part;
+      value.value /= computed_fraction;
     for (unsigned int d = 0; d < 3; ++d)
       for (const char *const name : {"momentum_", "velocity_"})
         if (planes[d] &&

@@ -20,9 +20,9 @@ namespace
   const std::vector<std::string> extent_axes{"x", "y", "z"};
 
   /// Position of the far face of a particle's deformed cube domain.
-  double reach(const mpm::ParticleBlock &block,
-               const std::size_t p,
-               const unsigned int direction)
+  double farthest_coordinate(const mpm::ParticleBlock &block,
+                             const std::size_t p,
+                             const unsigned int direction)
   {
     double square = 0.;
     for (unsigned int d = 0; d < 3; ++d)
@@ -111,7 +111,7 @@ ParticleExtents::values(const mpm::Particles &particles,
       {
         const Extent &extent = extents_[i];
         for (std::size_t p = 0; m == extent.material && p < block.size(); ++p)
-          if (const double to = reach(block, p, extent.direction);
+          if (const double to = farthest_coordinate(block, p, extent.direction);
               to > farthest[i] &&
               extent.where.value({block[column::position][p],
                                   block[column::position + 1][p],

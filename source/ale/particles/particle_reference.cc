@@ -261,11 +261,12 @@ void ParticleReference::follow_front(const mpm::Particles &particles,
   for (; record_.n_known < times.size() && times[record_.n_known] <= time;
        ++record_.n_known)
   {
-    const double part = is_first ? 1.
-                                 : (times[record_.n_known] - record_.time) /
-                                     (time - record_.time);
+    const double fraction = is_first ? 1.
+                                     : (times[record_.n_known] - record_.time) /
+                                         (time - record_.time);
     const double then =
-      is_first ? position : (1. - part) * record_.position + part * position;
+      is_first ? position
+               : (1. - fraction) * record_.position + fraction * position;
     const double error = std::abs(then - front_->positions[record_.n_known]);
     record_.error += error;
     record_.largest = std::max(record_.largest, error);

@@ -193,7 +193,7 @@ void ParticleScene::parse_parameters(ParameterHandler &prm)
   for (unsigned int d = 0; d < 3; ++d)
     source_.per_cell[d] = static_cast<unsigned int>(numbers[d]);
   // At least three times the initial number, so as not to merge at the start.
-  resampling_.most =
+  resampling_.max_per_cell =
     std::max<double>(read_unsigned(prm, "Merge above"),
                      3. * numbers[0] * numbers[1] * numbers[2]);
   if (!fine_regions_.empty() && scheme_.transfer != mpm::Transfer::flip)

@@ -248,7 +248,7 @@ bool ParticleSimulation::adapt()
     [&](const unsigned int m, mpm::ParticleBlock &block) {
       if (scene_.materials()[m].solid() != nullptr)
         counts[0] += mpm::split_stretched(how.stretch, block);
-      counts[1] += mpm::merge_crowded(how.most, grid_, block);
+      counts[1] += mpm::merge_crowded(how.max_per_cell, grid_, block);
     });
   mpi::sum(counts, communicator_, counts);
   if (counts[0] + counts[1] == 0)
@@ -263,9 +263,9 @@ bool ParticleSimulation::adapt()
 }
 
 
-ParticleSimulation::Ledger ParticleSimulation::ledger() const
+ParticleSimulation::EnergyLedger ParticleSimulation::ledger() const
 {
-  Ledger result;
+  EnergyLedger result;
   result.totals = step_->totals(grid_, particles_);
   std::vector<double> sums{step_->ledger().external_work,
                            step_->ledger().transfer_loss,
@@ -284,7 +284,7 @@ ParticleSimulation::Ledger ParticleSimulation::ledger() const
 
 std::vector<NamedValue> ParticleSimulation::history()
 {
-  const Ledger now = ledger();
+  const EnergyLedger now = ledger();
   const auto &totals = now.totals;
   energy_scale_ = std::max(
     {energy_scale_, totals.kinetic_energy, std::abs(totals.internal_energy)});
@@ -319,7 +319,7 @@ std::vector<NamedValue> ParticleSimulation::history()
     }
     values.push_back(std::move(measure));
   }
-  set_to_whole(values, mesh_.part(), mesh_.symmetry_planes());
+  set_to_whole(values, mesh_.computed_fraction(), mesh_.symmetry_planes());
   return values;
 }
 
@@ -361,7 +361,7 @@ std::string ParticleSimulation::write_fields(const std::string &folder,
 
 std::vector<NamedValue> ParticleSimulation::assumptions()
 {
-  const Ledger now = ledger();
+  const EnergyLedger now = ledger();
   const double scale = std::max(energy_scale_, 1e-300);
   std::vector<NamedValue> values = {
     {"energy_residual", "-", now.residual / scale},
@@ -375,7 +375,7 @@ std::vector<NamedValue> ParticleSimulation::assumptions()
   for (const NamedValue &value : region_contact_.values())
     if (value.name.find("area") == std::string::npos)
       values.push_back({"region_" + value.name, value.unit, value.value});
-  set_to_whole(values, mesh_.part(), mesh_.symmetry_planes());
+  set_to_whole(values, mesh_.computed_fraction(), mesh_.symmetry_planes());
   return values;
 }
 
@@ -389,7 +389,8 @@ ImpactPlan ParticleSimulation::impact_plan() const
   plan.end_time = end_time_;
   plan.velocity = regions_.fastest_velocity();
   plan.cell_size = scene_.cell_size();
-  plan.part = plan.cost = plan.enough = mesh_.part();
+  plan.computed_fraction = plan.cost = plan.least_cost =
+    mesh_.computed_fraction();
   for (const Expression &component : acceleration_)
     plan.has_body_force = plan.has_body_force || !component.is_zero();
   return plan;

@@ -19,7 +19,7 @@ namespace
   namespace mpi = dealii::Utilities::MPI;
 
   /// Header of each checkpoint file: global values.
-  struct Numbers
+  struct CheckpointHeader
   {
     std::uint64_t n_particles; ///< on all ranks
     std::uint64_t n_materials;
@@ -54,24 +54,24 @@ void ParticleSimulation::save(const std::string &folder)
 {
   const unsigned int rank = mpi::this_mpi_process(communicator_);
   io::write_file(file_of(folder, rank), [&](std::ostream &out) {
-    Numbers numbers{n_particles_,
-                    scene_.materials().size(),
-                    0,
-                    n_steps_,
-                    n_split_,
-                    n_merged_,
-                    scene_.cell_size(),
-                    time_,
-                    initial_energy_,
-                    energy_scale_,
-                    step_->ledger(),
-                    contact_now_,
-                    contact_record_,
-                    region_contact_,
-                    reference_.record()};
+    CheckpointHeader header{n_particles_,
+                            scene_.materials().size(),
+                            0,
+                            n_steps_,
+                            n_split_,
+                            n_merged_,
+                            scene_.cell_size(),
+                            time_,
+                            initial_energy_,
+                            energy_scale_,
+                            step_->ledger(),
+                            contact_now_,
+                            contact_record_,
+                            region_contact_,
+                            reference_.record()};
     particles_.for_each_block(
-      [&](unsigned int, const mpm::ParticleBlock &) { ++numbers.n_blocks; });
-    io::write_binary(out, numbers);
+      [&](unsigned int, const mpm::ParticleBlock &) { ++header.n_blocks; });
+    io::write_binary(out, header);
     io::put_list(out, least_pressures_);
     io::put_list(out, reference_.peaks());
     for (const auto &[tile, blocks] : particles_.tiles())
@@ -92,10 +92,10 @@ void ParticleSimulation::save(const std::string &folder)
 void ParticleSimulation::restore_file(const std::string &file)
 {
   std::istringstream in(io::read_file(file));
-  Numbers numbers;
-  io::read_binary(in, numbers);
-  if (!in || numbers.n_materials != scene_.materials().size() ||
-      numbers.cell_size != scene_.cell_size())
+  CheckpointHeader header;
+  io::read_binary(in, header);
+  if (!in || header.n_materials != scene_.materials().size() ||
+      header.cell_size != scene_.cell_size())
     throw InputError("Checkpoint file " + file + " is of another scene");
   io::take_list(in, file, least_pressures_);
   Peaks peaks;
@@ -107,34 +107,34 @@ void ParticleSimulation::restore_file(const std::string &file)
     for (unsigned int k = 0; k < 2; ++k)
       reference_.peaks()[i][k] =
         std::max(reference_.peaks()[i][k], peaks[i][k]);
-  n_particles_ = numbers.n_particles;
-  n_steps_ = numbers.n_steps;
-  n_split_ = numbers.n_split;
-  n_merged_ = numbers.n_merged;
-  time_ = numbers.time;
-  initial_energy_ = numbers.initial_energy;
-  energy_scale_ = numbers.energy_scale;
-  contact_now_ = numbers.contact;
-  contact_record_ = numbers.record;
-  region_contact_ = numbers.region_contact;
-  reference_.record() = numbers.front;
+  n_particles_ = header.n_particles;
+  n_steps_ = header.n_steps;
+  n_split_ = header.n_split;
+  n_merged_ = header.n_merged;
+  time_ = header.time;
+  initial_energy_ = header.initial_energy;
+  energy_scale_ = header.energy_scale;
+  contact_now_ = header.contact;
+  contact_record_ = header.record;
+  region_contact_ = header.region_contact;
+  reference_.record() = header.front;
   // Only sums over ranks count, so the first rank takes all.
   if (mpi::this_mpi_process(communicator_) == 0)
   {
     mpm::EnergyLedger ledger = step_->ledger();
-    ledger.external_work += numbers.ledger.external_work;
-    ledger.transfer_loss += numbers.ledger.transfer_loss;
-    ledger.contact_loss += numbers.ledger.contact_loss;
+    ledger.external_work += header.ledger.external_work;
+    ledger.transfer_loss += header.ledger.transfer_loss;
+    ledger.contact_loss += header.ledger.contact_loss;
     step_->set_ledger(ledger);
   }
   const auto &own = grid_.own_tiles();
-  for (std::uint64_t i = 0; i < numbers.n_blocks; ++i)
+  for (std::uint64_t i = 0; i < header.n_blocks; ++i)
   {
     BlockHead head;
     io::read_binary(in, head);
     std::vector<double> states;
     io::take_list(in, file, states);
-    if (!in || head.material >= numbers.n_materials ||
+    if (!in || head.material >= header.n_materials ||
         states.size() % mpm::column::n_state != 0)
       throw InputError("Checkpoint file " + file + " is damaged");
     if (std::binary_search(own.begin(), own.end(), head.tile))

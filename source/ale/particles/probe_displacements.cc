@@ -47,14 +47,14 @@ ProbeDisplacements::create(const ParameterHandler &prm)
 }
 
 
-void ProbeDisplacements::reinit(const std::vector<dealii::Point<3>> &places)
+void ProbeDisplacements::reinit(const std::vector<dealii::Point<3>> &points)
 {
-  if (places.size() != known_.size())
+  if (points.size() != known_.size())
     throw InputError("Reference/Probe displacements/Known has " +
                      std::to_string(known_.size()) +
                      " numbers, and Probes/Points has " +
-                     std::to_string(places.size()) + " places");
-  places_ = places;
+                     std::to_string(points.size()) + " places");
+  points_ = points;
 }
 
 
@@ -62,7 +62,7 @@ std::vector<NamedValue>
 ProbeDisplacements::values(const mpm::Particles &particles,
                            const MPI_Comm communicator) const
 {
-  std::vector<double> found(places_.size(), 0.);
+  std::vector<double> found(points_.size(), 0.);
   particles.for_each_block([&](unsigned int, const mpm::ParticleBlock &block) {
     for (std::size_t p = 0; p < block.size(); ++p)
       if (block[column::tag][p] > 0.)
@@ -72,7 +72,7 @@ ProbeDisplacements::values(const mpm::Particles &particles,
                      block[column::start + direction_][p];
         for (unsigned int d = 0; d < 3; ++d)
           way += block[column::gradient + 3 * direction_ + d][p] *
-                 (places_[probe][d] - block[column::start + d][p]);
+                 (points_[probe][d] - block[column::start + d][p]);
         found[probe] = way;
       }
   });

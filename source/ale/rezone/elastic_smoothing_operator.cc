@@ -293,7 +293,7 @@ ElasticSmoothing::System::solve(const dealii::AlignedVector<double> &position)
   const unsigned int n = std::max(control.last_step(), 1U);
   if (memory_.first_iterations == 0)
     memory_.first_iterations = n;
-  else if (n > options_.renewal * memory_.first_iterations + 5.)
+  else if (n > options_.rebuild_factor * memory_.first_iterations + 5.)
     memory_.first_iterations = 0;
   return control.last_step();
 }
@@ -313,7 +313,7 @@ void ElasticSmoothing::System::read(dealii::AlignedVector<double> &displacement)
 void ElasticSmoothing::System::resume(const SmoothingMemory &memory)
 {
   memory_ = memory;
-  for (std::size_t n = 0; n < space_.n_own_nodes(); ++n)
+  for (std::size_t n = 0; n < space_.n_locally_owned_nodes(); ++n)
     for (unsigned int d = 0; d < 3 && !space_.is_sliding(n); ++d)
       solution_[dof(n, d)] = memory_.displacement[width * n + d];
   solution_.compress(dealii::VectorOperation::insert);

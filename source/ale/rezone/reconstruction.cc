@@ -23,13 +23,13 @@ namespace
 
   /// Largest fraction of a change that stays within @p least <= 0 and @p most
   /// >= 0, with tolerance for round-off of values of this size.
-  double allowed_part(const double change,
-                      const double least,
-                      const double most,
-                      const double size)
+  double allowed_fraction(const double change,
+                          const double least,
+                          const double most,
+                          const double size)
   {
-    const double room = (change > 0. ? most : -least) + 1e-13 * size;
-    return std::abs(change) > room ? room / std::abs(change) : 1.;
+    const double margin = (change > 0. ? most : -least) + 1e-13 * size;
+    return std::abs(change) > margin ? margin / std::abs(change) : 1.;
   }
   /// Eigenvector of the dominant eigenvalue of a nearly rank-one matrix.
   Vector3<double> direction_of(const Matrix3<double> &matrix)
@@ -98,7 +98,7 @@ void Reconstruction::reinit(const HexSpace &space,
     if (is_left_out.empty() || !is_left_out[space.region(c)])
     {
       all_cells_.push_back(c);
-      if (c < space.n_own_cells())
+      if (c < space.n_locally_owned_cells())
         cells_.push_back(c);
     }
   n_fields_ = n_fields;
@@ -106,8 +106,8 @@ void Reconstruction::reinit(const HexSpace &space,
   curvature_exchange_.reinit(space.cells(), n_fields);
   gradients_.resize(gradient_exchange_.size());
   curvatures_.resize(curvature_exchange_.size());
-  least_.resize(n_fields);
-  most_.resize(n_fields);
+  smallest_.resize(n_fields);
+  largest_.resize(n_fields);
   factor_.resize(n_fields);
 
   stencil_.reinit(space);
@@ -178,7 +178,7 @@ void Reconstruction::compute(const dealii::AlignedVector<double> &position,
   {
     for (const std::uint32_t c : cells_)
       find_curvatures(fields, c);
-    curvature_exchange_.update_copies(curvatures_);
+    curvature_exchange_.update_ghost_values(curvatures_);
   }
   for (const std::uint32_t c : cells_)
     limit_inside(fields, c);
@@ -186,12 +186,12 @@ void Reconstruction::compute(const dealii::AlignedVector<double> &position,
   // interior cells.
   for (unsigned int n_walls = 1; n_walls <= 3; ++n_walls)
   {
-    gradient_exchange_.update_copies(gradients_);
+    gradient_exchange_.update_ghost_values(gradients_);
     for (const std::uint32_t c : cells_)
       if (stencil_.cells_opposite_to_walls(c).size() == n_walls)
         limit_towards_walls(fields, c);
   }
-  gradient_exchange_.update_copies(gradients_);
+  gradient_exchange_.update_ghost_values(gradients_);
 }
 
 
@@ -286,15 +286,15 @@ bool Reconstruction::is_smooth(const std::size_t cell,
 }
 
 
-void Reconstruction::widen(const dealii::AlignedVector<double> &fields,
-                           const std::size_t cell,
-                           const std::uint32_t node)
+void Reconstruction::extend_bounds(const dealii::AlignedVector<double> &fields,
+                                   const std::size_t cell,
+                                   const std::uint32_t node)
 {
   const auto add = [&](const double *const least, const double *const most) {
     for (unsigned int f = 0; f < n_fields_; ++f)
     {
-      least_[f] = std::min(least_[f], least[f]);
-      most_[f] = std::max(most_[f], most[f]);
+      smallest_[f] = std::min(smallest_[f], least[f]);
+      largest_[f] = std::max(largest_[f], most[f]);
     }
   };
   if (slots_[node] != no_slot)
@@ -314,21 +314,22 @@ void Reconstruction::limit_at(
   const dealii::ArrayView<const std::uint32_t> &nodes)
 {
   const double *own = &fields[n_fields_ * cell];
-  std::copy(own, own + n_fields_, least_.begin());
-  std::copy(own, own + n_fields_, most_.begin());
+  std::copy(own, own + n_fields_, smallest_.begin());
+  std::copy(own, own + n_fields_, largest_.begin());
   dealii::Point<3> centre;
   for (const std::uint32_t node : nodes)
   {
     centre += place(node) / static_cast<double>(nodes.size());
-    widen(fields, cell, node);
+    extend_bounds(fields, cell, node);
   }
   const auto way = centre - centres_[cell];
   for (unsigned int f = 0; f < n_fields_; ++f)
-    factor_[f] = std::min(factor_[f],
-                          allowed_part(change(cell, f, way),
-                                       least_[f] - own[f],
-                                       most_[f] - own[f],
-                                       std::max(-least_[f], most_[f])));
+    factor_[f] =
+      std::min(factor_[f],
+               allowed_fraction(change(cell, f, way),
+                                smallest_[f] - own[f],
+                                largest_[f] - own[f],
+                                std::max(-smallest_[f], largest_[f])));
 }
 
 
@@ -371,7 +372,7 @@ void Reconstruction::limit_towards_walls(
         size = std::max(size, std::abs(fields[n_fields_ * other + f]));
       }
       factor_[f] = std::min(
-        factor_[f], allowed_part(change(cell, f, way), least, most, size));
+        factor_[f], allowed_fraction(change(cell, f, way), least, most, size));
     }
   }
   apply_factors(cell);

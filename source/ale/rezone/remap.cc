@@ -32,7 +32,7 @@ void Remap::reinit(const HexSpace &space,
   is_at_rest_ = is_at_rest;
   cells_.clear();
   cells_at_rest_.clear();
-  for (std::uint32_t c = 0; c < space.n_own_cells(); ++c)
+  for (std::uint32_t c = 0; c < space.n_locally_owned_cells(); ++c)
     (rests(c) ? cells_at_rest_ : cells_).push_back(c);
   ties_.reinit(space);
   reconstruction_.reinit(space, n_fields, is_at_rest, limiter);
@@ -41,7 +41,7 @@ void Remap::reinit(const HexSpace &space,
   node_exchange_.reinit(space.nodes(), n_sums);
   cell_exchange_.reinit(space.cells(), 1);
   fields_.resize(n_fields * space.n_cells());
-  contents_.resize(n_contents * space.n_own_cells());
+  contents_.resize(n_contents * space.n_locally_owned_cells());
 }
 
 
@@ -129,7 +129,7 @@ void Remap::add_flow(const HexSpace::Face &face,
       sum += v[d] * carried[velocity + 3 * i + d];
   }
   const auto add = [&](const std::uint32_t cell, const double sign) {
-    if (cell >= space_->n_own_cells())
+    if (cell >= space_->n_locally_owned_cells())
       return;
     double *content = &contents_[n_contents * cell];
     for (unsigned int f = 0; f < n_fields; ++f)
@@ -211,17 +211,19 @@ void Remap::check_masses(const AleState &state) const
 }
 
 
-void Remap::add_rest(const AleState &state, const double *v, double *sum)
+void Remap::add_unadvected_mass(const AleState &state,
+                                const double *v,
+                                double *sum)
 {
   const double eighths = sum[3];
   if (state.wedge.active())
   {
     // This part of the mass does not change and keeps its velocity.
-    const double rest = 1. / v[3] - sum[5];
+    const double unadvected_mass = 1. / v[3] - sum[5];
     for (unsigned int d = 0; d < 3; ++d)
-      sum[d] += rest * v[d];
-    sum[3] += rest;
-    sum[4] += rest * half_square(v);
+      sum[d] += unadvected_mass * v[d];
+    sum[3] += unadvected_mass;
+    sum[4] += unadvected_mass * half_square(v);
   }
   sum[5] = sum[3] / eighths;
 }
@@ -258,11 +260,11 @@ void Remap::collect(AleState &state,
       sum[4] += mass * half_square(v);
       sum[5] += mass;
     }
-  node_exchange_.add_copies(sums);
-  node_exchange_.update_copies(sums);
+  node_exchange_.compress_add(sums);
+  node_exchange_.update_ghost_values(sums);
   for (std::size_t node = 0; node < space_->n_nodes(); ++node)
   {
-    add_rest(state, &state.velocity[width * node], &sums[n * node]);
+    add_unadvected_mass(state, &state.velocity[width * node], &sums[n * node]);
     for (unsigned int d = 0; d < 3; ++d)
       state.velocity[width * node + d] =
         sums[n * node + d] / sums[n * node + 3];
@@ -296,17 +298,17 @@ void Remap::apply(AleState &state,
                   const SlipWalls &walls,
                   const dealii::AlignedVector<double> &position)
 {
-  cell_exchange_.update_copies(state.mass);
-  cell_exchange_.update_copies(state.energy);
-  cell_exchange_.update_copies(state.products);
+  cell_exchange_.update_ghost_values(state.mass);
+  cell_exchange_.update_ghost_values(state.energy);
+  cell_exchange_.update_ghost_values(state.products);
   fill_fields(state);
   reconstruction_.compute(state.position, fields_);
   carry_over(state, position);
   check_masses(state);
   collect(state, walls, position);
-  cell_exchange_.update_copies(state.mass);
-  cell_exchange_.update_copies(state.energy);
-  cell_exchange_.update_copies(state.products);
+  cell_exchange_.update_ghost_values(state.mass);
+  cell_exchange_.update_ghost_values(state.energy);
+  cell_exchange_.update_ghost_values(state.products);
   state.position = position;
 }
 } // namespace contrecoup::ale

@@ -133,7 +133,7 @@ void Rezone::reinit(
   start_ = state.position;
   reference_ = state.position;
   due_ = state.time + interval_;
-  if (kind_ == RezoneKind::back && has_interfaces())
+  if (kind_ == RezoneKind::eulerian && has_interfaces())
     throw InputError("Rezone/Kind = back needs a single region, as regions "
                      "are not mixed; let Density and Pressure of one depend "
                      "on x, y, z, or use elastic");
@@ -159,13 +159,13 @@ SmoothingMemory Rezone::memory() const
 
 void Rezone::resume(const AleState &state,
                     const unsigned int n_rezones,
-                    const unsigned int n_left_out,
+                    const unsigned int n_skipped,
                     const SmoothingMemory &memory)
 {
   if (kind_ == RezoneKind::elastic)
     smoothing_.resume(memory);
   n_rezones_ = n_rezones;
-  n_left_out_ = n_left_out;
+  n_skipped_ = n_skipped;
   due_ = interval_;
   while (interval_ > 0. && due_ <= state.time * (1. + 1e-12))
     due_ += interval_;
@@ -238,12 +238,12 @@ void Rezone::find_prescribed(
       count[n * face.nodes[i] + direction] += 1.;
     }
   }
-  for (std::size_t c = 0; c < space_->n_own_cells(); ++c)
+  for (std::size_t c = 0; c < space_->n_locally_owned_cells(); ++c)
     if (is_solid_[space_->region(c)])
       for (const std::uint32_t node : space_->cell(c))
         count[n * node + all] += 1.;
-  exchange.add_copies(count);
-  exchange.update_copies(count);
+  exchange.compress_add(count);
+  exchange.update_ghost_values(count);
   // Both nodes of a sliding pair lie on an interface.
   for (const auto &[sliding, held] : space_->sliding_pairs())
     count[n * sliding + all] = count[n * held + all] = 1.;
@@ -266,7 +266,8 @@ void Rezone::find_prescribed(
 bool Rezone::is_valid(const dealii::AlignedVector<double> &position) const
 {
   int valid = 1;
-  for (std::size_t c = 0; c < space_->n_own_cells() && valid == 1; ++c)
+  for (std::size_t c = 0; c < space_->n_locally_owned_cells() && valid == 1;
+       ++c)
   {
     // Solids keep their nodes, however deformed.
     if (!is_solid_[space_->region(c)] &&
@@ -316,7 +317,7 @@ double
 Rezone::largest_outflow(const AleState &state,
                         const dealii::AlignedVector<double> &position) const
 {
-  std::vector<double> outflow(space_->n_own_cells(), 0.);
+  std::vector<double> outflow(space_->n_locally_owned_cells(), 0.);
   for (const HexSpace::Face &face : space_->faces())
   {
     std::array<Vector3<double>, 4> before, after;
@@ -328,11 +329,11 @@ Rezone::largest_outflow(const AleState &state,
       }
     const double swept = swept_moments(before, after).volume;
     const std::uint32_t donor = swept > 0. ? face.outside : face.inside;
-    if (donor < space_->n_own_cells())
+    if (donor < space_->n_locally_owned_cells())
       outflow[donor] += std::abs(swept);
   }
   double largest = 0.;
-  for (std::size_t c = 0; c < space_->n_own_cells(); ++c)
+  for (std::size_t c = 0; c < space_->n_locally_owned_cells(); ++c)
     if (outflow[c] > 0.)
       largest =
         std::max(largest, outflow[c] / cell_volume(space_->cell(c), state));
@@ -373,14 +374,14 @@ bool Rezone::apply(AleState &state, const SlipWalls &walls)
   while (interval_ > 0. && due_ <= state.time * (1. + 1e-12))
     due_ += interval_;
   dealii::AlignedVector<double> position =
-    kind_ == RezoneKind::back ? start_ : smoothed(state, walls);
+    kind_ == RezoneKind::eulerian ? start_ : smoothed(state, walls);
   // Halve the displacement where a cell would invert.
   for (unsigned int i = 0; i < 6 && !is_valid(position); ++i)
     for (std::size_t k = 0; k < position.size(); ++k)
       position[k] = 0.5 * (position[k] + state.position[k]);
   if (!is_valid(position))
   {
-    ++n_left_out_;
+    ++n_skipped_;
     return false;
   }
   carry_over(state, walls, position);

@@ -29,7 +29,7 @@ std::string write_ale(const HexSpace &space,
                              {"void_fraction", "-"},
                              {"shear_strain", "-"},
                              {"region", "-"}});
-  for (std::size_t c = 0; c < space.n_own_cells(); ++c)
+  for (std::size_t c = 0; c < space.n_locally_owned_cells(); ++c)
   {
     const auto element = lagrange.values(state, c);
     auto patch = output.make_patch(1);

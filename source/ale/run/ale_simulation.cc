@@ -249,7 +249,7 @@ void AleSimulation::find_probe_cells()
   {
     double nearest = std::numeric_limits<double>::max();
     std::uint32_t cell = HexSpace::no_cell;
-    for (std::uint32_t c = 0; c < space_.n_own_cells(); ++c)
+    for (std::uint32_t c = 0; c < space_.n_locally_owned_cells(); ++c)
     {
       dealii::Point<3> centre;
       for (const std::uint32_t node : space_.cell(c))
@@ -325,9 +325,9 @@ bool AleSimulation::adapt()
 }
 
 
-AleSimulation::Ledger AleSimulation::ledger() const
+AleSimulation::EnergyLedger AleSimulation::ledger() const
 {
-  Ledger result;
+  EnergyLedger result;
   result.totals = lagrange_.totals(state_);
   result.external_work = lagrange_.external_work();
   result.interface_work = lagrange_.coupling().record().work;
@@ -340,7 +340,7 @@ AleSimulation::Ledger AleSimulation::ledger() const
 
 std::vector<NamedValue> AleSimulation::history()
 {
-  const Ledger now = ledger();
+  const EnergyLedger now = ledger();
   const AleTotals &totals = now.totals;
   energy_scale_ = std::max(
     {energy_scale_, std::abs(totals.internal_energy), totals.kinetic_energy});
@@ -381,8 +381,9 @@ std::vector<NamedValue> AleSimulation::history()
     }
     values.push_back(std::move(measure));
   }
-  set_to_whole(
-    values, mesh_description_.part(), mesh_description_.symmetry_planes());
+  set_to_whole(values,
+               mesh_description_.computed_fraction(),
+               mesh_description_.symmetry_planes());
   return values;
 }
 
@@ -422,19 +423,20 @@ std::vector<NamedValue> AleSimulation::errors()
 
 std::vector<NamedValue> AleSimulation::assumptions()
 {
-  const Ledger now = ledger();
+  const EnergyLedger now = ledger();
   const double scale = std::max(energy_scale_, 1e-300);
   std::vector<NamedValue> values = {
     {"energy_residual", "-", now.residual / scale},
     {"rezones", "-", static_cast<double>(rezone_.n_rezones())},
-    {"rezones_left_out", "-", static_cast<double>(rezone_.n_left_out())}};
+    {"rezones_left_out", "-", static_cast<double>(rezone_.n_skipped())}};
   for (NamedValue &value : lagrange_.coupling().summary(scale))
     values.push_back(std::move(value));
   if (!planes_.empty())
   {
     auto contact = contact_.values();
-    set_to_whole(
-      contact, mesh_description_.part(), mesh_description_.symmetry_planes());
+    set_to_whole(contact,
+                 mesh_description_.computed_fraction(),
+                 mesh_description_.symmetry_planes());
     for (NamedValue &value : contact)
       values.push_back(std::move(value));
   }

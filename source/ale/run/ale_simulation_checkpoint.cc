@@ -19,14 +19,14 @@ namespace
   constexpr unsigned int width = AleState::width;
 
   /// Header of each checkpoint file: global values.
-  struct Numbers
+  struct CheckpointHeader
   {
     std::uint64_t n_nodes;
     std::uint64_t n_cells;
     std::uint64_t n_global_nodes;
     std::uint64_t n_global_cells;
     std::uint64_t n_rezones;
-    std::uint64_t n_rezones_left_out;
+    std::uint64_t n_skipped_rezones;
     double time;
     double initial_energy;
     double external_work;
@@ -74,28 +74,28 @@ void AleSimulation::save(const std::string &folder)
   const auto rank = dealii::Utilities::MPI::this_mpi_process(communicator_);
   io::write_file(file_of(folder, rank), [&](std::ostream &out) {
     write_binary(out,
-                 Numbers{space_.n_own_nodes(),
-                         space_.n_own_cells(),
-                         n_nodes_,
-                         n_cells_,
-                         rezone_.n_rezones(),
-                         rezone_.n_left_out(),
-                         state_.time,
-                         initial_energy_,
-                         work,
-                         slip_work,
-                         energy_scale_,
-                         last_step_,
-                         reference_.peaks().size(),
-                         memory.first_iterations,
-                         contact,
-                         contact_,
-                         initial_kinetic_energy_});
+                 CheckpointHeader{space_.n_locally_owned_nodes(),
+                                  space_.n_locally_owned_cells(),
+                                  n_nodes_,
+                                  n_cells_,
+                                  rezone_.n_rezones(),
+                                  rezone_.n_skipped(),
+                                  state_.time,
+                                  initial_energy_,
+                                  work,
+                                  slip_work,
+                                  energy_scale_,
+                                  last_step_,
+                                  reference_.peaks().size(),
+                                  memory.first_iterations,
+                                  contact,
+                                  contact_,
+                                  initial_kinetic_energy_});
     for (const double pressure : least_pressures_)
       write_binary(out, pressure);
     for (const auto &peak : reference_.peaks())
       write_binary(out, peak);
-    for (std::size_t n = 0; n < space_.n_own_nodes(); ++n)
+    for (std::size_t n = 0; n < space_.n_locally_owned_nodes(); ++n)
     {
       NodeRecord record{space_.node_number(n), {}, {}, {}};
       for (unsigned int d = 0; d < width; ++d)
@@ -112,7 +112,7 @@ void AleSimulation::save(const std::string &folder)
       }
       write_binary(out, record);
     }
-    for (std::size_t c = 0; c < space_.n_own_cells(); ++c)
+    for (std::size_t c = 0; c < space_.n_locally_owned_cells(); ++c)
     {
       CellRecord record{
         space_.cell_number(c),
@@ -174,7 +174,7 @@ void AleSimulation::restore(const std::string &folder)
     nodes[space_.node_number(n)] = n;
   for (std::size_t c = 0; c < space_.n_cells(); ++c)
     cells[space_.cell_number(c)] = c;
-  Numbers numbers{};
+  CheckpointHeader header{};
   SmoothingMemory memory(space_);
   std::string file;
   for (unsigned int rank = 0;
@@ -182,12 +182,12 @@ void AleSimulation::restore(const std::string &folder)
        ++rank)
   {
     std::ifstream in(file, std::ios::binary);
-    read_binary(in, numbers);
-    if (!in || numbers.n_global_nodes != n_nodes_ ||
-        numbers.n_global_cells != n_cells_)
+    read_binary(in, header);
+    if (!in || header.n_global_nodes != n_nodes_ ||
+        header.n_global_cells != n_cells_)
       throw InputError("Checkpoint file " + file + " belongs to another mesh");
-    restore_peaks(in, numbers.n_peaks);
-    for (std::uint64_t i = 0; i < numbers.n_nodes; ++i)
+    restore_peaks(in, header.n_peaks);
+    for (std::uint64_t i = 0; i < header.n_nodes; ++i)
     {
       NodeRecord record;
       read_binary(in, record);
@@ -207,23 +207,23 @@ void AleSimulation::restore(const std::string &folder)
         memory.hierarchy_position[width * n + d] = record.smoothing[3 + d];
       }
     }
-    restore_cells(in, numbers.n_cells, cells);
+    restore_cells(in, header.n_cells, cells);
     if (!in)
       throw InputError("Checkpoint file " + file + " ends too early");
   }
-  state_.time = numbers.time;
-  initial_energy_ = numbers.initial_energy;
-  lagrange_.set_external_work(numbers.external_work);
-  lagrange_.set_slip_work(numbers.slip_work);
-  lagrange_.set_contact(numbers.contact);
-  contact_ = numbers.record;
-  initial_kinetic_energy_ = numbers.initial_kinetic_energy;
-  energy_scale_ = numbers.energy_scale;
-  last_step_ = numbers.last_step;
-  memory.first_iterations = static_cast<unsigned int>(numbers.first_iterations);
-  const auto done = static_cast<unsigned int>(numbers.n_rezones),
-             left_out = static_cast<unsigned int>(numbers.n_rezones_left_out);
-  rezone_.resume(state_, done, left_out, memory);
+  state_.time = header.time;
+  initial_energy_ = header.initial_energy;
+  lagrange_.set_external_work(header.external_work);
+  lagrange_.set_slip_work(header.slip_work);
+  lagrange_.set_contact(header.contact);
+  contact_ = header.record;
+  initial_kinetic_energy_ = header.initial_kinetic_energy;
+  energy_scale_ = header.energy_scale;
+  last_step_ = header.last_step;
+  memory.first_iterations = static_cast<unsigned int>(header.first_iterations);
+  const auto done = static_cast<unsigned int>(header.n_rezones),
+             n_skipped = static_cast<unsigned int>(header.n_skipped_rezones);
+  rezone_.resume(state_, done, n_skipped, memory);
   lagrange_.coupling().restore(folder);
   head_.restore(folder, communicator_);
 }

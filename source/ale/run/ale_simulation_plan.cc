@@ -17,7 +17,7 @@ ImpactPlan AleSimulation::impact_plan() const
   plan.end_time = end_time_;
   plan.velocity = regions_.fastest_velocity();
   plan.cell_size = mesh_description_.cell_size();
-  plan.part = mesh_description_.part();
+  plan.computed_fraction = mesh_description_.computed_fraction();
   if (const FileMesh *const file = mesh_description_.file())
   {
     plan.n_pieces = file->n_pieces();
@@ -34,12 +34,12 @@ ImpactPlan AleSimulation::impact_plan() const
 
 void AleSimulation::find_symmetry(ImpactPlan &plan) const
 {
-  plan.cost = plan.enough = plan.part;
+  plan.cost = plan.least_cost = plan.computed_fraction;
   const LayeredHead *head = mesh_description_.head();
   if (head == nullptr)
     return;
   const double whole = head->n_cells_of_whole();
-  plan.cost = plan.enough = head->n_cells() / whole;
+  plan.cost = plan.least_cost = head->n_cells() / whole;
   if (head->wedge().active())
     plan.wedge = std::string(1, "xyz"[head->wedge().axis]);
   const auto components = regions_.largest_components();
@@ -57,7 +57,7 @@ void AleSimulation::find_symmetry(ImpactPlan &plan) const
     if (head->is_halved()[d])
       plan.asymmetry = std::max(plan.asymmetry, motion);
     else if (would_do[d])
-      plan.enough *= 0.5;
+      plan.least_cost *= 0.5;
   }
   const auto &brain = head->semi_axes().front();
   for (unsigned int d = 0; d < 3; ++d)
@@ -65,10 +65,10 @@ void AleSimulation::find_symmetry(ImpactPlan &plan) const
     const unsigned int a = (d + 1) % 3, b = (d + 2) % 3;
     const double cost = head->n_cells_of_wedge(would_do[d]) / whole;
     if (would_do[a] && would_do[b] && brain[a] == brain[b] &&
-        !coupling_.active() && cost < plan.enough)
+        !coupling_.active() && cost < plan.least_cost)
     {
-      plan.enough = cost;
-      plan.enough_wedge = std::string(1, "xyz"[d]);
+      plan.least_cost = cost;
+      plan.least_cost_wedge = std::string(1, "xyz"[d]);
     }
   }
 }

@@ -38,7 +38,7 @@ public:
               const AleState &state,
               const std::vector<std::uint32_t> &probes,
               const double step,
-              Peaks &parts);
+              Peaks &peaks);
 
   /// Relative errors: of the acceleration against the closed form; and, for
   /// each pair of probes, of half the pressure difference against the closed
@@ -46,7 +46,7 @@ public:
   /// acceleration of the run. Collective.
   /// @param mass of the computed part [kg]
   std::vector<NamedValue>
-  errors(const Peaks &parts, const double mass, MPI_Comm communicator) const;
+  errors(const Peaks &peaks, const double mass, MPI_Comm communicator) const;
 
 private:
   FluidFilledShell shell_;

@@ -40,12 +40,12 @@ struct ImpactPlan
   double end_time = 0.;          ///< [s]
   dealii::Tensor<1, 3> velocity; ///< largest initial velocity of matter [m/s]
   double cell_size = 0.;         ///< [m]
-  double part = 1.;              ///< computed part of the body [-]
+  double computed_fraction = 1.; ///< computed part of the body [-]
   double cost = 1.;              ///< over that of the whole body [-]
   std::string wedge;             ///< axis of the computed wedge; empty: none
-  double enough = 1.;       ///< cost with all symmetry of the scene used [-]
-  std::string enough_wedge; ///< axis of a wedge for that cost; empty: none
-  double asymmetry = 0.;    ///< motion across symmetry planes, relative [-]
+  double least_cost = 1.; ///< cost with all symmetry of the scene used [-]
+  std::string least_cost_wedge; ///< axis of a wedge for that cost; empty: none
+  double asymmetry = 0.;        ///< motion across symmetry planes, relative [-]
   /// Of a mesh file; 0: other mesh.
   unsigned int n_pieces = 0;
   double scaled_jacobian = 1.; ///< the smallest
@@ -53,7 +53,7 @@ struct ImpactPlan
   std::string coupling; ///< partitioned scheme; empty: monolithic
 
   /// Results of a run.
-  struct Findings
+  struct ImpactResults
   {
     std::vector<double> least_pressures; ///< by region [Pa]
     double contact_end = 0.;             ///< negative: no contact [s]
@@ -66,7 +66,7 @@ struct ImpactPlan
 
   /// Estimates before the run.
   std::vector<Assumption> plan() const;
-  std::vector<Assumption> audit(const Findings &findings) const;
+  std::vector<Assumption> audit(const ImpactResults &results) const;
 
 private:
   bool has_friction() const;

@@ -100,7 +100,7 @@ private:
   };
 
   /// A velocity correction.
-  struct Push
+  struct VelocityCorrection
   {
     SurfaceNode at;
     double normal;                   ///< [m/s]
@@ -111,6 +111,6 @@ private:
   const HexSpace *space_ = nullptr;
   std::vector<ContactPlane> planes_;
   std::vector<SurfaceNode> surface_;
-  std::vector<Push> pushes_;
+  std::vector<VelocityCorrection> corrections_;
 };
 } // namespace contrecoup::ale

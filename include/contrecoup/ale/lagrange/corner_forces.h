@@ -74,11 +74,11 @@ public:
    * @param after internal energies [J]
    * @return whether all computed energies of owned cells are finite
    */
-  bool do_work(const dealii::AlignedVector<double> &before,
-               const dealii::AlignedVector<double> &velocity,
-               const double step,
-               dealii::AlignedVector<double> &after,
-               const bool is_first_half) const;
+  bool add_work(const dealii::AlignedVector<double> &before,
+                const dealii::AlignedVector<double> &velocity,
+                const double step,
+                dealii::AlignedVector<double> &after,
+                const bool is_first_half) const;
 
   /// State of owned cell @p cell.
   CellValues values(const AleState &state, const std::size_t cell) const;

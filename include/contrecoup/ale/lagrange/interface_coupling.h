@@ -123,7 +123,7 @@ public:
 
   /// Text for the error message of a failed step: words to append, or a clause
   /// if the iteration diverged. Collective.
-  std::string problem() const;
+  std::string failure_text() const;
 
   /// Completes the step of the last balance().
   /// @param mean of the velocities before and after the step [m/s]
@@ -160,14 +160,14 @@ private:
     double solid_mass; ///< [kg]
     /// projector onto directions that walls leave free
     dealii::Tensor<2, 3> free;
-    double ratio = 0.; ///< m_f / m_s [-]
-    Vector alone;      ///< acceleration without m_f [m/s^2]
+    double ratio = 0.;             ///< m_f / m_s [-]
+    Vector uncoupled_acceleration; ///< acceleration without m_f [m/s^2]
     /// accelerations of the last and the present step [m/s^2]
     Vector before, now;
     Vector residual, imbalance; ///< [m/s^2], [N]
   };
 
-  [[noreturn]] void miss_interface() const;
+  [[noreturn]] void throw_no_interface() const;
   void find_nodes(const std::vector<Region> &regions);
   void find_free_directions(const SlipWalls &walls);
   bool iterate();

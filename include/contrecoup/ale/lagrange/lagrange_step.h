@@ -56,8 +56,8 @@ public:
    * Makes one step of at most @p largest_step [s] and of at most @p courant
    * times the CFL limit. The step is halved and repeated if a cell inverts or
    * a value is not finite.
-   * @param is_as_left whether @p state is unchanged since the last call, so
-   * that its forces can be reused
+   * @param state_is_unchanged whether @p state is unchanged since the last
+   * call, so that its forces can be reused
    * @return size of the step [s]
    * @throws NumericsError, naming the cell, after @p largest_retries halvings,
    * when the CFL limit vanishes, or when the coupling iteration fails; the
@@ -67,7 +67,7 @@ public:
                  const double largest_step,
                  const double courant,
                  const unsigned int largest_retries = 10,
-                 const bool is_as_left = false);
+                 const bool state_is_unchanged = false);
 
   /// Number of halvings of the last step.
   unsigned int n_retries() const
@@ -150,7 +150,7 @@ private:
     dealii::AlignedVector<double> position, velocity, energy, relaxed;
 
     /// Swaps positions and velocities out of @p state; they must be set anew.
-    void take(AleState &state)
+    void swap_from(AleState &state)
     {
       position.resize_fast(state.position.size());
       position.swap(state.position);
@@ -177,7 +177,7 @@ private:
   bool try_step(AleState &state, const Start &start, const double step);
   /// Whether @p good holds on all ranks.
   bool all(const bool good) const;
-  void book_contact(const ContactMeasures &now);
+  void add_contact(const ContactMeasures &now);
   [[noreturn]] void give_up(const AleState &state, const double step) const;
   /// Names the cell with the most restrictive CFL limit.
   [[noreturn]] void give_up_signals(const AleState &state,

@@ -32,11 +32,11 @@ public:
   }
 
   /// Copies owned values to the ghost copies of other ranks. Collective.
-  void update_copies(dealii::AlignedVector<double> &field) const;
+  void update_ghost_values(dealii::AlignedVector<double> &field) const;
 
   /// Adds ghost copies to the owned values, in the order of ranks, and sets
   /// the ghost copies to zero. Collective.
-  void add_copies(dealii::AlignedVector<double> &field) const;
+  void compress_add(dealii::AlignedVector<double> &field) const;
 
 private:
   unsigned int width_ = 1;

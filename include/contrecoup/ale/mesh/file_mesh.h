@@ -51,31 +51,31 @@ public:
   /// with this number.
   const MeshLayers &layers() const
   {
-    return findings().layers;
+    return statistics().layers;
   }
   double n_cells() const
   {
-    return findings().n_cells;
+    return statistics().n_cells;
   }
   /// Shortest edge [m].
   double cell_size() const
   {
-    return findings().cell_size;
+    return statistics().cell_size;
   }
   /// Minimum over all cells of scaled_jacobian().
   double smallest_scaled_jacobian() const
   {
-    return findings().scaled_jacobian;
+    return statistics().scaled_jacobian;
   }
   /// Number of face-connected sets of cells.
   unsigned int n_pieces() const
   {
-    return findings().n_pieces;
+    return statistics().n_pieces;
   }
   /// Positive numbers of surface faces in the file.
   const std::set<unsigned int> &boundaries() const
   {
-    return findings().boundaries;
+    return statistics().boundaries;
   }
 
   const SymmetryPlanes &symmetry_planes() const
@@ -84,13 +84,13 @@ public:
   }
 
   /// Computed part of the body [-].
-  double part() const
+  double computed_fraction() const
   {
-    return computed_part(planes_);
+    return fraction_within(planes_);
   }
 
 private:
-  struct Findings
+  struct MeshStatistics
   {
     MeshLayers layers;
     double n_cells = 0.;
@@ -100,9 +100,9 @@ private:
     std::set<unsigned int> boundaries;
   };
 
-  const Findings &findings() const;
+  const MeshStatistics &statistics() const;
   void measure_cells(const dealii::Triangulation<3> &mesh,
-                     Findings &found) const;
+                     MeshStatistics &found) const;
   void refuse_hanging_nodes(const dealii::Triangulation<3> &mesh) const;
   /// Refuses cells that touch others only at a node or edge.
   /// @return number of face-connected sets of cells
@@ -117,6 +117,6 @@ private:
   std::string file_;
   double least_jacobian_ = 0.;
   SymmetryPlanes planes_{};
-  mutable std::shared_ptr<const Findings> findings_;
+  mutable std::shared_ptr<const MeshStatistics> statistics_;
 };
 } // namespace contrecoup::ale

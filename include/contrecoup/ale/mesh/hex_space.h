@@ -114,7 +114,7 @@ public:
     return *triangulation_;
   }
 
-  std::size_t n_own_cells() const
+  std::size_t n_locally_owned_cells() const
   {
     return n_own_cells_;
   }
@@ -122,7 +122,7 @@ public:
   {
     return cells_.size();
   }
-  std::size_t n_own_nodes() const
+  std::size_t n_locally_owned_nodes() const
   {
     return n_own_nodes_;
   }

@@ -39,7 +39,7 @@ public:
   }
 
   /// Computed part of the head; 1 without symmetry [-].
-  double part() const;
+  double computed_fraction() const;
 
   /// The computed wedge; without a slope: none.
   HexWedge wedge() const

@@ -58,9 +58,10 @@ public:
   }
 
   /// Computed part of the body with symmetry planes [-].
-  double part() const
+  double computed_fraction() const
   {
-    return kind_ == "file" ? file_.part() : head_.part();
+    return kind_ == "file" ? file_.computed_fraction()
+                           : head_.computed_fraction();
   }
 
   /// Symmetry planes, including those through the axis of a wedge.

@@ -18,7 +18,7 @@ struct MeshLayer
   bool is_called(const std::string &word) const;
 
   /// Name and number, for messages.
-  std::string told() const
+  std::string label() const
   {
     return number.empty() || number == name ? name : name + " (" + number + ")";
   }

@@ -24,5 +24,5 @@ unsigned int read_wedge_axis(dealii::ParameterHandler &prm);
 SymmetryPlanes read_symmetry_planes(dealii::ParameterHandler &prm);
 
 /// Computed part of the body; 1 without symmetry planes [-].
-double computed_part(const SymmetryPlanes &planes);
+double fraction_within(const SymmetryPlanes &planes);
 } // namespace contrecoup::ale

@@ -16,6 +16,6 @@ namespace contrecoup::ale
  * @param part that is computed [-]
  */
 void set_to_whole(std::vector<NamedValue> &values,
-                  const double part,
+                  const double computed_fraction,
                   const SymmetryPlanes &planes);
 } // namespace contrecoup::ale

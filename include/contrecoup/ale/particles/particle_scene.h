@@ -22,9 +22,9 @@ namespace contrecoup::ale
 /// Criteria for splitting and merging particles.
 struct Resampling
 {
-  double stretch = 2.;        ///< stretch at which a particle splits [-]
-  unsigned int most = 64;     ///< largest number per region and cell
-  unsigned int interval = 20; ///< steps between resamplings; 0: never
+  double stretch = 2.;            ///< stretch at which a particle splits [-]
+  unsigned int max_per_cell = 64; ///< largest number per region and cell
+  unsigned int interval = 20;     ///< steps between resamplings; 0: never
 };
 
 /**

@@ -59,7 +59,7 @@ public:
 
 private:
   /// Energies of all ranks, and the residual of the balance [J].
-  struct Ledger
+  struct EnergyLedger
   {
     mpm::ParticleTotals totals;
     double external_work, transfer_loss, contact_loss, residual;
@@ -70,7 +70,7 @@ private:
   void set_body_force(mpm::ParticleBlock &block) const;
   /// Records contact forces of planes and between regions.
   void record_contact(const double step);
-  Ledger ledger() const;
+  EnergyLedger ledger() const;
   ImpactPlan impact_plan() const;
   /// Whether the spline width resolves the layers of a head.
   Assumption layer_resolution() const;

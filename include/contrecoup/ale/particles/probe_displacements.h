@@ -27,7 +27,7 @@ public:
 
   /// @param places initial positions of the probes [m]
   /// @throws InputError unless each probe has a known displacement
-  void reinit(const std::vector<dealii::Point<3>> &places);
+  void reinit(const std::vector<dealii::Point<3>> &points);
 
   /// Displacement of each probe [m], from displacement and displacement
   /// gradient of the nearest particle. Collective.
@@ -41,6 +41,6 @@ public:
 private:
   unsigned int direction_ = 0;
   std::vector<double> known_;
-  std::vector<dealii::Point<3>> places_;
+  std::vector<dealii::Point<3>> points_;
 };
 } // namespace contrecoup::ale

@@ -14,7 +14,7 @@ namespace contrecoup::ale
  * through faces such that density and the other fields of a cell stay within
  * the range of the cell and its neighbours in the same region. The low-order
  * flow carries the donor's mean, which is bounded as long as no cell loses
- * more than its volume. The correction is limited by the room of both cells
+ * more than its volume. The correction is limited by the capacity of both cells
  * (Zalesak 1979), first for mass, then for the other fields.
  */
 class BoundedFlows
@@ -82,22 +82,22 @@ private:
                     std::vector<double> &contents) const;
 
   /**
-   * Computes the room of owned cells: from their low-order contents @p low to
-   * size times the largest, and the smallest, neighbouring value.
+   * Computes the capacity of owned cells: from their low-order contents @p low
+   * to size times the largest, and the smallest, neighbouring value.
    * @param sizes volumes or masses after the remap
    * @param first field of the first number in @p low
    */
-  void find_room(const dealii::AlignedVector<double> &fields,
-                 const unsigned int first,
-                 const unsigned int width,
-                 const std::vector<double> &sizes,
-                 const std::vector<double> &low);
+  void find_capacity(const dealii::AlignedVector<double> &fields,
+                     const unsigned int first,
+                     const unsigned int width,
+                     const std::vector<double> &sizes,
+                     const std::vector<double> &low);
 
-  /// Limits the corrections @p rest, @p width numbers per flow, to the room of
-  /// the cells. Collective.
-  void cut(const FieldExchange &exchange,
-           const unsigned int width,
-           std::vector<double> &rest);
+  /// Limits the corrections @p corrections, @p width numbers per flow, to the
+  /// capacity of the cells. Collective.
+  void limit_corrections(const FieldExchange &exchange,
+                         const unsigned int width,
+                         std::vector<double> &corrections);
 
   const HexSpace *space_ = nullptr;
   unsigned int n_fields_ = 0;
@@ -105,6 +105,7 @@ private:
   FieldExchange mass_exchange_, other_exchange_;
   std::vector<Flow> flows_;
   std::vector<double> carried_;
-  std::vector<double> room_; ///< of owned cells, by field: upwards, downwards
+  std::vector<double>
+    capacity_; ///< of owned cells, by field: upwards, downwards
 };
 } // namespace contrecoup::ale

@@ -21,7 +21,7 @@ struct ElasticOptions
   unsigned int largest_iterations = 1000;
   /// The multigrid hierarchy is rebuilt when a solution takes this many times
   /// the iterations of the first solution with the hierarchy.
-  double renewal = 1.5;
+  double rebuild_factor = 1.5;
 };
 
 /// A node on an inclined plane: one component of its displacement relative to

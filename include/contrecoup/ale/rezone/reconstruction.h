@@ -67,11 +67,11 @@ private:
   /// Finds nodes whose reconstructed cells are of one region.
   void find_slots(const std::vector<bool> &is_left_out);
   void find_extrema(const dealii::AlignedVector<double> &fields);
-  /// Extends least_ and most_ by the values around a node of cells in the
+  /// Extends smallest_ and largest_ by the values around a node of cells in the
   /// region of @p cell.
-  void widen(const dealii::AlignedVector<double> &fields,
-             const std::size_t cell,
-             const std::uint32_t node);
+  void extend_bounds(const dealii::AlignedVector<double> &fields,
+                     const std::size_t cell,
+                     const std::uint32_t node);
   void find_centres(const dealii::AlignedVector<double> &position);
   void find_gradients(const dealii::AlignedVector<double> &fields,
                       const std::size_t cell);
@@ -111,6 +111,6 @@ private:
   /// minimum and maximum, by slot and field
   dealii::AlignedVector<double> extrema_;
   /// Of one cell, by field: bounds, and factor on the gradient.
-  std::vector<double> least_, most_, factor_;
+  std::vector<double> smallest_, largest_, factor_;
 };
 } // namespace contrecoup::ale

@@ -78,8 +78,9 @@ private:
   void check_masses(const AleState &state) const;
   /// Adds the part of the nodal mass beyond eighths of its cells, and replaces
   /// the old eighths by the factor on the heat.
-  static void
-  add_rest(const AleState &state, const double *velocity, double *sum);
+  static void add_unadvected_mass(const AleState &state,
+                                  const double *velocity,
+                                  double *sum);
   void collect(AleState &state,
                const SlipWalls &walls,
                const dealii::AlignedVector<double> &position);

@@ -18,7 +18,7 @@ enum class RezoneKind
 {
   none,    ///< Lagrangian: nodes move with the matter
   elastic, ///< inner nodes follow the boundary by elastic smoothing
-  back     ///< Eulerian: nodes return to their initial positions
+  eulerian ///< Eulerian: nodes return to their initial positions
 };
 
 /// Rezoning: moves the mesh nodes at intervals and remaps the fields.
@@ -54,7 +54,7 @@ public:
   /// rezones.
   void resume(const AleState &state,
               const unsigned int n_rezones,
-              const unsigned int n_left_out,
+              const unsigned int n_skipped,
               const SmoothingMemory &memory);
 
   /// Data for checkpoints; zeros without smoothing.
@@ -66,9 +66,9 @@ public:
   }
 
   /// Number of rezones skipped because no valid mesh was found.
-  unsigned int n_left_out() const
+  unsigned int n_skipped() const
   {
-    return n_left_out_;
+    return n_skipped_;
   }
 
   /// Node positions after the last rezone, for checkpoints.
@@ -115,6 +115,6 @@ private:
   dealii::AlignedVector<double> start_, reference_;
   double due_ = 0.;
   unsigned int n_rezones_ = 0;
-  unsigned int n_left_out_ = 0;
+  unsigned int n_skipped_ = 0;
 };
 } // namespace contrecoup::ale

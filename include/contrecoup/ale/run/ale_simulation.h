@@ -59,7 +59,7 @@ public:
 
 private:
   /// Energies, external work and the residual of the balance [J].
-  struct Ledger
+  struct EnergyLedger
   {
     AleTotals totals;
     double external_work;
@@ -74,7 +74,7 @@ private:
   void require_probe_inside(const std::size_t probe,
                             const double distance,
                             const std::uint32_t cell) const;
-  Ledger ledger() const;
+  EnergyLedger ledger() const;
   void heat(const double begin, const double duration);
   ImpactPlan impact_plan() const;
   /// Finds motion across symmetry planes, and further usable symmetry.
