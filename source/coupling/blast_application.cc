@@ -23,7 +23,7 @@ namespace
     }
     if (by_time)
       fit_domain<dim>(prm, communicator);
-    StageParameters stages;
+    FirstStageParameters stages;
     stages.parse_parameters(prm);
     if constexpr (dim > 1)
       if (stages.kind != "none")

@@ -67,8 +67,8 @@ namespace
   public:
     ReducedStage(const ParameterHandler &scene,
                  const std::function<void(ParameterHandler &)> &declare,
-                 const StageParameters &parameters,
-                 const StagePlan<dim> &plan,
+                 const FirstStageParameters &parameters,
+                 const FirstStageLayout<dim> &plan,
                  const std::vector<dealii::Point<dim>> &gauges,
                  const MPI_Comm communicator)
       : plan_(plan)
@@ -164,9 +164,9 @@ namespace
         if (found != at_rest.end())
           result.back().value =
             found->second.second +
-            plan_.part * (value.value - found->second.first);
+            plan_.domain_fraction * (value.value - found->second.first);
         else if (value.unit == "kg" || value.unit == "J")
-          result.back().value = plan_.part * value.value;
+          result.back().value = plan_.domain_fraction * value.value;
       }
       return result;
     }
@@ -215,16 +215,18 @@ namespace
       for (unsigned int d = 0; d < dim; ++d)
       {
         NamedValue component{std::string("momentum_") + axes[d], "kg m/s", 0.};
-        component.value = plan_.part * plan_.side[d] * mean * momentum[0];
+        component.value =
+          plan_.domain_fraction * plan_.side[d] * mean * momentum[0];
         if (dim == 2 && d == 0) // the scene's own radial direction
-          component.value = plan_.part * dealii::numbers::PI / 4. * momentum[0];
+          component.value =
+            plan_.domain_fraction * dealii::numbers::PI / 4. * momentum[0];
         if (stage_dim == 2 && d == dim - 1)
-          component.value = plan_.part * momentum[1];
+          component.value = plan_.domain_fraction * momentum[1];
         result.push_back(component);
       }
     }
 
-    const StagePlan<dim> plan_;
+    const FirstStageLayout<dim> plan_;
     std::vector<Gauge<dim, stage_dim>> gauges_;
     /// mutable because const queries call non-const functions of the solver.
     mutable Solver solver_;
@@ -236,8 +238,8 @@ template <int dim>
 std::unique_ptr<FirstStage<dim>>
 make_first_stage(const ParameterHandler &scene,
                  const std::function<void(ParameterHandler &)> &declare,
-                 const StageParameters &parameters,
-                 const StagePlan<dim> &plan,
+                 const FirstStageParameters &parameters,
+                 const FirstStageLayout<dim> &plan,
                  const std::vector<dealii::Point<dim>> &gauges,
                  const MPI_Comm communicator)
 {
@@ -259,8 +261,8 @@ make_first_stage(const ParameterHandler &scene,
   template std::unique_ptr<FirstStage<dim>> make_first_stage( \
     const ParameterHandler &,                                 \
     const std::function<void(ParameterHandler &)> &,          \
-    const StageParameters &,                                  \
-    const StagePlan<dim> &,                                   \
+    const FirstStageParameters &,                             \
+    const FirstStageLayout<dim> &,                            \
     const std::vector<dealii::Point<dim>> &,                  \
     const MPI_Comm)
 

@@ -96,17 +96,17 @@ namespace
   void set_domain(const SceneLayout &layout, Entries &entries)
   {
     // The end time determines the extent of the domain.
-    const std::string reach = "Scene/End time";
+    const std::string origin = "Scene/End time";
     const std::string symmetry = "Scene/Symmetry";
     entries.set("Domain/Dimension", 3U);
-    entries.set("Domain/Size", "given", reach);
-    entries.set("Domain/Lower corner", text_of(layout.lower), reach);
-    entries.set("Domain/Upper corner", text_of(layout.upper), reach);
+    entries.set("Domain/Size", "given", origin);
+    entries.set("Domain/Lower corner", text_of(layout.lower), origin);
+    entries.set("Domain/Upper corner", text_of(layout.upper), origin);
     entries.set("Domain/Coarse leaves",
                 std::to_string(layout.n_leaves[0]) + ", " +
                   std::to_string(layout.n_leaves[1]) + ", " +
                   std::to_string(layout.n_leaves[2]),
-                reach);
+                origin);
     for (const std::string side : {"x low", "x high", "y high", "z high"})
       entries.set("Boundaries/" + side, "open");
     entries.set(
@@ -126,8 +126,9 @@ namespace
     // distance is worth a stage; it ends some subcells of the scene before.
     const double front_cell = SceneLayout::leaf / SceneLayout::subcells /
                               std::pow(2., scene.accuracy.front_levels);
-    const double way = layout.free_way() - 2. * front_cell - 4. * cell;
-    const bool meets_ground_first = way > 1.2 * layout.charge[2];
+    const double free_distance =
+      layout.unobstructed_distance() - 2. * front_cell - 4. * cell;
+    const bool meets_ground_first = free_distance > 1.2 * layout.charge[2];
     // A charge this close to the ground burns in 2-D from the beginning, with
     // at least ten subcells per charge radius.
     const bool burns_in_1d =
@@ -141,7 +142,8 @@ namespace
         " m above the ground the charge, " + brief(layout.charge_radius) +
         " m in radius, burns in two dimensions, for which it is too near to "
         "the body or a side, " +
-        brief(layout.free_way()) + " m away; a Height of at least " +
+        brief(layout.unobstructed_distance()) +
+        " m away; a Height of at least " +
         brief(layout.charge_radius + 10. * radial_cell) +
         " m or a larger Distance is needed");
     entries.set("First stage/Kind",
@@ -358,12 +360,12 @@ biomechanics_entries(const SceneParameters &scene,
 }
 
 
-StageText
-stage_text(const std::string &name,
-           const std::vector<Assignment> &entries,
-           const dealii::ParameterHandler &scene,
-           const std::vector<Assignment> &wrote,
-           const std::function<void(dealii::ParameterHandler &)> &declare)
+TaskText
+task_text(const std::string &name,
+          const std::vector<Assignment> &entries,
+          const dealii::ParameterHandler &scene,
+          const std::vector<Assignment> &wrote,
+          const std::function<void(dealii::ParameterHandler &)> &declare)
 {
   std::vector<Assignment> all = entries;
   for (Assignment &assignment : all)

@@ -96,7 +96,7 @@ SceneLayout::SceneLayout(const SceneParameters &scene, const Shape &surface)
   const Point<3> image(charge[0], charge[1], -charge[2]);
   last_arrival = blast.arrival(farthest_distance(body, image));
   overpressure = blast.overpressure(distance);
-  reach = blast.radius(scene.end_time);
+  front_distance = blast.radius(scene.end_time);
   if (arrival >= scene.end_time)
     throw InputError("Scene/End time = " + brief(scene.end_time) +
                      " s: the blast reaches the body at " + brief(arrival) +
@@ -206,7 +206,7 @@ void SceneLayout::find_symmetry(const SceneParameters &scene,
 
 
 std::array<std::array<double, 2>, 3>
-SceneLayout::leaves_for(const double reach) const
+SceneLayout::leaves_for(const double front_distance) const
 {
   // Smallest distance of an open side along direction d: the charge's mirror
   // image in it is farther from the body than the front travels, and one leaf
@@ -222,7 +222,8 @@ SceneLayout::leaves_for(const double reach) const
                                      body.lower_bound(e) - charge[e],
                                      charge[e] - body.upper_bound(e)}),
                            2);
-    const double along = std::sqrt(std::max(0., reach * reach - across));
+    const double along =
+      std::sqrt(std::max(0., front_distance * front_distance - across));
     return std::max(0.5 * (along + farthest + place),
                     std::max(farthest, place) + leaf);
   };
@@ -242,19 +243,19 @@ void SceneLayout::size_domain(const SceneParameters &scene,
                               const ExpectedBlast &blast)
 {
   const auto fits = [&](const double radius) {
-    return product_of(leaves_for(radius)) <= most_leaves;
+    return product_of(leaves_for(radius)) <= max_leaves;
   };
   const std::string many =
-    " leaves of " + brief(leaf) + " m, more than " + brief(most_leaves);
+    " leaves of " + brief(leaf) + " m, more than " + brief(max_leaves);
   if (!fits(0.))
     throw InputError(
       std::string(scene.place ? "Charge/Place" : "Charge/Distance and Height") +
       ": charge and body are so far apart, " + brief(distance) +
       " m, that a domain with both would have " +
       brief(product_of(leaves_for(0.)), 2) + many);
-  if (!fits(reach))
+  if (!fits(front_distance))
   {
-    double low = 0., high = reach;
+    double low = 0., high = front_distance;
     for (unsigned int i = 0; i < 200; ++i)
     {
       const double middle = 0.5 * (low + high);
@@ -262,14 +263,14 @@ void SceneLayout::size_domain(const SceneParameters &scene,
     }
     throw InputError(
       "Scene/End time = " + brief(scene.end_time) +
-      " s: the blast of this charge gets " + brief(reach, 2) +
+      " s: the blast of this charge gets " + brief(front_distance, 2) +
       " m far until then, and a domain whose open sides send nothing back to "
       "the body would have " +
-      brief(product_of(leaves_for(reach)), 2) + many + "; from " +
+      brief(product_of(leaves_for(front_distance)), 2) + many + "; from " +
       brief(arrival) + " to " + brief(blast.arrival(low), 3) +
       " s are possible");
   }
-  const auto leaves = leaves_for(reach);
+  const auto leaves = leaves_for(front_distance);
   for (unsigned int d = 0; d < 3; ++d)
   {
     lower[d] = 0. - leaves[d][0] * leaf; // not -0
@@ -279,7 +280,7 @@ void SceneLayout::size_domain(const SceneParameters &scene,
 }
 
 
-double SceneLayout::free_way() const
+double SceneLayout::unobstructed_distance() const
 {
   double way = distance;
   for (unsigned int d = 0; d < 3; ++d)

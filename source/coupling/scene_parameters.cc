@@ -125,7 +125,7 @@ namespace
   }
 
 
-  void declare_stages(ParameterHandler &prm)
+  void declare_tasks(ParameterHandler &prm)
   {
     {
       const Section section(prm, "Anatomy");
@@ -156,7 +156,7 @@ void SceneParameters::declare_parameters(ParameterHandler &prm)
     declare_selection(
       prm, "Set", "paper", tissue_set_names(), "Set of the tissue library.");
   }
-  declare_stages(prm);
+  declare_tasks(prm);
 }
 
 

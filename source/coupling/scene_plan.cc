@@ -131,8 +131,8 @@ namespace
 
 
   /// Items of a stage's summary, with their estimates or with measured values.
-  std::vector<Assumption> stage_items(const std::string &folder,
-                                      const char *value)
+  std::vector<Assumption> task_items(const std::string &folder,
+                                     const char *value)
   {
     std::vector<Assumption> items;
     const Json summary = read_summary(folder);
@@ -220,14 +220,14 @@ std::vector<Assumption> scene_audit(const SceneParameters &scene,
     items.push_back(
       gravity_of_body(scene.end_time, largest_vector(solid, "velocity")));
   }
-  for (const Assumption &item : stage_items(folder + "/blast", "measured"))
+  for (const Assumption &item : task_items(folder + "/blast", "measured"))
     items.push_back(item);
   return items;
 }
 
 
-std::vector<Assumption> stage_plan(const std::string &folder)
+std::vector<Assumption> task_plan(const std::string &folder)
 {
-  return stage_items(folder, "estimate");
+  return task_items(folder, "estimate");
 }
 } // namespace contrecoup::coupling

@@ -27,7 +27,7 @@ namespace
 
 
   /// Value with its unit as text; "unknown" if not finite.
-  std::string told(const double value, const std::string &unit)
+  std::string value_text(const double value, const std::string &unit)
   {
     return std::isfinite(value)
              ? brief(value, 3) + (unit == "-" ? "" : " " + unit)
@@ -42,7 +42,7 @@ namespace
       rows.push_back({{"item", item.name},
                       {"decision", item.decision},
                       {"quantity", item.quantity},
-                      {"estimate", told(item.value, item.unit)},
+                      {"estimate", value_text(item.value, item.unit)},
                       {"entry", item.entry}});
     return rows;
   }
@@ -55,19 +55,19 @@ namespace
     for (const Assumption &item : audit)
     {
       const Assumption *planned = io::find_assumption(plan, item.name);
-      Json row = {
-        {"item", item.name},
-        {"decision", item.decision},
-        {"quantity", item.quantity},
-        {"estimate", planned ? told(planned->value, item.unit) : "unknown"},
-        {"found", told(item.value, item.unit)},
-        {"limit",
-         std::isnan(item.limit)
-           ? ""
-           : (item.is_lower_limit ? "at least " : "at most ") +
-               told(item.limit, item.unit)},
-        {"holds", nullptr},
-        {"entry", item.entry}};
+      Json row = {{"item", item.name},
+                  {"decision", item.decision},
+                  {"quantity", item.quantity},
+                  {"estimate",
+                   planned ? value_text(planned->value, item.unit) : "unknown"},
+                  {"found", value_text(item.value, item.unit)},
+                  {"limit",
+                   std::isnan(item.limit)
+                     ? ""
+                     : (item.is_lower_limit ? "at least " : "at most ") +
+                         value_text(item.limit, item.unit)},
+                  {"holds", nullptr},
+                  {"entry", item.entry}};
       if (std::isfinite(item.value) && !std::isnan(item.limit))
         row["holds"] = !item.fails();
       rows.push_back(row);
@@ -76,18 +76,18 @@ namespace
   }
 
 
-  Json stage_rows(const std::vector<SceneStage> &stages,
-                  const std::vector<std::string> &reused)
+  Json task_rows(const std::vector<SceneTask> &tasks,
+                 const std::vector<std::string> &reused)
   {
     Json rows = Json::array();
-    for (const SceneStage &stage : stages)
+    for (const SceneTask &task : tasks)
     {
-      const StageRecord &record = stage.record();
+      const TaskRecord &record = task.record();
       const bool is_reused =
-        std::find(reused.begin(), reused.end(), stage.name()) != reused.end();
-      rows.push_back({{"name", stage.name()},
+        std::find(reused.begin(), reused.end(), task.name()) != reused.end();
+      rows.push_back({{"name", task.name()},
                       {"status", is_reused ? "reused" : record.status},
-                      {"folder", stage.name()},
+                      {"folder", task.name()},
                       {"wall_seconds", record.wall_seconds},
                       {"core_seconds", record.core_seconds},
                       {"peak_memory", record.peak_memory},
@@ -101,16 +101,16 @@ namespace
   /// Replaces the entries named in @p items of the blast's plan by those of
   /// the scene.
   std::vector<Assumption> named(std::vector<Assumption> items,
-                                const std::vector<SceneStage> &stages)
+                                const std::vector<SceneTask> &tasks)
   {
     const std::string section = "Blast/";
-    for (const SceneStage &stage : stages)
-      if (stage.name() == "blast")
+    for (const SceneTask &task : tasks)
+      if (task.name() == "blast")
         for (Assumption &item : items)
           if (item.entry.compare(0, section.size(), section) == 0)
           {
             const std::string entry = item.entry.substr(section.size());
-            const std::string name = stage.named(entry);
+            const std::string name = task.named(entry);
             if (name != entry)
               item.entry = name;
           }
@@ -142,7 +142,7 @@ namespace
                                      const std::string &folder)
   {
     std::vector<Assumption> plan = scene.plan();
-    for (const Assumption &item : stage_plan(folder + "/blast"))
+    for (const Assumption &item : task_plan(folder + "/blast"))
       plan.push_back(item);
     return plan;
   }
@@ -159,15 +159,15 @@ void print_audit(const PlannedScene &scene, const std::string &folder)
 
 
 void write_scene(const PlannedScene &scene,
-                 const std::vector<SceneStage> &stages,
+                 const std::vector<SceneTask> &tasks,
                  const std::vector<std::string> &reused,
                  const io::CommandLine &command,
                  const unsigned int n_ranks)
 {
   const SceneLayout &layout = scene.layout();
-  const auto plan = named(whole_plan(scene, command.output_folder), stages);
+  const auto plan = named(whole_plan(scene, command.output_folder), tasks);
   const auto audit = named(
-    scene_audit(scene.parameters(), layout, command.output_folder), stages);
+    scene_audit(scene.parameters(), layout, command.output_folder), tasks);
   const Json json = {
     {"application", "scene"},
     {"version", version()},
@@ -192,7 +192,7 @@ void write_scene(const PlannedScene &scene,
     {"tissue_places", place_rows(scene.tissue_places())},
     {"command", call_of(command)},
     {"ranks", n_ranks},
-    {"stages", stage_rows(stages, reused)},
+    {"stages", task_rows(tasks, reused)},
     {"plan", plan_rows(plan)},
     {"audit", audit_rows(plan, audit)},
     {"remarks", scene.body().remarks()}};

@@ -8,7 +8,7 @@
 #include <contrecoup/base/system/version.h>
 #include <contrecoup/coupling/scene_results.h>
 #include <contrecoup/coupling/scene_run.h>
-#include <contrecoup/coupling/scene_stages.h>
+#include <contrecoup/coupling/scene_tasks.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/output/pictures.h>
 
@@ -28,26 +28,26 @@ SceneRun::SceneRun(const io::CommandLine &command,
   collective_.run(
     [&]() {
       scene_.emplace(prm);
-      stages_ = make_stages(*scene_, command_, prm, collective_);
+      tasks_ = make_tasks(*scene_, command_, prm, collective_);
     },
     ExitCode::bad_input);
 }
 
 
-void SceneRun::tell_costs()
+void SceneRun::print_costs()
 {
   CostEstimate total;
   bool any_finished = false;
-  for (SceneStage &stage : stages_)
+  for (SceneTask &task : tasks_)
   {
-    if (stage.is_finished())
+    if (task.is_finished())
     {
-      log_line("stage " + stage.name() + " is finished in " + stage.folder());
+      log_line("stage " + task.name() + " is finished in " + task.folder());
       any_finished = true;
       continue;
     }
-    log_line("stage " + stage.name() + ":");
-    const CostEstimate cost = stage.check(collective_);
+    log_line("stage " + task.name() + ":");
+    const CostEstimate cost = task.check(collective_);
     total.seconds += cost.seconds;
     total.memory = std::max(total.memory, cost.memory);
     total.output += cost.output;
@@ -65,17 +65,17 @@ void SceneRun::tell_costs()
 void SceneRun::check()
 {
   scene_->print();
-  for (SceneStage &stage : stages_)
-    stage.inspect(collective_);
-  tell_costs();
+  for (SceneTask &task : tasks_)
+    task.inspect(collective_);
+  print_costs();
 }
 
 
 void SceneRun::forecast()
 {
-  // The checks of stages close the log, but there may be none.
+  // The checks of tasks close the log, but there may be none.
   Log::instance().close();
-  tell_costs();
+  print_costs();
   collective_.run([&]() { Log::instance().open(path("log.txt"), true); });
 }
 
@@ -87,29 +87,29 @@ bool SceneRun::claim()
       return;
     io::FileNames names = {{"parameters.prm", "scene.json"},
                            {"log.txt", "report.html", "report.html.new"}};
-    for (const SceneStage &stage : stages_)
-      names = names + StageFiles::names(stage.name());
+    for (const SceneTask &task : tasks_)
+      names = names + TaskFiles::names(task.name());
     claim_ = std::make_unique<io::FolderClaim>(
       command_.output_folder,
       "scene",
       names,
       io::make_run_input(parameter_values(prm_)));
-    for (const SceneStage &stage : stages_)
-      stage.prepare();
+    for (const SceneTask &task : tasks_)
+      task.prepare();
   });
-  for (SceneStage &stage : stages_)
-    stage.inspect(collective_);
+  for (SceneTask &task : tasks_)
+    task.inspect(collective_);
   const unsigned int may_run = collective_.run_with_flags(
     [&]() { return is_first_rank_ && may_proceed() ? 1U : 0U; });
   return may_run != 0;
 }
 
 
-std::string SceneRun::told_stages() const
+std::string SceneRun::list_unfinished_tasks() const
 {
   std::vector<std::string> kept, replaced;
-  for (const SceneStage &stage : stages_)
-    (stage.is_finished() ? kept : replaced).push_back(stage.name());
+  for (const SceneTask &task : tasks_)
+    (task.is_finished() ? kept : replaced).push_back(task.name());
   return "makes " + join(replaced, ", ") + " anew" +
          (kept.empty() ? "" : " and takes " + join(kept, ", ") + " as it is");
 }
@@ -122,16 +122,16 @@ void SceneRun::require_consent() const
   const std::string what = claim_->manifest().status() == "finished"
                              ? "the results of another scene"
                              : "finished stages of another scene";
-  for (const SceneStage &stage : stages_)
-    if (stage.standing().is_other && !changed.empty())
+  for (const SceneTask &task : tasks_)
+    if (task.status().has_other_key && !changed.empty())
       throw InputError(here + what + ": " + changed + "; --overwrite " +
-                       told_stages() + ", or give another --output");
+                       list_unfinished_tasks() + ", or give another --output");
   // Starting again would lose the computed part.
-  for (const SceneStage &stage : stages_)
-    if (command_.resume && stage.standing().has_checkpoint &&
-        !stage.standing().is_begun && !stage.is_finished())
+  for (const SceneTask &task : tasks_)
+    if (command_.resume && task.status().has_checkpoint &&
+        !task.status().is_started && !task.is_finished())
       throw InputError(
-        here + "a checkpoint of stage " + stage.name() + " from which " +
+        here + "a checkpoint of stage " + task.name() + " from which " +
         (changed.empty() ? "this build or these input files cannot go on"
                          : "this scene cannot go on: " + changed) +
         "; --overwrite begins that stage anew");
@@ -141,10 +141,10 @@ void SceneRun::require_consent() const
     throw InputError(here + what + ": " + changed +
                      "; --overwrite renews what depends on that, or give "
                      "another --output");
-  for (const SceneStage &stage : stages_)
-    if (stage.standing().has_checkpoint)
+  for (const SceneTask &task : tasks_)
+    if (task.status().has_checkpoint)
       throw InputError(here + "a scene that has not finished (stage " +
-                       stage.name() +
+                       task.name() +
                        "); --resume goes on with it, --overwrite begins "
                        "that stage anew");
 }
@@ -161,8 +161,8 @@ bool SceneRun::may_proceed() const
   if (command_.resume)
   {
     bool any = false;
-    for (const SceneStage &stage : stages_)
-      any = any || stage.standing().has_record;
+    for (const SceneTask &task : tasks_)
+      any = any || task.status().has_record;
     if (!any)
       throw InputError("--resume: \"" + command_.output_folder +
                        "\" holds no stage of a scene");
@@ -179,12 +179,12 @@ bool SceneRun::may_proceed() const
       !manifest.damage().empty())
     return true;
   std::string others;
-  for (const SceneStage &stage : stages_)
+  for (const SceneTask &task : tasks_)
   {
-    if (!stage.is_finished() && !stage.standing().is_other)
+    if (!task.is_finished() && !task.status().has_other_key)
       return true;
-    if (stage.standing().is_other)
-      others += " (" + stage.name() + " by another build)";
+    if (task.status().has_other_key)
+      others += " (" + task.name() + " by another build)";
   }
   if (command_.resume && others.empty())
     return true;
@@ -197,7 +197,7 @@ bool SceneRun::may_proceed() const
 
 void SceneRun::start()
 {
-  // --overwrite of an unchanged finished scene runs all stages again.
+  // --overwrite of an unchanged finished scene runs all tasks again.
   const unsigned int anew = collective_.run_with_flags([&]() {
     return is_first_rank_ && command_.overwrite &&
                claim_->manifest().status() == "finished" &&
@@ -205,19 +205,19 @@ void SceneRun::start()
              ? 1U
              : 0U;
   });
-  for (SceneStage &stage : stages_)
-    if (anew != 0 && stage.is_finished())
-      stage.discard_result();
+  for (SceneTask &task : tasks_)
+    if (anew != 0 && task.is_finished())
+      task.discard_result();
   collective_.run([&]() {
     if (!is_first_rank_)
       return;
     if (claim_->manifest().exists() && !is_of_scene())
-      // The folder holds another run without files of stages.
+      // The folder holds another run without files of tasks.
       claim_->begin();
     else
     {
       if (command_.overwrite && claim_->manifest().exists())
-        log_line("--overwrite " + told_stages() +
+        log_line("--overwrite " + list_unfinished_tasks() +
                  "; what was there before goes when the new is complete");
       claim_->resume();
     }
@@ -231,31 +231,31 @@ void SceneRun::start()
 }
 
 
-bool SceneRun::run_stages()
+bool SceneRun::run_tasks()
 {
-  for (SceneStage &stage : stages_)
+  for (SceneTask &task : tasks_)
   {
-    if (stage.is_finished())
+    if (task.is_finished())
     {
-      log_line("stage " + stage.name() + ": finished before, taken from " +
-               stage.folder());
-      reused_.push_back(stage.name());
+      log_line("stage " + task.name() + ": finished before, taken from " +
+               task.folder());
+      reused_.push_back(task.name());
       continue;
     }
-    log_line("stage " + stage.name() + ":");
+    log_line("stage " + task.name() + ":");
     Log::instance().close();
-    const bool finished = stage.run(command_.resume, collective_);
+    const bool finished = task.run(command_.resume, collective_);
     collective_.run([&]() { Log::instance().open(path("log.txt"), true); });
     if (!finished)
     {
-      log_line("stopped in stage " + stage.name() +
+      log_line("stopped in stage " + task.name() +
                "; --resume goes on from there");
       return false;
     }
-    const StageRecord &record = stage.record();
-    log_line("stage " + stage.name() + " took " +
-             duration(record.wall_seconds) + ", " + bytes(record.peak_memory) +
-             " of memory, " + bytes(record.disk) + " on disk");
+    const TaskRecord &record = task.record();
+    log_line("stage " + task.name() + " took " + duration(record.wall_seconds) +
+             ", " + bytes(record.peak_memory) + " of memory, " +
+             bytes(record.disk) + " on disk");
   }
   return true;
 }
@@ -295,30 +295,30 @@ void SceneRun::run_all()
   scene_->print();
   if (scene_->parameters().has_forecast && !command_.resume)
     forecast();
-  const bool finished = run_stages();
+  const bool finished = run_tasks();
   collective_.run([&]() {
     if (is_first_rank_)
       write_scene(
         *scene_,
-        stages_,
+        tasks_,
         reused_,
         command_,
         dealii::Utilities::MPI::n_mpi_processes(collective_.communicator()));
   });
-  for (const SceneStage &stage : stages_)
-    if (is_stop(stage.stop()))
-      throw_failure(stage.stop());
+  for (const SceneTask &task : tasks_)
+    if (is_stop(task.stop()))
+      throw_failure(task.stop());
   collective_.run([&]() {
     if (!is_first_rank_)
       return;
     if (finished)
-      conclude();
+      write_report();
     claim_->set_status(finished ? "finished" : "stopped");
   });
 }
 
 
-void SceneRun::conclude()
+void SceneRun::write_report()
 {
   print_audit(*scene_, command_.output_folder);
   if (scene_->parameters().draws_report)

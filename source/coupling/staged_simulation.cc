@@ -48,7 +48,7 @@ template <int dim>
 void StagedSimulation<dim>::declare_parameters(ParameterHandler &prm)
 {
   gas::GasSimulation<dim>::declare_parameters(prm);
-  StageParameters::declare_parameters(prm);
+  FirstStageParameters::declare_parameters(prm);
 }
 
 
@@ -60,7 +60,7 @@ void StagedSimulation<dim>::parse_parameters(ParameterHandler &prm)
     declare_parameters(other);
   };
   parameters_.parse_parameters(prm);
-  plan_ = make_plan<dim>(prm, parameters_);
+  plan_ = make_first_stage_layout<dim>(prm, parameters_);
   ParameterHandler second;
   declare(second);
   derive_second_stage(prm, second);
@@ -77,12 +77,12 @@ void StagedSimulation<dim>::parse_parameters(ParameterHandler &prm)
     is_trial = !prm.get_bool("Required");
   }
   if (!is_trial)
-    check_ways();
+    check_hand_over_order();
 }
 
 
 template <int dim>
-void StagedSimulation<dim>::check_ways() const
+void StagedSimulation<dim>::check_hand_over_order() const
 {
   const double cell = parameters_.cell_size,
                spherical_cell = parameters_.spherical_cell_size;
@@ -93,7 +93,7 @@ void StagedSimulation<dim>::check_ways() const
   const double first =
     plan_.along_axis -
     std::min(2. * cell + 4. * spherical_cell, 0.5 * plan_.along_axis);
-  const double second = plan_.nearest - margin();
+  const double second = plan_.nearest_side - margin();
   if (first >= second)
     throw InputError(
       "First stage: the spherical stage goes on until its front is at " +
@@ -154,7 +154,8 @@ double StagedSimulation<dim>::margin() const
   for (unsigned int d = 0; d < dim; ++d)
     margin = std::max(margin, 2. * cell[d]);
   // A trial run for cost estimates has larger subcells and must continue.
-  return std::min(margin + 4. * parameters_.cell_size, 0.5 * plan_.nearest);
+  return std::min(margin + 4. * parameters_.cell_size,
+                  0.5 * plan_.nearest_side);
 }
 
 
@@ -163,7 +164,8 @@ bool StagedSimulation<dim>::is_due()
 {
   if (first_->is_burning())
   {
-    if (first_->front() >= plan_.nearest && parameters_.criterion == "auto")
+    if (first_->front() >= plan_.nearest_side &&
+        parameters_.criterion == "auto")
       throw InputError("First stage: the front reaches a side of the domain "
                        "before all of the charge has burned; use First "
                        "stage/Kind = none, or axisymmetric");
@@ -171,7 +173,7 @@ bool StagedSimulation<dim>::is_due()
   }
   if (!first_->is_ready())
   {
-    if (first_->front() >= plan_.nearest - margin())
+    if (first_->front() >= plan_.nearest_side - margin())
       throw InputError("First stage: the front is as near to the body or a "
                        "side of the domain as to the ground, so that nothing "
                        "is left for Kind = axisymmetric to do; use spherical");
@@ -187,7 +189,7 @@ template <int dim>
 double StagedSimulation<dim>::hand_over_distance() const
 {
   return parameters_.criterion == "radius" ? parameters_.radius
-                                           : plan_.nearest - margin();
+                                           : plan_.nearest_side - margin();
 }
 
 
@@ -238,7 +240,7 @@ bool StagedSimulation<dim>::adapt()
   const bool changed = active().adapt();
   if (!first_)
     return changed;
-  front_course_.add(time(), first_->front());
+  front_path_.add(time(), first_->front());
   if (!is_due())
     return changed;
   hand_over();
@@ -262,7 +264,7 @@ std::optional<double> StagedSimulation<dim>::expected_hand_over()
     return earlier;
   if (parameters_.criterion == "time")
     return parameters_.time;
-  return front_course_.arrival(hand_over_distance());
+  return front_path_.arrival(hand_over_distance());
 }
 
 
@@ -330,7 +332,7 @@ Assumption StagedSimulation<dim>::hand_over_item(const double radius) const
           "distance of the front at the hand-over",
           "m",
           radius,
-          plan_.nearest,
+          plan_.nearest_side,
           false,
           "First stage/Hand over at"};
 }

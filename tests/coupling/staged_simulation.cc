@@ -350,7 +350,7 @@ TEST(StagedSimulation, GoesOnFromEachOfThreeStages)
 }
 
 
-TEST(StagePlan, KnowsWhatTheChargeIsBetween)
+TEST(FirstStageLayout, KnowsWhatTheChargeIsBetween)
 {
   ParameterHandler prm;
   TimeParameters::declare_parameters(prm);
@@ -361,17 +361,17 @@ TEST(StagePlan, KnowsWhatTheChargeIsBetween)
                         "Initial state/Region ball/Center=0, 0, 0.3"})
     assignments.push_back(parse_override(line));
   apply_assignments(assignments, prm);
-  StageParameters parameters;
+  FirstStageParameters parameters;
   parameters.parse_parameters(prm);
-  const auto plan = make_plan<3>(prm, parameters);
-  EXPECT_EQ(plan.part, 0.5);
+  const auto plan = make_first_stage_layout<3>(prm, parameters);
+  EXPECT_EQ(plan.domain_fraction, 0.5);
   EXPECT_EQ(plan.side, (std::array<int, 3>{{0, 1, 0}}));
-  EXPECT_NEAR(plan.nearest, 0.3, 1e-15);
+  EXPECT_NEAR(plan.nearest_side, 0.3, 1e-15);
   EXPECT_NEAR(plan.farthest, std::sqrt(1. + 1. + 0.25), 1e-14);
 }
 
 
-TEST(StagePlan, RefusesScenesThatCannotBeginSo)
+TEST(FirstStageLayout, RefusesScenesThatCannotBeginSo)
 {
   EXPECT_THROW(make<3>(octant() + Lines{"Initial state/Region ball/Shape=box"}),
                InputError);

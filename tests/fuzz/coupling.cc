@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/coupling/scene_plan.h>
-#include <contrecoup/coupling/stage_files.h>
+#include <contrecoup/coupling/task_files.h>
 #include <contrecoup/geometry/shape/primitive_shapes.h>
 #include <contrecoup/io/output/history.h>
 
@@ -23,16 +23,16 @@ std::string folder_of(const std::string &path)
 
 void prepare_record(const std::string &folder)
 {
-  coupling::StageFiles(folder, "blast")
+  coupling::TaskFiles(folder, "blast")
     .write_record(false, {"0123-key", "finished", 1.5, 3., 1e9, 2e6});
 }
 
 /// What is damaged counts as a stage that has not begun.
 void read_record(const std::string &path)
 {
-  const coupling::StageFiles files(folder_of(path), "blast");
-  const coupling::StageRecord record = files.read_record(false);
-  files.mend();
+  const coupling::TaskFiles files(folder_of(path), "blast");
+  const coupling::TaskRecord record = files.read_record(false);
+  files.complete_replace();
   if (record.status.empty() && !record.key.empty())
     throw std::runtime_error("it took a part of the record");
 }
@@ -50,7 +50,7 @@ void prepare_summary(const std::string &folder)
 
 void read_summary(const std::string &path)
 {
-  coupling::stage_plan(std::filesystem::path(folder_of(path)).parent_path());
+  coupling::task_plan(std::filesystem::path(folder_of(path)).parent_path());
 }
 
 

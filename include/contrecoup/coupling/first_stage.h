@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/coupling/stage_parameters.h>
+#include <contrecoup/coupling/first_stage_parameters.h>
 #include <contrecoup/gas/run/gas_simulation.h>
 
 #include <memory>
@@ -68,8 +68,8 @@ template <int dim>
 std::unique_ptr<FirstStage<dim>>
 make_first_stage(const ParameterHandler &scene,
                  const std::function<void(ParameterHandler &)> &declare,
-                 const StageParameters &parameters,
-                 const StagePlan<dim> &plan,
+                 const FirstStageParameters &parameters,
+                 const FirstStageLayout<dim> &plan,
                  const std::vector<dealii::Point<dim>> &gauges,
                  const MPI_Comm communicator);
 } // namespace contrecoup::coupling

@@ -42,7 +42,7 @@ biomechanics_entries(const SceneParameters &scene,
 /// @}
 
 /// Parameter file of a stage.
-struct StageText
+struct TaskText
 {
   std::string text; ///< content, all entries
   SceneWords words; ///< translation of the stage's messages
@@ -57,10 +57,10 @@ struct StageText
  * @param declare declares the entries of the application
  * @throws InputError for entries that the application does not have
  */
-StageText
-stage_text(const std::string &name,
-           const std::vector<Assignment> &entries,
-           const dealii::ParameterHandler &scene,
-           const std::vector<Assignment> &wrote,
-           const std::function<void(dealii::ParameterHandler &)> &declare);
+TaskText
+task_text(const std::string &name,
+          const std::vector<Assignment> &entries,
+          const dealii::ParameterHandler &scene,
+          const std::vector<Assignment> &wrote,
+          const std::function<void(dealii::ParameterHandler &)> &declare);
 } // namespace contrecoup::coupling

@@ -26,7 +26,7 @@ struct SceneLayout
   static constexpr double radial_cell = 0.001;
   /// Largest number of coarse leaves of a domain: hundreds of gigabytes of
   /// gas.
-  static constexpr double most_leaves = 1e7;
+  static constexpr double max_leaves = 1e7;
 
   /**
    * Determines the position of the charge, the plane of symmetry, and a domain
@@ -37,7 +37,7 @@ struct SceneLayout
    * @throws InputError for a charge that overlaps the body or the ground or is
    * closer to the skin than the subcells resolve, a body below ground, a
    * requested symmetry that does not exist, and times and distances that need
-   * more than most_leaves leaves
+   * more than max_leaves leaves
    */
   SceneLayout(const SceneParameters &scene, const Shape &surface);
 
@@ -54,13 +54,13 @@ struct SceneLayout
   /// Time when the ground reflection has passed the body [s]
   double last_arrival;
   double overpressure;           ///< of the front at the body [Pa]
-  double reach;                  ///< distance of the front at the end time [m]
+  double front_distance;         ///< distance of the front at the end time [m]
   dealii::Point<3> lower, upper; ///< corners of the domain [m]
   std::array<unsigned int, 3> n_leaves;
 
   /// Distance from the charge to the nearest of the body and the open sides
   /// [m].
-  double free_way() const;
+  double unobstructed_distance() const;
 
   /// Whether the front has swept more than the charge's mass of air when it
   /// reaches the body; only then the expected arrival is meaningful.
@@ -74,8 +74,8 @@ private:
   void check_charge(const SceneParameters &scene) const;
   void find_symmetry(const SceneParameters &scene, const Shape &surface);
   /// Numbers of coarse leaves per direction, below and above 0, that the
-  /// domain needs for a front that travels @p reach [m].
-  std::array<std::array<double, 2>, 3> leaves_for(double reach) const;
+  /// domain needs for a front that travels @p front_distance [m].
+  std::array<std::array<double, 2>, 3> leaves_for(double front_distance) const;
   void size_domain(const SceneParameters &scene, const ExpectedBlast &blast);
 };
 } // namespace contrecoup::coupling

@@ -27,5 +27,5 @@ std::vector<Assumption> scene_audit(const SceneParameters &scene,
                                     const std::string &folder);
 
 /// Plan of a stage from its summary; empty without a summary.
-std::vector<Assumption> stage_plan(const std::string &folder);
+std::vector<Assumption> task_plan(const std::string &folder);
 } // namespace contrecoup::coupling

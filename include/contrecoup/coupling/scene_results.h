@@ -4,7 +4,7 @@
 #pragma once
 
 #include <contrecoup/coupling/planned_scene.h>
-#include <contrecoup/coupling/scene_stage.h>
+#include <contrecoup/coupling/scene_task.h>
 #include <contrecoup/io/run/command_line.h>
 
 namespace contrecoup::coupling
@@ -14,13 +14,13 @@ namespace contrecoup::coupling
 void print_audit(const PlannedScene &scene, const std::string &folder);
 
 /**
- * Writes scene.json: the scene, its stages, plan and audit, as far as known.
- * @param reused names of the stages whose results are reused
+ * Writes scene.json: the scene, its tasks, plan and audit, as far as known.
+ * @param reused names of the tasks whose results are reused
  * @param n_ranks number of ranks of the run
  * @throws SystemError when the disk fails
  */
 void write_scene(const PlannedScene &scene,
-                 const std::vector<SceneStage> &stages,
+                 const std::vector<SceneTask> &tasks,
                  const std::vector<std::string> &reused,
                  const io::CommandLine &command,
                  unsigned int n_ranks);

@@ -5,7 +5,7 @@
 
 #include <contrecoup/base/system/collective.h>
 #include <contrecoup/coupling/planned_scene.h>
-#include <contrecoup/coupling/scene_stage.h>
+#include <contrecoup/coupling/scene_task.h>
 #include <contrecoup/io/output/folder_claim.h>
 
 #include <memory>
@@ -13,27 +13,27 @@
 
 namespace contrecoup::coupling
 {
-/// Runs the stages of one scene in its folder, on all ranks.
+/// Runs the tasks of one scene in its folder, on all ranks.
 class SceneRun
 {
 public:
-  /// Plans the scene and creates its stages.
+  /// Plans the scene and creates its tasks.
   /// @param prm entries of the scene, declared and parsed
   /// @throws InputError for an impossible scene
   SceneRun(const io::CommandLine &command,
            dealii::ParameterHandler &prm,
            Collective &collective);
 
-  /// Prints the plan and the cost estimate of each stage. Writes nothing.
+  /// Prints the plan and the cost estimate of each task. Writes nothing.
   void check();
 
-  /// Runs the stages that are not finished and writes the report.
-  /// @throws InputError, NumericsError, SystemError naming the stage
+  /// Runs the tasks that are not finished and writes the report.
+  /// @throws InputError, NumericsError, SystemError naming the task
   void execute();
 
 private:
-  /// Prints the cost estimates of the unfinished stages and their sum.
-  void tell_costs();
+  /// Prints the cost estimates of the unfinished tasks and their sum.
+  void print_costs();
   /// Prints the cost estimates before a run.
   void forecast();
   /// Whether the folder holds a scene and no other run.
@@ -43,12 +43,12 @@ private:
   bool may_proceed() const;
   /// @throws InputError when results that must be kept would be removed
   void require_consent() const;
-  std::string told_stages() const;
+  std::string list_unfinished_tasks() const;
   void start();
-  bool run_stages();
+  bool run_tasks();
   void run_all();
   /// Writes audit and report.
-  void conclude();
+  void write_report();
   std::string path(const std::string &name) const
   {
     return command_.output_folder + "/" + name;
@@ -59,8 +59,8 @@ private:
   Collective &collective_;
   bool is_first_rank_;
   std::optional<PlannedScene> scene_;
-  std::vector<SceneStage> stages_;
-  std::vector<std::string> reused_;        ///< names of stages
+  std::vector<SceneTask> tasks_;
+  std::vector<std::string> reused_;        ///< names of tasks
   std::unique_ptr<io::FolderClaim> claim_; ///< on the first rank only
 };
 } // namespace contrecoup::coupling

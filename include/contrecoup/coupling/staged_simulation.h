@@ -4,7 +4,7 @@
 #pragma once
 
 #include <contrecoup/coupling/first_stage.h>
-#include <contrecoup/coupling/front_course.h>
+#include <contrecoup/coupling/front_path.h>
 
 #include <optional>
 
@@ -78,7 +78,7 @@ private:
   Simulation &active() const;
   /// @throws InputError when an axisymmetric stage would hand over before its
   /// spherical stage does.
-  void check_ways() const;
+  void check_hand_over_order() const;
   void read_gauges();
   /// Distance of the front to the nearest side at which "auto" hands over [m].
   double margin() const;
@@ -91,12 +91,12 @@ private:
   void hand_over();
 
   MPI_Comm communicator_;
-  StageParameters parameters_;
-  StagePlan<dim> plan_;
+  FirstStageParameters parameters_;
+  FirstStageLayout<dim> plan_;
   /// Gas of the second stage; no mesh and no state before the hand-over.
   mutable gas::GasSimulation<dim> scene_;
   std::unique_ptr<FirstStage<dim>> first_; ///< null after the hand-over
-  FrontCourse front_course_;               ///< front of the first stage
+  FrontPath front_path_;                   ///< front of the first stage
   double hand_over_time_ = 0.;             ///< [s]
   double hand_over_radius_ = 0.;           ///< [m]
   /// Volume of the body in the domain, cached [m^dim].

@@ -13,7 +13,7 @@ namespace contrecoup::coupling
  * time, with the exponent of the second half of the recorded path, between 0.4
  * (strong blast, Sedov 1946) and 1 (sound).
  */
-class FrontCourse
+class FrontPath
 {
 public:
   /// Adds the front's @p distance [m] at @p time [s]. On a mesh the front

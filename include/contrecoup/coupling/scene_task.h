@@ -6,7 +6,7 @@
 #include <contrecoup/base/run/simulation.h>
 #include <contrecoup/base/system/collective.h>
 #include <contrecoup/coupling/scene_words.h>
-#include <contrecoup/coupling/stage_files.h>
+#include <contrecoup/coupling/task_files.h>
 
 #include <functional>
 #include <string>
@@ -15,10 +15,10 @@
 namespace contrecoup::coupling
 {
 /**
- * Application as a stage of a scene, see StageFiles. A stage that finished
+ * Application as a task of a scene, see TaskFiles. A task that finished
  * with the same key and whose results are unchanged is not run again.
  */
-class SceneStage
+class SceneTask
 {
 public:
   /// Runs the application with the given arguments; --check stores its cost
@@ -26,15 +26,15 @@ public:
   using Runner =
     std::function<Failure(const std::vector<std::string> &, CostEstimate &)>;
 
-  /// State of the stage in the scene's folder.
-  struct Standing
+  /// State of the task in the scene's folder.
+  struct Status
   {
-    bool has_record = false;  ///< has a record, with any key
-    bool is_finished = false; ///< with this key
-    bool is_other = false;    ///< finished with another key
-    bool is_damaged = false;  ///< finished, but results were changed since
-    bool is_begun = false;    ///< with this key
-    bool is_new = false;      ///< the unfinished or next run uses NAME.new
+    bool has_record = false;      ///< has a record, with any key
+    bool is_finished = false;     ///< with this key
+    bool has_other_key = false;   ///< finished with another key
+    bool is_damaged = false;      ///< finished, but results were changed since
+    bool is_started = false;      ///< with this key
+    bool uses_new_folder = false; ///< the unfinished or next run uses NAME.new
     /// The unfinished run has a checkpoint, any key
     bool has_checkpoint = false;
   };
@@ -43,16 +43,16 @@ public:
    * @param name of the application, see source_digest()
    * @param text content of the parameter file
    * @param names files that the application writes
-   * @param upstream keys of the stages whose results this stage reads
+   * @param upstream keys of the tasks whose results this task reads
    * @param can_resume whether the application supports --resume
    */
-  SceneStage(const std::string &name,
-             const std::string &scene_folder,
-             const std::string &text,
-             const io::FileNames &names,
-             const std::vector<std::string> &upstream,
-             bool can_resume,
-             const Runner &runner);
+  SceneTask(const std::string &name,
+            const std::string &scene_folder,
+            const std::string &text,
+            const io::FileNames &names,
+            const std::vector<std::string> &upstream,
+            bool can_resume,
+            const Runner &runner);
 
   const std::string &name() const
   {
@@ -67,7 +67,7 @@ public:
 
   /// Hash of everything that the results depend on: the parameters, the
   /// contents of files that they name, the sources of the program, and the
-  /// keys of the stages before.
+  /// keys of the tasks before.
   const std::string &key() const
   {
     return record_.key;
@@ -76,30 +76,30 @@ public:
   /// Determines standing(). Collective.
   void inspect(Collective &collective);
 
-  /// Completes an interrupted replace() and checks that the stage will not
+  /// Completes an interrupted replace() and checks that the task will not
   /// overwrite files of others. Called by the first rank.
   /// @throws InputError for such files
   void prepare() const;
 
-  const Standing &standing() const
+  const Status &status() const
   {
-    return standing_;
+    return status_;
   }
 
-  /// Marks the stage to be run again although it is finished.
+  /// Marks the task to be run again although it is finished.
   void discard_result()
   {
-    standing_.is_finished = false;
-    standing_.is_begun = false;
-    standing_.is_new = true;
+    status_.is_finished = false;
+    status_.is_started = false;
+    status_.uses_new_folder = true;
   }
 
   bool is_finished() const
   {
-    return standing_.is_finished;
+    return status_.is_finished;
   }
 
-  const StageRecord &record() const
+  const TaskRecord &record() const
   {
     return record_;
   }
@@ -116,19 +116,19 @@ public:
     arguments_ = arguments;
   }
 
-  /// Sets the translation of entry names in the stage's messages.
+  /// Sets the translation of entry names in the task's messages.
   void set_words(const SceneWords &words)
   {
     words_ = words;
   }
 
-  /// Translates one entry name in the stage's messages.
+  /// Translates one entry name in the task's messages.
   void rename(const std::string &entry, const std::string &name)
   {
     words_.rename(entry, name);
   }
 
-  /// Name of the stage's entry in the scene.
+  /// Name of the task's entry in the scene.
   std::string named(const std::string &entry) const
   {
     return words_(entry);
@@ -140,15 +140,15 @@ public:
   CostEstimate check(Collective &collective);
 
   /**
-   * Runs the stage unless it is finished; if @p resume, continues from its
+   * Runs the task unless it is finished; if @p resume, continues from its
    * last checkpoint with the same key. Collective.
-   * @return whether the stage is finished; false if it was asked to stop
-   * @throws InputError, NumericsError, SystemError naming the stage
+   * @return whether the task is finished; false if it was asked to stop
+   * @throws InputError, NumericsError, SystemError naming the task
    */
   bool run(bool resume, Collective &collective);
 
 private:
-  Standing find_standing();
+  Status find_status();
   void begin(bool goes_on);
   void take_summary(double wall_seconds);
   void end(double wall_seconds);
@@ -159,14 +159,14 @@ private:
 
   std::string name_;
   SceneWords words_;
-  StageFiles files_;
+  TaskFiles files_;
   std::string text_;
   io::FileNames names_;
   bool can_resume_;
   Runner runner_;
   std::vector<std::string> arguments_;
-  StageRecord record_;
-  Standing standing_;
+  TaskRecord record_;
+  Status status_;
   Failure stop_;
 };
 

@@ -5,7 +5,7 @@
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/log_words.h>
 #include <contrecoup/base/system/text.h>
-#include <contrecoup/coupling/scene_stage.h>
+#include <contrecoup/coupling/scene_task.h>
 #include <contrecoup/coupling/source_digest.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/file/temporary_folder.h>
@@ -81,13 +81,13 @@ std::string short_key(const std::string &text)
 }
 
 
-SceneStage::SceneStage(const std::string &name,
-                       const std::string &scene_folder,
-                       const std::string &text,
-                       const io::FileNames &names,
-                       const std::vector<std::string> &upstream,
-                       const bool can_resume,
-                       const Runner &runner)
+SceneTask::SceneTask(const std::string &name,
+                     const std::string &scene_folder,
+                     const std::string &text,
+                     const io::FileNames &names,
+                     const std::vector<std::string> &upstream,
+                     const bool can_resume,
+                     const Runner &runner)
   : name_(name)
   , files_(scene_folder, name)
   , text_(text)
@@ -100,9 +100,9 @@ SceneStage::SceneStage(const std::string &name,
 }
 
 
-void SceneStage::prepare() const
+void SceneTask::prepare() const
 {
-  files_.mend();
+  files_.complete_replace();
   const auto foreign = io::Manifest(folder()).foreign_files(names_);
   if (!foreign.empty())
     throw InputError("\"" + folder() + "/" + foreign.front() +
@@ -111,50 +111,50 @@ void SceneStage::prepare() const
 }
 
 
-SceneStage::Standing SceneStage::find_standing()
+SceneTask::Status SceneTask::find_status()
 {
-  Standing standing;
+  Status status;
   const std::string key = record_.key;
-  const StageRecord now = files_.read_record(false);
-  const StageRecord beside = files_.read_record(true);
-  standing.has_record = !now.status.empty() || !beside.status.empty();
+  const TaskRecord now = files_.read_record(false);
+  const TaskRecord beside = files_.read_record(true);
+  status.has_record = !now.status.empty() || !beside.status.empty();
   const bool was_finished = now.status == "finished";
   if (was_finished)
   {
-    const std::string damage = files_.damage();
-    standing.is_damaged = !damage.empty();
-    standing.is_finished = damage.empty() && now.key == key;
-    standing.is_other = damage.empty() && now.key != key;
+    const std::string damage = files_.find_damage();
+    status.is_damaged = !damage.empty();
+    status.is_finished = damage.empty() && now.key == key;
+    status.has_other_key = damage.empty() && now.key != key;
     if (!damage.empty())
       log_line("stage " + name_ + " has to be made anew: " + damage);
   }
-  standing.is_new = was_finished;
-  const StageRecord &begun = was_finished ? beside : now;
-  standing.is_begun = !standing.is_finished && begun.key == key;
-  standing.has_checkpoint =
-    !begun.status.empty() && files_.has_checkpoint(standing.is_new);
-  if (standing.is_finished)
+  status.uses_new_folder = was_finished;
+  const TaskRecord &begun = was_finished ? beside : now;
+  status.is_started = !status.is_finished && begun.key == key;
+  status.has_checkpoint =
+    !begun.status.empty() && files_.has_checkpoint(status.uses_new_folder);
+  if (status.is_finished)
     record_ = now;
-  else if (standing.is_begun)
+  else if (status.is_started)
     record_ = begun;
-  return standing;
+  return status;
 }
 
 
-void SceneStage::inspect(Collective &collective)
+void SceneTask::inspect(Collective &collective)
 {
   collective.run([&]() {
     if (is_first_rank())
-      standing_ = find_standing();
+      status_ = find_status();
   });
-  standing_ =
-    dealii::Utilities::MPI::broadcast(collective.communicator(), standing_, 0);
+  status_ =
+    dealii::Utilities::MPI::broadcast(collective.communicator(), status_, 0);
 }
 
 
-void SceneStage::take_summary(const double wall_seconds)
+void SceneTask::take_summary(const double wall_seconds)
 {
-  const std::string folder = files_.folder(standing_.is_new);
+  const std::string folder = files_.folder(status_.uses_new_folder);
   const Json json =
     Json::parse(io::read_file(folder + "/summary.json"), nullptr, false);
   if (!json.is_object())
@@ -171,8 +171,8 @@ void SceneStage::take_summary(const double wall_seconds)
 }
 
 
-Failure SceneStage::call(const std::vector<std::string> &arguments,
-                         CostEstimate &cost) const
+Failure SceneTask::call(const std::vector<std::string> &arguments,
+                        CostEstimate &cost) const
 {
   const LogWords in_log(words_);
   Failure failure = runner_(arguments, cost);
@@ -181,7 +181,7 @@ Failure SceneStage::call(const std::vector<std::string> &arguments,
 }
 
 
-CostEstimate SceneStage::check(Collective &collective)
+CostEstimate SceneTask::check(Collective &collective)
 {
   // Each rank uses its own folder: a folder visible to all ranks may not
   // exist.
@@ -198,7 +198,7 @@ CostEstimate SceneStage::check(Collective &collective)
 }
 
 
-void SceneStage::begin(const bool goes_on)
+void SceneTask::begin(const bool goes_on)
 {
   if (!goes_on)
   {
@@ -207,37 +207,38 @@ void SceneStage::begin(const bool goes_on)
     record_.key = key;
   }
   record_.status = "started";
-  io::write_file(files_.parameter_file(standing_.is_new),
+  io::write_file(files_.parameter_file(status_.uses_new_folder),
                  [&](std::ostream &out) { out << text_; });
-  files_.write_record(standing_.is_new, record_);
+  files_.write_record(status_.uses_new_folder, record_);
 }
 
 
-void SceneStage::end(const double wall_seconds)
+void SceneTask::end(const double wall_seconds)
 {
   // A stopped tool has no summary.
   if (is_stop(stop_) && !can_resume_)
     record_.status = "stopped";
   else
     take_summary(wall_seconds);
-  files_.write_record(standing_.is_new, record_);
-  standing_.is_finished = record_.status == "finished";
-  if (standing_.is_finished && standing_.is_new)
+  files_.write_record(status_.uses_new_folder, record_);
+  status_.is_finished = record_.status == "finished";
+  if (status_.is_finished && status_.uses_new_folder)
     files_.replace();
 }
 
 
-bool SceneStage::run(const bool resume, Collective &collective)
+bool SceneTask::run(const bool resume, Collective &collective)
 {
   if (is_finished())
     return true;
   const bool goes_on =
-    resume && can_resume_ && standing_.has_checkpoint && standing_.is_begun;
-  std::vector<std::string> words = {name_,
-                                    files_.parameter_file(standing_.is_new),
-                                    "--output",
-                                    files_.folder(standing_.is_new),
-                                    goes_on ? "--resume" : "--overwrite"};
+    resume && can_resume_ && status_.has_checkpoint && status_.is_started;
+  std::vector<std::string> words = {
+    name_,
+    files_.parameter_file(status_.uses_new_folder),
+    "--output",
+    files_.folder(status_.uses_new_folder),
+    goes_on ? "--resume" : "--overwrite"};
   words.insert(words.end(), arguments_.begin(), arguments_.end());
   collective.run([&]() {
     if (is_first_rank())
@@ -258,7 +259,7 @@ bool SceneStage::run(const bool resume, Collective &collective)
       end(wall_seconds);
     return is_finished() ? 1U : 0U;
   });
-  standing_.is_finished = finished != 0;
+  status_.is_finished = finished != 0;
   return is_finished();
 }
 } // namespace contrecoup::coupling

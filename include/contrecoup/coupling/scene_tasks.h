@@ -5,20 +5,20 @@
 
 #include <contrecoup/base/system/collective.h>
 #include <contrecoup/coupling/planned_scene.h>
-#include <contrecoup/coupling/scene_stage.h>
+#include <contrecoup/coupling/scene_task.h>
 #include <contrecoup/io/run/command_line.h>
 
 namespace contrecoup::coupling
 {
 /**
- * Creates the stages of a scene in their order: anatomy, blast and, if injury
+ * Creates the tasks of a scene in their order: anatomy, blast and, if injury
  * is asked for, biomechanics, each with its parameter file. Writes nothing.
  * @param prm entries of the scene
- * @param collective must outlive the stages
+ * @param collective must outlive the tasks
  * @throws InputError for entries that an application does not have
  */
-std::vector<SceneStage> make_stages(const PlannedScene &scene,
-                                    const io::CommandLine &command,
-                                    const dealii::ParameterHandler &prm,
-                                    Collective &collective);
+std::vector<SceneTask> make_tasks(const PlannedScene &scene,
+                                  const io::CommandLine &command,
+                                  const dealii::ParameterHandler &prm,
+                                  Collective &collective);
 } // namespace contrecoup::coupling

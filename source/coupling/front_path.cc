@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/coupling/front_course.h>
+#include <contrecoup/coupling/front_path.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,14 +9,14 @@
 
 namespace contrecoup::coupling
 {
-void FrontCourse::add(const double time, const double distance)
+void FrontPath::add(const double time, const double distance)
 {
   if (time > 0. && (jumps_.empty() || distance > jumps_.back().second))
     jumps_.emplace_back(time, distance);
 }
 
 
-double FrontCourse::arrival(const double distance) const
+double FrontPath::arrival(const double distance) const
 {
   if (jumps_.size() < 2)
     return std::numeric_limits<double>::quiet_NaN();

@@ -10,7 +10,7 @@
 #include <contrecoup/coupling/biomechanics_application.h>
 #include <contrecoup/coupling/blast_application.h>
 #include <contrecoup/coupling/scene_files.h>
-#include <contrecoup/coupling/scene_stages.h>
+#include <contrecoup/coupling/scene_tasks.h>
 #include <contrecoup/io/application/application.h>
 #include <contrecoup/io/output/output_folder.h>
 
@@ -23,22 +23,22 @@ using dealii::ParameterHandler;
 namespace
 {
   /// Runner of a solver.
-  SceneStage::Runner runner(const io::ApplicationDescription &application)
+  SceneTask::Runner runner(const io::ApplicationDescription &application)
   {
     return [application](const std::vector<std::string> &arguments,
                          CostEstimate &cost) {
       forget_peak_memory();
-      io::ApplicationDescription stage = application;
-      stage.on_cost_estimate = [&cost](const CostEstimate &found) {
+      io::ApplicationDescription task = application;
+      task.on_cost_estimate = [&cost](const CostEstimate &found) {
         cost = found;
       };
-      return io::run_within(arguments, stage);
+      return io::run_within(arguments, task);
     };
   }
 
 
   /// Runner of `anatomy`, which runs on the first rank.
-  SceneStage::Runner anatomy_runner(Collective &collective)
+  SceneTask::Runner anatomy_runner(Collective &collective)
   {
     return [&collective](const std::vector<std::string> &arguments,
                          CostEstimate &cost) {
@@ -73,7 +73,7 @@ namespace
   }
 
 
-  /// Creates the stages from their common inputs.
+  /// Creates the tasks from their common inputs.
   class Maker
   {
   public:
@@ -88,26 +88,26 @@ namespace
       , collective_(collective)
     {}
 
-    SceneStage anatomy() const
+    SceneTask anatomy() const
     {
       const io::ToolDescription tool = anatomy_application();
-      const StageText file = stage_text("Anatomy",
-                                        anatomy_entries(scene_.parameters()),
-                                        prm_,
-                                        wrote_,
-                                        tool.declare_parameters);
-      SceneStage stage("anatomy",
-                       folder_,
-                       file.text,
-                       anatomy_files(),
-                       {},
-                       false,
-                       anatomy_runner(collective_));
-      stage.set_words(file.words);
-      return stage;
+      const TaskText file = task_text("Anatomy",
+                                      anatomy_entries(scene_.parameters()),
+                                      prm_,
+                                      wrote_,
+                                      tool.declare_parameters);
+      SceneTask task("anatomy",
+                     folder_,
+                     file.text,
+                     anatomy_files(),
+                     {},
+                     false,
+                     anatomy_runner(collective_));
+      task.set_words(file.words);
+      return task;
     }
 
-    SceneStage blast() const
+    SceneTask blast() const
     {
       return solver(
         "blast",
@@ -129,48 +129,48 @@ namespace
                            "loads leaves this stage out");
     }
 
-    /// @param blast stage that records the loads
-    SceneStage biomechanics(const SceneStage &blast) const
+    /// @param blast task that records the loads
+    SceneTask biomechanics(const SceneTask &blast) const
     {
-      SceneStage stage = solver("biomechanics",
-                                "Biomechanics",
-                                biomechanics_application(),
-                                biomechanics_entries(scene_.parameters(),
-                                                     scene_.layout(),
-                                                     scene_.body(),
-                                                     scene_.tissue_places(),
-                                                     scene_.body_mass()),
-                                {blast.key()});
+      SceneTask task = solver("biomechanics",
+                              "Biomechanics",
+                              biomechanics_application(),
+                              biomechanics_entries(scene_.parameters(),
+                                                   scene_.layout(),
+                                                   scene_.body(),
+                                                   scene_.tissue_places(),
+                                                   scene_.body_mass()),
+                              {blast.key()});
       const std::string loads =
         std::filesystem::absolute(blast.folder() + "/loads.h5").string();
-      stage.set_arguments({"--set", "Loads/Recorded/File=" + loads});
-      stage.rename("Loads/Recorded/File", "the loads of stage blast");
-      return stage;
+      task.set_arguments({"--set", "Loads/Recorded/File=" + loads});
+      task.rename("Loads/Recorded/File", "the loads of stage blast");
+      return task;
     }
 
   private:
-    SceneStage solver(const std::string &name,
-                      const std::string &section,
-                      const io::ApplicationDescription &application,
-                      const std::vector<Assignment> &entries,
-                      const std::vector<std::string> &upstream) const
+    SceneTask solver(const std::string &name,
+                     const std::string &section,
+                     const io::ApplicationDescription &application,
+                     const std::vector<Assignment> &entries,
+                     const std::vector<std::string> &upstream) const
     {
-      const StageText file =
-        stage_text(section, entries, prm_, wrote_, [&](ParameterHandler &prm) {
+      const TaskText file =
+        task_text(section, entries, prm_, wrote_, [&](ParameterHandler &prm) {
           declare(application, prm);
         });
       ParameterHandler defaults;
       declare(application, defaults);
-      SceneStage stage(name,
-                       folder_,
-                       file.text,
-                       io::OutputFolder::run_files() +
-                         application.files(defaults),
-                       upstream,
-                       true,
-                       runner(application));
-      stage.set_words(file.words);
-      return stage;
+      SceneTask task(name,
+                     folder_,
+                     file.text,
+                     io::OutputFolder::run_files() +
+                       application.files(defaults),
+                     upstream,
+                     true,
+                     runner(application));
+      task.set_words(file.words);
+      return task;
     }
 
     const PlannedScene &scene_;
@@ -182,17 +182,17 @@ namespace
 } // namespace
 
 
-std::vector<SceneStage> make_stages(const PlannedScene &scene,
-                                    const io::CommandLine &command,
-                                    const ParameterHandler &prm,
-                                    Collective &collective)
+std::vector<SceneTask> make_tasks(const PlannedScene &scene,
+                                  const io::CommandLine &command,
+                                  const ParameterHandler &prm,
+                                  Collective &collective)
 {
   const Maker maker(scene, command, prm, collective);
-  std::vector<SceneStage> stages{maker.anatomy(), maker.blast()};
+  std::vector<SceneTask> tasks{maker.anatomy(), maker.blast()};
   if (!scene.parameters().wants_injury())
-    return stages;
+    return tasks;
   maker.require_loads();
-  stages.push_back(maker.biomechanics(stages.back()));
-  return stages;
+  tasks.push_back(maker.biomechanics(tasks.back()));
+  return tasks;
 }
 } // namespace contrecoup::coupling

@@ -5,7 +5,7 @@
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
-#include <contrecoup/coupling/stage_parameters.h>
+#include <contrecoup/coupling/first_stage_parameters.h>
 #include <contrecoup/gas/conditions/rigid_body.h>
 #include <contrecoup/gas/scene/scene_places.h>
 #include <contrecoup/materials/gas_material.h>
@@ -78,7 +78,7 @@ namespace
 
   /// Sets the entries of the first stage of the first stage.
   void set_stage_before(const std::map<std::string, std::string> &values,
-                        const StageParameters &parameters,
+                        const FirstStageParameters &parameters,
                         const int stage_dim,
                         Changes &changes)
   {
@@ -173,7 +173,7 @@ namespace
 } // namespace
 
 
-void StageParameters::declare_parameters(ParameterHandler &prm)
+void FirstStageParameters::declare_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "First stage");
   declare_selection(prm,
@@ -234,7 +234,7 @@ void StageParameters::declare_parameters(ParameterHandler &prm)
 }
 
 
-void StageParameters::parse_parameters(ParameterHandler &prm)
+void FirstStageParameters::parse_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "First stage");
   kind = prm.get("Kind");
@@ -281,8 +281,8 @@ namespace
   /// @throws InputError if the front would meet a side or the body before the
   /// charge has burned in the stage
   template <int dim>
-  void check_room_to_burn(const StageParameters &parameters,
-                          const StagePlan<dim> &plan,
+  void check_room_to_burn(const FirstStageParameters &parameters,
+                          const FirstStageLayout<dim> &plan,
                           const double charge_extent)
   {
     // The front leaves the charge while its last subcells burn.
@@ -292,11 +292,11 @@ namespace
                           : parameters.cell_size;
     const double least = charge_extent + burning_cells * size;
     if (parameters.criterion != "auto" || charge_extent == 0. ||
-        plan.nearest > least)
+        plan.nearest_side > least)
       return;
     throw InputError(
       "First stage/Kind = " + parameters.kind +
-      ": the centre of the charge is " + brief(plan.nearest) +
+      ": the centre of the charge is " + brief(plan.nearest_side) +
       " m from the body or a side of the domain, and " + brief(least) +
       " m are needed to burn it, " + brief(charge_extent) +
       " m in radius, in cells of " + brief(size) +
@@ -304,21 +304,21 @@ namespace
   }
 
 
-  /// Reduces StagePlan::nearest to the distance to the body, after checks of
-  /// charges and body.
+  /// Reduces FirstStageLayout::nearest_side to the distance to the body, after
+  /// checks of charges and body.
   template <int dim>
   void meet_body(ParameterHandler &scene,
                  const CoarseMesh<dim> &domain,
-                 const StageParameters &parameters,
-                 StagePlan<dim> &plan)
+                 const FirstStageParameters &parameters,
+                 FirstStageLayout<dim> &plan)
   {
     GasMaterial material;
     material.parse_parameters(scene);
     gas::RigidBody body;
     body.parse_parameters(scene);
     gas::check_places(scene, material, domain, body);
-    plan.nearest =
-      std::min(plan.nearest,
+    plan.nearest_side =
+      std::min(plan.nearest_side,
                distance_to_body(body, domain, plan.centre, parameters.kind));
     // Trial runs for cost estimates have larger subcells and are not checked.
     if (body.is_required())
@@ -329,8 +329,9 @@ namespace
 
 
 template <int dim>
-StagePlan<dim> make_plan(ParameterHandler &scene,
-                         const StageParameters &parameters)
+FirstStageLayout<dim>
+make_first_stage_layout(ParameterHandler &scene,
+                        const FirstStageParameters &parameters)
 {
   CoarseMesh<dim> domain;
   domain.parse_parameters(scene);
@@ -343,7 +344,7 @@ StagePlan<dim> make_plan(ParameterHandler &scene,
   if (axisymmetric_stage && dim != 3)
     throw InputError("First stage: Kind = axisymmetric needs 3 dimensions");
 
-  StagePlan<dim> plan;
+  FirstStageLayout<dim> plan;
   plan.centre = centre_of_charge<dim>(scene, axisymmetric_stage);
   const auto &lower = domain.lower_corner(), &upper = domain.upper_corner();
   double square = 0.;
@@ -362,14 +363,14 @@ StagePlan<dim> make_plan(ParameterHandler &scene,
     }
     square += std::pow(std::max(below, above), 2);
     if (std::min(below, above) > tolerance)
-      plan.nearest = std::min({plan.nearest, below, above});
+      plan.nearest_side = std::min({plan.nearest_side, below, above});
     else
     {
-      plan.nearest = std::min(plan.nearest, std::max(below, above));
+      plan.nearest_side = std::min(plan.nearest_side, std::max(below, above));
       if (axisymmetric_scene && d == 0)
         continue;
       plan.side[d] = below < above ? 1 : -1;
-      plan.part *= 0.5;
+      plan.domain_fraction *= 0.5;
     }
   }
   meet_body(scene, domain, parameters, plan);
@@ -378,7 +379,7 @@ StagePlan<dim> make_plan(ParameterHandler &scene,
   if (axisymmetric_scene && plan.centre[0] != 0.)
     throw InputError("First stage: the charge must be on the axis");
   plan.farthest = std::sqrt(square);
-  plan.domain_radius = parameters.criterion == "auto" ? plan.nearest
+  plan.domain_radius = parameters.criterion == "auto" ? plan.nearest_side
                        : parameters.criterion == "radius"
                          ? 1.1 * parameters.radius
                          : plan.farthest;
@@ -388,8 +389,8 @@ StagePlan<dim> make_plan(ParameterHandler &scene,
 
 template <int dim, int stage_dim>
 void derive_first_stage(const ParameterHandler &scene,
-                        const StageParameters &parameters,
-                        const StagePlan<dim> &plan,
+                        const FirstStageParameters &parameters,
+                        const FirstStageLayout<dim> &plan,
                         const std::vector<dealii::Point<stage_dim>> &probes,
                         ParameterHandler &stage)
 {
@@ -456,13 +457,14 @@ void derive_second_stage(const ParameterHandler &scene, ParameterHandler &stage)
 }
 
 
-#define CONTRECOUP_INSTANTIATE(dim) \
-  template StagePlan<dim> make_plan(ParameterHandler &, const StageParameters &)
+#define CONTRECOUP_INSTANTIATE(dim)                       \
+  template FirstStageLayout<dim> make_first_stage_layout( \
+    ParameterHandler &, const FirstStageParameters &)
 #define CONTRECOUP_INSTANTIATE_STAGE(dim, stage_dim) \
   template void derive_first_stage(                  \
     const ParameterHandler &,                        \
-    const StageParameters &,                         \
-    const StagePlan<dim> &,                          \
+    const FirstStageParameters &,                    \
+    const FirstStageLayout<dim> &,                   \
     const std::vector<dealii::Point<stage_dim>> &,   \
     ParameterHandler &)
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/coupling/front_course.h>
+#include <contrecoup/coupling/front_path.h>
 
 #include <gtest/gtest.h>
 
@@ -9,34 +9,34 @@
 
 using namespace contrecoup::coupling;
 
-TEST(FrontCourse, KnowsNothingBeforeItsSecondJump)
+TEST(FrontPath, KnowsNothingBeforeItsSecondJump)
 {
-  FrontCourse course;
-  EXPECT_TRUE(std::isnan(course.arrival(1.)));
-  course.add(1e-3, 0.3);
-  course.add(2e-3, 0.3);
-  EXPECT_TRUE(std::isnan(course.arrival(1.)));
-  course.add(3e-3, 0.4);
-  EXPECT_FALSE(std::isnan(course.arrival(1.)));
+  FrontPath path;
+  EXPECT_TRUE(std::isnan(path.arrival(1.)));
+  path.add(1e-3, 0.3);
+  path.add(2e-3, 0.3);
+  EXPECT_TRUE(std::isnan(path.arrival(1.)));
+  path.add(3e-3, 0.4);
+  EXPECT_FALSE(std::isnan(path.arrival(1.)));
 }
 
 // r = 2 t^0.6, seen when it enters the next cell of 10 mm.
-TEST(FrontCourse, GoesOnAlongAPowerOfTime)
+TEST(FrontPath, GoesOnAlongAPowerOfTime)
 {
-  FrontCourse course;
+  FrontPath path;
   const auto distance = [](const double time) {
     return 0.01 * std::floor(200. * std::pow(time, 0.6));
   };
   for (unsigned int step = 1; step <= 1000; ++step)
-    course.add(1e-6 * step, distance(1e-6 * step));
+    path.add(1e-6 * step, distance(1e-6 * step));
   const double arrival = std::pow(0.5 * 0.1, 1. / 0.6);
-  EXPECT_NEAR(course.arrival(0.1), arrival, 0.02 * arrival);
+  EXPECT_NEAR(path.arrival(0.1), arrival, 0.02 * arrival);
 }
 
 // A front that stands still for long, or starts at once, is none of a blast.
-TEST(FrontCourse, KeepsToExponentsOfBlasts)
+TEST(FrontPath, KeepsToExponentsOfBlasts)
 {
-  FrontCourse slow, fast;
+  FrontPath slow, fast;
   for (unsigned int i = 1; i <= 10; ++i)
   {
     slow.add(1e-3 * i, 1. + 1e-3 * i);

@@ -9,11 +9,11 @@
 
 namespace contrecoup::coupling
 {
-/// Record of a stage, stored in its folder.
-struct StageRecord
+/// Record of a task, stored in its folder.
+struct TaskRecord
 {
-  std::string key;    ///< hash of the stage's inputs, see SceneStage::key()
-  std::string status; ///< started, finished, stopped, failed
+  std::string key;          ///< hash of the task's inputs, see SceneTask::key()
+  std::string status;       ///< started, finished, stopped, failed
   double wall_seconds = 0.; ///< wall-clock time of all starts
   double core_seconds = 0.; ///< core time of all starts and ranks
   double peak_memory = 0.;  ///< [byte]
@@ -22,37 +22,37 @@ struct StageRecord
 
 
 /**
- * Files of a stage in the scene's folder: output folder NAME, parameter file
- * NAME.prm and record NAME.stage.json. If a stage is run again while finished
+ * Files of a task in the scene's folder: output folder NAME, parameter file
+ * NAME.prm and record NAME.task.json. If a task is run again while finished
  * results exist, it writes to NAME.new, which replaces NAME when complete.
  * Used by one rank.
  */
-class StageFiles
+class TaskFiles
 {
 public:
-  StageFiles(const std::string &scene_folder, const std::string &name);
+  TaskFiles(const std::string &scene_folder, const std::string &name);
 
   /// Names of these files, for the scene's manifest.
-  static io::FileNames names(const std::string &stage);
+  static io::FileNames names(const std::string &task);
 
-  /// @param is_new true: the new run beside the finished one
-  std::string folder(bool is_new) const;
-  std::string parameter_file(bool is_new) const;
-  std::string record_file(bool is_new) const;
+  /// @param uses_new_folder true: the new run beside the finished one
+  std::string folder(bool uses_new_folder) const;
+  std::string parameter_file(bool uses_new_folder) const;
+  std::string record_file(bool uses_new_folder) const;
 
   /// Reads the record; empty if it is missing or damaged.
-  StageRecord read_record(bool is_new) const;
-  void write_record(bool is_new, const StageRecord &record) const;
+  TaskRecord read_record(bool uses_new_folder) const;
+  void write_record(bool uses_new_folder, const TaskRecord &record) const;
 
   /// Reason why the folder does not hold the results of a finished run
   /// unchanged; empty if it does. Reads all result files.
-  std::string damage() const;
+  std::string find_damage() const;
 
   /// Whether the folder has a complete checkpoint.
-  bool has_checkpoint(bool is_new) const;
+  bool has_checkpoint(bool uses_new_folder) const;
 
   /**
-   * Replaces the old stage by the new one. Files in the old folder that
+   * Replaces the old task by the new one. Files in the old folder that
    * Contrecoup has not written move to the new folder.
    *
    * @throws SystemError
@@ -60,7 +60,7 @@ public:
   void replace() const;
 
   /// Completes an interrupted replace().
-  void mend() const;
+  void complete_replace() const;
 
 private:
   void clear_old() const;

@@ -3,7 +3,7 @@
 
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/log.h>
-#include <contrecoup/coupling/stage_files.h>
+#include <contrecoup/coupling/task_files.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/output/folder_lock.h>
 
@@ -75,13 +75,13 @@ namespace
 } // namespace
 
 
-StageFiles::StageFiles(const std::string &scene_folder, const std::string &name)
+TaskFiles::TaskFiles(const std::string &scene_folder, const std::string &name)
   : scene_folder_(scene_folder)
   , name_(name)
 {}
 
 
-io::FileNames StageFiles::names(const std::string &stage)
+io::FileNames TaskFiles::names(const std::string &task)
 {
   io::FileNames names;
   for (const char *ending : {".prm",
@@ -91,38 +91,38 @@ io::FileNames StageFiles::names(const std::string &stage)
                              "/",
                              ".new/",
                              ".old/"})
-    names.others.push_back(stage + ending);
+    names.others.push_back(task + ending);
   return names;
 }
 
 
-std::string StageFiles::folder(const bool is_new) const
+std::string TaskFiles::folder(const bool uses_new_folder) const
 {
-  return path(is_new ? ".new" : "");
+  return path(uses_new_folder ? ".new" : "");
 }
 
 
-std::string StageFiles::parameter_file(const bool is_new) const
+std::string TaskFiles::parameter_file(const bool uses_new_folder) const
 {
-  return path(is_new ? ".new.prm" : ".prm");
+  return path(uses_new_folder ? ".new.prm" : ".prm");
 }
 
 
-std::string StageFiles::record_file(const bool is_new) const
+std::string TaskFiles::record_file(const bool uses_new_folder) const
 {
-  return path(is_new ? ".new.stage.json" : ".stage.json");
+  return path(uses_new_folder ? ".new.stage.json" : ".stage.json");
 }
 
 
-StageRecord StageFiles::read_record(const bool is_new) const
+TaskRecord TaskFiles::read_record(const bool uses_new_folder) const
 {
-  if (!exists(record_file(is_new)))
+  if (!exists(record_file(uses_new_folder)))
     return {};
   const Json json =
-    Json::parse(io::read_file(record_file(is_new)), nullptr, false);
+    Json::parse(io::read_file(record_file(uses_new_folder)), nullptr, false);
   try
   {
-    StageRecord record;
+    TaskRecord record;
     json.at("key").get_to(record.key);
     json.at("status").get_to(record.status);
     json.at("wall_seconds").get_to(record.wall_seconds);
@@ -133,15 +133,15 @@ StageRecord StageFiles::read_record(const bool is_new) const
   }
   catch (const Json::exception &)
   {
-    log_line("\"" + record_file(is_new) +
+    log_line("\"" + record_file(uses_new_folder) +
              "\" is damaged; the stage counts as not begun");
     return {};
   }
 }
 
 
-void StageFiles::write_record(const bool is_new,
-                              const StageRecord &record) const
+void TaskFiles::write_record(const bool uses_new_folder,
+                             const TaskRecord &record) const
 {
   const Json json = {{"key", record.key},
                      {"status", record.status},
@@ -149,12 +149,12 @@ void StageFiles::write_record(const bool is_new,
                      {"core_seconds", record.core_seconds},
                      {"peak_memory", record.peak_memory},
                      {"disk", record.disk}};
-  io::write_file(record_file(is_new),
+  io::write_file(record_file(uses_new_folder),
                  [&](std::ostream &out) { out << json.dump(2) << "\n"; });
 }
 
 
-std::string StageFiles::damage() const
+std::string TaskFiles::find_damage() const
 {
   try
   {
@@ -172,18 +172,18 @@ std::string StageFiles::damage() const
 }
 
 
-bool StageFiles::has_checkpoint(const bool is_new) const
+bool TaskFiles::has_checkpoint(const bool uses_new_folder) const
 {
   std::error_code ignored;
   for (const auto &entry :
-       fs::directory_iterator(folder(is_new) + "/checkpoint", ignored))
+       fs::directory_iterator(folder(uses_new_folder) + "/checkpoint", ignored))
     if (fs::exists(entry.path() / "complete.json", ignored))
       return true;
   return false;
 }
 
 
-void StageFiles::replace() const
+void TaskFiles::replace() const
 {
   if (exists(folder(true)))
   {
@@ -201,7 +201,7 @@ void StageFiles::replace() const
 }
 
 
-void StageFiles::mend() const
+void TaskFiles::complete_replace() const
 {
   if (read_record(true).status == "finished")
     replace();
@@ -210,7 +210,7 @@ void StageFiles::mend() const
 }
 
 
-void StageFiles::clear_old() const
+void TaskFiles::clear_old() const
 {
   const std::string old = path(".old");
   if (!exists(old) || !exists(folder(false)))

@@ -18,7 +18,7 @@ namespace contrecoup::coupling
  * it, until the front comes close to anything without that symmetry; or
  * spherical first, then axisymmetric.
  */
-class StageParameters
+class FirstStageParameters
 {
 public:
   /// Declares subsection "First stage".
@@ -42,14 +42,14 @@ public:
 /// Position of the charge in a scene, and the distances up to which the blast
 /// has the symmetry of the first stage.
 template <int dim>
-struct StagePlan
+struct FirstStageLayout
 {
   /// Centre of spheres or, for an axisymmetric stage, the foot of the axis
   /// [m].
   dealii::Point<dim> centre;
   /// Distance from the centre or the axis to the nearest side of the domain
   /// that is not a plane of symmetry through it [m].
-  double nearest = std::numeric_limits<double>::max();
+  double nearest_side = std::numeric_limits<double>::max();
   /// Distance from the charge along the axis of an axisymmetric stage to the
   /// nearest such side [m].
   double along_axis = 0.;
@@ -57,7 +57,7 @@ struct StagePlan
   double farthest = 0.;
   /// Fraction of the full blast within the domain [-]: 1, halved for each side
   /// of the domain through the centre.
-  double part = 1.;
+  double domain_fraction = 1.;
   /// For each direction, the side of such a plane on which the domain lies, -1
   /// or 1; 0: both sides.
   std::array<int, dim> side{};
@@ -73,8 +73,9 @@ struct StagePlan
  * @throws InputError for scenes that cannot begin with a first stage
  */
 template <int dim>
-StagePlan<dim> make_plan(ParameterHandler &scene,
-                         const StageParameters &parameters);
+FirstStageLayout<dim>
+make_first_stage_layout(ParameterHandler &scene,
+                        const FirstStageParameters &parameters);
 
 /**
  * Sets the entries of the first stage, which has @p stage_dim dimensions, from
@@ -84,8 +85,8 @@ StagePlan<dim> make_plan(ParameterHandler &scene,
  */
 template <int dim, int stage_dim>
 void derive_first_stage(const ParameterHandler &scene,
-                        const StageParameters &parameters,
-                        const StagePlan<dim> &plan,
+                        const FirstStageParameters &parameters,
+                        const FirstStageLayout<dim> &plan,
                         const std::vector<dealii::Point<stage_dim>> &probes,
                         ParameterHandler &stage);
 
