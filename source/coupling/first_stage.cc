@@ -95,7 +95,7 @@ namespace
     {
       solver_.plan();
       const auto &plan = gas().modelling_plan();
-      return {plan.energy, plan.centre[stage_dim - 1], plan.non_ideal_part};
+      return {plan.energy, plan.centre[stage_dim - 1], plan.non_ideal_fraction};
     }
 
     double front() override

@@ -348,7 +348,7 @@ std::vector<Assumption> StagedSimulation<dim>::plan()
     auto centre = plan_.centre;
     if (parameters_.kind == "axisymmetric")
       centre[dim - 1] = blast.height;
-    scene_.expect_blast(blast.energy, centre, blast.non_ideal_part);
+    scene_.expect_blast(blast.energy, centre, blast.non_ideal_fraction);
   }
   const auto rest = scene_.plan();
   if (!first_)

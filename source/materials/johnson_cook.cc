@@ -33,7 +33,8 @@ namespace
 
 double JohnsonCook::temperature(const double plastic_work) const
 {
-  return reference_temperature + heating_part * plastic_work / heat_capacity;
+  return reference_temperature +
+         heating_fraction * plastic_work / heat_capacity;
 }
 
 

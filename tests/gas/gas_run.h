@@ -177,10 +177,10 @@ public:
   }
 
   /// See AdaptationPace.
-  double front_share() const
+  double front_travel() const
   {
     const auto rates = stepper->largest_rates(size_ratios);
-    return rates.fronts / rates.all;
+    return rates.front_rate / rates.all;
   }
 
   std::map<std::string, double> totals() const

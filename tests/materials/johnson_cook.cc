@@ -106,7 +106,7 @@ double expected_stress(const JohnsonCook &law,
                        const double rate)
 {
   const auto slope = [&](const double strain, const double work) {
-    const double warmed = law.heating_part * work / law.heat_capacity /
+    const double warmed = law.heating_fraction * work / law.heat_capacity /
                           (law.melting_temperature - law.reference_temperature);
     return (law.yield_stress +
             law.hardening * std::pow(strain, law.hardening_exponent)) *

@@ -40,7 +40,7 @@ public:
     double energy = 0.; ///< energy in full space [J], 0 if unknown
     /// Height of the centre if the stage is axisymmetric [m]
     double height = 0.;
-    double non_ideal_part = 0.; ///< see gas::ModellingPlan
+    double non_ideal_fraction = 0.; ///< see gas::ModellingPlan
   };
   virtual Blast blast() = 0;
 

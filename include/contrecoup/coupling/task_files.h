@@ -23,7 +23,7 @@ struct TaskRecord
 
 /**
  * Files of a task in the scene's folder: output folder NAME, parameter file
- * NAME.prm and record NAME.task.json. If a task is run again while finished
+ * NAME.prm and record NAME.stage.json. If a task is run again while finished
  * results exist, it writes to NAME.new, which replaces NAME when complete.
  * Used by one rank.
  */

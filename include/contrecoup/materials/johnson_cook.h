@@ -36,7 +36,7 @@ struct JohnsonCook
   double melting_temperature = 1356.;  ///< T_m [K]
   double reference_temperature = 298.; ///< T_r, also the initial one [K]
   double heat_capacity = 8960. * 383.; ///< per undeformed volume [J/(m^3 K)]
-  double heating_part = 0.9;           ///< heat fraction of plastic work [-]
+  double heating_fraction = 0.9;       ///< heat fraction of plastic work [-]
 
   /// Temperature [K] after adiabatic plastic work [J/m^3].
   double temperature(double plastic_work) const;

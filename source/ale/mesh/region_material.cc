@@ -285,7 +285,7 @@ namespace
     metal.reference_temperature = read_double(prm, "Reference temperature");
     metal.heat_capacity =
       read_density(prm, name) * read_double(prm, "Heat capacity");
-    metal.heating_part = read_double(prm, "Heating part");
+    metal.heating_fraction = read_double(prm, "Heating part");
     metal.check("Region " + name);
     return metal;
   }

@@ -90,11 +90,11 @@ Adaptation<dim>::face_marks(const GasField &field) const
                   field,
                   parameters_.noise,
                   wanted_batches(),
-                  parameters_.sensor == Sensor::pressure_bend);
+                  parameters_.sensor == Sensor::pressure_jump);
     for (unsigned int leaf = 0; leaf < marks.size(); ++leaf)
       marks[leaf].fill(values[leaf]);
   }
-  if (!parameters_.only_ahead)
+  if (!parameters_.buffer_only_ahead)
     for (FaceMarks &mark : marks)
       mark.fill(*std::max_element(mark.begin(), mark.end()));
   return marks;
@@ -234,11 +234,11 @@ void Adaptation<dim>::set_flags(const std::vector<FaceMarks> &marks)
     const auto allowed = levels_.levels(leaf, time_);
     const double mark =
       *std::max_element(marks[leaf].begin(), marks[leaf].end());
-    if ((mark >= parameters_.refine && level < allowed.most) ||
-        level < allowed.least)
+    if ((mark >= parameters_.refine && level < allowed.max_level) ||
+        level < allowed.min_level)
       cell->set_refine_flag();
-    else if ((mark < parameters_.coarsen && level > allowed.least) ||
-             level > allowed.most)
+    else if ((mark < parameters_.coarsen && level > allowed.min_level) ||
+             level > allowed.max_level)
       cell->set_coarsen_flag();
   }
 }
@@ -250,7 +250,7 @@ bool Adaptation<dim>::refine_where(
 {
   for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
     if (static_cast<unsigned int>(mesh_.cell(leaf)->level()) <
-          levels_.levels(leaf, time_).most &&
+          levels_.levels(leaf, time_).max_level &&
         wanted(leaf))
       mesh_.cell(leaf)->set_refine_flag();
   return refine_flagged();
@@ -291,7 +291,7 @@ void Adaptation<dim>::refine_fine_box()
     for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
       if (parameters_.fine_level > 0 &&
           static_cast<unsigned int>(mesh_.cell(leaf)->level()) <
-            levels_.levels(leaf, time_).least)
+            levels_.levels(leaf, time_).min_level)
         mesh_.cell(leaf)->set_refine_flag();
   while (refine_flagged());
 }

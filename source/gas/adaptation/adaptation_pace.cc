@@ -11,7 +11,7 @@ namespace contrecoup::gas
 void AdaptationPace::save(std::ostream &stream) const
 {
   stream.write(reinterpret_cast<const char *>(&n_steps_), sizeof(n_steps_));
-  for (const double &value : {travel_, last_share_, start_})
+  for (const double &value : {travel_, last_travel_, start_})
     stream.write(reinterpret_cast<const char *>(&value), sizeof(value));
 }
 
@@ -19,7 +19,7 @@ void AdaptationPace::save(std::ostream &stream) const
 void AdaptationPace::load(std::istream &stream)
 {
   stream.read(reinterpret_cast<char *>(&n_steps_), sizeof(n_steps_));
-  for (double *value : {&travel_, &last_share_, &start_})
+  for (double *value : {&travel_, &last_travel_, &start_})
     stream.read(reinterpret_cast<char *>(value), sizeof(*value));
 }
 } // namespace contrecoup::gas

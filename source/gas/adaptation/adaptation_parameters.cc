@@ -140,23 +140,22 @@ void AdaptationParameters::parse_parameters(
   const Section section(prm, "Adaptation");
   active = prm.get_bool("Active");
   interval = read_unsigned(prm, "Interval");
-  least_level = read_unsigned(prm, "Smallest level");
-  most_level =
-    std::max(read_unsigned(prm, "Largest level"), initial_refinement);
+  min_level = read_unsigned(prm, "Smallest level");
+  max_level = std::max(read_unsigned(prm, "Largest level"), initial_refinement);
   refine = read_double(prm, "Refine above");
   coarsen = read_double(prm, "Coarsen below");
   noise = read_double(prm, "Noise");
   const std::string name = prm.get("Sensor");
   sensor = name == "blast"      ? Sensor::blast
-           : name == "pressure" ? Sensor::pressure_bend
-                                : Sensor::bend;
+           : name == "pressure" ? Sensor::pressure_jump
+                                : Sensor::jump;
   buffer = read_unsigned(prm, "Buffer");
-  only_ahead = prm.get("Buffer side") == "ahead";
+  buffer_only_ahead = prm.get("Buffer side") == "ahead";
   fine_lower = read_list(prm, "Fine box lower corner");
   fine_upper = read_list(prm, "Fine box upper corner");
   const unsigned int fine_levels = read_unsigned(prm, "Fine box levels");
   fine_level = fine_levels > 0 ? initial_refinement + fine_levels : 0;
-  most_level = std::max(most_level, fine_level);
+  max_level = std::max(max_level, fine_level);
   limits.parse_parameters(prm, dim);
   if (active || fine_level > 0)
     check(dim, n_points, is_finite_volume, is_axis_aligned);
@@ -177,10 +176,10 @@ void AdaptationParameters::check(const unsigned int dim,
   if (coarsen > refine)
     throw InputError("Adaptation/Coarsen below must not be larger than "
                      "Adaptation/Refine above");
-  if (only_ahead && sensor != Sensor::blast)
+  if (buffer_only_ahead && sensor != Sensor::blast)
     throw InputError("Adaptation/Buffer side = ahead needs Adaptation/Sensor = "
                      "blast, which knows where fronts run to");
-  if (least_level > most_level)
+  if (min_level > max_level)
     throw InputError("Adaptation/Smallest level must not be larger than "
                      "Adaptation/Largest level");
   if (fine_level > 0 && (fine_lower.size() < dim || fine_upper.size() < dim))
@@ -189,16 +188,16 @@ void AdaptationParameters::check(const unsigned int dim,
 }
 
 
-void AdaptationParameters::find_buffer_steps(const double reach,
+void AdaptationParameters::find_buffer_steps(const double courant_number,
                                              const unsigned int dim,
                                              const unsigned int n_points)
 {
   // Shock speed over |u| + dim c behind it, largest for adiabatic exponents
   // of 1.2 and more and shocks of any strength.
-  const double shock_share = dim == 1 ? 1. : (dim == 2 ? 0.65 : 0.54);
+  const double shock_speed_ratio = dim == 1 ? 1. : (dim == 2 ? 0.65 : 0.54);
   // The front may stand on the rim of a marked leaf, and is seen by the
   // sensor one point ahead.
-  const double room = buffer - 1. / n_points;
-  buffer_steps = std::max(1., room / (reach * shock_share));
+  const double margin = buffer - 1. / n_points;
+  buffer_steps = std::max(1., margin / (courant_number * shock_speed_ratio));
 }
 } // namespace contrecoup::gas

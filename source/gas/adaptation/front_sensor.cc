@@ -25,7 +25,7 @@ namespace
                 const double noise)
       : reader_(mesh, points, gas, field)
       , noise_(noise)
-      , compression_share_(field.layout().n_points)
+      , ducros_factor_(field.layout().n_points)
       , pressure_(field.layout().n + 2)
       , velocity_(field.layout().n + 2)
     {}
@@ -35,7 +35,7 @@ namespace
     {
       reader_.bind(batch);
       for (unsigned int q = 0; q < layout().n_points; ++q)
-        compression_share_[q] = compression_share(q);
+        ducros_factor_[q] = ducros_factor(q);
       std::array<Number, 2 * dim> largest;
       largest.fill(Number(0.));
       for (unsigned int d = 0; d < dim; ++d)
@@ -87,7 +87,7 @@ namespace
 
     /// (div u)^2 / ((div u)^2 + |curl u|^2) at a point; one for gas at rest
     /// and for leaves with a single point.
-    Number compression_share(const unsigned int q) const
+    Number ducros_factor(const unsigned int q) const
     {
       if (dim == 1 || layout().n == 1)
         return Number(1.);
@@ -119,15 +119,15 @@ namespace
       Number up(0.), down(0.);
       for (int i = 0; i <= n; ++i)
       {
-        const Number share =
-          (compression_share_[first + std::max(i - 1, 0) * stride] +
-           compression_share_[first + std::min(i, n - 1) * stride]) *
+        const Number weight =
+          (ducros_factor_[first + std::max(i - 1, 0) * stride] +
+           ducros_factor_[first + std::min(i, n - 1) * stride]) *
           0.5;
         const Number change = select_less(
           velocity_[i],
           velocity_[i + 1],
           zero,
-          Number((pressure_[i + 1] - pressure_[i]) * share /
+          Number((pressure_[i + 1] - pressure_[i]) * weight /
                  std::min(std::abs(pressure_[i]), std::abs(pressure_[i + 1]))));
         up += std::max(change, zero);
         down -= std::min(change, zero);
@@ -137,7 +137,7 @@ namespace
 
     LineReader<dim, Gas, Real> reader_;
     const double noise_;
-    dealii::AlignedVector<Number> compression_share_;
+    dealii::AlignedVector<Number> ducros_factor_;
     /// Along a line, extended at both ends.
     dealii::AlignedVector<Number> pressure_;
     dealii::AlignedVector<Number> velocity_; ///< along the line

@@ -94,7 +94,7 @@ void LeafCarrier<dim>::write(const Cell &cell, const Data &data) const
 
 template <int dim>
 void LeafCarrier<dim>::unpack(const Cell &cell,
-                              const bool halved,
+                              const bool is_refined,
                               const char *const bytes) const
 {
   const LeafLayout &layout = field_.layout();
@@ -108,7 +108,7 @@ void LeafCarrier<dim>::unpack(const Cell &cell,
     std::memcpy(
       data.maps.data(), bytes + n_gas, data.maps.size() * sizeof(float));
   }
-  if (!halved)
+  if (!is_refined)
   {
     write(cell, data);
     return;

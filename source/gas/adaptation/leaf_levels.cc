@@ -25,17 +25,16 @@ template <int dim>
 SizeLimits::Levels LeafLevels<dim>::levels(const unsigned int leaf,
                                            const double time) const
 {
-  SizeLimits::Levels general = {parameters_.least_level,
-                                parameters_.most_level};
+  SizeLimits::Levels general = {parameters_.min_level, parameters_.max_level};
   if (body_ != nullptr)
   {
     const unsigned int level = body_level(leaf);
-    const double layers = layers_from_body(leaf);
-    if (layers <= RigidBody::at_body)
+    const double layers = leaf_diagonals_from_body(leaf);
+    if (layers <= RigidBody::max_diagonals_at_body)
       return {level, level};
     // Finer ones beside those at the body would have them halved as well.
     if (layers <= 2.)
-      general.most = std::min(general.most, level + 2);
+      general.max_level = std::min(general.max_level, level + 2);
   }
   return narrowed(leaf, general, time);
 }
@@ -48,7 +47,7 @@ SizeLimits::Levels LeafLevels<dim>::narrowed(const unsigned int leaf,
 {
   const auto centre = mesh_.cell(leaf)->center();
   if (is_in_fine_box(centre))
-    general.least = std::max(general.least, parameters_.fine_level);
+    general.min_level = std::max(general.min_level, parameters_.fine_level);
   return parameters_.limits.levels(
     centre, time, general, 0.5 * mesh_.cell(leaf)->diameter());
 }
@@ -61,7 +60,7 @@ std::vector<double> LeafLevels<dim>::size_ratios(const double time) const
   for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
   {
     const unsigned int level = mesh_.cell(leaf)->level();
-    const unsigned int most = most_level(leaf, time);
+    const unsigned int most = max_level(leaf, time);
     result[leaf] = std::pow(0.5, std::max(level, most) - most);
   }
   return result;
@@ -69,17 +68,16 @@ std::vector<double> LeafLevels<dim>::size_ratios(const double time) const
 
 
 template <int dim>
-unsigned int LeafLevels<dim>::most_level(const unsigned int leaf,
-                                         const double time) const
+unsigned int LeafLevels<dim>::max_level(const unsigned int leaf,
+                                        const double time) const
 {
-  return narrowed(leaf, {parameters_.least_level, parameters_.most_level}, time)
-    .most;
+  return narrowed(leaf, {parameters_.min_level, parameters_.max_level}, time)
+    .max_level;
 }
 
 
 template <int dim>
-unsigned int
-LeafLevels<dim>::least_level_near_body(const unsigned int leaf) const
+unsigned int LeafLevels<dim>::min_level_near_body(const unsigned int leaf) const
 {
   if (body_ == nullptr)
     return 0;
@@ -90,12 +88,12 @@ LeafLevels<dim>::least_level_near_body(const unsigned int leaf) const
     const auto &parent = cell->parent();
     const int coarser = finest - parent->level();
     const double layers =
-      body_->layers_to(parent->vertex(0),
-                       parent->vertex((1U << dim) - 1),
-                       parent->level() - int(initial_level_));
+      body_->leaf_diagonals_to(parent->vertex(0),
+                               parent->vertex((1U << dim) - 1),
+                               parent->level() - int(initial_level_));
     // Leaves get twice as large at most from one layer to the next: between
     // those at the body and the parent each larger size has one layer.
-    if (layers <= RigidBody::at_body ||
+    if (layers <= RigidBody::max_diagonals_at_body ||
         layers < (std::ldexp(1., coarser) - 2.) / std::sqrt(dim))
       break;
   }
@@ -113,12 +111,12 @@ unsigned int LeafLevels<dim>::body_level(const unsigned int leaf) const
 
 
 template <int dim>
-double LeafLevels<dim>::layers_from_body(const unsigned int leaf) const
+double LeafLevels<dim>::leaf_diagonals_from_body(const unsigned int leaf) const
 {
   const auto &cell = mesh_.cell(leaf);
-  return body_->layers_to(cell->vertex(0),
-                          cell->vertex((1U << dim) - 1),
-                          cell->level() - int(initial_level_));
+  return body_->leaf_diagonals_to(cell->vertex(0),
+                                  cell->vertex((1U << dim) - 1),
+                                  cell->level() - int(initial_level_));
 }
 
 
@@ -128,7 +126,7 @@ bool LeafLevels<dim>::is_too_coarse_at_body(const unsigned int leaf) const
   return body_ != nullptr &&
          static_cast<unsigned int>(mesh_.cell(leaf)->level()) <
            body_level(leaf) &&
-         layers_from_body(leaf) <= RigidBody::at_body;
+         leaf_diagonals_from_body(leaf) <= RigidBody::max_diagonals_at_body;
 }
 
 

@@ -94,7 +94,7 @@ void SizeLimits::check(const Limit &limit,
                        const std::string &where,
                        const unsigned int dim)
 {
-  if (limit.levels.least > limit.levels.most)
+  if (limit.levels.min_level > limit.levels.max_level)
     throw InputError(where + ": Smallest level must not be larger than "
                              "Largest level");
   if (!(limit.from < limit.until))
@@ -120,18 +120,18 @@ template <int dim>
 SizeLimits::Levels SizeLimits::levels(const dealii::Point<dim> &place,
                                       const double time,
                                       const Levels &general,
-                                      const double reach) const
+                                      const double corner_distance) const
 {
   Levels result = general;
   for (const Limit &limit : limits_)
   {
     const bool is_ball = limit.region.is_ball();
-    if (holds(limit, place, time, is_ball ? reach : 0.))
-      result.least = std::max(result.least, limit.levels.least);
-    if (holds(limit, place, time, is_ball ? 0. : reach))
-      result.most = std::min(result.most, limit.levels.most);
+    if (holds(limit, place, time, is_ball ? corner_distance : 0.))
+      result.min_level = std::max(result.min_level, limit.levels.min_level);
+    if (holds(limit, place, time, is_ball ? 0. : corner_distance))
+      result.max_level = std::min(result.max_level, limit.levels.max_level);
   }
-  result.least = std::min(result.least, result.most);
+  result.min_level = std::min(result.min_level, result.max_level);
   return result;
 }
 

@@ -182,10 +182,11 @@ unsigned int Profile::index(const unsigned int direction,
 {
   const auto &edges = data_.edges[direction];
   // First guess: most profiles have equal cells.
-  const double share = (place - edges.front()) / (edges.back() - edges.front());
+  const double fraction =
+    (place - edges.front()) / (edges.back() - edges.front());
   const double last = static_cast<double>(edges.size() - 2);
   const auto guess = static_cast<unsigned int>(
-    std::min(std::max(share * (last + 1.), 0.), last));
+    std::min(std::max(fraction * (last + 1.), 0.), last));
   if (edges[guess] <= place && place < edges[guess + 1])
     return guess;
   const auto above =

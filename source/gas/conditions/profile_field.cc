@@ -161,7 +161,7 @@ typename ProfileField<dim>::Window ProfileField<dim>::window(
     {
       const double along = result.direction[i] * edge;
       square += along * along;
-      result.reach[i] += 0.5 * std::abs(along);
+      result.half_extent[i] += 0.5 * std::abs(along);
     }
     result.width[i] = std::sqrt(square);
   }
@@ -187,8 +187,8 @@ bool ProfileField<dim>::is_beyond(const Window &window,
                                   const double distance) const
 {
   for (unsigned int i = 0; i < profile_->n_directions(); ++i)
-    if (window.place[i] - window.reach[i] > profile_->end(i) + distance ||
-        window.place[i] + window.reach[i] < profile_->begin(i) - distance)
+    if (window.place[i] - window.half_extent[i] > profile_->end(i) + distance ||
+        window.place[i] + window.half_extent[i] < profile_->begin(i) - distance)
       return true;
   return false;
 }
@@ -200,8 +200,8 @@ double ProfileField<dim>::variation(const Window &window) const
   std::array<double, 2> lower{}, upper{};
   for (unsigned int i = 0; i < profile_->n_directions(); ++i)
   {
-    lower[i] = window.place[i] - window.reach[i];
-    upper[i] = window.place[i] + window.reach[i];
+    lower[i] = window.place[i] - window.half_extent[i];
+    upper[i] = window.place[i] + window.half_extent[i];
     if (!(lower[i] < upper[i]))
       return 0.;
   }
@@ -250,8 +250,8 @@ GasState<dim> ProfileField<dim>::value(const dealii::Point<dim> &point) const
 
 template <int dim>
 std::optional<double>
-ProfileField<dim>::part_within(const dealii::Point<dim> &lower,
-                               const dealii::Point<dim> &upper) const
+ProfileField<dim>::fraction_within(const dealii::Point<dim> &lower,
+                                   const dealii::Point<dim> &upper) const
 {
   double part = 1.;
   const double radius = profile_->end(0);

@@ -169,25 +169,25 @@ double RigidBody::value_in_leaf(const dealii::Point<dim> &middle) const
 
 
 template <int dim>
-double RigidBody::layers_to(const dealii::Point<dim> &lower,
-                            const dealii::Point<dim> &upper,
-                            const int halvings) const
+double RigidBody::leaf_diagonals_to(const dealii::Point<dim> &lower,
+                                    const dealii::Point<dim> &upper,
+                                    const int level_above_initial) const
 {
   const dealii::Tensor<1, dim> edges = upper - lower;
   const double diagonal = edges.norm();
   const double wanted =
-    std::ldexp(diagonal, halvings - int(levels(lower, upper)));
+    std::ldexp(diagonal, level_above_initial - int(levels(lower, upper)));
   const double distance =
     value_in_leaf(dealii::Point<dim>(lower + edges * 0.5));
   // Inside there is no gas: only leaves at the surface are refined.
-  const double none_beside = distance < 0. ? at_body : 0.;
+  const double none_beside = distance < 0. ? max_diagonals_at_body : 0.;
   return (std::abs(distance) - 0.5 * diagonal) / wanted + none_beside;
 }
 
 
 #define CONTRECOUP_INSTANTIATE(dim)                                           \
   template double RigidBody::value_in_leaf(const dealii::Point<dim> &) const; \
-  template double RigidBody::layers_to(                                       \
+  template double RigidBody::leaf_diagonals_to(                               \
     const dealii::Point<dim> &, const dealii::Point<dim> &, const int) const
 
 CONTRECOUP_INSTANTIATE(1);

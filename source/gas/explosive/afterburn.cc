@@ -192,16 +192,17 @@ bool Afterburn::release(const double time,
   const double pressure =
     kind_ == Kind::miller ? mean_pressure(mesh, points, material, field) : 0.;
   const double grown = grown_fraction(time, step, pressure);
-  const double share = energy_ * (grown - fraction_);
+  const double energy_per_products = energy_ * (grown - fraction_);
   fraction_ = grown;
-  if (!(share > 0.))
+  if (!(energy_per_products > 0.))
     return false;
   double sum = 0.;
   for_products(mesh,
                points,
                field,
                [&](auto *u, const std::size_t next, const double volume) {
-                 const double energy = u[C::products * next] * share;
+                 const double energy =
+                   u[C::products * next] * energy_per_products;
                  u[C::energy * next] += energy;
                  sum += energy * volume;
                });

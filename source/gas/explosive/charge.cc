@@ -308,11 +308,11 @@ bool Charge<dim>::is_mirrored(const unsigned int direction) const
 
 template <int dim>
 std::optional<double>
-Charge<dim>::share_within(const CoarseMesh<dim> &mesh) const
+Charge<dim>::fraction_within(const CoarseMesh<dim> &mesh) const
 {
   if (!mesh.is_axis_aligned())
     return {};
-  double share = 1.;
+  double fraction = 1.;
   unsigned int n_cuts = 0;
   bool mirrored = true;
   for (unsigned int d = 0; d < dim; ++d)
@@ -328,14 +328,14 @@ Charge<dim>::share_within(const CoarseMesh<dim> &mesh) const
         continue;
       if (std::abs(depth) > half * 1e-12)
         return {};
-      share *= 0.5;
+      fraction *= 0.5;
       ++n_cuts;
       mirrored = mirrored && is_mirrored(d);
     }
   // A single plane through the centre halves each shape.
   if (n_cuts > 1 && !mirrored)
     return {};
-  return share;
+  return fraction;
 }
 
 

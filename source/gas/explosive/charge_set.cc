@@ -157,12 +157,12 @@ double ChargeSet<dim>::signed_distance(const dealii::Point<dim> &point) const
 
 template <int dim>
 std::optional<double> ChargeSet<dim>::arrival(const dealii::Point<dim> &point,
-                                              const double reach,
+                                              const double max_distance,
                                               const double lead) const
 {
   std::optional<double> first;
   for (const auto &charge : charges_)
-    if (charge.signed_distance(point) < reach)
+    if (charge.signed_distance(point) < max_distance)
     {
       const double time = charge.arrival(point, speed_, lead);
       first = first ? std::min(*first, time) : time;
@@ -183,9 +183,9 @@ std::vector<std::string> ChargeSet<dim>::fill(const LeafMesh<dim> &mesh,
   for (unsigned int i = 0; i < charges_.size(); ++i)
   {
     const ChargeVolume volume = charge_volume(charges_[i], mesh, points);
-    for (const auto &part : volume.parts)
-      filled[std::size_t(part.leaf) * layout.n_points + part.point] +=
-        part.fraction;
+    for (const auto &contribution : volume.contributions)
+      filled[std::size_t(contribution.leaf) * layout.n_points +
+             contribution.point] += contribution.fraction;
     report.push_back("Charge " + names_[i] + ": " +
                      brief(volume.total * density_, 8) + " kg in the domain" +
                      (volume.is_exact ? ""
@@ -202,17 +202,17 @@ std::vector<std::string> ChargeSet<dim>::fill(const LeafMesh<dim> &mesh,
     for (unsigned int leaf = 0; leaf < mesh.n_owned(); ++leaf)
       for (unsigned int q = 0; q < layout.n_points; ++q)
       {
-        const double part = filled[std::size_t(leaf) * layout.n_points + q];
-        fullest = std::max(fullest, part);
-        if (part == 0.)
+        const double fraction = filled[std::size_t(leaf) * layout.n_points + q];
+        fullest = std::max(fullest, fraction);
+        if (fraction == 0.)
           continue;
         auto *u = state + layout.offset(leaf) + layout.value(0, q);
         const std::size_t next = layout.value(1, 0);
         for (unsigned int c = 0; c < layout.n_components; ++c)
-          u[c * next] *= 1. - part;
-        u[C::density * next] += part * density_;
-        u[C::energy * next] += part * energy_density_;
-        u[C::products * next] += part * density_;
+          u[c * next] *= 1. - fraction;
+        u[C::density * next] += fraction * density_;
+        u[C::energy * next] += fraction * energy_density_;
+        u[C::products * next] += fraction * density_;
       }
   });
   fullest = dealii::Utilities::MPI::max(fullest, mesh.communicator());

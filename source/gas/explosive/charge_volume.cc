@@ -109,23 +109,23 @@ namespace
     {
       const double distance =
         charge_.signed_distance(box_.place(region.center()));
-      const double reach = radius(region);
-      if (std::abs(distance) < reach && depth > 0)
+      const double region_radius = radius(region);
+      if (std::abs(distance) < region_radius && depth > 0)
       {
         for (unsigned int child = 0; child < (1U << dim); ++child)
         {
-          Region<dim> part = region;
+          Region<dim> octant = region;
           const dealii::Point<dim> middle = region.center();
           for (unsigned int d = 0; d < dim; ++d)
-            ((child >> d) & 1U ? part.begin : part.end)[d] = middle[d];
-          add(part, depth - 1, inside, all);
+            ((child >> d) & 1U ? octant.begin : octant.end)[d] = middle[d];
+          add(octant, depth - 1, inside, all);
         }
         return;
       }
-      const double share =
-        0.5 - distance * std::sqrt(double(dim)) / (2. * reach);
+      const double fraction =
+        0.5 - distance * std::sqrt(double(dim)) / (2. * region_radius);
       const double whole = volume(region);
-      inside += whole * std::min(std::max(share, 0.), 1.);
+      inside += whole * std::min(std::max(fraction, 0.), 1.);
       all += whole;
     }
 
@@ -159,7 +159,7 @@ namespace
       if (fraction == 0.)
         continue;
       const double volume = point_volume(box, points, q);
-      result.parts.push_back({leaf, q, fraction});
+      result.contributions.push_back({leaf, q, fraction});
       sums[0] += fraction * volume;
       sums[1] += fraction * (1. - fraction) * volume;
     }
@@ -184,11 +184,11 @@ ChargeVolume charge_volume(const Charge<dim> &charge,
   }
   dealii::Utilities::MPI::sum(sums, mesh.communicator(), sums);
   result.total = sums[0];
-  const auto share = charge.share_within(mesh.coarse_mesh());
-  if (!share || !(sums[0] > 0.))
+  const auto fraction = charge.fraction_within(mesh.coarse_mesh());
+  if (!fraction || !(sums[0] > 0.))
     return result;
 
-  const double exact = *share * charge.volume();
+  const double exact = *fraction * charge.volume();
   const double missing = exact - sums[0];
   result.is_exact = true;
   // A surface along subcell faces leaves only round-off.
@@ -197,8 +197,9 @@ ChargeVolume charge_volume(const Charge<dim> &charge,
   const double lambda = missing / sums[1];
   if (!(std::abs(lambda) < 1.))
     throw NumericsError("The mesh cannot hold a charge of the wanted volume");
-  for (auto &part : result.parts)
-    part.fraction += lambda * part.fraction * (1. - part.fraction);
+  for (auto &contribution : result.contributions)
+    contribution.fraction +=
+      lambda * contribution.fraction * (1. - contribution.fraction);
   result.total = exact;
   return result;
 }

@@ -266,7 +266,7 @@ namespace
       const auto &box = mesh_.coarse_mesh();
       std::optional<double> part;
       if (box.is_axis_aligned())
-        part = profile_.part_within(box.lower_corner(), box.upper_corner());
+        part = profile_.fraction_within(box.lower_corner(), box.upper_corner());
       if (!part)
         return result;
       result.is_complete = true;
@@ -423,12 +423,13 @@ bool is_steep_in(const ProfileField<dim> &profile,
     whole.end[d] = 1.;
     part.end[d] = 1. / n_points;
   }
-  const double reach = 0.5 * leaf.extents.norm();
+  const double half_diagonal = 0.5 * leaf.extents.norm();
   dealii::Point<dim> middle;
   for (unsigned int d = 0; d < dim; ++d)
     middle[d] = 0.5;
   const auto around = profile.window(leaf.place(middle), edges_of(leaf, whole));
-  if (profile.is_beyond(around, reach) || profile.variation(around) <= steep)
+  if (profile.is_beyond(around, half_diagonal) ||
+      profile.variation(around) <= steep)
     return false;
   // Tests all subcells: their windows differ along and across the radius.
   const auto subcell = edges_of(leaf, part);

@@ -53,7 +53,7 @@ void BatchSweep<dim, Gas, Real>::bind(const unsigned int batch,
 {
   leaves_.bind(batch, stage);
   primitive_ = primitives_.batch(batch);
-  line_.bounds_velocity = stage.careful;
+  line_.bounds_velocity = stage.bound_velocity_slopes;
   line_.burn = leaves_.burn();
   line_.compression = nullptr;
   if (leaves_.needs_shear_factor())

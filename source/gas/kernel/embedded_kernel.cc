@@ -281,8 +281,8 @@ EmbeddedKernel<dim, Gas, Real>::wall_pressure(Values inside,
   auto right = to_face_state<dim>(gas_, image);
   if (burn_ != nullptr)
   {
-    burn_->template hold_back<dim>(progress, left);
-    burn_->template hold_back<dim>(progress, right);
+    burn_->template apply_burn_pressure<dim>(progress, left);
+    burn_->template apply_burn_pressure<dim>(progress, right);
   }
   return to_array<dim, Gas>(
     numerical_flux(scheme_.flux, left, right, Number(1.)))[C::momentum];

@@ -49,7 +49,7 @@ void FiniteVolumeHanging<dim, Gas, Real>::compute(
   HangingData<dim, Real> &hanging,
   const HangingOpenings<dim, Real> *openings)
 {
-  careful_ = stage.careful;
+  bounds_velocity_slopes_ = stage.bound_velocity_slopes;
   openings_ = openings;
   load(group);
   load_progress(group, stage);
@@ -57,7 +57,7 @@ void FiniteVolumeHanging<dim, Gas, Real>::compute(
     average_fine_side();
   else
     average_open_fine_side();
-  if (scheme_.linear)
+  if (scheme_.linear_reconstruction)
     limit_coarse_slopes();
   for (unsigned int part = 0; part < n_fine; ++part)
     part_fluxes(group, part);
@@ -283,7 +283,7 @@ void FiniteVolumeHanging<dim, Gas, Real>::limit_coarse_slopes()
       square += largest * largest;
     }
     Number good(1.);
-    if (careful_)
+    if (bounds_velocity_slopes_)
       good = energy_left<dim>(gas_, coarse, square);
     for (unsigned int corner = 0; corner < (1U << dim); ++corner)
     {
@@ -346,7 +346,7 @@ void FiniteVolumeHanging<dim, Gas, Real>::reconstruct(const unsigned int part,
     half[c] =
       limited_slope(scheme_.limiter, inner, Number(halo[c] - fine[c])) * 0.5;
   }
-  if (careful_)
+  if (bounds_velocity_slopes_)
     limit_velocity_slope<dim>(gas_, fine, half);
   for (unsigned int c = 0; c < nc; ++c)
     outside[c] += half[c];
@@ -368,7 +368,7 @@ void FiniteVolumeHanging<dim, Gas, Real>::part_fluxes(
     Values inside = coarse_[0][at];
     Values outside = fine_[part][0][q];
     fine_halo_[part][q] = inside;
-    if (scheme_.linear)
+    if (scheme_.linear_reconstruction)
       reconstruct(part, q, inside, outside);
     Values left, right;
     for (unsigned int c = 0; c < nc; ++c)
@@ -383,10 +383,10 @@ void FiniteVolumeHanging<dim, Gas, Real>::part_fluxes(
     {
       const Number &coarse = coarse_progress_[at];
       const Number &fine = fine_progress_[part][q];
-      burn_->template hold_back<dim>(coarse_is_left ? coarse : fine,
-                                     left_state);
-      burn_->template hold_back<dim>(coarse_is_left ? fine : coarse,
-                                     right_state);
+      burn_->template apply_burn_pressure<dim>(coarse_is_left ? coarse : fine,
+                                               left_state);
+      burn_->template apply_burn_pressure<dim>(coarse_is_left ? fine : coarse,
+                                               right_state);
     }
     const Values flux = to_array<dim, Gas>(
       numerical_flux(scheme_.flux, left_state, right_state, Number(1.)));

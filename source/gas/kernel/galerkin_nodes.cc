@@ -205,14 +205,14 @@ void GalerkinNodes<dim, n, Gas, LeafBase>::restore_positivity(
   theta = select_less(density, least, std::min(theta, one), one);
   scale_to_mean(average, theta, true);
 
-  const Number spare = spare_energy<dim>(gas_, average);
+  const Number spare = energy_above_cold_curve<dim>(gas_, average);
   theta = one;
   for (unsigned int q = 0; q < n_points; ++q)
   {
     Values u;
     for (unsigned int c = 0; c < nc; ++c)
       u[c] = conserved_[c][q];
-    const Number here = spare_energy<dim>(gas_, u);
+    const Number here = energy_above_cold_curve<dim>(gas_, u);
     const Number goal = spare * (1. - margin);
     theta = std::min(
       theta, select_less(here, spare * margin, goal / (spare - here), one));

@@ -33,7 +33,7 @@ void LeafKernel<dim, Gas, Real>::bind(const unsigned int batch,
   batch_ = batch;
   time_ = stage.time;
   in_ = stage.in;
-  careful_ = stage.careful;
+  bounds_velocity_slopes_ = stage.bound_velocity_slopes;
   sensor_.load(stage.sensor_in + batch * width);
   Number any = sensor_;
   for (unsigned int face = 0; face < 2 * dim; ++face)
@@ -199,8 +199,9 @@ void LeafKernel<dim, Gas, Real>::fill_boundary(const SpecialFace &special,
       position = positions_[q % layout_.n];
       q /= layout_.n;
     }
-    point[d] = mesh_.origins(leaf / W)[d][leaf % W] +
-               mesh_.extents(leaf / W)[d][leaf % W] * position;
+    point[d] =
+      mesh_.origins(leaf / double_width)[d][leaf % double_width] +
+      mesh_.extents(leaf / double_width)[d][leaf % double_width] * position;
   }
 
   GasState<dim> state;

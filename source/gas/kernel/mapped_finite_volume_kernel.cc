@@ -52,7 +52,7 @@ void MappedFiniteVolumeKernel<dim, Gas>::update(const unsigned int batch,
     store_sensors(stage);
   }
   else
-    Base::sensor_.store(stage.sensor_out + batch * W);
+    Base::sensor_.store(stage.sensor_out + batch * double_width);
 }
 
 
@@ -130,7 +130,7 @@ void MappedFiniteVolumeKernel<dim, Gas>::reconstruct(
   for (int i = -1; i <= n; ++i)
   {
     Values half = {}, inner = {};
-    for (unsigned int c = 0; c < nc && scheme_.linear; ++c)
+    for (unsigned int c = 0; c < nc && scheme_.linear_reconstruction; ++c)
     {
       const Number backward = cell(i)[c] - cell(i - 1)[c];
       const Number forward = cell(i + 1)[c] - cell(i)[c];
@@ -139,7 +139,7 @@ void MappedFiniteVolumeKernel<dim, Gas>::reconstruct(
         inner[c] = (backward + forward) *
                    factor_[c * layout_.n_points + first + i * stride] * 0.25;
     }
-    if (Base::careful_)
+    if (Base::bounds_velocity_slopes_)
     {
       limit_velocity_slope<dim>(gas_, cell(i), half);
       limit_velocity_slope<dim>(gas_, cell(i), inner);
@@ -245,9 +245,9 @@ void MappedFiniteVolumeKernel<dim, Gas>::finish(const Stage &stage)
   const unsigned int n_filled = mesh_.n_filled_lanes(batch_);
   for (unsigned int lane = 0; lane < n_filled; ++lane)
     if (!(smallest[lane] > 0.))
-      *stage.unphysical_leaf = batch_ * W + lane;
-  for (unsigned int lane = n_filled; lane < W; ++lane)
-    for (std::size_t i = 0; i < layout_.batch_size(); i += W)
+      *stage.unphysical_leaf = batch_ * double_width + lane;
+  for (unsigned int lane = n_filled; lane < double_width; ++lane)
+    for (std::size_t i = 0; i < layout_.batch_size(); i += double_width)
       out[i + lane] = out[i];
 }
 

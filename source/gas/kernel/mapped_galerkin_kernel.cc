@@ -219,9 +219,9 @@ void MappedGalerkinKernel<dim, n, Gas>::subcell_terms(
 template <int dim, int n, typename Gas>
 void MappedGalerkinKernel<dim, n, Gas>::store_sensors(const Stage &stage)
 {
-  Base::blending_factor().store(stage.sensor_out + batch_ * W);
+  Base::blending_factor().store(stage.sensor_out + batch_ * double_width);
   if (stage.signal_rate != nullptr)
-    largest_signal_rate().store(stage.signal_rate + batch_ * W);
+    largest_signal_rate().store(stage.signal_rate + batch_ * double_width);
 }
 
 

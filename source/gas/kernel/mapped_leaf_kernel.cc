@@ -40,11 +40,11 @@ void MappedLeafKernel<dim, Gas>::fill_neighbors(const unsigned int face)
   const unsigned int n = layout_.n;
   const auto &neighbors = mesh_.neighbors(batch_, face);
   const auto &matches = mesh_.matches(batch_, face);
-  std::array<unsigned int, W> offsets;
+  std::array<unsigned int, double_width> offsets;
   for (unsigned int line = 0; line < layout_.n_face_points; ++line)
     for (unsigned int depth = 0; depth < ghosts; ++depth)
     {
-      for (unsigned int lane = 0; lane < W; ++lane)
+      for (unsigned int lane = 0; lane < double_width; ++lane)
       {
         const unsigned int q =
           matched_face_point(matches[lane].orientation, line % n, line / n, n);
@@ -212,7 +212,7 @@ MappedLeafKernel<dim, Gas>::face_flux(const unsigned int direction,
   auto left_state = to_face_state<dim>(gas_, left);
   auto right_state = to_face_state<dim>(gas_, right);
   if (Base::burn_ != nullptr)
-    Base::hold_back(layer, left_state, right_state);
+    Base::apply_burn_pressure(layer, left_state, right_state);
   const bool is_inside = layer > 0 && layer < layout_.n;
   Number theta(1.);
   if (Base::needs_shear_factor())

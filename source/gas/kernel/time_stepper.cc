@@ -29,7 +29,7 @@ void TimeStepper<dim>::reinit(GasField &field)
   });
   compute_sensors(field);
   quiet_leaves_.reinit(field, operator_.driven_leaves());
-  for (const unsigned int batch : operator_.still_batches())
+  for (const unsigned int batch : operator_.closed_batches())
     field.copy_to_stages(batch);
 }
 
@@ -50,7 +50,7 @@ void TimeStepper<dim>::compute_sensors(GasField &field)
     using Real = std::decay_t<decltype(real)>;
     BasicStage<Real> stage;
     stage.out = field.state<Real>();
-    stage.sensor_out = field.sensor<Real>();
+    stage.sensor_out = field.shock_indicator<Real>();
     stage.signal_rate = signal_rates<Real>().data();
     stage.burn = field.burn();
     stage.end_time = field.time();
@@ -78,14 +78,15 @@ TimeStepper<dim>::largest_rates(const std::vector<double> &size_ratios) const
 
 template <int dim>
 template <typename Real>
-std::optional<unsigned int> TimeStepper<dim>::try_step(GasField &field,
-                                                       const double time,
-                                                       const double step,
-                                                       const bool careful)
+std::optional<unsigned int>
+TimeStepper<dim>::try_step(GasField &field,
+                           const double time,
+                           const double step,
+                           const bool bound_velocity_slopes)
 {
   const auto &stages = scheme_.time_stepping.stages;
   Real *in = field.state<Real>();
-  Real *sensor = field.sensor<Real>();
+  Real *sensor = field.shock_indicator<Real>();
   unsigned int target = 0;
   unphysical_leaf_ = no_leaf;
   wall_force_.fill(0.);
@@ -106,10 +107,10 @@ std::optional<unsigned int> TimeStepper<dim>::try_step(GasField &field,
     stage.end_time = time + step;
     stage.burn = field.burn();
     stage.sensor_in = sensor;
-    stage.sensor_out = field.stage_sensor<Real>(target);
+    stage.sensor_out = field.stage_shock_indicator<Real>(target);
     stage.signal_rate =
       s + 1 == stages.size() ? signal_rates<Real>().data() : nullptr;
-    stage.careful = careful;
+    stage.bound_velocity_slopes = bound_velocity_slopes;
     stage.wall_force = &wall_force_;
     for (unsigned int later = s; later < stages.size(); ++later)
       stage.weight *= 1. - stages[later].initial_weight;
@@ -121,7 +122,7 @@ std::optional<unsigned int> TimeStepper<dim>::try_step(GasField &field,
       operator_.redistribute(stage, quiet_leaves_);
     }
     in = field.stage<Real>(target);
-    sensor = field.stage_sensor<Real>(target);
+    sensor = field.stage_shock_indicator<Real>(target);
   }
   // One agreement for all stages: later ones of a bad step do no harm.
   const bool is_bad = unphysical_leaf_ != no_leaf;
@@ -135,10 +136,11 @@ template <int dim>
 typename TimeStepper<dim>::Result
 TimeStepper<dim>::advance(GasField &field, const double time, const double step)
 {
-  const auto try_once = [&](const double length, const bool careful) {
+  const auto try_once = [&](const double length,
+                            const bool bound_velocity_slopes) {
     return visit_precision(precision_, [&](const auto real) {
       return try_step<std::decay_t<decltype(real)>>(
-        field, time, length, careful);
+        field, time, length, bound_velocity_slopes);
     });
   };
   Result result;
@@ -147,8 +149,8 @@ TimeStepper<dim>::advance(GasField &field, const double time, const double step)
   {
     // First as accurate as the scheme is, then bounded, then shorter.
     auto target = try_once(result.step, false);
-    result.careful = !target && can_be_careful();
-    if (result.careful)
+    result.bound_velocity_slopes = !target && can_bound_velocity_slopes();
+    if (result.bound_velocity_slopes)
       target = try_once(result.step, true);
     if (target)
     {

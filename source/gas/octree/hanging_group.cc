@@ -55,8 +55,8 @@ double relative_inner_radius(const LeafMesh<dim> &mesh,
   if (radial_exponent(mesh.coarse_mesh().geometry()) == 0 ||
       face.coarse_face / 2 == 0 || leaf >= mesh.n_owned())
     return std::numeric_limits<double>::infinity();
-  return mesh.origins(leaf / W)[0][leaf % W] /
-         mesh.extents(leaf / W)[0][leaf % W];
+  return mesh.origins(leaf / double_width)[0][leaf % double_width] /
+         mesh.extents(leaf / double_width)[0][leaf % double_width];
 }
 
 

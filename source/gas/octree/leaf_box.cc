@@ -83,8 +83,8 @@ LeafBox<dim> leaf_box(const LeafMesh<dim> &mesh, const unsigned int leaf)
   }
   for (unsigned int d = 0; d < dim; ++d)
   {
-    box.origin[d] = mesh.origins(leaf / W)[d][leaf % W];
-    box.extents[d] = mesh.extents(leaf / W)[d][leaf % W];
+    box.origin[d] = mesh.origins(leaf / double_width)[d][leaf % double_width];
+    box.extents[d] = mesh.extents(leaf / double_width)[d][leaf % double_width];
   }
   return box;
 }

@@ -293,7 +293,7 @@ template <int dim>
 void LeafMesh<dim>::set_geometry()
 {
   const bool is_single = precision_ == Precision::single_precision;
-  extents_.resize(first_ghost() / W);
+  extents_.resize(first_ghost() / double_width);
   origins_.resize(extents_.size());
   single_extents_.resize(is_single ? n_batches() : 0);
   for (unsigned int leaf = 0; leaf < first_ghost(); ++leaf)
@@ -303,8 +303,8 @@ void LeafMesh<dim>::set_geometry()
     const auto &high = cell->vertex((1U << dim) - 1);
     for (unsigned int d = 0; d < dim; ++d)
     {
-      origins_[leaf / W][d][leaf % W] = low[d];
-      extents_[leaf / W][d][leaf % W] = high[d] - low[d];
+      origins_[leaf / double_width][d][leaf % double_width] = low[d];
+      extents_[leaf / double_width][d][leaf % double_width] = high[d] - low[d];
       if (is_single)
         single_extents_[leaf / width_][d][leaf % width_] = high[d] - low[d];
     }

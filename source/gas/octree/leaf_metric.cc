@@ -65,10 +65,10 @@ void LeafMetric<dim>::place_nodes(const LeafMesh<dim> &mesh,
                                   const unsigned int batch)
 {
   // Coordinates relative to vertex 0 avoid cancellation far from the origin.
-  for (unsigned int lane = 0; lane < W; ++lane)
+  for (unsigned int lane = 0; lane < double_width; ++lane)
   {
     const auto &cell =
-      mesh.cell(std::min(batch * W + lane, mesh.n_owned() - 1));
+      mesh.cell(std::min(batch * double_width + lane, mesh.n_owned() - 1));
     for (unsigned int v = 0; v < vertices_.size(); ++v)
       for (unsigned int d = 0; d < dim; ++d)
         vertices_[v][d][lane] = cell->vertex(v)[d] - cell->vertex(0)[d];

@@ -157,7 +157,7 @@ void Scheme::parse_parameters(ParameterHandler &prm, const unsigned int dim)
   const Section section(prm, "Method");
   kind = prm.get("Scheme") == "finite volume" ? Kind::finite_volume
                                               : Kind::discontinuous_galerkin;
-  linear = prm.get("Reconstruction") == "linear";
+  linear_reconstruction = prm.get("Reconstruction") == "linear";
   limiter = parse_slope_limiter(prm.get("Limiter"));
   gradient_limiter.reset();
   if (prm.get("Gradient limiter") != "none")
@@ -178,7 +178,7 @@ void Scheme::parse_parameters(ParameterHandler &prm, const unsigned int dim)
     throw InputError("Method/Precision = single works in 3-D; with "
                      "Domain/Dimension = " +
                      std::to_string(dim) + " use double");
-  if (kind == Kind::finite_volume && linear && n_points == 1)
+  if (kind == Kind::finite_volume && linear_reconstruction && n_points == 1)
     throw InputError("Method/Reconstruction = linear needs Method/Subcells "
                      "of 2 or more (8 is a good number in " +
                      std::to_string(dim) +

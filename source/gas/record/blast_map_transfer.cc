@@ -53,20 +53,20 @@ BlastMapTransfer<dim>::BlastMapTransfer(const LeafPoints<dim> &points)
       double largest = 0.;
       for (unsigned int to = 0; to < n_points_; ++to)
       {
-        double part = 1., own = 1.;
+        double fraction = 1., own = 1.;
         for (unsigned int d = 0; d < dim; ++d)
         {
           const unsigned int i = points.indices(q)[d];
           const unsigned int j = points.indices(to)[d];
-          part *= covered((child >> d) & 1U, i, j);
+          fraction *= covered((child >> d) & 1U, i, j);
           own *= points.subcell_end(j) - points.subcell_begin(j);
         }
-        if (part == 0.)
+        if (fraction == 0.)
           continue;
-        contributions_[to].push_back({child, q, part});
-        if (part * own > largest)
+        contributions_[to].push_back({child, q, fraction});
+        if (fraction * own > largest)
         {
-          largest = part * own;
+          largest = fraction * own;
           around = to;
         }
       }
@@ -105,8 +105,8 @@ BlastMapTransfer<dim>::merged(const std::vector<std::vector<float>> &children,
     result.arrival = earlier(result.arrival, one.arrival);
     result.end = std::max(result.end, one.end);
     is_open = is_open || (one.peak > 0.F && one.end == 0.F);
-    running += item.part * one.running;
-    impulse += item.part * (one.end > 0.F ? one.impulse : one.running);
+    running += item.fraction * one.running;
+    impulse += item.fraction * (one.end > 0.F ? one.impulse : one.running);
   }
   if (is_open)
     result.end = 0.F;

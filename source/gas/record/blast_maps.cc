@@ -51,10 +51,11 @@ void BlastMaps<dim>::reinit(const unsigned int n_points,
                             const unsigned int n_leaves)
 {
   n_points_ = n_points;
-  const std::size_t n_groups = (n_leaves + W - 1) / W;
+  const std::size_t n_groups = (n_leaves + double_width - 1) / double_width;
   values_.clear();
   // A rank without leaves keeps one group, so that it knows of its maps.
-  values_.resize(std::max<std::size_t>(n_groups, 1) * W * n_leaf_values());
+  values_.resize(std::max<std::size_t>(n_groups, 1) * double_width *
+                 n_leaf_values());
 }
 
 
@@ -78,8 +79,8 @@ void BlastMaps<dim>::begin(const GasSnapshot<dim> &gas)
 
 
 template <int dim>
-void BlastMaps<dim>::go_on_from(const KnownRecord<dim> &record,
-                                const GasSnapshot<dim> &gas)
+void BlastMaps<dim>::inherit(const KnownRecord<dim> &record,
+                             const GasSnapshot<dim> &gas)
 {
   for (unsigned int leaf = 0; !empty() && leaf < gas.mesh.n_owned(); ++leaf)
   {
@@ -106,19 +107,20 @@ void BlastMaps<dim>::update_group(const unsigned int group,
   {
     std::array<Lanes<double>, nc> u;
     for (unsigned int c = 0; c < nc; ++c)
-      u[c] = field.values(group * W, c, q);
+      u[c] = field.values(group * double_width, c, q);
     Lanes<double> pressure =
       to_primitive<dim>(model, u)[Component<dim>::energy];
-    for (unsigned int lane = 0; lane < W && field.burn() != nullptr; ++lane)
+    for (unsigned int lane = 0; lane < double_width && field.burn() != nullptr;
+         ++lane)
       pressure[lane] = field.exerted_pressure(
-        pressure[lane], field.burned(group * W + lane, q));
-    std::array<float, W> overpressure;
-    for (unsigned int lane = 0; lane < W; ++lane)
+        pressure[lane], field.burned(group * double_width + lane, q));
+    std::array<float, double_width> overpressure;
+    for (unsigned int lane = 0; lane < double_width; ++lane)
       overpressure[lane] = static_cast<float>(pressure[lane] - ambient_);
 
-    float *first = &values_[position(group * W, 0, q)];
-    const std::size_t stride = std::size_t(n_points_) * W;
-    for (unsigned int lane = 0; lane < W; ++lane)
+    float *first = &values_[position(group * double_width, 0, q)];
+    const std::size_t stride = std::size_t(n_points_) * double_width;
+    for (unsigned int lane = 0; lane < double_width; ++lane)
     {
       Record record = {first[lane],
                        first[lane + stride],
@@ -145,7 +147,7 @@ void BlastMaps<dim>::add_step(const GasSnapshot<dim> &gas)
   // Quiet leaves hold the ambient state of the run, which need not be that of
   // the maps: then every leaf counts.
   const auto is_passed_over = [&](const unsigned int first) {
-    const unsigned int end = std::min(first + W, gas.mesh.n_owned());
+    const unsigned int end = std::min(first + double_width, gas.mesh.n_owned());
     for (unsigned int leaf = first; leaf < end; ++leaf)
       if (!gas.quiet_leaves.is_quiet(leaf))
         return false;
@@ -158,9 +160,10 @@ void BlastMaps<dim>::add_step(const GasSnapshot<dim> &gas)
   };
   std::visit(
     [&](const auto &model) {
-      for (unsigned int leaf = 0; leaf < gas.mesh.n_owned(); leaf += W)
+      for (unsigned int leaf = 0; leaf < gas.mesh.n_owned();
+           leaf += double_width)
         if (!is_passed_over(leaf))
-          update_group(leaf / W, gas, model);
+          update_group(leaf / double_width, gas, model);
     },
     gas.scene.material.model());
 }

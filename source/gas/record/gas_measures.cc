@@ -128,7 +128,8 @@ namespace
                              const LeafPoints<dim> &points)
   {
     Lanes<double> volumes(0.);
-    for (unsigned int lane = 0; lane < W && first + lane < mesh.n_owned();
+    for (unsigned int lane = 0;
+         lane < double_width && first + lane < mesh.n_owned();
          ++lane)
     {
       const LeafBox<dim> box = leaf_box(mesh, first + lane);
@@ -168,12 +169,13 @@ namespace
                       : is_plane ? whole * points.relative_volume(q)
                                  : volumes_from(first_leaf, q, mesh, points);
       Number is_gas(1.);
-      for (unsigned int lane = 0; lane < W && field.open_fractions() != nullptr;
+      for (unsigned int lane = 0;
+           lane < double_width && field.open_fractions() != nullptr;
            ++lane)
       {
-        const double part = field.open_fraction(first_leaf + lane, q);
-        volume[lane] *= part;
-        is_gas[lane] = part;
+        const double open_fraction = field.open_fraction(first_leaf + lane, q);
+        volume[lane] *= open_fraction;
+        is_gas[lane] = open_fraction;
       }
       std::array<Number, nc> u;
       for (unsigned int c = 0; c < nc; ++c)
@@ -182,7 +184,9 @@ namespace
         sums[c] += volume * u[c];
       }
       auto p = to_primitive<dim>(gas, u);
-      for (unsigned int lane = 0; lane < W && field.burn() != nullptr; ++lane)
+      for (unsigned int lane = 0;
+           lane < double_width && field.burn() != nullptr;
+           ++lane)
         p[C::energy][lane] = field.exerted_pressure(
           p[C::energy][lane], field.burned(first_leaf + lane, q));
       for (unsigned int d = 0; d < dim; ++d)
@@ -195,7 +199,8 @@ namespace
       largest[2] = std::max(largest[2], if_gas(Number(-p[C::energy])));
       largest[3] = std::max(largest[3], if_gas(p[C::energy]));
     }
-    for (unsigned int lane = 0; lane < W && first_leaf + lane < mesh.n_owned();
+    for (unsigned int lane = 0;
+         lane < double_width && first_leaf + lane < mesh.n_owned();
          ++lane)
     {
       for (unsigned int c = 0; c <= nc; ++c)
@@ -224,19 +229,19 @@ std::vector<NamedValue> gas_totals(const LeafMesh<dim> &mesh,
     metric.emplace(field.layout().n);
   std::visit(
     [&](const auto &gas) {
-      for (unsigned int leaf = 0; leaf < mesh.n_owned(); leaf += W)
+      for (unsigned int leaf = 0; leaf < mesh.n_owned(); leaf += double_width)
       {
         const LeafMetric<std::max(dim, 2)> *shapes = nullptr;
         if constexpr (dim > 1)
         {
           if (metric)
           {
-            metric->reinit(mesh, leaf / W);
+            metric->reinit(mesh, leaf / double_width);
             shapes = &*metric;
           }
           if (lobatto_metric)
           {
-            lobatto_metric->reinit(mesh, leaf / W);
+            lobatto_metric->reinit(mesh, leaf / double_width);
             shapes = &*lobatto_metric;
           }
         }

@@ -151,7 +151,7 @@ void LoadGauges::add_place(const std::string &name,
 
 void LoadGauges::find_patch(const unsigned int gauge,
                             const std::vector<double> &geometry,
-                            std::vector<Part> &parts) const
+                            std::vector<Contribution> &contributions) const
 {
   const Place &place = places_[gauge];
   double sum = 0., nearest_distance = std::numeric_limits<double>::max();
@@ -172,17 +172,17 @@ void LoadGauges::find_patch(const unsigned int gauge,
     }
     if (distance <= radius_)
     {
-      parts.push_back({i, gauge, area.norm()});
+      contributions.push_back({i, gauge, area.norm()});
       sum += area.norm();
     }
   }
-  if (parts.empty() && !geometry.empty())
+  if (contributions.empty() && !geometry.empty())
   {
-    parts.push_back({nearest_facet, gauge, 1.});
+    contributions.push_back({nearest_facet, gauge, 1.});
     sum = 1.;
   }
-  for (Part &part : parts)
-    part.weight /= sum;
+  for (Contribution &contribution : contributions)
+    contribution.weight /= sum;
 }
 
 
@@ -192,16 +192,16 @@ void LoadGauges::reinit(const std::vector<double> &geometry,
   std::vector<char> is_owned(geometry.size() / n_geometry, 0);
   for (const std::size_t facet : owned)
     is_owned[facet] = 1;
-  parts_.clear();
+  contributions_.clear();
   patch_sizes_.clear();
   for (unsigned int gauge = 0; gauge < places_.size(); ++gauge)
   {
-    std::vector<Part> patch;
+    std::vector<Contribution> patch;
     find_patch(gauge, geometry, patch);
     patch_sizes_.push_back(patch.size());
-    for (const Part &part : patch)
-      if (is_owned[part.facet])
-        parts_.push_back(part);
+    for (const Contribution &contribution : patch)
+      if (is_owned[contribution.facet])
+        contributions_.push_back(contribution);
   }
 }
 

@@ -58,7 +58,7 @@ void OpenSides<dim>::add_step(const GasSnapshot<dim> &gas)
 
 
 template <int dim>
-void OpenSides<dim>::share()
+void OpenSides<dim>::reduce_over_ranks()
 {
   for (double &time : arrivals_)
     time = dealii::Utilities::MPI::min(time, communicator_);

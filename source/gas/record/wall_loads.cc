@@ -175,7 +175,7 @@ bool WallLoads<dim>::loses_peaks(const double time, const double step)
     return false;
   // Half of what may be lost, for the round-off of floats and slow rises that
   // are cut short.
-  const double part = 1. - 0.5 * largest_loss_;
+  const double threshold = 1. - 0.5 * largest_loss_;
   const double duration = time - totals_.sample_begin;
   double loses = 0.;
   for (std::size_t i = 0; i < pressures_.size(); ++i)
@@ -183,13 +183,13 @@ bool WallLoads<dim>::loses_peaks(const double time, const double step)
     const double now = pressures_[i];
     const Record &record = records_[facets_.owned()[i].number];
     const double peak = std::max(now, record.blast.peak);
-    if (peak <= counted_part * totals_.highest ||
-        record.sample_peak >= part * peak)
+    if (peak <= counted_fraction * totals_.highest ||
+        record.sample_peak >= threshold * peak)
       continue;
     // The peak is in the sample that is going on, or comes with this step.
     const double before = duration > step ? record.sum / (duration - step) : 0.;
     const double after = (record.sum + now * step) / duration;
-    if (after < part * peak && std::max(before, now) >= part * peak)
+    if (after < threshold * peak && std::max(before, now) >= threshold * peak)
       loses = 1.;
   }
   const double highest =
@@ -279,7 +279,7 @@ void WallLoads<dim>::end_sample(const double time)
     std::lround(totals_.n_times + times_.size()) % io::LoadFile::chunk_times ==
     0;
   if (fills_chunks && samples_.size() * sizeof(float) > enough_to_write)
-    share();
+    reduce_over_ranks();
 }
 
 
@@ -290,14 +290,14 @@ void WallLoads<dim>::finish()
     totals_.sample_begin = 0.;
   if (active_ && totals_.time > totals_.sample_begin)
     end_sample(totals_.time);
-  share();
+  reduce_over_ranks();
   if (active_ && dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
     gauges_.write_injury();
 }
 
 
 template <int dim>
-void WallLoads<dim>::share()
+void WallLoads<dim>::reduce_over_ranks()
 {
   if (!active_)
     return;
@@ -368,7 +368,7 @@ void WallLoads<dim>::write_measures()
   }
   totals_.peak_loss = 0.;
   for (const Record &record : records_)
-    if (record.blast.peak > counted_part * highest)
+    if (record.blast.peak > counted_fraction * highest)
       totals_.peak_loss = std::max(totals_.peak_loss,
                                    1. - record.sample_peak / record.blast.peak);
   io::LoadFile file(file_);
@@ -376,14 +376,14 @@ void WallLoads<dim>::write_measures()
   for (unsigned int k = 0; k < 4; ++k)
     file.write(names[k], values[k]);
   io::LoadFile::Numbers numbers = {{"ambient_pressure_Pa", ambient_}};
-  for (const NamedValue &value : audit())
+  for (const NamedValue &value : check_values())
     numbers.emplace_back(value.name, value.value);
   file.write(numbers);
 }
 
 
 template <int dim>
-std::vector<NamedValue> WallLoads<dim>::audit() const
+std::vector<NamedValue> WallLoads<dim>::check_values() const
 {
   const auto relative = [](const double part, const double whole) {
     return whole > 0. ? part / whole : 0.;

@@ -113,13 +113,14 @@ namespace
   template <int dim>
   double n_leaves_in(const RigidBody &body,
                      const LeafBox<dim> &box,
-                     const int halvings)
+                     const int level_above_initial)
   {
-    if (body.layers_to(box.origin,
-                       dealii::Point<dim>(box.origin + box.extents),
-                       halvings) > RigidBody::at_body)
-      return std::pow(2., dim * std::max(0, -halvings));
-    if (halvings >=
+    if (body.leaf_diagonals_to(box.origin,
+                               dealii::Point<dim>(box.origin + box.extents),
+                               level_above_initial) >
+        RigidBody::max_diagonals_at_body)
+      return std::pow(2., dim * std::max(0, -level_above_initial));
+    if (level_above_initial >=
         static_cast<int>(body.levels(
           box.origin, dealii::Point<dim>(box.origin + box.extents))))
       return 1.;
@@ -132,7 +133,7 @@ namespace
         child.extents[d] *= 0.5;
         child.origin[d] += ((c >> d) & 1U) * child.extents[d];
       }
-      result += n_leaves_in(body, child, halvings + 1);
+      result += n_leaves_in(body, child, level_above_initial + 1);
     }
     return result;
   }
@@ -159,16 +160,17 @@ namespace
       }
       return box;
     };
-    // The room that layers_to() wants between a coarse leaf and the surface, if
-    // the whole block has it: distances differ by no more than places do.
-    const double room =
+    // The room that leaf_diagonals_to() wants between a coarse leaf and the
+    // surface, if the whole block has it: distances differ by no more than
+    // places do.
+    const double margin =
       std::ldexp(edges.norm(), -refinement - static_cast<int>(body.levels())) *
-      RigidBody::at_body;
+      RigidBody::max_diagonals_at_body;
     const auto is_far = [&](const LeafBlock<dim> &block) {
       const LeafBox<dim> box = box_of(block);
       return std::abs(body.value_in_leaf(
                dealii::Point<dim>(box.origin + 0.5 * box.extents))) >
-             0.5 * box.extents.norm() + room;
+             0.5 * box.extents.norm() + margin;
     };
     return sum_over_leaves<dim>(
       all, is_far, std::pow(2., dim * refinement), [&](const auto &one) {
@@ -201,7 +203,7 @@ CostEstimate estimate_cost(const GasScene<dim> &scene,
       result.cells * scene.layout.n_points * sizeof(BlastRecord<float>);
 
   const unsigned int levels = std::max(
-    adaptation.active ? adaptation.most_level : mesh.initial_refinement(),
+    adaptation.active ? adaptation.max_level : mesh.initial_refinement(),
     mesh.initial_refinement() +
       (scene.body.empty() ? 0 : scene.body.most_levels()));
   result.steps = std::ceil(scene.end_time * coarse.rate * std::pow(2., levels) /

@@ -116,7 +116,7 @@ std::vector<std::string> GasCore<dim>::set_up()
   create_octree();
   time_ = scene_.initial_state.time();
   if (scene_.initial_state.profile() != nullptr)
-    go_on_burning();
+    inherit_afterburn();
   refine_octree();
   if (adaptation_parameters_.active)
     fit_mesh_to_initial_state();
@@ -126,14 +126,14 @@ std::vector<std::string> GasCore<dim>::set_up()
 
 
 template <int dim>
-void GasCore<dim>::go_on_burning()
+void GasCore<dim>::inherit_afterburn()
 {
   const ProfileField<dim> &profile = *scene_.initial_state.profile();
-  const auto part = profile.part_within(scene_.coarse_mesh.lower_corner(),
-                                        scene_.coarse_mesh.upper_corner());
+  const auto fraction = profile.fraction_within(
+    scene_.coarse_mesh.lower_corner(), scene_.coarse_mesh.upper_corner());
   const auto &data = profile.profile().data();
-  afterburn_.go_on_from(data.afterburn_fraction,
-                        part.value_or(1.) * data.afterburn_released);
+  afterburn_.set_released(data.afterburn_fraction,
+                          fraction.value_or(1.) * data.afterburn_released);
 }
 
 
@@ -145,7 +145,7 @@ void GasCore<dim>::fit_mesh_to_initial_state()
   }))
     ;
   // The sensor then sees what distances alone cannot tell.
-  for (unsigned int level = 0; level < adaptation_parameters_.most_level;
+  for (unsigned int level = 0; level < adaptation_parameters_.max_level;
        ++level)
   {
     set_initial_state(true);
@@ -221,9 +221,9 @@ StepReport GasCore<dim>::advance(const double largest_step)
   ++n_steps_;
   last_step_ = result.step;
   wall_force_ = result.wall_force;
-  n_careful_steps_ += result.careful ? 1. : 0.;
+  n_bounded_steps_ += result.bound_velocity_slopes ? 1. : 0.;
   count_work(quiet_leaves_->n_possible() - n_before, result.step / stable);
-  adaptation_->add_step(rates.fronts / rates.all);
+  adaptation_->add_step(rates.front_rate / rates.all);
   update_burn();
   if (afterburn_.release(
         time_, result.step, mesh_, scene_.points, scene_.material, field_))
@@ -242,12 +242,12 @@ StepReport GasCore<dim>::advance(const double largest_step)
 
 
 template <int dim>
-void GasCore<dim>::count_work(const double n_computed, const double part)
+void GasCore<dim>::count_work(const double n_computed, const double fraction)
 {
-  constexpr double memory = 0.99;
+  constexpr double decay = 0.99;
   const double n_stages = scene_.scheme.time_stepping.stages.size();
-  n_made_ = memory * n_made_ + n_computed;
-  n_needed_ = memory * n_needed_ + part * n_stages * mesh_.n_owned();
+  n_made_ = decay * n_made_ + n_computed;
+  n_needed_ = decay * n_needed_ + fraction * n_stages * mesh_.n_owned();
 }
 
 
@@ -387,18 +387,18 @@ std::vector<NamedValue> GasCore<dim>::measures() const
     troubled += field_.sensor_of(leaf) > 0. ? 1. : 0.;
   troubled = dealii::Utilities::MPI::sum(troubled, mesh_.communicator());
   return {{"troubled_leaves", "-", troubled / mesh_.n_global()},
-          {"careful_steps", "-", n_careful_steps_},
+          {"careful_steps", "-", n_bounded_steps_},
           {"skipped_updates", "-", skipped_updates()}};
 }
 
 
 template <int dim>
-dealii::Tensor<1, dim> GasCore<dim>::smallest_cell() const
+dealii::Tensor<1, dim> GasCore<dim>::smallest_subcell() const
 {
   const CoarseMesh<dim> &mesh = scene_.coarse_mesh;
   dealii::Tensor<1, dim> result = mesh.upper_corner() - mesh.lower_corner();
   const unsigned int level = adaptation_parameters_.active
-                               ? adaptation_parameters_.most_level
+                               ? adaptation_parameters_.max_level
                                : mesh.initial_refinement();
   for (unsigned int d = 0; d < dim; ++d)
     result[d] /= mesh.coarse_cells(d) * std::pow(2., level) * scene_.layout.n;

@@ -106,7 +106,7 @@ void GasSimulation<dim>::setup()
   });
   if (const auto *profile = scene_.initial_state.profile())
     recorders_.for_each(
-      [&](auto &recorder) { recorder.go_on_from(records_of(*profile), gas); });
+      [&](auto &recorder) { recorder.inherit(records_of(*profile), gas); });
 }
 
 
@@ -202,7 +202,7 @@ template <int dim>
 void GasSimulation<dim>::save(const std::string &folder)
 {
   // After what the ranks do together: one that cannot write lets none wait.
-  recorders_.for_each([](auto &recorder) { recorder.share(); });
+  recorders_.for_each([](auto &recorder) { recorder.reduce_over_ranks(); });
   save_leaves(core_.mesh(),
               core_.field(),
               folder,

@@ -82,11 +82,11 @@ bool varies_in_leaf(const GasScene<dim> &scene,
   if (const auto *profile = scene.initial_state.profile())
     return is_steep_in(*profile, box, scene.layout.n);
   const dealii::Point<dim> centre = centre_of(box);
-  const double reach = 0.5 * box.extents.norm() * (1. + 1e-10);
-  if (scene.charges.signed_distance(centre) < reach)
+  const double half_diagonal = 0.5 * box.extents.norm() * (1. + 1e-10);
+  if (scene.charges.signed_distance(centre) < half_diagonal)
     return true;
   const double distance = scene.initial_state.distance_to_feature(centre);
-  return distance > 0. && distance < reach;
+  return distance > 0. && distance < half_diagonal;
 }
 
 

@@ -87,7 +87,7 @@ std::vector<Assumption> ModellingPlan<dim>::items() const
                       unknown,
                       false,
                       "First stage/Kind"});
-  if (!std::isnan(non_ideal_part))
+  if (!std::isnan(non_ideal_fraction))
     result.push_back({"equation_of_state",
                       "JWL for products",
                       "part of their pressure that an ideal gas would miss",
@@ -170,7 +170,7 @@ double ModellingPlan<dim>::expected_end_of_symmetry() const
 
 
 template <int dim>
-double ModellingPlan<dim>::measured_return(const Findings &findings) const
+double ModellingPlan<dim>::measured_return(const Measurements &measured) const
 {
   // Back from the side it is a weak wave.
   const double sound_speed =
@@ -181,7 +181,7 @@ double ModellingPlan<dim>::measured_return(const Findings &findings) const
     {
       const auto [whole, straight] = reflected_path(side, probe);
       const double reached =
-        std::min(findings.side_arrivals[side], findings.time);
+        std::min(measured.side_arrivals[side], measured.time);
       first = std::min(first, reached + (whole - straight) / sound_speed);
     }
   return first;
@@ -189,7 +189,7 @@ double ModellingPlan<dim>::measured_return(const Findings &findings) const
 
 
 template <int dim>
-double ModellingPlan<dim>::expected_quiet_part() const
+double ModellingPlan<dim>::expected_quiet_fraction() const
 {
   const ExpectedBlast blast(energy, ambient.pressure, ambient.density);
   const unsigned int n = dim == 3 ? 12 : 40;
@@ -225,13 +225,13 @@ std::vector<Assumption> ModellingPlan<dim>::plan() const
   }
   for (Assumption &item : result)
     if (item.name == "viscosity")
-      item.value = diffusion_length(diffusivity, end_time) / smallest_cell;
+      item.value = diffusion_length(diffusivity, end_time) / smallest_subcell;
     else if (item.name == "heat_conduction")
       item.value =
         diffusion_length(diffusivity * inverse_prandtl_number, end_time) /
-        smallest_cell;
+        smallest_subcell;
     else if (item.name == "equation_of_state")
-      item.value = non_ideal_part;
+      item.value = non_ideal_fraction;
     else if (!blast)
       continue;
     else if (item.name == "first_stage")
@@ -248,18 +248,18 @@ std::vector<Assumption> ModellingPlan<dim>::plan() const
                            ambient.pressure,
                            ambient.density);
     else if (item.name == "quiet_leaves")
-      item.value = expected_quiet_part();
+      item.value = expected_quiet_fraction();
   return result;
 }
 
 
 template <int dim>
 std::vector<Assumption>
-ModellingPlan<dim>::audit(const Findings &findings) const
+ModellingPlan<dim>::audit(const Measurements &measured) const
 {
   ModellingPlan<dim> known = *this;
-  if (std::isnan(non_ideal_part))
-    known.non_ideal_part = findings.non_ideal_part;
+  if (std::isnan(non_ideal_fraction))
+    known.non_ideal_fraction = measured.non_ideal_fraction;
   std::vector<Assumption> result = known.items();
   // How long 1-D would have done was not looked at.
   result.erase(std::remove_if(result.begin(),
@@ -270,7 +270,7 @@ ModellingPlan<dim>::audit(const Findings &findings) const
                result.end());
   const double diffusivity = viscosity_of_air / ambient.density;
   double strongest = 0., weakest = OpenSides<dim>::never;
-  for (const double peak : findings.peaks)
+  for (const double peak : measured.peaks)
   {
     strongest = std::max(strongest, peak);
     if (peak > 0.)
@@ -278,18 +278,18 @@ ModellingPlan<dim>::audit(const Findings &findings) const
   }
   for (Assumption &item : result)
     if (item.name == "viscosity")
-      item.value =
-        diffusion_length(diffusivity, findings.time) / findings.smallest_cell;
+      item.value = diffusion_length(diffusivity, measured.time) /
+                   measured.smallest_subcell;
     else if (item.name == "heat_conduction")
       item.value =
-        diffusion_length(diffusivity * inverse_prandtl_number, findings.time) /
-        findings.smallest_cell;
+        diffusion_length(diffusivity * inverse_prandtl_number, measured.time) /
+        measured.smallest_subcell;
     else if (item.name == "reflection")
-      item.value = measured_return(findings);
+      item.value = measured_return(measured);
     else if (item.name == "quiet_leaves")
-      item.value = findings.skipped;
+      item.value = measured.skipped;
     else if (item.name == "equation_of_state")
-      item.value = findings.non_ideal_part;
+      item.value = measured.non_ideal_fraction;
     else if (!(strongest > 0.))
       continue;
     else if (item.name == "air")
@@ -297,7 +297,7 @@ ModellingPlan<dim>::audit(const Findings &findings) const
         strongest, ambient.pressure, ambient.density);
     else if (item.name == "gravity")
       item.value =
-        gravity * findings.time /
+        gravity * measured.time /
         speed_behind_shock(weakest, ambient.pressure, ambient.density);
   return result;
 }

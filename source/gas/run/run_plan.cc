@@ -50,11 +50,11 @@ double RunPlan<dim>::excess_energy() const
 template <int dim>
 void RunPlan<dim>::expect_blast(const double energy,
                                 const dealii::Point<dim> &centre,
-                                const double non_ideal_part)
+                                const double non_ideal_fraction)
 {
   plan_.energy = energy;
   plan_.centre = centre;
-  plan_.non_ideal_part = non_ideal_part;
+  plan_.non_ideal_fraction = non_ideal_fraction;
 }
 
 
@@ -73,7 +73,7 @@ void RunPlan<dim>::find_blast()
                   scene.points,
                   core_.field(),
                   conserved_state(scene.ambient(), scene.material, dim + 3));
-  double part = 1.;
+  double fraction = 1.;
   for (unsigned int d = 0; d < dim; ++d)
   {
     const double tolerance = 1e-9 * (plan.upper[d] - plan.lower[d]);
@@ -94,9 +94,9 @@ void RunPlan<dim>::find_blast()
     if (is_radius)
       plan.centre[d] = 0.;
     else if (at_lower || at_upper)
-      part *= 0.5;
+      fraction *= 0.5;
   }
-  plan.energy = std::max(0., excess_energy() / part);
+  plan.energy = std::max(0., excess_energy() / fraction);
 }
 
 
@@ -119,16 +119,16 @@ RunPlan<dim>::plan(const std::vector<dealii::Point<dim>> &probes)
   plan_.probes = probes;
   plan_.end_time = scene.end_time;
   plan_.skips_quiet_leaves = core_.skips_quiet_leaves();
-  plan_.smallest_cell = finest_edge();
-  if (const double part = non_ideal_part(); !std::isnan(part))
-    plan_.non_ideal_part = part;
+  plan_.smallest_subcell = finest_edge();
+  if (const double fraction = non_ideal_fraction(); !std::isnan(fraction))
+    plan_.non_ideal_fraction = fraction;
   find_blast();
   return plan_.plan();
 }
 
 
 template <int dim>
-double RunPlan<dim>::non_ideal_part() const
+double RunPlan<dim>::non_ideal_fraction() const
 {
   const GasMaterial &material = core_.scene().material;
   const LeafLayout &layout = core_.scene().layout;
@@ -170,7 +170,7 @@ double RunPlan<dim>::finest_edge() const
   double shortest = std::numeric_limits<double>::max();
   if (is_box)
     for (unsigned int d = 0; d < dim; ++d)
-      shortest = std::min(shortest, core_.smallest_cell()[d]);
+      shortest = std::min(shortest, core_.smallest_subcell()[d]);
   for (unsigned int leaf = 0; !is_box && leaf < core_.mesh().n_owned(); ++leaf)
     for (unsigned int d = 0; d < dim; ++d)
       shortest = std::min(
@@ -183,17 +183,17 @@ template <int dim>
 std::vector<Assumption> RunPlan<dim>::audit(Recorders<dim> &recorders) const
 {
   auto &open_sides = recorders.template get<OpenSides<dim>>();
-  open_sides.share();
-  typename ModellingPlan<dim>::Findings findings;
-  findings.time = core_.time();
-  findings.side_arrivals = open_sides.arrivals();
+  open_sides.reduce_over_ranks();
+  typename ModellingPlan<dim>::Measurements measured;
+  measured.time = core_.time();
+  measured.side_arrivals = open_sides.arrivals();
   for (const BlastMeasures &blast :
        recorders.template get<ProbeSet<dim>>().blasts())
-    findings.peaks.push_back(blast.peak);
-  findings.smallest_cell = finest_edge();
-  findings.non_ideal_part = non_ideal_part();
-  findings.skipped = core_.skipped_updates();
-  return plan_.audit(findings);
+    measured.peaks.push_back(blast.peak);
+  measured.smallest_subcell = finest_edge();
+  measured.non_ideal_fraction = non_ideal_fraction();
+  measured.skipped = core_.skipped_updates();
+  return plan_.audit(measured);
 }
 
 

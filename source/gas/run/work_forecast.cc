@@ -40,7 +40,7 @@ WorkForecaster<dim>::WorkForecaster(const LeafMesh<dim> &mesh,
     leaf.rate = stepper.signal_rate(i);
     leaf.is_active = quiet_leaves.is_active(i / mesh.width());
     leaf.level = cell->level();
-    leaf.least_level = adaptation.levels().least_level_near_body(i);
+    leaf.min_level = adaptation.levels().min_level_near_body(i);
     leaf.merges_now = merges(i, adaptation.time());
   }
 }
@@ -51,7 +51,7 @@ unsigned int WorkForecaster<dim>::merges(const unsigned int leaf,
                                          const double time) const
 {
   const unsigned int level = std::max(
-    adaptation_.levels().most_level(leaf, time), leaves_[leaf].least_level);
+    adaptation_.levels().max_level(leaf, time), leaves_[leaf].min_level);
   return std::max(leaves_[leaf].level, level) - level;
 }
 
@@ -99,7 +99,7 @@ WorkForecast WorkForecaster<dim>::forecast(const double time,
         continue;
       }
       // The front halves leaves as far as it may, and those behind it stay.
-      const unsigned int most = adaptation_.levels().most_level(i, then);
+      const unsigned int most = adaptation_.levels().max_level(i, then);
       const double size =
         std::ldexp(1., int(std::max(most, leaf.level) - leaf.level));
       const bool is_at_front = front - leaf.reached_at < leaf.diameter;

@@ -68,7 +68,7 @@ namespace
     result.is_nowhere = radius > tolerance;
     for (unsigned int c = 0; c < (1U << dim) && radius > tolerance; ++c)
     {
-      Box<dim> part = box;
+      Box<dim> half = box;
       bool is_twin = false; // of a box that is flat in a direction
       for (unsigned int d = 0; d < dim; ++d)
         is_twin =
@@ -76,8 +76,8 @@ namespace
       if (is_twin)
         continue;
       for (unsigned int d = 0; d < dim; ++d)
-        ((c >> d) & 1U ? part.lower : part.upper)[d] = middle[d];
-      const Finding<dim> found = find_below(part, bound, tolerance, function);
+        ((c >> d) & 1U ? half.lower : half.upper)[d] = middle[d];
+      const Finding<dim> found = find_below(half, bound, tolerance, function);
       if (found.place)
         return found;
       result.is_nowhere = result.is_nowhere && found.is_nowhere;
@@ -151,7 +151,7 @@ namespace
 
   /// The part of a charge in the domain, by samples.
   template <int dim>
-  double part_within(const Charge<dim> &charge, const CoarseMesh<dim> &mesh)
+  double fraction_within(const Charge<dim> &charge, const CoarseMesh<dim> &mesh)
   {
     const dealii::QIterated<dim> grid(dealii::QMidpoint<1>(), 40);
     const auto [lower, upper] = charge.bounds();
@@ -221,11 +221,11 @@ namespace
   template <int dim>
   void check_within(const NamedCharge<dim> &one, const CoarseMesh<dim> &mesh)
   {
-    if (one.charge.share_within(mesh))
+    if (one.charge.fraction_within(mesh))
       return;
-    double part = part_within(one.charge, mesh);
+    double fraction = fraction_within(one.charge, mesh);
     const auto [lower, upper] = one.charge.bounds();
-    if (part == 0.)
+    if (fraction == 0.)
       throw InputError(one.where + ": the charge, from " + text_of(lower) +
                        " to " + text_of(upper) +
                        " m, lies outside of the domain, from " +
@@ -236,11 +236,11 @@ namespace
       if (!(side == 0 && mesh.geometry() != Geometry::plane) &&
           std::abs(depth_of(one.charge, mesh, side)) <
             1e-12 * one.charge.smallest_size())
-        part *= 2.;
+        fraction *= 2.;
     if (one.mass > 0.)
       throw InputError(
         one.where + ": of Mass = " + brief(one.mass) +
-        " kg the domain would keep " + brief(part, 2) + ": " +
+        " kg the domain would keep " + brief(fraction, 2) + ": " +
         name_cut(one.charge, mesh) +
         "; with Mass = 0 and sizes given, what is within counts");
   }

@@ -47,11 +47,11 @@ namespace
   /// the excess of each component over its minimum so that the leaf's integral
   /// equals that of the subcells, if the result is admissible.
   template <int dim>
-  void keep_content(const LeafBox<dim> &box,
-                    const LeafPoints<dim> &points,
-                    const GasMaterial &material,
-                    const unsigned int n_points,
-                    std::vector<double> &values)
+  void restore_integrals(const LeafBox<dim> &box,
+                         const LeafPoints<dim> &points,
+                         const GasMaterial &material,
+                         const unsigned int n_points,
+                         std::vector<double> &values)
   {
     std::vector<double> scaled = values;
     for (unsigned int first = 0; first < values.size(); first += n_points)
@@ -180,7 +180,7 @@ std::vector<double> sample_leaf(
       result[c * n_points + q] = first[c] + sum[c] / volume;
   }
   if (points.is_galerkin() && near_feature && points.exponent() != 0)
-    keep_content(box, points, material, n_points, result);
+    restore_integrals(box, points, material, n_points, result);
   return result;
 }
 

@@ -37,7 +37,7 @@ namespace
 
   /// A leaf that contains a position.
   template <int dim>
-  struct Holder
+  struct ContainingLeaf
   {
     std::string name; ///< cell id, equal on all ranks; empty: none
     typename LeafMesh<dim>::CellIterator cell;
@@ -46,11 +46,11 @@ namespace
 
   /// Owned leaf with the smallest cell id that contains @p place, if any.
   template <int dim>
-  Holder<dim> holder_of(const dealii::Point<dim> &place,
-                        const LeafMesh<dim> &mesh)
+  ContainingLeaf<dim> containing_leaf(const dealii::Point<dim> &place,
+                                      const LeafMesh<dim> &mesh)
   {
     const double tolerance = 1e-10;
-    Holder<dim> holder;
+    ContainingLeaf<dim> leaf_here;
     for (unsigned int leaf = 0; leaf < mesh.n_owned(); ++leaf)
     {
       const auto &cell = mesh.cell(leaf);
@@ -68,10 +68,10 @@ namespace
       }
       const std::string name = cell->id().to_string();
       if (dealii::GeometryInfo<dim>::is_inside_unit_cell(x, tolerance) &&
-          (holder.name.empty() || name < holder.name))
-        holder = {name, cell, x};
+          (leaf_here.name.empty() || name < leaf_here.name))
+        leaf_here = {name, cell, x};
     }
-    return holder;
+    return leaf_here;
   }
 } // namespace
 
@@ -123,12 +123,12 @@ void PointSampler<dim>::find_in_cells(
   const LeafMesh<dim> &mesh,
   const LeafPoints<dim> &points)
 {
-  std::vector<Holder<dim>> holders;
+  std::vector<ContainingLeaf<dim>> containing_leaves;
   std::string mine; // cell ids, one per line
   for (const auto &place : places)
   {
-    holders.push_back(holder_of(place, mesh));
-    mine += holders.back().name + '\n';
+    containing_leaves.push_back(containing_leaf(place, mesh));
+    mine += containing_leaves.back().name + '\n';
   }
   std::vector<std::istringstream> all;
   for (const auto &names : gather_texts(communicator_, mine))
@@ -150,8 +150,9 @@ void PointSampler<dim>::find_in_cells(
               << " m is outside of the mesh";
       throw InputError(message.str());
     }
-    if (holders[i].name == first)
-      add_place(i, holders[i].cell, holders[i].place, mesh, points);
+    if (containing_leaves[i].name == first)
+      add_place(
+        i, containing_leaves[i].cell, containing_leaves[i].place, mesh, points);
   }
 }
 

@@ -291,7 +291,8 @@ bool QuietLeaves<dim>::ghost_is_quiet(const unsigned int ghost,
 
 template <int dim>
 template <typename Real>
-void QuietLeaves<dim>::watch(const unsigned int batch, const Real *out)
+void QuietLeaves<dim>::find_woken_leaves(const unsigned int batch,
+                                         const Real *out)
 {
   const auto begin = quiet_.begin() + batch * mesh_.width();
   const auto end = begin + mesh_.n_filled_lanes(batch);
@@ -328,12 +329,14 @@ void QuietLeaves<dim>::activate_readers(const unsigned int leaf)
 }
 
 
-#define CONTRECOUP_INSTANTIATE(dim)                                          \
-  template class QuietLeaves<dim>;                                           \
-  template void QuietLeaves<dim>::update(const double *);                    \
-  template void QuietLeaves<dim>::update(const float *);                     \
-  template void QuietLeaves<dim>::watch(const unsigned int, const double *); \
-  template void QuietLeaves<dim>::watch(const unsigned int, const float *)
+#define CONTRECOUP_INSTANTIATE(dim)                                     \
+  template class QuietLeaves<dim>;                                      \
+  template void QuietLeaves<dim>::update(const double *);               \
+  template void QuietLeaves<dim>::update(const float *);                \
+  template void QuietLeaves<dim>::find_woken_leaves(const unsigned int, \
+                                                    const double *);    \
+  template void QuietLeaves<dim>::find_woken_leaves(const unsigned int, \
+                                                    const float *)
 
 CONTRECOUP_INSTANTIATE(1);
 CONTRECOUP_INSTANTIATE(2);

@@ -111,12 +111,12 @@ namespace
 {
 /// Steps until adaptation is due, when fronts run that share in each.
 unsigned int steps_until_due(const AdaptationParameters &parameters,
-                             const double front_share = 1.)
+                             const double front_travel = 1.)
 {
   AdaptationPace pace(parameters);
   unsigned int result = 0;
   for (; !pace.is_due(); ++result)
-    pace.add_step(front_share);
+    pace.add_step(front_travel);
   return result;
 }
 
@@ -155,7 +155,7 @@ Followed follow_a_front(const Lines &lines)
     AdaptationPace pace(parameters);
     for (; !pace.is_due(); ++result.steps)
     {
-      pace.add_step(run.front_share());
+      pace.add_step(run.front_travel());
       run.steps(1);
     }
     // Where the gas moves farthest to the right the leaves are fine.
@@ -302,7 +302,7 @@ TEST(SizeLimits, NarrowLevelsByPlaceAndTime)
   const SizeLimits &limits = run.adaptation_parameters.limits;
   const auto levels = [&](const double x, const double y, const double time) {
     const auto result = limits.levels(Point<2>(x, y), time, {1, 6});
-    return std::make_pair(result.least, result.most);
+    return std::make_pair(result.min_level, result.max_level);
   };
   using Pair = std::pair<unsigned int, unsigned int>;
   EXPECT_EQ(levels(0.5, 0.5, 0.), Pair(1, 6));
@@ -327,17 +327,17 @@ TEST(SizeLimits, HoldAroundSeveralPoints)
   GasRun<2> run(balls);
   const auto most = [&](const double x, const double y) {
     return run.adaptation_parameters.limits.levels(Point<2>(x, y), 0., {1, 6})
-      .most;
+      .max_level;
   };
   EXPECT_EQ(most(0.25, 0.2), 6u);
   EXPECT_EQ(most(0.8, 0.55), 6u);
   EXPECT_EQ(most(0.2, 0.5), 3u);
   EXPECT_EQ(most(0.8, 0.2), 3u);
   // A coarse leaf beside a ball may be halved until its parts are outside.
-  const auto allowed = [&](const double reach) {
+  const auto allowed = [&](const double corner_distance) {
     return run.adaptation_parameters.limits
-      .levels(Point<2>(0.4, 0.4), 0., {1, 6}, reach)
-      .most;
+      .levels(Point<2>(0.4, 0.4), 0., {1, 6}, corner_distance)
+      .max_level;
   };
   EXPECT_EQ(allowed(0.2), 6u);
   EXPECT_EQ(allowed(0.1), 3u);

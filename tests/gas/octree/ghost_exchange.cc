@@ -41,17 +41,19 @@ std::map<unsigned int, unsigned int> faces_met(const LeafMesh<dim> &mesh)
   for (unsigned int leaf = 0; leaf < mesh.n_owned(); ++leaf)
     for (unsigned int face = 0; face < 2 * dim; ++face)
     {
-      const unsigned int other = mesh.neighbors(leaf / W, face)[leaf % W];
-      const FaceMatch match = mesh.matches(leaf / W, face)[leaf % W];
-      if (other >= mesh.n_batches() * W)
+      const unsigned int other =
+        mesh.neighbors(leaf / double_width, face)[leaf % double_width];
+      const FaceMatch match =
+        mesh.matches(leaf / double_width, face)[leaf % double_width];
+      if (other >= mesh.n_batches() * double_width)
         result[other] |= 1U << match.face;
     }
   for (const auto &hanging : mesh.hanging_faces())
   {
-    if (hanging.coarse_leaf >= mesh.n_batches() * W)
+    if (hanging.coarse_leaf >= mesh.n_batches() * double_width)
       result[hanging.coarse_leaf] |= 1U << hanging.coarse_face;
     for (const unsigned int leaf : hanging.fine_leaf)
-      if (leaf != no_leaf && leaf >= mesh.n_batches() * W)
+      if (leaf != no_leaf && leaf >= mesh.n_batches() * double_width)
         result[leaf] |= 1U << hanging.match.face;
   }
   return result;
@@ -72,21 +74,21 @@ void check_exchange(const std::vector<std::string> &lines)
     for (unsigned int i = 0; i < n_values; ++i)
       values[i] = signature(cell, i);
     run.field.set_leaf(leaf, values);
-    run.field.sensor()[leaf] = signature(cell, n_values);
+    run.field.shock_indicator()[leaf] = signature(cell, n_values);
   }
 
   GhostExchange<dim> exchange;
   exchange.reinit(run.mesh, run.layout);
   // Twice: the second finds its buffers used.
   for (unsigned int repeat = 0; repeat < 2; ++repeat)
-    exchange.update(run.field.state(), run.field.sensor());
+    exchange.update(run.field.state(), run.field.shock_indicator());
 
   const auto faces = faces_met(run.mesh);
   EXPECT_EQ(faces.size(), run.mesh.n_ghosts());
   for (unsigned int i = 0; i < run.mesh.n_ghosts(); ++i)
   {
     const auto cell = run.mesh.ghosts()[i].global_index;
-    const unsigned int leaf = run.mesh.n_batches() * W + i;
+    const unsigned int leaf = run.mesh.n_batches() * double_width + i;
     ASSERT_TRUE(faces.count(leaf));
     // No face that is read may be missing.
     EXPECT_EQ(run.mesh.ghosts()[i].faces | faces.at(leaf),
@@ -99,7 +101,7 @@ void check_exchange(const std::vector<std::string> &lines)
         const unsigned int k = c * run.layout.n_points + q;
         ASSERT_EQ(values[k], signature(cell, k));
       }
-    EXPECT_EQ(run.field.sensor()[leaf], signature(cell, n_values));
+    EXPECT_EQ(run.field.shock_indicator()[leaf], signature(cell, n_values));
   }
   for (unsigned int leaf = 0; leaf < run.mesh.n_owned(); ++leaf)
     EXPECT_EQ(run.field.leaf(leaf)[0],

@@ -55,7 +55,7 @@ std::map<unsigned int, Point<dim>> centres(const LeafMesh<dim> &mesh)
     for (const auto &cell : mesh.triangulation().active_cell_iterators())
       if (cell->is_ghost() && cell->subdomain_id() == mesh.ghosts()[i].owner &&
           cell->global_active_cell_index() == mesh.ghosts()[i].global_index)
-        result[mesh.n_batches() * W + i] = cell->center();
+        result[mesh.n_batches() * double_width + i] = cell->center();
   return result;
 }
 
@@ -83,8 +83,9 @@ public:
         EXPECT_LE(previous ? previous->face : 0, s->face);
         previous = s;
         ASSERT_LT(s->lane, mesh_.n_filled_lanes(batch));
-        EXPECT_TRUE(special_.insert({batch * W + s->lane, s->face}).second);
-        check_special(batch * W + s->lane, *s);
+        EXPECT_TRUE(
+          special_.insert({batch * double_width + s->lane, s->face}).second);
+        check_special(batch * double_width + s->lane, *s);
       }
     }
     for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
@@ -98,7 +99,7 @@ public:
 private:
   double size(const unsigned int leaf, const unsigned int d) const
   {
-    return mesh_.extents(leaf / W)[d][leaf % W];
+    return mesh_.extents(leaf / double_width)[d][leaf % double_width];
   }
 
   /// Distance along the box, which repeats itself.
@@ -135,7 +136,8 @@ private:
 
   void check_special(const unsigned int leaf, const SpecialFace &s)
   {
-    EXPECT_EQ(mesh_.neighbors(leaf / W, s.face)[leaf % W], leaf);
+    EXPECT_EQ(mesh_.neighbors(leaf / double_width, s.face)[leaf % double_width],
+              leaf);
     if (s.kind == SpecialFace::Kind::boundary)
     {
       ++n_boundary;
@@ -185,14 +187,18 @@ private:
     if (special_.count({leaf, face}))
       return;
     ++n_ordinary;
-    const unsigned int other = mesh_.neighbors(leaf / W, face)[leaf % W];
-    const FaceMatch match = mesh_.matches(leaf / W, face)[leaf % W];
+    const unsigned int other =
+      mesh_.neighbors(leaf / double_width, face)[leaf % double_width];
+    const FaceMatch match =
+      mesh_.matches(leaf / double_width, face)[leaf % double_width];
     expect_across(leaf, face, other, 1., 0);
     EXPECT_EQ(match.face, face ^ 1U);
     EXPECT_EQ(match.orientation, 0);
     if (other < mesh_.n_owned())
     {
-      EXPECT_EQ(mesh_.neighbors(other / W, match.face)[other % W], leaf);
+      EXPECT_EQ(
+        mesh_.neighbors(other / double_width, match.face)[other % double_width],
+        leaf);
       EXPECT_FALSE(special_.count({other, match.face}));
     }
   }
@@ -349,8 +355,10 @@ TEST(LeafMesh, LeavesFollowTheMortonCurve)
       mesh->leaf_of_global(mesh->cell(leaf)->global_active_cell_index()), leaf);
     for (unsigned int d = 0; d < 2; ++d)
     {
-      EXPECT_NEAR(mesh->extents(leaf / W)[d][leaf % W], 0.125, 1e-15);
-      EXPECT_NEAR(mesh->origins(leaf / W)[d][leaf % W],
+      EXPECT_NEAR(mesh->extents(leaf / double_width)[d][leaf % double_width],
+                  0.125,
+                  1e-15);
+      EXPECT_NEAR(mesh->origins(leaf / double_width)[d][leaf % double_width],
                   mesh->cell(leaf)->center()[d] - 0.0625,
                   1e-15);
     }

@@ -59,7 +59,7 @@ namespace
             surface[q] += std::sqrt(low * low) + std::sqrt(high * high);
           }
       for (unsigned int q = 0; q < layout.n_points; ++q)
-        for (unsigned int lane = 0; lane < W; ++lane)
+        for (unsigned int lane = 0; lane < double_width; ++lane)
           for (unsigned int d = 0; d < dim; ++d)
             largest =
               std::max(largest, std::abs(sums[q][d][lane]) / surface[q][lane]);
@@ -92,12 +92,12 @@ namespace
     LeafMetric<dim> metric(n);
     for (unsigned int leaf = 0; leaf < mesh.n_owned(); ++leaf)
     {
-      metric.reinit(mesh, leaf / W);
+      metric.reinit(mesh, leaf / double_width);
       for (unsigned int q = 0; q < LeafLayout(dim, n, 1).n_points; ++q)
       {
         const double exact = point_volume(leaf_box(mesh, leaf), points, q);
         EXPECT_GT(exact, 0.);
-        EXPECT_NEAR(metric.volume(q)[leaf % W] / exact, 1., 1e-13);
+        EXPECT_NEAR(metric.volume(q)[leaf % double_width] / exact, 1., 1e-13);
       }
     }
   }

@@ -53,9 +53,9 @@ TEST(LeafLayout, ValuesFillABatchOnce)
   const LeafLayout layout(3, 4, 5);
   EXPECT_EQ(layout.n_points, 64u);
   EXPECT_EQ(layout.n_face_points, 16u);
-  EXPECT_EQ(layout.batch_size(), 64u * 5 * W);
+  EXPECT_EQ(layout.batch_size(), 64u * 5 * double_width);
   std::set<std::size_t> seen;
-  for (unsigned int leaf = 0; leaf < 2 * W; ++leaf)
+  for (unsigned int leaf = 0; leaf < 2 * double_width; ++leaf)
     for (unsigned int c = 0; c < 5; ++c)
       for (unsigned int q = 0; q < 64; ++q)
         seen.insert(layout.offset(leaf) + layout.value(c, q));

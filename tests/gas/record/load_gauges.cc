@@ -123,11 +123,11 @@ TEST(LoadGauges, RanksShareTheFacets)
   LoadGauges gauges = make_gauges(
     {"Loads/Gauges=here: 0.1, 0.2, 0.0005", "Loads/Gauge radius=0.05"});
   double sum = 0.;
-  for (const std::size_t part : {0, 1})
+  for (const std::size_t parity : {0, 1})
   {
     std::vector<std::size_t> owned;
     for (const std::size_t facet : all_facets())
-      if (facet % 2 == part)
+      if (facet % 2 == parity)
         owned.push_back(facet);
     gauges.reinit(plate(), owned);
     sum += gauges.partial_sums(overpressure)[0];

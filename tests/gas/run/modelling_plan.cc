@@ -28,7 +28,7 @@ ModellingPlan<2> quarter()
   plan.open_sides = {1, 3};
   plan.probes = {dealii::Point<2>(2., 0.), dealii::Point<2>(0., 1.)};
   plan.end_time = 0.01;
-  plan.smallest_cell = 0.01;
+  plan.smallest_subcell = 0.01;
   return plan;
 }
 
@@ -59,16 +59,16 @@ TEST(ModellingPlan, KnowsTheFirstReflection)
   EXPECT_DOUBLE_EQ(value(plan.plan(), "reflection"), blast.arrival(4.));
 
   // x = 3 was reached at 5 ms, y = 5 not yet.
-  ModellingPlan<2>::Findings findings;
-  findings.time = 0.008;
-  findings.smallest_cell = 0.01;
-  findings.side_arrivals.fill(OpenSides<2>::never);
-  findings.side_arrivals[1] = 0.005;
-  EXPECT_DOUBLE_EQ(value(plan.audit(findings), "reflection"),
+  ModellingPlan<2>::Measurements measured;
+  measured.time = 0.008;
+  measured.smallest_subcell = 0.01;
+  measured.side_arrivals.fill(OpenSides<2>::never);
+  measured.side_arrivals[1] = 0.005;
+  EXPECT_DOUBLE_EQ(value(plan.audit(measured), "reflection"),
                    0.005 + 1. / sound_speed);
   // No side was reached: nothing can be back sooner than from the nearest.
-  findings.side_arrivals[1] = OpenSides<2>::never;
-  EXPECT_DOUBLE_EQ(value(plan.audit(findings), "reflection"),
+  measured.side_arrivals[1] = OpenSides<2>::never;
+  EXPECT_DOUBLE_EQ(value(plan.audit(measured), "reflection"),
                    0.008 + 1. / sound_speed);
 }
 
@@ -91,7 +91,7 @@ TEST(ModellingPlan, KnowsWhatItLeavesOut)
   EXPECT_FALSE(fails(plan, "viscosity"));
   EXPECT_FALSE(fails(plan, "air"));
   plan.end_time = 2.;
-  plan.smallest_cell = 1e-4;
+  plan.smallest_subcell = 1e-4;
   plan.probes = {dealii::Point<2>(0.1, 0.)};
   EXPECT_TRUE(fails(plan, "viscosity"));
   EXPECT_TRUE(fails(plan, "air"));
@@ -128,16 +128,16 @@ TEST(ModellingPlan, KnowsHowLongOneDimensionWouldDo)
 TEST(ModellingPlan, AsksForAnEquationOfStateOfProducts)
 {
   ModellingPlan<2> plan = quarter();
-  ModellingPlan<2>::Findings findings;
-  findings.time = 0.008;
-  findings.smallest_cell = 0.01;
-  findings.side_arrivals.fill(OpenSides<2>::never);
-  findings.non_ideal_part = 0.25;
+  ModellingPlan<2>::Measurements measured;
+  measured.time = 0.008;
+  measured.smallest_subcell = 0.01;
+  measured.side_arrivals.fill(OpenSides<2>::never);
+  measured.non_ideal_fraction = 0.25;
   // What came with a first stage is not in the plan of the second.
-  EXPECT_EQ(value(plan.audit(findings), "equation_of_state"), 0.25);
-  plan.non_ideal_part = 0.75;
+  EXPECT_EQ(value(plan.audit(measured), "equation_of_state"), 0.25);
+  plan.non_ideal_fraction = 0.75;
   EXPECT_EQ(value(plan.plan(), "equation_of_state"), 0.75);
-  EXPECT_EQ(value(plan.audit(findings), "equation_of_state"), 0.25);
+  EXPECT_EQ(value(plan.audit(measured), "equation_of_state"), 0.25);
 }
 
 TEST(ModellingPlan, SaysNothingOfUnknownBlastsAndOtherGases)

@@ -29,11 +29,11 @@ public:
   /// @param share of the buffer that a front may have crossed, in parts of what
   /// it crosses where leaves that set the step size have their smallest size,
   /// see TimeStepper::Rates [-]
-  void add_step(const double share)
+  void add_step(const double travel)
   {
     ++n_steps_;
-    travel_ += share;
-    last_share_ = share;
+    travel_ += travel;
+    last_travel_ = travel;
   }
 
   /// Whether a front may else leave the buffer in the step that comes, if it
@@ -41,7 +41,7 @@ public:
   bool is_due() const
   {
     return (longest_ > 0 && n_steps_ >= longest_) ||
-           (n_steps_ > 0 && travel_ + last_share_ > buffer_steps_);
+           (n_steps_ > 0 && travel_ + last_travel_ > buffer_steps_);
   }
 
   /// Begins to count anew at time @p time [s].
@@ -49,7 +49,7 @@ public:
   {
     n_steps_ = 0;
     travel_ = 0.;
-    last_share_ = 0.;
+    last_travel_ = 0.;
     start_ = time;
   }
 
@@ -69,7 +69,7 @@ private:
   double buffer_steps_ = 1.; ///< see AdaptationParameters
   std::uint64_t n_steps_ = 0;
   double travel_ = 0.; ///< sum of the shares
-  double last_share_ = 0.;
+  double last_travel_ = 0.;
   double start_ = 0.; ///< see start()
 };
 } // namespace contrecoup::gas

@@ -28,28 +28,29 @@ struct AdaptationParameters
    * buffer.
    * @param reach step size times signal rate sum_d (|u_d| + c) / h_d [-]
    */
-  void find_buffer_steps(const double reach,
+  void find_buffer_steps(const double courant_number,
                          const unsigned int dim,
                          const unsigned int n_points);
 
   enum class Sensor
   {
-    bend,          ///< jump_sensor(): bends of density and pressure
-    pressure_bend, ///< the same of pressure alone, blind to contacts
+    jump,          ///< jump_sensor(): bends of density and pressure
+    pressure_jump, ///< the same of pressure alone, blind to contacts
     blast          ///< front_sensor(): pressure fronts
   };
 
   bool active = false;
-  Sensor sensor = Sensor::bend;
-  unsigned int interval = 5;    ///< most steps in between; 0: no such limit
-  double buffer_steps = 1.;     ///< for fronts in leaves that set the step
-  unsigned int least_level = 0; ///< refinements of the coarse mesh
-  unsigned int most_level = 0;
+  Sensor sensor = Sensor::jump;
+  unsigned int interval = 5;  ///< most steps in between; 0: no such limit
+  double buffer_steps = 1.;   ///< for fronts in leaves that set the step
+  unsigned int min_level = 0; ///< refinements of the coarse mesh
+  unsigned int max_level = 0;
   double refine = 0.3;     ///< sensor above which leaves are halved
   double coarsen = 0.1;    ///< sensor below which they are merged
   double noise = 0.02;     ///< relative jump that counts as noise
   unsigned int buffer = 1; ///< layers of leaves around marked ones
-  bool only_ahead = false; ///< whether these are only where fronts run to
+  bool buffer_only_ahead =
+    false; ///< whether these are only where fronts run to
   /// A box whose leaves stay at this level at least; level 0: none.
   unsigned int fine_level = 0;
   std::vector<double> fine_lower; ///< [m]

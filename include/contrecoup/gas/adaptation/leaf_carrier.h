@@ -30,11 +30,12 @@ public:
   /// of bytes is the same for all cells.
   std::vector<char> pack(const Cell &cell, const bool merged) const;
 
-  /// Writes @p bytes to @p cell or, if it was @p halved (refined),
+  /// Writes @p bytes to @p cell or, if it was @p is_refined (refined),
   /// interpolates them to its children. Field and maps must have the size of
   /// the new octree.
-  void
-  unpack(const Cell &cell, const bool halved, const char *const bytes) const;
+  void unpack(const Cell &cell,
+              const bool is_refined,
+              const char *const bytes) const;
 
 private:
   struct Data

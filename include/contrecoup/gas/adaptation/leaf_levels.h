@@ -39,10 +39,10 @@ public:
 
   /// The finest level that fine box and limits of size let a leaf have at time
   /// @p time [s].
-  unsigned int most_level(const unsigned int leaf, const double time) const;
+  unsigned int max_level(const unsigned int leaf, const double time) const;
 
   /// The coarsest level that a leaf can have beside the leaves at the body.
-  unsigned int least_level_near_body(const unsigned int leaf) const;
+  unsigned int min_level_near_body(const unsigned int leaf) const;
 
   /// For each leaf at time @p time [s], the ratio of its edge length to that of
   /// the smallest leaf that fronts may have there, at most 1: a front in a
@@ -54,8 +54,8 @@ private:
   SizeLimits::Levels narrowed(const unsigned int leaf,
                               SizeLimits::Levels general,
                               const double time) const;
-  /// See RigidBody::layers_to().
-  double layers_from_body(const unsigned int leaf) const;
+  /// See RigidBody::leaf_diagonals_to().
+  double leaf_diagonals_from_body(const unsigned int leaf) const;
   /// Level that the leaf shall have if it is at the body.
   unsigned int body_level(const unsigned int leaf) const;
   bool is_in_fine_box(const dealii::Point<dim> &place) const;

@@ -20,8 +20,8 @@ class SizeLimits
 public:
   struct Levels
   {
-    unsigned int least = 0;
-    unsigned int most = 0;
+    unsigned int min_level = 0;
+    unsigned int max_level = 0;
   };
 
   /// Declares subsection "Limit *" in the current one.
@@ -46,7 +46,7 @@ public:
   Levels levels(const dealii::Point<dim> &place,
                 const double time,
                 const Levels &general,
-                const double reach = 0.) const;
+                const double corner_distance = 0.) const;
 
   bool empty() const
   {

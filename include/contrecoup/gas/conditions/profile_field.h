@@ -78,7 +78,7 @@ public:
     std::array<double, 2> place{};
     std::array<double, 2> width{}; ///< edge lengths [m]
     /// Half the extents of the parallelepiped [m]
-    std::array<double, 2> reach{};
+    std::array<double, 2> half_extent{};
     /// Unit vectors of the profile's directions at the centre.
     std::array<dealii::Tensor<1, dim>, 2> direction;
   };
@@ -106,8 +106,8 @@ public:
   /// Fraction of the profile inside the box between @p lower and @p upper [m]:
   /// 1, halved for each side of the box that is a plane through the centre;
   /// nothing if the box cuts the profile otherwise.
-  std::optional<double> part_within(const dealii::Point<dim> &lower,
-                                    const dealii::Point<dim> &upper) const;
+  std::optional<double> fraction_within(const dealii::Point<dim> &lower,
+                                        const dealii::Point<dim> &upper) const;
 
   /// Volume integrals of the excess of density, energy and products over the
   /// fraction @p part of the profile [kg, J, kg].

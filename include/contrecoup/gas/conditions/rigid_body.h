@@ -79,17 +79,17 @@ public:
   /// Distance from the circumscribed ball of a leaf to the surface, in
   /// diagonals of a leaf of refinement level levels() [-]; negative where they
   /// intersect. Inside the body, where leaves are refined only at the surface,
-  /// the result is larger by at_body.
+  /// the result is larger by max_diagonals_at_body.
   /// @param halvings refinement level of this leaf above the initial
   /// refinement
   template <int dim>
-  double layers_to(const dealii::Point<dim> &lower,
-                   const dealii::Point<dim> &upper,
-                   const int halvings) const;
+  double leaf_diagonals_to(const dealii::Point<dim> &lower,
+                           const dealii::Point<dim> &upper,
+                           const int level_above_initial) const;
 
-  /// Upper bound of layers_to() for leaves that the body cuts and their
+  /// Upper bound of leaf_diagonals_to() for leaves that the body cuts and their
   /// neighbours.
-  static constexpr double at_body = 1. + 1e-9;
+  static constexpr double max_diagonals_at_body = 1. + 1e-9;
 
   /// Largest value of levels().
   unsigned int most_levels() const;

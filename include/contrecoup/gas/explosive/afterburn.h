@@ -72,7 +72,7 @@ public:
                GasField &field);
 
   /// Sets the released fraction [-] and the released energy [J] at the start.
-  void go_on_from(const double fraction, const double released)
+  void set_released(const double fraction, const double released)
   {
     fraction_ = fraction;
     released_ = released;

@@ -73,7 +73,7 @@ public:
    * side that is a plane of symmetry of the charge. Nothing is returned where
    * the domain cuts the charge otherwise, or for a mesh that is not a box.
    */
-  std::optional<double> share_within(const CoarseMesh<dim> &mesh) const;
+  std::optional<double> fraction_within(const CoarseMesh<dim> &mesh) const;
 
   /// Time [s] when a detonation front of speed @p speed [m/s] comes within @p
   /// lead [m] of a point.

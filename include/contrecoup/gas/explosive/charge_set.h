@@ -79,10 +79,11 @@ public:
   /// Signed distance from the nearest charge [m], negative inside.
   double signed_distance(const dealii::Point<dim> &point) const;
 
-  /// Time [s] when the detonation front of a charge nearer than @p reach [m]
-  /// comes within @p lead [m] of a point; nothing if no charge is that near.
+  /// Time [s] when the detonation front of a charge nearer than @p max_distance
+  /// [m] comes within @p lead [m] of a point; nothing if no charge is that
+  /// near.
   std::optional<double> arrival(const dealii::Point<dim> &point,
-                                const double reach,
+                                const double max_distance,
                                 const double lead) const;
 
   /**

@@ -14,15 +14,15 @@ namespace contrecoup::gas
 /// Fraction of each point's volume that a charge fills.
 struct ChargeVolume
 {
-  struct Part
+  struct Contribution
   {
     unsigned int leaf;
     unsigned int point;
     double fraction; ///< fraction of the point's volume, > 0 [-]
   };
-  std::vector<Part> parts; ///< on leaves of this rank
-  double total = 0.;       ///< volume of the parts of all ranks [m^3]
-  bool is_exact = false;   ///< whether total equals the exact volume
+  std::vector<Contribution> contributions; ///< on leaves of this rank
+  double total = 0.;     ///< volume of the parts of all ranks [m^3]
+  bool is_exact = false; ///< whether total equals the exact volume
 };
 
 /**
@@ -32,7 +32,8 @@ struct ChargeVolume
  * directions until the parts are small compared with subcell and charge;
  * within a part the surface is taken as plane. Then the fractions f of cut
  * subcells are changed by lambda f (1 - f), with one lambda, so that the
- * charge has its exact volume, if Charge::share_within() knows it. Collective.
+ * charge has its exact volume, if Charge::fraction_within() knows it.
+ * Collective.
  */
 template <int dim>
 ChargeVolume charge_volume(const Charge<dim> &charge,

@@ -162,7 +162,7 @@ void BatchSweep<dim, Gas, Real>::sweep_line_of(const SomeGas &gas,
   // What scenes run in most leaves, with loops and limiter known beforehand.
   using Limiter = FixedLimiter<SlopeLimiter::mc>;
   if constexpr (dim == 3)
-    if (scheme_.linear && scheme_.limiter == SlopeLimiter::mc)
+    if (scheme_.linear_reconstruction && scheme_.limiter == SlopeLimiter::mc)
     {
       if (layout_.n == 4)
         return sweep_line<4, Limiter, dim>(

@@ -65,7 +65,7 @@ public:
         else
         {
           kernel_.update(batch, stage, hanging_);
-          quiet_leaves.watch(batch, stage.out);
+          quiet_leaves.find_woken_leaves(batch, stage.out);
         }
       }
   }
@@ -83,11 +83,11 @@ public:
       if (quiet_leaves.is_active(batch) && cut_leaves_.is_cut(batch))
       {
         embedded_kernel_.conclude(batch, stage);
-        quiet_leaves.watch(batch, stage.out);
+        quiet_leaves.find_woken_leaves(batch, stage.out);
       }
   }
 
-  std::vector<unsigned int> still_batches() const override
+  std::vector<unsigned int> closed_batches() const override
   {
     std::vector<unsigned int> result;
     for (unsigned int batch = 0; batch < mesh_.n_batches(); ++batch)

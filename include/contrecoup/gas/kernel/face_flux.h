@@ -139,8 +139,8 @@ face_flux(const Gas &gas,
 {
   if (line.burn != nullptr)
   {
-    line.burn->template hold_back<dim>(line.progress[f - 1], left);
-    line.burn->template hold_back<dim>(line.progress[f], right);
+    line.burn->template apply_burn_pressure<dim>(line.progress[f - 1], left);
+    line.burn->template apply_burn_pressure<dim>(line.progress[f], right);
   }
   Number share(1.);
   if (line.compression != nullptr)

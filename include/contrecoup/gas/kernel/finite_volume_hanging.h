@@ -96,7 +96,7 @@ private:
   const Gas gas_;
   PrimitiveField<dim, Gas, Real> &primitives_;
   NeighborReader<Real> reader_;
-  bool careful_ = false; ///< see Stage::careful
+  bool bounds_velocity_slopes_ = false; ///< see Stage::bound_velocity_slopes
   const HangingOpenings<dim, Real> *openings_ = nullptr;
   /// Set where a leaf of the group is still to burn.
   const Burn *burn_ = nullptr;

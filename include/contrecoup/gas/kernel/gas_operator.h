@@ -62,7 +62,7 @@ public:
   }
 
   /// Batches that stages never touch, because they hold no gas.
-  virtual std::vector<unsigned int> still_batches() const
+  virtual std::vector<unsigned int> closed_batches() const
   {
     return {};
   }

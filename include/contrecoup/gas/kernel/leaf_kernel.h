@@ -57,10 +57,11 @@ public:
   /// The states left and right of face @p f of the line, as unburned
   /// explosive makes them.
   template <typename State>
-  void hold_back(const unsigned int f, State &left, State &right) const
+  void
+  apply_burn_pressure(const unsigned int f, State &left, State &right) const
   {
-    burn_->template hold_back<dim>(line_progress_[f], left);
-    burn_->template hold_back<dim>(line_progress_[f + 1], right);
+    burn_->template apply_burn_pressure<dim>(line_progress_[f], left);
+    burn_->template apply_burn_pressure<dim>(line_progress_[f + 1], right);
   }
 
   /// Pressure that cell @p i of the line, in this state, exerts.
@@ -194,7 +195,7 @@ protected:
   unsigned int batch_ = 0;
   double time_ = 0.;
   const Real *in_ = nullptr;
-  bool careful_ = false; ///< see Stage::careful
+  bool bounds_velocity_slopes_ = false; ///< see Stage::bound_velocity_slopes
   /// Set where a leaf of the batch or a neighbour is still to burn.
   const Burn *burn_ = nullptr;
   /// Burn::progress() of cells -1 to n of a line.

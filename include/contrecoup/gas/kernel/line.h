@@ -26,7 +26,7 @@ struct Line
   /// Primitive values of the first subcell. Two subcells before it and two
   /// behind the last one have values too.
   const Values *subcells = nullptr;
-  /// Whether velocity slopes are bounded; see Stage::careful.
+  /// Whether velocity slopes are bounded; see Stage::bound_velocity_slopes.
   bool bounds_velocity = false;
 
   /// Where explosive is still to burn: Burn::progress() of subcells -1 to n.

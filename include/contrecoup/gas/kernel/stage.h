@@ -41,7 +41,7 @@ struct BasicStage
   Real *signal_rate = nullptr;
   /// Whether finite volumes bound their velocity slopes by the energy of each
   /// subcell: needed where a step failed without, and first order in cold gas.
-  bool careful = false;
+  bool bound_velocity_slopes = false;
   /// Part that this stage's rate of change has in that of the step [-].
   double weight = 1.;
   /// The gas's force on a body's wall [N; in 2-D per metre of depth] and the

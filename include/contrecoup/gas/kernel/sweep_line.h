@@ -34,17 +34,18 @@ struct AnyLimiter
 {
   explicit AnyLimiter(const Scheme &scheme)
     : limiter(scheme.limiter)
-    , linear(scheme.linear)
+    , linear_reconstruction(scheme.linear_reconstruction)
   {}
   template <typename Number>
   DEAL_II_ALWAYS_INLINE Number operator()(const Number &backward,
                                           const Number &forward) const
   {
-    return linear ? limited_slope(limiter, backward, forward) : Number(0.);
+    return linear_reconstruction ? limited_slope(limiter, backward, forward)
+                                 : Number(0.);
   }
 
   SlopeLimiter limiter;
-  bool linear;
+  bool linear_reconstruction;
 };
 
 

@@ -44,15 +44,15 @@ public:
   {
     visit_precision(field.layout().precision, [&](const auto real) {
       using Real = std::decay_t<decltype(real)>;
-      exchange_.update(field.state<Real>(), field.sensor<Real>());
+      exchange_.update(field.state<Real>(), field.shock_indicator<Real>());
     });
   }
 
   /// Largest signal rates of the current state [1/s].
   struct Rates
   {
-    double all = 0.;    ///< of all leaves
-    double fronts = 0.; ///< each times its size ratio
+    double all = 0.;        ///< of all leaves
+    double front_rate = 0.; ///< each times its size ratio
   };
 
   /// Collective.
@@ -75,7 +75,8 @@ public:
   {
     double step = 0.;         ///< taken [s]
     unsigned int retries = 0; ///< times that the step was halved
-    bool careful = false;     ///< taken with Stage::careful
+    bool bound_velocity_slopes =
+      false; ///< taken with Stage::bound_velocity_slopes
     /// On the rank where no step size helped, a leaf that turned
     /// unphysical; its state is in stage 0 of the field.
     std::optional<unsigned int> unphysical_leaf;
@@ -113,11 +114,12 @@ private:
   std::optional<unsigned int> try_step(GasField &field,
                                        const double time,
                                        const double step,
-                                       const bool careful);
-  /// Whether the scheme has slopes that Stage::careful bounds.
-  bool can_be_careful() const
+                                       const bool bound_velocity_slopes);
+  /// Whether the scheme has slopes that Stage::bound_velocity_slopes bounds.
+  bool can_bound_velocity_slopes() const
   {
-    return scheme_.kind == Scheme::Kind::finite_volume && scheme_.linear;
+    return scheme_.kind == Scheme::Kind::finite_volume &&
+           scheme_.linear_reconstruction;
   }
 
   const LeafMesh<dim> &mesh_;

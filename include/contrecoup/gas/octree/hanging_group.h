@@ -21,15 +21,15 @@ struct HangingGroup
   FaceMatch match;
   unsigned int n_filled = 0;
   /// Index of the hanging face, per lane; unfilled lanes repeat the first.
-  std::array<unsigned int, largest_width> face;
+  std::array<unsigned int, max_batch_width> face;
   /// Leaf numbers, per lane.
-  std::array<unsigned int, largest_width> coarse_leaf;
-  std::array<std::array<unsigned int, largest_width>, n_fine> fine_leaf;
+  std::array<unsigned int, max_batch_width> coarse_leaf;
+  std::array<std::array<unsigned int, max_batch_width>, n_fine> fine_leaf;
   /// Offsets in the state array, per lane; see LeafLayout::offset().
-  std::array<unsigned int, largest_width> coarse_offset;
-  std::array<std::array<unsigned int, largest_width>, n_fine> fine_offset;
+  std::array<unsigned int, max_batch_width> coarse_offset;
+  std::array<std::array<unsigned int, max_batch_width>, n_fine> fine_offset;
   /// See relative_inner_radius(); per lane.
-  std::array<double, largest_width> inner_radius;
+  std::array<double, max_batch_width> inner_radius;
   bool is_radial = false; ///< whether any inner_radius is finite
 };
 

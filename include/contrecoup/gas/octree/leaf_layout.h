@@ -28,8 +28,8 @@ struct LeafLayout
   unsigned int n_face_points = 1; ///< points of a leaf face, n^(dim-1)
   unsigned int n_components = 1;  ///< conserved quantities
   Precision precision = Precision::double_precision; ///< of the stored values
-  unsigned int width = W;                  ///< leaves per batch, a power of two
-  unsigned int width_bits = floor_log2(W); ///< log2(width)
+  unsigned int width = double_width; ///< leaves per batch, a power of two
+  unsigned int width_bits = floor_log2(double_width); ///< log2(width)
 
   /// Largest k with 2^k <= x.
   static constexpr unsigned int floor_log2(const unsigned int x)

@@ -213,7 +213,7 @@ private:
   std::unique_ptr<Tria> triangulation_;
   CoarseMesh<dim> coarse_mesh_;
   Precision precision_ = Precision::double_precision;
-  unsigned int width_ = W; ///< a power of two
+  unsigned int width_ = double_width; ///< a power of two
 
   std::vector<CellIterator> cells_;
   std::vector<unsigned int> leaf_of_cell_;

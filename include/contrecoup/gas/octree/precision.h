@@ -17,15 +17,16 @@ enum class Precision
 };
 
 /// Lanes of a batch in double precision.
-inline constexpr unsigned int W = n_lanes<double>;
+inline constexpr unsigned int double_width = n_lanes<double>;
 
-/// Lanes of the widest batch (single precision); a multiple of W.
-inline constexpr unsigned int largest_width = n_lanes<float>;
+/// Lanes of the widest batch (single precision); a multiple of double_width.
+inline constexpr unsigned int max_batch_width = n_lanes<float>;
 
 /// Number of leaves in a batch: one leaf per lane.
 inline unsigned int batch_width(const Precision precision)
 {
-  return precision == Precision::single_precision ? n_lanes<float> : W;
+  return precision == Precision::single_precision ? n_lanes<float>
+                                                  : double_width;
 }
 
 /// Precision of the type @p Real, double or float.

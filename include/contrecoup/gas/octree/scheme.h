@@ -37,8 +37,8 @@ public:
   void check_mesh(const bool is_axis_aligned) const;
 
   Kind kind = Kind::finite_volume;
-  unsigned int n_points = 8; ///< points per direction of a leaf
-  bool linear = true;        ///< finite volume: linear reconstruction
+  unsigned int n_points = 8;         ///< points per direction of a leaf
+  bool linear_reconstruction = true; ///< finite volume: linear reconstruction
   SlopeLimiter limiter = SlopeLimiter::van_leer;
   /// Multidimensional limiter, for mapped meshes only.
   std::optional<GradientLimiter> gradient_limiter;

@@ -40,7 +40,7 @@ private:
   {
     unsigned int child;
     unsigned int point;
-    double part; ///< fraction of the parent's point's volume [-]
+    double fraction; ///< fraction of the parent's point's volume [-]
   };
 
   Record merged(const std::vector<std::vector<float>> &children,

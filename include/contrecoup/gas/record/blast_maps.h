@@ -36,8 +36,8 @@ public:
 
   void mesh_changed(const GasSnapshot<dim> &gas) override;
   void begin(const GasSnapshot<dim> &gas) override;
-  void go_on_from(const KnownRecord<dim> &record,
-                  const GasSnapshot<dim> &gas) override;
+  void inherit(const KnownRecord<dim> &record,
+               const GasSnapshot<dim> &gas) override;
   /// Passes leaves over that are quiet: nothing happens there.
   void add_step(const GasSnapshot<dim> &gas) override;
 
@@ -75,10 +75,11 @@ private:
                        const unsigned int value,
                        const unsigned int point) const
   {
-    return ((std::size_t(leaf / W) * Record::n_values + value) * n_points_ +
+    return ((std::size_t(leaf / double_width) * Record::n_values + value) *
+              n_points_ +
             point) *
-             W +
-           leaf % W;
+             double_width +
+           leaf % double_width;
   }
 
   template <typename Gas>

@@ -61,8 +61,9 @@ public:
   std::vector<double> partial_sums(const Function &overpressure) const
   {
     std::vector<double> sums(places_.size(), 0.);
-    for (const Part &part : parts_)
-      sums[part.gauge] += part.weight * overpressure(part.facet);
+    for (const Contribution &contribution : contributions_)
+      sums[contribution.gauge] +=
+        contribution.weight * overpressure(contribution.facet);
     return sums;
   }
 
@@ -106,7 +107,7 @@ private:
     dealii::Tensor<1, 3> normal; ///< out of the body [-]
   };
   /// What a facet adds to a gauge.
-  struct Part
+  struct Contribution
   {
     std::size_t facet;
     unsigned int gauge;
@@ -125,15 +126,15 @@ private:
                  const RigidBody &body);
   void find_patch(const unsigned int gauge,
                   const std::vector<double> &geometry,
-                  std::vector<Part> &parts) const;
+                  std::vector<Contribution> &contributions) const;
   void open_file();
 
   double radius_ = 0.;    ///< of patches [m]
   double body_mass_ = 0.; ///< [kg]
   std::vector<Place> places_;
-  std::vector<std::size_t> patch_sizes_; ///< facets of each
-  std::vector<Part> parts_;              ///< of this rank
-  std::vector<Record> records_;          ///< the same on all ranks
+  std::vector<std::size_t> patch_sizes_;    ///< facets of each
+  std::vector<Contribution> contributions_; ///< of this rank
+  std::vector<Record> records_;             ///< the same on all ranks
 
   std::string folder_;
   std::unique_ptr<io::HistoryFile> file_; ///< once a row was written

@@ -34,7 +34,7 @@ public:
   {}
   void mesh_changed(const GasSnapshot<dim> &gas) override;
   void add_step(const GasSnapshot<dim> &gas) override;
-  void share() override;
+  void reduce_over_ranks() override;
   void save(std::ostream &stream, const std::string &folder) const override;
   void load(std::istream &stream, const std::string &folder) override;
 

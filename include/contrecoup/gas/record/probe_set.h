@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/gas/record/blast_gauges.h>
+#include <contrecoup/gas/record/blast_probes.h>
 
 namespace contrecoup::gas
 {
@@ -71,7 +71,7 @@ public:
   void load(std::istream &stream, const std::string &folder) override;
 
 private:
-  BlastGauges<dim> gauges_;
+  BlastProbes<dim> gauges_;
   double last_time_ = 0.; ///< [s]
   std::vector<GasState<dim>> states_;
 };

@@ -73,8 +73,8 @@ public:
   {}
 
   /// Goes on from what a first stage knows, after begin().
-  virtual void go_on_from(const KnownRecord<dim> & /*record*/,
-                          const GasSnapshot<dim> & /*gas*/)
+  virtual void inherit(const KnownRecord<dim> & /*record*/,
+                       const GasSnapshot<dim> & /*gas*/)
   {}
 
   /// Takes the state at the end of a step.
@@ -88,7 +88,7 @@ public:
 
   /// Gives every rank all that is known, and brings files up to date; called
   /// before save().
-  virtual void share()
+  virtual void reduce_over_ranks()
   {}
 
   /// Writes what is known into a checkpoint: into @p stream, and large files

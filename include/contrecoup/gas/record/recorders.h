@@ -4,8 +4,8 @@
 #pragma once
 
 #include <contrecoup/gas/record/blast_maps.h>
-#include <contrecoup/gas/record/gauge_rasters.h>
 #include <contrecoup/gas/record/open_sides.h>
+#include <contrecoup/gas/record/probe_rasters.h>
 #include <contrecoup/gas/record/probe_set.h>
 #include <contrecoup/gas/record/wall_loads.h>
 
@@ -16,7 +16,7 @@ namespace contrecoup::gas
 /// All recorders there are, in the order of checkpoints and of the summary.
 template <int dim>
 using RecorderList = std::tuple<ProbeSet<dim>,
-                                GaugeRasters<dim>,
+                                ProbeRasters<dim>,
                                 BlastMaps<dim>,
                                 OpenSides<dim>,
                                 WallLoads<dim>>;

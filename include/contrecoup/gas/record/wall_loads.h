@@ -39,7 +39,7 @@ public:
   void add_step(const GasSnapshot<dim> &gas) override;
   /// Writes samples that are in memory, or forgets them where there is no
   /// folder.
-  void share() override;
+  void reduce_over_ranks() override;
   /// Keeps loads.h5 in the folder of the checkpoint, and brings it back: a run
   /// that was killed may have left it half-written.
   void save(std::ostream &stream, const std::string &folder) const override;
@@ -52,7 +52,7 @@ public:
   std::vector<NamedValue>
   measures(const GasSnapshot<dim> & /*gas*/) const override
   {
-    return active_ ? audit() : std::vector<NamedValue>();
+    return active_ ? check_values() : std::vector<NamedValue>();
   }
   /// What the gauges say, for people; empty without loads.
   std::vector<std::string>
@@ -63,7 +63,7 @@ public:
 
 private:
   /// Peaks below this part of the highest do not count for the samples.
-  static constexpr double counted_part = 0.05;
+  static constexpr double counted_fraction = 0.05;
 
   /// What is known of a facet.
   struct Record
@@ -110,7 +110,7 @@ private:
   void end_sample(const double time);
   void create_file() const;
   void write_measures();
-  std::vector<NamedValue> audit() const;
+  std::vector<NamedValue> check_values() const;
 
   bool active_ = false;
   double interval_ = 0.;     ///< of samples [s]; 0: every step

@@ -65,7 +65,7 @@ public:
   double skipped_updates() const;
 
   /// Edge lengths of the smallest subcells that adaptation may make [m].
-  dealii::Tensor<1, dim> smallest_cell() const;
+  dealii::Tensor<1, dim> smallest_subcell() const;
 
   /// See Simulation::expected_work(), for a front that is expected at a
   /// distance from @p centre that @p front gives of time.
@@ -120,8 +120,8 @@ private:
   void state_changed();
   void update_burn();
   /// Takes over the afterburn of the profile.
-  void go_on_burning();
-  void count_work(const double n_computed, const double part);
+  void inherit_afterburn();
+  void count_work(const double n_computed, const double fraction);
   [[noreturn]] void fail(const typename TimeStepper<dim>::Result &result);
   std::string describe_leaf(const unsigned int leaf);
 
@@ -146,7 +146,8 @@ private:
   std::uint64_t n_steps_ = 0;
   double last_step_ = 0.;                 ///< size [s]
   std::array<double, 6> wall_force_ = {}; ///< in the last step
-  double n_careful_steps_ = 0.;           ///< in this run, see Stage::careful
+  double n_bounded_steps_ =
+    0.; ///< in this run, see Stage::bound_velocity_slopes
   /// Leaves computed by all stages of this run on all ranks.
   double n_computed_ = 0.;
   /// Leaves of this rank that the last hundred steps or so computed, and those

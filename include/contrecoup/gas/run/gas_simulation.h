@@ -97,9 +97,9 @@ public:
   /// See RunPlan.
   void expect_blast(const double energy,
                     const dealii::Point<dim> &centre,
-                    const double non_ideal_part)
+                    const double non_ideal_fraction)
   {
-    plan_.expect_blast(energy, centre, non_ideal_part);
+    plan_.expect_blast(energy, centre, non_ideal_fraction);
   }
 
 private:

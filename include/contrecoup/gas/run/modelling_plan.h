@@ -41,24 +41,24 @@ public:
   dealii::Point<dim> lower, upper; ///< of the domain [m]
   std::vector<unsigned int> open_sides;
   std::vector<dealii::Point<dim>> probes;
-  double end_time = 0.;      ///< [s]
-  double smallest_cell = 0.; ///< edge [m]
+  double end_time = 0.;         ///< [s]
+  double smallest_subcell = 0.; ///< edge [m]
   bool skips_quiet_leaves = true;
   /// Largest difference of the pressure of products from that of an ideal gas
   /// of their density, energy and Grueneisen coefficient, over the pressure
   /// [-]; NaN: there are no products.
-  double non_ideal_part = std::numeric_limits<double>::quiet_NaN();
+  double non_ideal_fraction = std::numeric_limits<double>::quiet_NaN();
 
   /// What a run found.
-  struct Findings
+  struct Measurements
   {
     double time = 0.; ///< when it ended [s]
     std::array<double, 2 * dim> side_arrivals;
-    std::vector<double> peaks; ///< overpressures at the probes [Pa]
-    double smallest_cell = 0.; ///< [m]
-    double skipped = 0.;       ///< part of the updates [-]
+    std::vector<double> peaks;    ///< overpressures at the probes [Pa]
+    double smallest_subcell = 0.; ///< [m]
+    double skipped = 0.;          ///< part of the updates [-]
     /// As in the plan, in the end.
-    double non_ideal_part = std::numeric_limits<double>::quiet_NaN();
+    double non_ideal_fraction = std::numeric_limits<double>::quiet_NaN();
   };
 
   /// Distance of the blast's front from its centre at @p time [m]; NaN: not
@@ -66,7 +66,7 @@ public:
   double expected_front(const double time) const;
 
   std::vector<Assumption> plan() const;
-  std::vector<Assumption> audit(const Findings &findings) const;
+  std::vector<Assumption> audit(const Measurements &measured) const;
 
   /// The blast, which a later state no longer shows, for checkpoints.
   void save(std::ostream &stream) const;
@@ -84,8 +84,8 @@ private:
   /// When the front reaches what is not spherical: the nearest side that is
   /// no plane through the centre [s].
   double expected_end_of_symmetry() const;
-  double measured_return(const Findings &findings) const;
-  double expected_quiet_part() const;
+  double measured_return(const Measurements &measured) const;
+  double expected_quiet_fraction() const;
   /// Whether the ambient gas is air as at ground level.
   bool is_air() const;
 };

@@ -22,10 +22,10 @@ public:
 
   /// Takes a blast of @p energy in full space [J] that the initial state does
   /// not show, or no longer.
-  /// @param non_ideal_part see ModellingPlan
+  /// @param non_ideal_fraction see ModellingPlan
   void expect_blast(const double energy,
                     const dealii::Point<dim> &centre,
-                    const double non_ideal_part);
+                    const double non_ideal_fraction);
 
   /// Collective. @param probes where nothing may come back from open sides
   std::vector<Assumption> plan(const std::vector<dealii::Point<dim>> &probes);
@@ -57,7 +57,7 @@ private:
   double excess_energy() const;
   /// See ModellingPlan; NaN without products, or with less than half of them
   /// everywhere.
-  double non_ideal_part() const;
+  double non_ideal_fraction() const;
   /// Shortest edge of a subcell [m].
   double finest_edge() const;
 

@@ -49,8 +49,8 @@ private:
     double rate = 0.;       ///< of signals, see Stage::signal_rate [1/s]
     bool is_active = false; ///< whether steps compute it
     unsigned int level = 0;
-    unsigned int least_level = 0; ///< that the body leaves it
-    unsigned int merges_now = 0;  ///< by which it is finer than it may be
+    unsigned int min_level = 0;  ///< that the body leaves it
+    unsigned int merges_now = 0; ///< by which it is finer than it may be
   };
 
   /// Merges that limits of size ask of a leaf at time @p time [s].

@@ -78,8 +78,9 @@ struct Burn
   /// Applies the burned fraction to the pressure of a face state. The sound
   /// speed there is at least that of the detonation, (1 - F) D.
   template <int dim, typename Number>
-  DEAL_II_ALWAYS_INLINE void hold_back(const Number &progress,
-                                       FaceState<dim, Number> &state) const
+  DEAL_II_ALWAYS_INLINE void
+  apply_burn_pressure(const Number &progress,
+                      FaceState<dim, Number> &state) const
   {
     const Number burned = fraction(progress, state.density);
     state.pressure = pressure(state.pressure, burned);

@@ -58,12 +58,12 @@ public:
 
   /// Sensor of each leaf for the current state.
   template <typename Real = double>
-  Real *sensor()
+  Real *shock_indicator()
   {
     return copies<Real>().sensors[0].data();
   }
   template <typename Real = double>
-  Real *stage_sensor(const unsigned int i)
+  Real *stage_shock_indicator(const unsigned int i)
   {
     return copies<Real>().sensors[1 + i].data();
   }
@@ -203,7 +203,7 @@ inline Lanes<double> GasField::values(const unsigned int leaf,
     layout_.offset(leaf) + layout_.value(component, point);
   return visit([&](const auto &copies) {
     Lanes<double> result;
-    for (unsigned int lane = 0; lane < W; ++lane)
+    for (unsigned int lane = 0; lane < double_width; ++lane)
       result[lane] = copies.states[0][position + lane];
     return result;
   });

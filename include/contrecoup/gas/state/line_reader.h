@@ -59,7 +59,7 @@ public:
         u[c].load(state + layout_.value(c, q));
       Values p = to_primitive<dim>(gas_, u);
       for (unsigned int lane = 0; lane < n_lanes<Real>; ++lane)
-        hold_back(batch * n_lanes<Real> + lane, q, lane, p);
+        apply_burn_pressure(batch * n_lanes<Real> + lane, q, lane, p);
       for (unsigned int c = 0; c < n_variables; ++c)
         primitive_[c * layout_.n_points + q] = p[c];
     }
@@ -125,10 +125,10 @@ public:
 
 private:
   /// Replaces the pressure in @p p by the exerted pressure.
-  void hold_back(const unsigned int leaf,
-                 const unsigned int point,
-                 const unsigned int lane,
-                 Values &p) const
+  void apply_burn_pressure(const unsigned int leaf,
+                           const unsigned int point,
+                           const unsigned int lane,
+                           Values &p) const
   {
     Number &pressure = p[Component<dim>::energy];
     if (field_.burn() != nullptr)
@@ -149,7 +149,7 @@ private:
                                    layout_.value(c, point));
     Values p = to_primitive<dim>(gas_, u);
     for (unsigned int lane = 0; lane < n_lanes<Real>; ++lane)
-      hold_back(mesh_.neighbors(batch_, face)[lane], point, lane, p);
+      apply_burn_pressure(mesh_.neighbors(batch_, face)[lane], point, lane, p);
     return p;
   }
 

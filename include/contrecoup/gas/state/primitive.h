@@ -155,7 +155,8 @@ rotated_component(const unsigned int i, const unsigned int direction)
 /// the conserved quantities where the density is positive.
 template <int dim, typename Gas, typename Number>
 DEAL_II_ALWAYS_INLINE inline Number
-spare_energy(const Gas &gas, const std::array<Number, n_conserved<dim, Gas>> &u)
+energy_above_cold_curve(const Gas &gas,
+                        const std::array<Number, n_conserved<dim, Gas>> &u)
 {
   using C = Component<dim>;
   Number kinetic(0.);
@@ -177,10 +178,11 @@ is_admissible(const Gas &gas,
               const std::array<Number, n_conserved<dim, Gas>> &u)
 {
   const Number zero(0.), one(1.);
-  return select_less(zero,
-                     u[Component<dim>::density],
-                     select_less(zero, spare_energy<dim>(gas, u), one, zero),
-                     zero);
+  return select_less(
+    zero,
+    u[Component<dim>::density],
+    select_less(zero, energy_above_cold_curve<dim>(gas, u), one, zero),
+    zero);
 }
 
 /// Replaces the reconstructed primitive state @p trace by the subcell's mean

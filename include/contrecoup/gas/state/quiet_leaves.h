@@ -81,7 +81,7 @@ public:
   /// Looks for leaves of an active batch that are not quiet in @p out, the
   /// state that the stage wrote.
   template <typename Real>
-  void watch(const unsigned int batch, const Real *out);
+  void find_woken_leaves(const unsigned int batch, const Real *out);
 
   /// Whether quiet leaves hold explosive products.
   bool have_products() const;
@@ -105,7 +105,7 @@ public:
 private:
   /// Bit patterns of numbers of either precision.
   using Bits = std::uint64_t;
-  using LaneBits = std::array<Bits, largest_width>;
+  using LaneBits = std::array<Bits, max_batch_width>;
 
   void find_readers();
   void find_ambient(const GasField &field);

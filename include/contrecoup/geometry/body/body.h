@@ -38,7 +38,7 @@ public:
   virtual std::shared_ptr<const Body>
   placed(const Placement &placement) const = 0;
 
-  /// The parts by number; at most LabelGrid::nothing.
+  /// The parts by number; at most LabelGrid::outside.
   const std::vector<BodyPart> &parts() const
   {
     return parts_;
@@ -67,7 +67,7 @@ public:
   /// The outer surface, which encloses all parts; the gas solver sees this.
   virtual ShapePointer surface() const = 0;
 
-  /// Number of the part at a point, or LabelGrid::nothing.
+  /// Number of the part at a point, or LabelGrid::outside.
   virtual unsigned char part_at(const dealii::Point<3> &point) const = 0;
 
   /// Labels every voxel of a grid with the part at its centre.
@@ -94,14 +94,14 @@ public:
     ShapePointer shape;
   };
 
-  /// @param pieces fewer than LabelGrid::nothing
+  /// @param part_shapes fewer than LabelGrid::outside
   ShapeBody(ShapePointer surface, const std::vector<PartShape> &part_shapes);
   BodyPointer placed(const Placement &placement) const override;
   ShapePointer surface() const override;
   unsigned char part_at(const dealii::Point<3> &point) const override;
   void fill(LabelGrid &grid) const override;
 
-  /// The pieces given to the constructor.
+  /// The shapes given to the constructor.
   std::vector<PartShape> part_shapes() const;
 
 private:

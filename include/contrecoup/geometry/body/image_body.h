@@ -35,7 +35,7 @@ class ImageBody : public Body
 public:
   /**
    * @param image supplies size and position; its values are not used
-   * @param labels part number of each voxel, or LabelGrid::nothing
+   * @param labels part number of each voxel, or LabelGrid::outside
    * @throws InputError when no voxel has a part, or for axes that are not
    * orthogonal
    */

@@ -61,7 +61,7 @@ LabelGrid make_grid(const dealii::BoundingBox<3> &box,
                     double spacing,
                     double most_cubes = 4e9);
 
-/// Number of face-connected pieces of each label; entry LabelGrid::nothing is
+/// Number of face-connected pieces of each label; entry LabelGrid::outside is
 /// that of the whole body.
 std::array<unsigned int, 256> count_components(const LabelGrid &grid);
 } // namespace contrecoup

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include <contrecoup/gas/record/blast_gauges.h>
+#include <contrecoup/gas/record/blast_probes.h>
 
 namespace contrecoup::gas
 {
@@ -15,7 +15,7 @@ namespace contrecoup::gas
  * through the gas itself.
  */
 template <int dim>
-class GaugeRasters : public Recorder<dim>
+class ProbeRasters : public Recorder<dim>
 {
 public:
   /// Declares entries of subsection "Probes".
@@ -27,8 +27,8 @@ public:
                         const GasScene<dim> &scene) override;
 
   void mesh_changed(const GasSnapshot<dim> &gas) override;
-  void go_on_from(const KnownRecord<dim> &record,
-                  const GasSnapshot<dim> &gas) override;
+  void inherit(const KnownRecord<dim> &record,
+               const GasSnapshot<dim> &gas) override;
   void add_step(const GasSnapshot<dim> &gas) override;
 
   /// Writes lines as gauges_line_N.csv and planes as
@@ -36,7 +36,7 @@ public:
   /// @throws SystemError when the disk is full
   void write(const GasSnapshot<dim> &gas, const std::string &folder) override;
 
-  void share() override;
+  void reduce_over_ranks() override;
   void save(std::ostream &stream, const std::string &folder) const override;
   void load(std::istream &stream, const std::string &folder) override;
 
@@ -64,7 +64,7 @@ private:
                    const double time) const;
 
   std::vector<Raster> rasters_;
-  BlastGauges<dim> gauges_;
+  BlastProbes<dim> gauges_;
   MPI_Comm communicator_ = MPI_COMM_SELF;
   bool is_shared_ = true; ///< whether every rank has all records
 };

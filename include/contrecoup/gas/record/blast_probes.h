@@ -11,7 +11,7 @@ namespace contrecoup::gas
 /// Gauges that stand still while the mesh adapts: their places, the pressures
 /// there before anything happened, and what the blast did at each so far.
 template <int dim>
-class BlastGauges
+class BlastProbes
 {
 public:
   using Record = BlastRecord<double>;

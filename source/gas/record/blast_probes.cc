@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/gas/record/blast_gauges.h>
+#include <contrecoup/gas/record/blast_probes.h>
 
 #include <istream>
 #include <ostream>
@@ -9,7 +9,7 @@
 namespace contrecoup::gas
 {
 template <int dim>
-void BlastGauges<dim>::place(std::vector<dealii::Point<dim>> places,
+void BlastProbes<dim>::place(std::vector<dealii::Point<dim>> places,
                              const GasScene<dim> &scene,
                              const std::string &what)
 {
@@ -25,7 +25,7 @@ void BlastGauges<dim>::place(std::vector<dealii::Point<dim>> places,
 
 
 template <int dim>
-void BlastGauges<dim>::save(std::ostream &stream) const
+void BlastProbes<dim>::save(std::ostream &stream) const
 {
   stream.write(reinterpret_cast<const char *>(records_.data()),
                records_.size() * sizeof(Record));
@@ -33,14 +33,14 @@ void BlastGauges<dim>::save(std::ostream &stream) const
 
 
 template <int dim>
-void BlastGauges<dim>::load(std::istream &stream)
+void BlastProbes<dim>::load(std::istream &stream)
 {
   stream.read(reinterpret_cast<char *>(records_.data()),
               records_.size() * sizeof(Record));
 }
 
 
-template class BlastGauges<1>;
-template class BlastGauges<2>;
-template class BlastGauges<3>;
+template class BlastProbes<1>;
+template class BlastProbes<2>;
+template class BlastProbes<3>;
 } // namespace contrecoup::gas

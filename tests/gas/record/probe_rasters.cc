@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/gas/record/gauge_rasters.h>
+#include <contrecoup/gas/record/probe_rasters.h>
 
 #include "gas_run.h"
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ public:
           communicator)
   {
     dealii::ParameterHandler prm;
-    GaugeRasters<dim>::declare_parameters(prm);
+    ProbeRasters<dim>::declare_parameters(prm);
     std::vector<Assignment> assignments;
     for (const std::string &line : lines)
       assignments.push_back(parse_override(line));
@@ -41,14 +41,14 @@ public:
   /// Text of what save() would write.
   std::string saved()
   {
-    gauges.share();
+    gauges.reduce_over_ranks();
     std::ostringstream stream;
     gauges.save(stream, "");
     return stream.str();
   }
 
   GasRun<dim> run;
-  GaugeRasters<dim> gauges;
+  ProbeRasters<dim> gauges;
 };
 
 
@@ -77,7 +77,7 @@ std::string make_folder()
 } // namespace
 
 
-TEST(GaugeRasters, WriteLinesAndPlanes)
+TEST(ProbeRasters, WriteLinesAndPlanes)
 {
   Gauges<3> scene({"Probes/Lines=0.1,0.5,0.5 : 0.9,0.5,0.5 : 9",
                    "Probes/Gauge planes=0.2,0.5,0.1 : 0.8,0.5,0.9 : 4, 5"},
@@ -133,7 +133,7 @@ TEST(GaugeRasters, WriteLinesAndPlanes)
 }
 
 
-TEST(GaugeRasters, RanksAndCheckpointsDoNotChangeABit)
+TEST(ProbeRasters, RanksAndCheckpointsDoNotChangeABit)
 {
   const std::vector<std::string> lines = {
     "Probes/Lines=0,0 : 1,1 : 23; 0.5,0 : 0.5,1 : 17",
@@ -178,7 +178,7 @@ TEST(GaugeRasters, RanksAndCheckpointsDoNotChangeABit)
 }
 
 
-TEST(GaugeRasters, RefuseWhatCannotBeRead)
+TEST(ProbeRasters, RefuseWhatCannotBeRead)
 {
   EXPECT_EQ(refusal("Probes/Lines="), "");
   EXPECT_EQ(refusal("Probes/Lines=0,0 : 1,1 : 3; 0,1 : 1,0 : 2"), "");

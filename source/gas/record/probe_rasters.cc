@@ -5,7 +5,7 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/record/blast_maps.h>
-#include <contrecoup/gas/record/gauge_rasters.h>
+#include <contrecoup/gas/record/probe_rasters.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/file/numpy.h>
 
@@ -50,7 +50,7 @@ namespace
 
 
 template <int dim>
-void GaugeRasters<dim>::declare_parameters(ParameterHandler &prm)
+void ProbeRasters<dim>::declare_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "Probes");
   declare_string(prm,
@@ -68,7 +68,7 @@ void GaugeRasters<dim>::declare_parameters(ParameterHandler &prm)
 
 
 template <int dim>
-void GaugeRasters<dim>::parse_parameters(ParameterHandler &prm,
+void ProbeRasters<dim>::parse_parameters(ParameterHandler &prm,
                                          const GasScene<dim> &scene)
 {
   rasters_.clear();
@@ -83,7 +83,7 @@ void GaugeRasters<dim>::parse_parameters(ParameterHandler &prm,
 
 
 template <int dim>
-void GaugeRasters<dim>::parse_list(const std::string &entry,
+void ProbeRasters<dim>::parse_list(const std::string &entry,
                                    const std::string &text,
                                    const unsigned int n_counts,
                                    std::vector<dealii::Point<dim>> &places)
@@ -133,7 +133,7 @@ void GaugeRasters<dim>::parse_list(const std::string &entry,
 
 
 template <int dim>
-std::vector<dealii::Point<dim>> GaugeRasters<dim>::Raster::places() const
+std::vector<dealii::Point<dim>> ProbeRasters<dim>::Raster::places() const
 {
   const auto along = [](const unsigned int i, const unsigned int n) {
     return static_cast<double>(i) / (n - 1);
@@ -156,17 +156,17 @@ std::vector<dealii::Point<dim>> GaugeRasters<dim>::Raster::places() const
 
 
 template <int dim>
-void GaugeRasters<dim>::mesh_changed(const GasSnapshot<dim> &gas)
+void ProbeRasters<dim>::mesh_changed(const GasSnapshot<dim> &gas)
 {
-  share();
+  reduce_over_ranks();
   communicator_ = gas.mesh.communicator();
   gauges_.mesh_changed(gas);
 }
 
 
 template <int dim>
-void GaugeRasters<dim>::go_on_from(const KnownRecord<dim> &record,
-                                   const GasSnapshot<dim> & /*gas*/)
+void ProbeRasters<dim>::inherit(const KnownRecord<dim> &record,
+                                const GasSnapshot<dim> & /*gas*/)
 {
   for (std::size_t i = 0; i < gauges_.size(); ++i)
     if (const auto known = record(gauges_.places()[i]))
@@ -175,7 +175,7 @@ void GaugeRasters<dim>::go_on_from(const KnownRecord<dim> &record,
 
 
 template <int dim>
-void GaugeRasters<dim>::add_step(const GasSnapshot<dim> &gas)
+void ProbeRasters<dim>::add_step(const GasSnapshot<dim> &gas)
 {
   if (rasters_.empty())
     return;
@@ -190,7 +190,7 @@ void GaugeRasters<dim>::add_step(const GasSnapshot<dim> &gas)
 
 
 template <int dim>
-void GaugeRasters<dim>::share()
+void ProbeRasters<dim>::reduce_over_ranks()
 {
   if (is_shared_)
     return;
@@ -213,7 +213,7 @@ void GaugeRasters<dim>::share()
 
 
 template <int dim>
-void GaugeRasters<dim>::save(std::ostream &stream,
+void ProbeRasters<dim>::save(std::ostream &stream,
                              const std::string & /*folder*/) const
 {
   gauges_.save(stream);
@@ -221,7 +221,7 @@ void GaugeRasters<dim>::save(std::ostream &stream,
 
 
 template <int dim>
-void GaugeRasters<dim>::load(std::istream &stream,
+void ProbeRasters<dim>::load(std::istream &stream,
                              const std::string & /*folder*/)
 {
   gauges_.load(stream);
@@ -230,10 +230,10 @@ void GaugeRasters<dim>::load(std::istream &stream,
 
 
 template <int dim>
-void GaugeRasters<dim>::write(const GasSnapshot<dim> &gas,
+void ProbeRasters<dim>::write(const GasSnapshot<dim> &gas,
                               const std::string &folder)
 {
-  share();
+  reduce_over_ranks();
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
     return;
   unsigned int line = 0, plane = 0;
@@ -249,7 +249,7 @@ void GaugeRasters<dim>::write(const GasSnapshot<dim> &gas,
 
 
 template <int dim>
-void GaugeRasters<dim>::write_line(const std::string &file,
+void ProbeRasters<dim>::write_line(const std::string &file,
                                    const Raster &raster,
                                    const double time) const
 {
@@ -274,7 +274,7 @@ void GaugeRasters<dim>::write_line(const std::string &file,
 
 
 template <int dim>
-void GaugeRasters<dim>::write_plane(const std::string &stem,
+void ProbeRasters<dim>::write_plane(const std::string &stem,
                                     const Raster &raster,
                                     const double time) const
 {
@@ -301,7 +301,7 @@ void GaugeRasters<dim>::write_plane(const std::string &stem,
 }
 
 
-template class GaugeRasters<1>;
-template class GaugeRasters<2>;
-template class GaugeRasters<3>;
+template class ProbeRasters<1>;
+template class ProbeRasters<2>;
+template class ProbeRasters<3>;
 } // namespace contrecoup::gas
