@@ -150,7 +150,7 @@ double StagedSimulation<dim>::margin() const
 {
   // The front of the second stage is two subcells wide.
   double margin = 0.;
-  const auto cell = scene_.core().smallest_cell();
+  const auto cell = scene_.core().smallest_subcell();
   for (unsigned int d = 0; d < dim; ++d)
     margin = std::max(margin, 2. * cell[d]);
   // A trial run for cost estimates has larger subcells and must continue.

@@ -70,7 +70,7 @@ public:
           Real(std::sin(7. * mesh_.nodes[i][d] + mesh_.nodes[i][(d + 1) % 3]));
     }
     // Nothing is quiet: every element is computed.
-    nodes_.find_awake();
+    nodes_.mark_active_blocks();
   }
 
   void step()

@@ -56,8 +56,9 @@ public:
           node += select_less(
             way, Lane(i - spline_shift(degree)), Lane(0.), Lane(1.));
         set_weights(d, p, way - node, per_cell);
-        offset = offset * double(TileGrid::window_edge) +
-                 (node - double(spline_lead(degree) + TileGrid::window_start));
+        offset =
+          offset * double(TileGrid::window_edge) +
+          (node - double(first_node_offset(degree) + TileGrid::window_start));
       }
       for (unsigned int lane = 0; lane < n_lanes<double>; ++lane)
         first_[p + lane] = static_cast<std::size_t>(offset[lane]);

@@ -224,7 +224,7 @@ double LagrangeStep::advance(AleState &state,
       const AleState failed = state;
       start.give_back(state);
       state.time = begin;
-      give_up(failed, step);
+      throw_step_failure(failed, step);
     }
     start.give_back(state);
     state.time = begin;

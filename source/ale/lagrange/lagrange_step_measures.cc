@@ -108,7 +108,8 @@ AleTotals LagrangeStep::totals(const AleState &state) const
 }
 
 
-void LagrangeStep::give_up(const AleState &state, const double step) const
+void LagrangeStep::throw_step_failure(const AleState &state,
+                                      const double step) const
 {
   // Find the cell with the smallest volume on all ranks.
   double least = std::numeric_limits<double>::max();

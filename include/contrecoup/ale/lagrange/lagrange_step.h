@@ -178,7 +178,8 @@ private:
   /// Whether @p good holds on all ranks.
   bool all(const bool good) const;
   void add_contact(const ContactMeasures &now);
-  [[noreturn]] void give_up(const AleState &state, const double step) const;
+  [[noreturn]] void throw_step_failure(const AleState &state,
+                                       const double step) const;
   /// Names the cell with the most restrictive CFL limit.
   [[noreturn]] void give_up_signals(const AleState &state,
                                     const double step) const;
