@@ -102,7 +102,7 @@ public:
   double bytes() const
   {
     solid::NodeBackup<Real> nodes;
-    nodes.keep(nodes_);
+    nodes.save(nodes_);
     const solid::HexMemory<Lanes<Real>> elements = operator_.batches();
     return (operator_.batches().memory() + 16. * sizeof(Real) * nodes_.size() +
             mesh_.owned.size() + nodes.memory_consumption() +
