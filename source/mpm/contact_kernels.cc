@@ -13,11 +13,11 @@ namespace
   constexpr unsigned int size = window_stride;
   constexpr int edge = TileGrid::window_edge;
 
-  SplineWeights weights(const unsigned int degree, const double place)
+  SplineWeights weights(const unsigned int degree, const double geometry)
   {
-    return degree == 1   ? spline_weights<1>(place)
-           : degree == 2 ? spline_weights<2>(place)
-                         : spline_weights<3>(place);
+    return degree == 1   ? spline_weights<1>(geometry)
+           : degree == 2 ? spline_weights<2>(geometry)
+                         : spline_weights<3>(geometry);
   }
 
   /// Calls @p work(node of the window, its indices in the splines) for all
@@ -43,28 +43,28 @@ namespace
   std::array<SplineWeights, 3> splines(const unsigned int degree,
                                        const ParticleBlock &particles,
                                        const std::size_t p,
-                                       const WindowPlace &place)
+                                       const WindowGeometry &geometry)
   {
     std::array<SplineWeights, 3> axis;
     // Round-off may put what is on the tile's lower sides outside.
     for (unsigned int d = 0; d < 3; ++d)
-      axis[d] =
-        weights(degree,
-                std::max(0.,
-                         (particles[column::position + d][p] - place.lower[d]) /
-                           place.cell_size));
+      axis[d] = weights(
+        degree,
+        std::max(0.,
+                 (particles[column::position + d][p] - geometry.lower[d]) /
+                   geometry.cell_size));
     return axis;
   }
 
   template <unsigned int degree>
   void add_gradients(SplineSupports<degree> &supports,
                      const ParticleBlock &particles,
-                     const WindowPlace &place,
+                     const WindowGeometry &geometry,
                      double *const window)
   {
     for_each_support(
       particles,
-      place,
+      geometry,
       supports,
       [&](const SplineSupports<degree> &support,
           const std::size_t i,
@@ -90,28 +90,28 @@ namespace
 } // namespace
 
 
-void deposit_gradient(const unsigned int degree,
-                      const ParticleBlock &particles,
-                      const WindowPlace &place,
-                      double *const window)
+void add_mass_gradient(const unsigned int degree,
+                       const ParticleBlock &particles,
+                       const WindowGeometry &geometry,
+                       double *const window)
 {
   with_supports(degree, [&](auto &supports) {
-    add_gradients(supports, particles, place, window);
+    add_gradients(supports, particles, geometry, window);
   });
 }
 
 
-void raise_extents(const unsigned int degree,
-                   const ParticleBlock &particles,
-                   const WindowPlace &place,
-                   const double sign,
-                   const ParticleHalf &half,
-                   const double *const normals,
-                   double *const extents)
+void update_extents(const unsigned int degree,
+                    const ParticleBlock &particles,
+                    const WindowGeometry &geometry,
+                    const double sign,
+                    const ParticleExtent &half,
+                    const double *const normals,
+                    double *const extents)
 {
   for (std::size_t p = 0; p < particles.size(); ++p)
   {
-    const auto axis = splines(degree, particles, p, place);
+    const auto axis = splines(degree, particles, p, geometry);
     const double face =
       half.spacing *
       std::min(1., particles[column::volume][p] / half.box_volume);
@@ -121,8 +121,8 @@ void raise_extents(const unsigned int degree,
         for (unsigned int d = 0; d < 3; ++d)
         {
           const double node =
-            place.lower[d] +
-            place.cell_size * (axis[d].first + double(index[d]));
+            geometry.lower[d] +
+            geometry.cell_size * (axis[d].first + double(index[d]));
           const double normal = normals[size * d + at];
           along += normal * (particles[column::position + d][p] - node);
           norm += normal * normal;

@@ -17,7 +17,7 @@ namespace
   constexpr unsigned int size = window_stride;
 
   /// Part of the mass at a node from which on a field counts there.
-  constexpr double least_part = 1e-8;
+  constexpr double smallest_fraction = 1e-8;
 
   /// Whether a tile has one of the nodes that are marked.
   bool reaches(const TileGrid::Source &source,
@@ -37,7 +37,7 @@ namespace
 
   bool is_shared(const double mass_a, const double mass_b)
   {
-    return std::min(mass_a, mass_b) > least_part * (mass_a + mass_b);
+    return std::min(mass_a, mass_b) > smallest_fraction * (mass_a + mass_b);
   }
 } // namespace
 
@@ -93,14 +93,14 @@ void FieldContact::find_tiles(const TileGrid &grid)
   {
     const auto &mass_a = masses_[pair.fields[0]],
                &mass_b = masses_[pair.fields[1]];
-    for (std::uint32_t n = 0; n < grid.n_own_nodes(); ++n)
+    for (std::uint32_t n = 0; n < grid.n_locally_owned_nodes(); ++n)
       if (is_shared(mass_a[n], mass_b[n]))
         shared[0][n] = 1.;
   }
-  shared.update_copies(grid);
-  meets_.clear();
+  shared.update_ghost_values(grid);
+  has_shared_nodes_.clear();
   for (const TileGrid::Source &source : grid.sources())
-    meets_.push_back(reaches(source, shared[0]));
+    has_shared_nodes_.push_back(reaches(source, shared[0]));
 }
 
 
@@ -110,7 +110,7 @@ void FieldContact::find_gradients(const TileGrid &grid, Particles &particles)
     gradient.clear(grid);
   Window window(3 * size);
   auto source = grid.sources().begin();
-  auto meets = meets_.begin();
+  auto meets = has_shared_nodes_.begin();
   for (auto &tile : particles.tiles())
   {
     for (unsigned int field = 0; field < n_fields_ && *meets; ++field)
@@ -121,10 +121,10 @@ void FieldContact::find_gradients(const TileGrid &grid, Particles &particles)
         if (field_of_material_[m] == field && tile.second[m].size() > 0)
         {
           any = true;
-          deposit_gradient(degree_,
-                           tile.second[m],
-                           window_place(grid, *source),
-                           window.data());
+          add_mass_gradient(degree_,
+                            tile.second[m],
+                            window_geometry(grid, *source),
+                            window.data());
         }
       if (any)
         add_window(
@@ -135,7 +135,7 @@ void FieldContact::find_gradients(const TileGrid &grid, Particles &particles)
   }
   for (NodeValues &gradient : gradients_)
   {
-    gradient.add_copies(grid);
+    gradient.compress_add(grid);
     // The image of the matter cancels what is across its mirror.
     for (unsigned int d = 0; d < 3; ++d)
       for (const std::uint32_t n : grid.plane_nodes()[d])
@@ -151,7 +151,7 @@ void FieldContact::find_normals(const TileGrid &grid, Pair &pair) const
              &mass_b = masses_[pair.fields[1]];
   const NodeValues &gradient_a = gradients_[pair.fields[0]],
                    &gradient_b = gradients_[pair.fields[1]];
-  for (std::uint32_t n = 0; n < grid.n_own_nodes(); ++n)
+  for (std::uint32_t n = 0; n < grid.n_locally_owned_nodes(); ++n)
   {
     const double a = mass_a[n], b = mass_b[n];
     if (!is_shared(a, b))
@@ -167,16 +167,16 @@ void FieldContact::find_normals(const TileGrid &grid, Pair &pair) const
 }
 
 
-void FieldContact::raise_extents_of(const TileGrid &grid,
-                                    const TileGrid::Source &source,
-                                    const unsigned int level,
-                                    const Particles::TileBlocks &blocks,
-                                    const Pair &pair,
-                                    NodeValues &extents) const
+void FieldContact::update_extents_of(const TileGrid &grid,
+                                     const TileGrid::Source &source,
+                                     const unsigned int level,
+                                     const Particles::TileBlocks &blocks,
+                                     const Pair &pair,
+                                     NodeValues &extents) const
 {
   constexpr double none = -std::numeric_limits<double>::max();
-  const ParticleHalf half{std::ldexp(half_spacing_, -int(level)),
-                          std::ldexp(box_volume_, -3 * int(level))};
+  const ParticleExtent half{std::ldexp(half_spacing_, -int(level)),
+                            std::ldexp(box_volume_, -3 * int(level))};
   Window normals(3 * size), window(size);
   read_window(source, pair.normals, 0, gradient_parity, normals.data());
   for (unsigned int side = 0; side < 2; ++side)
@@ -184,13 +184,13 @@ void FieldContact::raise_extents_of(const TileGrid &grid,
     window.fill(none);
     for (unsigned int m = 0; m < field_of_material_.size(); ++m)
       if (field_of_material_[m] == pair.fields[side])
-        raise_extents(degree_,
-                      blocks[m],
-                      window_place(grid, source),
-                      side == 0 ? 1. : -1.,
-                      half,
-                      normals.data(),
-                      window.data());
+        update_extents(degree_,
+                       blocks[m],
+                       window_geometry(grid, source),
+                       side == 0 ? 1. : -1.,
+                       half,
+                       normals.data(),
+                       window.data());
     raise_nodes(source, window.data(), extents[side]);
   }
 }
@@ -200,28 +200,28 @@ void FieldContact::find_gap(const TileGrid &grid,
                             Particles &particles,
                             Pair &pair) const
 {
-  pair.normals.update_copies(grid);
+  pair.normals.update_ghost_values(grid);
   NodeValues extents(2);
   extents.clear(grid);
   for (unsigned int side = 0; side < 2; ++side)
     extents[side].fill(-std::numeric_limits<double>::max());
   auto source = grid.sources().begin();
-  auto meets = meets_.begin();
+  auto meets = has_shared_nodes_.begin();
   for (auto &tile : particles.tiles())
   {
     const unsigned int level = source->level;
     if (*meets)
-      raise_extents_of(grid, *source, level, tile.second, pair, extents);
+      update_extents_of(grid, *source, level, tile.second, pair, extents);
     // Nodes of level 0 see its particles as if its cells were not halved.
     if (*meets && source->coarse != nullptr)
-      raise_extents_of(
+      update_extents_of(
         grid, *source->coarse, level, tile.second, pair, extents);
     ++source;
     ++meets;
   }
-  extents.raise_by_copies(grid);
+  extents.compress_max(grid);
   pair.gaps.clear(grid);
-  for (std::uint32_t n = 0; n < grid.n_own_nodes(); ++n)
+  for (std::uint32_t n = 0; n < grid.n_locally_owned_nodes(); ++n)
     pair.gaps[0][n] = -extents[0][n] - extents[1][n];
 }
 
@@ -247,24 +247,25 @@ void FieldContact::find_interfaces(
 }
 
 
-double FieldContact::push(const Pair &pair,
-                          const std::uint32_t node,
-                          NodeValues &a,
-                          NodeValues &b,
-                          const unsigned int first) const
+double FieldContact::apply_impulse(const Pair &pair,
+                                   const std::uint32_t node,
+                                   NodeValues &a,
+                                   NodeValues &b,
+                                   const unsigned int first) const
 {
-  dealii::Tensor<1, 3> normal, together; // the first relative to the second
+  dealii::Tensor<1, 3> normal,
+    relative_velocity; // the first relative to the second
   for (unsigned int d = 0; d < 3; ++d)
   {
     normal[d] = pair.normals[d][node];
-    together[d] = a[first + d][node] - b[first + d][node];
+    relative_velocity[d] = a[first + d][node] - b[first + d][node];
   }
-  const double closing = together * normal;
+  const double closing = relative_velocity * normal;
   if (!(normal.norm_square() > 0.) ||
       (kind_ == FieldInterface::contact &&
        (closing <= 0. || pair.gaps[0][node] > 0.)))
     return 0.;
-  const auto along = together - closing * normal;
+  const auto along = relative_velocity - closing * normal;
   dealii::Tensor<1, 3> change = closing * normal;
   if (kind_ == FieldInterface::contact && along.norm() > 0.)
     change += std::min(1., friction_ * closing / along.norm()) * along;
@@ -282,10 +283,10 @@ double FieldContact::push(const Pair &pair,
 
 double FieldContact::apply(const std::vector<NodeValues *> &velocities,
                            const unsigned int first,
-                           const std::size_t n_own_nodes) const
+                           const std::size_t n_locally_owned_nodes) const
 {
   double sum = 0.;
-  for (std::uint32_t n = 0; n < n_own_nodes; ++n)
+  for (std::uint32_t n = 0; n < n_locally_owned_nodes; ++n)
   {
     const auto n_met =
       std::count_if(pairs_.begin(), pairs_.end(), [&](const Pair &pair) {
@@ -296,11 +297,11 @@ double FieldContact::apply(const std::vector<NodeValues *> &velocities,
       continue;
     for (unsigned int sweep = 0; sweep < (n_met > 1 ? n_sweeps : 1); ++sweep)
       for (const Pair &pair : pairs_)
-        sum += push(pair,
-                    n,
-                    *velocities[pair.fields[0]],
-                    *velocities[pair.fields[1]],
-                    first);
+        sum += apply_impulse(pair,
+                             n,
+                             *velocities[pair.fields[0]],
+                             *velocities[pair.fields[1]],
+                             first);
   }
   return sum;
 }

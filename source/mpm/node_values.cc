@@ -28,14 +28,14 @@ namespace
   dealii::ArrayView<double> own_part(const TileGrid &grid,
                                      dealii::AlignedVector<double> &values)
   {
-    return {values.data(), grid.n_own_nodes()};
+    return {values.data(), grid.n_locally_owned_nodes()};
   }
 
   dealii::ArrayView<double> copies(const TileGrid &grid,
                                    dealii::AlignedVector<double> &values)
   {
-    return {values.data() + grid.n_own_nodes(),
-            grid.n_nodes() - grid.n_own_nodes()};
+    return {values.data() + grid.n_locally_owned_nodes(),
+            grid.n_nodes() - grid.n_locally_owned_nodes()};
   }
 
   template <typename Array>
@@ -109,8 +109,8 @@ void NodeValues::clear(const TileGrid &grid)
 }
 
 
-void NodeValues::collect_copies(const TileGrid &grid,
-                                const dealii::VectorOperation::values operation)
+void NodeValues::compress(const TileGrid &grid,
+                          const dealii::VectorOperation::values operation)
 {
   const auto &partitioner = grid.partitioner();
   Messages messages(grid, n_components());
@@ -130,19 +130,19 @@ void NodeValues::collect_copies(const TileGrid &grid,
 }
 
 
-void NodeValues::add_copies(const TileGrid &grid)
+void NodeValues::compress_add(const TileGrid &grid)
 {
-  collect_copies(grid, dealii::VectorOperation::add);
+  compress(grid, dealii::VectorOperation::add);
 }
 
 
-void NodeValues::raise_by_copies(const TileGrid &grid)
+void NodeValues::compress_max(const TileGrid &grid)
 {
-  collect_copies(grid, dealii::VectorOperation::max);
+  compress(grid, dealii::VectorOperation::max);
 }
 
 
-void NodeValues::update_copies(const TileGrid &grid)
+void NodeValues::update_ghost_values(const TileGrid &grid)
 {
   const auto &partitioner = grid.partitioner();
   Messages messages(grid, n_components());

@@ -45,7 +45,7 @@ void ParticleBlock::append(const ParticleBlock &other,
 void ParticleBlock::append(const double *const state)
 {
   const std::size_t i = append();
-  for (unsigned int c = 0; c < column::n_state; ++c)
+  for (unsigned int c = 0; c < column::n_state_columns; ++c)
     (*this)[c][i] = state[c];
 }
 
@@ -53,7 +53,7 @@ void ParticleBlock::append(const double *const state)
 void ParticleBlock::copy_state(const std::size_t particle,
                                double *const state) const
 {
-  for (unsigned int c = 0; c < column::n_state; ++c)
+  for (unsigned int c = 0; c < column::n_state_columns; ++c)
     state[c] = (*this)[c][particle];
 }
 

@@ -23,7 +23,8 @@ namespace
                     ParticleBlock &particles,
                     const std::size_t p)
   {
-    const auto velocity_gradient = load_matrix(particles, column::rate, p);
+    const auto velocity_gradient =
+      load_matrix(particles, column::velocity_gradient, p);
     const Lane rate =
       dilatation_rate(material, particles, velocity_gradient, p);
     Lane dilatation = load_lane(particles[column::dilatation] + p);
@@ -84,7 +85,8 @@ namespace
                     ParticleBlock &particles,
                     const std::size_t p)
   {
-    const auto velocity_gradient = load_matrix(particles, column::rate, p);
+    const auto velocity_gradient =
+      load_matrix(particles, column::velocity_gradient, p);
     const Lane rate =
       dilatation_rate(material, particles, velocity_gradient, p);
     const auto h = strain_gradient(velocity_gradient, step, particles, p);

@@ -48,7 +48,7 @@ void strain_metals(const ParticleMaterial &material,
   const Lane speed(solid.dilatational_speed());
   for (std::size_t p = 0; p < particles.size(); p += metal_width)
   {
-    const auto gradient = load_matrix(particles, column::rate, p);
+    const auto gradient = load_matrix(particles, column::velocity_gradient, p);
     const Lane rate = dilatation_rate(material, particles, gradient, p);
     const auto h = strain_gradient(gradient, step, particles, p);
     const Lane dilatation = strain_volume(

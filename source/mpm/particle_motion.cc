@@ -55,7 +55,7 @@ namespace
 
   template <typename Number>
   inline DEAL_II_ALWAYS_INLINE void gain(const double step,
-                                         const double grid_part,
+                                         const double grid_velocity_fraction,
                                          const bool is_smoothed,
                                          const Columns<Number> &columns,
                                          Number &work,
@@ -64,12 +64,14 @@ namespace
     const Number half_mass = columns[column::mass] * 0.5;
     for (unsigned int d = 0; d < 3; ++d)
     {
-      const Number change = columns[column::change + d],
-                   way = columns[column::way + d],
+      const Number velocity_change = columns[column::velocity_change + d],
+                   position_change = columns[column::position_change + d],
                    before = columns[column::velocity + d];
-      const Number kept = before + change;
-      const Number after = kept + (way / step - kept) * grid_part;
-      work += columns[column::force + d] * (way - 0.5 * step * change);
+      const Number kept = before + velocity_change;
+      const Number after =
+        kept + (position_change / step - kept) * grid_velocity_fraction;
+      work += columns[column::force + d] *
+              (position_change - 0.5 * step * velocity_change);
       kinetic += half_mass * (after - before) * (after + before);
       columns.set(column::velocity + d, after);
     }
@@ -93,19 +95,24 @@ namespace
 } // namespace
 
 
-MotionGains gain_motion(const double step,
-                        const double grid_part,
-                        const bool is_smoothed,
-                        ParticleBlock &particles)
+EnergyGains update_velocities(const double step,
+                              const double grid_velocity_fraction,
+                              const bool is_smoothed,
+                              ParticleBlock &particles)
 {
   Lane work(0.), kinetic(0.);
   double last_work = 0., last_kinetic = 0.;
   std::size_t p = 0;
   for (; p + width <= particles.size(); p += width)
-    gain<Lane>(step, grid_part, is_smoothed, {particles, p}, work, kinetic);
+    gain<Lane>(
+      step, grid_velocity_fraction, is_smoothed, {particles, p}, work, kinetic);
   for (; p < particles.size(); ++p)
-    gain<double>(
-      step, grid_part, is_smoothed, {particles, p}, last_work, last_kinetic);
+    gain<double>(step,
+                 grid_velocity_fraction,
+                 is_smoothed,
+                 {particles, p},
+                 last_work,
+                 last_kinetic);
   return {sum_of_lanes(work) + last_work, sum_of_lanes(kinetic) + last_kinetic};
 }
 
@@ -115,9 +122,10 @@ void advance_positions(ParticleBlock &particles)
   for (unsigned int d = 0; d < 3; ++d)
   {
     double *const x = particles[column::position + d];
-    const double *const way = particles[column::way + d];
+    const double *const position_change =
+      particles[column::position_change + d];
     for (std::size_t p = 0; p < particles.size(); ++p)
-      x[p] += way[p];
+      x[p] += position_change[p];
   }
 }
 
@@ -162,8 +170,8 @@ bool are_inside(const ParticleBlock &particles,
     const double from = lower[d], to = upper[d];
     for (std::size_t p = 0; p < particles.size(); ++p)
     {
-      const double way = (x[p] - origin[d]) / cell_size;
-      n_inside += (way >= from) & (way < to);
+      const double coordinate = (x[p] - origin[d]) / cell_size;
+      n_inside += (coordinate >= from) & (coordinate < to);
     }
   }
   return n_inside == 3 * particles.size();

@@ -34,17 +34,17 @@ namespace
   /// Divides vectors by masses; zero where these are less than a part of the
   /// largest.
   void divide(const TileGrid &grid,
-              const double least_part,
+              const double smallest_fraction,
               const dealii::AlignedVector<double> &mass,
               const unsigned int first,
               NodeValues &values)
   {
     double largest = 0.;
-    for (std::size_t n = 0; n < grid.n_own_nodes(); ++n)
+    for (std::size_t n = 0; n < grid.n_locally_owned_nodes(); ++n)
       largest = std::max(largest, mass[n]);
-    const double least = least_part * largest;
+    const double least = smallest_fraction * largest;
     for (unsigned int d = 0; d < 3; ++d)
-      for (std::size_t n = 0; n < grid.n_own_nodes(); ++n)
+      for (std::size_t n = 0; n < grid.n_locally_owned_nodes(); ++n)
         values[first + d][n] =
           mass[n] > least ? values[first + d][n] / mass[n] : 0.;
   }
@@ -134,14 +134,14 @@ void ParticleStep::deposit_fields(const TileGrid &grid,
                 what,
                 scheme_.transfer == Transfer::affine,
                 (*tile.second)[m],
-                window_place(grid, *tile.first),
+                window_geometry(grid, *tile.first),
                 window.data());
       add_window(*tile.first, window.data(), first, parities, field.matter);
     }
   }
   // After all fields: ranks wait for one another once.
   for (Field &field : fields_)
-    field.matter.add_copies(grid);
+    field.matter.compress_add(grid);
 }
 
 
@@ -151,7 +151,7 @@ void ParticleStep::multiply_mass_matrix(const TileGrid &grid,
                                         std::vector<NodeValues> &to) const
 {
   for (NodeValues &values : from)
-    values.update_copies(grid);
+    values.update_ghost_values(grid);
   Window in(3 * size), out(3 * size);
   for (unsigned int f = 0; f < fields_.size(); ++f)
   {
@@ -165,20 +165,20 @@ void ParticleStep::multiply_mass_matrix(const TileGrid &grid,
         multiply_mass(scheme_.degree,
                       1,
                       (*tile.second)[m],
-                      window_place(grid, *tile.first),
+                      window_geometry(grid, *tile.first),
                       in.data(),
                       out.data());
       add_window(*tile.first, out.data(), 0, one_vector, to[f]);
     }
   }
   for (NodeValues &values : to)
-    values.add_copies(grid);
+    values.compress_add(grid);
 }
 
 
 void ParticleStep::apply_series(const TileGrid &grid,
                                 Particles &particles,
-                                const double least_part,
+                                const double smallest_fraction,
                                 NodeValues Field::*const vector)
 {
   if (scheme_.series_order == 1)
@@ -192,13 +192,13 @@ void ParticleStep::apply_series(const TileGrid &grid,
     multiply_mass_matrix(grid, particles, rest, product);
     for (unsigned int f = 0; f < fields_.size(); ++f)
     {
-      divide(grid, least_part, fields_[f].matter[0], 0, product[f]);
+      divide(grid, smallest_fraction, fields_[f].matter[0], 0, product[f]);
       for (unsigned int d = 0; d < 3; ++d)
-        for (std::size_t n = 0; n < grid.n_own_nodes(); ++n)
+        for (std::size_t n = 0; n < grid.n_locally_owned_nodes(); ++n)
           rest[f][d][n] -= product[f][d][n];
       stop_at_planes(grid, 0, rest[f]);
       for (unsigned int d = 0; d < 3; ++d)
-        for (std::size_t n = 0; n < grid.n_own_nodes(); ++n)
+        for (std::size_t n = 0; n < grid.n_locally_owned_nodes(); ++n)
           (fields_[f].*vector)[d][n] += rest[f][d][n];
     }
   }
@@ -224,7 +224,7 @@ void ParticleStep::find_velocities(const TileGrid &grid, Particles &particles)
     field.before.clear(grid);
     for (unsigned int d = 0; d < 3; ++d)
       std::copy_n(field.matter[1 + d].begin(),
-                  grid.n_own_nodes(),
+                  grid.n_locally_owned_nodes(),
                   field.before[d].begin());
     divide(grid, least_mass, field.matter[0], 0, field.before);
     stop_at_planes(grid, 0, field.before);
@@ -233,48 +233,48 @@ void ParticleStep::find_velocities(const TileGrid &grid, Particles &particles)
 }
 
 
-double ParticleStep::touch(const TileGrid &grid)
+double ParticleStep::apply_contact(const TileGrid &grid)
 {
   if (contact_.n_fields() < 2)
     return 0.;
   std::vector<NodeValues *> velocities;
   for (Field &field : fields_)
     velocities.push_back(&field.motion);
-  return contact_.apply(velocities, 3, grid.n_own_nodes());
+  return contact_.apply(velocities, 3, grid.n_locally_owned_nodes());
 }
 
 
-void ParticleStep::use_velocities_before(const TileGrid &grid)
+void ParticleStep::reset_to_velocities_before(const TileGrid &grid)
 {
   for (Field &field : fields_)
   {
     field.motion.clear(grid);
     for (unsigned int d = 0; d < 3; ++d)
       std::copy_n(field.before[d].begin(),
-                  grid.n_own_nodes(),
+                  grid.n_locally_owned_nodes(),
                   field.motion[3 + d].begin());
   }
-  touch(grid);
+  apply_contact(grid);
   for (Field &field : fields_)
-    field.motion.update_copies(grid);
+    field.motion.update_ghost_values(grid);
 }
 
 
 void ParticleStep::accelerate(const TileGrid &grid, Particles &particles)
 {
-  const double least_part = least_accelerated_mass(scheme_.degree);
+  const double smallest_fraction = least_accelerated_mass(scheme_.degree);
   for (Field &field : fields_)
   {
     field.motion.clear(grid);
     field.acceleration.clear(grid);
     for (unsigned int d = 0; d < 3; ++d)
       std::copy_n(field.matter[4 + d].begin(),
-                  grid.n_own_nodes(),
+                  grid.n_locally_owned_nodes(),
                   field.acceleration[d].begin());
-    divide(grid, least_part, field.matter[0], 0, field.acceleration);
+    divide(grid, smallest_fraction, field.matter[0], 0, field.acceleration);
     stop_at_planes(grid, 0, field.acceleration);
   }
-  apply_series(grid, particles, least_part, &Field::acceleration);
+  apply_series(grid, particles, smallest_fraction, &Field::acceleration);
 }
 
 
@@ -282,16 +282,16 @@ void ParticleStep::set_motion(const TileGrid &grid, const double step)
 {
   for (Field &field : fields_)
     for (unsigned int d = 0; d < 3; ++d)
-      for (std::size_t n = 0; n < grid.n_own_nodes(); ++n)
+      for (std::size_t n = 0; n < grid.n_locally_owned_nodes(); ++n)
         field.motion[3 + d][n] =
           field.before[d][n] + step * field.acceleration[d][n];
-  field_force_ = touch(grid) / step;
+  field_force_ = apply_contact(grid) / step;
   const bool has_contact = contact_.n_fields() > 1;
   step_contact_loss_ = 0.;
   for (Field &field : fields_)
   {
     for (unsigned int d = 0; d < 3; ++d)
-      for (std::size_t n = 0; n < grid.n_own_nodes(); ++n)
+      for (std::size_t n = 0; n < grid.n_locally_owned_nodes(); ++n)
       {
         const double before = field.before[d][n],
                      after = field.motion[3 + d][n];
@@ -304,7 +304,7 @@ void ParticleStep::set_motion(const TileGrid &grid, const double step)
       }
   }
   for (Field &field : fields_)
-    field.motion.update_copies(grid);
+    field.motion.update_ghost_values(grid);
 }
 
 
@@ -320,7 +320,7 @@ void ParticleStep::collect(const TileGrid &grid,
     for (const Tile &tile : tiles(grid.sources(), particles, field.materials))
     {
       read_window(*tile.first, field.motion, 0, parities, window.data());
-      const WindowPlace where = window_place(grid, *tile.first);
+      const WindowGeometry where = window_geometry(grid, *tile.first);
       if (scheme_.transfer == Transfer::affine)
         for (const unsigned int m : field.materials)
           collect_affine(
@@ -340,17 +340,17 @@ void ParticleStep::move_particles(const TileGrid &grid,
                                   const double step)
 {
   double kinetic = 0.;
-  const double grid_part = scheme_.grid_part(step);
+  const double grid_velocity_fraction = scheme_.grid_velocity_fraction(step);
   particles.for_each_block([&](const unsigned int m, ParticleBlock &block) {
-    const MotionGains gains =
-      gain_motion(step, grid_part, materials_[m].is_smoothed, block);
+    const EnergyGains gains = update_velocities(
+      step, grid_velocity_fraction, materials_[m].is_smoothed, block);
     ledger_.external_work += gains.work;
     kinetic += gains.kinetic;
   });
   double gained = 0.;
   for (const Field &field : fields_)
     for (unsigned int d = 0; d < 3; ++d)
-      for (std::size_t n = 0; n < grid.n_own_nodes(); ++n)
+      for (std::size_t n = 0; n < grid.n_locally_owned_nodes(); ++n)
         gained += step * field.matter[4 + d][n] *
                   (field.motion[3 + d][n] - 0.5 * step * field.motion[d][n]);
   ledger_.contact_loss += step_contact_loss_;
@@ -370,7 +370,7 @@ void ParticleStep::collect_rates(const TileGrid &grid,
       for (const unsigned int m : field.materials)
         collect_rate(scheme_.degree,
                      window.data(),
-                     window_place(grid, *tile.first),
+                     window_geometry(grid, *tile.first),
                      (*tile.second)[m]);
     }
 }
@@ -408,7 +408,7 @@ double ParticleStep::advance(TileGrid &grid,
     deposit_fields(grid, particles, Deposit::momentum);
     find_interfaces(grid, particles);
     find_velocities(grid, particles);
-    use_velocities_before(grid);
+    reset_to_velocities_before(grid);
     collect_rates(grid, particles);
     strain(grid, particles, step);
     smooth(grid, particles, true);
@@ -429,7 +429,7 @@ double ParticleStep::advance(TileGrid &grid,
         largest_strain)
       break;
     if (n_retries_ == n_retries)
-      give_up(particles, step, grid.communicator());
+      throw_step_failure(particles, step, grid.communicator());
     step *= 0.5;
     ++n_retries_;
   }
@@ -438,7 +438,7 @@ double ParticleStep::advance(TileGrid &grid,
   {
     deposit_fields(grid, particles, Deposit::momentum);
     find_velocities(grid, particles);
-    use_velocities_before(grid);
+    reset_to_velocities_before(grid);
   }
   if (scheme_.update != StressUpdate::first)
   {

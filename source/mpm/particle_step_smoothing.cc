@@ -24,16 +24,16 @@ void ParticleStep::deposit_smoothed(const TileGrid &grid,
     {
       weight[p] =
         block[column::volume][p] * (1. + block[column::dilatation][p]);
-      value[p] = is_pressure
-                   ? block[column::pressure][p]
-                   : block[column::rate][p] + block[column::rate + 4][p] +
-                       block[column::rate + 8][p];
+      value[p] = is_pressure ? block[column::pressure][p]
+                             : block[column::velocity_gradient][p] +
+                                 block[column::velocity_gradient + 4][p] +
+                                 block[column::velocity_gradient + 8][p];
     }
     window.fill(0.);
     deposit_scalar(block,
                    weight.data(),
                    value.data(),
-                   window_place(grid, *tile.first),
+                   window_geometry(grid, *tile.first),
                    window.data());
     add_window(*tile.first, window.data(), 0, {0, 0}, sums);
   }
@@ -55,13 +55,13 @@ void ParticleStep::smooth(const TileGrid &grid,
       deposit_smoothed(grid, particles, m, is_pressure, values);
     }
   for (auto &group : sums)
-    group.second.add_copies(grid);
+    group.second.compress_add(grid);
   for (auto &group : sums)
   {
     NodeValues &values = group.second;
-    for (std::size_t n = 0; n < grid.n_own_nodes(); ++n)
+    for (std::size_t n = 0; n < grid.n_locally_owned_nodes(); ++n)
       values[1][n] = values[0][n] > 0. ? values[1][n] / values[0][n] : 0.;
-    values.update_copies(grid);
+    values.update_ghost_values(grid);
   }
   for (unsigned int m = 0; m < materials_.size(); ++m)
     if (materials_[m].is_smoothed)
@@ -81,7 +81,7 @@ void ParticleStep::collect_smoothed(const TileGrid &grid,
     ParticleBlock &block = (*tile.second)[m];
     read_window(*tile.first, values, 1, {0}, window.data());
     collect_scalar(window.data(),
-                   window_place(grid, *tile.first),
+                   window_geometry(grid, *tile.first),
                    block,
                    block[column::smoothed]);
   }

@@ -24,9 +24,9 @@ double ParticleStep::largest_strain_rate(const Particles &particles,
 }
 
 
-void ParticleStep::give_up(const Particles &particles,
-                           const double step,
-                           const MPI_Comm communicator) const
+void ParticleStep::throw_step_failure(const Particles &particles,
+                                      const double step,
+                                      const MPI_Comm communicator) const
 {
   namespace mpi = dealii::Utilities::MPI;
   const double largest = largest_strain_rate(particles, communicator);

@@ -14,11 +14,11 @@
 namespace contrecoup::mpm
 {
 /// A particle on its way to another tile.
-struct Particles::Moved
+struct Particles::LeavingParticle
 {
   TileGrid::TileId tile;
   unsigned int material;
-  std::array<double, column::n_state> state;
+  std::array<double, column::n_state_columns> state;
 
   template <class Archive>
   void serialize(Archive &archive, const unsigned int)
@@ -62,10 +62,10 @@ std::size_t Particles::size() const
 }
 
 
-void Particles::take_out(const TileGrid &grid,
-                         const TileGrid::TileId tile,
-                         const unsigned int material,
-                         std::vector<Moved> &moved)
+void Particles::remove_leaving(const TileGrid &grid,
+                               const TileGrid::TileId tile,
+                               const unsigned int material,
+                               std::vector<LeavingParticle> &leaving)
 {
   ParticleBlock &particles = tiles_[tile][material];
   const std::array<int, 3> first = grid.origin(tile);
@@ -93,8 +93,8 @@ void Particles::take_out(const TileGrid &grid,
     const auto there = grid.tile_at(place);
     if (there == tile)
       continue;
-    moved.push_back({there, material, {}});
-    particles.copy_state(p, moved.back().state.data());
+    leaving.push_back({there, material, {}});
+    particles.copy_state(p, leaving.back().state.data());
     particles.remove(p);
   }
 }
@@ -102,8 +102,8 @@ void Particles::take_out(const TileGrid &grid,
 
 void Particles::sort(TileGrid &grid)
 {
-  std::vector<Moved> moved;
-  std::map<unsigned int, std::vector<Moved>> outgoing;
+  std::vector<LeavingParticle> leaving;
+  std::map<unsigned int, std::vector<LeavingParticle>> outgoing;
   const MPI_Comm communicator = grid.communicator();
   const unsigned int me =
     dealii::Utilities::MPI::this_mpi_process(communicator);
@@ -113,8 +113,8 @@ void Particles::sort(TileGrid &grid)
   {
     for (auto &tile : tiles_)
       for (unsigned int m = 0; m < n_materials_; ++m)
-        take_out(grid, tile.first, m, moved);
-    for (const Moved &one : moved)
+        remove_leaving(grid, tile.first, m, leaving);
+    for (const LeavingParticle &one : leaving)
       if (const unsigned int rank = grid.owner(one.tile); rank != me)
         outgoing[rank].push_back(one);
   }
@@ -123,7 +123,7 @@ void Particles::sort(TileGrid &grid)
     problem = error.what();
   }
   require_none(problem, communicator);
-  for (const Moved &one : moved)
+  for (const LeavingParticle &one : leaving)
     if (grid.owner(one.tile) == me)
     {
       changed = changed || tiles_.count(one.tile) == 0;
@@ -132,7 +132,7 @@ void Particles::sort(TileGrid &grid)
   if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
     for (const auto &from :
          dealii::Utilities::MPI::some_to_some(communicator, outgoing))
-      for (const Moved &one : from.second)
+      for (const LeavingParticle &one : from.second)
       {
         changed = changed || tiles_.count(one.tile) == 0;
         block(one.tile, one.material).append(one.state.data());

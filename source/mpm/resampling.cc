@@ -16,7 +16,7 @@ namespace contrecoup::mpm
 namespace
 {
   using Vector = dealii::Tensor<1, 3>;
-  using State = std::array<double, column::n_state>;
+  using State = std::array<double, column::n_state_columns>;
 
   State state_of(const ParticleBlock &particles, const std::size_t p)
   {
@@ -54,8 +54,9 @@ namespace
     return {along.norm(), along / along.norm()};
   }
 
-  /// Adds a half of a particle that lies @p way from it.
-  void add_half(const State &whole, const Vector &way, ParticleBlock &particles)
+  /// Adds a half of a particle that lies @p offset from it.
+  void
+  add_half(const State &whole, const Vector &offset, ParticleBlock &particles)
   {
     State half = whole;
     for (const unsigned int c : {unsigned(column::mass),
@@ -64,10 +65,11 @@ namespace
                                  unsigned(column::area)})
       half[c] *= 0.5;
     set_vector(
-      half, column::position, vector_at(whole, column::position) + way);
-    const Vector undeformed = dealii::invert(deformation(whole)) * way;
-    set_vector(
-      half, column::start, vector_at(whole, column::start) + undeformed);
+      half, column::position, vector_at(whole, column::position) + offset);
+    const Vector undeformed = dealii::invert(deformation(whole)) * offset;
+    set_vector(half,
+               column::initial_position,
+               vector_at(whole, column::initial_position) + undeformed);
     // The piece of the surface stays where it is.
     if (whole[column::area] > 0.)
       set_vector(
@@ -92,13 +94,13 @@ namespace
         volume += one[column::volume];
         centre += one[column::mass] * vector_at(one, column::position);
         velocity += one[column::mass] * vector_at(one, column::velocity);
-        for (unsigned int c = 0; c < column::n_state; ++c)
+        for (unsigned int c = 0; c < column::n_state_columns; ++c)
           mean[c] +=
             c == column::energy ? one[c] : one[column::volume] * one[c];
       }
       centre /= mass;
       velocity /= mass;
-      for (unsigned int c = 0; c < column::n_state; ++c)
+      for (unsigned int c = 0; c < column::n_state_columns; ++c)
         mean[c] /= c == column::energy ? 1. : volume;
       for (const State &one : states)
       {
@@ -154,7 +156,7 @@ namespace
 
   bool may_merge(const ParticleBlock &particles, const std::size_t p)
   {
-    return particles[column::tag][p] == 0. &&
+    return particles[column::probe][p] == 0. &&
            !(particles[column::area][p] > 0.);
   }
 
@@ -217,19 +219,19 @@ std::size_t split_stretched(const double stretch, ParticleBlock &particles)
     if (largest < stretch * splits)
       continue;
     const double edge = std::cbrt(whole[column::volume] * splits);
-    const Vector way = 0.25 * largest / splits * edge * direction;
+    const Vector offset = 0.25 * largest / splits * edge * direction;
     particles.remove(p);
-    add_half(whole, way, particles);
-    add_half(whole, -way, particles);
+    add_half(whole, offset, particles);
+    add_half(whole, -offset, particles);
     // One probe follows one of them.
-    particles[column::tag][particles.size() - 1] = 0.;
+    particles[column::probe][particles.size() - 1] = 0.;
     ++n;
   }
   return n;
 }
 
 
-std::size_t merge_crowded(const std::size_t most,
+std::size_t merge_crowded(const std::size_t max_per_cell,
                           const TileGrid &grid,
                           ParticleBlock &particles)
 {
@@ -237,7 +239,8 @@ std::size_t merge_crowded(const std::size_t most,
   std::vector<std::size_t> gone;
   std::vector<Group> groups;
   for (auto &[cell, numbers] : by_cell(grid, particles))
-    for (std::size_t n = numbers.size(); n > most && numbers.size() >= n_merged;
+    for (std::size_t n = numbers.size();
+         n > max_per_cell && numbers.size() >= n_merged;
          n -= n_merged - 2)
     {
       const auto chosen = nearest(particles, numbers, n_merged);

@@ -33,7 +33,7 @@ namespace
   };
 
   /// Part of a box, and the sum of the places of its samples.
-  struct Part
+  struct BoxSample
   {
     unsigned int count = 0;
     dealii::Tensor<1, 3> sum;
@@ -54,9 +54,10 @@ namespace
     return true;
   }
 
-  std::map<int, Part> sample(const SeedBox &box, const ParticleSource &source)
+  std::map<int, BoxSample> sample(const SeedBox &box,
+                                  const ParticleSource &source)
   {
-    std::map<int, Part> parts;
+    std::map<int, BoxSample> samples;
     for (unsigned int k = 0; k < n_samples; ++k)
       for (unsigned int j = 0; j < n_samples; ++j)
         for (unsigned int i = 0; i < n_samples; ++i)
@@ -64,11 +65,11 @@ namespace
           const auto place = box.at((i + 0.5) / n_samples,
                                     (j + 0.5) / n_samples,
                                     (k + 0.5) / n_samples);
-          Part &part = parts[source.material_at(place)];
-          ++part.count;
-          part.sum += place;
+          BoxSample &sample_of_material = samples[source.material_at(place)];
+          ++sample_of_material.count;
+          sample_of_material.sum += place;
         }
-    return parts;
+    return samples;
   }
 
   void add_particle(const std::vector<ParticleMaterial> &materials,
@@ -83,7 +84,7 @@ namespace
     for (unsigned int d = 0; d < 3; ++d)
     {
       block[column::position + d][p] = place[d];
-      block[column::start + d][p] = place[d];
+      block[column::initial_position + d][p] = place[d];
       block[column::velocity + d][p] = velocity[d];
     }
     // Matter that is compressed at the start takes less volume.
@@ -114,14 +115,15 @@ namespace
       return;
     }
     constexpr double all = n_samples * n_samples * n_samples;
-    for (const auto &[found, part] : sample(box, source))
+    for (const auto &[found, sample_of_material] : sample(box, source))
       if (found != ParticleSource::none)
-        add_particle(materials,
-                     source,
-                     found,
-                     dealii::Point<3>(part.sum / part.count),
-                     box.volume() * part.count / all,
-                     particles.block(tile, found));
+        add_particle(
+          materials,
+          source,
+          found,
+          dealii::Point<3>(sample_of_material.sum / sample_of_material.count),
+          box.volume() * sample_of_material.count / all,
+          particles.block(tile, found));
   }
 } // namespace
 
@@ -162,7 +164,7 @@ unsigned int tile_weight(const GridBox &box,
 }
 
 
-bool reaches_material(const ParticleSource &source,
+bool is_near_material(const ParticleSource &source,
                       const std::vector<bool> &is_chosen,
                       const dealii::Point<3> &lower,
                       const double edge,

@@ -62,12 +62,13 @@ void TileGrid::halve_blocks(const dealii::Triangulation<3> &tiles)
   std::vector<TileId> own, all;
   for (const auto &cell : tiles.active_cell_iterators())
     if (cell->is_locally_owned())
-      for (const TileId block : levels_.wanted(tile_at_corner(cell->vertex(0))))
+      for (const TileId block :
+           levels_.blocks_to_halve(tile_at_corner(cell->vertex(0))))
         own.push_back(block);
   for (const auto &from :
        dealii::Utilities::MPI::all_gather(communicator_, own))
     all.insert(all.end(), from.begin(), from.end());
-  levels_.halve(all);
+  levels_.set_halved(all);
 }
 
 
@@ -172,7 +173,7 @@ bool TileGrid::reflect(const unsigned int level,
     if ((i < 0 || i > last) && box().reflects[side])
     {
       i = i < 0 ? -i : 2 * last - i;
-      mirrored |= (box().holds[side] ? 9u : 1u) << d;
+      mirrored |= (box().is_no_slip[side] ? 9u : 1u) << d;
     }
     if (i < 0 || i >= levels_.n_nodes(level, d))
       return false;
@@ -347,14 +348,14 @@ void TileGrid::find_plane_nodes()
   {
     const unsigned int level =
       levels_.level(tiles_with_nodes_[node / nodes_per_tile]);
-    const auto way = place(node) - box().lower;
+    const auto distance = place(node) - box().lower;
     for (unsigned int d = 0; d < 3; ++d)
     {
-      const long int i = std::lround(way[d] / levels_.cell_size(level));
+      const long int i = std::lround(distance[d] / levels_.cell_size(level));
       const unsigned int side = i == 0 ? 2 * d : 2 * d + 1;
       if ((i == 0 || i == levels_.n_cells(level, d)) && box().reflects[side])
         for (unsigned int e = 0; e < 3; ++e)
-          if (e == d || box().holds[side])
+          if (e == d || box().is_no_slip[side])
             plane_nodes_[e].push_back(node);
     }
   }

@@ -21,7 +21,8 @@ void TileLevels::reinit(const GridBox &box)
 }
 
 
-std::vector<TileLevels::TileId> TileLevels::wanted(const TileId tile) const
+std::vector<TileLevels::TileId>
+TileLevels::blocks_to_halve(const TileId tile) const
 {
   std::vector<TileId> result;
   const double edge = block_edge * box_.cell_size;
@@ -42,7 +43,7 @@ std::vector<TileLevels::TileId> TileLevels::wanted(const TileId tile) const
 }
 
 
-void TileLevels::halve(const std::vector<TileId> &blocks)
+void TileLevels::set_halved(const std::vector<TileId> &blocks)
 {
   is_halved_.clear();
   if (blocks.empty())
@@ -158,12 +159,12 @@ bool TileLevels::is_active(const std::array<int, 3> &node,
                            const unsigned int degree) const
 {
   // Splines of odd degree reach half a degree and a half of cells.
-  const int reach = static_cast<int>(degree + 1) / 2;
+  const int support_half_width = static_cast<int>(degree + 1) / 2;
   std::array<int, 3> first = node, last = node;
   for (unsigned int d = 0; d < 3; ++d)
   {
-    first[d] -= reach;
-    last[d] += reach - 1;
+    first[d] -= support_half_width;
+    last[d] += support_half_width - 1;
   }
   return are_halved(first, last);
 }

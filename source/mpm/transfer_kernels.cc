@@ -26,12 +26,12 @@ namespace
                       const std::size_t in_batch,
                       const ParticleBlock &particles,
                       const std::size_t p,
-                      const WindowPlace &place,
+                      const WindowGeometry &geometry,
                       VectorRows &rows)
   {
     constexpr std::array<double, 4> numbers{{0., 1., 2., 3.}};
     const Row along = Row::load(numbers.data()), x = support.x(in_batch);
-    const double mass = particles[column::mass][p], h = place.cell_size;
+    const double mass = particles[column::mass][p], h = geometry.cell_size;
     const int edge = TileGrid::window_edge;
     const int first = support.at(in_batch, 0, 0);
     const int node[] = {first % edge, first / edge % edge, first / edge / edge};
@@ -42,7 +42,7 @@ namespace
       {
         const double c = particles[column::affine + 3 * d + e][p];
         const double start =
-          place.lower[e] + h * (node[e] + TileGrid::window_start);
+          geometry.lower[e] + h * (node[e] + TileGrid::window_start);
         velocity += c * (start - particles[column::position + e][p]);
         slope[e] = mass * c * h;
       }
@@ -112,14 +112,14 @@ namespace
   template <bool has_momentum, bool has_force, unsigned int degree>
   void deposit_plain(SplineSupports<degree> &supports,
                      const ParticleBlock &particles,
-                     const WindowPlace &place,
+                     const WindowGeometry &geometry,
                      double *const window)
   {
     constexpr unsigned int n = degree + 1;
     double *const forces = window + (has_momentum ? 4 * stride : 0);
     for_each_support(
       particles,
-      place,
+      geometry,
       supports,
       [&](const SplineSupports<degree> &support,
           const std::size_t i,
@@ -163,19 +163,19 @@ namespace
   template <unsigned int degree>
   void deposit_affine(SplineSupports<degree> &supports,
                       const ParticleBlock &particles,
-                      const WindowPlace &place,
+                      const WindowGeometry &geometry,
                       double *const window)
   {
     constexpr unsigned int n = degree + 1;
     for_each_support(
       particles,
-      place,
+      geometry,
       supports,
       [&](const SplineSupports<degree> &support,
           const std::size_t i,
           const std::size_t p) {
         VectorRows momentum;
-        set_affine_momentum(support, i, particles, p, place, momentum);
+        set_affine_momentum(support, i, particles, p, geometry, momentum);
         const Row mass_row = support.x(i) * particles[column::mass][p];
         for (unsigned int k = 0; k < n; ++k)
         {
@@ -200,14 +200,14 @@ namespace
   void mass_product(SplineSupports<degree> &supports,
                     const unsigned int n_components,
                     const ParticleBlock &particles,
-                    const WindowPlace &place,
+                    const WindowGeometry &geometry,
                     const double *const from,
                     double *const to)
   {
     constexpr unsigned int n = degree + 1;
     for_each_support(
       particles,
-      place,
+      geometry,
       supports,
       [&](const SplineSupports<degree> &support,
           const std::size_t i,
@@ -240,9 +240,10 @@ namespace
 } // namespace
 
 
-WindowPlace window_place(const TileGrid &grid, const TileGrid::Source &tile)
+WindowGeometry window_geometry(const TileGrid &grid,
+                               const TileGrid::Source &tile)
 {
-  WindowPlace result;
+  WindowGeometry result;
   result.cell_size = grid.levels().cell_size(tile.level);
   for (unsigned int d = 0; d < 3; ++d)
     result.lower[d] = grid.box().lower[d] + result.cell_size * tile.origin[d];
@@ -254,22 +255,22 @@ void deposit(const unsigned int degree,
              const Deposit what,
              const bool has_affine,
              const ParticleBlock &particles,
-             const WindowPlace &place,
+             const WindowGeometry &geometry,
              double *const window)
 {
   with_supports(degree, [&](auto &supports) {
     if (what == Deposit::force)
-      deposit_plain<false, true>(supports, particles, place, window);
+      deposit_plain<false, true>(supports, particles, geometry, window);
     else if (!has_affine && what == Deposit::momentum_force)
-      deposit_plain<true, true>(supports, particles, place, window);
+      deposit_plain<true, true>(supports, particles, geometry, window);
     else if (!has_affine)
-      deposit_plain<true, false>(supports, particles, place, window);
+      deposit_plain<true, false>(supports, particles, geometry, window);
     else
     {
-      deposit_affine(supports, particles, place, window);
+      deposit_affine(supports, particles, geometry, window);
       if (what == Deposit::momentum_force)
         deposit_plain<false, true>(
-          supports, particles, place, window + 4 * stride);
+          supports, particles, geometry, window + 4 * stride);
     }
   });
 }
@@ -278,12 +279,12 @@ void deposit(const unsigned int degree,
 void multiply_mass(const unsigned int degree,
                    const unsigned int n_vectors,
                    const ParticleBlock &particles,
-                   const WindowPlace &place,
+                   const WindowGeometry &geometry,
                    const double *const from,
                    double *const to)
 {
   with_supports(degree, [&](auto &supports) {
-    mass_product(supports, 3 * n_vectors, particles, place, from, to);
+    mass_product(supports, 3 * n_vectors, particles, geometry, from, to);
   });
 }
 
@@ -291,13 +292,13 @@ void multiply_mass(const unsigned int degree,
 void deposit_scalar(const ParticleBlock &particles,
                     const double *const weight,
                     const double *const value,
-                    const WindowPlace &place,
+                    const WindowGeometry &geometry,
                     double *const window)
 {
   static thread_local SplineSupports<1> supports;
   for_each_support(
     particles,
-    place,
+    geometry,
     supports,
     [&](const SplineSupports<1> &support,
         const std::size_t in_batch,

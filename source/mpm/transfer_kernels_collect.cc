@@ -93,12 +93,12 @@ namespace
   void motion(SplineSupports<degree> &supports,
               const double step,
               const double *const window,
-              const WindowPlace &place,
+              const WindowGeometry &geometry,
               ParticleBlock &particles)
   {
     for_each_support(
       particles,
-      place,
+      geometry,
       supports,
       [&](const SplineSupports<degree> &support,
           const std::size_t i,
@@ -108,8 +108,8 @@ namespace
         for (unsigned int d = 0; d < 3; ++d)
         {
           const double change = step * sums.value[d].dot(x);
-          particles[column::change + d][p] = change;
-          particles[column::way + d][p] =
+          particles[column::velocity_change + d][p] = change;
+          particles[column::position_change + d][p] =
             step * (sums.value[3 + d].dot(x) + 0.5 * change);
         }
         sums.store_tensor(
@@ -120,34 +120,36 @@ namespace
   template <unsigned int degree>
   void rate(SplineSupports<degree> &supports,
             const double *const window,
-            const WindowPlace &place,
+            const WindowGeometry &geometry,
             ParticleBlock &particles)
   {
-    for_each_support(
-      particles,
-      place,
-      supports,
-      [&](const SplineSupports<degree> &support,
-          const std::size_t i,
-          const std::size_t p) {
-        slope_sums<3>(support, i, window)
-          .store_tensor(
-            support.x(i), support.slope_x(i), particles, column::rate, p);
-      });
+    for_each_support(particles,
+                     geometry,
+                     supports,
+                     [&](const SplineSupports<degree> &support,
+                         const std::size_t i,
+                         const std::size_t p) {
+                       slope_sums<3>(support, i, window)
+                         .store_tensor(support.x(i),
+                                       support.slope_x(i),
+                                       particles,
+                                       column::velocity_gradient,
+                                       p);
+                     });
   }
 
   template <unsigned int degree>
   void affine(SplineSupports<degree> &supports,
               const double *const window,
-              const WindowPlace &place,
+              const WindowGeometry &geometry,
               ParticleBlock &particles)
   {
-    const double h = place.cell_size,
+    const double h = geometry.cell_size,
                  per_inertia = 1. / (spline_inertia(degree) * h * h);
     const int edge = TileGrid::window_edge;
     for_each_support(
       particles,
-      place,
+      geometry,
       supports,
       [&](const SplineSupports<degree> &support,
           const std::size_t i,
@@ -158,7 +160,7 @@ namespace
         // Way to a node over the inertia, times its value.
         const auto arm = [&](const unsigned int d, const unsigned int j) {
           return support.value(d, j, i) * per_inertia *
-                 (place.lower[d] +
+                 (geometry.lower[d] +
                   h * (node[d] + TileGrid::window_start + int(j)) -
                   particles[column::position + d][p]);
         };
@@ -180,45 +182,46 @@ namespace
 void collect_motion(const unsigned int degree,
                     const double step,
                     const double *const window,
-                    const WindowPlace &place,
+                    const WindowGeometry &geometry,
                     ParticleBlock &particles)
 {
   with_supports(degree, [&](auto &supports) {
-    motion(supports, step, window, place, particles);
+    motion(supports, step, window, geometry, particles);
   });
 }
 
 
 void collect_rate(const unsigned int degree,
                   const double *const window,
-                  const WindowPlace &place,
+                  const WindowGeometry &geometry,
                   ParticleBlock &particles)
 {
-  with_supports(
-    degree, [&](auto &supports) { rate(supports, window, place, particles); });
+  with_supports(degree, [&](auto &supports) {
+    rate(supports, window, geometry, particles);
+  });
 }
 
 
 void collect_affine(const unsigned int degree,
                     const double *const window,
-                    const WindowPlace &place,
+                    const WindowGeometry &geometry,
                     ParticleBlock &particles)
 {
   with_supports(degree, [&](auto &supports) {
-    affine(supports, window, place, particles);
+    affine(supports, window, geometry, particles);
   });
 }
 
 
 void collect_scalar(const double *const window,
-                    const WindowPlace &place,
+                    const WindowGeometry &geometry,
                     const ParticleBlock &particles,
                     double *const value)
 {
   static thread_local SplineSupports<1> supports;
   for_each_support(
     particles,
-    place,
+    geometry,
     supports,
     [&](const SplineSupports<1> &support,
         const std::size_t in_batch,

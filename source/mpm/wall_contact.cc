@@ -213,7 +213,7 @@ void WallContact::find_surface(const ParticleSource &source,
                      (block[column::surface + d][p] /= area);
         // The mean of a piece of a sphere is not on it.
         for (const RigidWall &wall : walls_)
-          if (wall.holds)
+          if (wall.is_adhesive)
             for (unsigned int d = 0; d < 3; ++d)
               block[column::surface + d][p] +=
                 wall.depth(place) * wall.normal_at(place)[d];
@@ -222,10 +222,10 @@ void WallContact::find_surface(const ParticleSource &source,
 }
 
 
-void WallContact::push(const RigidWall &wall,
-                       const double stiffness,
-                       const std::size_t particle,
-                       ParticleBlock &particles)
+void WallContact::apply_force(const RigidWall &wall,
+                              const double stiffness,
+                              const std::size_t particle,
+                              ParticleBlock &particles)
 {
   dealii::Point<3> place;
   dealii::Tensor<1, 3> velocity;
@@ -239,7 +239,7 @@ void WallContact::push(const RigidWall &wall,
     velocity[d] = particles[column::velocity + d][particle];
   }
   const double depth = wall.depth(place);
-  if (!(depth > 0. || wall.holds))
+  if (!(depth > 0. || wall.is_adhesive))
     return;
   const double area = particles[column::area][particle];
   const double press = stiffness * depth * area;
@@ -267,7 +267,7 @@ void WallContact::push(const RigidWall &wall,
   // Of the grid's velocity, without what particles have beside it.
   dealii::Tensor<1, 3> slide;
   for (unsigned int d = 0; d < 3; ++d)
-    slide[d] = particles[column::way + d][particle];
+    slide[d] = particles[column::position_change + d][particle];
   slide -= (slide * normal) * normal;
   measures_.sliding += press * slide.norm();
   measures_.area += area;
@@ -289,13 +289,13 @@ void WallContact::add_forces(const ParticleMaterial &material,
     {
       // Where it was at the start: a stiffness that changes makes energy.
       const double cell_size = grid.levels().cell_size(
-        grid.level_at({particles[column::start][p],
-                       particles[column::start + 1][p],
-                       particles[column::start + 2][p]}));
+        grid.level_at({particles[column::initial_position][p],
+                       particles[column::initial_position + 1][p],
+                       particles[column::initial_position + 2][p]}));
       const double stiffness =
         material.density() * speed * speed / (thickness_ * cell_size);
       for (const RigidWall &wall : walls_)
-        push(wall, stiffness, p, particles);
+        apply_force(wall, stiffness, p, particles);
     }
 }
 } // namespace contrecoup::mpm

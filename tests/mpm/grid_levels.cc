@@ -75,7 +75,7 @@ NodeValues random_values(const TileGrid &grid, const unsigned int n)
   NodeValues values(n);
   values.clear(grid);
   for (unsigned int c = 0; c < n; ++c)
-    for (std::size_t i = 0; i < grid.n_own_nodes(); ++i)
+    for (std::size_t i = 0; i < grid.n_locally_owned_nodes(); ++i)
       values[c][i] = any(random);
   for (unsigned int d = 0; d < 3; ++d)
     for (const std::uint32_t node : grid.plane_nodes()[d])
@@ -122,7 +122,7 @@ TEST(GridLevels, hold_all_particles_and_tiles_of_both_levels)
     grid.sources(), particles, [&](const auto &source, auto &block) {
       n[source.level] += block.size();
       n_border += source.coarse != nullptr;
-      const WindowPlace place = window_place(grid, source);
+      const WindowGeometry place = window_geometry(grid, source);
       EXPECT_EQ(place.cell_size, source.level == 0 ? 1. : 0.5);
       for (std::size_t p = 0; p < block.size(); ++p)
         for (unsigned int d = 0; d < 3; ++d)
@@ -153,13 +153,13 @@ TEST(GridLevels, reproduce_linear_functions)
     NodeValues values(3);
     values.clear(grid);
     for (unsigned int c = 0; c < 3; ++c)
-      for (std::size_t n = 0; n < grid.n_own_nodes(); ++n)
+      for (std::size_t n = 0; n < grid.n_locally_owned_nodes(); ++n)
         values[c][n] = linear(grid.place(n), c);
     Window window(3 * window_stride);
     double error = 0.;
     for_each_tile(
       grid.sources(), particles, [&](const auto &source, auto &block) {
-        const WindowPlace place = window_place(grid, source);
+        const WindowGeometry place = window_geometry(grid, source);
         read_window(source, values, 0, {1, 2, 4}, window.data());
         collect_rate(degree, window.data(), place, block);
         for (std::size_t p = 0; p < block.size(); ++p)
@@ -169,8 +169,9 @@ TEST(GridLevels, reproduce_linear_functions)
                                     : k == 4 ? 1.4
                                     : k == 8 ? -0.3
                                              : 0.;
-            error =
-              std::max(error, std::abs(block[column::rate + k][p] - expected));
+            error = std::max(
+              error,
+              std::abs(block[column::velocity_gradient + k][p] - expected));
           }
         Window motion(6 * window_stride);
         std::copy_n(window.data(), 3 * window_stride, motion.data());
@@ -178,7 +179,7 @@ TEST(GridLevels, reproduce_linear_functions)
         for (std::size_t p = 0; p < block.size(); ++p)
           for (unsigned int c = 0; c < 3; ++c)
             error = std::max(error,
-                             std::abs(block[column::change + c][p] -
+                             std::abs(block[column::velocity_change + c][p] -
                                       linear({block[column::position][p],
                                               block[column::position + 1][p],
                                               block[column::position + 2][p]},
@@ -215,7 +216,7 @@ TEST(GridLevels, cubic_splines_are_smooth_at_the_border)
       const std::size_t p = block.append();
       for (unsigned int e = 0; e < 3; ++e)
         block[column::position + e][p] = side[e];
-      block[column::tag][p] = n;
+      block[column::probe][p] = n;
     }
     ++n;
   }
@@ -228,15 +229,16 @@ TEST(GridLevels, cubic_splines_are_smooth_at_the_border)
   for_each_tile(
     grid.sources(), particles, [&](const auto &source, auto &block) {
       read_window(source, motion, 0, {1, 2, 4, 1, 2, 4}, window.data());
-      collect_motion(3, 1., window.data(), window_place(grid, source), block);
+      collect_motion(
+        3, 1., window.data(), window_geometry(grid, source), block);
       for (std::size_t p = 0; p < block.size(); ++p)
         for (unsigned int k = 0; k < 12; ++k)
         {
-          const double value = k < 3 ? block[column::change + k][p]
+          const double value = k < 3 ? block[column::velocity_change + k][p]
                                      : block[column::mean_rate + k - 3][p];
           largest = std::max(largest, std::abs(value));
           // One side comes with the other sign.
-          found[std::size_t(block[column::tag][p])][k] +=
+          found[std::size_t(block[column::probe][p])][k] +=
             source.level == 0 ? value : -value;
         }
     });
@@ -262,7 +264,7 @@ TEST(GridLevels, deposits_keep_sums_and_are_adjoint)
     double mass = 0., momentum = 0., work = 0., of_momentum = 0.;
     for_each_tile(
       grid.sources(), particles, [&](const auto &source, auto &block) {
-        const WindowPlace place = window_place(grid, source);
+        const WindowGeometry place = window_geometry(grid, source);
         window.fill(0.);
         deposit(
           degree, Deposit::momentum_force, false, block, place, window.data());
@@ -276,9 +278,10 @@ TEST(GridLevels, deposits_keep_sums_and_are_adjoint)
           work += power(block, p);
           for (unsigned int d = 0; d < 3; ++d)
           {
-            const double change = block[column::change + d][p];
-            work += block[column::force + d][p] *
-                    (block[column::way + d][p] / 0.01 - 0.5 * change);
+            const double change = block[column::velocity_change + d][p];
+            work +=
+              block[column::force + d][p] *
+              (block[column::position_change + d][p] / 0.01 - 0.5 * change);
             of_momentum += block[column::mass][p] *
                            block[column::velocity + d][p] * change / 0.01;
           }
@@ -288,7 +291,7 @@ TEST(GridLevels, deposits_keep_sums_and_are_adjoint)
     EXPECT_NEAR(sum_of(matter[3]), momentum, 1e-13 * mass);
     double of_forces = 0., of_momenta = 0.;
     for (unsigned int d = 0; d < 3; ++d)
-      for (std::size_t n = 0; n < grid.n_own_nodes(); ++n)
+      for (std::size_t n = 0; n < grid.n_locally_owned_nodes(); ++n)
       {
         of_forces += matter[4 + d][n] * motion[3 + d][n];
         of_momenta += matter[1 + d][n] * motion[d][n];
@@ -317,7 +320,7 @@ TEST(GridLevels, smoothing_keeps_sums_and_constants)
       deposit_scalar(block,
                      block[column::mass],
                      block[column::energy],
-                     window_place(grid, source),
+                     window_geometry(grid, source),
                      window.data());
       add_window(source, window.data(), 0, {0, 0}, sums);
       for (std::size_t p = 0; p < block.size(); ++p)
@@ -330,13 +333,13 @@ TEST(GridLevels, smoothing_keeps_sums_and_constants)
   EXPECT_NEAR(sum_of(sums[1]), values, 1e-13 * weights);
   NodeValues height(1);
   height.clear(grid);
-  for (std::size_t n = 0; n < grid.n_own_nodes(); ++n)
+  for (std::size_t n = 0; n < grid.n_locally_owned_nodes(); ++n)
     height[0][n] = grid.place(n)[2];
   for_each_tile(
     grid.linear_sources(), particles, [&](const auto &source, auto &block) {
       read_window(source, height, 0, {0}, window.data());
       collect_scalar(window.data(),
-                     window_place(grid, source),
+                     window_geometry(grid, source),
                      block,
                      block[column::smoothed]);
       for (std::size_t p = 0; p < block.size(); ++p)

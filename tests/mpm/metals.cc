@@ -94,9 +94,9 @@ TEST(Metals, ParticlesAreStrainedAsOneMetal)
     particles.append();
     particles[column::volume][p] = 1.;
     const double scale = 1e4 * p;
-    particles[column::rate][p] = -scale;
-    particles[column::rate + 1][p] = 0.7 * scale;
-    particles[column::rate + 8][p] = 0.4 * scale;
+    particles[column::velocity_gradient][p] = -scale;
+    particles[column::velocity_gradient + 1][p] = 0.7 * scale;
+    particles[column::velocity_gradient + 8][p] = 0.4 * scale;
   }
   constexpr double step = 2e-8;
   std::array<MetalState<double>, n> states;

@@ -78,11 +78,11 @@ TEST(ParticleBlock, copies_particles_and_their_states)
   ParticleBlock to = tagged(1);
   to.append(from, 2);
   expect_particle(to, 1, 2);
-  double state[column::n_state];
+  double state[column::n_state_columns];
   from.copy_state(1, state);
   to.append(state);
-  expect_particle(to, 2, 1, column::n_state);
-  for (unsigned int c = column::n_state; c < column::n_columns; ++c)
+  expect_particle(to, 2, 1, column::n_state_columns);
+  for (unsigned int c = column::n_state_columns; c < column::n_columns; ++c)
     EXPECT_EQ(to[c][2], 0.);
 }
 

@@ -177,7 +177,7 @@ void expect_mirrors(const TransferScheme &scheme,
               whole.totals().kinetic_energy,
               1e-12 * whole.totals().kinetic_energy);
   const auto states = [](const ParticleCase &one) {
-    std::vector<std::array<double, column::n_state>> all;
+    std::vector<std::array<double, column::n_state_columns>> all;
     one.for_each_particle([&](const ParticleBlock &block, const std::size_t p) {
       if (block[column::position][p] > 0.)
         block.copy_state(p, all.emplace_back().data());
@@ -227,7 +227,7 @@ namespace
 ParticleCase held_case(const TransferScheme &scheme, const bool is_half)
 {
   GridBox box = box_of(8);
-  box.reflects[0] = box.holds[0] = is_half;
+  box.reflects[0] = box.is_no_slip[0] = is_half;
   if (!is_half)
   {
     box.lower[0] = -8.;
@@ -295,7 +295,7 @@ TEST(ParticleConservation, sides_that_hold_take_momentum_and_no_energy)
   {
     SCOPED_TRACE(scheme_name(scheme));
     GridBox box = box_of(12);
-    box.reflects[0] = box.holds[0] = box.reflects[4] = true;
+    box.reflects[0] = box.is_no_slip[0] = box.reflects[4] = true;
     ParticleMaterial rubber = elastic(1e4, 0.45, 1000.);
     rubber.is_smoothed = true;
     ParticleCase bar(box, scheme, {rubber}, MPI_COMM_SELF);

@@ -282,7 +282,7 @@ TEST(ParticleExtremes, gels_swing_with_shear_alone_where_smoothed)
 // is where the corner is for velocity fields, too.
 TEST(ParticleExtremes, surfaces_of_particles_in_corners_of_tiles)
 {
-  const WindowPlace corner{{{0.08, 0.08, 0.08}}, 0.02};
+  const WindowGeometry corner{{{0.08, 0.08, 0.08}}, 0.02};
   const auto surfaces = [&](const unsigned int degree, const double x) {
     ParticleBlock block;
     const std::size_t p = block.append();
@@ -292,7 +292,7 @@ TEST(ParticleExtremes, surfaces_of_particles_in_corners_of_tiles)
     std::vector<double> normals(3 * window_stride, 0.),
       extents(window_stride, -1.);
     std::fill_n(normals.begin(), window_stride, 1.);
-    raise_extents(
+    update_extents(
       degree, block, corner, 1., {0.005, 1.}, normals.data(), extents.data());
     return extents;
   };

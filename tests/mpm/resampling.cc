@@ -100,7 +100,7 @@ TEST(Resampling, halves_lie_along_the_stretch_and_stay)
     EXPECT_NEAR(x + 3. * particles[column::surface][p], 1.5, 1e-14);
     EXPECT_EQ(particles[column::area][p], 0.5);
     // Undeformed, they lie a quarter of an edge from the middle.
-    EXPECT_NEAR(particles[column::start][p], x / 3., 1e-14);
+    EXPECT_NEAR(particles[column::initial_position][p], x / 3., 1e-14);
   }
   EXPECT_EQ(split_stretched(2., particles), 0u);
   particles[column::gradient][1] = 3.;
@@ -156,6 +156,6 @@ TEST(Resampling, probes_and_surfaces_stay)
   const TileGrid grid = unit_cell();
   ParticleBlock particles = shaken_particles(40);
   for (std::size_t p = 0; p < 40; ++p)
-    particles[p % 2 == 0 ? column::tag : column::area][p] = 1.;
+    particles[p % 2 == 0 ? column::probe : column::area][p] = 1.;
   EXPECT_EQ(merge_crowded(8, grid, particles), 0u);
 }

@@ -14,7 +14,7 @@ using namespace contrecoup::mpm;
 namespace
 {
 constexpr unsigned int stride = window_stride;
-const WindowPlace place{{{-0.3, 0.2, 1.}}, 0.5};
+const WindowGeometry place{{{-0.3, 0.2, 1.}}, 0.5};
 
 /// Particles anywhere in a tile, also on its lower sides, with any state.
 ParticleBlock random_particles(const unsigned int n)
@@ -240,7 +240,7 @@ TEST(TransferKernels, deposit_all_mass_and_momentum)
 // their lowest node, but for a trace, and has the slopes of the cell above.
 TEST(TransferKernels, particles_on_sides_belong_to_the_cells_above)
 {
-  const WindowPlace even{{{0.25, -0.5, 1.}}, 0.5};
+  const WindowGeometry even{{{0.25, -0.5, 1.}}, 0.5};
   ParticleBlock block;
   std::vector<std::array<int, 3>> cells;
   for (int i = 0; i < 64; ++i)
@@ -273,7 +273,7 @@ TEST(TransferKernels, particles_on_sides_belong_to_the_cells_above)
   collect_rate(1, velocity.data(), even, block);
   for (std::size_t p = 0; p < block.size(); ++p)
     for (unsigned int k = 0; k < 9; ++k)
-      EXPECT_NEAR(block[column::rate + k][p],
+      EXPECT_NEAR(block[column::velocity_gradient + k][p],
                   k % 4 == 0 ? (2 * cells[p][k / 4] + 1) / even.cell_size : 0.,
                   1e-14);
 }
@@ -295,8 +295,9 @@ TEST(TransferKernels, deposit_and_collect_are_adjoint)
     for (std::size_t p = 0; p < block.size(); ++p)
       for (unsigned int d = 0; d < 3; ++d)
       {
-        const double change = block[column::change + d][p];
-        const double mean = block[column::way + d][p] / step - 0.5 * change;
+        const double change = block[column::velocity_change + d][p];
+        const double mean =
+          block[column::position_change + d][p] / step - 0.5 * change;
         power += block[column::force + d][p] * mean;
         of_momentum += block[column::mass][p] * block[column::velocity + d][p] *
                        change / step;
@@ -333,13 +334,15 @@ TEST(TransferKernels, collect_linear_velocities_exactly)
                                 {{block[column::position][p],
                                   block[column::position + 1][p],
                                   block[column::position + 2][p]}});
-        EXPECT_NEAR(block[column::change + d][p], -step * v, 2e-14);
-        EXPECT_NEAR(
-          block[column::way + d][p], step * (2. - 0.5 * step) * v, 2e-14);
+        EXPECT_NEAR(block[column::velocity_change + d][p], -step * v, 2e-14);
+        EXPECT_NEAR(block[column::position_change + d][p],
+                    step * (2. - 0.5 * step) * v,
+                    2e-14);
         for (unsigned int e = 0; e < 3; ++e)
         {
           const unsigned int k = 3 * d + e;
-          EXPECT_NEAR(block[column::rate + k][p], slope[d][e], 1e-13);
+          EXPECT_NEAR(
+            block[column::velocity_gradient + k][p], slope[d][e], 1e-13);
           EXPECT_NEAR(block[column::mean_rate + k][p], 2. * slope[d][e], 1e-13);
           if (degree > 1)
           {

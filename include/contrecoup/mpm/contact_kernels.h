@@ -15,13 +15,13 @@
 namespace contrecoup::mpm
 {
 /// Adds the gradient of the mass that particles give to nodes: 3 components.
-void deposit_gradient(const unsigned int degree,
-                      const ParticleBlock &particles,
-                      const WindowPlace &place,
-                      double *window);
+void add_mass_gradient(const unsigned int degree,
+                       const ParticleBlock &particles,
+                       const WindowGeometry &geometry,
+                       double *window);
 
 /// From particles to their faces.
-struct ParticleHalf
+struct ParticleExtent
 {
   double spacing;    ///< of a particle that fills its box [m]
   double box_volume; ///< [m^3]
@@ -34,11 +34,11 @@ struct ParticleHalf
  * @param normals 3 components; zero: the node is left alone
  * @param extents [m]
  */
-void raise_extents(const unsigned int degree,
-                   const ParticleBlock &particles,
-                   const WindowPlace &place,
-                   const double sign,
-                   const ParticleHalf &half,
-                   const double *normals,
-                   double *extents);
+void update_extents(const unsigned int degree,
+                    const ParticleBlock &particles,
+                    const WindowGeometry &geometry,
+                    const double sign,
+                    const ParticleExtent &half,
+                    const double *normals,
+                    double *extents);
 } // namespace contrecoup::mpm

@@ -69,7 +69,7 @@ public:
    */
   double apply(const std::vector<NodeValues *> &velocities,
                const unsigned int first,
-               const std::size_t n_own_nodes) const;
+               const std::size_t n_locally_owned_nodes) const;
 
 private:
   /// Two fields that may meet.
@@ -87,17 +87,17 @@ private:
   void find_gap(const TileGrid &grid, Particles &particles, Pair &pair) const;
   /// Of the particles of a tile of a level. @param source its own window, or
   /// that of level 0 there
-  void raise_extents_of(const TileGrid &grid,
-                        const TileGrid::Source &source,
-                        const unsigned int level,
-                        const Particles::TileBlocks &blocks,
-                        const Pair &pair,
-                        NodeValues &extents) const;
-  double push(const Pair &pair,
-              const std::uint32_t node,
-              NodeValues &a,
-              NodeValues &b,
-              const unsigned int first) const;
+  void update_extents_of(const TileGrid &grid,
+                         const TileGrid::Source &source,
+                         const unsigned int level,
+                         const Particles::TileBlocks &blocks,
+                         const Pair &pair,
+                         NodeValues &extents) const;
+  double apply_impulse(const Pair &pair,
+                       const std::uint32_t node,
+                       NodeValues &a,
+                       NodeValues &b,
+                       const unsigned int first) const;
 
   unsigned int degree_;
   std::vector<unsigned int> field_of_material_;
@@ -106,7 +106,8 @@ private:
   double box_volume_;
   double friction_;
   unsigned int n_fields_ = 0;
-  std::vector<bool> meets_; ///< whether fields do in a tile, by source
+  std::vector<bool>
+    has_shared_nodes_; ///< whether fields do in a tile, by source
   std::vector<NodeValues> gradients_;                 ///< of mass, by field
   std::vector<dealii::AlignedVector<double>> masses_; ///< own nodes, by field
   std::vector<Pair> pairs_;

@@ -40,17 +40,17 @@ public:
   }
 
   /// Adds what ranks have in their copies to the owners' values. Collective.
-  void add_copies(const TileGrid &grid);
+  void compress_add(const TileGrid &grid);
 
   /// Raises the owners' values to those of copies that are larger. Collective.
-  void raise_by_copies(const TileGrid &grid);
+  void compress_max(const TileGrid &grid);
 
   /// Gives the owners' values to the copies. Collective.
-  void update_copies(const TileGrid &grid);
+  void update_ghost_values(const TileGrid &grid);
 
 private:
-  void collect_copies(const TileGrid &grid,
-                      const dealii::VectorOperation::values operation);
+  void compress(const TileGrid &grid,
+                const dealii::VectorOperation::values operation);
 
   std::vector<dealii::AlignedVector<double>> values_;
 };

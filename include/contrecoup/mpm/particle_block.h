@@ -29,16 +29,16 @@ namespace column
     affine = 32,     ///< 9, velocity gradient of affine transfers [1/s]
     surface = 41,    ///< 3, undeformed way to the body's surface [m]
     area = 44,       ///< of the surface that belongs to the particle [m^2]
-    tag = 45,        ///< number of a probe that follows it, from 1 on; 0: none
+    probe = 45,      ///< number of a probe that follows it, from 1 on; 0: none
     level = 46,      ///< how often it was split [-]
-    start = 47,      ///< 3, where it was at the start [m]
-    plastic_strain = 50, ///< of metals [-]
-    plastic_work = 51,   ///< of metals, by undeformed volume [J/m^3]
-    n_state = 52,        ///< what moves with a particle and is saved
+    initial_position = 47, ///< 3, where it was at the start [m]
+    plastic_strain = 50,   ///< of metals [-]
+    plastic_work = 51,     ///< of metals, by undeformed volume [J/m^3]
+    n_state_columns = 52,  ///< what moves with a particle and is saved
     // Within a step.
-    change = 52,    ///< 3, of the velocity [m/s]
-    way = 55,       ///< 3, of the position [m]
-    rate = 58,      ///< 9, velocity gradient by rows [1/s]
+    velocity_change = 52,   ///< 3, of the velocity [m/s]
+    position_change = 55,   ///< 3, of the position [m]
+    velocity_gradient = 58, ///< 9, velocity gradient by rows [1/s]
     smoothed = 67,  ///< pressure, then rate of dilatation, after smoothing
     mean_rate = 68, ///< 9, gradient of the mean velocity of the step [1/s]
     force = 77,     ///< 3, from outside [N]

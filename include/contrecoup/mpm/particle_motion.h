@@ -8,7 +8,7 @@
 namespace contrecoup::mpm
 {
 /// Energy that particles got in a step [J].
-struct MotionGains
+struct EnergyGains
 {
   double work = 0.;    ///< of forces from outside
   double kinetic = 0.; ///< kinetic energy
@@ -17,14 +17,14 @@ struct MotionGains
 /**
  * Gives particles the velocity after a step and the energy that their stresses
  * did, from column::change, way and mean_rate.
- * @param grid_part 0: the change is added to the old velocity; 1: the velocity
- * is that of the way; between, a part of each [-]
+ * @param grid_velocity_fraction 0: the change is added to the old velocity; 1:
+ * the velocity is that of the way; between, a part of each [-]
  * @param is_smoothed whether column::smoothed is a pressure besides the stress
  */
-MotionGains gain_motion(const double step,
-                        const double grid_part,
-                        const bool is_smoothed,
-                        ParticleBlock &particles);
+EnergyGains update_velocities(const double step,
+                              const double grid_velocity_fraction,
+                              const bool is_smoothed,
+                              ParticleBlock &particles);
 
 /// Adds column::way to positions.
 void advance_positions(ParticleBlock &particles);

@@ -148,10 +148,11 @@ private:
               Particles &particles,
               const bool is_pressure) const;
   /// Makes a vector of lumped masses that of the consistent ones, in all
-  /// fields. @param least_part of the largest mass, below which a node has none
+  /// fields. @param smallest_fraction of the largest mass, below which a node
+  /// has none
   void apply_series(const TileGrid &grid,
                     Particles &particles,
-                    const double least_part,
+                    const double smallest_fraction,
                     NodeValues Field::*vector);
   void multiply_mass_matrix(const TileGrid &grid,
                             Particles &particles,
@@ -164,9 +165,9 @@ private:
   void set_motion(const TileGrid &grid, const double step);
   /// Lets the velocities after the step of fields push each other. Returns
   /// the sum of impulses, this rank [N s].
-  double touch(const TileGrid &grid);
+  double apply_contact(const TileGrid &grid);
   /// Takes those before the step as those after it, with such pushes.
-  void use_velocities_before(const TileGrid &grid);
+  void reset_to_velocities_before(const TileGrid &grid);
   void collect(const TileGrid &grid, Particles &particles, const double step);
   double largest_strain_rate(const Particles &particles,
                              const MPI_Comm communicator) const;
@@ -175,9 +176,9 @@ private:
   void collect_rates(const TileGrid &grid, Particles &particles) const;
   void
   strain(const TileGrid &grid, Particles &particles, const double step) const;
-  [[noreturn]] void give_up(const Particles &particles,
-                            const double step,
-                            const MPI_Comm communicator) const;
+  [[noreturn]] void throw_step_failure(const Particles &particles,
+                                       const double step,
+                                       const MPI_Comm communicator) const;
 
   TransferScheme scheme_;
   std::vector<ParticleMaterial> materials_;

@@ -71,11 +71,11 @@ public:
   }
 
 private:
-  struct Moved;
-  void take_out(const TileGrid &grid,
-                const TileGrid::TileId tile,
-                const unsigned int material,
-                std::vector<Moved> &moved);
+  struct LeavingParticle;
+  void remove_leaving(const TileGrid &grid,
+                      const TileGrid::TileId tile,
+                      const unsigned int material,
+                      std::vector<LeavingParticle> &leaving);
 
   unsigned int n_materials_;
   Tiles tiles_;

@@ -29,14 +29,14 @@ std::size_t split_stretched(const double stretch, ParticleBlock &particles);
 
 /**
  * Makes two of four particles in the cells of a tile that have more than
- * @p most of a material: they have half of the mass each, and lie as far from
- * the centre of mass as the four did in the mean square, across their angular
- * momentum about it, which their velocities keep; what kinetic energy is left
- * becomes internal energy. Strains and stresses are means by volume. Particles
- * that a probe follows or that touch the surface stay.
+ * @p max_per_cell of a material: they have half of the mass each, and lie as
+ * far from the centre of mass as the four did in the mean square, across their
+ * angular momentum about it, which their velocities keep; what kinetic energy
+ * is left becomes internal energy. Strains and stresses are means by volume.
+ * Particles that a probe follows or that touch the surface stay.
  * @return how many are fewer
  */
-std::size_t merge_crowded(const std::size_t most,
+std::size_t merge_crowded(const std::size_t max_per_cell,
                           const TileGrid &grid,
                           ParticleBlock &particles);
 } // namespace contrecoup::mpm

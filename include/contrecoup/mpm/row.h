@@ -16,37 +16,37 @@ class Row
 public:
   static constexpr unsigned int width =
     n_lanes<double> < 4 ? n_lanes<double> : 4;
-  static constexpr unsigned int n_parts = 4 / width;
-  using Part = dealii::VectorizedArray<double, width>;
+  static constexpr unsigned int n_vectors = 4 / width;
+  using Vector = dealii::VectorizedArray<double, width>;
 
   Row() = default;
 
   explicit DEAL_II_ALWAYS_INLINE Row(const double value)
   {
-    for (unsigned int i = 0; i < n_parts; ++i)
-      parts_[i] = value;
+    for (unsigned int i = 0; i < n_vectors; ++i)
+      vectors_[i] = value;
   }
 
   /// Four numbers, of any alignment.
   static DEAL_II_ALWAYS_INLINE Row load(const double *const values)
   {
     Row row;
-    for (unsigned int i = 0; i < n_parts; ++i)
-      row.parts_[i].load(values + width * i);
+    for (unsigned int i = 0; i < n_vectors; ++i)
+      row.vectors_[i].load(values + width * i);
     return row;
   }
 
   DEAL_II_ALWAYS_INLINE void store(double *const values) const
   {
-    for (unsigned int i = 0; i < n_parts; ++i)
-      parts_[i].store(values + width * i);
+    for (unsigned int i = 0; i < n_vectors; ++i)
+      vectors_[i].store(values + width * i);
   }
 
   friend DEAL_II_ALWAYS_INLINE Row operator*(const Row &a, const Row &b)
   {
     Row row;
-    for (unsigned int i = 0; i < n_parts; ++i)
-      row.parts_[i] = a.parts_[i] * b.parts_[i];
+    for (unsigned int i = 0; i < n_vectors; ++i)
+      row.vectors_[i] = a.vectors_[i] * b.vectors_[i];
     return row;
   }
   friend DEAL_II_ALWAYS_INLINE Row operator*(const Row &a, const double factor)
@@ -57,16 +57,16 @@ public:
   /// Adds factor * other.
   DEAL_II_ALWAYS_INLINE void add(const Row &other, const double factor)
   {
-    for (unsigned int i = 0; i < n_parts; ++i)
-      parts_[i] += other.parts_[i] * Part(factor);
+    for (unsigned int i = 0; i < n_vectors; ++i)
+      vectors_[i] += other.vectors_[i] * Vector(factor);
   }
 
   /// The sum of the products with another row.
   DEAL_II_ALWAYS_INLINE double dot(const Row &other) const
   {
-    Part sum = parts_[0] * other.parts_[0];
-    for (unsigned int i = 1; i < n_parts; ++i)
-      sum += parts_[i] * other.parts_[i];
+    Vector sum = vectors_[0] * other.vectors_[0];
+    for (unsigned int i = 1; i < n_vectors; ++i)
+      sum += vectors_[i] * other.vectors_[i];
     double result = 0.;
     for (unsigned int lane = 0; lane < width; ++lane)
       result += sum[lane];
@@ -74,7 +74,7 @@ public:
   }
 
 private:
-  std::array<Part, n_parts> parts_;
+  std::array<Vector, n_vectors> vectors_;
 };
 
 /// Adds factor * row to four neighbouring nodes.

@@ -43,7 +43,7 @@ unsigned int tile_weight(const GridBox &box,
  * @param is_chosen by material
  * @param margin,spacing of the samples [m]
  */
-bool reaches_material(const ParticleSource &source,
+bool is_near_material(const ParticleSource &source,
                       const std::vector<bool> &is_chosen,
                       const dealii::Point<3> &lower,
                       const double edge,

@@ -36,26 +36,26 @@ public:
   /// Those of particles @p begin to @p begin + batch of a block.
   DEAL_II_ALWAYS_INLINE void reinit(const ParticleBlock &particles,
                                     const std::size_t begin,
-                                    const WindowPlace &place)
+                                    const WindowGeometry &geometry)
   {
     using Lane = Lanes<double>;
-    const double per_cell = 1. / place.cell_size;
+    const double per_cell = 1. / geometry.cell_size;
     for (std::size_t p = 0; p < batch; p += n_lanes<double>)
     {
       Lane offset(0.);
       for (int d = 2; d >= 0; --d)
       {
-        Lane way;
-        way.load(particles[column::position + d] + begin + p);
-        way = (way - place.lower[d]) * per_cell;
+        Lane coordinate;
+        coordinate.load(particles[column::position + d] + begin + p);
+        coordinate = (coordinate - geometry.lower[d]) * per_cell;
         // Rounded down, and in the tile: round-off may put what is on its sides
         // outside.
         constexpr int last = TileGrid::tile_edge - (degree == 2 ? 0 : 1);
         Lane node(0.);
         for (int i = 1; i <= last; ++i)
           node += select_less(
-            way, Lane(i - spline_shift(degree)), Lane(0.), Lane(1.));
-        set_weights(d, p, way - node, per_cell);
+            coordinate, Lane(i - spline_shift(degree)), Lane(0.), Lane(1.));
+        set_weights(d, p, coordinate - node, per_cell);
         offset =
           offset * double(TileGrid::window_edge) +
           (node - double(first_node_offset(degree) + TileGrid::window_start));
@@ -137,14 +137,14 @@ private:
 template <unsigned int degree, typename Work>
 inline DEAL_II_ALWAYS_INLINE void
 for_each_support(const ParticleBlock &particles,
-                 const WindowPlace &place,
+                 const WindowGeometry &geometry,
                  SplineSupports<degree> &supports,
                  const Work &work)
 {
   constexpr std::size_t batch = SplineSupports<degree>::batch;
   for (std::size_t begin = 0; begin < particles.size(); begin += batch)
   {
-    supports.reinit(particles, begin, place);
+    supports.reinit(particles, begin, geometry);
     const std::size_t n = std::min(batch, particles.size() - begin);
     for (std::size_t p = 0; p < n; ++p)
       work(supports, p, begin + p);

@@ -147,13 +147,13 @@ public:
     return linear_sources_.empty() ? sources_ : linear_sources_;
   }
 
-  std::size_t n_own_nodes() const
+  std::size_t n_locally_owned_nodes() const
   {
     return partitioner_->locally_owned_size();
   }
   std::size_t n_nodes() const
   {
-    return n_own_nodes() + partitioner_->n_ghost_indices();
+    return n_locally_owned_nodes() + partitioner_->n_ghost_indices();
   }
 
   /// Of the nodes that tiles share between ranks.

@@ -33,7 +33,7 @@ struct GridBox
   std::array<bool, 6> reflects{};
   /// Of sides that reflect, those that hold what touches them: the image moves
   /// the other way in all directions, so that the velocity is zero there.
-  std::array<bool, 6> holds{};
+  std::array<bool, 6> is_no_slip{};
   Halving halving;
 };
 
@@ -68,10 +68,10 @@ public:
   }
 
   /// Blocks of a tile of level 0 that are to be halved, by box().halving.
-  std::vector<TileId> wanted(const TileId tile) const;
+  std::vector<TileId> blocks_to_halve(const TileId tile) const;
 
   /// Halves these blocks, on all ranks the same.
-  void halve(const std::vector<TileId> &blocks);
+  void set_halved(const std::vector<TileId> &blocks);
 
   bool has_halves() const
   {

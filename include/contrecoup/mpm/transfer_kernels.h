@@ -18,14 +18,15 @@
 namespace contrecoup::mpm
 {
 /// Where a tile's window is.
-struct WindowPlace
+struct WindowGeometry
 {
   std::array<double, 3> lower; ///< the tile's first node [m]
   double cell_size;            ///< [m]
 };
 
 /// That of a tile with particles.
-WindowPlace window_place(const TileGrid &grid, const TileGrid::Source &tile);
+WindowGeometry window_geometry(const TileGrid &grid,
+                               const TileGrid::Source &tile);
 
 /// What goes from particles to nodes at once.
 enum class Deposit
@@ -43,7 +44,7 @@ void deposit(const unsigned int degree,
              const Deposit what,
              const bool affine,
              const ParticleBlock &particles,
-             const WindowPlace &place,
+             const WindowGeometry &geometry,
              double *window);
 
 /// Sets column::change to step times the sum of N a, column::way to step
@@ -52,20 +53,20 @@ void deposit(const unsigned int degree,
 void collect_motion(const unsigned int degree,
                     const double step,
                     const double *window,
-                    const WindowPlace &place,
+                    const WindowGeometry &geometry,
                     ParticleBlock &particles);
 
 /// Sets column::rate. @param window velocity: 3 components
 void collect_rate(const unsigned int degree,
                   const double *window,
-                  const WindowPlace &place,
+                  const WindowGeometry &geometry,
                   ParticleBlock &particles);
 
 /// Sets column::affine to the best affine fit of the velocity's nodes.
 /// @param window velocity: 3 components
 void collect_affine(const unsigned int degree,
                     const double *window,
-                    const WindowPlace &place,
+                    const WindowGeometry &geometry,
                     ParticleBlock &particles);
 
 /// Product of the consistent mass matrix with vectors of nodes.
@@ -73,7 +74,7 @@ void collect_affine(const unsigned int degree,
 void multiply_mass(const unsigned int degree,
                    const unsigned int n_vectors,
                    const ParticleBlock &particles,
-                   const WindowPlace &place,
+                   const WindowGeometry &geometry,
                    const double *from,
                    double *to);
 
@@ -81,12 +82,12 @@ void multiply_mass(const unsigned int degree,
 void deposit_scalar(const ParticleBlock &particles,
                     const double *weight,
                     const double *value,
-                    const WindowPlace &place,
+                    const WindowGeometry &geometry,
                     double *window);
 
 /// Reads a scalar of the nodes by linear splines.
 void collect_scalar(const double *window,
-                    const WindowPlace &place,
+                    const WindowGeometry &geometry,
                     const ParticleBlock &particles,
                     double *value);
 } // namespace contrecoup::mpm

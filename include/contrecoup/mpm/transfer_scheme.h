@@ -59,7 +59,7 @@ struct TransferScheme
   double damping_time = std::numeric_limits<double>::infinity();
 
   /// Part of the nodes' velocity in that of particles after a step.
-  double grid_part(const double step) const
+  double grid_velocity_fraction(const double step) const
   {
     return transfer == Transfer::flip ? -std::expm1(-step / damping_time) : 1.;
   }

@@ -24,7 +24,7 @@ struct RigidWall
   dealii::Tensor<1, 3> normal; ///< of length 1, into the side of the matter
   double friction = 0.;        ///< Coulomb's coefficient [-]
   double radius = 0.;          ///< of the sphere; 0: it is a plane [m]
-  bool holds = false;          ///< whether it pulls matter back, too
+  bool is_adhesive = false;    ///< whether it pulls matter back, too
 
   /// How far a place is behind the wall [m].
   double depth(const dealii::Point<3> &place) const
@@ -114,10 +114,10 @@ private:
                       const ParticleSource &source,
                       const TileGrid &grid,
                       Particles &particles) const;
-  void push(const RigidWall &wall,
-            const double stiffness,
-            const std::size_t particle,
-            ParticleBlock &particles);
+  void apply_force(const RigidWall &wall,
+                   const double stiffness,
+                   const std::size_t particle,
+                   ParticleBlock &particles);
 
   std::vector<RigidWall> walls_;
   double thickness_;

@@ -234,20 +234,20 @@ void ParticleReference::follow(
     follow_front(particles, time, communicator);
   if (!sphere_)
     return;
-  particles.for_each_block(
-    [&](const unsigned int m, const mpm::ParticleBlock &block) {
-      for (std::size_t p = 0; p < block.size(); ++p)
-        if (const auto tag = static_cast<std::size_t>(block[column::tag][p]);
-            tag > 0)
-        {
-          if (peaks_.size() < tag)
-            peaks_.resize(tag, {{0., 0.}});
-          sphere_->take(dealii::Point<3>(vector_of(block, column::position, p)),
-                        mpm::particle_values(materials[m], block, p).pressure,
-                        time,
-                        peaks_[tag - 1]);
-        }
-    });
+  particles.for_each_block([&](const unsigned int m,
+                               const mpm::ParticleBlock &block) {
+    for (std::size_t p = 0; p < block.size(); ++p)
+      if (const auto probe = static_cast<std::size_t>(block[column::probe][p]);
+          probe > 0)
+      {
+        if (peaks_.size() < probe)
+          peaks_.resize(probe, {{0., 0.}});
+        sphere_->take(dealii::Point<3>(vector_of(block, column::position, p)),
+                      mpm::particle_values(materials[m], block, p).pressure,
+                      time,
+                      peaks_[probe - 1]);
+      }
+  });
 }
 
 
@@ -303,7 +303,7 @@ ParticleReference::errors(const std::vector<mpm::ParticleMaterial> &materials,
         const auto velocity = vector_of(block, column::velocity, p);
         const auto values = mpm::particle_values(materials[m], block, p);
         const dealii::Point<3> place(vector_of(block, column::position, p)),
-          start(vector_of(block, column::start, p));
+          start(vector_of(block, column::initial_position, p));
         if ((flow_ ? place : start).norm() > radius_)
           continue;
         sums[3] += volume;

@@ -298,7 +298,7 @@ void ParticleScene::halve_cells()
                          spacing = 0.5 * cell_size_,
                          margin = fine_margin_ * cell_size_](
                           const dealii::Point<3> &lower, const double edge) {
-    return mpm::reaches_material(source, is_fine, lower, edge, margin, spacing);
+    return mpm::is_near_material(source, is_fine, lower, edge, margin, spacing);
   };
 }
 
@@ -322,7 +322,7 @@ void ParticleScene::make_box(const MeshDescription &mesh,
   const auto corners = mesh.corners();
   box_.cell_size = cell_size_;
   box_.reflects = mesh.sides_at_rest();
-  box_.holds = mesh.clamped_sides();
+  box_.is_no_slip = mesh.clamped_sides();
   const double margin = margin_cells * cell_size_ + largest_speed * end_time;
   for (unsigned int d = 0; d < 3; ++d)
   {

@@ -114,7 +114,7 @@ void ParticleSimulation::find_probes()
     double nearest = std::numeric_limits<double>::max();
     particles_.for_each_block([&](unsigned int, const mpm::ParticleBlock &one) {
       for (std::size_t p = 0; p < one.size(); ++p)
-        if (one[column::tag][p] == 0.)
+        if (one[column::probe][p] == 0.)
           nearest =
             std::min(nearest, place_of(one, p).distance(probe_places_[i]));
     });
@@ -133,11 +133,11 @@ void ParticleSimulation::find_probes()
     bool found = false;
     particles_.for_each_block([&](unsigned int, mpm::ParticleBlock &one) {
       for (std::size_t p = 0; p < one.size() && !found; ++p)
-        if (one[column::tag][p] == 0. &&
+        if (one[column::probe][p] == 0. &&
             place_of(one, p).distance(probe_places_[i]) <=
               nearest * (1. + 1e-12))
         {
-          one[column::tag][p] = i + 1;
+          one[column::probe][p] = i + 1;
           found = true;
         }
     });
@@ -204,9 +204,9 @@ void ParticleSimulation::set_body_force(mpm::ParticleBlock &block) const
     for (std::size_t p = 0; p < block.size(); ++p)
     {
       if (varies)
-        value = acceleration.value({block[column::start][p],
-                                    block[column::start + 1][p],
-                                    block[column::start + 2][p]},
+        value = acceleration.value({block[column::initial_position][p],
+                                    block[column::initial_position + 1][p],
+                                    block[column::initial_position + 2][p]},
                                    time_);
       block[column::force + d][p] = block[column::mass][p] * value;
     }
@@ -327,18 +327,19 @@ std::vector<NamedValue> ParticleSimulation::history()
 std::vector<NamedValue> ParticleSimulation::probes()
 {
   std::vector<double> found(2 * probe_places_.size(), 0.);
-  particles_.for_each_block([&](const unsigned int m,
-                                const mpm::ParticleBlock &block) {
-    for (std::size_t p = 0; p < block.size(); ++p)
-      if (block[column::tag][p] > 0.)
-      {
-        const auto probe = static_cast<std::size_t>(block[column::tag][p]) - 1;
-        const auto value =
-          mpm::particle_values(scene_.materials()[m], block, p);
-        found[2 * probe] = value.pressure;
-        found[2 * probe + 1] = value.density;
-      }
-  });
+  particles_.for_each_block(
+    [&](const unsigned int m, const mpm::ParticleBlock &block) {
+      for (std::size_t p = 0; p < block.size(); ++p)
+        if (block[column::probe][p] > 0.)
+        {
+          const auto probe =
+            static_cast<std::size_t>(block[column::probe][p]) - 1;
+          const auto value =
+            mpm::particle_values(scene_.materials()[m], block, p);
+          found[2 * probe] = value.pressure;
+          found[2 * probe + 1] = value.density;
+        }
+    });
   mpi::sum(found, communicator_, found);
   std::vector<NamedValue> values;
   for (std::size_t i = 0; i < probe_places_.size(); ++i)

@@ -80,9 +80,10 @@ void ParticleSimulation::save(const std::string &folder)
         if (blocks[m].size() == 0)
           continue;
         io::write_binary(out, BlockHead{tile, m});
-        std::vector<double> states(mpm::column::n_state * blocks[m].size());
+        std::vector<double> states(mpm::column::n_state_columns *
+                                   blocks[m].size());
         for (std::size_t p = 0; p < blocks[m].size(); ++p)
-          blocks[m].copy_state(p, &states[mpm::column::n_state * p]);
+          blocks[m].copy_state(p, &states[mpm::column::n_state_columns * p]);
         io::put_list(out, states);
       }
   });
@@ -135,10 +136,11 @@ void ParticleSimulation::restore_file(const std::string &file)
     std::vector<double> states;
     io::take_list(in, file, states);
     if (!in || head.material >= header.n_materials ||
-        states.size() % mpm::column::n_state != 0)
+        states.size() % mpm::column::n_state_columns != 0)
       throw InputError("Checkpoint file " + file + " is damaged");
     if (std::binary_search(own.begin(), own.end(), head.tile))
-      for (std::size_t p = 0; p < states.size(); p += mpm::column::n_state)
+      for (std::size_t p = 0; p < states.size();
+           p += mpm::column::n_state_columns)
         particles_.block(head.tile, head.material).append(&states[p]);
   }
 }

@@ -65,14 +65,15 @@ ProbeDisplacements::values(const mpm::Particles &particles,
   std::vector<double> found(points_.size(), 0.);
   particles.for_each_block([&](unsigned int, const mpm::ParticleBlock &block) {
     for (std::size_t p = 0; p < block.size(); ++p)
-      if (block[column::tag][p] > 0.)
+      if (block[column::probe][p] > 0.)
       {
-        const auto probe = static_cast<std::size_t>(block[column::tag][p]) - 1;
+        const auto probe =
+          static_cast<std::size_t>(block[column::probe][p]) - 1;
         double way = block[column::position + direction_][p] -
-                     block[column::start + direction_][p];
+                     block[column::initial_position + direction_][p];
         for (unsigned int d = 0; d < 3; ++d)
           way += block[column::gradient + 3 * direction_ + d][p] *
-                 (points_[probe][d] - block[column::start + d][p]);
+                 (points_[probe][d] - block[column::initial_position + d][p]);
         found[probe] = way;
       }
   });
