@@ -14,24 +14,28 @@
 
 namespace contrecoup::mpm
 {
-/// Adds the gradient of the mass that particles give to nodes: 3 components.
+/// Adds the mass gradient sum_p m_p grad N_i(x_p) at each node: 3 components
+/// [kg/m].
 void add_mass_gradient(const unsigned int degree,
                        const ParticleBlock &particles,
                        const WindowGeometry &geometry,
                        double *window);
 
-/// From particles to their faces.
+/// Size of the cube domain of a particle, from which the position of its faces
+/// follows.
 struct ParticleExtent
 {
-  double spacing;    ///< of a particle that fills its box [m]
+  double
+    spacing; ///< distance from the particle to its face if its box is full [m]
   double box_volume; ///< [m^3]
 };
 
 /**
- * Raises, at nodes in whose splines particles are, how far these reach from the
- * node along its normal times @p sign; faces of particles that fill only a
- * part of their boxes are as much nearer.
- * @param normals 3 components; zero: the node is left alone
+ * Raises @p extents to the largest distance from the node to the faces of the
+ * particles in its spline support, along @p sign times the node's normal. The
+ * face of a particle that fills only a fraction of its box is nearer
+ * accordingly.
+ * @param normals 3 components; zero: the node is skipped
  * @param extents [m]
  */
 void update_extents(const unsigned int degree,

@@ -13,34 +13,36 @@
 
 namespace contrecoup::mpm
 {
-/// How two velocity fields meet.
+/// Interaction of two velocity fields at an interface.
 enum class FieldInterface
 {
-  slip,    ///< no motion apart or together, free along each other
-  contact, ///< may part; not together once their surfaces touch; friction
+  slip,    ///< no relative normal motion, free tangential motion
+  contact, ///< separation allowed; no penetration after contact of the
+           ///< surfaces; friction
 };
 
-/// Their words in parameter files, in the order of the enumeration.
+/// Names in parameter files, in the order of the enumeration.
 const std::vector<std::string> &field_interface_names();
 
-/// @throws InputError with the nearest word
+/// @throws InputError that suggests the most similar name
 FieldInterface find_field_interface(const std::string &name);
 
 /**
- * Impulses between velocity fields at nodes where more than one has mass, along
- * the normal that the gradients of their masses give; equal and opposite, so
- * that momentum is kept. Bardenhagen and others, Comput. Methods Appl. Mech.
- * Eng. 187 (2000). Whether surfaces touch is asked of the particles themselves:
- * the gap is that of the particles' faces along the normal, so that contact
- * does not begin as far away as splines reach.
+ * Contact between velocity fields. At nodes where more than one field has mass,
+ * equal and opposite impulses act along the normal that follows from the mass
+ * gradients; momentum is conserved. Bardenhagen and others, Comput. Methods
+ * Appl. Mech. Eng. 187 (2000). The gap is measured between the faces of the
+ * particles along the normal, not between the spline supports; otherwise
+ * contact would begin as soon as supports overlap.
  */
 class FieldContact
 {
 public:
   /**
    * @param field_of_material by material
-   * @param half_spacing from a particle of a full box to its face [m]
-   * @param box_volume of such a particle [m^3]
+   * @param half_spacing distance from a particle to its face if its box is full
+   * [m]
+   * @param box_volume volume of such a particle [m^3]
    * @param friction Coulomb's coefficient of FieldInterface::contact [-]
    */
   FieldContact(const unsigned int degree = 3,
@@ -55,38 +57,41 @@ public:
     return n_fields_;
   }
 
-  /// Finds the nodes that fields share, normals there and, for contact, gaps.
-  /// @param masses at the nodes, by field. Collective.
+  /// Finds the nodes that fields share, their normals and, for contact, the
+  /// gaps.
+  /// @param masses nodal masses by field [kg]. Collective.
   void find_interfaces(
     const TileGrid &grid,
     Particles &particles,
     const std::vector<const dealii::AlignedVector<double> *> &masses);
 
   /**
-   * Changes velocities of own nodes.
-   * @param velocities by field, three components from @p first on
-   * @return the sum of the impulses' magnitudes [N s]
+   * Applies the contact impulses to the velocities of owned nodes.
+   * @param velocities by field; the components @p first to @p first + 2 are
+   * used
+   * @return sum of the magnitudes of the impulses [N s]
    */
   double apply(const std::vector<NodeValues *> &velocities,
                const unsigned int first,
                const std::size_t n_locally_owned_nodes) const;
 
 private:
-  /// Two fields that may meet.
+  /// Two fields that may be in contact.
   struct Pair
   {
     std::array<unsigned int, 2> fields;
-    NodeValues normals{3}; ///< from the first to the second; zero: no meeting
-    NodeValues gaps{1};    ///< between their surfaces [m]
+    NodeValues normals{
+      3}; ///< from the first field to the second; zero: no contact at this node
+    NodeValues gaps{1}; ///< between the surfaces [m]
   };
 
-  /// Finds the tiles of this rank that reach nodes which fields share.
+  /// Finds the tiles of this rank whose windows contain nodes shared by fields.
   void find_tiles(const TileGrid &grid);
   void find_gradients(const TileGrid &grid, Particles &particles);
   void find_normals(const TileGrid &grid, Pair &pair) const;
   void find_gap(const TileGrid &grid, Particles &particles, Pair &pair) const;
-  /// Of the particles of a tile of a level. @param source its own window, or
-  /// that of level 0 there
+  /// Updates the extents with the particles of a tile of level @p level. @param
+  /// source window of the tile, or the window of level 0 at the same place
   void update_extents_of(const TileGrid &grid,
                          const TileGrid::Source &source,
                          const unsigned int level,
@@ -106,10 +111,11 @@ private:
   double box_volume_;
   double friction_;
   unsigned int n_fields_ = 0;
-  std::vector<bool>
-    has_shared_nodes_; ///< whether fields do in a tile, by source
-  std::vector<NodeValues> gradients_;                 ///< of mass, by field
-  std::vector<dealii::AlignedVector<double>> masses_; ///< own nodes, by field
+  std::vector<bool> has_shared_nodes_; ///< by source: whether the tile has
+                                       ///< nodes shared by fields
+  std::vector<NodeValues> gradients_;  ///< mass gradients, by field
+  std::vector<dealii::AlignedVector<double>>
+    masses_; ///< of owned nodes, by field [kg]
   std::vector<Pair> pairs_;
 };
 } // namespace contrecoup::mpm

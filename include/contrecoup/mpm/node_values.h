@@ -13,8 +13,7 @@
 
 namespace contrecoup::mpm
 {
-/// A few numbers at each node of the grid, each component in an array of its
-/// own.
+/// Values at the nodes of the grid, with one array per component.
 class NodeValues
 {
 public:
@@ -22,7 +21,7 @@ public:
     : values_(n_components)
   {}
 
-  /// Sets everything to zero, for the nodes that the grid has now.
+  /// Resizes to the current nodes of the grid and sets all values to zero.
   void clear(const TileGrid &grid);
 
   unsigned int n_components() const
@@ -39,13 +38,15 @@ public:
     return values_[component];
   }
 
-  /// Adds what ranks have in their copies to the owners' values. Collective.
+  /// Adds the values of ghost nodes to those of their owners. Collective.
   void compress_add(const TileGrid &grid);
 
-  /// Raises the owners' values to those of copies that are larger. Collective.
+  /// Sets the values of the owners to the maximum over their ghost copies.
+  /// Collective.
   void compress_max(const TileGrid &grid);
 
-  /// Gives the owners' values to the copies. Collective.
+  /// Copies the values of owned nodes to the ghost nodes of other ranks.
+  /// Collective.
   void update_ghost_values(const TileGrid &grid);
 
 private:
@@ -55,28 +56,31 @@ private:
   std::vector<dealii::AlignedVector<double>> values_;
 };
 
-/// From one component of a window to the next: more than it has nodes, since
-/// processors confuse stores and loads at equal places in pages of 4 KiB.
+/// Distance between the components of a window. It is larger than the number of
+/// nodes, because loads and stores at equal offsets within pages of 4 KiB cause
+/// false dependencies in the processor.
 constexpr unsigned int window_stride = TileGrid::window_size + 8;
 
-/// Numbers at the nodes of a tile's window: component by component, x fastest.
+/// Values at the nodes of a tile's window, by component; the index along x runs
+/// fastest.
 using Window = dealii::AlignedVector<double>;
 
-/// In which mirrors a component changes its sign: with the bits of
-/// TileGrid::Source::mirrored. Scalars have none.
+/// Mirror images in which a component changes its sign, as a mask for the bits
+/// of TileGrid::Source::mirrored; 0 for scalars.
 using Parity = std::uint8_t;
 
-/// Components of a gradient: mirrors along them.
+/// Components of a gradient change their sign in mirror images along their own
+/// direction.
 inline const std::vector<Parity> gradient_parity{1, 2, 4};
 
-/// Components of a velocity or force: mirrors along them, and those along
-/// other directions that hold matter.
+/// Components of a velocity or force change their sign in mirror images along
+/// their own direction, and in those at no-slip sides along other directions.
 constexpr Parity vector_x = 1 + 16 + 32, vector_y = 2 + 8 + 32,
                  vector_z = 4 + 8 + 16;
 
 /**
- * Reads components from nodes into a window.
- * @param first of the components, as many as there are @p parities
+ * Copies components of nodal values to a window.
+ * @param first first component; their number is that of @p parities
  */
 void read_window(const TileGrid::Source &source,
                  const NodeValues &values,
@@ -84,14 +88,14 @@ void read_window(const TileGrid::Source &source,
                  const std::vector<Parity> &parities,
                  double *window);
 
-/// Adds components of a window to nodes.
+/// Adds components of a window to nodal values.
 void add_window(const TileGrid::Source &source,
                 const double *window,
                 const unsigned int first,
                 const std::vector<Parity> &parities,
                 NodeValues &values);
 
-/// Raises one scalar of nodes to that of a window where it is larger.
+/// Sets a nodal scalar to the maximum of itself and of the window.
 void raise_nodes(const TileGrid::Source &source,
                  const double *window,
                  dealii::AlignedVector<double> &values);

@@ -10,8 +10,8 @@
 
 namespace contrecoup::mpm
 {
-/// Columns of a block of particles; those of several components name the first
-/// one. Components of vectors and tensors follow one another.
+/// Columns of a block of particles. The name of a vector or tensor is that of
+/// its first component; its components are consecutive.
 namespace column
 {
   enum Name : unsigned int
@@ -20,45 +20,47 @@ namespace column
     velocity = 3,    ///< 3 [m/s]
     mass = 6,        ///< [kg]
     volume = 7,      ///< undeformed [m^3]
-    gradient = 8,    ///< 9, of the displacement, by rows
-    dilatation = 17, ///< J - 1 of the smoothed volume strain
-    pressure = 18,   ///< of materials whose volume strain is smoothed [Pa]
-    stress = 19,     ///< 6, Kirchhoff's, without this pressure [Pa]
+    gradient = 8,    ///< 9, displacement gradient by rows [-]
+    dilatation = 17, ///< J - 1, smoothed where the material is [-]
+    pressure = 18,   ///< of materials with smoothed volume strain [Pa]
+    stress = 19,     ///< 6, Kirchhoff stress without this pressure [Pa]
     energy = 25,     ///< internal [J]
-    relaxed = 26,    ///< 6, of viscoelastic branches; MetalState::elastic
-    affine = 32,     ///< 9, velocity gradient of affine transfers [1/s]
-    surface = 41,    ///< 3, undeformed way to the body's surface [m]
-    area = 44,       ///< of the surface that belongs to the particle [m^2]
-    probe = 45,      ///< number of a probe that follows it, from 1 on; 0: none
-    level = 46,      ///< how often it was split [-]
-    initial_position = 47, ///< 3, where it was at the start [m]
+    relaxed = 26, ///< 6, strain of viscoelastic branches; MetalState::elastic
+    affine = 32,  ///< 9, velocity gradient of the affine transfer [1/s]
+    surface = 41, ///< 3, undeformed vector to the surface of the body [m]
+    area = 44,    ///< surface area that belongs to the particle [m^2]
+    probe = 45,   ///< number of the particle's probe, from 1; 0: none
+    level = 46,   ///< number of times that the particle was split [-]
+    initial_position = 47, ///< 3 [m]
     plastic_strain = 50,   ///< of metals [-]
-    plastic_work = 51,     ///< of metals, by undeformed volume [J/m^3]
-    n_state_columns = 52,  ///< what moves with a particle and is saved
-    // Within a step.
-    velocity_change = 52,   ///< 3, of the velocity [m/s]
-    position_change = 55,   ///< 3, of the position [m]
+    plastic_work = 51,     ///< of metals, per undeformed volume [J/m^3]
+    n_state_columns = 52,  ///< columns that are saved and move with a particle
+    // Work values within a step.
+    velocity_change = 52,   ///< 3, in this step [m/s]
+    position_change = 55,   ///< 3, in this step [m]
     velocity_gradient = 58, ///< 9, velocity gradient by rows [1/s]
-    smoothed = 67,  ///< pressure, then rate of dilatation, after smoothing
-    mean_rate = 68, ///< 9, gradient of the mean velocity of the step [1/s]
-    force = 77,     ///< 3, from outside [N]
-    moment = 80,    ///< 6, of this force about the particle [N m]
+    smoothed = 67,  ///< smoothed pressure, then smoothed rate of dilatation
+    mean_rate = 68, ///< 9, gradient of the mean velocity during the step [1/s]
+    force = 77,     ///< 3, external force [N]
+    moment = 80,    ///< 6, moment of this force about the particle [N m]
     n_columns = 86
   };
 } // namespace column
 
 /**
- * Particles of one tile and one material: a structure of arrays, in double
- * precision. Single would serve the pressures, as J - 1 and displacements'
- * gradients are kept and not J: rounded each step, state and transfers change
- * those of a head with cells of 8 mm by 80 Pa at most, its force by 1.4e-5. But
+ * Particles of one tile and one material as a structure of arrays, in double
+ * precision. Single precision would suffice for pressures, because J - 1 and
+ * displacement gradients are stored instead of J and F: if state and transfers
+ * are rounded to single precision in each step, the pressures in a head with
+ * cells of 8 mm change by at most 80 Pa and its contact force by 1.4e-5. But
  * energy ledgers would close to 3e-7 instead of 1e-13, and twice as many lanes
- * make steps 13 % faster at most, since rows of splines are four nodes.
+ * make steps at most 13 % faster, because a row of splines has four nodes.
  */
 class ParticleBlock
 {
 public:
-  /// Padded to this many, so that lanes need no remainder.
+  /// Blocks are padded to a multiple of this number, so that loops over lanes
+  /// have no remainder.
   static constexpr std::size_t padding = 8;
 
   std::size_t size() const
@@ -75,19 +77,19 @@ public:
     return values_.data() + column * capacity_;
   }
 
-  /// Appends a particle whose columns are zero. Returns its number.
+  /// Appends a particle with all columns zero, and returns its index.
   std::size_t append();
 
   /// Appends a copy of a particle of another block.
   void append(const ParticleBlock &other, const std::size_t particle);
 
-  /// Appends a particle from column::n_state numbers.
+  /// Appends a particle with the given column::n_state_columns values.
   void append(const double *state);
 
-  /// Its column::n_state numbers.
+  /// Copies the column::n_state_columns values of a particle.
   void copy_state(const std::size_t particle, double *state) const;
 
-  /// Puts the last particle in its place.
+  /// Removes a particle; the last particle takes its index.
   void remove(const std::size_t particle);
 
 private:

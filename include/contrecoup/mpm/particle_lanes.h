@@ -8,9 +8,8 @@
 #include <contrecoup/mpm/particle_material.h>
 
 /**
- * @file
- * What the strains of liquids, solids and metals have in common, for as many
- * particles as there are lanes, from number p on.
+ * @file Functions that the strain updates of liquids, solids and metals share.
+ * Each works on the n particles p to p + n - 1, one in each lane.
  */
 
 namespace contrecoup::mpm
@@ -55,8 +54,8 @@ inline Matrix3<Lane> load_matrix(const ParticleBlock &particles,
   return m;
 }
 
-/// Brings column::gradient over a step of a velocity gradient, by which F
-/// grows by step L F, and returns it.
+/// Advances column::gradient by a step with the velocity gradient L (the
+/// deformation gradient F changes by step * L F), and returns it.
 inline Matrix3<Lane> strain_gradient(const Matrix3<Lane> &rate,
                                      const double step,
                                      ParticleBlock &particles,
@@ -75,7 +74,7 @@ inline Matrix3<Lane> strain_gradient(const Matrix3<Lane> &rate,
   return result;
 }
 
-/// Artificial pressure against compression [Pa].
+/// Artificial viscosity in compression, as a pressure [Pa].
 inline Lane viscous_pressure(const ParticleMaterial &material,
                              const Lane &density,
                              const Lane &sound_speed,
@@ -89,7 +88,7 @@ inline Lane viscous_pressure(const ParticleMaterial &material,
           material.quadratic_viscosity * length * inwards);
 }
 
-/// Rate of dilatation: the smoothed one, or the trace.
+/// Rate of dilatation: smoothed, or the trace of the velocity gradient [1/s].
 inline Lane dilatation_rate(const ParticleMaterial &material,
                             const ParticleBlock &particles,
                             const Matrix3<Lane> &rate,
@@ -99,8 +98,8 @@ inline Lane dilatation_rate(const ParticleMaterial &material,
                               : rate[0][0] + rate[1][1] + rate[2][2];
 }
 
-/// Brings column::dilatation over a step and returns it: by the smoothed rate,
-/// or to that of the strain.
+/// Advances column::dilatation and returns it: by the smoothed rate, or to the
+/// dilatation @p of_strain of the deformation gradient.
 inline Lane strain_volume(const ParticleMaterial &material,
                           const Lane &rate,
                           const Lane &of_strain,
@@ -118,8 +117,9 @@ inline Lane strain_volume(const ParticleMaterial &material,
   return dilatation;
 }
 
-/// Puts the pressure into column::pressure, and unless it will be smoothed
-/// into Kirchhoff's stress, which goes into column::stress.
+/// Stores the pressure in column::pressure and the Kirchhoff stress in
+/// column::stress. The stress includes the pressure unless the material is
+/// smoothed.
 inline void store_pressure(const ParticleMaterial &material,
                            const Lane &pressure,
                            const Lane &volume_ratio,

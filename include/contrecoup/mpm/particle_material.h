@@ -14,22 +14,23 @@
 
 namespace contrecoup::mpm
 {
-/// What particles are made of.
+/// Material of particles.
 struct ParticleMaterial
 {
   std::string name;
   std::variant<Tait, SolidMaterial> law = SolidMaterial();
   SolidKinematics kinematics = SolidKinematics::finite_rotation; ///< of solids
-  /// Of metals, solids that yield; their kinematics are neo-Hookean.
+  /// Set for metals, which are solids that yield, with neo-Hookean kinematics.
   std::optional<JohnsonCook> plasticity;
-  /// Whether volume strain and pressure are smoothed against locking.
+  /// Whether volume strain and pressure are smoothed over the cells, against
+  /// volumetric locking.
   bool is_smoothed = false;
-  /// Materials of one group are smoothed together: their pressure is
-  /// continuous.
+  /// Materials of one group are smoothed together, so that the pressure is
+  /// continuous across them.
   unsigned int smoothing_group = 0;
   double linear_viscosity = 0.;    ///< artificial, in compression [-]
   double quadratic_viscosity = 0.; ///< artificial, in compression [-]
-  /// Number of the velocity field that the material moves with.
+  /// Number of the material's velocity field.
   unsigned int field = 0;
 
   double density() const; ///< undeformed [kg/m^3]
@@ -41,28 +42,30 @@ struct ParticleMaterial
 };
 
 /**
- * Strains the particles over a step with column::rate, or where the material
- * is smoothed with the rate of dilatation in column::smoothed, and sets
- * stresses and pressures: column::gradient, dilatation, pressure, stress,
- * relaxed, plastic_strain, plastic_work.
- * @param step [s]; 0: stresses of the present strains
- * @param cell_size of the grid, for artificial viscosity [m]
+ * Advances strains by a step with column::velocity_gradient and, if the
+ * material is smoothed, with the rate of dilatation in column::smoothed; then
+ * sets stresses and pressures. Changes column::gradient, dilatation, pressure,
+ * stress, relaxed, plastic_strain and plastic_work.
+ * @param step size of the step [s]; 0: only computes the stresses of the
+ * present strains
+ * @param cell_size cell size of the grid, for artificial viscosity [m]
  */
 void strain_particles(const ParticleMaterial &material,
                       const double step,
                       const double cell_size,
                       ParticleBlock &particles);
 
-/// Energy that the strains store [J]; of viscoelastic branches, as they are.
+/// Elastic energy of the strains [J], including that of viscoelastic branches
+/// in their present state.
 double stored_energy(const ParticleMaterial &material,
                      const ParticleBlock &particles);
 
-/// The fastest sound in the particles [m/s]; 0 without any.
+/// Largest sound speed of the particles [m/s]; 0 without particles.
 double largest_sound_speed(const ParticleMaterial &material,
                            const ParticleBlock &particles);
 
-/// Pressure [Pa], present density [kg/m^3] and the largest principal
-/// difference of strains, the shear strain [-], of one particle.
+/// Pressure [Pa], present density [kg/m^3] and shear strain (largest difference
+/// of principal strains) [-] of one particle.
 struct ParticleValues
 {
   double pressure, density, shear_strain;

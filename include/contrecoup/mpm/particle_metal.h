@@ -7,13 +7,13 @@
 
 namespace contrecoup::mpm
 {
-/// What strain_particles() does with particles of a metal.
+/// Implements strain_particles() for metals.
 void strain_metals(const ParticleMaterial &material,
                    const double step,
                    const double cell_size,
                    ParticleBlock &particles);
 
-/// Energy that a particle of a metal stores, by undeformed volume [J/m^3].
+/// Elastic energy of a metal particle per undeformed volume [J/m^3].
 double metal_energy(const SolidMaterial &solid,
                     const ParticleBlock &particles,
                     const std::size_t particle);

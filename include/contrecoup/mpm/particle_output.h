@@ -15,7 +15,7 @@ namespace contrecoup::mpm
 {
 /// Writes the particles as points with their velocity, density, pressure,
 /// shear strain, volume and material. Collective.
-/// @return the name of the file to open, without folder
+/// @return name of the file to open, without its folder
 std::string write_particles(const std::vector<ParticleMaterial> &materials,
                             const Particles &particles,
                             const std::string &folder,

@@ -16,41 +16,45 @@
 
 namespace contrecoup::mpm
 {
-/// What steps do with energy, this rank's sums from the start on [J].
+/// Energies that steps added or lost since the start, summed over the particles
+/// of this rank [J].
 struct EnergyLedger
 {
-  double external_work = 0.; ///< of forces from outside on the particles
-  /// Kinetic energy that the grid gained and the particles did not.
+  double external_work = 0.; ///< work of external forces on the particles
+  /// Kinetic energy that the grid gained but the particles did not.
   double transfer_loss = 0.;
   double contact_loss = 0.; ///< between velocity fields
 };
 
-/// Mass, momentum and energies of the particles, all ranks.
+/// Mass, momentum and energies of the particles of all ranks.
 struct ParticleTotals
 {
   double mass = 0.;
   std::array<double, 3> momentum{};
   double kinetic_energy = 0.;
-  double internal_energy = 0.; ///< work of stresses so far [J]
-  double stored_energy = 0.;   ///< in the present strains [J]
+  double internal_energy = 0.; ///< work of stresses since the start [J]
+  double stored_energy = 0.;   ///< elastic energy of the present strains [J]
 };
 
 /**
- * One step of the material point method: particles give mass, momentum and
- * forces to the grid, get velocities back, and are strained. Energy of stress
- * work is that of the mean velocity of the step, so that the grid's kinetic
- * energy and the internal energy add up exactly; what particles' kinetic energy
- * misses is booked as loss of the transfer. Sulsky, Chen and Schreyer, Comput.
- * Methods Appl. Mech. Eng. 118 (1994); Nairn, CMES 4 (2003), for the orders.
+ * One step of the material point method. Mass, momentum and forces are
+ * transferred from the particles to the grid; the velocities of the grid are
+ * transferred back; then strains and stresses of the particles are updated.
+ * Stresses do work with the mean velocity of the step, so that the kinetic
+ * energy of the grid and the internal energy are conserved together exactly;
+ * the difference to the kinetic energy of the particles is the transfer loss.
+ * Sulsky, Chen and Schreyer, Comput. Methods Appl. Mech. Eng. 118 (1994);
+ * Nairn, CMES 4 (2003), for the order of the updates.
  */
 class ParticleStep
 {
 public:
-  /// Sets column::force of the particles of a material [N].
+  /// Sets the external force column::force of the particles of a material [N].
   using OuterForces =
     std::function<void(const unsigned int material, ParticleBlock &particles)>;
 
-  /// @param contact of velocity fields; none: they do not feel each other
+  /// @param contact contact between velocity fields; by default the fields do
+  /// not interact
   ParticleStep(const TransferScheme &scheme,
                const std::vector<ParticleMaterial> &materials,
                const FieldContact &contact = FieldContact());
@@ -67,8 +71,8 @@ public:
   {
     ledger_ = ledger;
   }
-  /// Of velocity fields on each other in the last step, this rank's sum of
-  /// magnitudes at the nodes [N].
+  /// Contact force between velocity fields in the last step: sum of its
+  /// magnitudes at the nodes of this rank [N].
   double field_force() const
   {
     return field_force_;
@@ -78,21 +82,22 @@ public:
     return n_retries_;
   }
 
-  /// Stresses of the particles as they are.
+  /// Computes the stresses of the initial particles.
   void start(const TileGrid &grid, Particles &particles) const;
 
-  /// Makes what steps need of particles that come from a checkpoint.
+  /// Computes the work values that steps need for particles read from a
+  /// checkpoint.
   void resume(const TileGrid &grid, Particles &particles) const
   {
     smooth(grid, particles, true);
   }
 
   /**
-   * Goes one step ahead.
-   * @param largest step size, which is halved up to @p n_retries times while
-   *   a particle would be strained by more than largest_strain
+   * Makes one step.
+   * @param largest largest step size [s]; it is halved up to @p n_retries times
+   * while the strain increment of a particle exceeds largest_strain
    * @return the step size
-   * @throws NumericsError with the place and the state. Collective.
+   * @throws NumericsError with position and state of the particle. Collective.
    */
   double advance(TileGrid &grid,
                  Particles &particles,
@@ -100,17 +105,17 @@ public:
                  const unsigned int n_retries,
                  const OuterForces &forces);
 
-  /// Of all ranks. Collective.
+  /// Totals of all ranks. Collective.
   ParticleTotals totals(const TileGrid &grid, const Particles &particles) const;
 
-  /// The largest step size for a Courant number of 1 [s]. Collective.
+  /// Step size with a Courant number of 1 [s]. Collective.
   double signal_time(const TileGrid &grid, const Particles &particles) const;
 
-  /// Strain of a particle in one step beyond which it is halved [-].
+  /// Strain increment of a particle beyond which the step size is halved [-].
   static constexpr double largest_strain = 0.2;
 
 private:
-  /// One velocity field on the grid.
+  /// Nodal values of one velocity field.
   struct Field
   {
     NodeValues matter{7}; ///< mass, momentum, force
@@ -122,7 +127,7 @@ private:
 
   using Tile = std::pair<const TileGrid::Source *, Particles::TileBlocks *>;
 
-  /// Those that hold particles of some materials.
+  /// The tiles that contain particles of one of the given materials.
   std::vector<Tile> tiles(const std::vector<TileGrid::Source> &sources,
                           Particles &particles,
                           const std::vector<unsigned int> &materials) const;
@@ -130,26 +135,28 @@ private:
   void deposit_fields(const TileGrid &grid,
                       Particles &particles,
                       const Deposit what);
-  /// Volumes, and volumes times pressures or rates of dilatation, of a material
-  /// at linear splines' nodes; added to those
-  /// that are there; copies not added.
+  /// Adds volumes, and volumes times pressures or rates of dilatation, of a
+  /// material to the nodes of linear splines; without exchange between ranks.
   void deposit_smoothed(const TileGrid &grid,
                         Particles &particles,
                         const unsigned int material,
                         const bool is_pressure,
                         NodeValues &sums) const;
-  /// Averages at linear splines' nodes to column::smoothed of a material.
+  /// Interpolates the averages at the nodes of linear splines to
+  /// column::smoothed of a material.
   void collect_smoothed(const TileGrid &grid,
                         Particles &particles,
                         const unsigned int material,
                         const NodeValues &values) const;
-  /// Pressures or rates of dilatation to column::smoothed.
+  /// Smooths pressures or rates of dilatation, and stores them in
+  /// column::smoothed.
   void smooth(const TileGrid &grid,
               Particles &particles,
               const bool is_pressure) const;
-  /// Makes a vector of lumped masses that of the consistent ones, in all
-  /// fields. @param smallest_fraction of the largest mass, below which a node
-  /// has none
+  /// Replaces a nodal vector that was computed with lumped masses by that of
+  /// the consistent mass matrix, in all fields, see
+  /// TransferScheme::series_order. @param smallest_fraction nodes with a
+  /// smaller fraction of the largest mass are treated as empty
   void apply_series(const TileGrid &grid,
                     Particles &particles,
                     const double smallest_fraction,
@@ -158,15 +165,16 @@ private:
                             Particles &particles,
                             std::vector<NodeValues> &from,
                             std::vector<NodeValues> &to) const;
-  /// Where velocity fields meet, with the particles as they lie.
+  /// Finds the interfaces of velocity fields for the present particles.
   void find_interfaces(const TileGrid &grid, Particles &particles);
   void find_velocities(const TileGrid &grid, Particles &particles);
   void accelerate(const TileGrid &grid, Particles &particles);
   void set_motion(const TileGrid &grid, const double step);
-  /// Lets the velocities after the step of fields push each other. Returns
-  /// the sum of impulses, this rank [N s].
+  /// Applies the contact impulses between fields to the velocities after the
+  /// step. Returns the sum of their magnitudes on this rank [N s].
   double apply_contact(const TileGrid &grid);
-  /// Takes those before the step as those after it, with such pushes.
+  /// Sets the velocities after the step to those before it, including contact
+  /// impulses.
   void reset_to_velocities_before(const TileGrid &grid);
   void collect(const TileGrid &grid, Particles &particles, const double step);
   double largest_strain_rate(const Particles &particles,
@@ -185,7 +193,8 @@ private:
   std::vector<Field> fields_;
   FieldContact contact_;
   EnergyLedger ledger_;
-  double step_contact_loss_ = 0.; ///< of the last motion, this rank [J]
+  double step_contact_loss_ =
+    0.; ///< contact loss of the last set_motion(), of this rank [J]
   double field_force_ = 0.;
   unsigned int n_retries_ = 0;
 };

@@ -11,11 +11,11 @@
 
 namespace contrecoup::mpm
 {
-/// The particles of this rank: by tile and material.
+/// The particles of this rank, by tile and material.
 class Particles
 {
 public:
-  /// Of a tile, by material.
+  /// The particles of a tile, by material.
   using TileBlocks = std::vector<ParticleBlock>;
   using Tiles = std::map<TileGrid::TileId, TileBlocks>;
 
@@ -28,11 +28,12 @@ public:
     return n_materials_;
   }
 
-  /// The block of a tile of this rank, which is made if it is not there.
+  /// Block of a tile of this rank; created if it does not exist.
   ParticleBlock &block(const TileGrid::TileId tile,
                        const unsigned int material);
 
-  /// By their ids, as the sources of the grid are once it is active.
+  /// All tiles with their particles, sorted by id like TileGrid::sources()
+  /// after activate().
   Tiles &tiles()
   {
     return tiles_;
@@ -42,13 +43,13 @@ public:
     return tiles_;
   }
 
-  /// Of this rank.
+  /// Number of particles of this rank.
   std::size_t size() const;
 
   /**
-   * Gives particles to the tiles that they went to, on whatever rank, and the
-   * grid the nodes that they need.
-   * @throws NumericsError when a particle left the grid. Collective.
+   * Moves particles to the tiles, and ranks, that contain them now, and creates
+   * the grid nodes that they need.
+   * @throws NumericsError when a particle has left the grid. Collective.
    */
   void sort(TileGrid &grid);
 

@@ -10,31 +10,32 @@
 #include <vector>
 
 /**
- * @file
- * More particles where matter is stretched, fewer where it is crowded. Mass,
- * momentum, angular momentum, and kinetic and internal energy together are
- * kept to round-off.
+ * @file Resampling: splits particles where matter is stretched, and merges them
+ * where cells contain too many. Mass, momentum, angular momentum, and the sum
+ * of kinetic and internal energy are conserved up to round-off.
  */
 
 namespace contrecoup::mpm
 {
 /**
  * Splits particles of solids whose length along a principal direction has
- * become @p stretch times what it was: two halves lie on that direction, a
- * quarter of the length from where the particle was, and have its velocity,
- * strain and stress. A half is split when it is stretched as much again.
- * @return how many were split
+ * become @p stretch times the undeformed one. The two halves lie on that
+ * direction, at a quarter of the present length from the position of the
+ * particle, and have its velocity, strain and stress. A half is split again
+ * when its stretch has grown by the same factor.
+ * @return number of particles that were split
  */
 std::size_t split_stretched(const double stretch, ParticleBlock &particles);
 
 /**
- * Makes two of four particles in the cells of a tile that have more than
- * @p max_per_cell of a material: they have half of the mass each, and lie as
- * far from the centre of mass as the four did in the mean square, across their
- * angular momentum about it, which their velocities keep; what kinetic energy
- * is left becomes internal energy. Strains and stresses are means by volume.
- * Particles that a probe follows or that touch the surface stay.
- * @return how many are fewer
+ * Merges four particles into two in cells of a tile with more than @p
+ * max_per_cell particles of a material. Each of the two has half of the mass.
+ * Their distance from the common centre of mass is the root mean square of that
+ * of the four, along a direction normal to the angular momentum about it, which
+ * their velocities conserve. The remaining kinetic energy becomes internal
+ * energy. Strains and stresses are volume-weighted means. Particles that a
+ * probe follows or that carry surface area are not merged.
+ * @return reduction of the number of particles
  */
 std::size_t merge_crowded(const std::size_t max_per_cell,
                           const TileGrid &grid,

@@ -9,8 +9,8 @@
 
 namespace contrecoup::mpm
 {
-/// Four neighbouring nodes along x, which is as far as a cubic spline reaches,
-/// in as many lanes as the processor has, four at most.
+/// Values at four neighbouring nodes along x, the support of a cubic spline, in
+/// SIMD vectors of at most four lanes.
 class Row
 {
 public:
@@ -27,7 +27,7 @@ public:
       vectors_[i] = value;
   }
 
-  /// Four numbers, of any alignment.
+  /// Loads four values of any alignment.
   static DEAL_II_ALWAYS_INLINE Row load(const double *const values)
   {
     Row row;
@@ -61,7 +61,7 @@ public:
       vectors_[i] += other.vectors_[i] * Vector(factor);
   }
 
-  /// The sum of the products with another row.
+  /// Dot product with another row.
   DEAL_II_ALWAYS_INLINE double dot(const Row &other) const
   {
     Vector sum = vectors_[0] * other.vectors_[0];

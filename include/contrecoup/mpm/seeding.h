@@ -14,34 +14,37 @@
 
 namespace contrecoup::mpm
 {
-/// What is where at the start.
+/// Materials and their state at the start.
 struct ParticleSource
 {
-  /// No material.
+  /// Result of material_at() outside of all materials.
   static constexpr int none = -1;
 
-  /// Number of the material at a place, or none.
+  /// Number of the material at a position [m], or none.
   std::function<int(const dealii::Point<3> &)> material_at;
-  /// [m/s]
+  /// Initial velocity [m/s].
   std::function<dealii::Tensor<1, 3>(const dealii::Point<3> &,
                                      const unsigned int material)>
     velocity_at;
-  /// J - 1 that the pressure at the start makes.
+  /// J - 1 due to the initial pressure [-].
   std::function<double(const dealii::Point<3> &, const unsigned int material)>
     dilatation_at;
-  /// Particles of a cell along each direction.
+  /// Number of particles per cell along each direction.
   std::array<unsigned int, 3> per_cell{{2, 2, 2}};
 };
 
-/// Work that a tile makes, from 0 to 1000: of particles, and of each material.
+/// Relative work of a tile, from 0 to 1000: a contribution for its particles
+/// and one for each of its materials.
 unsigned int tile_weight(const GridBox &box,
                          const ParticleSource &source,
                          const dealii::Point<3> &lower);
 
 /**
- * Whether one of some materials is within a margin of a cube, by samples.
+ * Whether one of the chosen materials is within a margin of a cube. Tested at
+ * sample points.
  * @param is_chosen by material
- * @param margin,spacing of the samples [m]
+ * @param margin,spacing margin around the cube, and spacing of the sample
+ * points [m]
  */
 bool is_near_material(const ParticleSource &source,
                       const std::vector<bool> &is_chosen,
@@ -51,11 +54,12 @@ bool is_near_material(const ParticleSource &source,
                       const double spacing);
 
 /**
- * Fills the tiles of this rank: every cell is cut into per_cell equal boxes,
- * and each of its materials gets a particle in their centre of mass there, with
- * their part of the volume. Boxes whose corners differ are sampled at 8^3
- * places, so that a smooth surface's volume is exact to the third order in the
- * spacing of samples. Collective.
+ * Fills the tiles of this rank with particles. Every cell is divided into
+ * per_cell equal boxes; each material within a box gets one particle at the
+ * material's centre of mass there, with its volume in the box. Boxes whose
+ * corners lie in different materials are sampled at 8^3 points, so that the
+ * volume of a body with a smooth surface is third-order accurate in the spacing
+ * of the sample points. Collective.
  */
 void seed(const std::vector<ParticleMaterial> &materials,
           const ParticleSource &source,

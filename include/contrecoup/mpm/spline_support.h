@@ -13,27 +13,29 @@
 #include <algorithm>
 
 /**
- * @file
- * What the kernels of transfers share: the splines of particles in the window
- * of their tile.
+ * @file Functions that the transfer kernels share: the splines of particles in
+ * the window of their tile.
  */
 
 namespace contrecoup::mpm
 {
-/// Splines of some particles that follow one another, found side by side.
+/// Spline weights of a batch of consecutive particles, one particle in each
+/// lane.
 template <unsigned int degree>
 class SplineSupports
 {
 public:
-  /// Nodes along an edge of a support.
+  /// Number of nodes along an edge of a support.
   static constexpr unsigned int n = degree + 1;
-  /// Particles at once: no more than a block is padded to.
+  /// Number of particles in a batch; at most the padding of blocks.
   static constexpr std::size_t batch = 8;
   static_assert(batch <= ParticleBlock::padding);
-  /// Round-off of sums does not see it, nor its third power the least mass.
+  /// Lower bound of linear weights: negligible in sums, and its third power is
+  /// negligible against the smallest nodal mass that counts.
   static constexpr double least_linear_weight = 1e-18;
 
-  /// Those of particles @p begin to @p begin + batch of a block.
+  /// Computes the weights of the particles @p begin to @p begin + batch - 1 of
+  /// a block.
   DEAL_II_ALWAYS_INLINE void reinit(const ParticleBlock &particles,
                                     const std::size_t begin,
                                     const WindowGeometry &geometry)
@@ -48,8 +50,8 @@ public:
         Lane coordinate;
         coordinate.load(particles[column::position + d] + begin + p);
         coordinate = (coordinate - geometry.lower[d]) * per_cell;
-        // Rounded down, and in the tile: round-off may put what is on its sides
-        // outside.
+        // Round down, but stay within the tile: round-off may put particles on
+        // its sides outside.
         constexpr int last = TileGrid::tile_edge - (degree == 2 ? 0 : 1);
         Lane node(0.);
         for (int i = 1; i <= last; ++i)
@@ -65,14 +67,15 @@ public:
     }
   }
 
-  /// First node of row j, k of the support of a particle of the batch.
+  /// Index of the first node of row j, k of the support of particle @p p of the
+  /// batch.
   DEAL_II_ALWAYS_INLINE std::size_t
   at(const std::size_t p, const unsigned int j, const unsigned int k) const
   {
     return first_[p] + TileGrid::window_edge * (j + TileGrid::window_edge * k);
   }
 
-  /// Of the four nodes along x.
+  /// Weights of the four nodes along x.
   DEAL_II_ALWAYS_INLINE Row x(const std::size_t p) const
   {
     return Row::load(row_[p]);
@@ -102,8 +105,9 @@ private:
                                          const double per_cell)
   {
     auto w = spline_weights_at<degree>(fraction);
-    // What is on a side is of the cell above it, whose slope reaches for nodes
-    // that have no other mass, it may be: with a trace of it they go along.
+    // A particle on a side belongs to the cell above it. Its slopes are not
+    // zero at nodes that may have no other mass; a tiny weight makes these
+    // nodes move along.
     if constexpr (degree == 1)
       for (unsigned int i = 0; i < n; ++i)
         w.value[i] = std::max(w.value[i], Lanes<double>(least_linear_weight));
@@ -131,7 +135,8 @@ private:
 };
 
 /**
- * Calls @p work(splines, number in them, particle) for all particles.
+ * Calls @p work(supports, index in the batch, index of the particle) for all
+ * particles.
  * @param supports work memory
  */
 template <unsigned int degree, typename Work>
@@ -151,8 +156,8 @@ for_each_support(const ParticleBlock &particles,
   }
 }
 
-/// Calls @p work(node of the window, linear spline there) for the eight corners
-/// of the cell of a particle.
+/// Calls @p work(node of the window, linear weight of the node) for the eight
+/// corners of the cell that contains a particle.
 template <typename Work>
 inline DEAL_II_ALWAYS_INLINE void
 for_each_corner(const SplineSupports<1> &support,
@@ -168,10 +173,9 @@ for_each_corner(const SplineSupports<1> &support,
 }
 
 /**
- * Calls @p function with work memory of the degree. It is not on the stack:
- * gcc 12 takes functions that write into arrays of their own and into a window,
- * whose addresses it derives from one another, for functions without effect,
- * and drops their calls.
+ * Calls @p function with work memory for the degree. The memory is not on the
+ * stack, because gcc 12 then removes calls as having no effect: it derives the
+ * addresses of local arrays and of the window from one another.
  */
 template <typename Function>
 void with_supports(const unsigned int degree, const Function &function)

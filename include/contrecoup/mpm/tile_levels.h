@@ -13,47 +13,48 @@
 
 namespace contrecoup::mpm
 {
-/// Where the cells of a grid are halved, and for which splines.
+/// Local refinement of a grid by one level: which cells are halved, and for
+/// which splines.
 struct Halving
 {
-  /// Whether the block of 2^3 cells with a lower corner and an edge [m] is
-  /// halved; empty: none is. The same on all ranks.
+  /// Whether the block of 2^3 cells with the given lower corner and edge [m] is
+  /// halved; the same on all ranks. Empty: no block is halved.
   std::function<bool(const dealii::Point<3> &lower, const double edge)> blocks;
   unsigned int degree = 3; ///< of the splines, 1 or 3
 };
 
-/// A box of equal cubes, and which of its sides reflect or hold matter.
+/// A box of equal cubic cells, with the boundary conditions of its sides.
 struct GridBox
 {
   dealii::Point<3> lower; ///< corner [m]
   double cell_size = 1.;  ///< [m]
   std::array<unsigned int, 3> n_cells{{1, 1, 1}};
-  /// Sides x-, x+, y-, y+, z-, z+. Beyond them lies the mirror image of the
-  /// matter, so that it slides along them; particles must not cross others.
+  /// Sides x-, x+, y-, y+, z-, z+ with free slip: the grid beyond them is the
+  /// mirror image of that inside. Particles must not cross other sides.
   std::array<bool, 6> reflects{};
-  /// Of sides that reflect, those that hold what touches them: the image moves
-  /// the other way in all directions, so that the velocity is zero there.
+  /// Reflecting sides without slip: the mirror image has the opposite velocity
+  /// in all directions, so that the velocity is zero at the side.
   std::array<bool, 6> is_no_slip{};
   Halving halving;
 };
 
 /**
- * The tiles of a grid and their levels: those of 4^3 cells of the box, level
- * 0, and in blocks of 2^3 cells that are halved those of 4^3 halved cells,
- * level 1. Ids of level 1 follow those of level 0; each level's lattice of
- * tiles covers the box.
+ * The tiles of a grid and their levels. A tile of level 0 consists of 4^3
+ * cells; a tile of level 1 consists of the 4^3 halved cells of a block of 2^3
+ * cells. Ids of level 1 follow those of level 0; the lattice of tiles of each
+ * level covers the box.
  */
 class TileLevels
 {
 public:
   using TileId = std::uint64_t;
 
-  /// Cells of a tile along an edge.
+  /// Number of cells of a tile along an edge.
   static constexpr int tile_edge = 4;
-  /// Cells of level 0 of a tile of level 1 along an edge.
+  /// Number of cells of level 0 along an edge of a tile of level 1.
   static constexpr int block_edge = tile_edge / 2;
 
-  /// Without halved blocks.
+  /// Sets the box, without halved blocks.
   void reinit(const GridBox &box);
 
   const GridBox &box() const
@@ -61,16 +62,16 @@ public:
     return box_;
   }
 
-  /// Of level 0, along each direction.
+  /// Number of tiles of level 0 along each direction.
   const std::array<unsigned int, 3> &n_tiles() const
   {
     return n_tiles_;
   }
 
-  /// Blocks of a tile of level 0 that are to be halved, by box().halving.
+  /// Blocks of a tile of level 0 that box().halving asks to halve.
   std::vector<TileId> blocks_to_halve(const TileId tile) const;
 
-  /// Halves these blocks, on all ranks the same.
+  /// Marks these blocks as halved; must be the same on all ranks.
   void set_halved(const std::vector<TileId> &blocks);
 
   bool has_halves() const
@@ -93,44 +94,44 @@ public:
   {
     return static_cast<int>(box_.n_cells[direction] << level);
   }
-  /// Along a direction, of all tiles; the nodes of the box are fewer.
+  /// Number of nodes of all tiles along a direction; the box has fewer.
   int n_nodes(const unsigned int level, const unsigned int direction) const
   {
     return static_cast<int>(tile_edge * n_tiles_[direction] << level);
   }
 
-  /// Of a cell or node of a level inside of the lattice.
+  /// The tile of a cell or node inside of the lattice of a level.
   TileId tile_of(const std::array<int, 3> &cell,
                  const unsigned int level) const;
 
   /// First cell of a tile, in cells of its level.
   std::array<int, 3> origin(const TileId tile) const;
 
-  /// The tile of level 0 that a tile lies in.
+  /// The tile of level 0 that contains a tile.
   TileId coarse(const TileId tile) const;
 
-  /// The tiles of level 1 in one of level 0, halved or not.
+  /// The tiles of level 1 within a tile of level 0, whether halved or not.
   std::array<TileId, 8> blocks(const TileId tile) const;
 
-  /// Of a tile of level 1.
+  /// Whether a tile of level 1 is a halved block.
   bool is_halved(const TileId tile) const
   {
     return !is_halved_.empty() && is_halved_[tile - n_coarse_];
   }
 
-  /// How many blocks of a tile of level 0 are halved.
+  /// Number of halved blocks of a tile of level 0.
   unsigned int n_halved(const TileId tile) const;
 
-  /// Whether all cells of level 1 from first to last lie in halved blocks or
-  /// their mirror images.
+  /// Whether all cells of level 1 from @p first to @p last lie in halved blocks
+  /// or in their mirror images.
   bool are_halved(const std::array<int, 3> &first,
                   const std::array<int, 3> &last) const;
 
-  /// Whether the tile that owns a node may have some in use.
+  /// Whether the tile that owns a node may have active nodes.
   bool has_nodes(const std::array<int, 3> &node,
                  const unsigned int level) const;
 
-  /// Whether splines of a node of level 1 vanish where cells are not halved.
+  /// Whether the spline of a node of level 1 vanishes outside of halved cells.
   bool is_active(const std::array<int, 3> &node,
                  const unsigned int degree) const;
 

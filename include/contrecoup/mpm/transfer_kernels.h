@@ -9,36 +9,35 @@
 #include <array>
 
 /**
- * @file
- * Sums over particles and over nodes, between a block of particles and the
- * window of its tile. Windows are component by component, window_stride
- * apart.
+ * @file Transfers between a block of particles and the window of its tile. The
+ * components of a window are window_stride apart.
  */
 
 namespace contrecoup::mpm
 {
-/// Where a tile's window is.
+/// Position and cell size of a tile's window.
 struct WindowGeometry
 {
-  std::array<double, 3> lower; ///< the tile's first node [m]
+  std::array<double, 3> lower; ///< position of the tile's first node [m]
   double cell_size;            ///< [m]
 };
 
-/// That of a tile with particles.
+/// Geometry of the window of a tile with particles.
 WindowGeometry window_geometry(const TileGrid &grid,
                                const TileGrid::Source &tile);
 
-/// What goes from particles to nodes at once.
+/// Quantities that one call transfers from particles to nodes.
 enum class Deposit
 {
   momentum,       ///< mass and momentum: 4 components
-  momentum_force, ///< and the force of stress and from outside: 7
-  force           ///< that force alone: 3
+  momentum_force, ///< mass, momentum, and the force of stresses and external
+                  ///< forces: 7
+  force           ///< only that force: 3
 };
 
 /**
- * Adds mass, momentum and force.
- * @param affine whether momentum has the particles' affine part
+ * Adds mass, momentum and force to the window.
+ * @param affine whether momentum includes the affine velocity of the particles
  */
 void deposit(const unsigned int degree,
              const Deposit what,
@@ -47,30 +46,31 @@ void deposit(const unsigned int degree,
              const WindowGeometry &geometry,
              double *window);
 
-/// Sets column::change to step times the sum of N a, column::way to step
-/// times that of N v after it, and column::mean_rate to the gradient of the
-/// mean velocity. @param window acceleration, mean velocity: 6 components
+/// Sets column::velocity_change to step * sum N a, column::position_change to
+/// step * sum N v with the velocity v after the step, and column::mean_rate to
+/// the gradient of the mean velocity. @param window acceleration a, mean
+/// velocity: 6 components
 void collect_motion(const unsigned int degree,
                     const double step,
                     const double *window,
                     const WindowGeometry &geometry,
                     ParticleBlock &particles);
 
-/// Sets column::rate. @param window velocity: 3 components
+/// Sets column::velocity_gradient. @param window velocity: 3 components
 void collect_rate(const unsigned int degree,
                   const double *window,
                   const WindowGeometry &geometry,
                   ParticleBlock &particles);
 
-/// Sets column::affine to the best affine fit of the velocity's nodes.
+/// Sets column::affine to the least squares affine fit of the nodal velocities.
 /// @param window velocity: 3 components
 void collect_affine(const unsigned int degree,
                     const double *window,
                     const WindowGeometry &geometry,
                     ParticleBlock &particles);
 
-/// Product of the consistent mass matrix with vectors of nodes.
-/// @param from,to vectors: 3 components times @p n_vectors
+/// Multiplies nodal vectors with the consistent mass matrix.
+/// @param from,to vectors, 3 components for each of @p n_vectors
 void multiply_mass(const unsigned int degree,
                    const unsigned int n_vectors,
                    const ParticleBlock &particles,
@@ -78,14 +78,15 @@ void multiply_mass(const unsigned int degree,
                    const double *from,
                    double *to);
 
-/// Adds weight and weight times value by linear splines: 2 components.
+/// Adds weights, and weights times values, to nodes with linear splines: 2
+/// components.
 void deposit_scalar(const ParticleBlock &particles,
                     const double *weight,
                     const double *value,
                     const WindowGeometry &geometry,
                     double *window);
 
-/// Reads a scalar of the nodes by linear splines.
+/// Interpolates a nodal scalar to the particles with linear splines.
 void collect_scalar(const double *window,
                     const WindowGeometry &geometry,
                     const ParticleBlock &particles,

@@ -10,55 +10,59 @@
 
 namespace contrecoup::mpm
 {
-/// Splines of the background grid, by their degree.
+/// Names of the splines of the background grid, in the order of their degree.
 const std::vector<std::string> &basis_names();
 
-/// 1, 2, 3 for linear, quadratic, cubic. @throws InputError with the nearest
+/// 1, 2, 3 for linear, quadratic, cubic. @throws InputError that suggests the
+/// most similar name
 unsigned int find_basis(const std::string &name);
 
-/// How velocities come back from the nodes to the particles.
+/// Transfer of velocities from the nodes to the particles.
 enum class Transfer
 {
   pic,    ///< nodes' velocity
-  flip,   ///< change of the nodes' velocity; with series, of consistent mass
-  affine, ///< nodes' velocity and its affine part (APIC)
-  fmpm    ///< nodes' velocity, corrected by a series of mass matrices
+  flip,   ///< change of the nodal velocity; with a mass series, that of
+          ///< consistent masses
+  affine, ///< nodal velocity with its affine field (APIC)
+  fmpm    ///< nodal velocity, corrected by a series in the mass matrix (FMPM)
 };
 
-/// When stresses are made.
+/// Order of the stress update within a step.
 enum class StressUpdate
 {
-  first,         ///< from the velocity before the step (USF)
-  last,          ///< from the velocity after the step (USL)
-  modified_last, ///< from that of the moved particles' momentum (MUSL)
+  first,         ///< with the velocity before the step (USF)
+  last,          ///< with the velocity after the step (USL)
+  modified_last, ///< with the velocity of the momentum of the moved particles
+                 ///< (MUSL)
 };
 
-/// Their words in parameter files, in the order of the enumerations.
+/// Names in parameter files, in the order of the enumerations.
 const std::vector<std::string> &transfer_names();
 const std::vector<std::string> &stress_update_names();
 
-/// @throws InputError with the nearest word
+/// @throws InputError that suggests the most similar name
 Transfer find_transfer(const std::string &name);
 StressUpdate find_stress_update(const std::string &name);
 
-/// The choices of the material point method.
+/// Parameters of the material point method.
 struct TransferScheme
 {
   unsigned int degree = 3; ///< of the splines
   Transfer transfer = Transfer::flip;
   StressUpdate update = StressUpdate::modified_last;
   /**
-   * Terms k of the series sum_j (I - M_L^-1 M)^j, j < k, that makes of lumped
-   * nodal velocities and accelerations those of the consistent mass matrix: 1
-   * leaves them lumped. Hammerquist and Nairn, Comput. Methods Appl. Mech. Eng.
-   * 318 (2017), for velocities; here for accelerations, too.
+   * Number k of terms of the series sum_j (I - M_L^-1 M)^j, j < k, which
+   * approximates nodal velocities and accelerations of the consistent mass
+   * matrix M from those of the lumped masses M_L; 1: lumped masses. Hammerquist
+   * and Nairn, Comput. Methods Appl. Mech. Eng. 318 (2017), for velocities;
+   * here also for accelerations.
    */
   unsigned int series_order = 1;
-  /// Time in which FLIP's particles lose what their velocity has beside that of
-  /// the nodes [s], whatever the step size; infinity: never.
+  /// Decay time of the difference between the velocities of particles and of
+  /// the grid with FLIP [s], for any step size; infinity: no decay.
   double damping_time = std::numeric_limits<double>::infinity();
 
-  /// Part of the nodes' velocity in that of particles after a step.
+  /// Weight of the grid velocity in the velocity of particles after a step [-].
   double grid_velocity_fraction(const double step) const
   {
     return transfer == Transfer::flip ? -std::expm1(-step / damping_time) : 1.;

@@ -4,28 +4,30 @@
 #pragma once
 
 /**
- * @file
- * B-splines of a grid as sums of those of the grid with halved cells, between
- * the windows of a tile of level 1 and of the tile of level 0 that would begin
- * at the same place. Along each direction the spline of a node is that of the
- * same place with 6/8 or 1, of the nodes beside it with 1/2, and, if cubic, of
- * the next ones with 1/8. Quadratic splines with their centres at the nodes
- * have their knots in the middles of cells, which are none of halved cells.
+ * @file Two-scale relation: B-splines of a grid as sums of those of the grid
+ * with halved cells. It is applied between the window of a tile of level 1 and
+ * that of the tile of level 0 that would begin at the same position. Along each
+ * direction the weights of the fine splines are 1 (linear) or 6/8 (cubic) at
+ * the same node, 1/2 at its neighbours and, if cubic, 1/8 at the next nodes.
+ * Quadratic splines centred at the nodes have their knots in the middle of
+ * cells, which are not knots of the fine grid; the relation does not exist for
+ * them.
  */
 
 namespace contrecoup::mpm
 {
-/// Nodes of level 0 along an edge, from the window's first one, that a window
-/// of level 1 needs.
+/// Number of nodes of level 0 along an edge, from the first one of the window,
+/// that a window of level 1 needs.
 constexpr int two_scale_nodes = 5;
 
-/// Sets the nodes of a window of level 1 to what splines of level 0 are there.
+/// Sets the nodal values of a window of level 1 to those of the splines of
+/// level 0.
 /// @param degree 1 or 3
 void refine_window(const unsigned int degree,
                    const double *coarse,
                    double *fine);
 
-/// The transposed: sets those nodes of level 0.
+/// Transposed operation: sets the nodal values of the window of level 0.
 void coarsen_window(const unsigned int degree,
                     const double *fine,
                     double *coarse);

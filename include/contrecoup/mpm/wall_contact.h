@@ -21,47 +21,50 @@ struct RigidWall
 {
   std::string name;
   dealii::Point<3> point;      ///< of the plane, or the sphere's centre
-  dealii::Tensor<1, 3> normal; ///< of length 1, into the side of the matter
+  dealii::Tensor<1, 3> normal; ///< unit normal, towards the matter
   double friction = 0.;        ///< Coulomb's coefficient [-]
-  double radius = 0.;          ///< of the sphere; 0: it is a plane [m]
-  bool is_adhesive = false;    ///< whether it pulls matter back, too
+  double radius = 0.;          ///< radius of the sphere; 0: plane [m]
+  bool is_adhesive = false;    ///< whether the wall also pulls matter back
 
-  /// How far a place is behind the wall [m].
+  /// Penetration depth of a position behind the wall [m]; negative in front of
+  /// it.
   double depth(const dealii::Point<3> &place) const
   {
     return radius > 0. ? place.distance(point) - radius
                        : (point - place) * normal;
   }
 
-  /// Into the side of the matter, at a place.
+  /// Unit normal at a position, towards the matter.
   dealii::Tensor<1, 3> normal_at(const dealii::Point<3> &place) const
   {
     return radius > 0. ? (point - place) / point.distance(place) : normal;
   }
 };
 
-/// What walls do, this rank's part.
+/// Contact measures of walls, of this rank.
 struct WallMeasures
 {
-  double force = 0.;          ///< along the normals [N]
-  double area = 0.;           ///< of the surface in contact [m^2]
-  double friction_power = 0.; ///< at most 0 [W]
-  /// That a coefficient of 1 would take in a step as the last one [J].
+  double force = 0.;          ///< force along the normals [N]
+  double area = 0.;           ///< contact area [m^2]
+  double friction_power = 0.; ///< power of friction, not positive [W]
+  /// Frictional work that a coefficient of 1 would dissipate in the last step
+  /// [J].
   double sliding = 0.;
 };
 
 /**
- * Rigid walls that press on the pieces of the body's surface which have come
- * behind them: by a stiffness times the depth, so that the gap between a wall
- * and the body is that of their surfaces, not that of the splines of the grid,
- * and its energy comes back. The stiffness is that of a layer of the particle's
- * own material, a part of a cell thick. Every particle next to the surface
- * carries the way to its piece of it, which is strained with the particle.
+ * Contact with rigid walls by a penalty method: surface elements of the body
+ * behind a wall get a force of stiffness times penetration depth. Hence the gap
+ * is measured between the surfaces, not between spline supports of the grid,
+ * and the energy of the contact is recovered. The stiffness is that of a layer
+ * of the particle's own material with a thickness of a fraction of a cell.
+ * Every particle next to the surface stores the vector to its surface element,
+ * which deforms with the particle.
  */
 class WallContact
 {
 public:
-  /// @param thickness of the layer over the cell size [-]
+  /// @param thickness thickness of the layer over the cell size [-]
   explicit WallContact(const std::vector<RigidWall> &walls = {},
                        const double thickness = 0.5)
     : walls_(walls)
@@ -78,28 +81,27 @@ public:
   }
 
   /**
-   * Gives pieces of the surface to the particles: parallel lines from the
-   * planes hit the body, spheres are full of it; each piece belongs to the
-   * nearest particle. Call
-   * once, after seeding.
-   * @throws InputError for a plane that cuts the body. Collective.
+   * Assigns surface elements to particles: where parallel lines from a plane
+   * hit the body, and all of a sphere, which the body fills. Each element
+   * belongs to the nearest particle. Call once, after seeding.
+   * @throws InputError for a plane that intersects the body. Collective.
    */
   void find_surface(const ParticleSource &source,
                     const TileGrid &grid,
                     Particles &particles) const;
 
-  /// Adds forces to column::force.
+  /// Adds the contact forces to column::force.
   void add_forces(const ParticleMaterial &material,
                   const TileGrid &grid,
                   ParticleBlock &particles);
 
-  /// Forgets what add_forces() has measured.
+  /// Resets measures().
   void clear_measures()
   {
     measures_ = WallMeasures();
   }
 
-  /// Since clear_measures().
+  /// Measures since clear_measures().
   const WallMeasures &measures() const
   {
     return measures_;
