@@ -20,8 +20,8 @@ namespace
                          : spline_weights<3>(geometry);
   }
 
-  /// Calls @p work(node of the window, its indices in the splines) for all
-  /// nodes whose splines hold a particle.
+  /// Calls @p work(node of the window, its indices in the support) for all
+  /// nodes in the spline support of a particle.
   template <typename Work>
   void for_each_node(const unsigned int degree,
                      const std::array<SplineWeights, 3> &axis,
@@ -46,7 +46,7 @@ namespace
                                        const WindowGeometry &geometry)
   {
     std::array<SplineWeights, 3> axis;
-    // Round-off may put what is on the tile's lower sides outside.
+    // Round-off may put particles on the tile's lower sides outside.
     for (unsigned int d = 0; d < 3; ++d)
       axis[d] = weights(
         degree,

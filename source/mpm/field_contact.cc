@@ -16,10 +16,11 @@ namespace
 {
   constexpr unsigned int size = window_stride;
 
-  /// Part of the mass at a node from which on a field counts there.
+  /// Fraction of the nodal mass above which a field takes part in contact
+  /// there.
   constexpr double smallest_fraction = 1e-8;
 
-  /// Whether a tile has one of the nodes that are marked.
+  /// Whether the window of a tile contains a marked node.
   bool reaches(const TileGrid::Source &source,
                const dealii::AlignedVector<double> &marks)
   {
@@ -31,8 +32,8 @@ namespace
            (source.coarse != nullptr && reaches(*source.coarse, marks));
   }
 
-  /// Where three fields meet, one pair after the other is pushed this often:
-  /// the last would undo what the first reached, which can give energy.
+  /// Number of sweeps over the pairs at nodes with three fields: the impulses
+  /// of one pair disturb the others, and a single sweep can add energy.
   constexpr unsigned int n_sweeps = 4;
 
   bool is_shared(const double mass_a, const double mass_b)
@@ -136,7 +137,7 @@ void FieldContact::find_gradients(const TileGrid &grid, Particles &particles)
   for (NodeValues &gradient : gradients_)
   {
     gradient.compress_add(grid);
-    // The image of the matter cancels what is across its mirror.
+    // The mirror image cancels the component normal to the side.
     for (unsigned int d = 0; d < 3; ++d)
       for (const std::uint32_t n : grid.plane_nodes()[d])
         gradient[d][n] = 0.;
@@ -157,7 +158,7 @@ void FieldContact::find_normals(const TileGrid &grid, Pair &pair) const
     if (!is_shared(a, b))
       continue;
     dealii::Tensor<1, 3> normal;
-    // Sums of mass times slope at the particles point out of the matter.
+    // Sums of mass times slope of the nodal spline point out of the matter.
     for (unsigned int d = 0; d < 3; ++d)
       normal[d] = gradient_a[d][n] / a - gradient_b[d][n] / b;
     const double norm = normal.norm();
@@ -212,7 +213,7 @@ void FieldContact::find_gap(const TileGrid &grid,
     const unsigned int level = source->level;
     if (*meets)
       update_extents_of(grid, *source, level, tile.second, pair, extents);
-    // Nodes of level 0 see its particles as if its cells were not halved.
+    // For nodes of level 0 the particles count as if the cells were not halved.
     if (*meets && source->coarse != nullptr)
       update_extents_of(
         grid, *source->coarse, level, tile.second, pair, extents);
@@ -254,7 +255,7 @@ double FieldContact::apply_impulse(const Pair &pair,
                                    const unsigned int first) const
 {
   dealii::Tensor<1, 3> normal,
-    relative_velocity; // the first relative to the second
+    relative_velocity; // of the first field relative to the second
   for (unsigned int d = 0; d < 3; ++d)
   {
     normal[d] = pair.normals[d][node];

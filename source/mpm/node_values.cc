@@ -10,7 +10,7 @@ namespace contrecoup::mpm
 {
 namespace
 {
-  /// Work memory and requests of the messages of all components at once.
+  /// Buffers and requests for exchanging all components at once.
   struct Messages
   {
     Messages(const TileGrid &grid, const unsigned int n)
@@ -49,14 +49,15 @@ namespace
     return std::bitset<8>(mirrored & parity).count() % 2 == 1 ? -1. : 1.;
   }
 
-  /// For components of a window, zero where nothing is written.
+  /// Work memory for components of a window; zero where nothing is written.
   void make_room(Window &window, const std::size_t n_components)
   {
     if (window.size() < window_stride * n_components)
       window.resize(window_stride * n_components);
   }
 
-  /// Sets what the window of a tile at the border of levels has of level 0.
+  /// Adds the contribution of level 0 to the window of a tile at the border of
+  /// levels.
   void read_sums(const TileGrid::Source &source,
                  const NodeValues &values,
                  const unsigned int first,
@@ -76,7 +77,7 @@ namespace
     }
   }
 
-  /// Adds that to nodes of level 0.
+  /// Transposed operation: adds this contribution to the nodes of level 0.
   void add_sums(const TileGrid::Source &source,
                 const double *const window,
                 const unsigned int first,

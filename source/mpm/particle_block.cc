@@ -9,8 +9,8 @@ namespace contrecoup::mpm
 {
 void ParticleBlock::grow()
 {
-  // An odd multiple: columns whose distance is a power of two would compete for
-  // the same places of the cache.
+  // An odd multiple: columns at a distance of a power of two would compete for
+  // the same cache sets.
   const std::size_t capacity = std::max<std::size_t>(
     5 * padding,
     (capacity_ + capacity_ / 2) / (2 * padding) * 2 * padding + padding);

@@ -54,7 +54,7 @@ namespace
     return law;
   }
 
-  /// Kirchhoff's stress of the shear branches.
+  /// Kirchhoff stress of the shear branches.
   template <SolidKinematics kinematics>
   Symmetric3<Lane> shear_stress(const Matrix3<Lane> &h,
                                 const Matrix3<Lane> &cofactors,
@@ -117,7 +117,7 @@ namespace
     store_pressure(material, pressure, ratio, stress, particles, p);
   }
 
-  /// Calls @p function with the kinematics as a constant.
+  /// Calls @p function with the kinematics as a compile-time constant.
   template <typename Function>
   auto with_kinematics(const SolidKinematics kinematics,
                        const Function &function)
@@ -243,7 +243,7 @@ ParticleValues particle_values(const ParticleMaterial &material,
   ParticleValues result;
   result.density =
     material.density() / (1. + particles[column::dilatation][particle]);
-  // Of smoothed materials, as it acts.
+  // For smoothed materials, the pressure that acts in the stress.
   result.pressure =
     particles[material.is_smoothed ? column::smoothed : column::pressure]
              [particle];

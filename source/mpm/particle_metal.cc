@@ -11,7 +11,8 @@ namespace
 {
   constexpr unsigned int metal_width = n_lanes<double>;
 
-  /// Brings the state of metals over a step. Returns their deviator [Pa].
+  /// Advances the state of metals by a step. Returns the deviatoric stress
+  /// [Pa].
   Symmetric3<Lane> strain_shear(const ParticleMaterial &material,
                                 const Matrix3<Lane> &rate,
                                 const double step,

@@ -22,7 +22,7 @@ namespace
     return sum;
   }
 
-  /// Columns of one particle, or of as many as there are lanes.
+  /// Columns of one particle, or of one particle in each lane.
   template <typename Number>
   struct Columns
   {
@@ -75,7 +75,7 @@ namespace
       kinetic += half_mass * (after - before) * (after + before);
       columns.set(column::velocity + d, after);
     }
-    // Rows of the symmetric tensor xx, yy, zz, xy, yz, zx.
+    // Rows of the symmetric tensor stored as xx, yy, zz, xy, yz, zx.
     constexpr unsigned int entry[9] = {0, 3, 5, 3, 1, 4, 5, 4, 2};
     Number power(0.);
     for (unsigned int k = 0; k < 9; ++k)
@@ -143,7 +143,7 @@ double largest_rate(const ParticleBlock &particles)
       Lane value;
       value.load(rate + p);
       most = std::max(most, std::abs(value));
-      check += value * 0.; // NaN unless it is finite
+      check += value * 0.; // NaN unless the value is finite
     }
     largest = std::max(largest, largest_lane(most));
     not_finite += sum_of_lanes(check);

@@ -19,20 +19,20 @@ namespace
 
   const std::vector<Parity> one_vector{vector_x, vector_y, vector_z};
 
-  /// Nodes with less mass than this part of the largest have no velocity.
+  /// Nodes with less than this fraction of the largest mass have no velocity.
   constexpr double least_mass = 1e-60;
 
-  /// Nodes with less mass than this part of the largest are not accelerated.
-  /// With linear splines, forces there do not vanish with the mass. With others
-  /// the forces on such nodes are as small as its square root, and would be
-  /// missed.
+  /// Nodes with less than this fraction of the largest mass are not
+  /// accelerated. With linear splines the forces on such nodes do not vanish
+  /// with their mass. With other splines they are as small as the square root
+  /// of the mass; leaving them out would be noticeable.
   double least_accelerated_mass(const unsigned int degree)
   {
     return degree == 1 ? 1e-14 : least_mass;
   }
 
-  /// Divides vectors by masses; zero where these are less than a part of the
-  /// largest.
+  /// Divides nodal vectors by masses; the result is zero where the mass is less
+  /// than a fraction of the largest.
   void divide(const TileGrid &grid,
               const double smallest_fraction,
               const dealii::AlignedVector<double> &mass,
@@ -49,7 +49,8 @@ namespace
           mass[n] > least ? values[first + d][n] / mass[n] : 0.;
   }
 
-  /// No motion through planes that reflect, none at all in those that hold.
+  /// Sets the normal velocity at reflecting sides to zero, and all components
+  /// at no-slip sides.
   void stop_at_planes(const TileGrid &grid,
                       const unsigned int first,
                       NodeValues &values)
@@ -139,7 +140,7 @@ void ParticleStep::deposit_fields(const TileGrid &grid,
       add_window(*tile.first, window.data(), first, parities, field.matter);
     }
   }
-  // After all fields: ranks wait for one another once.
+  // After all fields, so that ranks wait for each other only once.
   for (Field &field : fields_)
     field.matter.compress_add(grid);
 }
@@ -325,7 +326,7 @@ void ParticleStep::collect(const TileGrid &grid,
         for (const unsigned int m : field.materials)
           collect_affine(
             scheme_.degree, window.data() + 3 * size, where, (*tile.second)[m]);
-      // From here on the mean velocity.
+      // From here on the window holds the mean velocity.
       for (unsigned int i = 0; i < 3 * size; ++i)
         window[3 * size + i] -= 0.5 * step * window[i];
       for (const unsigned int m : field.materials)
@@ -448,7 +449,7 @@ double ParticleStep::advance(TileGrid &grid,
   particles.for_each_block(
     [](unsigned int, ParticleBlock &block) { advance_positions(block); });
   particles.sort(grid);
-  // Where the particles are now, as forces and rates are.
+  // At the present positions of the particles, like forces and rates.
   smooth(grid, particles, true);
   return step;
 }

@@ -13,7 +13,7 @@
 
 namespace contrecoup::mpm
 {
-/// A particle on its way to another tile.
+/// A particle that moves to another tile.
 struct Particles::LeavingParticle
 {
   TileGrid::TileId tile;
@@ -30,7 +30,7 @@ struct Particles::LeavingParticle
 
 namespace
 {
-  /// Throws on all ranks when there is a @p problem on one. Collective.
+  /// Throws on all ranks if @p problem is not empty on one of them. Collective.
   void require_none(const std::string &problem, const MPI_Comm communicator)
   {
     namespace mpi = dealii::Utilities::MPI;

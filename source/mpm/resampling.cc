@@ -44,7 +44,8 @@ namespace
     return f;
   }
 
-  /// The largest principal stretch, and the deformed unit vector along it.
+  /// Largest principal stretch, and the unit vector along its deformed
+  /// direction.
   std::pair<double, Vector> largest_stretch(const State &state)
   {
     const auto f = deformation(state);
@@ -54,7 +55,7 @@ namespace
     return {along.norm(), along / along.norm()};
   }
 
-  /// Adds a half of a particle that lies @p offset from it.
+  /// Adds one half of a particle, at @p offset from its position.
   void
   add_half(const State &whole, const Vector &offset, ParticleBlock &particles)
   {
@@ -70,7 +71,7 @@ namespace
     set_vector(half,
                column::initial_position,
                vector_at(whole, column::initial_position) + undeformed);
-    // The piece of the surface stays where it is.
+    // The surface element keeps its position.
     if (whole[column::area] > 0.)
       set_vector(
         half, column::surface, vector_at(whole, column::surface) - undeformed);
@@ -84,7 +85,7 @@ namespace
     double mass = 0., volume = 0., kinetic = 0., inertia = 0.;
     Vector centre, velocity, spin;
     dealii::SymmetricTensor<2, 3> moments; ///< mass times x x^T
-    State mean{};                          ///< by volume; energy is the sum
+    State mean{}; ///< volume-weighted; energy is the sum
 
     explicit Group(const std::vector<State> &states)
     {
@@ -113,8 +114,8 @@ namespace
       }
     }
 
-    /// From the centre to one of two particles: across the spin, as long as
-    /// the root of the mean square.
+    /// Vector from the centre of mass to one of the two particles: normal to
+    /// the angular momentum, with the root mean square distance as length.
     Vector arm() const
     {
       const auto axes = dealii::eigenvectors(moments);
@@ -124,7 +125,8 @@ namespace
         Vector across = axis.second;
         if (spin.norm() > 0.)
           across -= (across * spin) / spin.norm_square() * spin;
-        // The first axis, which is the longest, unless it is along the spin.
+        // The first principal axis, which is the longest one, unless it is
+        // parallel to the angular momentum.
         if (across.norm() > std::max(0.5, best.norm()))
           best = across;
         if (best.norm() > 0.5)
@@ -160,7 +162,7 @@ namespace
            !(particles[column::area][p] > 0.);
   }
 
-  /// Numbers of the particles in each cell, which are of one tile.
+  /// Indices of the particles in each cell of a tile.
   std::map<std::array<int, 3>, std::vector<std::size_t>>
   by_cell(const TileGrid &grid, const ParticleBlock &particles)
   {
@@ -176,7 +178,7 @@ namespace
     return cells;
   }
 
-  /// Those nearest to the first one, which is among them.
+  /// The particles nearest to the first one, including it.
   std::vector<std::size_t> nearest(const ParticleBlock &particles,
                                    std::vector<std::size_t> numbers,
                                    const std::size_t n)
@@ -206,7 +208,7 @@ std::size_t split_stretched(const double stretch, ParticleBlock &particles)
   std::size_t n = 0;
   for (std::size_t p = particles.size(); p-- > 0;)
   {
-    // Cheap, and never below the largest stretch.
+    // A cheap upper bound of the largest stretch.
     double square = 0.;
     for (unsigned int k = 0; k < 9; ++k)
       square += std::pow(
@@ -223,7 +225,7 @@ std::size_t split_stretched(const double stretch, ParticleBlock &particles)
     particles.remove(p);
     add_half(whole, offset, particles);
     add_half(whole, -offset, particles);
-    // One probe follows one of them.
+    // The probe follows only one of the halves.
     particles[column::probe][particles.size() - 1] = 0.;
     ++n;
   }

@@ -14,7 +14,7 @@ namespace
 {
   constexpr unsigned int n_samples = 8;
 
-  /// A box that gets at most one particle of each material.
+  /// A box with at most one particle of each material.
   struct SeedBox
   {
     dealii::Point<3> lower;
@@ -32,18 +32,18 @@ namespace
     }
   };
 
-  /// Part of a box, and the sum of the places of its samples.
+  /// Number of samples of a material in a box, and the sum of their positions.
   struct BoxSample
   {
     unsigned int count = 0;
     dealii::Tensor<1, 3> sum;
   };
 
-  /// The material that fills a box, or that its corners differ.
+  /// Whether one material fills a box. @param material that at its centre
   bool
   is_uniform(const SeedBox &box, const ParticleSource &source, int &material)
   {
-    // Just inside, so that sides that fall onto surfaces do not count.
+    // Slightly inside, so that sides that coincide with surfaces do not count.
     constexpr double ends[] = {1e-6, 1. - 1e-6};
     material = source.material_at(box.at(0.5, 0.5, 0.5));
     for (const double z : ends)
@@ -87,7 +87,7 @@ namespace
       block[column::initial_position + d][p] = place[d];
       block[column::velocity + d][p] = velocity[d];
     }
-    // Matter that is compressed at the start takes less volume.
+    // Matter that is compressed at the start has a larger undeformed volume.
     const double dilatation =
       source.dilatation_at ? source.dilatation_at(place, material) : 0.;
     block[column::dilatation][p] = dilatation;
@@ -156,8 +156,8 @@ unsigned int tile_weight(const GridBox &box,
         ++count;
         materials.insert(material);
       }
-  // Each material has a window of its own, which costs as much as some cells
-  // with particles.
+  // Each material has its own window, which costs as much as a few cells with
+  // particles.
   constexpr unsigned int cells_of_window = 4;
   const unsigned int work = count + cells_of_window * materials.size();
   return std::min(1000u, 1000 * work / (n_cells + cells_of_window));

@@ -20,7 +20,8 @@ namespace
 {
   using TileId = TileGrid::TileId;
 
-  /// The last node that splines of a tile's particles reach, from its first.
+  /// Last node, counted from the tile's first one, in the spline supports of
+  /// its particles.
   constexpr int last_node = TileGrid::tile_edge + 1;
 
   unsigned int node_in_tile(const std::array<int, 3> &node)
@@ -85,10 +86,10 @@ void TileGrid::find_tiles(
   halve_blocks(tiles);
   if (weight)
   {
-    // deal.II 9.4 adds 1000 for each cell, which must not count.
+    // deal.II 9.4 adds 1000 for each cell; this must not count.
     constexpr unsigned int scale = 200;
     tiles.signals.cell_weight.connect([&](const auto &cell, const auto) {
-      // A halved block makes as much work as eight.
+      // A halved block needs as much work as eight blocks.
       const unsigned int halved =
         levels_.n_halved(tile_at_corner(cell->vertex(0)));
       return scale * weight(cell->vertex(0)) * (8 + 7 * halved) / 8;
@@ -186,7 +187,7 @@ void TileGrid::add_touched(const std::array<int, 3> &origin,
                            const unsigned int level,
                            std::set<TileId> &touched) const
 {
-  // One node of each tile that the window may reach.
+  // One node of each tile that the window may overlap.
   const std::array<int, 4> steps{{window_start, 0, tile_edge, last_node}};
   std::array<int, 3> node;
   std::uint8_t mirrored;
@@ -252,7 +253,7 @@ void TileGrid::number_tiles(const std::vector<TileId> &needed)
   const Lists numbers =
     dealii::Utilities::MPI::some_to_some(communicator_, answers);
 
-  std::map<TileId, TileId> ghosts; // by their numbers, which sorts them
+  std::map<TileId, TileId> ghosts; // by their numbers, so that they are sorted
   for (const auto &from : numbers)
     for (std::size_t i = 0; i < from.second.size(); ++i)
       ghosts[from.second[i]] = wanted.at(from.first)[i];
@@ -267,7 +268,7 @@ void TileGrid::number_tiles(const std::vector<TileId> &needed)
     local_tile_[ghost.second] = tiles_with_nodes_.size();
     tiles_with_nodes_.push_back(ghost.second);
   }
-  // deal.II cannot share out nothing to several ranks.
+  // deal.II cannot distribute an empty range over several ranks.
   partitioner_ = total == 0
                    ? std::make_shared<dealii::Utilities::MPI::Partitioner>()
                    : std::make_shared<dealii::Utilities::MPI::Partitioner>(

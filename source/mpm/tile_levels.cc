@@ -13,7 +13,7 @@ void TileLevels::reinit(const GridBox &box)
   n_coarse_ = 1;
   for (unsigned int d = 0; d < 3; ++d)
   {
-    // Nodes at upper sides belong to tiles, too.
+    // Nodes at upper sides belong to tiles as well.
     n_tiles_[d] = box.n_cells[d] / tile_edge + 1;
     n_coarse_ *= n_tiles_[d];
   }
@@ -130,7 +130,7 @@ bool TileLevels::is_cell_halved(std::array<int, 3> cell) const
 bool TileLevels::are_halved(const std::array<int, 3> &first,
                             const std::array<int, 3> &last) const
 {
-  // One cell of each tile that the range reaches.
+  // One cell of each tile that the range overlaps.
   const auto next = [&](const int at, const unsigned int d) {
     return at == last[d] ? at + 1 : std::min(at + tile_edge, last[d]);
   };
@@ -158,7 +158,8 @@ bool TileLevels::has_nodes(const std::array<int, 3> &node,
 bool TileLevels::is_active(const std::array<int, 3> &node,
                            const unsigned int degree) const
 {
-  // Splines of odd degree reach half a degree and a half of cells.
+  // The support of a spline of odd degree extends (degree + 1) / 2 cells to
+  // each side.
   const int support_half_width = static_cast<int>(degree + 1) / 2;
   std::array<int, 3> first = node, last = node;
   for (unsigned int d = 0; d < 3; ++d)

@@ -9,17 +9,17 @@ namespace
 {
   constexpr unsigned int stride = window_stride;
 
-  /// Three components at the nodes of a support: x rows that are multiplied by
-  /// the particle's weights along y and z.
+  /// Three components at the nodes of a support, as rows along x that are
+  /// multiplied by the particle's weights along y and z.
   struct VectorRows
   {
-    Row plain[3];   ///< with both values
-    Row along_y[3]; ///< with the other weight along y
-    Row along_z[3]; ///< with the other weight along z
+    Row plain[3];   ///< weights along y and z
+    Row along_y[3]; ///< with the other weights along y
+    Row along_z[3]; ///< with the other weights along z
   };
 
   /// Momentum m (v + C (x_i - x_p)); the other weights are the values times the
-  /// number of the node.
+  /// index of the node.
   template <unsigned int degree>
   inline DEAL_II_ALWAYS_INLINE void
   set_affine_momentum(const SplineSupports<degree> &support,
@@ -54,9 +54,9 @@ namespace
     }
   }
 
-  /// Minus the stress times volume of a particle: Kirchhoff's stress times the
-  /// undeformed volume, and the smoothed pressure times the smoothed volume;
-  /// and the moment of the force from outside.
+  /// Minus stress times volume of a particle (Kirchhoff stress times undeformed
+  /// volume, smoothed pressure times smoothed volume), plus the moment of the
+  /// external force.
   inline DEAL_II_ALWAYS_INLINE std::array<double, 6>
   minus_stress(const ParticleBlock &particles, const std::size_t p)
   {
@@ -72,7 +72,7 @@ namespace
     return result;
   }
 
-  /// Force of the stress and from outside; the other weights are the slopes.
+  /// Force of stresses and external forces; the other weights are the slopes.
   template <unsigned int degree>
   inline DEAL_II_ALWAYS_INLINE void
   set_force(const SplineSupports<degree> &support,
@@ -81,7 +81,7 @@ namespace
             const std::size_t p,
             VectorRows &rows)
   {
-    // Rows of the symmetric tensor xx, yy, zz, xy, yz, zx.
+    // Rows of the symmetric tensor stored as xx, yy, zz, xy, yz, zx.
     constexpr unsigned int entry[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
     const Row x = support.x(in_batch), slope_x = support.slope_x(in_batch);
     const std::array<double, 6> s = minus_stress(particles, p);
@@ -94,7 +94,7 @@ namespace
     }
   }
 
-  /// Of the rows at one height.
+  /// For the rows at one z index.
   inline DEAL_II_ALWAYS_INLINE void at_height(const VectorRows &rows,
                                               const double value,
                                               const double other,

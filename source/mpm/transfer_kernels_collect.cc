@@ -9,15 +9,15 @@ namespace
 {
   constexpr unsigned int stride = window_stride;
 
-  /// Sums over the rows of a support: of the values of n components, and with
-  /// other weights along y and z of the last three.
+  /// Sums over the rows of a support: n components with the values as weights,
+  /// and the last three components also with other weights along y and z.
   template <unsigned int n_components>
   struct Sums
   {
     static constexpr unsigned int first_vector = n_components - 3;
     Row value[n_components], along_y[3], along_z[3];
 
-    /// @param other_y,other_z weights, by their node
+    /// @param other_y,other_z other weights, by node
     template <unsigned int degree, typename OtherY, typename OtherZ>
     DEAL_II_ALWAYS_INLINE Sums(const SplineSupports<degree> &support,
                                const std::size_t i,
@@ -59,7 +59,7 @@ namespace
       }
     }
 
-    /// Stores a tensor, by rows. @param x,other_x weights along x
+    /// Stores a tensor by rows. @param x,other_x weights along x
     DEAL_II_ALWAYS_INLINE void store_tensor(const Row &x,
                                             const Row &other_x,
                                             ParticleBlock &particles,
@@ -75,7 +75,7 @@ namespace
     }
   };
 
-  /// Sums with the slopes as other weights.
+  /// Sums with the slopes as the other weights.
   template <unsigned int n_components, unsigned int degree>
   inline DEAL_II_ALWAYS_INLINE Sums<n_components>
   slope_sums(const SplineSupports<degree> &support,
@@ -157,7 +157,8 @@ namespace
         const int first = support.at(i, 0, 0);
         const int node[] = {
           first % edge, first / edge % edge, first / edge / edge};
-        // Way to a node over the inertia, times its value.
+        // Distance to a node over the moment of inertia, times the weight of
+        // the node.
         const auto arm = [&](const unsigned int d, const unsigned int j) {
           return support.value(d, j, i) * per_inertia *
                  (geometry.lower[d] +

@@ -12,12 +12,12 @@ namespace
 {
   constexpr int edge = TileGrid::window_edge, plane = edge * edge;
 
-  /// Nodes of level 1 of a window along an edge, the first of which is in the
-  /// middle of two of level 0.
+  /// Number of nodes of level 1 of a window along an edge; the first one lies
+  /// in the middle between two nodes of level 0.
   constexpr int n_fine = 7, n_coarse = two_scale_nodes;
 
-  /// Weights of a node of level 0 for that of level 1 at its place, and for
-  /// those a whole cell from it.
+  /// Weights of a node of level 0 for the node of level 1 at its position, and
+  /// for those at a distance of one cell.
   struct Weights
   {
     double at, beside;
@@ -28,8 +28,8 @@ namespace
     return degree == 1 ? Weights{1., 0.} : Weights{0.75, 0.125};
   }
 
-  /// Sets node @p i of level 1 of lines that follow one another from their
-  /// nodes of level 0, which are @p stride apart.
+  /// Sets node @p i of level 1 of consecutive lines from their nodes of level
+  /// 0, which are @p stride apart.
   inline void refine(const Weights &w,
                      const int i,
                      const int stride,
@@ -48,7 +48,7 @@ namespace
           w.at * from[stride + e] + w.beside * (from[e] + from[2 * stride + e]);
   }
 
-  /// The transposed: sets node @p i of level 0 of such lines.
+  /// Transposed operation: sets node @p i of level 0 of such lines.
   inline void coarsen(const Weights &w,
                       const int i,
                       const int stride,
@@ -69,7 +69,7 @@ namespace
     }
   }
 
-  /// That of all nodes of a row along x.
+  /// The same for all nodes of a row along x.
   inline void
   coarsen_row(const Weights &w, const double *const fine, double *const coarse)
   {

@@ -15,10 +15,11 @@ namespace contrecoup::mpm
 {
 namespace
 {
-  /// Lines per spacing of particles, along each direction across the normal.
+  /// Number of lines per particle spacing, along each direction normal to the
+  /// wall's normal.
   constexpr unsigned int lines_per_spacing = 3;
 
-  /// A unit vector across another.
+  /// A unit vector normal to another one.
   dealii::Tensor<1, 3> across(const dealii::Tensor<1, 3> &normal)
   {
     unsigned int smallest = 0;
@@ -31,7 +32,8 @@ namespace
     return result / result.norm();
   }
 
-  /// Range of the box of a grid along a direction from a point.
+  /// Range of the coordinate along a direction, relative to a point, within the
+  /// box of a grid.
   std::pair<double, double> extent(const GridBox &box,
                                    const dealii::Point<3> &point,
                                    const dealii::Tensor<1, 3> &direction)
@@ -59,7 +61,8 @@ namespace
            source.material_at(place) != ParticleSource::none;
   }
 
-  /// The particle of a tile and its material that is nearest to a place.
+  /// Finds the particle of a tile, and its material, that is nearest to a
+  /// position.
   struct Nearest
   {
     double square = std::numeric_limits<double>::max();
@@ -84,7 +87,7 @@ namespace
     }
   };
 
-  /// Adds a piece of the surface to the particle that is nearest to it.
+  /// Adds a surface element to the nearest particle.
   void add_piece(const dealii::Point<3> &place,
                  const dealii::Point<3> &inside,
                  const double area,
@@ -211,7 +214,7 @@ void WallContact::find_surface(const ParticleSource &source,
         for (unsigned int d = 0; d < 3; ++d)
           place[d] = block[column::position + d][p] +
                      (block[column::surface + d][p] /= area);
-        // The mean of a piece of a sphere is not on it.
+        // The centroid of an element of a sphere is not on the sphere.
         for (const RigidWall &wall : walls_)
           if (wall.is_adhesive)
             for (unsigned int d = 0; d < 3; ++d)
@@ -245,11 +248,12 @@ void WallContact::apply_force(const RigidWall &wall,
   const double press = stiffness * depth * area;
   const auto normal = wall.normal_at(place);
   const auto along = velocity - (velocity * normal) * normal;
-  // Rest is not turned into motion the other way.
+  // Friction stops motion but does not reverse it.
   constexpr double slowest = 1e-6;
   const auto force = press * normal - wall.friction * press /
                                         std::max(along.norm(), slowest) * along;
-  // As it acts at the surface, which is not where the particle is.
+  // The moment arises because the force acts at the surface, not at the
+  // particle.
   dealii::Tensor<1, 3> arm;
   for (unsigned int d = 0; d < 3; ++d)
   {
@@ -264,7 +268,8 @@ void WallContact::apply_force(const RigidWall &wall,
   }
   measures_.force += press;
   measures_.friction_power += (force - press * normal) * velocity;
-  // Of the grid's velocity, without what particles have beside it.
+  // Uses the grid velocity, without the deviation of particle velocities from
+  // it.
   dealii::Tensor<1, 3> slide;
   for (unsigned int d = 0; d < 3; ++d)
     slide[d] = particles[column::position_change + d][particle];
@@ -287,7 +292,8 @@ void WallContact::add_forces(const ParticleMaterial &material,
   for (std::size_t p = 0; p < particles.size(); ++p)
     if (particles[column::area][p] > 0.)
     {
-      // Where it was at the start: a stiffness that changes makes energy.
+      // Uses the initial position, because a varying stiffness would add
+      // energy.
       const double cell_size = grid.levels().cell_size(
         grid.level_at({particles[column::initial_position][p],
                        particles[column::initial_position + 1][p],

@@ -107,8 +107,8 @@ private:
   double gas_fraction_ = 0.;
   double exponent_ = 1.;
   double max_stiffness_ = 1.;
-  double constant_stiffness_limit_ =
-    0.; ///< dilatation below which stiffness is constant
+  /// Dilatation below which stiffness is constant.
+  double constant_stiffness_limit_ = 0.;
   double stress_at_limit_ = 0.;
   double energy_at_limit_ = 0.;
 };

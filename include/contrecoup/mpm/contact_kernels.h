@@ -25,8 +25,8 @@ void add_mass_gradient(const unsigned int degree,
 /// follows.
 struct ParticleExtent
 {
-  double
-    spacing; ///< distance from the particle to its face if its box is full [m]
+  /// Distance from a particle to its face if its box is full [m].
+  double spacing;
   double box_volume; ///< [m^3]
 };
 

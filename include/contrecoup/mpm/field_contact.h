@@ -114,8 +114,8 @@ private:
   std::vector<bool> has_shared_nodes_; ///< by source: whether the tile has
                                        ///< nodes shared by fields
   std::vector<NodeValues> gradients_;  ///< mass gradients, by field
-  std::vector<dealii::AlignedVector<double>>
-    masses_; ///< of owned nodes, by field [kg]
+  /// Of owned nodes, by field [kg].
+  std::vector<dealii::AlignedVector<double>> masses_;
   std::vector<Pair> pairs_;
 };
 } // namespace contrecoup::mpm

@@ -193,8 +193,8 @@ private:
   std::vector<Field> fields_;
   FieldContact contact_;
   EnergyLedger ledger_;
-  double step_contact_loss_ =
-    0.; ///< contact loss of the last set_motion(), of this rank [J]
+  /// Contact loss of the last set_motion(), of this rank [J].
+  double step_contact_loss_ = 0.;
   double field_force_ = 0.;
   unsigned int n_retries_ = 0;
 };

@@ -49,8 +49,8 @@ struct AdaptationParameters
   double coarsen = 0.1;    ///< sensor below which they are merged
   double noise = 0.02;     ///< relative jump that counts as noise
   unsigned int buffer = 1; ///< layers of leaves around marked ones
-  bool buffer_only_ahead =
-    false; ///< whether these are only where fronts run to
+  /// Whether these layers are only ahead of fronts.
+  bool buffer_only_ahead = false;
   /// A box whose leaves stay at this level at least; level 0: none.
   unsigned int fine_level = 0;
   std::vector<double> fine_lower; ///< [m]

@@ -73,10 +73,9 @@ public:
 
   struct Result
   {
-    double step = 0.;         ///< taken [s]
-    unsigned int retries = 0; ///< times that the step was halved
-    bool bound_velocity_slopes =
-      false; ///< taken with Stage::bound_velocity_slopes
+    double step = 0.;                   ///< taken [s]
+    unsigned int retries = 0;           ///< times that the step was halved
+    bool bound_velocity_slopes = false; ///< see Stage
     /// On the rank where no step size helped, a leaf that turned
     /// unphysical; its state is in stage 0 of the field.
     std::optional<unsigned int> unphysical_leaf;

@@ -146,8 +146,8 @@ private:
   std::uint64_t n_steps_ = 0;
   double last_step_ = 0.;                 ///< size [s]
   std::array<double, 6> wall_force_ = {}; ///< in the last step
-  double n_bounded_steps_ =
-    0.; ///< in this run, see Stage::bound_velocity_slopes
+  /// Steps of this run with Stage::bound_velocity_slopes.
+  double n_bounded_steps_ = 0.;
   /// Leaves computed by all stages of this run on all ranks.
   double n_computed_ = 0.;
   /// Leaves of this rank that the last hundred steps or so computed, and those

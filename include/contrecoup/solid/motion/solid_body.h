@@ -231,8 +231,7 @@ private:
   double total_updates_ = 0.;    ///< number of computed and skipped batches
   double mass_ = 0.;
   double time_ = 0.;
-  double time_of_relaxed_strain_ =
-    0.; ///< time of the stored relaxed strains [s]
+  double time_of_relaxed_strain_ = 0.; ///< of the stored ones [s]
   StepTimes times_;
   double external_work_ = 0.; ///< of this rank
   double nodal_work_ = 0.;    ///< work of all forces, of this rank [J]
