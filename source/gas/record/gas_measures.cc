@@ -150,7 +150,7 @@ namespace
   {
     using Number = Lanes<double>;
     using C = Component<dim>;
-    constexpr unsigned int nc = n_conserved<dim, Gas>;
+    constexpr unsigned int nc = n_conserved<dim, Gas>, n = double_width;
 
     // In plane geometry the volumes of all points are proportional to those of
     // point 0.
@@ -169,8 +169,7 @@ namespace
                       : is_plane ? whole * points.relative_volume(q)
                                  : volumes_from(first_leaf, q, mesh, points);
       Number is_gas(1.);
-      for (unsigned int lane = 0;
-           lane < double_width && field.open_fractions() != nullptr;
+      for (unsigned int lane = 0; lane < n && field.open_fractions() != nullptr;
            ++lane)
       {
         const double open_fraction = field.open_fraction(first_leaf + lane, q);
@@ -184,9 +183,7 @@ namespace
         sums[c] += volume * u[c];
       }
       auto p = to_primitive<dim>(gas, u);
-      for (unsigned int lane = 0;
-           lane < double_width && field.burn() != nullptr;
-           ++lane)
+      for (unsigned int lane = 0; lane < n && field.burn() != nullptr; ++lane)
         p[C::energy][lane] = field.exerted_pressure(
           p[C::energy][lane], field.burned(first_leaf + lane, q));
       for (unsigned int d = 0; d < dim; ++d)
@@ -199,8 +196,7 @@ namespace
       largest[2] = std::max(largest[2], if_gas(Number(-p[C::energy])));
       largest[3] = std::max(largest[3], if_gas(p[C::energy]));
     }
-    for (unsigned int lane = 0;
-         lane < double_width && first_leaf + lane < mesh.n_owned();
+    for (unsigned int lane = 0; lane < n && first_leaf + lane < mesh.n_owned();
          ++lane)
     {
       for (unsigned int c = 0; c <= nc; ++c)

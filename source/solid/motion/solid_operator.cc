@@ -166,9 +166,9 @@ Lanes<Real> SolidOperator<Real>::secant_bulk(const SolidLaw<Lane> &law,
   const Lane dilatation = options_.kinematics == SolidKinematics::small_strain
                             ? h[0][0] + h[1][1] + h[2][2]
                             : finite_dilatation(h, cofactor(h));
-  return law.bulk *
-         apply([&](const double value) { return law.gas.secant(value); },
-               dilatation);
+  return law.bulk * apply_to_lanes(
+                      [&](const double value) { return law.gas.secant(value); },
+                      dilatation);
 }
 
 

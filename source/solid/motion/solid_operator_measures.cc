@@ -158,8 +158,8 @@ namespace
       dilatation = finite_dilatation(h, cofactors);
     }
     if (material.gas.exists())
-      of_volume *= apply([&](const double x) { return material.stiffening(x); },
-                         dilatation);
+      of_volume *= apply_to_lanes(
+        [&](const double x) { return material.stiffening(x); }, dilatation);
     const double shear = 2. / 3. * material.instantaneous_shear;
     const double lame = std::max(0., material.bulk_modulus - shear);
     return (Number(lame) * of_volume + Number(shear) * of_shear) /

@@ -61,21 +61,21 @@ find_compression(const Matrix3<Number> &gradient)
 
   // Regularise the case of three equal eigenvalues.
   const Number all = Number(1e-12) * square + tiny;
+  Matrix3<Number> &direction = result.direction;
   const auto find_direction = [&](const Number &root) {
     Matrix3<Number> rest = e;
     for (unsigned int i = 0; i < 3; ++i)
       rest[i][i] -= root;
-    result.direction = cofactor(rest);
+    direction = cofactor(rest);
     for (unsigned int i = 0; i < 3; ++i)
-      result.direction[i][i] += Number(1. / 3.) * all;
+      direction[i][i] += Number(1. / 3.) * all;
   };
   find_direction(result.smallest_eigenvalue);
   // A double root is accurate to half of the digits only; between the two
   // roots the formula gives no projector, slightly below both it does.
-  const auto &found = result.direction;
-  const Number trace = found[0][0] + found[1][1] + found[2][2];
+  const Number trace = direction[0][0] + direction[1][1] + direction[2][2];
   Number norm_square{};
-  for (const auto &row : found)
+  for (const auto &row : direction)
     norm_square += dot(row, row);
   find_direction(result.smallest_eigenvalue -
                  select_less(Number(1. + 1e-6) * trace * trace,
@@ -83,9 +83,8 @@ find_compression(const Matrix3<Number> &gradient)
                              Number(1e-6) * result.norm,
                              Number()));
   const Number scale =
-    Number(1.) /
-    (result.direction[0][0] + result.direction[1][1] + result.direction[2][2]);
-  for (auto &row : result.direction)
+    Number(1.) / (direction[0][0] + direction[1][1] + direction[2][2]);
+  for (auto &row : direction)
     for (Number &value : row)
       value *= scale;
   return result;

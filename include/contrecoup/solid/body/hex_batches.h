@@ -188,15 +188,13 @@ private:
   std::vector<std::uint32_t> slots_;
 };
 
-
 /// Gathers positions @p x and displacements @p u of a batch's corners [m] from
-/// NodeFields::place.
+/// NodeFields::position_and_displacement.
 template <typename Real>
-inline DEAL_II_ALWAYS_INLINE void
-load_corners(const Real *position_and_displacement,
-             const unsigned int *offsets,
-             HexVectors<Lanes<Real>> &x,
-             HexVectors<Lanes<Real>> &u)
+inline DEAL_II_ALWAYS_INLINE void load_corners(const Real *coordinates,
+                                               const unsigned int *offsets,
+                                               HexVectors<Lanes<Real>> &x,
+                                               HexVectors<Lanes<Real>> &u)
 {
   constexpr unsigned int n = n_lanes<Real>;
   for (unsigned int corner = 0; corner < 8; ++corner)
@@ -205,10 +203,8 @@ load_corners(const Real *position_and_displacement,
     for (unsigned int lane = 0; lane < n; ++lane)
       doubled[lane] = 2 * offsets[n * corner + lane];
     Lanes<Real> values[NodeFields<Real>::position_width];
-    dealii::vectorized_load_and_transpose(NodeFields<Real>::position_width,
-                                          position_and_displacement,
-                                          doubled,
-                                          values);
+    dealii::vectorized_load_and_transpose(
+      NodeFields<Real>::position_width, coordinates, doubled, values);
     for (unsigned int d = 0; d < 3; ++d)
     {
       x[corner][d] = values[d];
