@@ -40,7 +40,7 @@ std::shared_ptr<solid::RecordedLoads> read_loads(const std::string &file,
 
 double audited(const solid::RecordedLoads &loads, const std::string &name)
 {
-  for (const NamedValue &value : loads.audit())
+  for (const NamedValue &value : loads.check_values())
     if (value.name == name)
       return value.value;
   ADD_FAILURE() << "no value " << name;
