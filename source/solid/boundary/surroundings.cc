@@ -89,9 +89,9 @@ template <typename Real>
 double Surroundings::depth(const NodeFields<Real> &nodes,
                            const std::size_t node) const
 {
-  const Real *position_and_displacement =
+  const Real *coordinates =
     &nodes.position_and_displacement[nodes.position_width * node];
-  return height_ - (double(place[2]) + double(place[5]));
+  return height_ - (double(coordinates[2]) + double(coordinates[5]));
 }
 
 

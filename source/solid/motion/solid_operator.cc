@@ -60,15 +60,15 @@ template <typename Real>
 std::vector<double> SolidOperator<Real>::nodal_masses() const
 {
   std::vector<double> masses(mesh_->nodes.size(), 0.);
-  for (std::size_t i = 0; i < mesh_->cells.size(); ++i)
+  for (std::size_t i = 0; i < mesh_->elements.size(); ++i)
   {
     HexVectors<double> x;
     for (unsigned int c = 0; c < 8; ++c)
       for (unsigned int d = 0; d < 3; ++d)
-        x[c][d] = mesh_->nodes[mesh_->cells[i][c]][d];
+        x[c][d] = mesh_->nodes[mesh_->elements[i][c]][d];
     const double mass =
       materials_[mesh_->tissue[i]].density * hex_geometry(to_modes(x)).volume;
-    for (const std::uint32_t node : mesh_->cells[i])
+    for (const std::uint32_t node : mesh_->elements[i])
       masses[node] += mass / 8.;
   }
   return masses;
