@@ -251,6 +251,33 @@ def parameters(root):
             if re.search(r"\badd_parameter\s*\(", line)]
 
 
+def guide(root):
+    """CONTRIBUTING.md names files that exist, and the rooms in their order."""
+    path = "CONTRIBUTING.md"
+    if not os.path.exists(os.path.join(root, path)):
+        return []
+    problems, tables, table = [], {}, None
+    for number, line in enumerate(lines_of(root, path), 1):
+        if head := re.match(r"\| room of `(\w+)` \|", line):
+            table = tables[head[1]] = []
+        elif not line.startswith("|"):
+            table = None
+        elif table is not None:
+            table += re.findall(r"`(\w+)`", line.split("|")[1])
+        names = re.findall(r"`((?:\w+/)+\w+\.(?:h|cc|py|prm|md|toml|csv))`",
+                           line) + re.findall(r"\]\(([\w./-]+)\)", line)
+        problems += [
+            f"{path}:{number}: there is no {name}" for name in names
+            if not any(os.path.exists(os.path.join(root, below, name)) for below
+                       in ("", "source", os.path.join("include",
+                                                      "contrecoup")))]
+    for layer, known in {**ROOMS, "plot": PLOT_ROOMS}.items():
+        if tables.get(layer) != known:
+            problems.append(f"{path}: the rooms of '{layer}' are "
+                            + ", ".join(known))
+    return problems
+
+
 def clang_tool(tool):
     """The name of a tool of LLVM 14."""
     for name in (tool + "-14", tool):
@@ -335,7 +362,7 @@ def tidy(root, *folders):
 
 CHECKS = {check.__name__: check for check in
           (layers, rooms, plot_rooms, lengths, functions, mirror, licence,
-           parameters, formatting, tidy)}
+           parameters, guide, formatting, tidy)}
 
 
 def main(arguments):

@@ -69,7 +69,7 @@ class TreeTest(unittest.TestCase):
 
     def test_good_tree(self):
         for name in ("layers", "rooms", "plot_rooms", "lengths", "functions",
-                     "mirror", "licence", "parameters"):
+                     "mirror", "licence", "parameters", "guide"):
             self.assertEqual(check_tree.CHECKS[name](self.root), [], name)
 
     def test_upward_include(self):
@@ -159,6 +159,23 @@ class TreeTest(unittest.TestCase):
         self.write("source/materials/two.cc",
                    GOOD_SOURCE + 'prm.add_parameter("Two", two);\n')
         self.expect("parameters", "two.cc:14")
+
+    def test_guide(self):
+        rooms = "".join(
+            f"| room of `{layer}` | holds |\n|---|---|\n"
+            + "".join(f"| `{room}` | it |\n" for room in known) + "\n"
+            for layer, known in {**check_tree.ROOMS,
+                                 "plot": check_tree.PLOT_ROOMS}.items())
+        good = rooms + "`materials/two.cc`, [two](source/materials/two.cc)\n"
+        self.write("CONTRIBUTING.md", good)
+        self.assertEqual(check_tree.guide(self.root), [])
+        self.write("CONTRIBUTING.md", good + "`materials/three.h`\n")
+        self.expect("guide", f":{good.count(chr(10)) + 1}:",
+                    "no materials/three.h")
+        self.write("CONTRIBUTING.md", good + "![two](two.png)\n")
+        self.expect("guide", "no two.png")
+        self.write("CONTRIBUTING.md", good.replace("| `octree` | it |\n", ""))
+        self.expect("guide", "'gas'", "octree")
 
     def test_badly_formatted(self):
         try:

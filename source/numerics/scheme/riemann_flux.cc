@@ -11,6 +11,7 @@ namespace contrecoup
 {
 std::vector<std::string> riemann_flux_names()
 {
+  // In the order of RiemannFlux.
   return {"hllc", "hll", "rusanov", "hllc shock stable"};
 }
 
