@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/coupling/staged_simulation.h>
+#include <contrecoup/gas/state/leaf_sampling.h>
 
 namespace contrecoup::coupling
 {

@@ -7,6 +7,7 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/base/system/timers.h>
 #include <contrecoup/coupling/staged_simulation.h>
+#include <contrecoup/gas/state/leaf_sampling.h>
 #include <contrecoup/io/file/checked_file.h>
 
 #include <sstream>

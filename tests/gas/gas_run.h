@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <contrecoup/gas/state/leaf_sampling.h>
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/gas/adaptation/adaptation.h>

@@ -5,6 +5,7 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/gas/explosive/afterburn.h>
 #include <contrecoup/gas/octree/leaf_box.h>
+#include <contrecoup/gas/state/leaf_sampling.h>
 #include <contrecoup/gas/state/primitive.h>
 
 #include <cmath>

@@ -5,6 +5,7 @@
 #include <contrecoup/gas/adaptation/leaf_transfer.h>
 #include <contrecoup/gas/hand_over/profile_extraction.h>
 #include <contrecoup/gas/octree/leaf_box.h>
+#include <contrecoup/gas/state/leaf_sampling.h>
 #include <contrecoup/gas/state/primitive.h>
 
 #include <deal.II/base/mpi.h>

@@ -6,6 +6,7 @@
 #include <contrecoup/gas/octree/leaf_box.h>
 #include <contrecoup/gas/octree/radial_nodes.h>
 #include <contrecoup/gas/record/gas_measures.h>
+#include <contrecoup/gas/state/leaf_sampling.h>
 #include <contrecoup/gas/state/primitive.h>
 
 #include <deal.II/base/quadrature_lib.h>

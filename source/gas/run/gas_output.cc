@@ -5,6 +5,7 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/gas/octree/lattice.h>
 #include <contrecoup/gas/run/gas_output.h>
+#include <contrecoup/gas/state/leaf_sampling.h>
 #include <contrecoup/gas/state/point_sampler.h>
 #include <contrecoup/io/file/numpy.h>
 #include <contrecoup/io/output/field_output.h>

@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/gather.h>
+#include <contrecoup/gas/state/leaf_sampling.h>
 #include <contrecoup/gas/state/point_sampler.h>
 
 #include <deal.II/fe/mapping_q1.h>

@@ -99,8 +99,6 @@ TEST(Boundary, EachSideHasItsOwnKind)
                            Kind::wall};
   for (unsigned int side = 0; side < 6; ++side)
     EXPECT_EQ(run.boundary.kind(side), expected[side]);
-  EXPECT_TRUE(Boundary<3>::needs_place(Kind::initial));
-  EXPECT_FALSE(Boundary<3>::needs_place(Kind::open));
 
   const Tensor<1, 3> normal({1., 0., 0.});
   expect_equal(run.boundary.outside(1, inside(), normal, {}, 0.), inside());

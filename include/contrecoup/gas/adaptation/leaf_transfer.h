@@ -3,9 +3,9 @@
 
 #pragma once
 
+#include <contrecoup/gas/octree/leaf_box.h>
 #include <contrecoup/gas/octree/leaf_points.h>
 #include <contrecoup/gas/state/gas_field.h>
-#include <contrecoup/gas/state/leaf_sampling.h>
 #include <contrecoup/materials/gas_material.h>
 
 #include <functional>

@@ -4,8 +4,8 @@
 #pragma once
 
 #include <contrecoup/gas/conditions/rigid_body.h>
+#include <contrecoup/gas/octree/leaf_box.h>
 #include <contrecoup/gas/octree/leaf_layout.h>
-#include <contrecoup/gas/state/leaf_sampling.h>
 
 #include <array>
 #include <vector>

@@ -43,12 +43,6 @@ public:
                         const InitialState<dim> &initial_state,
                         const ReferenceSolution<dim> &reference);
 
-  /// Whether the condition depends on position and time of each face point.
-  static bool needs_place(const Kind kind)
-  {
-    return kind == Kind::initial || kind == Kind::exact;
-  }
-
   Kind kind(const unsigned int boundary_id) const
   {
     return boundary_id < kind_of_id_.size() ? kind_of_id_[boundary_id]

@@ -6,7 +6,6 @@
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/gas/octree/leaf_points.h>
 #include <contrecoup/gas/state/gas_field.h>
-#include <contrecoup/gas/state/leaf_sampling.h>
 #include <contrecoup/materials/gas_material.h>
 
 #include <iosfwd>

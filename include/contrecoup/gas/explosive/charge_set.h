@@ -5,9 +5,9 @@
 
 #include <contrecoup/gas/conditions/initial_state.h>
 #include <contrecoup/gas/explosive/charge.h>
+#include <contrecoup/gas/octree/leaf_points.h>
 #include <contrecoup/gas/octree/scheme.h>
 #include <contrecoup/gas/state/gas_field.h>
-#include <contrecoup/gas/state/leaf_sampling.h>
 #include <contrecoup/materials/gas_material.h>
 
 #include <optional>

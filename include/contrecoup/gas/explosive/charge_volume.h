@@ -5,7 +5,7 @@
 
 #include <contrecoup/gas/explosive/charge.h>
 #include <contrecoup/gas/octree/leaf_mesh.h>
-#include <contrecoup/gas/state/leaf_sampling.h>
+#include <contrecoup/gas/octree/leaf_points.h>
 
 #include <vector>
 

@@ -5,6 +5,7 @@
 
 #include <contrecoup/gas/explosive/charge_set.h>
 #include <contrecoup/gas/octree/ghost_exchange.h>
+#include <contrecoup/gas/octree/leaf_points.h>
 #include <contrecoup/gas/state/burn.h>
 
 #include <deal.II/base/aligned_vector.h>

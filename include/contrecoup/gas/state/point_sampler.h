@@ -5,7 +5,7 @@
 
 #include <contrecoup/gas/octree/leaf_points.h>
 #include <contrecoup/gas/state/gas_field.h>
-#include <contrecoup/gas/state/leaf_sampling.h>
+#include <contrecoup/gas/state/gas_state.h>
 #include <contrecoup/materials/gas_material.h>
 
 #include <functional>

@@ -53,32 +53,6 @@ to_primitive(const Gas &gas, const std::array<Number, n_conserved<dim, Gas>> &u)
   return p;
 }
 
-/// Converts primitive to conserved quantities.
-template <int dim, typename Gas, typename Number>
-DEAL_II_ALWAYS_INLINE inline std::array<Number, n_conserved<dim, Gas>>
-to_conserved(const Gas &gas, const std::array<Number, n_conserved<dim, Gas>> &p)
-{
-  using C = Component<dim>;
-  std::array<Number, n_conserved<dim, Gas>> u;
-  u[C::density] = p[C::density];
-  Number kinetic(0.);
-  for (unsigned int d = 0; d < dim; ++d)
-  {
-    u[C::momentum + d] = p[C::momentum + d] * p[C::density];
-    kinetic += p[C::momentum + d] * u[C::momentum + d];
-  }
-  Number products(0.);
-  if constexpr (Gas::has_products)
-  {
-    products = p[C::products];
-    u[C::products] = products * p[C::density];
-  }
-  u[C::energy] =
-    gas.internal_energy_density(p[C::density], p[C::energy], products) +
-    kinetic * 0.5;
-  return u;
-}
-
 /// Converts primitive quantities to an argument of a Riemann flux, and to the
 /// internal energy per volume rho e [J/m^3]. The velocity must be in the frame
 /// of the face (normal component first).
