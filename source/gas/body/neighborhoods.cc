@@ -12,6 +12,60 @@
 
 namespace contrecoup::gas
 {
+namespace
+{
+  /// Whether the face of an owned cell is on a side of the domain.
+  template <int dim>
+  bool is_at_side(const CutShapes<dim> &shapes,
+                  const FaceMatching<dim> &matching,
+                  const Subcell &cell,
+                  const unsigned int face)
+  {
+    return shapes.layer_of(cell, face) == face % 2 * shapes.layout().n &&
+           matching.neighbor(cell.leaf, face) == no_leaf &&
+           matching.hanging_side(cell.leaf, face) == nullptr;
+  }
+
+
+  /// Rate, in parts of sound speed over edge of the first cell, at which waves
+  /// from walls and neighbours damp a uniform motion of a chain across @p face,
+  /// in the direction where it is largest. Walls, and sides of the domain
+  /// beside the first cell, count fully (impedance: density times sound speed),
+  /// open faces half.
+  template <int dim>
+  double damping_rate(const CutShapes<dim> &shapes,
+                      const FaceMatching<dim> &matching,
+                      const typename Neighborhoods<dim>::Chain &chain,
+                      const unsigned int face)
+  {
+    dealii::Tensor<1, dim> area;
+    double volume = 0.;
+    for (const Subcell &cell : chain)
+    {
+      const double scale = std::pow(cell.size, (dim - 1.) / dim);
+      const auto wall = shapes.wall(cell);
+      volume += shapes.fractions()(cell.leaf, cell.point) * cell.size;
+      for (unsigned int d = 0; d < dim; ++d)
+      {
+        if (wall[d] != 0.)
+          area[d] += scale * wall[d] * wall[d] / wall.norm();
+        for (const unsigned int f : {2 * d, 2 * d + 1})
+          area[d] +=
+            scale * shapes.opening(cell, f) *
+            (is_at_side(shapes, matching, chain.front(), f) ? 1. : 0.5);
+      }
+      // Each but the first shares a face with the one before.
+      if (&cell != &chain.front())
+        area[face / 2] -= scale * shapes.opening(cell, face ^ 1U);
+    }
+    double largest = 0.;
+    for (unsigned int d = 0; d < dim; ++d)
+      largest = std::max(largest, area[d]);
+    return largest / volume;
+  }
+} // namespace
+
+
 template <int dim>
 void Neighborhoods<dim>::reinit()
 {
@@ -158,12 +212,16 @@ unsigned char Neighborhoods<dim>::choose_direction(const Subcell &cell) const
   };
   search();
   // Waves between walls that are too close need shorter steps: a cell that is
-  // half open has a surface of (dim + 1) / 0.5.
-  const double least = 0.25, most_surface = 4. * dim;
+  // half open has a surface of (dim + 1) / 0.5. Neighbourhoods at one plane
+  // wall have damping rates of at most 2.4 in 2-D and 2.6 in 3-D; the step is
+  // 0.9/dim h/c at a CFL number of 0.9, and its product with the rate must stay
+  // below 2, also where neighbourhoods overlap.
+  const double least = 0.25, most_surface = 4. * dim, largest_rate = dim + 1.;
   const unsigned int face = best == 0 ? 0 : (best - 1) % (2 * dim);
   const Chain cells =
     best == 0 ? Chain(1, cell) : chain(cell, face, 1 + (best - 1) / (2 * dim));
-  return largest < least || surface(cells, face) > most_surface * largest
+  return largest < least || surface(cells, face) > most_surface * largest ||
+             damping_rate(shapes_, matching_, cells, face) > largest_rate
            ? pocket
            : best;
 }

@@ -16,7 +16,9 @@ namespace contrecoup::gas
  * (state redistribution of Berger and Giuliani, J. Comput. Phys. 428, 109820,
  * 2021); among leaves of another size it ends with the first layer. Pockets,
  * in which none makes a quarter of a cell, or only with too large a surface,
- * are closed. Nothing here depends on how ranks share the leaves.
+ * are closed, as are creases, where a wall is so close to another wall or to a
+ * side of the domain that waves between them forbid a CFL number of 0.9.
+ * Nothing here depends on how ranks share the leaves.
  */
 template <int dim>
 class Neighborhoods
