@@ -41,6 +41,25 @@ foreach(_file cut_by_boundary thin_plate thin_shell needle gap
         one_voxel flawed_surface charge_5_cm on_axis)
   blast_survives(body_${_file} "${_closed}")
 endforeach()
+# Creases do not forbid a CFL number of 0.9: a cylinder on the ground, wedges, and
+# bodies with a gap of half a cell between them.
+#
+# blast_crease(<name> <file> <overrides>...)
+function(blast_crease name file)
+  contrecoup_add_application_test(crease_${name} bounds
+    FILE blast/extremes/${file}.prm
+    SET "Output/Fields=false" "Method/CFL number=0.9" ${ARGN}
+    BOUNDS "status == finished" "retries == 0" ${_closed} LABELS extremes)
+endfunction()
+
+blast_crease(ground body_on_ground)
+blast_crease(bodies body_gap "Domain/Initial refinement=1")
+foreach(_angle 5 15 30 60)
+  math(EXPR _normal "90 - ${_angle}")
+  blast_crease(wedge_${_angle} body_on_ground "Rigid body/Kind=half space"
+    "Rigid body/Half space/Shift=0.5, 0, 0"
+    "Rigid body/Half space/Rotation=0, 0, -${_normal}")
+endforeach()
 blast_survives(body_charge_50_m
   "assumptions.loads_impulse_difference < 5e-4;\
 assumptions.probe_2_peak_overpressure > 1e4"
