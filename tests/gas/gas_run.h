@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include <contrecoup/gas/state/leaf_sampling.h>
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/gas/adaptation/adaptation.h>
@@ -15,6 +14,7 @@
 #include <contrecoup/gas/octree/leaf_mesh.h>
 #include <contrecoup/gas/record/gas_measures.h>
 #include <contrecoup/gas/record/recorder.h>
+#include <contrecoup/gas/state/leaf_sampling.h>
 
 #include "run_lines.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/gas/state/leaf_sampling.h>
 #include <contrecoup/gas/adaptation/leaf_transfer.h>
+#include <contrecoup/gas/state/leaf_sampling.h>
 
 #include "gas_run.h"
 #include <gtest/gtest.h>
