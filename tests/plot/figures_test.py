@@ -15,7 +15,7 @@ import unittest
 import tiny_scene
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path += [os.path.join(HERE, "..", "applications"),
+sys.path += [os.path.join(HERE, "..", "applications", "cases"),
              os.path.join(HERE, "..", "..", "applications")]
 
 import report_figures  # noqa: E402 (after the paths of the modules)

@@ -20,7 +20,7 @@ import numpy as np
 import damage_test
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path += [os.path.join(HERE, "..", "applications"),
+sys.path += [os.path.join(HERE, "..", "applications", "cases"),
              os.path.join(HERE, "..", "..", "applications")]
 
 import head_figures  # noqa: E402 (after the paths of the modules)

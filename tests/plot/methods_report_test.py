@@ -15,7 +15,7 @@ import tempfile
 import unittest
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path += [os.path.join(HERE, "..", "applications"),
+sys.path += [os.path.join(HERE, "..", "applications", "cases"),
              os.path.join(HERE, "..", "..", "applications")]
 
 from plot import command_line  # noqa: E402 (after the paths of the modules)
