@@ -12,10 +12,10 @@
 namespace contrecoup::gas
 {
 /**
- * Peak overpressure, positive-phase impulse, arrival and duration at every
- * point of every owned leaf; BlastRecord has the rules. Kept in single
- * precision, which costs a relative rounding of 1e-7 and, in the impulse,
- * its accumulation over the steps.
+ * Fields of peak overpressure, positive-phase impulse, arrival and duration:
+ * one BlastRecord for each point of every owned leaf. Single precision costs a
+ * relative rounding error of 1e-7 and, in the impulse, its accumulation over
+ * the steps.
  */
 template <int dim>
 class BlastMaps : public Recorder<dim>
@@ -38,19 +38,20 @@ public:
   void begin(const GasSnapshot<dim> &gas) override;
   void inherit(const KnownRecord<dim> &record,
                const GasSnapshot<dim> &gas) override;
-  /// Passes leaves over that are quiet: nothing happens there.
+  /// Skips quiet leaves, whose records do not change.
   void add_step(const GasSnapshot<dim> &gas) override;
 
-  /// Room for @p n_leaves leaves where nothing has arrived.
+  /// Allocates records for @p n_leaves leaves that no blast has reached.
   void reinit(const unsigned int n_points, const unsigned int n_leaves);
 
-  /// Whether there is room: maps that a scene does not want have none.
+  /// Whether no records are allocated, as in scenes without maps.
   bool empty() const
   {
     return values_.empty();
   }
 
-  /// Numbers of one leaf, [value][point].
+  /// Number of values of one leaf. leaf() and set_leaf() order them
+  /// [value][point].
   unsigned int n_leaf_values() const
   {
     return Record::n_values * n_points_;
@@ -63,7 +64,7 @@ public:
                   const unsigned int point,
                   const Record &record);
 
-  /// Bytes held on this rank.
+  /// Memory on this rank [bytes].
   std::size_t memory() const
   {
     return values_.memory_consumption();
@@ -94,7 +95,7 @@ private:
 };
 
 
-/// A record in another precision.
+/// Converts a record to another precision.
 template <typename To, typename From>
 BlastRecord<To> converted(const BlastRecord<From> &record)
 {
@@ -106,7 +107,7 @@ BlastRecord<To> converted(const BlastRecord<From> &record)
 }
 
 
-/// Names and units of what a map shows, in the order of map_values().
+/// Names and units of the four map quantities, in the order of map_values().
 extern const std::vector<std::pair<std::string, std::string>> map_quantities;
 
 /// The values of map_quantities.

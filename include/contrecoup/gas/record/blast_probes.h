@@ -8,16 +8,16 @@
 
 namespace contrecoup::gas
 {
-/// Gauges that stand still while the mesh adapts: their places, the pressures
-/// there before anything happened, and what the blast did at each so far.
+/// Probes at fixed positions, independent of mesh adaptation: for each, its
+/// position, the initial pressure and the BlastRecord so far.
 template <int dim>
 class BlastProbes
 {
 public:
   using Record = BlastRecord<double>;
 
-  /// Sets up gauges at @p places, where nothing has arrived.
-  /// @throws InputError for a place outside of the domain, see
+  /// Sets up probes at @p places [m] that no blast has reached.
+  /// @throws InputError for a position outside of the domain, see
   /// GasScene::require_inside()
   void place(std::vector<dealii::Point<dim>> places,
              const GasScene<dim> &scene,
@@ -32,7 +32,7 @@ public:
     return places_.size();
   }
 
-  /// Finds the leaves of the gauges. Collective.
+  /// Locates the probes in the leaves of the mesh. Collective.
   void mesh_changed(const GasSnapshot<dim> &gas)
   {
     if (!places_.empty())
@@ -44,7 +44,7 @@ public:
     return sampler_;
   }
 
-  /// Takes the pressure [Pa] at gauge @p i at the end @p time of a step [s].
+  /// Adds the pressure [Pa] at probe @p i at the end @p time of a step [s].
   void add(const std::size_t i,
            const double pressure,
            const double time,
@@ -63,7 +63,7 @@ public:
     return records_;
   }
 
-  /// The records, for checkpoints.
+  /// Writes and reads the records of a checkpoint.
   void save(std::ostream &stream) const;
   void load(std::istream &stream);
 

@@ -18,14 +18,14 @@
 namespace contrecoup::gas
 {
 /**
- * Named places on a rigid body: its landmarks and those of "Loads/Gauges".
- * Each reads the mean overpressure, weighted by area, over a patch of the
- * surface: the facets with centroids within "Loads/Gauge radius" that look the
- * same way, or the nearest facet where there is none.
+ * Gauges on a rigid body: its landmarks and the positions of "Loads/Gauges".
+ * Each gauge reads the area-weighted mean overpressure over a patch of the
+ * surface: the facets with centroids within "Loads/Gauge radius" whose normals
+ * point to the same side, or the nearest facet if there is none.
  *
- * Histories go to load_gauges.csv as means over the samples of the loads, and
- * what these would do to a chest or an ear to gauge_injury.csv; what the blast
- * did is found from every step.
+ * Histories go to load_gauges.csv, as means over the samples of the loads, and
+ * the injury of a chest or an ear under these histories to gauge_injury.csv.
+ * Peak, arrival and impulse follow from every time step.
  */
 class LoadGauges
 {
@@ -33,10 +33,10 @@ public:
   /// Declares entries of the current subsection.
   static void declare_parameters(dealii::ParameterHandler &prm);
 
-  /// Reads them, and keeps what of the body's landmarks is in the box from
-  /// @p lower to @p upper; in 2-D what is in the plane z = 0.
-  /// @throws InputError for text that names no places, places outside of the
-  /// box, and equal names.
+  /// Reads these entries, and keeps the landmarks of the body that lie in the
+  /// box from @p lower to @p upper; in 2-D those in the plane z = 0.
+  /// @throws InputError for text that defines no gauges, positions outside of
+  /// the box, and equal names.
   template <int dim>
   void parse_parameters(dealii::ParameterHandler &prm,
                         const RigidBody &body,
@@ -48,15 +48,16 @@ public:
     folder_ = folder;
   }
 
-  /// Finds the patches.
-  /// @param geometry of all facets: centroid [m] and area vector into the
-  /// body [m^2], six numbers each
-  /// @param owned numbers of the facets that this rank knows the pressure of
+  /// Finds the facets of each patch.
+  /// @param geometry of the facets of all ranks: centroid [m] and area vector
+  /// into the body [m^2], six numbers each
+  /// @param owned numbers of the facets whose pressure is computed on this rank
   void reinit(const std::vector<double> &geometry,
               const std::vector<std::size_t> &owned);
 
-  /// What this rank's facets add to the overpressures of all gauges.
-  /// @param overpressure of a facet, given its number [Pa]
+  /// Contributions of the facets of this rank to the overpressures of all
+  /// gauges [Pa].
+  /// @param overpressure function from facet number to overpressure [Pa]
   template <typename Function>
   std::vector<double> partial_sums(const Function &overpressure) const
   {
@@ -67,36 +68,36 @@ public:
     return sums;
   }
 
-  /// Takes the overpressures at the end of a step [Pa].
-  /// @param smallest overpressure that counts [Pa]
+  /// Adds the overpressures of all gauges at the end of a step [Pa].
+  /// @param smallest overpressure below which no blast has arrived [Pa]
   void add(const std::vector<double> &overpressures,
            const double time,
            const double step,
            const double smallest);
 
-  /// Ends a sample of this duration [s].
+  /// Completes a sample of length @p duration [s].
   /// @param writes whether this rank writes the file
   void end_sample(const double time, const double duration, const bool writes);
 
-  /// Writes what is still in memory. @throws SystemError
+  /// Writes buffered samples to the file. @throws SystemError
   void flush();
 
-  /// Writes load_injury() of the whole histories as gauge_injury.csv, one row
-  /// for each place. Call after flush(), on the rank that writes.
+  /// Writes load_injury() of the whole histories to gauge_injury.csv, one row
+  /// per gauge. Call after flush(), on the rank that writes.
   /// @throws SystemError
   void write_injury() const;
 
-  /// What is known so far, for checkpoints; call flush() before save().
+  /// Writes and reads the record of a checkpoint; call flush() before save().
   void save(std::ostream &stream) const;
   void load(std::istream &stream);
 
-  /// Peak, its time, arrival and positive impulse at each place.
+  /// Peak, its time, arrival and positive impulse at each gauge.
   std::vector<NamedValue> measures(const double time) const;
 
-  /// The same as a table for people.
+  /// The same as a text table, one line per row.
   std::vector<std::string> table(const double time) const;
 
-  /// The places as an entry "Loads/Gauges" would give them.
+  /// The gauges in the syntax of entry "Loads/Gauges".
   std::string description() const;
 
 private:
@@ -106,7 +107,7 @@ private:
     dealii::Point<3> point;      ///< on the surface [m]
     dealii::Tensor<1, 3> normal; ///< out of the body [-]
   };
-  /// What a facet adds to a gauge.
+  /// Contribution of a facet to a gauge.
   struct Contribution
   {
     std::size_t facet;
@@ -118,7 +119,7 @@ private:
     BlastRecord<double> blast;
     double peak_time = 0.; ///< [s]
     double last = 0.;      ///< overpressure at the end of the last step [Pa]
-    double sum = 0.;       ///< integral of the sample that is going on [Pa s]
+    double sum = 0.;       ///< time integral over the current sample [Pa s]
   };
 
   void add_place(const std::string &name,
@@ -132,12 +133,12 @@ private:
   double radius_ = 0.;    ///< of patches [m]
   double body_mass_ = 0.; ///< [kg]
   std::vector<Place> places_;
-  std::vector<std::size_t> patch_sizes_;    ///< facets of each
+  std::vector<std::size_t> patch_sizes_;    ///< number of facets of each
   std::vector<Contribution> contributions_; ///< of this rank
   std::vector<Record> records_;             ///< the same on all ranks
 
   std::string folder_;
-  std::unique_ptr<io::HistoryFile> file_; ///< once a row was written
-  std::uint64_t file_size_ = 0;           ///< that the checkpoint knows [byte]
+  std::unique_ptr<io::HistoryFile> file_; ///< created with the first row
+  std::uint64_t file_size_ = 0;           ///< at the last checkpoint [byte]
 };
 } // namespace contrecoup::gas

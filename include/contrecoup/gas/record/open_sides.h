@@ -38,8 +38,9 @@ public:
   void save(std::ostream &stream, const std::string &folder) const override;
   void load(std::istream &stream, const std::string &folder) override;
 
-  /// By side, 2 d and 2 d + 1 at the low and high end of direction d; time of
-  /// arrival [s], or `never`; of all ranks after share().
+  /// Time of arrival [s] per side, or `never`; sides 2 d and 2 d + 1 are the
+  /// lower and upper ends of direction d. Valid for all ranks after
+  /// reduce_over_ranks().
   const std::array<double, 2 * dim> &arrivals() const
   {
     return arrivals_;

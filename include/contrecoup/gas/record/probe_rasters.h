@@ -8,11 +8,10 @@
 namespace contrecoup::gas
 {
 /**
- * Gauges on lines and planes that stand still while the mesh adapts: each
- * follows peak overpressure, impulse, arrival and duration, see BlastRecord.
- * They are read in every step without communication; the result depends
- * neither on the number of ranks nor on when the mesh was adapted, except
- * through the gas itself.
+ * Probes on lines and planes at fixed positions, independent of mesh
+ * adaptation: peak overpressure, impulse, arrival and duration at each, see
+ * BlastRecord. Reading them in every step needs no communication. The result
+ * does not depend on the number of ranks.
  */
 template <int dim>
 class ProbeRasters : public Recorder<dim>
@@ -21,8 +20,8 @@ public:
   /// Declares entries of subsection "Probes".
   static void declare_parameters(dealii::ParameterHandler &prm);
 
-  /// @throws InputError for a text that cannot be read and for gauges
-  /// outside of the domain.
+  /// @throws InputError for text that cannot be parsed and for probes outside
+  /// of the domain.
   void parse_parameters(dealii::ParameterHandler &prm,
                         const GasScene<dim> &scene) override;
 
@@ -41,13 +40,13 @@ public:
   void load(std::istream &stream, const std::string &folder) override;
 
 private:
-  /// A line (second count 0) or a plane of gauges.
+  /// A line of probes (second count 0) or a plane of probes.
   struct Raster
   {
     dealii::Point<dim> begin, end;
     std::array<unsigned int, 2> axes;   ///< of a plane
     std::array<unsigned int, 2> counts; ///< along the line or the axes
-    std::size_t first;                  ///< gauge
+    std::size_t first;                  ///< number of its first probe
 
     std::vector<dealii::Point<dim>> places() const;
   };

@@ -8,8 +8,8 @@
 namespace contrecoup::gas
 {
 /**
- * Gauges at fixed places that every rank knows: what they read now, and peak
- * overpressure, impulse, arrival and duration of the blast at each so far.
+ * Probes at fixed positions, known to every rank: the current state, and peak
+ * overpressure, impulse, arrival and duration of the blast so far at each.
  */
 template <int dim>
 class ProbeSet : public Recorder<dim>
@@ -18,7 +18,7 @@ public:
   /// Declares subsection "Probes".
   static void declare_parameters(dealii::ParameterHandler &prm);
 
-  /// @throws InputError for a place outside of the domain or in the body.
+  /// @throws InputError for a position outside of the domain or in the body.
   void parse_parameters(dealii::ParameterHandler &prm,
                         const GasScene<dim> &scene) override;
 
@@ -32,8 +32,8 @@ public:
   }
   void add_step(const GasSnapshot<dim> &gas) override;
 
-  /// Takes states that were read elsewhere at @p time [s], one for each place,
-  /// as add_step() does.
+  /// As add_step(), for states at @p time [s] that were sampled elsewhere, one
+  /// per probe.
   void take(const std::vector<GasState<dim>> &states, const double time);
 
   const std::vector<dealii::Point<dim>> &places() const
@@ -41,19 +41,20 @@ public:
     return gauges_.places();
   }
 
-  /// What was read last.
+  /// States at the last recorded time, one per probe.
   const std::vector<GasState<dim>> &states() const
   {
     return states_;
   }
 
-  /// Pressure, density, velocity and, for mixtures, products of each.
+  /// Pressure, density, velocity and, for mixtures, mass fraction of products
+  /// at each probe.
   std::vector<NamedValue> values(const bool has_products) const;
 
-  /// What the blast did at each probe so far.
+  /// Blast measures at each probe so far.
   std::vector<BlastMeasures> blasts() const;
 
-  /// The same with names, and beside it what @p reference says where it does.
+  /// The same as named values, with those of @p reference where it has them.
   std::vector<NamedValue>
   measures(const ReferenceSolution<dim> &reference) const;
   std::vector<NamedValue> measures(const GasSnapshot<dim> &gas) const override
@@ -61,10 +62,11 @@ public:
     return measures(gas.scene.reference);
   }
 
-  /// The relative differences of the two.
+  /// Relative differences between measured and reference values.
   std::vector<NamedValue> errors(const GasSnapshot<dim> &gas) const override;
 
-  /// The two side by side, a line for each probe; empty without reference.
+  /// Table of measured and reference values, one line per probe; empty without
+  /// a reference.
   std::vector<std::string> report(const GasSnapshot<dim> &gas) const override;
 
   void save(std::ostream &stream, const std::string &folder) const override;

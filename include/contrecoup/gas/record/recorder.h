@@ -19,33 +19,36 @@
 
 namespace contrecoup::gas
 {
-/// The gas at the end of a step, as recorders see it.
+/// State of the gas at the end of a time step, with the mesh that holds it, as
+/// passed to the recorders.
 template <int dim>
 struct GasSnapshot
 {
   const GasScene<dim> &scene;
   const LeafMesh<dim> &mesh;
   const GasField &field;
-  const CutLeaves<dim> &cut_leaves; ///< only where the scene has a body
+  const CutLeaves<dim> &cut_leaves; ///< valid only if the scene has a body
   const QuietLeaves<dim> &quiet_leaves;
-  double time = 0.; ///< [s]
-  double step = 0.; ///< [s]
+  double time = 0.; ///< end of the step [s]
+  double step = 0.; ///< size of the step [s]
   std::uint64_t step_number = 0;
   std::array<double, 6> wall_force = {}; ///< see TimeStepper::Result
 };
 
 
-/// What is known of the blast at a place, if anything is.
+/// Blast record of an earlier stage at a position [m]; empty where that stage
+/// has none.
 template <int dim>
 using KnownRecord =
   std::function<std::optional<BlastRecord<double>>(const dealii::Point<dim> &)>;
 
 
 /**
- * Something that is measured as a run goes. A new recorder overrides what it
- * needs, and is named once, in RecorderList; its entries of the parameter file
- * are declared by a static function declare_parameters(). Every function is
- * collective but load() and save().
+ * Interface of the objects that observe the gas after each time step and keep a
+ * record of it. A derived class overrides the functions that it needs, declares
+ * its entries of the parameter file by a static function declare_parameters(),
+ * and is listed in RecorderList. All functions except load() and save() are
+ * collective.
  */
 template <int dim>
 class Recorder
@@ -55,61 +58,62 @@ public:
 
   static void declare_parameters(dealii::ParameterHandler & /*prm*/)
   {}
-  /// @throws InputError for entries that do not go with the scene.
+  /// @throws InputError for entries that the scene does not allow.
   virtual void parse_parameters(dealii::ParameterHandler &prm,
                                 const GasScene<dim> &scene) = 0;
 
-  /// Says where files of results go. Trial runs have no such folder.
+  /// Sets the output folder of the run. Not called in trial runs, which write
+  /// no files.
   virtual void set_output_folder(const std::string & /*folder*/)
   {}
 
-  /// Finds leaves again: called before begin(), after load(), and whenever the
-  /// mesh changed.
+  /// Updates references to leaves. Called before begin(), after load(), and
+  /// after each change of the mesh.
   virtual void mesh_changed(const GasSnapshot<dim> & /*gas*/)
   {}
 
-  /// Takes the initial state.
+  /// Records the initial state.
   virtual void begin(const GasSnapshot<dim> & /*gas*/)
   {}
 
-  /// Goes on from what a first stage knows, after begin().
+  /// Continues the records of a first stage. Called after begin().
   virtual void inherit(const KnownRecord<dim> & /*record*/,
                        const GasSnapshot<dim> & /*gas*/)
   {}
 
-  /// Takes the state at the end of a step.
+  /// Records the state at the end of a time step.
   virtual void add_step(const GasSnapshot<dim> & /*gas*/)
   {}
 
-  /// Writes results that accompany the output of fields.
+  /// Writes results at each output of fields into @p folder.
   virtual void write(const GasSnapshot<dim> & /*gas*/,
                      const std::string & /*folder*/)
   {}
 
-  /// Gives every rank all that is known, and brings files up to date; called
-  /// before save().
+  /// Combines the records of all ranks, so that each rank has all of them, and
+  /// appends buffered samples to the result files. Called before save().
   virtual void reduce_over_ranks()
   {}
 
-  /// Writes what is known into a checkpoint: into @p stream, and large files
-  /// into @p folder. By the first rank.
+  /// Writes the record to a checkpoint: numbers to @p stream, copies of large
+  /// files to @p folder. Called by the first rank only.
   virtual void save(std::ostream & /*stream*/,
                     const std::string & /*folder*/) const
   {}
-  /// Reads what save() wrote. By every rank.
+  /// Reads what save() wrote. Called by every rank.
   virtual void load(std::istream & /*stream*/, const std::string & /*folder*/)
   {}
 
-  /// Ends the record, at the end of the run.
+  /// Completes the record at the end of the run.
   virtual void finish()
   {}
 
-  /// Numbers for the summary.
+  /// Values for "assumptions" in summary.json.
   virtual std::vector<NamedValue> measures(const GasSnapshot<dim> &) const
   {
     return {};
   }
-  /// Differences from the reference solution, for the summary.
+  /// Differences from the reference solution, for "errors" in summary.json.
   virtual std::vector<NamedValue> errors(const GasSnapshot<dim> &) const
   {
     return {};

@@ -13,7 +13,8 @@
 
 namespace contrecoup::gas
 {
-/// All recorders there are, in the order of checkpoints and of the summary.
+/// All recorder classes, in the order in which checkpoints and summary list
+/// them.
 template <int dim>
 using RecorderList = std::tuple<ProbeSet<dim>,
                                 ProbeRasters<dim>,
@@ -32,7 +33,8 @@ public:
     declare(prm, static_cast<RecorderList<dim> *>(nullptr));
   }
 
-  /// A certain recorder, for those who need more of it than all have.
+  /// The recorder of class @p Kind, for functions beyond the Recorder
+  /// interface.
   template <typename Kind>
   Kind &get()
   {
@@ -52,7 +54,7 @@ public:
                recorders_);
   }
 
-  /// What @p function gives for each recorder, a list, joined.
+  /// Concatenates the lists that @p function returns for each recorder.
   template <typename Item>
   std::vector<Item>
   collect(std::vector<Item> (Recorder<dim>::*function)(const GasSnapshot<dim> &)

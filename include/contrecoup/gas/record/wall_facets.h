@@ -8,26 +8,27 @@
 namespace contrecoup::gas
 {
 /**
- * The facets of a rigid body: the pieces of its surface in the cells that it
- * cuts. The pressure on one is that of the Riemann problem between the gas in
- * its cell and the mirror image.
+ * Facets of a rigid body: the pieces of its surface in the cut cells. The
+ * pressure on a facet is that of the Riemann problem between the gas in its
+ * cell and the mirror image of that gas.
  */
 template <int dim>
 class WallFacets
 {
 public:
-  static constexpr unsigned int n_geometry = 6; ///< numbers of a facet
+  static constexpr unsigned int n_geometry = 6; ///< values per facet
 
-  /// A facet in the leaves of this rank.
+  /// A facet in a leaf of this rank.
   struct Facet
   {
     unsigned int leaf;
     unsigned int point;
-    std::size_t number;          ///< among those of all ranks
+    std::size_t number;          ///< among the facets of all ranks
     dealii::Tensor<1, dim> area; ///< vector, into the body [m^(dim-1)]
   };
 
-  /// Finds the facets. Returns whether they are others than before. Collective.
+  /// Finds the facets. Returns whether they differ from the previous ones.
+  /// Collective.
   bool mesh_changed(const GasSnapshot<dim> &gas);
 
   /// The facets of this rank.
@@ -36,26 +37,26 @@ public:
     return facets_;
   }
 
-  /// Number of the facets of all ranks.
+  /// Number of facets on all ranks.
   std::size_t n_global() const
   {
     return keys_.size();
   }
 
-  /// Of the facets of all ranks: centroid [m] and area vector, into the body
-  /// [m^2, in 2-D m], n_geometry numbers each.
+  /// Centroid [m] and area vector into the body [m^2; in 2-D m] of the facets
+  /// of all ranks, n_geometry values each.
   const std::vector<double> &geometry() const
   {
     return geometry_;
   }
 
-  /// Pressures on the facets of this rank above @p ambient; zero where the gas
-  /// is quiet [Pa].
+  /// Overpressures on the facets of this rank relative to @p ambient [Pa]; zero
+  /// in quiet leaves.
   std::vector<double> overpressures(const GasSnapshot<dim> &gas,
                                     const double ambient) const;
 
 private:
-  /// Facets of this rank by key and geometry.
+  /// Keys and geometry of the facets of this rank.
   struct Found
   {
     std::vector<std::uint64_t> keys;
@@ -67,7 +68,7 @@ private:
                   Found &found);
   bool number_facets(const Found &found, const MPI_Comm communicator);
 
-  std::vector<std::uint64_t> keys_; ///< places of all facets, in order
+  std::vector<std::uint64_t> keys_; ///< of the facets of all ranks, ascending
   std::vector<double> geometry_;
   std::vector<Facet> facets_;
 };
