@@ -18,9 +18,9 @@
 namespace contrecoup::gas
 {
 /**
- * Adapts the octree to the gas: marks leaves by a sensor, spreads the marks
- * ahead of the fronts, and carries the state over, as often as AdaptationPace
- * says. Ranks share the leaves by what these cost.
+ * Adapts the octree to the gas: computes the sensor of each leaf, extends the
+ * marked leaves by the AMR buffer, and transfers the state, at the intervals of
+ * AdaptationPace. Distributes the leaves over ranks by their cost.
  */
 template <int dim>
 class Adaptation
@@ -31,11 +31,11 @@ public:
              const LeafPoints<dim> &points,
              const GasMaterial &material);
 
-  /// Adapts mesh, field and, unless they are empty, maps once. Returns
-  /// whether anything changed. The field's ghosts must be up to date.
-  /// Collective.
-  /// @param time for limits of size [s]
-  /// @param quiet_leaves leaves that cost nothing; null: none
+  /// Adapts the mesh once, and transfers the field and, unless they are empty,
+  /// the maps. Returns whether the mesh changed. The field's ghosts must be up
+  /// to date. Collective.
+  /// @param time at which size limits are evaluated [s]
+  /// @param quiet_leaves leaves whose cost is small; null: none
   bool adapt(GasField &field,
              BlastMaps<dim> &maps,
              const double time = 0.,
@@ -48,8 +48,8 @@ public:
     return adapt(field, none, time, quiet_leaves);
   }
 
-  /// Halves every leaf below the largest level for which @p wanted is
-  /// true, without carrying the field over. Returns whether any was.
+  /// Refines every leaf below the largest level for which @p wanted is true,
+  /// without transferring the field. Returns whether any leaf was refined.
   bool refine_where(const std::function<bool(const unsigned int leaf)> &wanted);
 
   /// See LeafLevels.
@@ -62,33 +62,33 @@ public:
     return levels_;
   }
 
-  /// Halves the leaves at the body until they have their level.
+  /// Refines the leaves at the body to the level that it requires.
   void refine_at_body();
 
-  /// Halves the leaves in the fine box until they have its level.
+  /// Refines the leaves in the fine box to its level.
   void refine_fine_box();
 
-  /// Whether the octree must adapt before the next step; never where the
-  /// parameters forbid it.
+  /// Whether the octree must be adapted before the next step; false if
+  /// adaptation is not active.
   bool is_due() const
   {
     return parameters_.active && pace_.is_due();
   }
 
-  /// Counts steps anew from @p time on [s].
+  /// Restarts the count of steps at @p time [s].
   void restart(const double time)
   {
     pace_.restart(time);
   }
 
-  /// Finds size_ratios() for the steps from here on. Call after adapt().
+  /// Computes size_ratios() for the following steps. Call after adapt().
   void update_size_ratios()
   {
     if (parameters_.active)
       size_ratios_ = levels_.size_ratios(pace_.start());
   }
 
-  /// See LeafLevels; empty: all are one.
+  /// See LeafLevels::size_ratios(); empty: all are one.
   const std::vector<double> &size_ratios() const
   {
     return size_ratios_;
@@ -100,7 +100,7 @@ public:
     pace_.add_step(buffer_share);
   }
 
-  /// The count, for checkpoints.
+  /// Writes and reads the count of steps, for checkpoints.
   void save(std::ostream &stream) const
   {
     pace_.save(stream);
@@ -110,7 +110,7 @@ public:
     pace_.load(stream);
   }
 
-  /// When it adapted last [s].
+  /// Time of the last adaptation [s].
   double time() const
   {
     return time_;
@@ -128,18 +128,18 @@ private:
   using Marks = std::function<FaceMarks(const CellIterator &)>;
 
   bool adapt_now(GasField &field, BlastMaps<dim> &maps);
-  /// Sensor of each owned leaf, by the face through which it marks the next.
+  /// Sensor of each owned leaf per face through which it marks the neighbour.
   std::vector<FaceMarks> face_marks(const GasField &field) const;
-  /// Batches whose leaves are looked at.
+  /// Batches for whose leaves the sensor is computed.
   std::vector<bool> wanted_batches() const;
   void weigh_leaves();
-  /// What a leaf costs that persists, is merged or halved, in parts of the
-  /// cost of a quiet one.
+  /// Cost of a leaf that stays, is coarsened or is refined, relative to that of
+  /// a quiet leaf.
   unsigned int weight(const typename LeafMesh<dim>::CellIterator &cell) const;
   bool refine_flagged();
   void spread(std::vector<FaceMarks> &marks) const;
-  /// Takes over the marks of leaves beyond a face, that are not coarser,
-  /// if they mark what is on this side of it.
+  /// Takes over the marks of leaves across a face that are at least as fine, if
+  /// their fronts propagate towards this side.
   void inherit(const CellIterator &cell,
                const unsigned int face,
                const Marks &marks,

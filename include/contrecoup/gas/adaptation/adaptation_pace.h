@@ -11,10 +11,10 @@
 namespace contrecoup::gas
 {
 /**
- * Counts steps until the octree has to adapt again: as many as the parameters
- * say, and fewer where a front could else cross the buffer of leaves ahead of
- * it. Where a rigid body has smaller leaves than fronts may have, the step is
- * so short that a front needs many of them to cross one of its own leaves.
+ * Counts steps until the octree must be adapted again: after the number of
+ * steps that the parameters prescribe, or earlier if a front could otherwise
+ * cross the AMR buffer. At a rigid body whose leaves are smaller than those at
+ * fronts, the step is so short that a front needs many steps to cross one leaf.
  */
 class AdaptationPace
 {
@@ -26,9 +26,9 @@ public:
   {}
 
   /// Counts a step.
-  /// @param share of the buffer that a front may have crossed, in parts of what
-  /// it crosses where leaves that set the step size have their smallest size,
-  /// see TimeStepper::Rates [-]
+  /// @param travel distance that a front may have moved in the step, relative
+  /// to the distance it moves where the leaves that limit the step are as small
+  /// as fronts allow: Rates::front_rate over Rates::all of TimeStepper [-]
   void add_step(const double travel)
   {
     ++n_steps_;
@@ -36,15 +36,15 @@ public:
     last_travel_ = travel;
   }
 
-  /// Whether a front may else leave the buffer in the step that comes, if it
-  /// is like the last one.
+  /// Whether a front may leave the AMR buffer in the next step, if that is like
+  /// the last one, or the prescribed number of steps is reached.
   bool is_due() const
   {
     return (longest_ > 0 && n_steps_ >= longest_) ||
            (n_steps_ > 0 && travel_ + last_travel_ > buffer_steps_);
   }
 
-  /// Begins to count anew at time @p time [s].
+  /// Restarts the count at @p time [s].
   void restart(const double time)
   {
     n_steps_ = 0;
@@ -53,13 +53,13 @@ public:
     start_ = time;
   }
 
-  /// Time when it began to count [s].
+  /// Time of the last restart [s].
   double start() const
   {
     return start_;
   }
 
-  /// Writes what it has counted.
+  /// Writes the count to a checkpoint.
   void save(std::ostream &stream) const;
   /// Reads what save() wrote.
   void load(std::istream &stream);
@@ -68,7 +68,7 @@ private:
   unsigned int longest_ = 0; ///< steps; 0: no such limit
   double buffer_steps_ = 1.; ///< see AdaptationParameters
   std::uint64_t n_steps_ = 0;
-  double travel_ = 0.; ///< sum of the shares
+  double travel_ = 0.; ///< sum over the steps since the restart [-]
   double last_travel_ = 0.;
   double start_ = 0.; ///< see start()
 };

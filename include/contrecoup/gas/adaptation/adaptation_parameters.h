@@ -11,11 +11,12 @@
 
 namespace contrecoup::gas
 {
-/// Which leaves are halved or merged, as subsection "Adaptation" says.
+/// Criteria for refining and coarsening leaves, read from subsection
+/// "Adaptation".
 struct AdaptationParameters
 {
   static void declare_parameters(dealii::ParameterHandler &prm);
-  /// @throws InputError when smallest and largest contradict each other.
+  /// @throws InputError when smallest and largest level contradict each other.
   void parse_parameters(dealii::ParameterHandler &prm,
                         const unsigned int dim,
                         const unsigned int initial_refinement,
@@ -24,9 +25,10 @@ struct AdaptationParameters
                         const bool is_axis_aligned);
 
   /**
-   * Finds in how many steps no shock that runs into gas at rest crosses the
-   * buffer.
-   * @param reach step size times signal rate sum_d (|u_d| + c) / h_d [-]
+   * Computes the number of steps in which no shock into gas at rest crosses the
+   * AMR buffer.
+   * @param courant_number step size times signal rate sum_d (|u_d| + c) / h_d
+   * [-]
    */
   void find_buffer_steps(const double courant_number,
                          const unsigned int dim,
@@ -34,24 +36,24 @@ struct AdaptationParameters
 
   enum class Sensor
   {
-    jump,          ///< jump_sensor(): bends of density and pressure
-    pressure_jump, ///< the same of pressure alone, blind to contacts
+    jump,          ///< jump_sensor(): curvature of density and pressure
+    pressure_jump, ///< the same of pressure only; ignores contacts
     blast          ///< front_sensor(): pressure fronts
   };
 
   bool active = false;
   Sensor sensor = Sensor::jump;
-  unsigned int interval = 5;  ///< most steps in between; 0: no such limit
-  double buffer_steps = 1.;   ///< for fronts in leaves that set the step
+  unsigned int interval = 5;  ///< most steps between adaptations; 0: no limit
+  double buffer_steps = 1.;   ///< steps to cross the AMR buffer [-]
   unsigned int min_level = 0; ///< refinements of the coarse mesh
   unsigned int max_level = 0;
-  double refine = 0.3;     ///< sensor above which leaves are halved
-  double coarsen = 0.1;    ///< sensor below which they are merged
-  double noise = 0.02;     ///< relative jump that counts as noise
-  unsigned int buffer = 1; ///< layers of leaves around marked ones
-  /// Whether these layers are only ahead of fronts.
+  double refine = 0.3;     ///< sensor above which leaves are refined
+  double coarsen = 0.1;    ///< sensor below which leaves are coarsened
+  double noise = 0.02;     ///< relative jump that is treated as noise
+  unsigned int buffer = 1; ///< AMR buffer width, layers of leaves
+  /// Whether the AMR buffer is only ahead of fronts.
   bool buffer_only_ahead = false;
-  /// A box whose leaves stay at this level at least; level 0: none.
+  /// Smallest level of leaves in the fine box; 0: no such box.
   unsigned int fine_level = 0;
   std::vector<double> fine_lower; ///< [m]
   std::vector<double> fine_upper; ///< [m]

@@ -9,15 +9,15 @@
 
 namespace contrecoup::gas
 {
-// deal.II's own meshes in 1-D neither bound the levels of neighbours nor
-// carry data over, as p4est does in 2-D and 3-D.
+// deal.II's 1-D triangulations neither balance the levels of neighbours nor
+// transfer data, as p4est does in 2-D and 3-D.
 
-/// Changes the flags of leaves so that neighbours stay within one level and
-/// siblings merge together.
+/// Corrects the refinement flags so that neighbours differ by one level at most
+/// and siblings are coarsened together.
 void balance_line(LeafMesh<1> &mesh);
 
-/// Halves and merges leaves as flagged, and carries their data over.
-/// @param make_room makes field and maps fit for the new octree
+/// Refines and coarsens leaves as flagged, and transfers their data.
+/// @param make_room resizes field and maps for the new octree
 void adapt_line(LeafMesh<1> &mesh,
                 const LeafCarrier<1> &carrier,
                 const std::function<void()> &make_room);

@@ -34,13 +34,13 @@ public:
 
   /**
    * Refinement levels allowed for a leaf: @p general, restricted by all limits
-   * that hold at @p place and @p time [s]. Where the restrictions conflict,
-   * the largest level wins.
+   * that hold at @p place and @p time [s]. Where the restrictions conflict, the
+   * largest level wins.
    *
    * @param place centre of the leaf [m]
-   * @param reach distance from the centre to the corners of the leaf [m]: a
-   * leaf of any size that intersects a ball gets the ball's smallest level and
-   * is exempt from a largest level that holds outside of the ball
+   * @param corner_distance distance from the centre to the corners of the leaf
+   * [m]: a leaf of any size that intersects a ball gets the ball's smallest
+   * level and is exempt from a largest level that holds outside of the ball
    */
   template <int dim>
   Levels levels(const dealii::Point<dim> &place,

@@ -80,7 +80,7 @@ public:
   /// diagonals of a leaf of refinement level levels() [-]; negative where they
   /// intersect. Inside the body, where leaves are refined only at the surface,
   /// the result is larger by max_diagonals_at_body.
-  /// @param halvings refinement level of this leaf above the initial
+  /// @param level_above_initial refinement level of this leaf above the initial
   /// refinement
   template <int dim>
   double leaf_diagonals_to(const dealii::Point<dim> &lower,

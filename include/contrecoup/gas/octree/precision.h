@@ -40,8 +40,8 @@ inline constexpr Precision precision_of =
 template <int dim, typename Real>
 using kernel_number = std::conditional_t<dim == 3, Real, double>;
 
-/// Calls @p function with a dummy argument of the type (float or double) that
-/// belongs to @p precision, and returns its result.
+/// Calls @p function with a zero of the type (float or double) that belongs to
+/// @p precision, and returns its result; only the type of the argument matters.
 template <typename Function>
 decltype(auto) visit_precision(const Precision precision,
                                const Function &function)

@@ -50,7 +50,7 @@ public:
   double largest_blending = 1.; ///< [-]
   /// Factor on the default threshold (DG) [-]
   double indicator_threshold = 1.;
-  /// Positivity limiter: scaling towards the mean (DG)
+  /// Positivity limiter: scaling towards the mean (DG).
   bool positivity = true;
   unsigned int largest_retries = 10;
 

@@ -14,9 +14,10 @@ template <int dim>
 double signal_speed(const GasState<dim> &state, const GasMaterial &material);
 
 /**
- * What a run of @p scene would cost on @p n_ranks ranks, without its mesh:
- * leaves of the initial refinement and at the body, the largest signal rate in
- * the initial state, and the throughput of a typical core.
+ * Predicts the cost of a run of @p scene on @p n_ranks ranks without building
+ * its mesh: from the number of leaves after initial refinement and at the body,
+ * the largest signal rate in the initial state, and the throughput of a typical
+ * core.
  * @param has_maps whether each point has a BlastRecord
  */
 template <int dim>

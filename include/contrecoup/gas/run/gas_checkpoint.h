@@ -12,9 +12,8 @@
 namespace contrecoup::gas
 {
 /**
- * Writes the leaves of this rank, their place in the octree and their
- * state, into @p folder as octree.RANK.bin; their maps, too, if there are
- * any. Collective.
+ * Writes the leaves of this rank (position in the octree, state and, unless
+ * they are empty, maps) to octree.RANK.bin in @p folder. Collective.
  * @throws SystemError when the disk is full
  */
 template <int dim>
@@ -24,9 +23,9 @@ void save_leaves(const LeafMesh<dim> &mesh,
                  const BlastMaps<dim> *maps = nullptr);
 
 /**
- * Rebuilds octree, state and, if wanted, maps from what save_leaves()
- * wrote, on any number of ranks. The coarse mesh must have been created.
- * Collective.
+ * Rebuilds octree, state and, if requested, maps from the files of
+ * save_leaves(), on any number of ranks. The coarse mesh must have been
+ * created. Collective.
  * @throws InputError when the files do not fit the scene or lack the maps
  */
 template <int dim>

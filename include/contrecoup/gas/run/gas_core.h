@@ -15,8 +15,9 @@
 
 namespace contrecoup::gas
 {
-/// The state of the gas and what changes it: octree, body, stepper, adaptation,
-/// detonation and afterburn. It knows nothing of what is recorded.
+/// State of the gas and all that advances it in time: octree, body, time
+/// stepper, adaptation, detonation and afterburn. Does not depend on recorders
+/// other than the maps, which adaptation transfers.
 template <int dim>
 class GasCore
 {
@@ -25,50 +26,52 @@ public:
   GasCore(const GasScene<dim> &scene, const MPI_Comm communicator);
 
   static void declare_parameters(dealii::ParameterHandler &prm);
-  /// Call after the scene was parsed.
+  /// Call after the scene has been parsed.
   void parse_parameters(dealii::ParameterHandler &prm);
 
   /// Builds mesh and state from the initial state of the scene.
   /// @return lines for the log
   std::vector<std::string> set_up();
 
-  /// Builds the octree, as far as the parameters rather than the state shape
-  /// it, and finds the leaves that the body cuts.
+  /// Builds the octree without the refinement that depends on the state, and
+  /// finds the leaves that the body cuts.
   void build_octree();
 
-  /// Takes a stable step of @p largest_step [s] at most.
+  /// Advances by one stable step of at most @p largest_step [s].
   /// @throws NumericsError when no step size keeps the state physical
   StepReport advance(const double largest_step);
 
-  /// Adapts the mesh, field and, unless they are empty, maps if it is due.
-  /// Returns whether anything changed.
+  /// Adapts the mesh if due, and transfers the field and, unless they are
+  /// empty, the maps. Returns whether the mesh changed.
   bool adapt(BlastMaps<dim> &maps);
 
-  /// What a checkpoint holds beside the leaves.
+  /// Writes and reads the data of a checkpoint other than leaves.
   void save(std::ostream &stream) const;
   void load(std::istream &stream);
-  /// Rebuilds octree, state and, unless they are null, maps from the leaves of
-  /// a checkpoint; then load(), then mesh_changed().
+  /// Rebuilds octree, state and, unless null, maps from the leaves of a
+  /// checkpoint. Call load() and then mesh_changed() afterwards.
   void restore_leaves(const std::string &folder, BlastMaps<dim> *maps);
 
-  /// Finds anew what depends on the mesh.
+  /// Updates all data that depend on the mesh.
   void mesh_changed();
 
   /// The state after the last step.
   GasSnapshot<dim> snapshot() const;
 
-  /// Totals and extremes. Collective.
+  /// Conserved totals and extrema, for history.csv. Collective.
   std::vector<NamedValue> totals() const;
-  /// How the method fared. Collective.
+  /// Measures of the numerical method, for the summary. Collective.
   std::vector<NamedValue> measures() const;
-  /// Part of the updates in this run that quiet leaves saved. Collective.
+  /// Fraction of the updates of this run that were skipped in quiet leaves [-].
+  /// Collective.
   double skipped_updates() const;
 
-  /// Edge lengths of the smallest subcells that adaptation may make [m].
+  /// Edge lengths of the smallest subcells that adaptation allows [m].
   dealii::Tensor<1, dim> smallest_subcell() const;
 
-  /// See Simulation::expected_work(), for a front that is expected at a
-  /// distance from @p centre that @p front gives of time.
+  /// See Simulation::expected_work().
+  /// @param front expected distance of the blast front from @p centre [m] as a
+  /// function of time [s]
   WorkForecast expected_work(const double end_time,
                              const dealii::Point<dim> &centre,
                              const std::function<double(double)> &front) const;
@@ -105,7 +108,7 @@ public:
   {
     return time_;
   }
-  /// Whether there is explosive that the detonation has not passed.
+  /// Whether unburned explosive is left.
   bool is_burning() const
   {
     return !has_burned_;
@@ -119,7 +122,7 @@ private:
   void cut_leaves();
   void state_changed();
   void update_burn();
-  /// Takes over the afterburn of the profile.
+  /// Starts from the released afterburn energy of the profile.
   void inherit_afterburn();
   void count_work(const double n_computed, const double fraction);
   [[noreturn]] void fail(const typename TimeStepper<dim>::Result &result);
@@ -137,8 +140,8 @@ private:
   std::unique_ptr<TimeStepper<dim>> stepper_;
   std::unique_ptr<Adaptation<dim>> adaptation_;
   Detonation<dim> detonation_;
-  /// Whether all explosive has burned. Once it has, changes of the cells'
-  /// sizes must not take that back.
+  /// Whether all explosive has burned. Stays true when adaptation changes
+  /// subcell sizes, which enter the burn times.
   bool has_burned_ = false;
   Afterburn afterburn_;
 
@@ -148,10 +151,11 @@ private:
   std::array<double, 6> wall_force_ = {}; ///< in the last step
   /// Steps of this run with Stage::bound_velocity_slopes.
   double n_bounded_steps_ = 0.;
-  /// Leaves computed by all stages of this run on all ranks.
+  /// Leaf updates in all stages of this run on all ranks.
   double n_computed_ = 0.;
-  /// Leaves of this rank that the last hundred steps or so computed, and those
-  /// that as much simulated time takes without retries; quiet ones count.
+  /// Leaf updates of this rank in about the last hundred steps, and those that
+  /// the same simulated time requires without retries; both include quiet
+  /// leaves.
   double n_made_ = 0., n_needed_ = 0.;
 };
 } // namespace contrecoup::gas

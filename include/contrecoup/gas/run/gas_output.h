@@ -13,31 +13,32 @@
 
 namespace contrecoup::gas
 {
-/// What is written at each output tick, as subsection "Pictures" says
-/// beyond the fields themselves.
+/// Writes the field output of a run: all leaves as VTU, and the planes of
+/// subsection "Pictures" as arrays.
 template <int dim>
 class GasOutput
 {
 public:
-  /// Where the files of an output go.
+  /// Folder and number of an output.
   struct Target
   {
     std::string folder;
     unsigned int index; ///< number of the output
   };
 
-  /// Declares subsection "Pictures" and what concerns fields in "Output".
+  /// Declares subsection "Pictures" and the entries on fields of "Output".
   static void declare_parameters(dealii::ParameterHandler &prm);
 
-  /// @throws InputError for planes that the mesh does not have.
+  /// @throws InputError for planes outside of the mesh.
   void parse_parameters(dealii::ParameterHandler &prm,
                         const CoarseMesh<dim> &mesh);
 
   /**
-   * Writes density, velocity, pressure, level, sensor, the burned fraction of
-   * explosive, the open fraction beside a body and, unless they are empty, the
-   * maps of all leaves as VTU, unless planes are enough, and the planes as
-   * arrays; planes of maps replace those of earlier outputs. Collective.
+   * Writes density, velocity, pressure, refinement level, sensor, burned
+   * fraction of explosive, open fraction around a body and, unless they are
+   * empty, maps of all leaves as VTU (if volume fields are requested), and the
+   * planes as arrays. Planes of maps replace those of earlier outputs.
+   * Collective.
    * @return the file for the .pvd collection; empty: none
    */
   std::string write(const GasSnapshot<dim> &gas,

@@ -9,9 +9,9 @@
 
 namespace contrecoup::gas
 {
-/// A compressible gas in a domain, everything that application blast does: a
-/// scene, the gas that goes through it, what is recorded of that, and the plan
-/// of what may be left out.
+/// Solver of application `blast` for the run loop: the scene, the state of the
+/// gas that advances in it (GasCore), the recorders, and the plan of modelling
+/// assumptions.
 template <int dim>
 class GasSimulation : public Simulation
 {
@@ -57,7 +57,8 @@ public:
   {
     return dim;
   }
-  /// Writes the profile if "Output/Profile file" asks for it.
+  /// Completes the records, and writes the profile if "Output/Profile file" is
+  /// set.
   void finish(const std::string &folder) override;
   std::pair<std::uint64_t, std::uint64_t> size() const override;
 
@@ -78,20 +79,20 @@ public:
     return recorders_.template get<ProbeSet<dim>>();
   }
 
-  /// Builds mesh and state as setup() does, from @p profile around
-  /// @p centre at the profile's time.
-  /// @throws InputError when they do not go together.
+  /// As setup(), but starts from @p profile around @p centre [m] at the
+  /// profile's time.
+  /// @throws InputError when the profile does not fit the domain.
   void start_from(std::shared_ptr<const Profile> profile,
                   const dealii::Point<dim> &centre);
 
-  /// The state as a profile, see make_profile().
+  /// Current state as a profile, see make_profile().
   ProfileData profile() const;
 
   /// See disturbed_box().
   std::pair<dealii::Point<dim>, dealii::Point<dim>> disturbed_box() const;
 
-  /// Volume that the body takes up in the domain, as the cells have it
-  /// [m^dim]. Builds and forgets the octree. Collective.
+  /// Volume of the body within the domain on the mesh [m^dim]. Builds the
+  /// octree temporarily. Collective.
   double body_volume();
 
   /// See RunPlan.

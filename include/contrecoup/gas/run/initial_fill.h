@@ -12,10 +12,11 @@
 namespace contrecoup::gas
 {
 /**
- * Fills the owned leaves of @p field with the initial state of @p scene, and
- * with its charges. Collective.
- * @param rough whether profiles are mapped well enough for sensors alone
- * @return lines for the log about what was made
+ * Fills the owned leaves of @p field with the initial state of @p scene and its
+ * charges. Collective.
+ * @param rough whether profiles are mapped only as accurately as the sensors
+ * need
+ * @return lines for the log
  */
 template <int dim>
 std::vector<std::string> fill_initial_state(const GasScene<dim> &scene,
@@ -23,8 +24,9 @@ std::vector<std::string> fill_initial_state(const GasScene<dim> &scene,
                                             GasField &field,
                                             const bool rough);
 
-/// Whether the initial state varies in a leaf so that it should be halved, as
-/// far as distances tell; sensors find the shape of smooth fields.
+/// Whether the leaf must be refined because it contains a discontinuity of the
+/// initial state, judged by InitialState::distance_to_feature(); the sensors
+/// find smooth variations.
 template <int dim>
 bool varies_in_leaf(const GasScene<dim> &scene,
                     const LeafMesh<dim> &mesh,

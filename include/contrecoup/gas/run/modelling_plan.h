@@ -13,30 +13,28 @@
 namespace contrecoup::gas
 {
 /**
- * What a gas run takes for granted, as estimated before it from the blast
- * that its scene is expected to be (ExpectedBlast), and as measured after it.
- * What depends on an unknown blast is NaN in the plan.
+ * Assumptions of a gas run: before the run with estimates for the blast that
+ * the scene is expected to have (ExpectedBlast), after the run with measured
+ * values. Values that depend on an unknown blast are NaN in the plan.
  *
- *   first_stage      part of the time in which 1-D would do; plan alone
- *   equation_of_state part of the pressure of explosive products that an ideal
- *                    gas would not give
- *   reflection       waves that come back from open sides are later than the
- *                    end time at all probes
- *   air              heat capacities are constant
- *   gravity          its speed stays far below that of the gas
- *   viscosity,       layers that they make in the time of the run are thinner
- *   heat_conduction  than a cell
- *   quiet_leaves     part of the updates that need not be computed
+ *   first_stage       fraction of the time for which 1-D suffices; plan only
+ *   equation_of_state fraction of the pressure of explosive products that an
+ *                     ideal gas lacks
+ *   reflection        reflections from open sides reach the probes after the
+ * end time only air               constant heat capacities gravity its speed is
+ * small compared with that of the gas viscosity,        their boundary layers
+ * at the end are thinner than the heat_conduction   smallest subcell
+ *   quiet_leaves      fraction of the updates that is skipped
  */
 template <int dim>
 class ModellingPlan
 {
 public:
-  /// Energy of the blast in full space [J]; 0: none can be foreseen; below 0:
-  /// not looked for yet.
+  /// Energy of the blast in full space [J]; 0: unknown; negative: not yet
+  /// determined.
   double energy = -1.;
   dealii::Point<dim> centre;
-  bool is_spherical = true; ///< whether it spreads in all three directions
+  bool is_spherical = true; ///< whether the blast spreads in three dimensions
   GasState<dim> ambient;
   dealii::Point<dim> lower, upper; ///< of the domain [m]
   std::vector<unsigned int> open_sides;
@@ -44,49 +42,51 @@ public:
   double end_time = 0.;         ///< [s]
   double smallest_subcell = 0.; ///< edge [m]
   bool skips_quiet_leaves = true;
-  /// Largest difference of the pressure of products from that of an ideal gas
-  /// of their density, energy and Grueneisen coefficient, over the pressure
-  /// [-]; NaN: there are no products.
+  /// Largest difference between the pressure of products and that of an ideal
+  /// gas with the same density, energy and Grueneisen coefficient, over the
+  /// pressure [-]; NaN without products.
   double non_ideal_fraction = std::numeric_limits<double>::quiet_NaN();
 
-  /// What a run found.
+  /// Values measured by a run.
   struct Measurements
   {
-    double time = 0.; ///< when it ended [s]
+    double time = 0.; ///< end of the run [s]
     std::array<double, 2 * dim> side_arrivals;
-    std::vector<double> peaks;    ///< overpressures at the probes [Pa]
+    std::vector<double> peaks;    ///< peak overpressures at the probes [Pa]
     double smallest_subcell = 0.; ///< [m]
-    double skipped = 0.;          ///< part of the updates [-]
-    /// As in the plan, in the end.
+    double skipped = 0.;          ///< fraction of skipped updates [-]
+    /// As in the plan, at the end of the run.
     double non_ideal_fraction = std::numeric_limits<double>::quiet_NaN();
   };
 
-  /// Distance of the blast's front from its centre at @p time [m]; NaN: not
-  /// known.
+  /// Expected distance of the blast front from its centre at @p time [m]; NaN
+  /// if unknown.
   double expected_front(const double time) const;
 
   std::vector<Assumption> plan() const;
   std::vector<Assumption> audit(const Measurements &measured) const;
 
-  /// The blast, which a later state no longer shows, for checkpoints.
+  /// Writes and reads the blast, which a later state does not show, for
+  /// checkpoints.
   void save(std::ostream &stream) const;
   void load(std::istream &stream);
 
 private:
-  /// All items but for their values.
+  /// All items without values.
   std::vector<Assumption> items() const;
-  /// Distance that a wave goes from the centre by @p side to a probe, as if
-  /// the side reflected it like a mirror, and straight to the side [m].
+  /// Lengths of two paths [m]: of the shortest path from the centre to a probe
+  /// with mirror reflection at @p side, and straight from the centre to the
+  /// side.
   std::pair<double, double>
   reflected_path(const unsigned int side,
                  const dealii::Point<dim> &probe) const;
   double expected_return() const;
-  /// When the front reaches what is not spherical: the nearest side that is
-  /// no plane through the centre [s].
+  /// Time at which the front reaches the nearest side that is not a plane
+  /// through the centre, where spherical symmetry ends [s].
   double expected_end_of_symmetry() const;
   double measured_return(const Measurements &measured) const;
   double expected_quiet_fraction() const;
-  /// Whether the ambient gas is air as at ground level.
+  /// Whether the ambient gas is air at about sea level.
   bool is_air() const;
 };
 } // namespace contrecoup::gas

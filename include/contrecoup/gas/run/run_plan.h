@@ -9,8 +9,8 @@
 
 namespace contrecoup::gas
 {
-/// Makes the ModellingPlan of a run: from its scene and initial state before
-/// it, and from what was measured after it.
+/// Computes the values of the ModellingPlan of a run: estimates from scene and
+/// initial state, measured values from state and recorders.
 template <int dim>
 class RunPlan
 {
@@ -20,26 +20,28 @@ public:
     : core_(core)
   {}
 
-  /// Takes a blast of @p energy in full space [J] that the initial state does
-  /// not show, or no longer.
+  /// Sets a blast that the initial state does not (or no longer) show.
+  /// @param energy in full space [J]
   /// @param non_ideal_fraction see ModellingPlan
   void expect_blast(const double energy,
                     const dealii::Point<dim> &centre,
                     const double non_ideal_fraction);
 
-  /// Collective. @param probes where nothing may come back from open sides
+  /// Plan before the run. Collective.
+  /// @param probes positions at which no reflection from open sides may arrive
+  /// [m]
   std::vector<Assumption> plan(const std::vector<dealii::Point<dim>> &probes);
 
-  /// Collective.
+  /// The plan with measured values. Collective.
   std::vector<Assumption> audit(Recorders<dim> &recorders) const;
 
-  /// What plan() found.
+  /// The ModellingPlan of the last call of plan().
   const ModellingPlan<dim> &found() const
   {
     return plan_;
   }
 
-  /// The blast, for checkpoints.
+  /// Writes and reads the blast, for checkpoints.
   void save(std::ostream &stream) const
   {
     plan_.save(stream);
@@ -50,13 +52,13 @@ public:
   }
 
 private:
-  /// Looks for a blast in the initial state, unless it is known.
+  /// Determines the blast from the initial state, unless it is known.
   void find_blast();
-  /// Energy of the domain, chemical energy and afterburn to come included,
-  /// above that of gas that nothing happened to [J].
+  /// Energy of the gas in the domain above that of ambient gas [J], including
+  /// chemical energy and afterburn not yet released.
   double excess_energy() const;
-  /// See ModellingPlan; NaN without products, or with less than half of them
-  /// everywhere.
+  /// See ModellingPlan::non_ideal_fraction; NaN if the mass fraction of
+  /// products is below one half everywhere.
   double non_ideal_fraction() const;
   /// Shortest edge of a subcell [m].
   double finest_edge() const;

@@ -10,15 +10,14 @@
 namespace contrecoup::gas
 {
 /**
- * The state of a run as a profile, with maps in 1-D unless they are empty, for
- * a run in more dimensions to start from; see extract_profile().
- * @throws InputError while explosive is to burn
+ * Current state of a run as a profile, the start of a run in more dimensions;
+ * see extract_profile(). In 1-D it includes the maps, unless they are empty.
+ * @throws InputError while unburned explosive is left
  */
 template <int dim>
 ProfileData make_profile(const GasCore<dim> &core, const BlastMaps<dim> &maps);
 
-/// The records of the blast that the maps of a profile hold, which must outlive
-/// the result.
+/// Blast records from the maps of @p profile, which must outlive the result.
 template <int dim>
 KnownRecord<dim> records_of(const ProfileField<dim> &profile);
 } // namespace contrecoup::gas

@@ -14,20 +14,20 @@
 namespace contrecoup::gas
 {
 /**
- * The work that steps of a gas run will take, from its present octree and
- * state. Two things change it: the front of the blast wakes leaves that are
- * quiet now and halves them as far as limits of size allow, and these limits
- * merge leaves at times that are known. Other leaves that are halved or merged
- * are taken to be equally many, and signals in leaves that are at work now to
- * be as fast as now.
+ * Forecast of the work of the remaining time steps, from the present octree and
+ * state. Two changes are considered: the blast front activates quiet leaves and
+ * refines them to the largest level that the size limits allow, and size limits
+ * coarsen leaves at known times. All other refinement and coarsening is assumed
+ * to balance, and signal rates in active leaves are assumed to stay as they
+ * are.
  */
 template <int dim>
 class WorkForecaster
 {
 public:
-  /// @param front expected distance of the front from @p centre at a time [m],
-  /// NaN if it is not known
-  /// @param sound_speed of the gas at rest [m/s]
+  /// @param front expected distance of the blast front from @p centre [m] as a
+  /// function of time [s]; NaN if unknown
+  /// @param sound_speed of the ambient gas [m/s]
   WorkForecaster(const LeafMesh<dim> &mesh,
                  const TimeStepper<dim> &stepper,
                  const QuietLeaves<dim> &quiet_leaves,
@@ -36,28 +36,28 @@ public:
                  std::function<double(double)> front,
                  const double sound_speed);
 
-  /// From @p time to @p end_time [s]: leaves to be computed in a step, times
-  /// the largest signal rate [1/s], all ranks together. Collective.
+  /// Work from @p time to @p end_time [s]: number of leaves to be computed per
+  /// step times the largest signal rate [1/s], over all ranks. Collective.
   WorkForecast forecast(const double time, const double end_time) const;
 
 private:
-  /// A leaf as the forecast sees it.
+  /// Data of a leaf for the forecast.
   struct Leaf
   {
-    double reached_at = 0.; ///< distance of the front that reaches it [m]
+    double reached_at = 0.; ///< front distance at arrival [m]
     double diameter = 0.;   ///< [m]
-    double rate = 0.;       ///< of signals, see Stage::signal_rate [1/s]
-    bool is_active = false; ///< whether steps compute it
+    double rate = 0.;       ///< signal rate, see Stage::signal_rate [1/s]
+    bool is_active = false; ///< whether it is computed now
     unsigned int level = 0;
-    unsigned int min_level = 0;  ///< that the body leaves it
-    unsigned int merges_now = 0; ///< by which it is finer than it may be
+    unsigned int min_level = 0;  ///< smallest level near the body
+    unsigned int merges_now = 0; ///< levels above the limit at present
   };
 
-  /// Merges that limits of size ask of a leaf at time @p time [s].
+  /// Number of levels by which size limits coarsen a leaf at @p time [s].
   unsigned int merges(const unsigned int leaf, const double time) const;
 
-  /// |u| + dim c behind a shock into air at rest that is as fast as the front
-  /// at @p time, over dim c_0 [-]; one if it is not known.
+  /// Ratio of |u| + dim c behind the front at @p time [s], a shock in air at
+  /// rest, to dim c_0 [-]; 1 if the front is unknown.
   double signal_factor(const double time) const;
 
   const LeafMesh<dim> &mesh_;

@@ -17,30 +17,31 @@
 
 namespace contrecoup::gas
 {
-/// The gas, what surrounds it and the method that computes it, as the
-/// parameter file describes them. Nothing of it changes in a run, but for the
-/// initial state, which a first stage may hand over.
+/// The problem of a gas run as given by the parameter file: gas, domain,
+/// boundaries, charges, body, reference solution and numerical method. Constant
+/// during a run, except that the hand-over of a first stage replaces the
+/// initial state.
 template <int dim>
 struct GasScene
 {
   static void declare_parameters(dealii::ParameterHandler &prm);
 
-  /// Reads the scene, and writes remarks on it into the log.
-  /// @throws InputError when parts of it do not go together.
+  /// Reads the scene, and logs remarks on it.
+  /// @throws InputError for parts that do not fit together.
   void parse_parameters(dealii::ParameterHandler &prm);
 
-  /// The gas before anything happened, in the domain's upper corner.
+  /// Undisturbed state of the gas at the domain's upper corner.
   GasState<dim> ambient() const
   {
     return initial_state.ambient(coarse_mesh.upper_corner());
   }
 
-  /// @throws InputError for a place outside of a box; @p what begins the
-  /// message, such as "Probes/Points: the point".
+  /// @throws InputError for a position outside of a box domain
+  /// @param what beginning of the message, such as "Probes/Points: the point"
   void require_inside(const dealii::Point<dim> &place,
                       const std::string &what) const;
 
-  /// Where point @p q of a leaf is [m].
+  /// Position of point @p q of a leaf [m].
   dealii::Point<dim> place(const LeafBox<dim> &leaf,
                            const unsigned int q) const;
 
@@ -57,8 +58,9 @@ struct GasScene
   LeafPoints<dim> points;
   double end_time = 0.; ///< [s]
 
-  /// Checks the number of subcells against the body.
-  /// @throws InputError for too few, or an odd number with levels of the body
+  /// Checks the number of subcells per leaf against the body.
+  /// @throws InputError for too few, or for an odd number with levels of the
+  /// body
   void check_subcells() const;
 
 private:

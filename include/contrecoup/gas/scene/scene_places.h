@@ -13,17 +13,17 @@
 namespace contrecoup::gas
 {
 /**
- * Refuses, before anything is meshed, charges and a rigid body that are in
- * places where they cannot be: a charge out of the domain or cut by it off its
- * planes of symmetry although its mass is given, a charge that overlaps the
- * body or is nearer to it than a cell, and a body outside of the domain. Only
- * boxes are looked at. Meshes made coarser for trials of the costs (Rigid
- * body/Required = false) may have cells larger than the gap between charge
- * and body, and lose the body.
+ * Checks the positions of charges and rigid body before meshing. Rejects a
+ * charge outside of the domain, a charge of given mass that the domain cuts
+ * other than in planes of symmetry, a charge that overlaps the body or is
+ * nearer to it than a subcell, and a body outside of the domain. Checks box
+ * domains only. With "Rigid body/Required" = false (trial runs on coarser
+ * meshes) the gap between charge and body may be smaller than a subcell, and
+ * the body may cover no subcell.
  *
  * @param prm with all entries
  * @param body may be empty
- * @throws InputError in one line with the entries that mend it
+ * @throws InputError, one line that names the entries to change
  */
 template <int dim>
 void check_places(ParameterHandler &prm,
@@ -32,18 +32,17 @@ void check_places(ParameterHandler &prm,
                   const RigidBody &body);
 
 /**
- * Lines for the log about sides of the domain that cut the body and are no
- * planes of symmetry, by name or, if walls, as far as the body goes: what is
- * beyond them is not there. Cuts less deep than a cell at the body are not
- * worth a word.
+ * Remarks for the log on sides of the domain that cut the body although they
+ * are not planes of symmetry: the part of the body beyond them is missing. Cuts
+ * shallower than a subcell at the body are not mentioned.
  */
 template <int dim>
 std::vector<std::string> remarks_on_cuts(ParameterHandler &prm,
                                          const CoarseMesh<dim> &mesh,
                                          const RigidBody &body);
 
-/// Largest distance from the centre to the surface of the charges [m], along
-/// the coordinates of the mesh. 0 without any.
+/// Largest distance from the centre of a charge to its surface along the
+/// coordinates of the mesh [m]; 0 without charges.
 template <int dim>
 double largest_charge_extent(ParameterHandler &prm,
                              const GasMaterial &material,
