@@ -11,7 +11,7 @@ namespace contrecoup::mpm
 {
 namespace
 {
-  /// @param kind of the names, for the message
+  /// @param what kind of the names, for the message
   unsigned int position(const std::vector<std::string> &names,
                         const std::string &name,
                         const std::string &what)

@@ -73,7 +73,7 @@ public:
     return record_.key;
   }
 
-  /// Determines standing(). Collective.
+  /// Determines status(). Collective.
   void inspect(Collective &collective);
 
   /// Completes an interrupted replace() and checks that the task will not

@@ -31,9 +31,9 @@ public:
   GasFilling() = default;
 
   /**
-   * @param part gas fraction phi of the undeformed volume, positive
+   * @param gas_fraction gas fraction phi of the undeformed volume, positive
    * @param exponent gamma: 1 isothermal, 1.4 adiabatic
-   * @param stiffest upper bound of -dp/dJ over K, at least 1
+   * @param max_stiffness upper bound of -dp/dJ over K, at least 1
    */
   GasFilling(const double gas_fraction,
              const double exponent,

@@ -25,7 +25,7 @@ std::vector<std::string> recommendation(const StudyParameters &parameters,
 
 /**
  * A parameter file that runs a variant without the study.
- * @param used content of the variant's parameters.prm: all entries
+ * @param used_file content of the variant's parameters.prm: all entries
  * @param base entries of the parameter file of the study; source of subsection
  * "Output", which the study overrides
  */

@@ -92,7 +92,7 @@ namespace
     std::vector<std::uint32_t> parent_;
   };
 
-  /// A run of voxels along x with one label (or of any part, if @p whole).
+  /// A run of voxels along x with one label, or of any part.
   struct Run
   {
     unsigned int begin;

@@ -30,8 +30,8 @@ public:
 
   /// Adds a completed step of size @p step [s] to the integrals.
   /// @param probes cells or HexSpace::no_cell
-  /// @param parts amplitudes of the positive and the negative part: of the
-  /// pressure at each probe [Pa], and last of the force of all planes [N]
+  /// @param peaks amplitudes, positive and negative, of the pressure at each
+  /// probe [Pa] and, as the last entry, of the force of all planes [N]
   /// @throws InputError for an odd number of probes. Collective.
   void follow(const HexSpace &space,
               const LagrangeStep &lagrange,

@@ -10,10 +10,11 @@ namespace contrecoup::ale
 {
 /**
  * Converts results of the computed part of a body to those of the whole body.
- * Masses, energies, forces, areas, volumes and impulses are divided by @p
- * part; momenta and mean velocities normal to symmetry planes become zero.
+ * Masses, energies, forces, areas, volumes and impulses are divided by
+ * @p computed_fraction; momenta and mean velocities normal to symmetry planes
+ * become zero.
  * @param values recognised by units and names
- * @param part that is computed [-]
+ * @param computed_fraction computed fraction of the body [-]
  */
 void set_to_whole(std::vector<NamedValue> &values,
                   const double computed_fraction,

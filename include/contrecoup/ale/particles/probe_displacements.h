@@ -25,7 +25,7 @@ public:
   static std::unique_ptr<ProbeDisplacements>
   create(const dealii::ParameterHandler &prm);
 
-  /// @param places initial positions of the probes [m]
+  /// @param points initial positions of the probes [m]
   /// @throws InputError unless each probe has a known displacement
   void reinit(const std::vector<dealii::Point<3>> &points);
 

@@ -50,7 +50,7 @@ Failure to_failure(const std::exception_ptr &exception, ExitCode otherwise);
 class Collective
 {
 public:
-  /// @param patience time that a failed rank waits for the others [s]
+  /// @param timeout time that a failed rank waits for the others [s]
   explicit Collective(MPI_Comm communicator, double timeout = 5.);
   ~Collective();
   Collective(const Collective &) = delete;

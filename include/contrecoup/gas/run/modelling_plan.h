@@ -20,10 +20,12 @@ namespace contrecoup::gas
  *   first_stage       fraction of the time for which 1-D suffices; plan only
  *   equation_of_state fraction of the pressure of explosive products that an
  *                     ideal gas lacks
- *   reflection        reflections from open sides reach the probes after the
- * end time only air               constant heat capacities gravity its speed is
- * small compared with that of the gas viscosity,        their boundary layers
- * at the end are thinner than the heat_conduction   smallest subcell
+ *   reflection        waves reflected at open sides reach the probes after the
+ *                     end time
+ *   air               constant heat capacities
+ *   gravity           its speed is small compared with that of the gas
+ *   viscosity,        their boundary layers at the end are thinner than the
+ *   heat_conduction   smallest subcell
  *   quiet_leaves      fraction of the updates that is skipped
  */
 template <int dim>

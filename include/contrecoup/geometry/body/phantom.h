@@ -94,10 +94,10 @@ namespace phantom
    * Creates a rod of flesh or bone below the head.
    *
    * @param side 1: left, -1: mirrored to the right
-   * @param stops nodes of the rod
+   * @param rod_nodes nodes of the rod
    * @param thickness additional factor on the radii
-   * @param n_between number of nodes of a smooth curve between two stops; 0:
-   * straight
+   * @param n_between number of nodes of a smooth curve between two nodes;
+   * 0: straight
    */
   ShapePointer make_rod(const Frame &frame,
                         double side,

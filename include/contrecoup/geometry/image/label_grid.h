@@ -37,7 +37,7 @@ struct LabelGrid
     return labels[index(i, j, k)];
   }
 
-  /// Label of a voxel; `nothing` outside of the grid.
+  /// Label of a voxel; `outside` beyond the grid.
   unsigned char label_or_outside(const int i, const int j, const int k) const;
 
   /// Centre of a voxel [m].

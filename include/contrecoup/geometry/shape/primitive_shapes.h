@@ -121,8 +121,8 @@ private:
   };
 
   static Segment make_segment(const Node &a, const Node &b);
-  /// Signed distance to a segment. @param place result: point on the axis
-  /// whose ball is nearest
+  /// Signed distance from @p point to a segment [m].
+  /// @param on_axis result: centre, on the axis, of the nearest ball
   static double distance_to(const Segment &segment,
                             const dealii::Point<3> &point,
                             double &on_axis);

@@ -52,8 +52,8 @@ namespace io
    * Runs @p work for each of single_commands(), one after the other; with
    * several files, prints each file's name first. Writes one line to stderr
    * for each failure. A stop signal ends all of them.
+   * @param writes_output whether this process writes output
    * @return the largest exit code
-   * @param tells whether this process writes output
    */
   int run_each(
     const std::vector<std::string> &arguments,

@@ -122,7 +122,7 @@ inline SolidLaw<Number> shear_law(SolidLaw<Number> law)
  * @param u_corners corner displacements [m]
  * @param state history variables; advanced from the last step to the present
  * @param relaxed strains of the Prony branch at the points; advanced as well
- * @param heat energy dissipated in the last step [J]
+ * @param dissipation energy dissipated in the last step [J]
  */
 template <SolidKinematics kinematics, bool viscoelastic, typename Number>
 inline HexVectors<Number>

@@ -104,8 +104,8 @@ struct HexDissipation
 /**
  * Shear stress [Pa] at the present; advances the relaxed strain from the last
  * step to the present.
- * @param heat energy dissipated in the last step [J/m^3]; unchanged without
- * viscoelasticity
+ * @param dissipation energy dissipated in the last step [J/m^3]; unchanged
+ * without viscoelasticity
  */
 template <bool viscoelastic, typename Number>
 inline DEAL_II_ALWAYS_INLINE Symmetric3<Number>
@@ -181,7 +181,7 @@ struct HexModel
  * @param u_corners corner displacements [m]
  * @param velocities returns corner velocities [m/s]; called with damping only
  * @param state advanced from the last step to the present
- * @param heat energy dissipated in the last step [J]
+ * @param dissipation energy dissipated in the last step [J]
  */
 template <SolidKinematics kinematics,
           bool viscoelastic,

@@ -37,7 +37,7 @@ namespace internal
     return flux;
   }
 
-  /// (F_L + F_R)/2 + lean (F_L - F_R) + viscosity (U_L - U_R): exact at rest.
+  /// (F_L + F_R)/2 + bias (F_L - F_R) + viscosity (U_L - U_R): exact at rest.
   template <int dim, typename Number>
   inline DEAL_II_ALWAYS_INLINE FaceFlux<dim, Number>
   blended_flux(const FaceState<dim, Number> &left,

@@ -143,8 +143,8 @@ namespace internal
     return flux;
   }
 
-  /// flux + (1 - weight) (other - flux); exact if both are equal or weight
-  /// is 1.
+  /// flux + (1 - hllc_weight) (other - flux); exact if both fluxes are equal
+  /// or the weight is 1.
   template <int dim, typename Number>
   inline DEAL_II_ALWAYS_INLINE void blend(const Number &hllc_weight,
                                           const FaceFlux<dim, Number> &other,

@@ -29,8 +29,8 @@ struct HexMemory
 
 /**
  * The elements of this rank in batches of n elements of the same tissue, one
- * element per SIMD lane. Unused lanes of the last batch of a tissue compute a
- * dummy cube, whose nodes follow those of the mesh and never move.
+ * element per SIMD lane. Unused lanes of the last batch of a tissue hold a
+ * padding cube, whose nodes follow those of the mesh and never move.
  */
 template <typename Real>
 class HexBatches : public HexMemory<Lanes<Real>>
@@ -63,7 +63,7 @@ public:
               const std::vector<bool> &damped,
               const unsigned int n_points);
 
-  /// Sets the coordinates of the mesh nodes and of the dummy cube's nodes.
+  /// Sets the coordinates of the mesh nodes and of the padding cube's nodes.
   static void reinit_nodes(const SolidMesh &mesh, NodeFields<Real> &nodes);
 
   const std::vector<Range> &ranges() const

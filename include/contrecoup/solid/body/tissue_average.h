@@ -27,13 +27,14 @@ public:
     return elements_;
   }
 
-  /// Undeformed volumes of cells() [m^3].
+  /// Undeformed volumes of elements() [m^3].
   const std::vector<double> &volumes() const
   {
     return average_.volumes();
   }
 
-  /// Returns the average of @p values; both are indexed as cells().
+  /// Returns the average of @p values; both are indexed as
+  /// elements().
   /// Collective.
   std::vector<double> average(const std::vector<double> &values) const
   {

@@ -23,7 +23,7 @@ namespace contrecoup::solid
 /// Pressure below which fluid may cavitate [Pa].
 constexpr double cavitation_pressure = -100e3;
 
-/// Extreme values that one element or particle of the brain has seen.
+/// Extreme values that one element or particle of the brain over time.
 struct BrainSample
 {
   std::uint32_t cell = 0; ///< number in the whole mesh
@@ -54,7 +54,7 @@ struct BrainSums
 /**
  * Records the pressures of a time interval.
  * @param span length of the interval [s]
- * @param pressures of the pieces [Pa]
+ * @param pressures of the elements or particles [Pa]
  * @param averages of the pressures over neighbours [Pa]
  * @param averaged whether extreme values use the averages
  */
@@ -65,7 +65,7 @@ void record_pressures(const double span,
                       std::vector<BrainSample> &samples,
                       BrainSums &sums);
 
-/// Injury measures from the pieces of all ranks; empty without pieces.
+/// Injury measures from the samples of all ranks; empty without samples.
 /// Collective.
 std::vector<InjuryMeasure>
 brain_measures(const std::vector<BrainSample> &samples,

@@ -27,9 +27,9 @@ struct BrainRecord
   void save(std::ostream &out) const;
 
   /**
-   * Reads the record that @p rank saved: the pieces that are local now, and
-   * the sums on the rank that continues them. Call for each saved rank, in
-   * order.
+   * Reads the record that @p rank saved: samples of elements or particles that
+   * this rank owns now; the sums are continued by one rank. Call for each saved
+   * rank, in order.
    * @param file for error messages
    * @throws InputError when the stream holds no record
    */

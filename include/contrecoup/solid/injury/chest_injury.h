@@ -43,7 +43,7 @@ public:
   void
   record(const double time, const double pressure, const double wall_velocity);
 
-  /// Injury measures; empty before the second call of follow().
+  /// Injury measures; empty before the second call of record().
   std::vector<InjuryMeasure> measures() const;
 
   /// Recorded times [s]; pressures() [Pa] and wall_velocities() [m/s] have the
