@@ -42,6 +42,47 @@ def scaled_copy(folder):
             csv.writer(file).writerows(rows)
 
 
+class DifferencesTest(unittest.TestCase):
+    """Differences of tables of known numbers, without any run."""
+
+    ROWS = [("mass", "kg", [4., 4.]),
+            ("largest pressure of brain", "Pa", [1e5, 1.05e5]),
+            ("least pressure of brain", "Pa", [-5e4, -4e4]),
+            ("least pressure at a probe", "Pa", [-300., 9036.]),
+            ("largest pressure at a probe", "Pa", [0., 2e3]),
+            ("contact ends", "s", [1e-4, 1.5e-4]),
+            ("momentum changes its sign", "s", [None, 2e-3])]
+
+    def test_those_near_zero_are_absolute(self):
+        found = [methods_report.shown_difference(values, unit, part)
+                 for (_, unit, values), part in zip(
+                     self.ROWS, methods_report.relative_differences(
+                         self.ROWS))]
+        self.assertEqual(found[:3], ["+0.0 %", "+5.0 %", "-20.0 %"])
+        self.assertEqual(found[3:5], [
+            "+" + methods_report.page.quantity(9336., "Pa"),
+            "+" + methods_report.page.quantity(2000., "Pa")])
+        self.assertEqual(found[5:], ["+50.0 %", "–"])
+
+    def test_the_limit_is_a_part_of_the_largest_pressure(self):
+        self.assertEqual(methods_report.largest_pressure(self.ROWS), 1e5)
+        limit = methods_report.NEAR_ZERO * 1e5
+        self.assertIsNone(methods_report.difference([.99 * limit, 0.], 1e5))
+        self.assertEqual(methods_report.difference([1.01 * limit, 0.], 1e5),
+                         -1.)
+        self.assertEqual(methods_report.largest_pressure(self.ROWS[:1]), 0.)
+
+    def test_the_answer_counts_relative_differences_only(self):
+        class Run:
+            summary = {}
+
+        pair = methods_report.Pair.__new__(methods_report.Pair)
+        pair.runs, pair.names = (Run(), Run()), ["ALE", "MPM"]
+        text = methods_report.answer(pair, self.ROWS)
+        self.assertIn("1 of 3 quantities", text)
+        self.assertNotIn("probe", text)
+
+
 class MethodsTest(unittest.TestCase):
     def setUp(self):
         self.place = tempfile.TemporaryDirectory()

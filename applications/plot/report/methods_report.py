@@ -13,6 +13,9 @@ from plot.report import accuracy, head_report, page
 NAMES = {"ale": "ALE", "mpm": "MPM"}
 RASTER = 160  # places along the longer side of difference fields
 AGREEMENT = 0.1
+# Pressures have either sign. Below this part of the largest one their
+# differences are absolute, since ratios to numbers near zero say nothing.
+NEAR_ZERO = 0.05
 SPAN = 5e-4  # of running means at probes, which leave no ringing [s]
 
 
@@ -108,30 +111,63 @@ def probe_names(pair):
             for point in files.points_of(texts[0])]
 
 
-def difference(values):
-    """Of the second from the first, over the first; None if unknown."""
-    if None in values or not values[0]:
+def largest_pressure(rows):
+    """Largest magnitude of all pressures of the first run [Pa]."""
+    return max((abs(values[0]) for _, unit, values in rows
+                if unit == "Pa" and values[0] is not None), default=0.)
+
+
+def difference(values, scale=0.):
+    """Of the second from the first, over the first; None if unknown, or if the
+    first is near zero compared with @p scale."""
+    if None in values or not values[0] or abs(values[0]) < NEAR_ZERO * scale:
         return None
     return values[1] / values[0] - 1.
 
 
+def relative_differences(rows):
+    """Of all rows, see difference()."""
+    largest = largest_pressure(rows)
+    return [difference(values, largest if unit == "Pa" else 0.)
+            for _, unit, values in rows]
+
+
+def quantity(value, unit):
+    if unit == "s":
+        return page.milliseconds(value)
+    if unit == "m^2":
+        return page.number(1e4 * value) + " cm²"
+    return page.quantity(value, unit)
+
+
+def shown_difference(values, unit, part):
+    """In per cent, absolute where the relative difference is unknown, or a
+    dash if a value is missing."""
+    if part is not None:
+        return f"{100. * part:+.1f} %"
+    if None in values:
+        return "–"
+    change = values[1] - values[0]
+    return ("+" if change > 0. else "") + quantity(change, unit)
+
+
 def table(pair, rows):
-    shown = []
-    for name, unit, values in rows:
-        part = difference(values)
-        shown.append((name, *(
-            "–" if value is None else page.milliseconds(value) if unit == "s"
-            else page.number(1e4 * value) + " cm²" if unit == "m^2"
-            else page.quantity(value, unit) for value in values),
-            "–" if part is None else f"{100. * part:+.1f} %"))
+    shown = [(name, *("–" if value is None else quantity(value, unit)
+                      for value in values),
+              shown_difference(values, unit, part))
+             for (name, unit, values), part in zip(
+                 rows, relative_differences(rows))]
     return page.table(("whole head", *pair.names, "difference"), shown,
                       "Pressures are extrema over cells or particles, and over "
-                      "rows of the history.", numbers=(1, 2, 3))
+                      "rows of the history. Differences are relative to the "
+                      f"first run; of pressures below {100. * NEAR_ZERO:.0f} % "
+                      "of its largest one they are absolute.",
+                      numbers=(1, 2, 3))
 
 
 def answer(pair, rows):
-    parts = {name: difference(values) for name, _, values in rows}
-    known = {name: part for name, part in parts.items()
+    known = {name: part for (name, _, _), part in zip(
+        rows, relative_differences(rows))
              if part is not None and name != "mass"}
     close = [name for name, part in known.items() if abs(part) <= AGREEMENT]
     far = sorted((name for name in known if name not in close),
