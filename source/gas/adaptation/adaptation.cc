@@ -46,8 +46,8 @@ template <int dim>
 unsigned int
 Adaptation<dim>::weight(const typename LeafMesh<dim>::CellIterator &cell) const
 {
-  // An active leaf takes some hundred times as long in each stage; a quiet
-  // one takes memory, and time when the mesh changes.
+  // An active leaf costs some hundred times as much per stage as a quiet one,
+  // which costs memory, and time in adaptations.
   const unsigned int quiet = 1, active = 50;
   if (quiet_leaves_ == nullptr)
     return quiet;
@@ -131,13 +131,13 @@ template <int dim>
 bool Adaptation<dim>::adapt_now(GasField &field, BlastMaps<dim> &maps)
 {
   std::vector<FaceMarks> marks = face_marks(field);
-  // Cells without gas would look like fronts; leaves at the body keep their
-  // size anyhow, and those beside them see what comes.
+  // Cells without gas would look like fronts. Leaves at the body have a
+  // prescribed level, and the leaves beside them detect approaching waves.
   for (unsigned int leaf = 0; leaf < marks.size(); ++leaf)
     if (field.open_fractions() != nullptr &&
         !field.open_fractions()->is_open(leaf))
       marks[leaf].fill(0.);
-  // Explosive that is to burn stays as fine as it was lit.
+  // Unburned explosive keeps its refinement level.
   for (unsigned int leaf = 0; leaf < marks.size() && field.burn() != nullptr;
        ++leaf)
     if (field.burn()->burns[leaf])
@@ -185,8 +185,8 @@ void Adaptation<dim>::inherit(const CellIterator &cell,
   else if (dim == 1)
     look(neighbor->child(1 - face));
   else
-    // Only the children on the face: farther ones would widen the buffer
-    // beside coarse leaves, to be merged again the next time.
+    // Only the children at the face: others would widen the AMR buffer beside
+    // coarse leaves, and be coarsened again in the next adaptation.
     for (unsigned int c = 0; c < HangingFace<dim>::n_fine; ++c)
       look(periodic ? cell->periodic_neighbor_child_on_subface(face, c)
                     : cell->neighbor_child_on_subface(face, c));

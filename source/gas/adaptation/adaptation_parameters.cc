@@ -192,11 +192,11 @@ void AdaptationParameters::find_buffer_steps(const double courant_number,
                                              const unsigned int dim,
                                              const unsigned int n_points)
 {
-  // Shock speed over |u| + dim c behind it, largest for adiabatic exponents
-  // of 1.2 and more and shocks of any strength.
+  // Upper bound of the shock speed over |u| + dim c behind the shock, for
+  // adiabatic exponents of at least 1.2 and any shock strength.
   const double shock_speed_ratio = dim == 1 ? 1. : (dim == 2 ? 0.65 : 0.54);
-  // The front may stand on the rim of a marked leaf, and is seen by the
-  // sensor one point ahead.
+  // The front may be at the edge of a marked leaf, and the sensor detects it
+  // one point ahead.
   const double margin = buffer - 1. / n_points;
   buffer_steps = std::max(1., margin / (courant_number * shock_speed_ratio));
 }

@@ -32,7 +32,7 @@ SizeLimits::Levels LeafLevels<dim>::levels(const unsigned int leaf,
     const double layers = leaf_diagonals_from_body(leaf);
     if (layers <= RigidBody::max_diagonals_at_body)
       return {level, level};
-    // Finer ones beside those at the body would have them halved as well.
+    // Finer leaves beside those at the body would refine these by 2:1 balance.
     if (layers <= 2.)
       general.max_level = std::min(general.max_level, level + 2);
   }
@@ -91,8 +91,8 @@ unsigned int LeafLevels<dim>::min_level_near_body(const unsigned int leaf) const
       body_->leaf_diagonals_to(parent->vertex(0),
                                parent->vertex((1U << dim) - 1),
                                parent->level() - int(initial_level_));
-    // Leaves get twice as large at most from one layer to the next: between
-    // those at the body and the parent each larger size has one layer.
+    // Leaf sizes double at most from one layer of leaves to the next; each size
+    // between that at the body and that of the parent needs one layer.
     if (layers <= RigidBody::max_diagonals_at_body ||
         layers < (std::ldexp(1., coarser) - 2.) / std::sqrt(dim))
       break;

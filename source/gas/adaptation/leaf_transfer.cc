@@ -329,8 +329,8 @@ std::vector<double> LeafTransfer<dim>::from_children(
   const std::vector<std::vector<double>> &children,
   const LeafBox<dim> &parent_box) const
 {
-  // Uniform children are copied: the round-off of a mean would end the quiet
-  // of leaves at rest.
+  // Uniform children are copied: round-off of a mean would make quiet leaves
+  // active.
   if (is_uniform(children[0]) &&
       std::all_of(children.begin(), children.end(), [&](const auto &child) {
         return child == children[0];

@@ -7,8 +7,8 @@ namespace contrecoup::gas
 {
 namespace
 {
-  /// Whether a leaf may be merged: its sibling, the leaf beside it, is about
-  /// to reach the level of their parent too.
+  /// Whether a leaf may be coarsened: its sibling, the adjacent leaf, is about
+  /// to get the level of the parent as well.
   bool sibling_follows(const LeafMesh<1> &mesh,
                        const std::vector<int> &wanted,
                        const unsigned int leaf)
@@ -34,7 +34,7 @@ void balance_line(LeafMesh<1> &mesh)
     wanted[leaf] = cell->level() + bool(cell->refine_flag_set()) -
                    bool(cell->coarsen_flag_set());
   }
-  // Levels only rise here, and never beyond the finest one: this ends.
+  // Levels only increase in this loop, up to the largest one, so that it ends.
   bool changed = true;
   const auto raise = [&](const unsigned int leaf, const int level) {
     changed = changed || wanted[leaf] < level;

@@ -36,7 +36,8 @@ BlastMapTransfer<dim>::BlastMapTransfer(const LeafPoints<dim> &points)
   : n_points_(dealii::Utilities::pow(points.n(), dim))
   , contributions_(n_points_)
 {
-  // Fraction of point j of an edge that point i of its half h covers.
+  // Fraction of point j of an edge that is covered by point i of half h of the
+  // edge.
   const auto covered = [&](const unsigned int h,
                            const unsigned int i,
                            const unsigned int j) {

@@ -53,7 +53,7 @@ void BlastMaps<dim>::reinit(const unsigned int n_points,
   n_points_ = n_points;
   const std::size_t n_groups = (n_leaves + double_width - 1) / double_width;
   values_.clear();
-  // A rank without leaves keeps one group, so that it knows of its maps.
+  // A rank without leaves keeps one group, so that empty() is false there too.
   values_.resize(std::max<std::size_t>(n_groups, 1) * double_width *
                  n_leaf_values());
 }
@@ -144,8 +144,8 @@ void BlastMaps<dim>::add_step(const GasSnapshot<dim> &gas)
   if (empty())
     return;
   const TimerScope timer("maps");
-  // Quiet leaves hold the ambient state of the run, which need not be that of
-  // the maps: then every leaf counts.
+  // Quiet leaves may be skipped only if the ambient state of the run is that of
+  // the maps.
   const auto is_passed_over = [&](const unsigned int first) {
     const unsigned int end = std::min(first + double_width, gas.mesh.n_owned());
     for (unsigned int leaf = first; leaf < end; ++leaf)

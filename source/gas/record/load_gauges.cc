@@ -26,14 +26,14 @@ namespace
 
   constexpr const char *histories = "/load_gauges.csv";
 
-  /// A point of these coordinates, as an entry has it.
+  /// A point in the syntax of parameter entries.
   std::string to_text(const Point<3> &point)
   {
     return brief(point[0]) + ", " + brief(point[1]) + ", " + brief(point[2]);
   }
 
 
-  /// A place "name: x, y, z".
+  /// A gauge "name: x, y, z".
   template <int dim>
   Landmark read_place(const std::string &text)
   {
@@ -63,7 +63,7 @@ namespace
   }
 
 
-  /// Whether a place is in the box, and in the plane of a 2-D scene.
+  /// Whether a position is in the box and, in 2-D, in the plane of the scene.
   template <int dim>
   bool is_inside(const Point<3> &place,
                  const Point<dim> &lower,
@@ -162,7 +162,8 @@ void LoadGauges::find_patch(const unsigned int gauge,
     const dealii::Tensor<1, 3> area({values[3], values[4], values[5]});
     const double distance =
       place.point.distance({values[0], values[1], values[2]});
-    // On a thin body the facets of its other side are near as well.
+    // On a thin body, facets of the opposite side are within the radius as
+    // well.
     if (area * place.normal >= 0.)
       continue;
     if (distance < nearest_distance)

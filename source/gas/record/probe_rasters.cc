@@ -19,7 +19,7 @@ namespace
 {
   const std::string axis_names = "xyz";
 
-  /// Numbers "a, b, c".
+  /// Parses a list of numbers "a, b, c".
   std::vector<double> numbers(const std::string &text, const std::string &where)
   {
     std::vector<double> result;

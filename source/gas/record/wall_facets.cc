@@ -15,12 +15,12 @@ namespace contrecoup::gas
 {
 namespace
 {
-  /// A number that tells the cell around a place apart from all others.
+  /// Key that identifies the subcell at a position among all subcells.
   template <int dim>
   std::uint64_t key_of(const dealii::Point<dim> &place,
                        const CoarseMesh<dim> &domain)
   {
-    // Centres of cells differ by some millionths of the domain at least.
+    // Centres of subcells differ by at least some millionths of the domain.
     const auto &lower = domain.lower_corner(), &upper = domain.upper_corner();
     std::uint64_t key = 0;
     for (unsigned int d = 0; d < dim; ++d)
@@ -85,7 +85,7 @@ void WallFacets<dim>::add_facets(const unsigned int leaf,
 {
   if constexpr (dim > 1)
   {
-    // Parts of a cell's face that are round-off.
+    // Fraction of a cell's face below which an area is round-off.
     const double nothing = 1e-10;
     const LeafLayout &layout = gas.scene.layout;
     const LeafBox<dim> box = leaf_box(gas.mesh, leaf);
@@ -105,7 +105,7 @@ void WallFacets<dim>::add_facets(const unsigned int leaf,
       }
       facets_.push_back({leaf, q, 0, area});
       found.keys.push_back(key_of(place, gas.mesh.coarse_mesh()));
-      // Known facets stay where they are: it is costly to find them.
+      // Known facets keep their geometry, since computing it is expensive.
       const std::size_t known =
         std::lower_bound(keys_.begin(), keys_.end(), found.keys.back()) -
         keys_.begin();

@@ -143,7 +143,7 @@ void WallLoads<dim>::add_step(const GasSnapshot<dim> &gas)
     const auto &facet = facets_.owned()[i];
     Record &record = records_[facet.number];
     record.blast.add(pressures_[i], time, step, smallest);
-    // Over the step, the mean of begin and end.
+    // Mean over the step: of the values at its begin and end.
     for (unsigned int d = 0; d < dim; ++d)
       force[d] += 0.5 * (record.last + pressures_[i]) * facet.area[d];
     record.last = pressures_[i];
@@ -173,8 +173,8 @@ bool WallLoads<dim>::loses_peaks(const double time, const double step)
 {
   if (largest_loss_ >= 1.)
     return false;
-  // Half of what may be lost, for the round-off of floats and slow rises that
-  // are cut short.
+  // Half of the allowed loss: the rest covers the round-off of single precision
+  // and slow rises that a sample ends.
   const double threshold = 1. - 0.5 * largest_loss_;
   const double duration = time - totals_.sample_begin;
   double loses = 0.;
@@ -186,7 +186,7 @@ bool WallLoads<dim>::loses_peaks(const double time, const double step)
     if (peak <= counted_fraction * totals_.highest ||
         record.sample_peak >= threshold * peak)
       continue;
-    // The peak is in the sample that is going on, or comes with this step.
+    // The peak lies in the current sample or in this step.
     const double before = duration > step ? record.sum / (duration - step) : 0.;
     const double after = (record.sum + now * step) / duration;
     if (after < threshold * peak && std::max(before, now) >= threshold * peak)
@@ -242,8 +242,8 @@ void WallLoads<dim>::add_forces(const dealii::Tensor<1, 3> &facet_force,
 template <int dim>
 void WallLoads<dim>::begin_samples(const double time, const double step)
 {
-  // The last sample before is as short as those that follow: readers who draw
-  // lines between the middles of samples then stay at rest until here.
+  // The last sample before the arrival is as short as the following ones, so
+  // that linear interpolation between midpoints of samples is zero until then.
   const double length = std::max(interval_, step);
   const double round_off = 1e-9 * length;
   totals_.sample_begin = 0.;
@@ -303,7 +303,7 @@ void WallLoads<dim>::reduce_over_ranks()
     return;
   if (file_.empty())
   {
-    // A run without results, such as a trial of the costs.
+    // A run without output folder, such as a trial run.
     times_.clear();
     samples_.clear();
     return;

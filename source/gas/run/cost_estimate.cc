@@ -30,8 +30,8 @@ namespace
     return precision == Precision::single_precision ? 1.7e8 : 1e8;
   }
 
-  /// Bytes for each unknown: three copies of the state, for finite volumes its
-  /// primitive values, and what output and octree need.
+  /// Bytes per unknown: three copies of the state, primitive values in the
+  /// finite-volume scheme, buffers for output, and the octree.
   double bytes_per_unknown(const Scheme &scheme)
   {
     const bool is_single = scheme.precision == Precision::single_precision;
@@ -48,8 +48,8 @@ namespace
     double rate = 0.;
   };
 
-  /// Of a box, from samples along its diagonal. A detonation has at least
-  /// its own speed.
+  /// Estimate for a box, from samples along its diagonal; with a detonation,
+  /// signals are at least as fast as that.
   template <int dim>
   CoarseRate rate_in_box(const GasScene<dim> &scene)
   {
@@ -70,7 +70,7 @@ namespace
     return result;
   }
 
-  /// Of any mesh, which is built for this: sums over directions of the
+  /// Estimate for any mesh, which is built here: sum over directions of the
   /// inverse shortest edge, and samples in each cell.
   template <int dim>
   CoarseRate rate_in_cells(const GasScene<dim> &scene)
@@ -108,8 +108,8 @@ namespace
   }
 
 
-  /// Leaves that the body makes in a box that was halved so often beyond the
-  /// initial refinement.
+  /// Number of additional leaves at the body in a box at a given refinement
+  /// level above the initial one.
   template <int dim>
   double n_leaves_in(const RigidBody &body,
                      const LeafBox<dim> &box,
@@ -139,7 +139,7 @@ namespace
   }
 
 
-  /// Leaves that the initial refinement and the body make.
+  /// Number of leaves after initial refinement and refinement at the body.
   template <int dim>
   double n_leaves_with_body(const CoarseMesh<dim> &mesh, const RigidBody &body)
   {
@@ -160,9 +160,9 @@ namespace
       }
       return box;
     };
-    // The room that leaf_diagonals_to() wants between a coarse leaf and the
-    // surface, if the whole block has it: distances differ by no more than
-    // places do.
+    // Distance to the surface beyond which leaf_diagonals_to() leaves a coarse
+    // leaf as it is. If the centre of a block is farther by the block's radius,
+    // the whole block is, since distances are Lipschitz continuous.
     const double margin =
       std::ldexp(edges.norm(), -refinement - static_cast<int>(body.levels())) *
       RigidBody::max_diagonals_at_body;

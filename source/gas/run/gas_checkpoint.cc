@@ -28,7 +28,7 @@ namespace
     std::uint64_t n_leaves;
     std::uint64_t n_map_values; ///< of each leaf, single precision
 
-    /// Bytes of a leaf's data.
+    /// Number of bytes of a leaf's data.
     std::uint64_t leaf_size() const
     {
       return sizeof(double) * n_points * n_components +
@@ -36,7 +36,7 @@ namespace
     }
   };
 
-  /// Where the state of a saved leaf is.
+  /// Location of the state of a saved leaf in the files.
   struct Location
   {
     unsigned int file;
@@ -71,7 +71,7 @@ namespace
     return header;
   }
 
-  /// The place of every saved leaf, from the tables of all files.
+  /// Locations of all saved leaves, from the tables of all files.
   Locations read_tables(const std::string &folder,
                         const unsigned int dim,
                         const LeafLayout &layout,
@@ -108,7 +108,7 @@ namespace
     return locations;
   }
 
-  /// All cells above the saved leaves.
+  /// All ancestors of the saved leaves.
   template <int dim>
   IdSet ancestors_of(const Locations &locations)
   {
@@ -137,7 +137,7 @@ namespace
     const IdSet ancestors = ancestors_of<dim>(locations);
     for (;;)
     {
-      // 0: all leaves found, 1: some are to be halved, 2: some are foreign
+      // 0: all leaves found, 1: some must be refined, 2: some are unknown
       unsigned int state = 0;
       for (const auto &cell : tria.active_cell_iterators())
         if (cell->is_locally_owned())

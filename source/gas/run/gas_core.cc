@@ -144,7 +144,7 @@ void GasCore<dim>::fit_mesh_to_initial_state()
     return varies_in_leaf(scene_, mesh_, leaf);
   }))
     ;
-  // The sensor then sees what distances alone cannot tell.
+  // The sensor then detects smooth variations, which distances do not tell.
   for (unsigned int level = 0; level < adaptation_parameters_.max_level;
        ++level)
   {
@@ -254,7 +254,7 @@ void GasCore<dim>::count_work(const double n_computed, const double fraction)
 template <int dim>
 void GasCore<dim>::fail(const typename TimeStepper<dim>::Result &result)
 {
-  // The first rank with a bad leaf speaks for all.
+  // The message is that of the first rank with an unphysical leaf.
   const std::string mine =
     result.unphysical_leaf ? describe_leaf(*result.unphysical_leaf) : "";
   std::string text;
@@ -354,7 +354,7 @@ std::vector<NamedValue> GasCore<dim>::totals() const
     gas_totals(mesh_, scene_.points, field_, scene_.material);
   if (!afterburn_.active())
     return values;
-  // What was in the gas from the beginning, without what was released later.
+  // The initial content of the gas, without energy released later.
   double initial = 0.;
   for (NamedValue &value : values)
     if (value.name == "energy")
@@ -381,7 +381,8 @@ double GasCore<dim>::skipped_updates() const
 template <int dim>
 std::vector<NamedValue> GasCore<dim>::measures() const
 {
-  // Leaves whose sensor fired: shocked ones, or troubled Galerkin ones.
+  // Leaves with a positive sensor: with a shock or, in the Galerkin scheme,
+  // troubled.
   double troubled = 0.;
   for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
     troubled += field_.sensor_of(leaf) > 0. ? 1. : 0.;
@@ -424,7 +425,7 @@ GasCore<dim>::expected_work(const double end_time,
     dealii::Utilities::MPI::sum(n_made_, mesh_.communicator());
   const double needed =
     dealii::Utilities::MPI::sum(n_needed_, mesh_.communicator());
-  // A leaf's unknowns in all Runge-Kutta stages of a step of stable size.
+  // Unknown updates of one leaf in all Runge-Kutta stages of a stable step.
   const double updates = (needed > 0. ? made / needed : 1.) *
                          scene_.layout.n_points * scene_.layout.n_components *
                          scene_.scheme.time_stepping.stages.size() /

@@ -30,8 +30,8 @@ namespace
            dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
   }
 
-  /// For each of the equidistant points of a leaf, m a side, which points of
-  /// the scheme it takes and with what weights.
+  /// Interpolation from the points of a leaf to its equidistant output points,
+  /// m per direction: indices and weights.
   template <int dim>
   std::vector<std::vector<std::pair<unsigned int, double>>>
   output_stencils(const LeafPoints<dim> &points, const unsigned int m)
@@ -58,8 +58,8 @@ namespace
     return stencils;
   }
 
-  /// Samples in the middle of the cells of a picture, @p resolution along
-  /// its longer side.
+  /// Samples at the centres of the pixels of a picture, with the given
+  /// resolution along its longer side.
   template <int dim>
   struct Raster
   {
@@ -101,7 +101,7 @@ namespace
     std::vector<dealii::Point<dim>> places;
   };
 
-  /// The open part of the volume around a place of a leaf.
+  /// Open fraction of the point of a leaf at a position.
   double
   open_fraction(const GasField &field,
                 const unsigned int leaf,
@@ -113,10 +113,10 @@ namespace
     return result;
   }
 
-  /// What pictures show inside a body.
+  /// Value of pictures inside a body.
   constexpr double no_gas = std::numeric_limits<double>::quiet_NaN();
 
-  /// The open part of the cell that each sample is in.
+  /// Open fraction of the point that contains each sample.
   template <int dim>
   std::vector<double> open_fractions(const PointSampler<dim> &sampler,
                                      const GasField &field)
@@ -127,7 +127,7 @@ namespace
       });
   }
 
-  /// Measures of point @p q of a leaf.
+  /// Blast measures of point @p q of a leaf.
   template <int dim>
   std::array<double, 4> mapped(const BlastMaps<dim> &maps,
                                const unsigned int leaf,
@@ -294,7 +294,7 @@ std::string GasOutput<dim>::write_leaves(const GasSnapshot<dim> &gas,
         patch.data(row++, o) = state.products;
       if (!gas.scene.charges.empty())
         patch.data(row++, o) = burned;
-      // Nothing is interpolated in maps: as many places as points, or one.
+      // Maps are not interpolated: as many output points as points, or one.
       if (!maps.empty())
         for (const double value :
              mapped(maps, leaf, layout.n > 1 ? o : 0, gas.time))

@@ -201,7 +201,8 @@ std::pair<std::uint64_t, std::uint64_t> GasSimulation<dim>::size() const
 template <int dim>
 void GasSimulation<dim>::save(const std::string &folder)
 {
-  // After what the ranks do together: one that cannot write lets none wait.
+  // Collective calls come first, so that a rank that cannot write blocks no
+  // other.
   recorders_.for_each([](auto &recorder) { recorder.reduce_over_ranks(); });
   save_leaves(core_.mesh(),
               core_.field(),

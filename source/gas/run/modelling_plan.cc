@@ -16,19 +16,19 @@ namespace
 {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-  /// Of the earth [m/s^2].
+  /// Gravity [m/s^2].
   constexpr double gravity = 9.81;
   /// Of air at 288 K [Pa s], and thermal diffusivity over viscosity [-].
   constexpr double viscosity_of_air = 1.8e-5;
   constexpr double inverse_prandtl_number = 1.4;
 
-  /// Thickness of a layer that diffusion makes in @p time [m].
+  /// Thickness of a diffusive boundary layer after @p time [m].
   double diffusion_length(const double diffusivity, const double time)
   {
     return std::sqrt(diffusivity * std::max(0., time));
   }
 
-  /// What is left out of the physics of air, without values.
+  /// The items on neglected physics of air, without values.
   std::vector<Assumption> omitted_physics(const bool has_probes)
   {
     std::vector<Assumption> result;
@@ -172,7 +172,7 @@ double ModellingPlan<dim>::expected_end_of_symmetry() const
 template <int dim>
 double ModellingPlan<dim>::measured_return(const Measurements &measured) const
 {
-  // Back from the side it is a weak wave.
+  // On the way back from the side it is a weak wave.
   const double sound_speed =
     std::sqrt(1.4 * ambient.pressure / ambient.density);
   double first = OpenSides<dim>::never;
@@ -261,7 +261,7 @@ ModellingPlan<dim>::audit(const Measurements &measured) const
   if (std::isnan(non_ideal_fraction))
     known.non_ideal_fraction = measured.non_ideal_fraction;
   std::vector<Assumption> result = known.items();
-  // How long 1-D would have done was not looked at.
+  // The fraction of the time for which 1-D suffices is not measured.
   result.erase(std::remove_if(result.begin(),
                               result.end(),
                               [](const Assumption &item) {

@@ -10,7 +10,7 @@ namespace contrecoup::gas
 {
 namespace
 {
-  /// Volume of a box in its geometry, all of the body [m^3].
+  /// Volume of a box in its geometry, of the whole body of revolution [m^3].
   template <int dim>
   double volume_of(const CoarseMesh<dim> &mesh)
   {
@@ -80,8 +80,8 @@ void RunPlan<dim>::find_blast()
     const bool at_lower = box.first[d] < plan.lower[d] + tolerance;
     const bool at_upper = box.second[d] > plan.upper[d] - tolerance;
     using Kind = typename Boundary<dim>::Kind;
-    // Without a disturbance, or where it fills the domain or leaves it
-    // already, there is no blast to come.
+    // Without a disturbance, or if it fills or leaves the domain already, no
+    // blast is to be expected.
     if (!(box.first[d] < box.second[d]) || (at_lower && at_upper) ||
         (at_lower && scene.boundary.kind(2 * d) != Kind::wall) ||
         (at_upper && scene.boundary.kind(2 * d + 1) != Kind::wall))
@@ -134,7 +134,7 @@ double RunPlan<dim>::non_ideal_fraction() const
   const LeafLayout &layout = core_.scene().layout;
   if (!material.has_products())
     return std::numeric_limits<double>::quiet_NaN();
-  // Less are traces, which have the pressure of the air around them.
+  // Smaller mass fractions are traces, at the pressure of the surrounding air.
   constexpr double least_products = 0.5;
   double largest = -1.;
   std::vector<double> u(layout.n_components);
@@ -148,7 +148,8 @@ double RunPlan<dim>::non_ideal_fraction() const
       const auto state = primitive_state<dim>(u.data(), material);
       if (state.products < least_products)
         continue;
-      // Pressures are linear in the energy; an ideal gas has none without.
+      // Pressures are linear in the energy; that of an ideal gas vanishes at
+      // zero energy.
       const double energy = material.internal_energy_density(
         state.density, state.pressure, state.products);
       const double more =

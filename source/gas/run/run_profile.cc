@@ -11,7 +11,7 @@ namespace contrecoup::gas
 {
 namespace
 {
-  /// Names of the maps that a profile has, with the numbers of a record.
+  /// Names of the maps of a profile with the members of BlastRecord.
   using Record = BlastRecord<double>;
   const std::vector<std::pair<std::string, double Record::*>> record_maps = {
     {"peak_overpressure", &Record::peak},
@@ -51,7 +51,7 @@ ProfileData make_profile(const GasCore<dim> &core, const BlastMaps<dim> &maps)
   data.material = scene.material_words;
   data.afterburn_fraction = core.afterburn().fraction();
   data.afterburn_released = core.afterburn().released();
-  // Meshes of 1 dimension are uniform: their cells are those of the profile.
+  // 1-D meshes are uniform: their subcells are the cells of the profile.
   const std::size_t n = data.values[0].size();
   if (dim == 1 && !maps.empty())
     for (const auto &[name, number] : record_maps)

@@ -12,7 +12,7 @@ namespace contrecoup::gas
 {
 namespace
 {
-  /// Intervals in which the rest of a run is looked at.
+  /// Number of intervals of the forecast.
   constexpr unsigned int n_intervals = 16;
 } // namespace
 
@@ -59,7 +59,7 @@ unsigned int WorkForecaster<dim>::merges(const unsigned int leaf,
 template <int dim>
 double WorkForecaster<dim>::signal_factor(const double time) const
 {
-  // Air; Rankine and Hugoniot.
+  // Rankine-Hugoniot relations of air.
   constexpr double gamma = 1.4;
   const double step = 1e-3 * time;
   const double mach =
@@ -94,11 +94,12 @@ WorkForecast WorkForecaster<dim>::forecast(const double time,
           std::max(merges(i, then), leaf.merges_now) - leaf.merges_now;
         const double size = std::ldexp(1., int(more));
         counts[k] += leaf.is_active ? std::pow(size, -dim) : 0.;
-        // Hot products keep their speed of sound when the front slows down.
+        // Hot products keep their sound speed when the front slows down.
         rates[k] = std::max(rates[k], leaf.rate / size);
         continue;
       }
-      // The front halves leaves as far as it may, and those behind it stay.
+      // The front refines leaves to the largest level; leaves behind it are not
+      // coarsened.
       const unsigned int most = adaptation_.levels().max_level(i, then);
       const double size =
         std::ldexp(1., int(std::max(most, leaf.level) - leaf.level));

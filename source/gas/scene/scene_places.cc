@@ -38,8 +38,8 @@ namespace
   };
 
 
-  /// What a search found: a place, or that there is none, or, with neither,
-  /// nothing for sure.
+  /// Result of a search: a position; that there is none; or, with neither, that
+  /// the search was inconclusive.
   template <int dim>
   struct Finding
   {
@@ -48,10 +48,10 @@ namespace
   };
 
 
-  /// Searches a box for a place where @p function, which never changes by more
-  /// than the way gone, is below @p bound: boxes whose middle excludes one are
-  /// dropped, others halved in all directions until their radius is below
-  /// @p tolerance.
+  /// Searches a box for a position where @p function, which is Lipschitz
+  /// continuous with constant 1, is below @p bound. Boxes whose centre value
+  /// excludes such a position are dropped, others are bisected in all
+  /// directions until their radius is below @p tolerance.
   template <int dim, typename Function>
   Finding<dim> find_below(const Box<dim> &box,
                           const double bound,
@@ -96,7 +96,7 @@ namespace
   }
 
 
-  /// Longest edge of the smallest cells at the body [m].
+  /// Longest edge of the smallest subcells at the body [m].
   template <int dim>
   double cell_at_body(ParameterHandler &prm,
                       const CoarseMesh<dim> &mesh,
@@ -149,7 +149,7 @@ namespace
   }
 
 
-  /// The part of a charge in the domain, by samples.
+  /// Fraction of a charge within the domain, from samples.
   template <int dim>
   double fraction_within(const Charge<dim> &charge, const CoarseMesh<dim> &mesh)
   {
@@ -167,7 +167,7 @@ namespace
         is_within = is_within && point[d] > mesh.lower_corner()[d] &&
                     point[d] < mesh.upper_corner()[d];
       }
-      // The shape is described on both sides of an axis.
+      // In axisymmetric geometry the charge extends to both sides of the axis.
       if (power > 0 && point[0] < 0.)
         continue;
       if (charge.signed_distance(point) >= 0.)
@@ -180,7 +180,8 @@ namespace
   }
 
 
-  /// How far the middle of a charge is inside of a side of the domain [m].
+  /// Distance of a charge's centre from a side of the domain, positive inside
+  /// [m].
   template <int dim>
   double depth_of(const Charge<dim> &charge,
                   const CoarseMesh<dim> &mesh,
@@ -194,8 +195,8 @@ namespace
   }
 
 
-  /// The first side that cuts a charge elsewhere than in its middle, and how
-  /// far the middle must be from it.
+  /// The first side that cuts a charge other than through its centre, and the
+  /// smallest allowed distance of the centre from it.
   template <int dim>
   std::string name_cut(const Charge<dim> &charge, const CoarseMesh<dim> &mesh)
   {
@@ -231,7 +232,7 @@ namespace
                        " m, lies outside of the domain, from " +
                        text_of(mesh.lower_corner()) + " to " +
                        text_of(mesh.upper_corner()) + " m");
-    // Of what planes of symmetry through the centre leave.
+    // Fraction of the charge that planes of symmetry through its centre leave.
     for (unsigned int side = 0; side < 2 * dim; ++side)
       if (!(side == 0 && mesh.geometry() != Geometry::plane) &&
           std::abs(depth_of(one.charge, mesh, side)) <
@@ -246,8 +247,8 @@ namespace
   }
 
 
-  /// The gap between a charge and the body where it is less than @p least [m],
-  /// which Shape::value() alone, less than the distance, does not tell.
+  /// Gap between a charge and the body if it is below @p least [m].
+  /// Shape::value() does not suffice, since it may be less than the distance.
   std::optional<double>
   narrow_gap(const Charge<3> &charge, const RigidBody &body, const double least)
   {
@@ -340,8 +341,8 @@ namespace
   }
 
 
-  /// Whether a side of the domain is a plane of symmetry of the body, by
-  /// samples in the domain and beyond that side.
+  /// Whether a side of the domain is a plane of symmetry of the body, from
+  /// samples on both sides of it.
   template <int dim>
   bool is_symmetric(const RigidBody &body,
                     const CoarseMesh<dim> &mesh,

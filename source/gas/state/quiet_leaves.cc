@@ -86,7 +86,7 @@ void QuietLeaves<dim>::reinit(GasField &field,
   });
   for (const unsigned int leaf : driven)
     activate(leaf / mesh_.width());
-  // What ghosts hold is known when the next stage begins.
+  // The state of ghosts is known at the beginning of the next stage.
   for (unsigned int ghost = 0; ghost < mesh_.n_ghosts(); ++ghost)
   {
     const unsigned int leaf = mesh_.first_ghost() + ghost;
@@ -196,7 +196,7 @@ void QuietLeaves<dim>::sum_volumes(
   const GasField &field,
   std::map<std::vector<Bits>, double> &volumes) const
 {
-  // Most scenes have one such state or a few; of many only some are counted.
+  // Most scenes have one or a few such states; of many, only some are counted.
   const std::size_t most_states = 64;
   for (unsigned int batch = 0; batch < mesh_.n_batches(); ++batch)
   {
