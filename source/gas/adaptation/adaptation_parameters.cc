@@ -19,25 +19,23 @@ namespace
       "Sensor",
       "density and pressure",
       {"density and pressure", "pressure", "blast"},
-      "What leaves are halved for: bends of density and "
-      "pressure; of pressure alone, which lets the mesh coarsen "
-      "at contacts, as in the hot core of an explosion; or, with "
-      "blast, pressure fronts alone, also weak ones.");
+      "Sensor for refinement: curvature of density and pressure; of pressure "
+      "only, so that the mesh coarsens at contacts, as in the hot core of an "
+      "explosion; or, with blast, pressure fronts only, including weak ones.");
     declare_double(prm,
                    "Refine above",
                    "0.5",
                    0.,
                    1.,
                    "-",
-                   "Sensor value, a bend relative to the slope, above which a "
-                   "leaf is halved.");
+                   "Sensor value above which a leaf is refined.");
     declare_double(prm,
                    "Coarsen below",
                    "0.2",
                    0.,
                    1.,
                    "-",
-                   "Sensor value below which sibling leaves are merged.");
+                   "Sensor value below which sibling leaves are coarsened.");
     declare_double(prm,
                    "Noise",
                    "0.02",
@@ -45,8 +43,8 @@ namespace
                    1.,
                    "-",
                    "Relative differences between neighbouring points that "
-                   "the sensor takes for noise; with the blast sensor the "
-                   "relative strength of fronts for which it is one half.");
+                   "the sensor treats as noise; of the blast sensor, the "
+                   "relative strength of a front for which it is one half.");
   }
 
 
@@ -60,7 +58,8 @@ namespace
                  -bounds::length,
                  bounds::length,
                  "m",
-                 "Corner of smallest coordinates of a box that stays fine.");
+                 "Corner with the smallest coordinates of a box with a "
+                 "smallest refinement level.");
     declare_list(prm,
                  "Fine box upper corner",
                  "1, 1, 1",
@@ -69,15 +68,15 @@ namespace
                  -bounds::length,
                  bounds::length,
                  "m",
-                 "Its corner of largest coordinates.");
+                 "Corner with the largest coordinates of this box.");
     declare_integer(prm,
                     "Fine box levels",
                     "0",
                     0,
                     20,
-                    "Times that leaves with their centre in this box stay "
-                    "halved beyond the initial refinement, also where the mesh "
-                    "does not adapt; 0 for no such box.");
+                    "Smallest refinement level, above the initial "
+                    "refinement, of leaves with their centre in this box, "
+                    "also if the mesh does not adapt; 0: no such box.");
   }
 } // namespace
 
@@ -88,42 +87,42 @@ void AdaptationParameters::declare_parameters(ParameterHandler &prm)
   declare_bool(prm,
                "Active",
                "false",
-               "Whether leaves are halved and merged during the run.");
+               "Whether leaves are refined and coarsened during the run.");
   declare_integer(prm,
                   "Interval",
                   "5",
                   0,
                   1000000,
-                  "Steps between adaptations; fewer where a front could else "
-                  "cross the buffer in between, and 0 for as many as it "
-                  "allows.");
+                  "Largest number of steps between adaptations, fewer if a "
+                  "front could otherwise cross the AMR buffer; 0: only the "
+                  "AMR buffer limits this number.");
   declare_integer(prm,
                   "Smallest level",
                   "0",
                   0,
                   20,
-                  "Times that every coarse leaf stays halved at least.");
+                  "Smallest refinement level of the leaves.");
   declare_integer(prm,
                   "Largest level",
                   "0",
                   0,
                   20,
-                  "Times that a coarse leaf may be halved at most.");
+                  "Largest refinement level of the leaves.");
   declare_sensor(prm);
   declare_integer(prm,
                   "Buffer",
                   "1",
                   0,
                   10,
-                  "Layers of leaves around marked ones that are halved "
-                  "with them.");
+                  "AMR buffer width: layers of leaves around marked leaves "
+                  "that are refined with them.");
   declare_selection(prm,
                     "Buffer side",
                     "all",
                     {"all", "ahead"},
-                    "On which sides of marked leaves these layers are: on all, "
-                    "or with the blast sensor only ahead, where the pressure "
-                    "falls and fronts run to; it costs less.");
+                    "Sides of marked leaves with the AMR buffer: all, or "
+                    "(blast sensor only) only ahead, towards falling "
+                    "pressure, which costs less.");
   declare_fine_box(prm);
   SizeLimits::declare_parameters(prm);
 }

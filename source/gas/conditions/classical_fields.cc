@@ -27,7 +27,7 @@ namespace
                  -bounds::length,
                  bounds::length,
                  "m",
-                 "Place of the centre; missing coordinates are zero.");
+                 "Position of the centre; missing coordinates are zero.");
   }
 
 
@@ -46,8 +46,8 @@ namespace
                    -bounds::pressure,
                    bounds::pressure,
                    "Pa",
-                   "Absolute pressure of the undisturbed gas; must be above "
-                   "the lowest one that the material has at this density.");
+                   "Absolute pressure of the undisturbed gas; must exceed "
+                   "the lowest pressure of the material at this density.");
   }
 
 

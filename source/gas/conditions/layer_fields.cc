@@ -56,16 +56,16 @@ namespace
                    -bounds::pressure,
                    bounds::pressure,
                    "Pa",
-                   "Absolute pressure; must be above the lowest one that the "
-                   "material has at this density (0 in an ideal gas).");
+                   "Absolute pressure; must exceed the lowest pressure of "
+                   "the material at this density (0 for an ideal gas).");
     declare_double(prm,
                    side + " products",
                    "0",
                    0.,
                    1.,
                    "-",
-                   "Mass fraction of explosive products; without effect in "
-                   "materials that are no mixture.");
+                   "Mass fraction of explosive products; no effect in "
+                   "materials that are not mixtures.");
   }
 
 

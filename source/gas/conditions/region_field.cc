@@ -38,8 +38,8 @@ namespace
                    -bounds::length,
                    bounds::length,
                    "m",
-                   "Place in the coordinates of the mesh; missing ones are "
-                   "zero.");
+                   "Position in the coordinates of the mesh; missing "
+                   "coordinates are zero.");
     declare_double(prm,
                    "Radius",
                    "0.1",

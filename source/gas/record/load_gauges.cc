@@ -87,26 +87,26 @@ void LoadGauges::declare_parameters(dealii::ParameterHandler &prm)
   declare_string(prm,
                  "Gauges",
                  "",
-                 "Places on the body whose loads are told beside those of the "
-                 "phantom's landmarks, as \"name: x, y, z; name: ...\" [m]; "
-                 "each is moved to the nearest place of the surface.");
+                 "Gauges on the body in addition to the phantom's landmarks, "
+                 "as \"name: x, y, z; name: ...\" [m]; each is moved to the "
+                 "nearest point of the surface.");
   declare_double(prm,
                  "Gauge radius",
                  "0.02",
                  bounds::smallest_length,
                  bounds::length,
                  "m",
-                 "Radius of the patch of surface that a gauge takes the mean "
-                 "over, above 0; where no facet is so near, the nearest one "
-                 "counts.");
+                 "Radius of the surface patch over which a gauge averages, "
+                 "above 0; without a facet within it, the nearest facet is "
+                 "used.");
   declare_double(prm,
                  "Body mass",
                  "78.5",
                  1.,
                  500.,
                  "kg",
-                 "Of the person whose lungs gauge_injury.csv tells of: a light "
-                 "one survives less.");
+                 "Body mass for the lung injury in gauge_injury.csv; lighter "
+                 "persons are more vulnerable.");
 }
 
 

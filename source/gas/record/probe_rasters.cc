@@ -56,14 +56,15 @@ void ProbeRasters<dim>::declare_parameters(ParameterHandler &prm)
   declare_string(prm,
                  "Lines",
                  "",
-                 "Lines of gauges \"begin : end : number; ...\" [m], such as "
+                 "Lines of probes \"begin : end : number; ...\" [m], such as "
                  "\"0,0,0 : 2,0,0 : 101\", whose peak overpressure, impulse, "
                  "arrival and duration are written with the fields.");
   declare_string(prm,
                  "Gauge planes",
                  "",
-                 "Planes of gauges \"begin : end : numbers; ...\" [m] between "
-                 "two opposite corners, such as \"-2,-2,0 : 2,2,0 : 81, 81\".");
+                 "Planes of probes \"begin : end : numbers; ...\" [m] "
+                 "between two opposite corners, such as \"-2,-2,0 : 2,2,0 : "
+                 "81, 81\".");
 }
 
 

@@ -29,8 +29,8 @@ void ProbeSet<dim>::declare_parameters(ParameterHandler &prm)
                  "Points",
                  "",
                  "m",
-                 "Places where pressure, density and velocity are recorded "
-                 "in every step.");
+                 "Positions at which pressure, density and velocity are "
+                 "recorded in every step.");
 }
 
 

@@ -25,35 +25,34 @@ void WallLoads<dim>::declare_parameters(ParameterHandler &prm)
                "Record",
                "false",
                "Whether the overpressure on every facet of the rigid body is "
-               "written to loads.h5 as the run goes.");
+               "recorded in loads.h5 during the run.");
   declare_double(prm,
                  "Interval",
                  "0",
                  0.,
                  bounds::time,
                  "s",
-                 "Time between samples, which are means since the last one, so "
-                 "that impulses stay exact; 0 for every step. Peaks and "
-                 "arrivals are found from every step anyhow.");
+                 "Time between samples; each is the mean since the previous "
+                 "one, so that impulses are exact; 0: every step. Peaks and "
+                 "arrivals follow from every step.");
   declare_double(prm,
                  "Largest loss of peaks",
                  "0.01",
                  0.,
                  1.,
                  "-",
-                 "Part of a facet's peak that samples may miss; where the next "
-                 "step would make it more, the sample ends before and after "
-                 "that step. 1: samples end by the interval alone.");
+                 "Largest fraction of a facet's peak that samples may lose; "
+                 "if a step would exceed it, samples end before and after "
+                 "that step. 1: only the interval ends samples.");
   declare_double(prm,
                  "Smallest overpressure",
                  "1e-4",
                  0.,
                  0.01,
                  "-",
-                 "Part of the ambient pressure by which the pressure on some "
-                 "facet must differ from it before samples are kept, each by "
-                 "itself; the first one is the mean of all time before, so "
-                 "that impulses stay exact.");
+                 "Relative change of the pressure on any facet at which "
+                 "sampling begins; the first sample is the mean over all "
+                 "time before, so that impulses are exact.");
   LoadGauges::declare_parameters(prm);
 }
 

@@ -147,14 +147,14 @@ void GasOutput<dim>::declare_parameters(ParameterHandler &prm)
     declare_bool(prm,
                  "Pictures",
                  "false",
-                 "Whether a finished run draws the history, probes, planes, "
-                 "maps and loads that it kept, into the folder pictures.");
+                 "Whether a finished run draws its history, probes, planes, "
+                 "maps and loads in the folder pictures.");
     declare_bool(prm,
                  "Volume fields",
                  "true",
-                 "Whether field outputs hold the gas in the whole domain, for "
-                 "ParaView, besides pictures and gauges; some 30 bytes for "
-                 "each cell and output.");
+                 "Whether field outputs include the gas in the whole domain, "
+                 "for ParaView, besides planes and probes; some 30 bytes per "
+                 "cell and output.");
   }
   const Section section(prm, "Pictures");
   declare_string(prm,

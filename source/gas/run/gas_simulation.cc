@@ -47,9 +47,9 @@ void GasSimulation<dim>::declare_parameters(ParameterHandler &prm)
                  "Profile file",
                  "",
                  "Name of a file in the output folder for the profile at the "
-                 "end time, as a start for runs in more dimensions: HDF5, or "
-                 "a table if it ends in .csv; empty for none. Domains with "
-                 "spherical, cylindrical or axisymmetric geometry have one.");
+                 "end time, the start of runs in more dimensions: HDF5, or a "
+                 "table if it ends in .csv; empty: none. Available in "
+                 "spherical, cylindrical and axisymmetric geometry.");
 }
 
 

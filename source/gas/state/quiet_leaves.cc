@@ -39,8 +39,8 @@ void QuietLeaves<dim>::declare_parameters(ParameterHandler &prm)
   declare_bool(prm,
                "Skip quiet leaves",
                "true",
-               "Whether leaves that no wave has reached are passed over; the "
-               "result is the same to the last bit.");
+               "Whether leaves that no wave has reached are skipped; the "
+               "result is bitwise the same.");
 }
 
 
