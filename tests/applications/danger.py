@@ -47,7 +47,7 @@ REFUSED = {
         ("charge whose surface is in a body", NEAR, [CENTER + "-0.02, 0, 0"],
          ["rigid body overlap"]),
         ("charge nearer to a body than a cell", NEAR, [CENTER + "-0.027, 0, 0"],
-         ["less than the cells there", "Rigid body/Levels by 1"]),
+         ["less than the cell size there", "Rigid body/Levels by 1"]),
         ("charge 10 mm from the skin, first stage", HUMAN,
          [CENTER + "0.2, 0, 1.27"], ["cells there, 0.02 m", "Center away by"]),
         ("no room to burn", "blast/quickstart.prm",

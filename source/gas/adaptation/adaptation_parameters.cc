@@ -177,7 +177,7 @@ void AdaptationParameters::check(const unsigned int dim,
                      "Adaptation/Refine above");
   if (buffer_only_ahead && sensor != Sensor::blast)
     throw InputError("Adaptation/Buffer side = ahead needs Adaptation/Sensor = "
-                     "blast, which knows where fronts run to");
+                     "blast, which detects the direction of fronts");
   if (min_level > max_level)
     throw InputError("Adaptation/Smallest level must not be larger than "
                      "Adaptation/Largest level");

@@ -196,7 +196,7 @@ ChargeVolume charge_volume(const Charge<dim> &charge,
     return result;
   const double lambda = missing / sums[1];
   if (!(std::abs(lambda) < 1.))
-    throw NumericsError("The mesh cannot hold a charge of the wanted volume");
+    throw NumericsError("The mesh cannot resolve a charge of the given volume");
   for (auto &contribution : result.contributions)
     contribution.fraction +=
       lambda * contribution.fraction * (1. - contribution.fraction);

@@ -383,7 +383,7 @@ namespace
                                       mesh_.communicator()) == 0)
         throw NumericsError(
           "The profile cannot be mapped: energy corrected by a factor of " +
-          brief(factor, 6) + " leaves states without heat");
+          brief(factor, 6) + " leaves states without internal energy");
     }
 
     const ProfileField<dim> &profile_;

@@ -129,7 +129,7 @@ void LoadGauges::parse_parameters(dealii::ParameterHandler &prm,
     const Landmark given = read_place<dim>(text);
     const Point<3> place = body.project(given.place);
     if (!is_inside(place, lower, upper))
-      throw InputError("Loads/Gauges: the surface's place nearest to \"" +
+      throw InputError("Loads/Gauges: the surface point nearest to \"" +
                        given.name + "\", " + to_text(place) +
                        " m, is outside of the domain");
     add_place(given.name, place, body);
@@ -144,7 +144,7 @@ void LoadGauges::add_place(const std::string &name,
 {
   for (const Place &place : places_)
     if (place.name == name)
-      throw InputError("Loads/Gauges: there are two places \"" + name + "\"");
+      throw InputError("Loads/Gauges: there are two gauges \"" + name + "\"");
   places_.push_back({name, point, body.normal(point)});
 }
 

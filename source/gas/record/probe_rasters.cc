@@ -104,14 +104,14 @@ void ProbeRasters<dim>::parse_list(const std::string &entry,
     const auto counts = numbers(parts[2], where);
     if (counts.size() != n_counts)
       throw InputError(where + "write " + std::to_string(n_counts) +
-                       " number(s) of gauges, not \"" + parts[2] + "\"");
+                       " number(s) of probes, not \"" + parts[2] + "\"");
     for (unsigned int i = 0; i < n_counts; ++i)
     {
       if (counts[i] != std::floor(counts[i]) || counts[i] < 2. ||
           counts[i] > 1e5)
         throw InputError(where +
-                         "numbers of gauges are whole, from 2 to "
-                         "100000, not " +
+                         "numbers of probes must be integers from "
+                         "2 to 100000, not " +
                          brief(counts[i]));
       raster.counts[i] = static_cast<unsigned int>(counts[i]);
     }

@@ -90,14 +90,14 @@ namespace
                          "material differ");
       if (with_maps && header.n_map_values == 0)
         throw InputError("Output/Maps = true: checkpoint " + folder +
-                         " holds no maps to go on from");
+                         " holds no maps");
       n_files = header.n_files;
       const std::uint64_t size = header.leaf_size();
       const std::string file = file_name(folder, rank);
       if (std::filesystem::file_size(file) !=
           sizeof(Header) + header.n_leaves * (sizeof(Id) + size))
         throw InputError("Checkpoint file " + file +
-                         " is damaged: it has not the size of its leaves");
+                         " is damaged: its size does not fit its leaves");
       std::vector<Id> ids(header.n_leaves);
       stream.read(reinterpret_cast<char *>(ids.data()),
                   ids.size() * sizeof(Id));
@@ -155,8 +155,8 @@ namespace
       if (is_complete)
         return;
       if (state != 1)
-        throw InputError("The checkpoint belongs to another mesh: the leaves "
-                         "that it holds are not those of this one");
+        throw InputError("The checkpoint belongs to another mesh: its leaves "
+                         "differ");
       tria.execute_coarsening_and_refinement();
     }
   }

@@ -67,7 +67,7 @@ void GasCore<dim>::parse_parameters(ParameterHandler &prm)
   afterburn_.parse_parameters(prm);
   if (afterburn_.active() && scene_.material.is_ideal())
     throw InputError("Charges/Afterburn needs Material/Equation of state = "
-                     "jwl in air, which knows products");
+                     "jwl in air, which has products");
 }
 
 

@@ -214,8 +214,8 @@ namespace
                "Center must be at least " + brief(half) +
                " m from that side, or on it";
     }
-    return "the domain cuts it through its centre, but not symmetrically; a "
-           "centre farther inside or a shape with that symmetry is needed";
+    return "the domain cuts it through its centre, but not in a plane of "
+           "symmetry; move Center inwards or choose a symmetric shape";
   }
 
 
@@ -243,7 +243,8 @@ namespace
         one.where + ": of Mass = " + brief(one.mass) +
         " kg the domain would keep " + brief(fraction, 2) + ": " +
         name_cut(one.charge, mesh) +
-        "; with Mass = 0 and sizes given, what is within counts");
+        "; with Mass = 0 and given sizes only the volume within the domain "
+        "counts");
   }
 
 
@@ -301,14 +302,14 @@ namespace
       find_below(Box<dim>{lower, upper}, -tolerance, tolerance, inside);
     if (common.place)
       throw InputError(one.where +
-                       ": the charge and the rigid body overlap, around " +
+                       ": the charge and the rigid body overlap around " +
                        text_of(*common.place) +
-                       " m; the charge's Center or Body/Shift parts them");
+                       " m; change the charge's Center or Body/Shift");
     if constexpr (dim == 3)
       if (const auto gap = narrow_gap(one.charge, body, cell))
         throw InputError(
           one.where + ": its surface is " + brief(*gap, 2) +
-          " m from the rigid body, less than the cells there, " +
+          " m from the rigid body, less than the cell size there, " +
           brief(cell, 3) + " m; move its Center away by " +
           brief(cell - *gap, 2) + " m or raise Rigid body/Levels" +
           (*gap > 0. ? " by " + brief(std::ceil(std::log2(cell / *gap)), 3)
@@ -336,8 +337,8 @@ namespace
     throw InputError("Rigid body: it lies outside of the domain, from " +
                      text_of(domain.lower) + " to " + text_of(domain.upper) +
                      " m, at least " + brief(high, 2) +
-                     " m away from it; Body/Shift or the domain's corners "
-                     "bring them together");
+                     " m away from it; change Body/Shift or the domain's "
+                     "corners");
   }
 
 

@@ -228,7 +228,7 @@ TEST(LoadGauges, TextThatNamesNoPlaceIsRefused)
     EXPECT_NE(refusal(gauges).find("must be a name, a colon and 3"),
               std::string::npos)
       << gauges << ": " << refusal(gauges);
-  EXPECT_NE(refusal("a: 0, 0, 1; a: 0.1, 0, 1").find("two places \"a\""),
+  EXPECT_NE(refusal("a: 0, 0, 1; a: 0.1, 0, 1").find("two gauges \"a\""),
             std::string::npos);
   EXPECT_EQ(refusal("a: 0, 0, 1; "), "");
 }
