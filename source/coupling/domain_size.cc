@@ -157,12 +157,12 @@ void fit_domain(ParameterHandler &scene, const MPI_Comm communicator)
   const auto body = box_of_body(scene, plan);
   if (plan.probes.empty() && !body)
     throw InputError("Domain/Size = by time needs Probes/Points or a body of "
-                     "finite size, where nothing may come back before the end "
-                     "time");
+                     "finite size, which reflections may not reach before the "
+                     "end time");
   const double front = plan.expected_front(plan.end_time);
   if (std::isnan(front))
-    throw InputError("Domain/Size = by time needs a charge, or another "
-                     "spherical blast that begins in gas at rest");
+    throw InputError("Domain/Size = by time needs a charge or another "
+                     "spherical blast in gas at rest");
 
   auto lower = mesh.lower_corner(), upper = mesh.upper_corner();
   std::vector<std::string> leaves, low, high;

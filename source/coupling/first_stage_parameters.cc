@@ -112,7 +112,7 @@ namespace
     const bool upright = axis[0] == 0. && axis[1] == 0.;
     if (shape != "sphere" &&
         !(axisymmetric_stage && shape == "cylinder" && upright))
-      throw InputError(where + " must be a sphere or, where the stage is "
+      throw InputError(where + " must be a sphere or, if the stage is "
                                "axisymmetric, an upright cylinder");
     auto centre = read_list(prm, "Center");
     centre.resize(3, 0.);
@@ -121,7 +121,7 @@ namespace
       const auto words = split(point, ',');
       for (unsigned int d = 0; d < words.size(); ++d)
         if (std::stod(words[d]) != centre[d] && !(axisymmetric_stage && d == 2))
-          throw InputError(where + " must be lit in its centre or, where the "
+          throw InputError(where + " must be ignited at its centre or, if the "
                                    "stage is axisymmetric, on its axis");
     }
   }

@@ -124,8 +124,8 @@ void SceneLayout::place_charge(const SceneParameters &scene,
       if (surface.value({low, 0., scene.height}) > scene.distance)
         throw InputError("Charge/Distance = " + brief(scene.distance) +
                          " m: at the height of " + brief(scene.height) +
-                         " m the body is farther away than that; Charge/Place "
-                         "gives the place itself");
+                         " m the body is farther away; Charge/Place sets the "
+                         "position directly");
       for (unsigned int i = 0; i < 60; ++i)
       {
         const double middle = 0.5 * (low + high);
@@ -250,8 +250,8 @@ void SceneLayout::size_domain(const SceneParameters &scene,
   if (!fits(0.))
     throw InputError(
       std::string(scene.place ? "Charge/Place" : "Charge/Distance and Height") +
-      ": charge and body are so far apart, " + brief(distance) +
-      " m, that a domain with both would have " +
+      ": charge and body are " + brief(distance) +
+      " m apart; a domain with both would have " +
       brief(product_of(leaves_for(0.)), 2) + many);
   if (!fits(front_distance))
   {
@@ -262,10 +262,10 @@ void SceneLayout::size_domain(const SceneParameters &scene,
       (fits(middle) ? low : high) = middle;
     }
     throw InputError(
-      "Scene/End time = " + brief(scene.end_time) +
-      " s: the blast of this charge gets " + brief(front_distance, 2) +
-      " m far until then, and a domain whose open sides send nothing back to "
-      "the body would have " +
+      "Scene/End time = " + brief(scene.end_time) + " s: the front travels " +
+      brief(front_distance, 2) +
+      " m until then; a domain without reflections from open sides at the "
+      "body would have " +
       brief(product_of(leaves_for(front_distance)), 2) + many + "; from " +
       brief(arrival) + " to " + brief(blast.arrival(low), 3) +
       " s are possible");

@@ -132,8 +132,8 @@ void SceneRun::require_consent() const
         !task.status().is_started && !task.is_finished())
       throw InputError(
         here + "a checkpoint of stage " + task.name() + " from which " +
-        (changed.empty() ? "this build or these input files cannot go on"
-                         : "this scene cannot go on: " + changed) +
+        (changed.empty() ? "this build or these input files cannot continue"
+                         : "this scene cannot continue: " + changed) +
         "; --overwrite begins that stage anew");
   if (command_.resume)
     return;

@@ -97,13 +97,13 @@ void StagedSimulation<dim>::check_hand_over_order() const
   const double second = plan_.nearest_side - margin();
   if (first >= second)
     throw InputError(
-      "First stage: the spherical stage goes on until its front is at " +
+      "First stage: the spherical stage ends when its front is at " +
       brief(first) +
       " m, near the ground, and the axisymmetric one would end "
       "at " +
       brief(second) +
-      " m, near the body or a side of the domain; "
-      "nothing is left for Kind = axisymmetric to do; use spherical");
+      " m, near the body or a side of the domain; use Kind = spherical, since "
+      "no axisymmetric stage remains");
 }
 
 
@@ -176,8 +176,8 @@ bool StagedSimulation<dim>::is_due()
   {
     if (first_->front() >= plan_.nearest_side - margin())
       throw InputError("First stage: the front is as near to the body or a "
-                       "side of the domain as to the ground, so that nothing "
-                       "is left for Kind = axisymmetric to do; use spherical");
+                       "side of the domain as to the ground; use Kind = "
+                       "spherical, since no axisymmetric stage remains");
     return false;
   }
   if (parameters_.criterion == "time")

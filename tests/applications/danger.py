@@ -54,7 +54,7 @@ REFUSED = {
          [CENTER + "0, 0, 0.055", "First stage/Kind=spherical"],
          ["are needed to burn it"]),
         ("axisymmetric stage without a way", HUMAN,
-         [CENTER + "1, 0, 1.27"], ["nothing is left for Kind = axisymmetric"]),
+         [CENTER + "1, 0, 1.27"], ["no axisymmetric stage remains"]),
         ("body 50 m away", NEAR, ["Body/Shift=50, 0, 0"],
          ["Rigid body: it lies outside of the domain", "m away from it"]),
         ("man 50 m away, first stage", HUMAN, ["Body/Shift=-50, 0, 0"],

@@ -395,7 +395,7 @@ contrecoup_add_application_test(refuses_wedge_of_box refusal
   MESSAGE "Mesh/Wedge axis is for Mesh/Kind = layered head")
 contrecoup_add_application_test(refuses_wedge_in_turn refusal
   FILE head_impact/quickstart.prm SET "Mesh/Wedge axis=z" "Coupling/Scheme=Aitken"
-  MESSAGE "Mesh/Wedge axis: the masses of a wedge are not those that")
+  MESSAGE "Mesh/Wedge axis: the nodal masses of a wedge do not suit")
 # Thin cells in the skull beside thick ones in the CSF: a ratio of added mass of 1.9,
 # remaps and contact, solved in turn.
 set(_thick ${_coarse} "Mesh/CSF cells=1" "Mesh/Skull cells=4"
@@ -539,7 +539,7 @@ contrecoup_add_application_test(refuses_missing_layer refusal
   MESSAGE "the mesh has no \"scalp\", but brain, csf, skull")
 contrecoup_add_application_test(refuses_to_smooth_solids refusal
   FILE head_impact/quickstart.prm SET "Region CSF/Material=elastic"
-  MESSAGE "Rezone/Kind must be none where all regions are solids")
+  MESSAGE "Rezone/Kind must be none if all regions are solids")
 contrecoup_add_application_test(refuses_mesh_beyond_memory refusal
   FILE ${_folder}/sod.prm SET "Mesh/Elements=100000, 100000, 100000"
   MESSAGE "of memory, this machine has")

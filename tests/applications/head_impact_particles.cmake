@@ -59,7 +59,7 @@ contrecoup_add_application_test(particles_refuse_probe_outside refusal
   MESSAGE "is outside of the matter")
 contrecoup_add_application_test(bodies_refuse_ale refusal
   FILE head_impact/quickstart.prm SET "Mesh/Kind=body"
-  MESSAGE "Mesh/Kind = body is filled with particles, Method = mpm")
+  MESSAGE "Mesh/Kind = body is for particles only, Method = mpm")
 
 # The report on a head of particles, and on two runs of one head.
 contrecoup_add_application_test(particles_report bounds,pictures

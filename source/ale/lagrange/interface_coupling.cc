@@ -362,10 +362,10 @@ void InterfaceCoupling::require_stable(const double time,
   const CouplingRecord now = record();
   if (now.work > largest_part * energy)
     throw NumericsError(
-      "time " + exact(time) + " s: of the energy, " + brief(energy) + " J, " +
-      brief(now.work) + " J were made up by the " + name() +
-      " coupling of fluids and solids with a ratio of added mass of up to " +
+      "time " + exact(time) + " s: of the total energy, " + brief(energy) +
+      " J, " + brief(now.work) + " J are spurious work of the " + name() +
+      " coupling of fluids and solids, with added mass ratios up to " +
       brief(now.largest_ratio, 3) +
-      "; above about 1, Coupling/Scheme must be another one");
+      "; for ratios above about 1 choose another Coupling/Scheme");
 }
 } // namespace contrecoup::ale

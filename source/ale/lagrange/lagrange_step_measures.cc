@@ -177,9 +177,10 @@ void LagrangeStep::give_up_signals(const AleState &state,
            brief(values.pressure) + " Pa, corners at up to " +
            brief(std::sqrt(square)) + " m/s";
   }
-  throw NumericsError("time " + exact(state.time) + " s: a step of " +
-                      brief(step) + " s, all that signals allow in " +
-                      text_of_owner(all, is_here, text) +
-                      ", is too short to go on");
+  throw NumericsError(
+    "time " + exact(state.time) + " s: a step of " + brief(step) +
+    " s, the largest that the CFL limit "
+    "allows in " +
+    text_of_owner(all, is_here, text) + ", is too short to go on");
 }
 } // namespace contrecoup::ale

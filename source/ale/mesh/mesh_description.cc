@@ -226,8 +226,8 @@ void MeshDescription::clamp(const dealii::types::boundary_id side,
                         (kind_ == "layered head" && side > 0);
   if (!is_plane)
     throw InputError("Side " + name +
-                     "/Kind = clamped: planes hold matter, sides of a box, "
-                     "the plane of a half ball and those of a layered head");
+                     "/Kind = clamped is for plane sides: those of a box, the "
+                     "plane of a half ball and the planes of a layered head");
   clamped_.insert(side);
 }
 
@@ -299,12 +299,12 @@ void MeshDescription::create(dealii::Triangulation<3> &mesh) const
 {
   if (!clamped_.empty())
     throw InputError("Side " + side_names()[*clamped_.begin()] +
-                     "/Kind = clamped: sides hold particles alone, Method = "
-                     "mpm; for Method = ale, take wall or free");
+                     "/Kind = clamped is for particles only, Method = mpm; "
+                     "with Method = ale use wall or free");
   if (kind_ == "body")
-    throw InputError("Mesh/Kind = body is filled with particles, Method = "
-                     "mpm; for Method = ale, let anatomy make a mesh of the "
-                     "body and give it as a file");
+    throw InputError("Mesh/Kind = body is for particles only, Method = mpm; "
+                     "with Method = ale use Mesh/Kind = file with a mesh made "
+                     "by anatomy");
   if (kind_ == "layered head")
   {
     head_.create(mesh);

@@ -53,8 +53,8 @@ int MeshDescription::layer_at(const dealii::Point<3> &place) const
 std::array<dealii::Point<3>, 2> MeshDescription::corners() const
 {
   if (kind_ == "file" || !position_.empty())
-    throw InputError("Mesh: particles fill a box, a half ball or a layered "
-                     "head without Position x, y, z; choose one of these, or "
+    throw InputError("Mesh: particles need a box, a half ball or a layered "
+                     "head, without Position x, y, z; choose one of these, or "
                      "Method = ale");
   if (kind_ == "box")
     return {{lower_, upper_}};

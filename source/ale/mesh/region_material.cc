@@ -234,8 +234,8 @@ namespace
       throw InputError("Region " + name +
                        ": in a liquid of Density = " + brief(density) +
                        " kg/m^3 and Bulk modulus = " + brief(modulus) +
-                       " Pa sound would go at " + brief(speed) +
-                       " m/s; give both of the liquid");
+                       " Pa the sound speed would be " + brief(speed) +
+                       " m/s; set both entries to those of the liquid");
     return Tait(
       density,
       modulus,

@@ -179,7 +179,7 @@ void ParticleScene::parse_parameters(ParameterHandler &prm)
   if (!fine_regions_.empty() && scheme_.degree == 2)
     throw InputError(
       "MPM/Fine regions needs MPM/Basis = linear or cubic: quadratic splines "
-      "of halved cells do not make those of whole ones");
+      "of halved cells cannot represent those of whole cells");
   scheme_.transfer = mpm::find_transfer(prm.get("Transfer"));
   scheme_.update = mpm::find_stress_update(prm.get("Update"));
   scheme_.series_order = read_unsigned(prm, "Series order");
@@ -198,8 +198,8 @@ void ParticleScene::parse_parameters(ParameterHandler &prm)
                      3. * numbers[0] * numbers[1] * numbers[2]);
   if (!fine_regions_.empty() && scheme_.transfer != mpm::Transfer::flip)
     throw InputError(
-      "MPM/Fine regions needs MPM/Transfer = flip: others take from turning "
-      "matter in every step what lumped masses miss at the border of levels");
+      "MPM/Fine regions needs MPM/Transfer = flip: others slow the rotation "
+      "of matter in every step where levels meet");
   if (scheme_.transfer == mpm::Transfer::affine && scheme_.degree == 1)
     throw InputError(
       "MPM/Transfer = apic needs MPM/Basis = quadratic or cubic");

@@ -110,7 +110,7 @@ void Rezone::check_interval(const double step) const
   if (kind_ != RezoneKind::none && interval_ > 0. && interval_ < 0.1 * step)
     throw InputError("Rezone/Interval = " + brief(interval_) +
                      " s is far below the step, about " + brief(step) +
-                     " s; 0 rezones after each step");
+                     " s; use 0 to rezone after each step");
 }
 
 
@@ -128,20 +128,20 @@ void Rezone::reinit(
     if (region.slides && kind_ != RezoneKind::elastic)
       throw InputError("Region " + region.name +
                        "/Interface = slip needs Rezone/Kind = elastic, which "
-                       "puts nodes that slid back to those of the other side");
+                       "moves sliding nodes back to those of the other side");
   }
   start_ = state.position;
   reference_ = state.position;
   due_ = state.time + interval_;
   if (kind_ == RezoneKind::eulerian && has_interfaces())
-    throw InputError("Rezone/Kind = back needs a single region, as regions "
-                     "are not mixed; let Density and Pressure of one depend "
-                     "on x, y, z, or use elastic");
+    throw InputError("Rezone/Kind = back needs a single region, because a "
+                     "cell holds one material; let Density and Pressure "
+                     "depend on x, y, z, or use elastic");
   if (kind_ == RezoneKind::none)
     return;
   if (std::find(is_solid_.begin(), is_solid_.end(), false) == is_solid_.end())
-    throw InputError("Rezone/Kind must be none where all regions are solids, "
-                     "whose mesh goes with them");
+    throw InputError("Rezone/Kind must be none if all regions are solids, "
+                     "whose mesh moves with the matter");
   remap_.reinit(space, is_solid_, limiter_);
   if (kind_ != RezoneKind::elastic)
     return;

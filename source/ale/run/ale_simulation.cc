@@ -141,10 +141,9 @@ CostEstimate AleSimulation::estimate()
   mesh_description_.create(mesh);
   regions_.set_regions(mesh, mesh_description_.layers());
   if (coupling_.active() && mesh_description_.wedge().active())
-    throw InputError(
-      "Mesh/Wedge axis: the masses of a wedge are not those that "
-      "Coupling/Scheme = " +
-      coupling_.name() + " takes; use monolithic");
+    throw InputError("Mesh/Wedge axis: the nodal masses of a wedge do not suit "
+                     "Coupling/Scheme = " +
+                     coupling_.name() + "; use monolithic");
   coupling_.require_interface(mesh, regions_.regions());
   // Cold gas at rest moves at the speed of a wall.
   const double speed = regions_.largest_speed(mesh) +

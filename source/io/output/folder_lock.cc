@@ -80,7 +80,7 @@ namespace io
       open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
     if (descriptor_ < 0)
       throw InputError("the output folder \"" + folder +
-                       "\" takes no files: " + std::strerror(errno));
+                       "\" is not writable: " + std::strerror(errno));
     const std::string content = read_start(descriptor_);
     if (!content.empty() && content.compare(0, mark.size(), mark) != 0)
     {

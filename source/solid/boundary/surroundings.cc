@@ -78,9 +78,10 @@ void Surroundings::set_step(const double step, const double used)
 {
   if (has_ground_ && !(used + stiffness_fraction_ <= 1.))
     throw InputError("Ground/Stiffness = " + brief(stiffness_fraction_) +
-                     " makes steps unstable; beside the body, which takes " +
-                     brief(used) + ", at most " + brief(1. - used) +
-                     " is left; a smaller Elements/Step safety leaves more");
+                     " makes steps unstable; the body itself uses " +
+                     brief(used) + ", which leaves at most " +
+                     brief(1. - used) +
+                     "; a smaller Elements/Step safety leaves more");
   stiffness_ = 4. * stiffness_fraction_ / (step * step);
 }
 

@@ -259,7 +259,7 @@ def goes_on(case, output, read_summary):
 
 
 def folder_read_only(case, _check_bound, _read_summary):
-    """A folder that takes no files is refused with 1, and a file system that
+    """A folder that is not writable is refused with 1, and a file system that
     turns read-only in the middle of a run ends it with 3. --argument: what
     makes a long run with checkpoints."""
     output = case.folder("run")
@@ -270,7 +270,7 @@ def folder_read_only(case, _check_bound, _read_summary):
         # No mounts here: a folder without the right to write, unless root.
         require(os.geteuid() != 0, "neither mounts nor rights can be tried")
         os.chmod(output, stat.S_IRUSR | stat.S_IXUSR)
-        refused(case, output, "takes no files")
+        refused(case, output, "is not writable")
         os.chmod(output, stat.S_IRWXU)
         return
     with full_disk.small_disk(case.folder("disk"), 256 << 20) as (folder, _, _):
@@ -333,7 +333,7 @@ def folder_ranks_fail(case, _check_bound, _read_summary):
 
 def folder_cache(case, _check_bound, _read_summary):
     """--check does without its cache where none can be kept: the place is a
-    file, a folder that takes no files, or one that is not there. With the last,
+    file, a folder that is not writable, or one that is not there. With the last,
     which is the home as well, whoever starts others and draws makes the --compare
     files."""
     put(case.folder(""), "a_file")
