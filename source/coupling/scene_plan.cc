@@ -44,8 +44,8 @@ namespace
   Assumption rigid_body(const double displacement, const double cell)
   {
     return {"rigid_body",
-            "stands still for the gas",
-            "way of the body over a cell at its skin",
+            "fixed rigid body in the gas",
+            "displacement of the body over a subcell at its skin",
             "-",
             displacement / cell,
             1.,
@@ -56,8 +56,8 @@ namespace
   Assumption strain(const double value)
   {
     return {"strain",
-            "rotates, with small strain",
-            "strain that 95 % of the brain stay below",
+            "any rotation, small strains",
+            "strain that 95 % of the brain do not exceed",
             "-",
             value,
             largest_strain,
@@ -69,7 +69,7 @@ namespace
   {
     return {"gravity_of_body",
             "left out",
-            "its speed over the body's",
+            "speed due to gravity over that of the body",
             "-",
             gravity * end_time / speed,
             largest_gravity,

@@ -121,7 +121,7 @@ void ImpactPlan::add_contact(std::vector<Assumption> &items) const
   items.push_back(
     {"contact",
      "followed until the end time",
-     "its end over that of the run",
+     "end of contact over end time",
      "-",
      head && head->impact ? head->impact->contact_time() / end_time : unknown,
      0.999,
@@ -152,12 +152,12 @@ void ImpactPlan::add_symmetry(std::vector<Assumption> &items) const
                       (wedge.empty() ? brief(computed_fraction) + " of the body"
                                      : "a wedge about " + wedge) +
                         " is computed",
-                      "cost saved of that of the whole body",
+                      "saved fraction of the cost of the whole body",
                       1. - cost,
                       wedge.empty() ? entry : wedge_entry));
     items.push_back({"asymmetry",
                      "left out",
-                     "motion across planes of symmetry over all",
+                     "velocity across planes of symmetry over total",
                      "-",
                      asymmetry,
                      0.,
@@ -169,8 +169,8 @@ void ImpactPlan::add_symmetry(std::vector<Assumption> &items) const
       "unused_symmetry",
       (least_cost_wedge.empty() ? brief(least_cost) + " of the body"
                                 : "a wedge about " + least_cost_wedge) +
-        " would do",
-      "cost that further symmetry would save",
+        " would suffice",
+      "fraction of the cost that further symmetry would save",
       1. - least_cost / cost,
       least_cost_wedge.empty() ? entry : wedge_entry));
 }
@@ -185,7 +185,7 @@ std::vector<Assumption> ImpactPlan::plan() const
     items.push_back(
       {"gravity",
        "left out",
-       "its speed over that of the matter",
+       "speed due to gravity over impact speed",
        "-",
        velocity.norm() > 0. ? gravity * end_time / velocity.norm() : unknown,
        small_part,
@@ -194,23 +194,24 @@ std::vector<Assumption> ImpactPlan::plan() const
   if (has_liquid(regions))
     items.push_back({"viscosity",
                      "left out",
-                     "its layer in water over a cell",
+                     "boundary layer of water over a cell",
                      "-",
                      std::sqrt(kinematic_viscosity * end_time) / cell_size,
                      1.,
                      false,
                      "Mesh"});
   if (head && !head->has_scalp)
-    items.push_back(for_information("scalp",
-                                    "left out",
-                                    "mass of 5 mm of it over that of the head",
-                                    head->scalp_mass / head->mass,
-                                    "Mesh/Scalp thickness"));
+    items.push_back(
+      for_information("scalp",
+                      "left out",
+                      "mass of 5 mm of scalp over that of the head",
+                      head->scalp_mass / head->mass,
+                      "Mesh/Scalp thickness"));
   add_symmetry(items);
   if (!coupling.empty())
     items.push_back({"coupling",
                      "fluids and solids in turn, " + coupling,
-                     "energy made up between them, over all",
+                     "spurious energy at interfaces over total",
                      "-",
                      unknown,
                      0.01,
@@ -226,7 +227,7 @@ void ImpactPlan::add_file(std::vector<Assumption> &items) const
 {
   items.push_back({"mesh",
                    "as the file has it",
-                   "its least scaled Jacobian",
+                   "smallest scaled Jacobian",
                    "-",
                    scaled_jacobian,
                    0.2,
@@ -234,7 +235,7 @@ void ImpactPlan::add_file(std::vector<Assumption> &items) const
                    "Mesh/Smallest scaled Jacobian"});
   items.push_back({"pieces",
                    "no contact between them",
-                   "parts of the mesh that no face joins",
+                   "face-connected sets of cells",
                    "-",
                    double(n_pieces),
                    1.,

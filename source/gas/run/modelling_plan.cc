@@ -54,7 +54,7 @@ namespace
     for (const char *name : {"viscosity", "heat_conduction"})
       result.push_back({name,
                         "left out",
-                        "thickness of its layer at the end over a cell",
+                        "its boundary layer at the end over a subcell",
                         "-",
                         unknown,
                         1.,
@@ -81,7 +81,7 @@ std::vector<Assumption> ModellingPlan<dim>::items() const
   if (dim > 1 && is_spherical && energy > 0.)
     result.push_back({"first_stage",
                       "none",
-                      "part of the time in which 1-D would do",
+                      "fraction of the time for which 1-D suffices",
                       "-",
                       unknown,
                       unknown,
@@ -90,7 +90,7 @@ std::vector<Assumption> ModellingPlan<dim>::items() const
   if (!std::isnan(non_ideal_fraction))
     result.push_back({"equation_of_state",
                       "JWL for products",
-                      "part of their pressure that an ideal gas would miss",
+                      "fraction of their pressure that an ideal gas lacks",
                       "-",
                       unknown,
                       unknown,
@@ -98,8 +98,8 @@ std::vector<Assumption> ModellingPlan<dim>::items() const
                       "Material/Equation of state"});
   if (!open_sides.empty() && !probes.empty())
     result.push_back({"reflection",
-                      "open sides stay out of the way",
-                      "first return of a wave from an open side to a probe",
+                      "open sides far enough away",
+                      "first reflection from an open side at a probe",
                       "s",
                       unknown,
                       end_time,
@@ -111,7 +111,7 @@ std::vector<Assumption> ModellingPlan<dim>::items() const
   if (skips_quiet_leaves)
     result.push_back({"quiet_leaves",
                       "not computed",
-                      "part of the updates that was skipped",
+                      "fraction of skipped updates",
                       "-",
                       unknown,
                       unknown,
