@@ -114,7 +114,8 @@ TEST(ImpactPlan, knows_which_planes_of_symmetry_would_do)
   // wedge has 16 * 32 and 15 * 2 * 32.
   constexpr double wedge = 1472. / 124928.;
   EXPECT_NEAR(value_of(whole, "unused_symmetry"), 1. - wedge, 1e-14);
-  EXPECT_EQ(whole.at("unused_symmetry").decision, "a wedge about z would suffice");
+  EXPECT_EQ(whole.at("unused_symmetry").decision,
+            "a wedge about z would suffice");
   EXPECT_EQ(whole.count("symmetry"), 0u);
   const auto half = plan_of({"Mesh/Symmetry planes=x"});
   EXPECT_EQ(value_of(half, "symmetry"), 0.5);
