@@ -21,7 +21,7 @@ namespace
   {
   public:
     /// @param origin entry of the scene that determines the value; empty:
-    /// none, users override the stage's own entry
+    /// none, users override the task's own entry
     void set(const std::string &path,
              const std::string &value,
              const std::string &origin = "")

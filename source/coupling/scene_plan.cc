@@ -130,7 +130,7 @@ namespace
   }
 
 
-  /// Items of a stage's summary, with their estimates or with measured values.
+  /// Items of a task's summary, with their estimates or with measured values.
   std::vector<Assumption> task_items(const std::string &folder,
                                      const char *value)
   {
@@ -158,7 +158,7 @@ namespace
 
 
   /// Largest norm of the vector "NAME_x", "NAME_y", "NAME_z" over all probes
-  /// and times of a stage; NaN if there is none.
+  /// and times of a task; NaN if there is none.
   double largest_vector(const std::string &folder, const std::string &name)
   {
     const std::string file = folder + "/probes.csv";

@@ -11,7 +11,7 @@ namespace contrecoup::coupling
 {
 namespace
 {
-  /// The section of the body belongs to the scene in every stage.
+  /// The section of the body belongs to the scene in every task.
   bool is_shared(const std::string &path)
   {
     return path == "Body" || path.compare(0, 5, "Body/") == 0;

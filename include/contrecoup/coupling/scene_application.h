@@ -11,7 +11,7 @@
 namespace contrecoup::coupling
 {
 /**
- * Application "scene": from a charge to its effect on a body. Runs the stages
+ * Application "scene": from a charge to its effect on a body. Runs the tasks
  * anatomy, blast and biomechanics, each in its own folder, and writes a
  * report. Collective; MPI is initialised. Never throws.
  * @param arguments command line, program name first

@@ -15,7 +15,7 @@
 
 namespace contrecoup::coupling
 {
-/// @name Parameter files of the stages of a scene: entries without the body
+/// @name Parameter files of the tasks of a scene: entries without the body
 /// itself. The origin of an entry is the entry of the scene that determines
 /// it, if any.
 /// @{
@@ -41,16 +41,16 @@ biomechanics_entries(const SceneParameters &scene,
                      double body_mass);
 /// @}
 
-/// Parameter file of a stage.
+/// Parameter file of a task.
 struct TaskText
 {
   std::string text; ///< content, all entries
-  SceneWords words; ///< translation of the stage's messages
+  SceneWords words; ///< translation of the task's messages
 };
 
 
 /**
- * Builds the parameter file of a stage.
+ * Builds the parameter file of a task.
  * @param entries chosen by the scene, in order of increasing priority
  * @param scene all entries of the scene's file; those of the body and those
  * under @p name that the user @p wrote override @p entries

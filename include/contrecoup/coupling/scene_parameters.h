@@ -46,7 +46,7 @@ struct SceneParameters
   Accuracy accuracy;
   double end_time = 0.;     ///< [s]
   std::string symmetry;     ///< auto, none, y
-  bool has_forecast = true; ///< whether to predict the costs of stages
+  bool has_forecast = true; ///< whether to predict the costs of tasks
   bool draws_report = true; ///< report.html
   std::string explosive;    ///< name in the library of explosives
   double mass = 0.;         ///< [kg]

@@ -19,13 +19,13 @@ std::vector<Assumption> scene_plan(const SceneParameters &scene,
                                    const SceneLayout &layout,
                                    double body_mass);
 
-/// Measured values of these assumptions and of those of the stages; empty for
-/// stages without results.
+/// Measured values of these assumptions and of those of the tasks; empty for
+/// tasks without results.
 /// @param folder of the scene
 std::vector<Assumption> scene_audit(const SceneParameters &scene,
                                     const SceneLayout &layout,
                                     const std::string &folder);
 
-/// Plan of a stage from its summary; empty without a summary.
+/// Plan of a task from its summary; empty without a summary.
 std::vector<Assumption> task_plan(const std::string &folder);
 } // namespace contrecoup::coupling

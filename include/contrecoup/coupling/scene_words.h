@@ -14,10 +14,10 @@
 namespace contrecoup::coupling
 {
 /**
- * Translates entry names in messages of a stage to the names that the user of
- * the scene knows: the entry of the scene that determines a stage's entry or,
+ * Translates entry names in messages of a task to the names that the user of
+ * the scene knows: the entry of the scene that determines a task's entry or,
  * where the scene chose it or the user wrote it, its name in the section of
- * the stage.
+ * the task.
  */
 class SceneWords
 {
@@ -26,13 +26,13 @@ public:
   SceneWords() = default;
 
   /**
-   * @param section section of the scene's file with the stage's entries
+   * @param section section of the scene's file with the task's entries
    * @param entries entries chosen by the scene; an origin is the entry of the
    * scene that determines the entry, or empty
-   * @param sections sections of the stage and the section of the scene that
+   * @param sections sections of the task and the section of the scene that
    * stands for each
    * @param wrote all assignments of the user
-   * @param stage parameters of the stage
+   * @param stage parameters of the task
    */
   SceneWords(const std::string &section,
              const std::vector<Assignment> &entries,
@@ -40,10 +40,10 @@ public:
              const std::vector<Assignment> &wrote,
              const dealii::ParameterHandler &stage);
 
-  /// Sets the name of one entry of the stage.
+  /// Sets the name of one entry of the task.
   void rename(const std::string &entry, const std::string &name);
 
-  /// Translates a message of the stage. If it begins with a section or an
+  /// Translates a message of the task. If it begins with a section or an
   /// entry, names without a section belong to that section.
   std::string operator()(const std::string &text) const;
 
@@ -51,7 +51,7 @@ private:
   /// Beginning of a message.
   struct Head
   {
-    std::string section;    ///< section of the stage; empty: none
+    std::string section;    ///< section of the task; empty: none
     std::string name;       ///< name of the section in the scene
     std::size_t length = 0; ///< characters of the section; 0 before an entry
   };
@@ -62,7 +62,7 @@ private:
   const std::pair<const std::string, std::string> *
   name_at(const std::string &text, std::size_t place) const;
 
-  std::map<std::string, std::string> entries_;  ///< by name in the stage
-  std::map<std::string, std::string> sections_; ///< by name in the stage
+  std::map<std::string, std::string> entries_;  ///< by name in the task
+  std::map<std::string, std::string> sections_; ///< by name in the task
 };
 } // namespace contrecoup::coupling
