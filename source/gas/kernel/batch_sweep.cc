@@ -67,7 +67,6 @@ void BatchSweep<dim, Gas, Real>::bind(const unsigned int batch,
 template <int dim, typename Gas, typename Real>
 void BatchSweep<dim, Gas, Real>::read_neighbors(const unsigned int direction)
 {
-  const std::size_t component = layout_.value(1, 0);
   for (unsigned int side = 0; side < 2; ++side)
   {
     const unsigned int face = 2 * direction + side;
@@ -80,8 +79,9 @@ void BatchSweep<dim, Gas, Real>::read_neighbors(const unsigned int direction)
         const unsigned int point =
           layout_.face_point(face ^ 1U, q, std::min(layer, layout_.n - 1));
         Values values;
-        reader.read(
-          primitives_.data() + layout_.value(0, point), component, values);
+        reader.read(primitives_.data() + Primitives::index(0, point),
+                    Leaves::width,
+                    values);
         for (unsigned int c = 0; c < nc; ++c)
           beyond(side, layer, q)[c] =
             values[rotated_component<dim>(c, direction)];
@@ -180,24 +180,25 @@ void BatchSweep<dim, Gas, Real>::fill_hanging(
 template <int dim, typename Gas, typename Real>
 void BatchSweep<dim, Gas, Real>::find_compression()
 {
-  const auto width = Leaves::width;
   for (unsigned int d = 0; d < dim; ++d)
   {
     const unsigned int s = layout_.stride(d);
-    const Real *velocity = primitive_ + layout_.value(C::momentum + d, 0);
+    const auto velocity = [&](const unsigned int q) {
+      return primitive_ + Primitives::index(C::momentum + d, q);
+    };
     for (unsigned int q = 0; q < layout_.n_points; ++q)
     {
       const unsigned int index = q / s % layout_.n;
       Number here, other, smallest(0.);
-      here.load(velocity + q * width);
+      here.load(velocity(q));
       if (index > 0)
       {
-        other.load(velocity + (q - s) * width);
+        other.load(velocity(q - s));
         smallest = std::min(smallest, Number(here - other));
       }
       if (index + 1 < layout_.n)
       {
-        other.load(velocity + (q + s) * width);
+        other.load(velocity(q + s));
         smallest = std::min(smallest, Number(other - here));
       }
       compression_[d * layout_.n_points + q] = smallest;

@@ -117,12 +117,12 @@ void EmbeddedKernel<dim, Gas, Real>::pack_walls(const unsigned int batch,
         empty.normal.fill(Number(0.));
         empty.point.fill(q);
         empty.lane.fill(lane);
-        empty.offset.fill(q * width + lane);
+        empty.offset.fill(Primitives::index(0, q) + lane);
       }
       WallPack &walls = openings.walls.back();
       walls.point[n_filled] = q;
       walls.lane[n_filled] = lane;
-      walls.offset[n_filled] = q * width + lane;
+      walls.offset[n_filled] = Primitives::index(0, q) + lane;
       for (unsigned int d = 0; d < dim; ++d)
         walls.normal[d][n_filled] = wall[d] / area;
       walls.area[n_filled] = area;
@@ -208,7 +208,7 @@ void EmbeddedKernel<dim, Gas, Real>::add_embedded_walls(const WallPack &walls,
 {
   Values inside;
   for (unsigned int c = 0; c < nc; ++c)
-    inside[c].gather(sweep_.primitive() + layout_.value(c, 0),
+    inside[c].gather(sweep_.primitive() + Primitives::index(c, 0),
                      walls.offset.data());
   Number progress(0.);
   if (burn_ != nullptr)
@@ -224,9 +224,8 @@ void EmbeddedKernel<dim, Gas, Real>::add_embedded_walls(const WallPack &walls,
   for (unsigned int d = 0; d < dim; ++d)
   {
     const Number change = excess * walls.normal[d];
-    Number *rates = sweep_.rates(C::momentum + d);
     for (unsigned int i = 0; i < width; ++i)
-      rates[walls.point[i]][walls.lane[i]] -= change[i];
+      sweep_.rate(C::momentum + d, walls.point[i])[walls.lane[i]] -= change[i];
     const Number area = walls.normal[d] * walls.area * walls.volume;
     wall_force_[d] += pressure * area;
     wall_area_[d] += area;
@@ -241,7 +240,7 @@ void EmbeddedKernel<dim, Gas, Real>::add_staircase_wall(
 {
   Values inside;
   for (unsigned int c = 0; c < nc; ++c)
-    inside[c].load(sweep_.primitive() + layout_.value(c, point));
+    inside[c].load(sweep_.primitive() + Primitives::index(c, point));
   Number progress(0.);
   if (burn_ != nullptr)
     progress = sweep_.leaves().progress(point, time);
@@ -257,7 +256,7 @@ void EmbeddedKernel<dim, Gas, Real>::add_staircase_wall(
     const Number speed = inside[C::momentum + d];
     const Number below = wall_pressure(inside, -speed, progress);
     const Number above = wall_pressure(inside, speed, progress);
-    sweep_.rates(C::momentum + d)[point] +=
+    sweep_.rate(C::momentum + d, point) +=
       ((below - own) * low - (above - own) * high) * inverse_size(d);
     const Number area = inverse_size(d) * volume;
     wall_force_[d] += (above * high - below * low) * area;
@@ -317,7 +316,7 @@ void EmbeddedKernel<dim, Gas, Real>::write(const BasicStage<Real> &stage)
     {
       Number u, old;
       u.load(in + layout_.value(c, q));
-      u += sweep_.rates(c)[q] * rate;
+      u += sweep_.rate(c, q) * rate;
       if (stage.a != 0.)
       {
         old.load(start + layout_.value(c, q));

@@ -102,8 +102,9 @@ void FiniteVolumeHanging<dim, Gas, Real>::load_leaves(
     {
       const unsigned int point =
         layout_.face_point(face, point_at(q), std::min(layer, layout_.n - 1));
-      reader_.read(primitives_.data() + layout_.value(0, point),
-                   layout_.value(1, 0),
+      reader_.read(primitives_.data() +
+                     PrimitiveField<dim, Gas, Real>::index(0, point),
+                   n_lanes<Real>,
                    layers[layer][q]);
     }
 }

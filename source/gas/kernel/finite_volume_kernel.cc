@@ -76,7 +76,7 @@ void FiniteVolumeKernel<dim, Gas, Real>::finish(const unsigned int batch,
     {
       const std::size_t at = first + layout_.value(c, q);
       u[c].load(stage.in + at);
-      u[c] += sweep_.rates(c)[q] * stage.step;
+      u[c] += sweep_.rate(c, q) * stage.step;
       if (stage.a != 0.)
       {
         // Written so that a state at rest keeps every bit.

@@ -25,6 +25,7 @@ public:
   using Number = typename Leaves::Number;
   using Values = typename Leaves::Values;
   using C = Component<dim>;
+  using Primitives = PrimitiveField<dim, Gas, Real>;
   static constexpr unsigned int nc = Leaves::nc;
 
   /// @param primitives of the state that bound stages read
@@ -33,7 +34,7 @@ public:
              const Scheme &scheme,
              const Gas &gas,
              const Boundary<dim> &boundary,
-             PrimitiveField<dim, Gas, Real> &primitives);
+             Primitives &primitives);
 
   /// Prepares for the leaves of @p batch.
   void bind(const unsigned int batch, const BasicStage<Real> &stage);
@@ -45,13 +46,13 @@ public:
              const HangingData<dim, Real> &hanging,
              const Faces &faces);
 
-  /// Rate of change of a component [per s], [point].
-  Number *rates(const unsigned int component)
+  /// Rate of change of a component at a point [per s].
+  Number &rate(const unsigned int component, const unsigned int point)
   {
-    return &rates_[component * layout_.n_points];
+    return rates_[point * nc + component];
   }
 
-  /// Primitive values of the bound batch, [component][point][lane].
+  /// Primitive values of the bound batch; see PrimitiveField::index().
   const Real *primitive() const
   {
     return primitive_;
@@ -79,7 +80,7 @@ private:
     for (unsigned int c = 0; c < nc; ++c)
       result[c].load(
         primitive_ +
-        layout_.value(rotated_component<dim>(c, direction), point));
+        Primitives::index(rotated_component<dim>(c, direction), point));
     return result;
   }
   /// Primitive values of two layers beyond the leaves, [side][layer][line].
@@ -103,11 +104,11 @@ private:
   const LeafLayout layout_;
   const Scheme &scheme_;
   const Gas gas_;
-  PrimitiveField<dim, Gas, Real> &primitives_;
+  Primitives &primitives_;
   Leaves leaves_;
 
   const Real *primitive_ = nullptr;
-  dealii::AlignedVector<Number> rates_;
+  dealii::AlignedVector<Number> rates_;  ///< see rate()
   dealii::AlignedVector<Values> beyond_; ///< see beyond()
   /// Most negative velocity difference along each direction between a point
   /// and its neighbours on the leaf, [direction][point]; and beyond each side,
@@ -152,11 +153,11 @@ void BatchSweep<dim, Gas, Real>::sweep_line_of(const SomeGas &gas,
                                                const unsigned int direction,
                                                const unsigned int line)
 {
-  const unsigned int stride = layout_.stride(direction);
+  const unsigned int stride = layout_.stride(direction) * nc;
   const unsigned int first = layout_.face_point(2 * direction, line, 0);
   std::array<Number *, nc> rates;
   for (unsigned int c = 0; c < nc; ++c)
-    rates[c] = this->rates(rotated_component<dim>(c, direction)) + first;
+    rates[c] = &rate(rotated_component<dim>(c, direction), first);
   const bool is_first = direction == 0;
 
   // What scenes run in most leaves, with loops and limiter known beforehand.

@@ -24,6 +24,7 @@ public:
   using Number = typename Sweep::Number;
   using Values = typename Sweep::Values;
   using C = Component<dim>;
+  using Primitives = PrimitiveField<dim, Gas, Real>;
 
   /// @param primitives of the state that stages read
   EmbeddedKernel(const LeafMesh<dim> &mesh,
@@ -32,7 +33,7 @@ public:
                  const Gas &gas,
                  const Boundary<dim> &boundary,
                  const CutLeaves<dim> &cut_leaves,
-                 PrimitiveField<dim, Gas, Real> &primitives);
+                 Primitives &primitives);
 
   /// Takes over the shapes of all leaves in cut batches.
   void reinit();
@@ -58,7 +59,7 @@ private:
   {
     std::array<unsigned int, width> point;
     std::array<unsigned int, width> lane;
-    /// Where the points' values stand among those of a component.
+    /// Where the points' values stand among the primitive ones of the batch.
     std::array<unsigned int, width> offset;
     /// Vector out of the gas, of which the unit length is kept apart.
     std::array<Number, dim> normal;

@@ -14,14 +14,26 @@ namespace contrecoup::gas
 {
 /**
  * Primitive quantities of all stored leaves in the state that a stage reads,
- * laid out as the state is. A batch is converted when it is first asked for in
- * a stage: each subcell once, although the neighbours read it too (a leaf of
- * 4^3 subcells reads 192 of its neighbours').
+ * as [batch][point][component][lane]: the components of a point share a few
+ * cache lines, where those of the state, [component][point][lane], lie a
+ * multiple of 4096 bytes apart and displace each other from the cache. A batch
+ * is converted when it is first asked for in a stage: each subcell once,
+ * although the neighbours read it too (a leaf of 4^3 subcells reads 192 of its
+ * neighbours').
  */
 template <int dim, typename Gas, typename Real>
 class PrimitiveField
 {
 public:
+  static constexpr unsigned int nc = n_conserved<dim, Gas>;
+
+  /// Index of a value in its batch, of lane 0.
+  static constexpr std::size_t index(const unsigned int component,
+                                     const unsigned int point)
+  {
+    return std::size_t(point * nc + component) * n_lanes<Real>;
+  }
+
   PrimitiveField(const LeafLayout &layout, const Gas &gas)
     : layout_(layout)
     , gas_(gas)
@@ -42,7 +54,7 @@ public:
     ++stage_;
   }
 
-  /// Values of the batch, [component][point][lane].
+  /// Values of the batch; see index().
   const Real *batch(const unsigned int batch)
   {
     if (stage_of_[batch] != stage_)
@@ -62,7 +74,6 @@ public:
 private:
   void convert(const std::size_t first)
   {
-    constexpr unsigned int nc = n_conserved<dim, Gas>;
     for (unsigned int q = 0; q < layout_.n_points; ++q)
     {
       std::array<Lanes<Real>, nc> u;
@@ -70,7 +81,7 @@ private:
         u[c].load(state_ + first + layout_.value(c, q));
       const auto p = to_primitive<dim>(gas_, u);
       for (unsigned int c = 0; c < nc; ++c)
-        p[c].store(values_.data() + first + layout_.value(c, q));
+        p[c].store(values_.data() + first + index(c, q));
     }
   }
 
