@@ -41,8 +41,9 @@ foreach(_file cut_by_boundary thin_plate thin_shell needle gap
         one_voxel flawed_surface charge_5_cm on_axis)
   blast_survives(body_${_file} "${_closed}")
 endforeach()
-# Creases do not forbid a CFL number of 0.9: a cylinder on the ground, wedges, and
-# bodies with a gap of half a cell between them.
+# Creases do not forbid a CFL number of 0.9: a cylinder on the ground, wedges, bodies
+# with a gap of half a cell between them, and two boxes, one turned by 10 degrees, whose
+# edge and side touch or are a thirtieth of a cell apart.
 #
 # blast_crease(<name> <file> <overrides>...)
 function(blast_crease name file)
@@ -54,6 +55,10 @@ endfunction()
 
 blast_crease(ground body_on_ground)
 blast_crease(bodies body_gap "Domain/Initial refinement=1")
+foreach(_file touching narrow_gap)
+  blast_crease(bodies_${_file} body_gap "Domain/Initial refinement=1"
+    "Body/Surface/File=${PROJECT_SOURCE_DIR}/parameter_files/blast/extremes/body_${_file}.stl")
+endforeach()
 foreach(_angle 5 15 30 60)
   math(EXPR _normal "90 - ${_angle}")
   blast_crease(wedge_${_angle} body_on_ground "Rigid body/Kind=half space"
