@@ -310,7 +310,7 @@ std::vector<Assignment> blast_entries(const SceneParameters &scene,
   set_charge(scene, layout, entries);
   entries.set("Method/Precision", "single");
   entries.set("Method/Subcells", SceneLayout::subcells);
-  entries.set("Method/CFL number", 0.6);
+  entries.set("Method/CFL number", 0.9);
   entries.set("Rigid body/Kind", "body", "Body/Kind");
   entries.set("Rigid body/Levels", scene.accuracy.levels, "Scene/Accuracy");
   entries.set("Loads/Record", "true");
