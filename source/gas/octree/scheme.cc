@@ -23,7 +23,7 @@ namespace
                     "Degree",
                     "3",
                     1,
-                    3,
+                    5,
                     "Discontinuous Galerkin: polynomial degree in a leaf.");
     declare_bool(prm,
                  "Blending",

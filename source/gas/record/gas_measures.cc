@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/lanes/lane_math.h>
-#include <contrecoup/gas/kernel/lobatto_metric.h>
-#include <contrecoup/gas/octree/leaf_box.h>
+#include <contrecoup/gas/octree/leaf_metric.h>
+#include <contrecoup/gas/octree/node_volumes.h>
 #include <contrecoup/gas/octree/radial_nodes.h>
 #include <contrecoup/gas/record/gas_measures.h>
 #include <contrecoup/gas/state/leaf_sampling.h>
@@ -120,31 +120,51 @@ namespace
     std::vector<double> largest; ///< -density, density, -pressure, pressure
   };
 
-  /// Volumes of point @p q in W leaves from @p first on; zero in padding
-  /// lanes.
+  /// Volumes of the points of a batch of leaves from @p first on; zero where
+  /// there are none.
   template <int dim>
-  Lanes<double> volumes_from(const unsigned int first,
-                             const unsigned int q,
-                             const LeafMesh<dim> &mesh,
-                             const LeafPoints<dim> &points)
+  void set_volumes(const unsigned int first,
+                   const LeafMesh<dim> &mesh,
+                   const LeafPoints<dim> &points,
+                   LeafMetric<std::max(dim, 2)> *metric,
+                   dealii::AlignedVector<Lanes<double>> &volumes)
   {
-    Lanes<double> volumes(0.);
+    if constexpr (dim > 1)
+      if (metric != nullptr)
+      {
+        metric->reinit(mesh, first / double_width);
+        for (unsigned int q = 0; q < volumes.size(); ++q)
+          volumes[q] = metric->volume(q);
+        return;
+      }
+    volumes.fill(Lanes<double>(0.));
+    const bool is_plane = points.exponent() == 0;
     for (unsigned int lane = 0;
          lane < double_width && first + lane < mesh.n_owned();
          ++lane)
     {
       const LeafBox<dim> box = leaf_box(mesh, first + lane);
-      volumes[lane] = points.volume(box.origin, box.extents, q);
+      if (!box.is_box())
+      {
+        const std::vector<double> parts = node_volumes(box, points);
+        for (unsigned int q = 0; q < volumes.size(); ++q)
+          volumes[q][lane] = parts[q];
+        continue;
+      }
+      // In plane geometry the volumes of all points are alike up to a factor.
+      const double whole = points.volume(box.origin, box.extents, 0) *
+                           (1. / points.relative_volume(0));
+      for (unsigned int q = 0; q < volumes.size(); ++q)
+        volumes[q][lane] = is_plane ? whole * points.relative_volume(q)
+                                    : points.volume(box.origin, box.extents, q);
     }
-    return volumes;
   }
 
-  /// Adds up to W leaves from @p first_leaf on.
+  /// Adds up to double_width leaves from @p first_leaf on.
   template <int dim, typename Gas>
   void add_leaves(const unsigned int first_leaf,
                   const LeafMesh<dim> &mesh,
-                  const LeafPoints<dim> &points,
-                  const LeafMetric<std::max(dim, 2)> *metric,
+                  const dealii::AlignedVector<Lanes<double>> &volumes,
                   const GasField &field,
                   const Gas &gas,
                   Totals &totals)
@@ -153,12 +173,6 @@ namespace
     using C = Component<dim>;
     constexpr unsigned int nc = n_conserved<dim, Gas>, n = double_width;
 
-    // In plane geometry the volumes of all points are proportional to those of
-    // point 0.
-    const bool is_plane = points.exponent() == 0;
-    const double first = points.relative_volume(0);
-    const Number whole =
-      volumes_from(first_leaf, 0, mesh, points) * (1. / first);
     std::array<Number, nc + 1> sums;
     sums.fill(Number(0.));
     const Number none(std::numeric_limits<double>::lowest());
@@ -166,9 +180,7 @@ namespace
     largest.fill(none);
     for (unsigned int q = 0; q < field.layout().n_points; ++q)
     {
-      Number volume = metric     ? metric->volume(q)
-                      : is_plane ? whole * points.relative_volume(q)
-                                 : volumes_from(first_leaf, q, mesh, points);
+      Number volume = volumes[q];
       Number is_gas(1.);
       for (unsigned int lane = 0; lane < n && field.open_fractions() != nullptr;
            ++lane)
@@ -219,30 +231,15 @@ std::vector<NamedValue> gas_totals(const LeafMesh<dim> &mesh,
   const unsigned int nc = field.layout().n_components;
   Totals totals(nc);
   std::optional<LeafMetric<std::max(dim, 2)>> metric;
-  std::optional<LobattoMetric<std::max(dim, 2)>> lobatto_metric;
-  if (!mesh.coarse_mesh().is_axis_aligned() && points.is_galerkin())
-    lobatto_metric.emplace(field.layout().n);
-  else if (!mesh.coarse_mesh().is_axis_aligned())
+  if (!mesh.coarse_mesh().is_axis_aligned() && !points.is_galerkin())
     metric.emplace(field.layout().n);
+  dealii::AlignedVector<Lanes<double>> volumes(field.layout().n_points);
   std::visit(
     [&](const auto &gas) {
       for (unsigned int leaf = 0; leaf < mesh.n_owned(); leaf += double_width)
       {
-        const LeafMetric<std::max(dim, 2)> *shapes = nullptr;
-        if constexpr (dim > 1)
-        {
-          if (metric)
-          {
-            metric->reinit(mesh, leaf / double_width);
-            shapes = &*metric;
-          }
-          if (lobatto_metric)
-          {
-            lobatto_metric->reinit(mesh, leaf / double_width);
-            shapes = &*lobatto_metric;
-          }
-        }
-        add_leaves(leaf, mesh, points, shapes, field, gas, totals);
+        set_volumes(leaf, mesh, points, metric ? &*metric : nullptr, volumes);
+        add_leaves(leaf, mesh, volumes, field, gas, totals);
       }
     },
     material.model());

@@ -276,7 +276,7 @@ TEST(LeafTransfer, FiniteVolumesConserve)
 
 TEST(LeafTransfer, GalerkinConserves)
 {
-  for (const unsigned int n : {2U, 3U, 4U})
+  for (const unsigned int n : {2U, 3U, 4U, 6U})
   {
     check_conservation(Parent<2>(true, n, Geometry::plane, false));
     check_conservation(Parent<2>(true, n, Geometry::plane, true));

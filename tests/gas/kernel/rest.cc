@@ -114,7 +114,7 @@ TEST(GasAtRest, OneDimensionalGeometries)
                                                "Domain/Lower corner=" + lower,
                                                "Domain/Coarse leaves=3"});
   for (const std::string geometry : {"plane", "cylindrical", "spherical"})
-    for (const unsigned int degree : {1U, 2U, 3U})
+    for (const unsigned int degree : {1U, 2U, 3U, 4U, 5U})
       for (const std::string lower : {"0", "0.1"})
         check_rest<1>(galerkin(degree) +
                       std::vector<std::string>{"Domain/Geometry=" + geometry,
@@ -127,7 +127,7 @@ TEST(GasAtRest, PlaneWithHangingFaces)
 {
   for (const unsigned int n : {1U, 2U, 8U})
     check_rest<2>(finite_volume(n));
-  for (const unsigned int degree : {1U, 2U, 3U})
+  for (const unsigned int degree : {1U, 2U, 3U, 4U, 5U})
     check_rest<2>(galerkin(degree));
 }
 
@@ -140,7 +140,7 @@ TEST(GasAtRest, AxisymmetricWithHangingFaces)
                                              "Domain/Lower corner=" + lower};
     for (const unsigned int n : {1U, 2U, 8U})
       check_rest<2>(finite_volume(n) + vessel);
-    for (const unsigned int degree : {1U, 2U, 3U})
+    for (const unsigned int degree : {1U, 2U, 3U, 4U, 5U})
       check_rest<2>(galerkin(degree) + vessel);
   }
 }
@@ -173,7 +173,7 @@ TEST(UniformFlow, StaysAcrossHangingFaces)
 {
   for (const unsigned int n : {1U, 2U, 8U})
     check_uniform_flow<2>(finite_volume(n), gas_at_rest<2>());
-  for (const unsigned int degree : {1U, 2U, 3U})
+  for (const unsigned int degree : {1U, 2U, 3U, 4U, 5U})
     check_uniform_flow<2>(galerkin(degree), gas_at_rest<2>());
   check_uniform_flow<3>(finite_volume(4), gas_at_rest<3>());
   check_uniform_flow<3>(galerkin(2), gas_at_rest<3>());

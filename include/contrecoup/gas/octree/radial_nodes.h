@@ -132,10 +132,10 @@ public:
     }
   }
 
-  /// r^m at a node.
-  const Number &power(const unsigned int node) const
+  /// r^m at a node; zero near the axis.
+  Number collocated_power(const unsigned int node) const
   {
-    return power_[node];
+    return power_[node] * collocated();
   }
 
   /// See radial_jacobian().
@@ -159,6 +159,11 @@ public:
   const Number &near_axis() const
   {
     return near_axis_;
+  }
+  /// One where near_axis() is zero and the other way round.
+  Number collocated() const
+  {
+    return Number(1.) - near_axis_;
   }
   bool any_near_axis() const
   {

@@ -7,9 +7,8 @@
 #include <contrecoup/base/lanes/lane_math.h>
 #include <contrecoup/numerics/scheme/lobatto_basis.h>
 
+#include <deal.II/base/aligned_vector.h>
 #include <deal.II/base/utilities.h>
-
-#include <array>
 
 namespace contrecoup
 {
@@ -20,46 +19,54 @@ namespace contrecoup
  * (Persson and Peraire 2006, with the threshold and the transition of
  * Hennemann, Rueda-Ramirez, Hindenlang and Gassner 2021, section 3.3).
  */
-template <int dim, int n>
+template <int dim>
 class TroubleIndicator
 {
 public:
-  static constexpr unsigned int n_points = dealii::Utilities::pow(n, dim);
-
+  /// @param n nodes along an edge
   /// @param threshold_factor factor on the threshold; smaller values flag more
   /// cells [-]
-  explicit TroubleIndicator(const LobattoBasis &basis,
+  explicit TroubleIndicator(const unsigned int n,
                             const double threshold_factor = 1.)
-    : threshold_(threshold_factor * 0.5 *
+    : n_(n)
+    , threshold_(threshold_factor * 0.5 *
                  std::pow(10., -1.8 * std::pow(double(n), 0.25)))
   {
+    const LobattoBasis basis(n);
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < n; ++j)
-        to_modal_[i][j] = basis.to_modal()(i, j);
-  }
-
-  /// 0 if the polynomial with these nodal values (x fastest) is smooth, 1 if
-  /// it is not resolved.
-  template <typename Number>
-  Number blending_factor(std::array<Number, n_points> values) const
-  {
-    transform(values);
-    std::array<Number, n> energy; // by the largest degree in any direction
-    energy.fill(Number(0.));
-    for (unsigned int q = 0; q < n_points; ++q)
+        to_modal_.push_back(basis.to_modal()(i, j));
+    for (unsigned int q = 0; q < dealii::Utilities::pow(n, dim); ++q)
     {
       unsigned int degree = 0, rest = q;
       for (unsigned int d = 0; d < dim; ++d, rest /= n)
         degree = std::max(degree, rest % n);
-      energy[degree] += values[q] * values[q];
+      degree_.push_back(degree);
     }
+  }
+
+  /// 0 where the polynomial with these nodal values (x fastest) is smooth,
+  /// 1 where it is not resolved. The values are overwritten; their squares
+  /// must not overflow.
+  template <typename Number>
+  Number blending_factor(dealii::AlignedVector<Number> &values) const
+  {
+    transform(values);
     const Number tiny(std::numeric_limits<float>::min());
-    Number below = tiny;
-    for (unsigned int i = 0; i + 1 < n; ++i)
-      below += energy[i];
-    Number energy_fraction = energy[n - 1] / (below + energy[n - 1]);
-    if (n > 2)
-      energy_fraction = std::max(energy_fraction, energy[n - 2] / below);
+    Number highest(0.), second(0.), below(tiny);
+    for (unsigned int q = 0; q < degree_.size(); ++q)
+    {
+      Number &sum = degree_[q] + 1 == n_   ? highest
+                    : degree_[q] + 2 == n_ ? second
+                                           : below;
+      sum += values[q] * values[q];
+    }
+    // Energy fractions of the highest modes in all modes, and of the second
+    // highest in those below the highest.
+    below += second;
+    Number energy_fraction = highest / (below + highest);
+    if (n_ > 2)
+      energy_fraction = std::max(energy_fraction, second / below);
 
     const double sharpness = std::log((1. - 1e-4) / 1e-4);
     Number alpha =
@@ -72,28 +79,31 @@ public:
   }
 
 private:
+  /// From nodal values to the coefficients of Legendre polynomials.
   template <typename Number>
-  void transform(std::array<Number, n_points> &values) const
+  void transform(dealii::AlignedVector<Number> &values) const
   {
-    unsigned int stride = 1;
-    for (unsigned int d = 0; d < dim; ++d, stride *= n)
-      for (unsigned int line = 0; line < n_points / n; ++line)
+    std::array<Number, 16> nodal;
+    for (unsigned int stride = 1; stride < degree_.size(); stride *= n_)
+      for (unsigned int line = 0; line < degree_.size() / n_; ++line)
       {
-        const unsigned int first = line % stride + (line / stride) * stride * n;
-        std::array<Number, n> nodal;
-        for (unsigned int i = 0; i < n; ++i)
-          nodal[i] = values[first + i * stride];
-        for (unsigned int i = 0; i < n; ++i)
+        Number *const first =
+          &values[line % stride + (line / stride) * stride * n_];
+        for (unsigned int i = 0; i < n_; ++i)
+          nodal[i] = first[i * stride];
+        for (unsigned int i = 0; i < n_; ++i)
         {
-          Number sum = nodal[0] * to_modal_[i][0];
-          for (unsigned int j = 1; j < n; ++j)
-            sum += nodal[j] * to_modal_[i][j];
-          values[first + i * stride] = sum;
+          Number sum = nodal[0] * to_modal_[i * n_];
+          for (unsigned int j = 1; j < n_; ++j)
+            sum += nodal[j] * to_modal_[i * n_ + j];
+          first[i * stride] = sum;
         }
       }
   }
 
-  const double threshold_;
-  std::array<std::array<double, n>, n> to_modal_;
+  unsigned int n_;
+  double threshold_;
+  std::vector<double> to_modal_;
+  std::vector<unsigned int> degree_; ///< largest one in any direction
 };
 } // namespace contrecoup

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/gas/octree/leaf_layout.h>
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_dgq.h>
+#include <deal.II/fe/mapping.h>
+#include <deal.II/matrix_free/matrix_free.h>
+
+#include <memory>
+#include <vector>
+
+namespace contrecoup::gas
+{
+/**
+ * The discontinuous Galerkin space on the leaves of this rank: deal.II's
+ * degrees of freedom and MatrixFree, and the tables that lead from its batches
+ * of cells and faces to leaves.
+ *
+ * The nodes of a leaf are the Gauss-Lobatto points, numbered as LeafLayout
+ * says. Where all leaves are boxes along the axes, whatever mesh they come
+ * from, they are the quadrature points, too; on other meshes these are Gauss
+ * points, which keep the order of accuracy on distorted leaves.
+ *
+ * The fluxes through faces are kept in records, laid out as record_layout()
+ * says. On boxes a record holds the flux per area towards larger coordinates at
+ * the face nodes, for both sides at once where they are equal. On other meshes
+ * each side has a record of its own: of each node, the flux out of that leaf
+ * times the test function, integrated over the face, less the force of the
+ * leaf's reference pressure. A coarse leaf has a record for each finer
+ * neighbour, which add up.
+ */
+template <int dim, typename Real>
+class GalerkinSpace
+{
+public:
+  using Number = Lanes<Real>;
+  using MatrixFree = dealii::MatrixFree<dim, Real, Number>;
+  static constexpr unsigned int width = n_lanes<Real>;
+  using LaneIndices = std::array<unsigned int, width>;
+
+  /// One lane's share of a coarse leaf's face.
+  struct Part
+  {
+    unsigned int lane;
+    unsigned int face;
+    unsigned int record;
+  };
+
+  struct CellBatch
+  {
+    LaneIndices leaf; ///< unused lanes repeat lane 0
+    unsigned int n_filled;
+    bool is_leaf_batch; ///< the leaves of a batch of LeafMesh, in their order
+    std::array<LaneIndices, 2 * dim> record; ///< of each face
+    std::vector<Part> more;                  ///< finer neighbours but one
+    std::vector<unsigned int> faces; ///< batches that hold these records
+  };
+
+  struct FaceBatch
+  {
+    enum class Kind
+    {
+      regular,
+      hanging,
+      boundary
+    };
+    Kind kind = Kind::regular;
+    unsigned int boundary_id = 0;
+    unsigned int n_filled = 0;
+    /// Of a hanging face of boxes, which part of the coarse leaf's face; see
+    /// HangingFace::fine_leaf.
+    unsigned int quarter = 0;
+    /// The side that deal.II calls interior: the finer one, or the only one.
+    /// Side 0 is the left one: on boxes that of smaller coordinates, else
+    /// the interior one.
+    unsigned int interior = 0;
+    std::array<LaneIndices, 2> leaf; ///< unused lanes repeat lane 0
+    std::array<unsigned int, 2> face;
+    std::array<unsigned int, 2> record; ///< of each side, for lane 0
+    /// Of the interior side; the same in all lanes.
+    FaceMatch match;
+    /// Whether deal.II's quadrature points follow the exterior side's axes.
+    bool is_numbered_by_exterior = false;
+
+    bool has(const unsigned int side) const
+    {
+      return kind != Kind::boundary || side == interior;
+    }
+  };
+
+  GalerkinSpace(const LeafMesh<dim> &mesh, const LeafLayout &layout);
+
+  /// Renews everything after LeafMesh::rebuild().
+  void reinit();
+
+  const MatrixFree &matrix_free() const
+  {
+    return matrix_free_;
+  }
+  /// Whether all leaves are boxes and the nodes are the quadrature points.
+  bool is_collocated() const
+  {
+    return is_collocated_;
+  }
+  /// Exponent m of the radius r in volumes and areas; 0 in plane geometry.
+  unsigned int radial_exponent() const
+  {
+    return contrecoup::radial_exponent(mesh_.coarse_mesh().geometry());
+  }
+  const std::vector<CellBatch> &cells() const
+  {
+    return cells_;
+  }
+  const std::vector<FaceBatch> &faces() const
+  {
+    return faces_;
+  }
+  /// A batch of records, one for each lane of a face batch.
+  const LeafLayout &record_layout() const
+  {
+    return record_layout_;
+  }
+  /// Of all records together, for @p n_components values a face node.
+  std::size_t n_values(const unsigned int n_components) const
+  {
+    return std::size_t(n_records_) * n_components * record_layout_.n_points;
+  }
+  /// Number of a face point of the interior side on a side's own face.
+  unsigned int own_point(const FaceBatch &batch,
+                         const unsigned int side,
+                         const unsigned int point) const
+  {
+    const unsigned int n = layout_.n;
+    return dim == 1 || side == batch.interior
+             ? point
+             : matched_face_point(
+                 batch.match.orientation, point % n, point / n, n);
+  }
+  /// deal.II's number of the quadrature point that belongs to a face point of
+  /// the interior side, on mapped meshes. Faces along z and x are numbered z
+  /// fastest.
+  unsigned int quadrature_point(const FaceBatch &batch,
+                                const unsigned int point) const
+  {
+    const unsigned int n = layout_.n;
+    const unsigned int side =
+      batch.is_numbered_by_exterior ? 1 - batch.interior : batch.interior;
+    const unsigned int own = own_point(batch, side, point);
+    return dim == 3 && batch.face[side] / 2 == 1 ? own % n * n + own / n : own;
+  }
+  const LeafMesh<dim> &mesh() const
+  {
+    return mesh_;
+  }
+
+private:
+  void reinit_matrix_free();
+  void find_cells();
+  void find_mapped_faces();
+  FaceBatch mapped_face_batch(const unsigned int index) const;
+  void find_box_faces();
+  /// Calls @p add(batch, left leaf, right leaf) for each face.
+  template <typename Add>
+  void add_faces_of_box(const unsigned int leaf, const Add &add) const;
+  /// A batch whose interior side has face @p face.
+  static FaceBatch box_face_batch(const unsigned int face);
+  void attach_records();
+  void attach_record(const unsigned int leaf,
+                     const unsigned int face,
+                     const unsigned int face_batch,
+                     const unsigned int record);
+
+  const LeafMesh<dim> &mesh_;
+  const LeafLayout layout_;
+  LeafLayout record_layout_;
+  const bool is_collocated_;
+  const dealii::FE_DGQArbitraryNodes<dim> element_;
+  const std::unique_ptr<dealii::Mapping<dim>> mapping_;
+  dealii::DoFHandler<dim> dof_handler_;
+  MatrixFree matrix_free_;
+  std::vector<CellBatch> cells_;
+  std::vector<FaceBatch> faces_;
+  unsigned int n_records_ = 0;
+  std::vector<unsigned int> place_of_leaf_; ///< cell batch and lane
+};
+} // namespace contrecoup::gas
