@@ -14,6 +14,7 @@ void GalerkinLeaves<dim, Gas, Real>::add_subcell_terms(const Real *state)
 {
   if (!space_.is_collocated())
     set_subcell_areas();
+  find_neighbors();
   subcell_rate_.fill(Number(0.));
   for (unsigned int direction = 0; direction < dim; ++direction)
   {
@@ -127,6 +128,40 @@ void GalerkinLeaves<dim, Gas, Real>::load_line(const unsigned int direction,
 }
 
 
+template <int dim, typename Gas, typename Real>
+void GalerkinLeaves<dim, Gas, Real>::find_neighbors()
+{
+  for (unsigned int face = 0; face < 2 * dim; ++face)
+  {
+    FaceNeighbors &beside = beside_[face];
+    for (unsigned int lane = 0; lane < width; ++lane)
+    {
+      const unsigned int leaf = batch_->leaf[lane];
+      beside.leaf[lane] = neighbor(face, lane);
+      beside.match[lane] = mesh_.matches(leaf / width, face)[leaf % width];
+    }
+    beside.reader.reinit(beside.leaf.data(), layout_);
+    beside.is_absent = 0.;
+    beside.sign = 1.;
+    beside.any_absent = false;
+  }
+  for (unsigned int lane = 0; lane < batch_->n_filled; ++lane)
+  {
+    const unsigned int leaf = batch_->leaf[lane], batch = leaf / width;
+    for (auto s = mesh_.special_begin(batch); s != mesh_.special_end(batch);
+         ++s)
+    {
+      if (s->lane != leaf % width)
+        continue;
+      beside_[s->face].is_absent[lane] = 1.;
+      beside_[s->face].any_absent = true;
+      if (space_.is_collocated() && is_boundary(*s, Boundary<dim>::Kind::wall))
+        beside_[s->face].sign[lane] = -1.;
+    }
+  }
+}
+
+
 // The neighbour's node next to the face; a wall mirrors, and at other ends
 // without an equal neighbour the last subcell has no slope.
 template <int dim, typename Gas, typename Real>
@@ -136,48 +171,36 @@ GalerkinLeaves<dim, Gas, Real>::beyond(const unsigned int face,
                                        const Real *state) const
 {
   const unsigned int n = layout_.n;
-  std::array<unsigned int, width> offset;
-  for (unsigned int lane = 0; lane < width; ++lane)
-  {
-    const unsigned int leaf = batch_->leaf[lane];
-    const FaceMatch match = mesh_.matches(leaf / width, face)[leaf % width];
-    const unsigned int q =
-      dim == 1 ? 0
-               : matched_face_point(match.orientation, line % n, line / n, n);
-    offset[lane] = layout_.offset(neighbor(face, lane)) +
-                   layout_.value(0, layout_.face_point(match.face, q, 0));
-  }
+  const FaceNeighbors &beside = beside_[face];
   Values u;
-  for (unsigned int c = 0; c < nc; ++c)
-    u[c].gather(state + layout_.value(c, 0), offset.data());
-  Values result = to_primitive<dim>(gas_, u);
-  const Values end = line_[face % 2 ? n : 1];
-  for (unsigned int lane = 0; lane < batch_->n_filled; ++lane)
+  if (space_.is_collocated())
   {
-    const unsigned int leaf = batch_->leaf[lane];
-    const SpecialFace *special = special_face(leaf, face);
-    if (special == nullptr)
-      continue;
+    const unsigned int point = layout_.face_point(face ^ 1U, line, 0);
     for (unsigned int c = 0; c < nc; ++c)
-      result[c][lane] = end[c][lane];
-    if (space_.is_collocated() &&
-        is_boundary(*special, Boundary<dim>::Kind::wall))
-      result[C::momentum + face / 2][lane] *= -1.;
+      u[c] = beside.reader.read(state + layout_.value(c, point));
   }
+  else
+  {
+    std::array<unsigned int, width> offset;
+    for (unsigned int lane = 0; lane < width; ++lane)
+    {
+      const FaceMatch match = beside.match[lane];
+      const unsigned int q =
+        matched_face_point(match.orientation, line % n, line / n, n);
+      offset[lane] = layout_.offset(beside.leaf[lane]) +
+                     layout_.value(0, layout_.face_point(match.face, q, 0));
+    }
+    for (unsigned int c = 0; c < nc; ++c)
+      u[c].gather(state + layout_.value(c, 0), offset.data());
+  }
+  Values result = to_primitive<dim>(gas_, u);
+  if (!beside.any_absent)
+    return result;
+  const Values &end = line_[face % 2 ? n : 1];
+  for (unsigned int c = 0; c < nc; ++c)
+    result[c] = select_less(Number(0.), beside.is_absent, end[c], result[c]);
+  result[C::momentum + face / 2] *= beside.sign;
   return result;
-}
-
-
-template <int dim, typename Gas, typename Real>
-const SpecialFace *
-GalerkinLeaves<dim, Gas, Real>::special_face(const unsigned int leaf,
-                                             const unsigned int face) const
-{
-  const unsigned int batch = leaf / width;
-  for (auto s = mesh_.special_begin(batch); s != mesh_.special_end(batch); ++s)
-    if (s->lane == leaf % width && s->face == face)
-      return s;
-  return nullptr;
 }
 
 
@@ -258,13 +281,15 @@ GalerkinLeaves<dim, Gas, Real>::compression(const unsigned int direction,
     if (along == direction)
       continue;
     Vector tangent;
-    tangent[along] = 1.;
     if (!space_.is_collocated())
     {
       tangent = invert(phi_->inverse_jacobian(point))[along];
       tangent *= Number(1.) / std::sqrt(tangent * tangent);
     }
     const auto difference = [&](const unsigned int a, const unsigned int b) {
+      if (space_.is_collocated())
+        return Number(primitive_[(C::momentum + along) * n_points_ + b] -
+                      primitive_[(C::momentum + along) * n_points_ + a]);
       Number result(0.);
       for (unsigned int d = 0; d < dim; ++d)
         result += (primitive_[(C::momentum + d) * n_points_ + b] -

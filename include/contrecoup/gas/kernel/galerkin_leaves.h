@@ -94,6 +94,7 @@ private:
   void load_line(const unsigned int direction,
                  const unsigned int line,
                  const Real *state);
+  void find_neighbors();
   Values beyond(const unsigned int face,
                 const unsigned int line,
                 const Real *state) const;
@@ -107,9 +108,6 @@ private:
   FaceAxes<dim, Number> subcell_face(const unsigned int direction,
                                      const unsigned int line,
                                      const unsigned int f) const;
-  /// What a face of a leaf has instead of an equal neighbour, or null.
-  const SpecialFace *special_face(const unsigned int leaf,
-                                  const unsigned int face) const;
   bool is_boundary(const SpecialFace &special,
                    const typename Boundary<dim>::Kind kind) const
   {
@@ -133,6 +131,17 @@ private:
       result[c] = values[c * n_points_ + q];
     return result;
   }
+
+  /// Leaves of equal size beside a face of the batch's leaves.
+  struct FaceNeighbors
+  {
+    NeighborReader<Real> reader;
+    std::array<unsigned int, width> leaf;
+    std::array<FaceMatch, width> match; ///< the same in all lanes on boxes
+    Number is_absent;                   ///< one where there is none, else zero
+    Number sign; ///< of the normal velocity beyond: -1 behind a wall
+    bool any_absent;
+  };
 
   const LeafMesh<dim> &mesh_;
   const Space &space_;
@@ -167,6 +176,7 @@ private:
   Number reference_pressure_;
   Number blending_;
   bool any_blending_ = false;
+  std::array<FaceNeighbors, 2 * dim> beside_;
   Line line_; ///< primitive, with one node beyond each end
   Line slope_;
   Line flux_;
