@@ -294,7 +294,7 @@ contrecoup_add_application_test(refuses_probe_outside refusal
   MESSAGE "m is outside of the mesh")
 contrecoup_add_application_test(refuses_liquid_without_constants refusal
   FILE ${_folder}/water_hammer.prm SET "Region water/Density=1.2"
-  MESSAGE "kg/m^3 and Bulk modulus = 2.2e+09 Pa sound would go at 4.282e+04 m/s")
+  MESSAGE "kg/m^3 and Bulk modulus = 2.2e+09 Pa the sound speed would be 4.282e+04 m/s")
 contrecoup_add_application_test(refuses_negative_pressure refusal
   FILE ${_folder}/sod.prm SET "Region gas/Pressure=0.4 - x"
   MESSAGE "Pressure must leave the sound speed real and above 0")
@@ -350,7 +350,7 @@ contrecoup_add_application_test(added_mass_loose bounds,resume
   COMPARE history.csv STOP_AFTER 100 LABELS verification)
 contrecoup_add_application_test(added_mass_loose_fails bounds
   FILE ${_folder}/added_mass.prm SET ${_thin} "Coupling/Scheme=loose" EXIT 2
-  MESSAGE "the loose coupling of fluids and solids with a ratio of added mass of up to 1.48")
+  MESSAGE "the loose coupling of fluids and solids, with added mass ratios up to 1.48")
 contrecoup_add_application_test(added_mass_fixed_fails bounds
   FILE ${_folder}/added_mass.prm SET ${_thin} "Coupling/Scheme=fixed relaxation"
   "Coupling/Relaxation=0.9" EXIT 2
@@ -410,7 +410,7 @@ contrecoup_add_application_test(head_in_turn bounds,resume,ranks
   "step size*=1e-4")
 contrecoup_add_application_test(head_loose_fails bounds
   FILE head_impact/quickstart.prm SET ${_thick} "Coupling/Scheme=loose" EXIT 2
-  MESSAGE "the loose coupling of fluids and solids with a ratio of added mass of up to 1.9")
+  MESSAGE "the loose coupling of fluids and solids, with added mass ratios up to 1.9")
 # At 30 m/s, at 45 degrees with friction, and before a gap of half a cell.
 contrecoup_add_application_test(head_30_m_s bounds
   FILE head_impact/quickstart.prm SET ${_coarse} "Region brain/Velocity z=-30"

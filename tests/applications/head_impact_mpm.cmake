@@ -145,10 +145,10 @@ contrecoup_add_application_test(front_refuses_region refusal
   MESSAGE "Reference/Front/Region: there is no region oil")
 contrecoup_add_application_test(clamped_refuses_ale refusal
   FILE ${_folder}/water_hammer.prm SET "Side x-/Kind=clamped"
-  MESSAGE "Side x-/Kind = clamped: sides hold particles alone, Method = mpm")
+  MESSAGE "Side x-/Kind = clamped is for particles only, Method = mpm")
 contrecoup_add_application_test(clamped_refuses_spheres refusal
   FILE ${_folder}/fluid_in_rigid_sphere.prm SET "Method=mpm" "Side sphere/Kind=clamped"
-  MESSAGE "Side sphere/Kind = clamped: planes hold matter")
+  MESSAGE "Side sphere/Kind = clamped is for plane sides")
 contrecoup_add_application_test(metals_refuse_ale refusal
   FILE ${_folder}/taylor_bar.prm SET "Method=ale"
   MESSAGE "Region bar/Material = johnson-cook needs Method = mpm")

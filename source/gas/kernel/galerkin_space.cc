@@ -47,6 +47,33 @@ namespace
     return true;
   }
 
+  /// The vertices alone shape a cell. MappingFE asks the manifold for them,
+  /// and SphericalManifold moves vertices in three dimensions.
+  template <int dim>
+  class MultilinearMapping : public dealii::MappingFE<dim>
+  {
+  public:
+    MultilinearMapping()
+      : dealii::MappingFE<dim>(dealii::FE_Q<dim>(1))
+    {}
+
+    std::unique_ptr<dealii::Mapping<dim>> clone() const override
+    {
+      return std::make_unique<MultilinearMapping>(*this);
+    }
+
+  protected:
+    std::vector<dealii::Point<dim>> compute_mapping_support_points(
+      const typename dealii::Triangulation<dim>::cell_iterator &cell)
+      const override
+    {
+      std::vector<dealii::Point<dim>> vertices;
+      for (const unsigned int v : cell->vertex_indices())
+        vertices.push_back(cell->vertex(v));
+      return vertices;
+    }
+  };
+
   // MatrixFree takes cells for alike, or for parallelepipeds, whose geometry by
   // MappingQ differs by less than 2e-9: uniform flow would change by 5e-11. It
   // keeps 2e-13 with other mappings, in more time.
@@ -56,7 +83,7 @@ namespace
   {
     if (has_boxes_alone)
       return std::make_unique<dealii::MappingQ<dim>>(1);
-    return std::make_unique<dealii::MappingFE<dim>>(dealii::FE_Q<dim>(1));
+    return std::make_unique<MultilinearMapping<dim>>();
   }
 } // namespace
 
