@@ -12,6 +12,10 @@ namespace contrecoup::gas
 {
 /// Serialises the data of leaves (gas and maps) for transfer between ranks and
 /// from the octree before an adaptation to the octree after it.
+///
+/// deal.II's CellDataTransfer takes one value per cell of the octree: a second
+/// copy of the field, in double precision, before and after each adaptation,
+/// and knows no meshes of one dimension, which share this class.
 template <int dim>
 class LeafCarrier
 {
