@@ -147,9 +147,9 @@ void EmbeddedKernel<dim, Gas, Real>::update(
     sweep(direction, hanging);
   add_walls(stage.time);
   write(stage);
-  if (stage.wall_force != nullptr)
+  if (stage.results.wall_force != nullptr)
     add_wall_force(stage);
-  sweep_.leaves().sensor().store(stage.sensor_out + batch * width);
+  sweep_.leaves().sensor().store(stage.results.sensor + batch * width);
 }
 
 
@@ -306,7 +306,7 @@ void EmbeddedKernel<dim, Gas, Real>::write(const BasicStage<Real> &stage)
 {
   const Real *in = stage.in + batch_ * layout_.batch_size();
   const Real *start = stage.start + batch_ * layout_.batch_size();
-  Real *out = stage.out + batch_ * layout_.batch_size();
+  Real *out = stage.results.state + batch_ * layout_.batch_size();
   for (unsigned int q = 0; q < layout_.n_points; ++q)
   {
     const Number &fraction = openings_->fraction[q];
@@ -336,8 +336,10 @@ void EmbeddedKernel<dim, Gas, Real>::add_wall_force(
   for (unsigned int d = 0; d < dim; ++d)
     for (unsigned int lane = 0; lane < width; ++lane)
     {
-      (*stage.wall_force)[d] += stage.weight * double(wall_force_[d][lane]);
-      (*stage.wall_force)[3 + d] += stage.weight * double(wall_area_[d][lane]);
+      (*stage.results.wall_force)[d] +=
+        stage.weight * double(wall_force_[d][lane]);
+      (*stage.results.wall_force)[3 + d] +=
+        stage.weight * double(wall_area_[d][lane]);
     }
 }
 
@@ -346,7 +348,7 @@ template <int dim, typename Gas, typename Real>
 void EmbeddedKernel<dim, Gas, Real>::conclude(const unsigned int batch,
                                               const BasicStage<Real> &stage)
 {
-  const Real *out = stage.out + batch * layout_.batch_size();
+  const Real *out = stage.results.state + batch * layout_.batch_size();
   Number smallest(1.);
   for (unsigned int q = 0; q < layout_.n_points; ++q)
   {
@@ -356,8 +358,9 @@ void EmbeddedKernel<dim, Gas, Real>::conclude(const unsigned int batch,
     smallest = std::min(smallest, is_admissible<dim>(gas_, u));
   }
   new_state_.report(batch, smallest, stage);
-  new_state_.fill_padding(batch, stage.out + batch * layout_.batch_size());
-  if (stage.signal_rate != nullptr)
+  new_state_.fill_padding(batch,
+                          stage.results.state + batch * layout_.batch_size());
+  if (stage.results.signal_rate != nullptr)
     analyse(batch, stage);
 }
 

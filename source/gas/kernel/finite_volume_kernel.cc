@@ -35,10 +35,11 @@ void FiniteVolumeKernel<dim, Gas, Real>::update(
     sweep(batch, direction, hanging);
   finish(batch, stage);
   // The sensor of the last stage serves a whole step.
-  if (stage.signal_rate != nullptr)
+  if (stage.results.signal_rate != nullptr)
     analyse(batch, stage);
   else
-    sweep_.leaves().sensor().store(stage.sensor_out + batch * n_lanes<Real>);
+    sweep_.leaves().sensor().store(stage.results.sensor +
+                                   batch * n_lanes<Real>);
 }
 
 
@@ -84,12 +85,12 @@ void FiniteVolumeKernel<dim, Gas, Real>::finish(const unsigned int batch,
         old.load(stage.start + at);
         u[c] += (old - u[c]) * stage.a;
       }
-      u[c].store(stage.out + at);
+      u[c].store(stage.results.state + at);
     }
     smallest = std::min(smallest, is_admissible<dim>(gas_, u));
   }
   new_state_.report(batch, smallest, stage);
-  new_state_.fill_padding(batch, stage.out + first);
+  new_state_.fill_padding(batch, stage.results.state + first);
 }
 
 

@@ -113,7 +113,7 @@ void GalerkinFaces<dim, Gas, Real>::bind(const unsigned int face_batch,
     reader_[side].reinit(batch_->leaf[side].data(), layout_);
     for (unsigned int lane = 0; lane < width; ++lane)
       share_[lane] =
-        std::max(share_[lane], stage.sensor_in[batch_->leaf[side][lane]]);
+        std::max(share_[lane], stage.sensor[batch_->leaf[side][lane]]);
   }
   // At open ends of distorted leaves an extrapolated polynomial would grow.
   if (!space_.is_collocated() && batch_->kind == FaceBatch::Kind::boundary &&

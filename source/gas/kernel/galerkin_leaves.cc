@@ -78,7 +78,7 @@ void GalerkinLeaves<dim, Gas, Real>::update(
   bind(cell_batch);
   load(stage.in);
   set_volumes();
-  set_blending(stage.sensor_in);
+  set_blending(stage.sensor);
   volume_terms();
   add_face_fluxes();
   divide_by_mass();
@@ -97,7 +97,7 @@ void GalerkinLeaves<dim, Gas, Real>::analyse(const unsigned int cell_batch,
                                              const BasicStage<Real> &stage)
 {
   bind(cell_batch);
-  load(stage.out);
+  load(stage.results.state);
   store_sensors(stage, nullptr);
 }
 
@@ -372,7 +372,7 @@ void GalerkinLeaves<dim, Gas, Real>::advance(const BasicStage<Real> &stage)
   if (any_less(good, Number(1.)))
     for (unsigned int lane = 0; lane < batch_->n_filled; ++lane)
       if (good[lane] < 1.)
-        *stage.unphysical_leaf = batch_->leaf[lane];
+        *stage.results.unphysical_leaf = batch_->leaf[lane];
   if constexpr (Gas::has_products)
     scaling.bound_products();
 }
@@ -385,7 +385,7 @@ void GalerkinLeaves<dim, Gas, Real>::store(
 {
   if (batch_->is_leaf_batch)
   {
-    Real *to = stage.out + layout_.offset(batch_->leaf[0]);
+    Real *to = stage.results.state + layout_.offset(batch_->leaf[0]);
     for (unsigned int i = 0; i < nc * n_points_; ++i)
       conserved_[i].store(to + i * width);
     return;
@@ -393,7 +393,7 @@ void GalerkinLeaves<dim, Gas, Real>::store(
   for (unsigned int lane = 0; lane < batch_->n_filled; ++lane)
     if (quiet_leaves.is_active(batch_->leaf[lane] / width))
     {
-      Real *to = stage.out + layout_.offset(batch_->leaf[lane]);
+      Real *to = stage.results.state + layout_.offset(batch_->leaf[lane]);
       for (unsigned int i = 0; i < nc * n_points_; ++i)
         to[i * width] = conserved_[i][lane];
     }
@@ -423,16 +423,16 @@ void GalerkinLeaves<dim, Gas, Real>::store_sensors(
   if (scheme_.blending)
     sensor = std::min(indicator_.blending_factor(signal_),
                       Number(scheme_.largest_blending));
-  if (stage.signal_rate != nullptr)
+  if (stage.results.signal_rate != nullptr)
     rate = largest_signal_rate();
   for (unsigned int lane = 0; lane < batch_->n_filled; ++lane)
   {
     const unsigned int leaf = batch_->leaf[lane];
     if (quiet_leaves != nullptr && !quiet_leaves->is_active(leaf / width))
       continue;
-    stage.sensor_out[leaf] = sensor[lane];
-    if (stage.signal_rate != nullptr)
-      stage.signal_rate[leaf] = rate[lane];
+    stage.results.sensor[leaf] = sensor[lane];
+    if (stage.results.signal_rate != nullptr)
+      stage.results.signal_rate[leaf] = rate[lane];
   }
 }
 

@@ -64,10 +64,10 @@ namespace
           }
         leaves_.update(b, stage, quiet_leaves);
       }
-      fill_padding(stage.out);
+      fill_padding(stage.results.state);
       for (unsigned int batch = 0; batch < mesh_.n_batches(); ++batch)
         if (quiet_leaves.is_active(batch))
-          quiet_leaves.find_woken_leaves(batch, stage.out);
+          quiet_leaves.find_woken_leaves(batch, stage.results.state);
     }
 
     void analyse(const BasicStage<Real> &stage) override

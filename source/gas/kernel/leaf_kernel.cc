@@ -34,14 +34,14 @@ void LeafKernel<dim, Gas, Real>::bind(const unsigned int batch,
   time_ = stage.time;
   in_ = stage.in;
   bounds_velocity_slopes_ = stage.bound_velocity_slopes;
-  sensor_.load(stage.sensor_in + batch * width);
+  sensor_.load(stage.sensor + batch * width);
   Number any = sensor_;
   for (unsigned int face = 0; face < 2 * dim; ++face)
   {
     const unsigned int *neighbors = mesh_.neighbors(batch, face);
     neighbors_[face].reinit(neighbors, layout_);
     for (unsigned int lane = 0; lane < width; ++lane)
-      neighbor_sensor_[face][lane] = stage.sensor_in[neighbors[lane]];
+      neighbor_sensor_[face][lane] = stage.sensor[neighbors[lane]];
     any = std::max(any, neighbor_sensor_[face]);
   }
   needs_shear_factor_ = dim > 1 &&

@@ -46,13 +46,13 @@ void MappedFiniteVolumeKernel<dim, Gas>::update(const unsigned int batch,
   for (unsigned int direction = 0; direction < dim; ++direction)
     sweep(direction);
   finish(stage);
-  if (stage.signal_rate != nullptr)
+  if (stage.results.signal_rate != nullptr)
   {
-    load(stage.out);
+    load(stage.results.state);
     store_sensors(stage);
   }
   else
-    Base::sensor_.store(stage.sensor_out + batch * double_width);
+    Base::sensor_.store(stage.results.sensor + batch * double_width);
 }
 
 
@@ -62,7 +62,7 @@ void MappedFiniteVolumeKernel<dim, Gas>::analyse(const unsigned int batch,
 {
   Base::bind_burn(batch, stage);
   metric_.reinit(mesh_, batch);
-  load(stage.out);
+  load(stage.results.state);
   store_sensors(stage);
 }
 
@@ -222,7 +222,7 @@ void MappedFiniteVolumeKernel<dim, Gas>::finish(const Stage &stage)
 {
   const double *in = stage.in + batch_ * layout_.batch_size();
   const double *start = stage.start + batch_ * layout_.batch_size();
-  double *out = stage.out + batch_ * layout_.batch_size();
+  double *out = stage.results.state + batch_ * layout_.batch_size();
   Number smallest(1.);
   for (unsigned int q = 0; q < layout_.n_points; ++q)
   {
@@ -245,7 +245,7 @@ void MappedFiniteVolumeKernel<dim, Gas>::finish(const Stage &stage)
   const unsigned int n_filled = mesh_.n_filled_lanes(batch_);
   for (unsigned int lane = 0; lane < n_filled; ++lane)
     if (!(smallest[lane] > 0.))
-      *stage.unphysical_leaf = batch_ * double_width + lane;
+      *stage.results.unphysical_leaf = batch_ * double_width + lane;
   for (unsigned int lane = n_filled; lane < double_width; ++lane)
     for (std::size_t i = 0; i < layout_.batch_size(); i += double_width)
       out[i + lane] = out[i];

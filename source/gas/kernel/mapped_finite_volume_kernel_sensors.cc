@@ -12,14 +12,14 @@ template <int dim, typename Gas>
 void MappedFiniteVolumeKernel<dim, Gas>::store_sensors(const Stage &stage)
 {
   largest_signal_rate(stage.end_time)
-    .store(stage.signal_rate + batch_ * double_width);
+    .store(stage.results.signal_rate + batch_ * double_width);
   if (Base::burn_ != nullptr)
     for (unsigned int q = 0; q < layout_.n_points; ++q)
     {
       Number &pressure = primitive_[C::energy * layout_.n_points + q];
       pressure = Base::burn_->pressure(pressure, burned(q, stage.end_time));
     }
-  shock_sensor().store(stage.sensor_out + batch_ * double_width);
+  shock_sensor().store(stage.results.sensor + batch_ * double_width);
 }
 
 

@@ -49,9 +49,9 @@ void TimeStepper<dim>::compute_sensors(GasField &field)
   visit_precision(precision_, [&](const auto real) {
     using Real = std::decay_t<decltype(real)>;
     BasicStage<Real> stage;
-    stage.out = field.state<Real>();
-    stage.sensor_out = field.shock_indicator<Real>();
-    stage.signal_rate = signal_rates<Real>().data();
+    stage.results.state = field.state<Real>();
+    stage.results.sensor = field.shock_indicator<Real>();
+    stage.results.signal_rate = signal_rates<Real>().data();
     stage.burn = field.burn();
     stage.end_time = field.time();
     operator_.analyse(stage);
@@ -100,25 +100,25 @@ TimeStepper<dim>::try_step(GasField &field,
     BasicStage<Real> stage;
     stage.start = field.state<Real>();
     stage.in = in;
-    stage.out = field.stage<Real>(target);
+    stage.results.state = field.stage<Real>(target);
     stage.a = stages[s].initial_weight;
     stage.step = step;
     stage.time = time + stages[s].time * step;
     stage.end_time = time + step;
     stage.burn = field.burn();
-    stage.sensor_in = sensor;
-    stage.sensor_out = field.stage_shock_indicator<Real>(target);
-    stage.signal_rate =
+    stage.sensor = sensor;
+    stage.results.sensor = field.stage_shock_indicator<Real>(target);
+    stage.results.signal_rate =
       s + 1 == stages.size() ? signal_rates<Real>().data() : nullptr;
     stage.bound_velocity_slopes = bound_velocity_slopes;
-    stage.wall_force = &wall_force_;
+    stage.results.wall_force = &wall_force_;
     for (unsigned int later = s; later < stages.size(); ++later)
       stage.weight *= 1. - stages[later].initial_weight;
-    stage.unphysical_leaf = &unphysical_leaf_;
+    stage.results.unphysical_leaf = &unphysical_leaf_;
     operator_.apply(stage, quiet_leaves_);
     if (operator_.redistributes())
     {
-      exchange_.update(stage.out, stage.sensor_out);
+      exchange_.update(stage.results.state, stage.results.sensor);
       operator_.redistribute(stage, quiet_leaves_);
     }
     in = field.stage<Real>(target);

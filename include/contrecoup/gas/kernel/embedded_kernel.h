@@ -47,7 +47,7 @@ public:
   /// Checks and analyses the new state, when it is complete.
   void conclude(const unsigned int batch, const BasicStage<Real> &stage);
 
-  /// Computes only sensor and signal rate of the state stage.out.
+  /// Computes only sensor and signal rate of the state stage.results.state.
   void analyse(const unsigned int batch, const BasicStage<Real> &stage);
 
 private:

@@ -65,7 +65,7 @@ public:
         else
         {
           kernel_.update(batch, stage, hanging_);
-          quiet_leaves.find_woken_leaves(batch, stage.out);
+          quiet_leaves.find_woken_leaves(batch, stage.results.state);
         }
       }
   }
@@ -78,12 +78,12 @@ public:
   void redistribute(const BasicStage<Real> &stage,
                     QuietLeaves<dim> &quiet_leaves) override
   {
-    redistribution_.apply(stage.out);
+    redistribution_.apply(stage.results.state);
     for (unsigned int batch = 0; batch < mesh_.n_batches(); ++batch)
       if (quiet_leaves.is_active(batch) && cut_leaves_.is_cut(batch))
       {
         embedded_kernel_.conclude(batch, stage);
-        quiet_leaves.find_woken_leaves(batch, stage.out);
+        quiet_leaves.find_woken_leaves(batch, stage.results.state);
       }
   }
 
@@ -106,8 +106,8 @@ public:
       else
         for (unsigned int lane = 0; lane < mesh_.width(); ++lane)
         {
-          stage.signal_rate[batch * mesh_.width() + lane] = 0.;
-          stage.sensor_out[batch * mesh_.width() + lane] = 0.;
+          stage.results.signal_rate[batch * mesh_.width() + lane] = 0.;
+          stage.results.sensor[batch * mesh_.width() + lane] = 0.;
         }
   }
 

@@ -34,7 +34,7 @@ public:
               const BasicStage<Real> &stage,
               const HangingData<dim, Real> &hanging);
 
-  /// Computes only sensor and signal rate of the state stage.out.
+  /// Computes only sensor and signal rate of the state stage.results.state.
   void analyse(const unsigned int batch, const BasicStage<Real> &stage);
 
 private:

@@ -58,7 +58,7 @@ public:
               const BasicStage<Real> &stage,
               const QuietLeaves<dim> &quiet_leaves);
 
-  /// Computes only sensor and signal rate of the state stage.out.
+  /// Computes only sensor and signal rate of the state stage.results.state.
   void analyse(const unsigned int cell_batch, const BasicStage<Real> &stage);
 
 private:

@@ -51,7 +51,7 @@ public:
 
   /// Completes what apply() began in cells that a body cuts: shares the
   /// change of small ones with their neighbours, conservatively. The ghosts
-  /// of stage.out must be up to date.
+  /// of stage.results.state must be up to date.
   virtual void redistribute(const BasicStage<double> &, QuietLeaves<dim> &)
   {
     Assert(false, dealii::ExcInternalError());
@@ -67,7 +67,8 @@ public:
     return {};
   }
 
-  /// Computes stage.sensor_out and stage.signal_rate of stage.out.
+  /// Computes stage.results.sensor and stage.results.signal_rate of
+  /// stage.results.state.
   virtual void analyse(const BasicStage<double> &)
   {
     Assert(false, dealii::ExcInternalError());

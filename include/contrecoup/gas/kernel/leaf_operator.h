@@ -79,7 +79,7 @@ public:
       if (quiet_leaves.is_active(batch))
       {
         kernel_.update(batch, stage, hanging_);
-        quiet_leaves.find_woken_leaves(batch, stage.out);
+        quiet_leaves.find_woken_leaves(batch, stage.results.state);
       }
   }
 

@@ -57,7 +57,7 @@ public:
               const Stage &stage,
               const HangingData<dim> &hanging);
 
-  /// Computes only sensor and signal rate of the state stage.out.
+  /// Computes only sensor and signal rate of the state stage.results.state.
   void analyse(const unsigned int batch, const Stage &stage);
 
 private:

@@ -33,7 +33,8 @@ public:
     , primitive_(Leaves::nc * layout.n_points)
   {}
 
-  /// Computes stage.sensor_out and stage.signal_rate of stage.out in @p batch.
+  /// Computes stage.results.sensor and stage.results.signal_rate of
+  /// stage.results.state in @p batch.
   /// @param weight weight(direction, point) is the factor of the pressure jump
   /// between the point and the next
   template <typename Weight>
@@ -42,11 +43,12 @@ public:
                const Weight &weight)
   {
     leaves_.bind_burn(batch, stage);
-    load(stage.out + batch * layout_.batch_size());
-    find_largest_rate(stage).store(stage.signal_rate + batch * Leaves::width);
+    load(stage.results.state + batch * layout_.batch_size());
+    find_largest_rate(stage).store(stage.results.signal_rate +
+                                   batch * Leaves::width);
     const Number shock =
       select_less(Number(0.), largest_jump(weight), Number(1.), Number(0.));
-    shock.store(stage.sensor_out + batch * Leaves::width);
+    shock.store(stage.results.sensor + batch * Leaves::width);
   }
 
   /// Notes a leaf of the batch as unphysical where @p smallest has no positive
@@ -57,7 +59,7 @@ public:
   {
     for (unsigned int lane = 0; lane < mesh_.n_filled_lanes(batch); ++lane)
       if (!(smallest[lane] > 0.))
-        *stage.unphysical_leaf = batch * Leaves::width + lane;
+        *stage.results.unphysical_leaf = batch * Leaves::width + lane;
   }
 
   /// Padding lanes of the batch copy the first, so that they never overflow.

@@ -13,18 +13,36 @@
 
 namespace contrecoup::gas
 {
+/// What a Runge-Kutta stage writes; the arrays are laid out as LeafLayout says.
+template <typename Real>
+struct StageResults
+{
+  Real *state = nullptr; ///< conserved values of the new state
+  /// Per owned leaf, of the new state, as BasicStage::sensor; may be null.
+  Real *sensor = nullptr;
+  /// Per owned leaf: largest sum_d (|u_d| + c) / h_d, h_d the leaf's edge
+  /// lengths [1/s], of the new state; may be null.
+  Real *signal_rate = nullptr;
+  /// The gas's force on a body's wall [N; in 2-D per metre of depth] and the
+  /// wall's area vector [m^2] in the leaves that are computed, times
+  /// BasicStage::weight, are added. May be null.
+  std::array<double, 6> *wall_force = nullptr;
+  /// Set to the number of a leaf whose new state is not physical.
+  unsigned int *unphysical_leaf = nullptr;
+};
+
+
 /**
- * One Runge-Kutta stage in Shu-Osher form,
- * out = a start + (1 - a) (in + step L(in)).
- * The arrays are laid out as LeafLayout says; @p in has its ghost leaves
- * filled.
+ * What a Runge-Kutta stage in Shu-Osher form reads,
+ * results.state = a start + (1 - a) (in + step L(in)).
+ * The arrays are laid out as LeafLayout says; those of @p in and @p sensor have
+ * their ghost leaves filled.
  */
 template <typename Real>
 struct BasicStage
 {
   const Real *start = nullptr;
   const Real *in = nullptr;
-  Real *out = nullptr;
   double a = 0.;
   double step = 0.;     ///< [s]
   double time = 0.;     ///< of the state @p in [s]
@@ -33,23 +51,13 @@ struct BasicStage
   const Burn *burn = nullptr;
   /// Per stored leaf, from the previous stage: the blending factor (DG) or
   /// one where a shock stands (finite volume) [-].
-  const Real *sensor_in = nullptr;
-  /// Per owned leaf, of the new state; may be null.
-  Real *sensor_out = nullptr;
-  /// Per owned leaf: largest sum_d (|u_d| + c) / h_d, h_d the leaf's edge
-  /// lengths [1/s], of the new state; may be null.
-  Real *signal_rate = nullptr;
+  const Real *sensor = nullptr;
   /// Whether finite volumes bound their velocity slopes by the energy of each
   /// subcell: needed where a step failed without, and first order in cold gas.
   bool bound_velocity_slopes = false;
-  /// Part that this stage's rate of change has in that of the step [-].
+  /// Fraction of this stage's rate of change in that of the step [-].
   double weight = 1.;
-  /// The gas's force on a body's wall [N; in 2-D per metre of depth] and the
-  /// wall's area vector [m^2] in the leaves that are computed, times weight,
-  /// are added. May be null.
-  std::array<double, 6> *wall_force = nullptr;
-  /// Set to the number of a leaf whose new state is not physical.
-  unsigned int *unphysical_leaf = nullptr;
+  StageResults<Real> results;
 };
 
 using Stage = BasicStage<double>;

@@ -80,14 +80,14 @@ public:
     /// unphysical; its state is in stage 0 of the field.
     std::optional<unsigned int> unphysical_leaf;
     bool failed = false; ///< on any rank
-    /// Mean of Stage::wall_force over the step, on this rank.
+    /// Mean of StageResults::wall_force over the step, on this rank.
     std::array<double, 6> wall_force = {};
   };
 
   /// Goes ahead by @p step [s] or, after retries, by less. Collective.
   Result advance(GasField &field, const double time, const double step);
 
-  /// Largest signal rate of a leaf, see Stage::signal_rate [1/s].
+  /// Largest signal rate of a leaf, see StageResults::signal_rate [1/s].
   double signal_rate(const unsigned int leaf) const
   {
     return visit_precision(precision_, [&](const auto real) -> double {

@@ -46,7 +46,7 @@ private:
   {
     double reached_at = 0.; ///< front distance at arrival [m]
     double diameter = 0.;   ///< [m]
-    double rate = 0.;       ///< signal rate, see Stage::signal_rate [1/s]
+    double rate = 0.; ///< signal rate, see StageResults::signal_rate [1/s]
     bool is_active = false; ///< whether it is computed now
     unsigned int level = 0;
     unsigned int min_level = 0;  ///< smallest level near the body
