@@ -36,7 +36,8 @@ ROOMS = {"base": ["lanes", "system", "parameters", "run"],
                  "kernel", "record", "adaptation", "hand_over", "run"],
          "solid": ["body", "boundary", "motion", "record", "injury", "run"],
          "ale": ["mesh", "lagrange", "exact", "rezone", "head", "particles",
-                 "run"]}
+                 "run"],
+         "coupling": ["first_stage", "task", "application", "scene"]}
 
 # Those of the Python package applications/plot.
 PLOT_ROOMS = ["readers", "analysis", "figures", "report", "commands"]

@@ -5,7 +5,7 @@
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/run/remaining_time.h>
 #include <contrecoup/base/run/time_parameters.h>
-#include <contrecoup/coupling/staged_simulation.h>
+#include <contrecoup/coupling/first_stage/staged_simulation.h>
 
 #include <gtest/gtest.h>
 

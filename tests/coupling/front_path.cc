@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/coupling/front_path.h>
+#include <contrecoup/coupling/first_stage/front_path.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/coupling/scene_files.h>
+#include <contrecoup/coupling/scene/scene_files.h>
 #include <contrecoup/geometry/body/body.h>
 #include <contrecoup/geometry/shape/primitive_shapes.h>
 #include <contrecoup/materials/explosives.h>

@@ -4,7 +4,7 @@
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/log_words.h>
-#include <contrecoup/coupling/scene_words.h>
+#include <contrecoup/coupling/task/scene_words.h>
 
 #include <gtest/gtest.h>
 

@@ -19,9 +19,9 @@ CHANGES = (("source/gas/kernel/leaf_kernel.cc", {"blast"}),
             {"blast", "biomechanics"}),
            ("source/geometry/body/phantom_flesh.cc", ALL),
            ("include/contrecoup/base/lanes/lanes.h", ALL),
-           ("source/coupling/domain_size.cc", {"blast"}),
-           ("source/coupling/body_report.cc", {"anatomy"}),
-           ("source/coupling/scene_plan.cc", set()),
+           ("source/coupling/application/domain_size.cc", {"blast"}),
+           ("source/coupling/application/body_report.cc", {"anatomy"}),
+           ("source/coupling/scene/scene_plan.cc", set()),
            ("source/study/study.cc", set()))
 
 
@@ -39,7 +39,7 @@ class Tree:
         subprocess.run(
             [self.cmake, "-D", "SOURCE=" + self.folder, "-D",
              "OUTPUT=" + self.output, "-P", os.path.join(
-                 self.folder, "source/coupling/source_digest.cmake")],
+                 self.folder, "source/coupling/task/source_digest.cmake")],
             check=True)
         with open(self.output, encoding="utf-8") as file:
             return dict(re.findall(r'{"(\w+)", "([0-9a-f]{40})"},', file.read()))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/coupling/tissue_places.h>
+#include <contrecoup/coupling/scene/tissue_places.h>
 #include <contrecoup/geometry/body/phantom.h>
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/coupling/scene_plan.h>
-#include <contrecoup/coupling/task_files.h>
+#include <contrecoup/coupling/scene/scene_plan.h>
+#include <contrecoup/coupling/task/task_files.h>
 #include <contrecoup/geometry/shape/primitive_shapes.h>
 #include <contrecoup/io/output/history.h>
 

@@ -15,11 +15,11 @@
 #include <contrecoup/base/run/time_parameters.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
-#include <contrecoup/coupling/anatomy_application.h>
-#include <contrecoup/coupling/biomechanics_application.h>
-#include <contrecoup/coupling/blast_application.h>
-#include <contrecoup/coupling/scene_application.h>
-#include <contrecoup/coupling/scene_parameters.h>
+#include <contrecoup/coupling/application/anatomy_application.h>
+#include <contrecoup/coupling/application/biomechanics_application.h>
+#include <contrecoup/coupling/application/blast_application.h>
+#include <contrecoup/coupling/scene/scene_application.h>
+#include <contrecoup/coupling/scene/scene_parameters.h>
 #include <contrecoup/io/application/application.h>
 #include <contrecoup/io/application/tool.h>
 #include <contrecoup/io/file/checked_file.h>

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/run/simulation.h>
+#include <contrecoup/coupling/scene/scene_layout.h>
+#include <contrecoup/coupling/scene/tissue_places.h>
+#include <contrecoup/geometry/body/body_description.h>
+
+#include <optional>
+
+namespace contrecoup::coupling
+{
+/// Scene before any computation: parameters, body, layout and plan.
+class PlannedScene
+{
+public:
+  /// @param prm entries of the scene, declared and parsed
+  /// @throws InputError for an impossible scene
+  explicit PlannedScene(dealii::ParameterHandler &prm);
+
+  const SceneParameters &parameters() const
+  {
+    return parameters_;
+  }
+
+  /// Kind of the body: phantom, image, ...
+  const std::string &body_kind() const
+  {
+    return description_.kind();
+  }
+
+  const Body &body() const
+  {
+    return *body_;
+  }
+
+  /// Mass of the body [kg].
+  double body_mass() const
+  {
+    return body_mass_;
+  }
+
+  const SceneLayout &layout() const
+  {
+    return *layout_;
+  }
+
+  /// Probes of biomechanics in tissues; empty unless injury is asked for.
+  const std::vector<TissuePlace> &tissue_places() const
+  {
+    return tissue_places_;
+  }
+
+  /// Assumptions of the scene, without those of its blast.
+  const std::vector<Assumption> &plan() const
+  {
+    return plan_;
+  }
+
+  /// Logs layout and plan.
+  void print() const;
+
+private:
+  /// Computes the mass of the body and, if injury is asked for, the probes in
+  /// tissues.
+  void find_body();
+
+  SceneParameters parameters_;
+  BodyDescription description_;
+  BodyPointer body_;
+  double body_mass_ = 0.;
+  std::optional<SceneLayout> layout_;
+  std::vector<TissuePlace> tissue_places_;
+  std::vector<Assumption> plan_;
+};
+} // namespace contrecoup::coupling

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/coupling/scene/scene_parameters.h>
+#include <contrecoup/geometry/shape/shape.h>
+#include <contrecoup/numerics/injury/expected_blast.h>
+
+#include <array>
+
+namespace contrecoup::coupling
+{
+/**
+ * Geometry of a scene: position of the charge, plane of symmetry, domain, and
+ * the expected arrival of the blast; a calculation by hand before the run.
+ */
+struct SceneLayout
+{
+  /// Edge of coarse leaves [m]. At the skin leaves are refined by
+  /// SceneParameters::Accuracy::levels; a leaf has `subcells` subcells per
+  /// edge.
+  static constexpr double leaf = 0.64;
+  static constexpr unsigned int subcells = 4;
+  /// Edge of the subcells of the 1-D stage [m].
+  static constexpr double radial_cell = 0.001;
+  /// Largest number of coarse leaves of a domain: hundreds of gigabytes of
+  /// gas.
+  static constexpr double max_leaves = 1e7;
+
+  /**
+   * Determines the position of the charge, the plane of symmetry, and a domain
+   * so large that the time to first reflection from an open side (taken as a
+   * mirror) at the body is later than the end time. The front is that of
+   * ExpectedBlast in free air of 101325 Pa and 1.225 kg/m^3.
+   * @param surface surface of the body
+   * @throws InputError for a charge that overlaps the body or the ground or is
+   * closer to the skin than the subcells resolve, a body below ground, a
+   * requested symmetry that does not exist, and times and distances that need
+   * more than max_leaves leaves
+   */
+  SceneLayout(const SceneParameters &scene, const Shape &surface);
+
+  dealii::BoundingBox<3> body;
+  dealii::Point<3> charge; ///< centre of the charge [m]
+  double charge_radius;    ///< [m]
+  double distance;         ///< from the charge's centre to the body [m]
+  double asymmetry;        ///< of the body about y = 0 [m]
+  /// Largest asymmetry for which only half of the gas is computed: a hundredth
+  /// of the body's width, less than the natural asymmetry of persons [m].
+  double symmetry_limit;
+  bool is_half;   ///< whether only y > 0 is computed
+  double arrival; ///< expected arrival of the front at the body [s]
+  /// Time when the ground reflection has passed the body [s]
+  double last_arrival;
+  double overpressure;           ///< of the front at the body [Pa]
+  double front_distance;         ///< distance of the front at the end time [m]
+  dealii::Point<3> lower, upper; ///< corners of the domain [m]
+  std::array<unsigned int, 3> n_leaves;
+
+  /// Distance from the charge to the nearest of the body and the open sides
+  /// [m].
+  double unobstructed_distance() const;
+
+  /// Whether the front has swept more than the charge's mass of air when it
+  /// reaches the body; only then the expected arrival is meaningful.
+  bool is_far(const SceneParameters &scene) const;
+
+  /// Edge of the subcells at the skin [m].
+  double cell_size(const SceneParameters &scene) const;
+
+private:
+  void place_charge(const SceneParameters &scene, const Shape &surface);
+  void check_charge(const SceneParameters &scene) const;
+  void find_symmetry(const SceneParameters &scene, const Shape &surface);
+  /// Numbers of coarse leaves per direction, below and above 0, that the
+  /// domain needs for a front that travels @p front_distance [m].
+  std::array<std::array<double, 2>, 3> leaves_for(double front_distance) const;
+  void size_domain(const SceneParameters &scene, const ExpectedBlast &blast);
+};
+} // namespace contrecoup::coupling

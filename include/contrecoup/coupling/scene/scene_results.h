@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/coupling/scene/planned_scene.h>
+#include <contrecoup/coupling/task/scene_task.h>
+#include <contrecoup/io/run/command_line.h>
+
+namespace contrecoup::coupling
+{
+/// Logs the audit of a scene: measured values of the assumptions of scene and
+/// blast.
+void print_audit(const PlannedScene &scene, const std::string &folder);
+
+/**
+ * Writes scene.json: the scene, its tasks, plan and audit, as far as known.
+ * @param reused names of the tasks whose results are reused
+ * @param n_ranks number of ranks of the run
+ * @throws SystemError when the disk fails
+ */
+void write_scene(const PlannedScene &scene,
+                 const std::vector<SceneTask> &tasks,
+                 const std::vector<std::string> &reused,
+                 const io::CommandLine &command,
+                 unsigned int n_ranks);
+} // namespace contrecoup::coupling

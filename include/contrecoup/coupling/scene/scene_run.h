@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/system/collective.h>
+#include <contrecoup/coupling/scene/planned_scene.h>
+#include <contrecoup/coupling/task/scene_task.h>
+#include <contrecoup/io/output/folder_claim.h>
+
+#include <memory>
+#include <optional>
+
+namespace contrecoup::coupling
+{
+/// Runs the tasks of one scene in its folder, on all ranks.
+class SceneRun
+{
+public:
+  /// Plans the scene and creates its tasks.
+  /// @param prm entries of the scene, declared and parsed
+  /// @throws InputError for an impossible scene
+  SceneRun(const io::CommandLine &command,
+           dealii::ParameterHandler &prm,
+           Collective &collective);
+
+  /// Prints the plan and the cost estimate of each task. Writes nothing.
+  void check();
+
+  /// Runs the tasks that are not finished and writes the report.
+  /// @throws InputError, NumericsError, SystemError naming the task
+  void execute();
+
+private:
+  /// Prints the cost estimates of the unfinished tasks and their sum.
+  void print_costs();
+  /// Prints the cost estimates before a run.
+  void forecast();
+  /// Whether the folder holds a scene and no other run.
+  bool is_of_scene() const;
+  /// Claims the output folder; returns false when nothing is left to do.
+  bool claim();
+  bool may_proceed() const;
+  /// @throws InputError when results that must be kept would be removed
+  void require_consent() const;
+  std::string list_unfinished_tasks() const;
+  void start();
+  bool run_tasks();
+  void run_all();
+  /// Writes audit and report.
+  void write_report();
+  std::string path(const std::string &name) const
+  {
+    return command_.output_folder + "/" + name;
+  }
+
+  const io::CommandLine &command_;
+  const dealii::ParameterHandler &prm_;
+  Collective &collective_;
+  bool is_first_rank_;
+  std::optional<PlannedScene> scene_;
+  std::vector<SceneTask> tasks_;
+  std::vector<std::string> reused_;        ///< names of tasks
+  std::unique_ptr<io::FolderClaim> claim_; ///< on the first rank only
+};
+} // namespace contrecoup::coupling

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/system/collective.h>
+#include <contrecoup/coupling/scene/planned_scene.h>
+#include <contrecoup/coupling/task/scene_task.h>
+#include <contrecoup/io/run/command_line.h>
+
+namespace contrecoup::coupling
+{
+/**
+ * Creates the tasks of a scene in their order: anatomy, blast and, if injury
+ * is asked for, biomechanics, each with its parameter file. Writes nothing.
+ * @param prm entries of the scene
+ * @param collective must outlive the tasks
+ * @throws InputError for entries that an application does not have
+ */
+std::vector<SceneTask> make_tasks(const PlannedScene &scene,
+                                  const io::CommandLine &command,
+                                  const dealii::ParameterHandler &prm,
+                                  Collective &collective);
+} // namespace contrecoup::coupling

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/run/simulation.h>
+#include <contrecoup/base/system/collective.h>
+#include <contrecoup/coupling/task/scene_words.h>
+#include <contrecoup/coupling/task/task_files.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace contrecoup::coupling
+{
+/**
+ * Application as a task of a scene, see TaskFiles. A task that finished
+ * with the same key and whose results are unchanged is not run again.
+ */
+class SceneTask
+{
+public:
+  /// Runs the application with the given arguments; --check stores its cost
+  /// estimate. Collective.
+  using Runner =
+    std::function<Failure(const std::vector<std::string> &, CostEstimate &)>;
+
+  /// State of the task in the scene's folder.
+  struct Status
+  {
+    bool has_record = false;      ///< has a record, with any key
+    bool is_finished = false;     ///< with this key
+    bool has_other_key = false;   ///< finished with another key
+    bool is_damaged = false;      ///< finished, but results were changed since
+    bool is_started = false;      ///< with this key
+    bool uses_new_folder = false; ///< the unfinished or next run uses NAME.new
+    /// The unfinished run has a checkpoint, any key
+    bool has_checkpoint = false;
+  };
+
+  /**
+   * @param name of the application, see source_digest()
+   * @param text content of the parameter file
+   * @param names files that the application writes
+   * @param upstream keys of the tasks whose results this task reads
+   * @param can_resume whether the application supports --resume
+   */
+  SceneTask(const std::string &name,
+            const std::string &scene_folder,
+            const std::string &text,
+            const io::FileNames &names,
+            const std::vector<std::string> &upstream,
+            bool can_resume,
+            const Runner &runner);
+
+  const std::string &name() const
+  {
+    return name_;
+  }
+
+  /// Folder of the results.
+  std::string folder() const
+  {
+    return files_.folder(false);
+  }
+
+  /// Hash of everything that the results depend on: the parameters, the
+  /// contents of files that they name, the sources of the program, and the
+  /// keys of the tasks before.
+  const std::string &key() const
+  {
+    return record_.key;
+  }
+
+  /// Determines status(). Collective.
+  void inspect(Collective &collective);
+
+  /// Completes an interrupted replace() and checks that the task will not
+  /// overwrite files of others. Called by the first rank.
+  /// @throws InputError for such files
+  void prepare() const;
+
+  const Status &status() const
+  {
+    return status_;
+  }
+
+  /// Marks the task to be run again although it is finished.
+  void discard_result()
+  {
+    status_.is_finished = false;
+    status_.is_started = false;
+    status_.uses_new_folder = true;
+  }
+
+  bool is_finished() const
+  {
+    return status_.is_finished;
+  }
+
+  const TaskRecord &record() const
+  {
+    return record_;
+  }
+
+  /// Failure or signal that stopped the run, if any.
+  const Failure &stop() const
+  {
+    return stop_;
+  }
+
+  /// Sets further arguments of the application, "--set ..." and so on.
+  void set_arguments(const std::vector<std::string> &arguments)
+  {
+    arguments_ = arguments;
+  }
+
+  /// Sets the translation of entry names in the task's messages.
+  void set_words(const SceneWords &words)
+  {
+    words_ = words;
+  }
+
+  /// Translates one entry name in the task's messages.
+  void rename(const std::string &entry, const std::string &name)
+  {
+    words_.rename(entry, name);
+  }
+
+  /// Name of the task's entry in the scene.
+  std::string named(const std::string &entry) const
+  {
+    return words_(entry);
+  }
+
+  /// Runs --check of the application and returns its cost estimate.
+  /// Collective.
+  /// @throws InputError
+  CostEstimate check(Collective &collective);
+
+  /**
+   * Runs the task unless it is finished; if @p resume, continues from its
+   * last checkpoint with the same key. Collective.
+   * @return whether the task is finished; false if it was asked to stop
+   * @throws InputError, NumericsError, SystemError naming the task
+   */
+  bool run(bool resume, Collective &collective);
+
+private:
+  Status find_status();
+  void begin(bool goes_on);
+  void take_summary(double wall_seconds);
+  void end(double wall_seconds);
+
+  /// Runs the application and translates its messages.
+  Failure call(const std::vector<std::string> &arguments,
+               CostEstimate &cost) const;
+
+  std::string name_;
+  SceneWords words_;
+  TaskFiles files_;
+  std::string text_;
+  io::FileNames names_;
+  bool can_resume_;
+  Runner runner_;
+  std::vector<std::string> arguments_;
+  TaskRecord record_;
+  Status status_;
+  Failure stop_;
+};
+
+
+/// Short hash of a text by SHA-1: equal for equal texts and, in practice,
+/// different for different ones.
+std::string short_key(const std::string &text);
+} // namespace contrecoup::coupling

@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/log.h>
+#include <contrecoup/base/system/memory.h>
+#include <contrecoup/base/system/signals.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/base/system/version.h>
+#include <contrecoup/coupling/application/anatomy_application.h>
+#include <contrecoup/coupling/application/anatomy_parameters.h>
+#include <contrecoup/coupling/application/body_report.h>
+#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/hex_mesh_files.h>
+#include <contrecoup/io/output/folder_claim.h>
+#include <contrecoup/io/output/pictures.h>
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <cmath>
+
+namespace contrecoup
+{
+namespace coupling
+{
+  namespace
+  {
+    using Json = nlohmann::ordered_json;
+    using dealii::Point;
+
+    /// Builds the mesh of one body and writes it to a folder.
+    class AnatomyRun
+    {
+    public:
+      AnatomyRun(const AnatomyParameters &parameters, const std::string &folder)
+        : parameters_(parameters)
+        , folder_(folder)
+        , begin_(std::chrono::steady_clock::now())
+        , body_(parameters.body.create())
+        , surface_(body_->surface())
+      {}
+
+      /// Logs what would be built and returns the cost estimate.
+      CostEstimate check() const
+      {
+        const LabelGrid grid =
+          make_grid(surface_->bounding_box(), parameters_.element_size);
+        const CostEstimate cost = estimate(grid);
+        // An estimate of so few elements may stand for none.
+        if (cost.cells < 100.)
+        {
+          LabelGrid filled = grid;
+          body_->fill(filled);
+          require_elements(std::any_of(
+            filled.labels.begin(), filled.labels.end(), [](const auto label) {
+              return label != LabelGrid::outside;
+            }));
+        }
+        log_line("anatomy would mesh the " + parameters_.body.kind() + " of " +
+                 std::to_string(body_->parts().size()) + " part(s), " +
+                 told_box() + ",");
+        log_line("  in hexahedra of " + brief(parameters_.element_size) +
+                 " m out of a grid of " + std::to_string(grid.size[0]) + " x " +
+                 std::to_string(grid.size[1]) + " x " +
+                 std::to_string(grid.size[2]));
+        log_line("  about " + brief(cost.cells, 2) + " of them" +
+                 (parameters_.levels > 0 ? " before coarsening" : "") + ", " +
+                 bytes(cost.memory) + " of memory, " + duration(cost.seconds) +
+                 ", " + bytes(cost.output) + " on disk");
+        for (const std::string &remark : body_->remarks())
+          log_line("  " + remark);
+        log_line("  output " + folder_);
+        return cost;
+      }
+
+      /// Builds the mesh and writes it to the folder of @p claim.
+      void execute(const std::string &parameter_text, io::FolderClaim &claim)
+      {
+        LabelGrid grid =
+          make_grid(surface_->bounding_box(), parameters_.element_size);
+        body_->fill(grid);
+        SignalGuard::require_no_stop();
+        mesh_ = make_hex_mesh(grid, body_->parts(), parameters_.levels);
+        require_elements(!mesh_.cells.empty());
+        SmoothingReport smoothing;
+        if (parameters_.smoothing.iterations > 0)
+          smoothing = smooth(mesh_, parameters_.smoothing);
+        const double meshed = seconds();
+        const BodyReport report = make_report(mesh_,
+                                              grid,
+                                              *surface_,
+                                              parameters_.body.references(),
+                                              parameters_.tissue_set);
+        // From here on only the disk can fail: old results may be removed.
+        SignalGuard::require_no_stop();
+        claim.begin();
+        start(parameter_text);
+        log_line("meshed the " + parameters_.body.kind() + ", " + told_box() +
+                 ", with " + std::to_string(mesh_.cells.size()) +
+                 " hexahedra and " + std::to_string(mesh_.nodes.size()) +
+                 " nodes in " + duration(meshed));
+        for (const std::string &remark : body_->remarks())
+          log_line("  " + remark);
+        if (!mesh_.hanging_nodes.empty())
+          log_line("  " + std::to_string(mesh_.hanging_nodes.size()) +
+                   " nodes hang between larger elements");
+        if (smoothing.n_moved > 0)
+          log_line("  smoothed " + std::to_string(smoothing.n_moved) +
+                   " nodes of surfaces and interfaces by at most " +
+                   brief(1e3 * smoothing.largest_displacement, 3) + " mm; " +
+                   std::to_string(smoothing.n_held_back) +
+                   " nodes were held back for the shape of elements");
+        for (const std::string &line : to_lines(report))
+          log_line(line);
+        write(report);
+        claim.set_status("finished");
+      }
+
+    private:
+      std::string path(const std::string &name) const
+      {
+        return folder_ + "/" + name;
+      }
+
+      double seconds() const
+      {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() -
+                                             begin_)
+          .count();
+      }
+
+      void require_elements(const bool has_some) const
+      {
+        if (!has_some)
+          throw InputError(
+            "Mesh/Element size = " + brief(parameters_.element_size) +
+            " m: no element has its centre in the body, " + told_box());
+      }
+
+      /// Volume of the body, from a few hundred thousand cubes [m^3].
+      double estimate_volume() const
+      {
+        const auto box = surface_->bounding_box();
+        LabelGrid grid = make_grid(
+          box,
+          std::max(parameters_.element_size, std::cbrt(box.volume() / 3e5)));
+        body_->fill(grid);
+        const auto n_empty = std::count(
+          grid.labels.begin(), grid.labels.end(), LabelGrid::outside);
+        return grid.volume() *
+               static_cast<double>(grid.labels.size() - n_empty);
+      }
+
+      /// Cost before coarsening; time and disk as measured for the phantom
+      /// with elements of 10 and 5 mm.
+      CostEstimate estimate(const LabelGrid &grid) const
+      {
+        CostEstimate cost;
+        cost.cells = estimate_volume() / grid.volume();
+        cost.unknowns = 3. * cost.cells;
+        cost.memory =
+          6. * static_cast<double>(grid.labels.size()) + 180. * cost.cells;
+        cost.seconds = 1. + (parameters_.draw ? 4. : 0.) + 3e-6 * cost.cells;
+        cost.output =
+          15. * cost.cells + 1600. * std::cbrt(cost.cells * cost.cells);
+        return cost;
+      }
+
+      /// Extents of the body as text.
+      std::string told_box() const
+      {
+        const auto box = surface_->bounding_box();
+        return brief(box.side_length(0)) + " x " + brief(box.side_length(1)) +
+               " x " + brief(box.side_length(2)) + " m";
+      }
+
+      void start(const std::string &parameter_text) const
+      {
+        write_text("parameters.prm", parameter_text);
+        Log::instance().open(path("log.txt"), false);
+        log_line("anatomy " + version() + " (" + git_revision() + ")");
+      }
+
+      void write_text(const std::string &name, const std::string &text) const
+      {
+        io::write_file(path(name), [&](std::ostream &out) { out << text; });
+      }
+
+      void write(const BodyReport &report) const
+      {
+        write_text("quality.csv", to_csv(report));
+        std::string parts = "part,name,tissue,tissue name\n";
+        for (std::size_t i = 0; i < mesh_.parts.size(); ++i)
+          parts += std::to_string(i) + "," + mesh_.parts[i].name + "," +
+                   std::to_string(int(mesh_.parts[i].tissue)) + "," +
+                   name_of(mesh_.parts[i].tissue) + "\n";
+        write_text("parts.csv", parts);
+        io::write_vtu(mesh_, path("mesh.vtu"));
+        if (parameters_.write_surface)
+        {
+          io::write_surface_vtu(mesh_, *surface_, path("surface.vtu"));
+          io::write_surface_stl(mesh_, path("surface.stl"));
+        }
+        if (!mesh_.hanging_nodes.empty())
+          io::write_hanging_nodes(mesh_, path("hanging_nodes.csv"));
+        if (parameters_.write_gmsh)
+          io::write_msh(mesh_, path("mesh.msh"));
+        if (parameters_.distance_spacing > 0.)
+          io::write_distance(*surface_,
+                             parameters_.distance_spacing,
+                             4. * parameters_.distance_spacing,
+                             path("distance.vti"));
+        if (parameters_.draw)
+          io::draw("anatomy", folder_, "pictures", "pictures");
+        write_summary(report);
+        log_line("results in " + folder_ + " after " + duration(seconds()));
+        Log::instance().check();
+      }
+
+      void write_summary(const BodyReport &report) const
+      {
+        const ReportRow &body = report.body();
+        Json errors = Json::object();
+        unsigned int n_held = 0;
+        for (const OrganCheck &check : report.checks)
+        {
+          std::string name = check.reference.name;
+          std::replace(name.begin(), name.end(), ' ', '_');
+          errors[name + "_volume"] = check.difference();
+          n_held += check.holds() ? 1 : 0;
+        }
+        if (!report.checks.empty())
+          errors["mass"] = body.mass / parameters_.body.reference_mass() - 1.;
+        const Json summary = {
+          {"application", "anatomy"},
+          {"version", version()},
+          {"git_revision", git_revision()},
+          {"status", "finished"},
+          {"wall_seconds", seconds()},
+          {"cells", mesh_.cells.size()},
+          {"nodes", mesh_.nodes.size()},
+          {"hanging_nodes", mesh_.hanging_nodes.size()},
+          {"facets", mesh_.boundary.size()},
+          {"parts", body_->parts().size()},
+          {"connected_components", body.components},
+          {"volume", body.quality.volume},
+          {"mass", body.mass},
+          {"surface_area", report.surface_area},
+          {"center_of_gravity",
+           {report.center_of_gravity[0],
+            report.center_of_gravity[1],
+            report.center_of_gravity[2]}},
+          {"height", report.upper_corner[2] - report.lower_corner[2]},
+          {"smallest_scaled_jacobian", body.quality.smallest_scaled_jacobian},
+          {"mean_scaled_jacobian", body.quality.mean_scaled_jacobian},
+          {"shortest_edge", body.quality.shortest_edge},
+          {"time_step", body.time_step},
+          {"errors", errors},
+          {"references_held", n_held},
+          {"performance",
+           {{"wall_seconds", seconds()},
+            {"peak_memory_bytes", peak_memory(MPI_COMM_SELF)}}}};
+        write_text("summary.json", summary.dump(2) + "\n");
+      }
+
+      AnatomyParameters parameters_;
+      std::string folder_;
+      std::chrono::steady_clock::time_point begin_;
+      BodyPointer body_;
+      ShapePointer surface_;
+      HexMesh mesh_;
+    };
+
+    void
+    execute(const io::CommandLine &command,
+            dealii::ParameterHandler &prm,
+            const std::function<void(const CostEstimate &)> &on_cost_estimate)
+    {
+      if (command.resume)
+        throw InputError("--resume: anatomy has no steps to go on with; run "
+                         "it again");
+      AnatomyParameters parameters;
+      parameters.parse_parameters(prm);
+      const std::string &folder = command.output_folder;
+      if (command.check)
+      {
+        const CostEstimate cost = AnatomyRun(parameters, folder).check();
+        if (on_cost_estimate)
+          on_cost_estimate(cost);
+        return;
+      }
+      io::FolderClaim claim(folder,
+                            "anatomy",
+                            anatomy_files(),
+                            io::make_run_input(parameter_values(prm)));
+      if (!claim.may_proceed(command, {}))
+        return;
+      AnatomyRun(parameters, folder)
+        .execute("# anatomy " + version() + " (" + git_revision() +
+                   "): every entry as used\n\n" + parameter_text(prm, false),
+                 claim);
+    }
+  } // namespace
+
+  io::FileNames anatomy_files()
+  {
+    return io::FileNames{{"parameters.prm",
+                          "mesh.vtu",
+                          "mesh.msh",
+                          "hanging_nodes.csv",
+                          "surface.vtu",
+                          "surface.stl",
+                          "distance.vti",
+                          "quality.csv",
+                          "parts.csv",
+                          "summary.json"},
+                         {"log.txt"}} +
+           io::picture_files({"body.png", "cuts.png", "quality.png"});
+  }
+
+  io::ToolDescription anatomy_application(
+    const std::function<void(const CostEstimate &)> &on_cost_estimate)
+  {
+    return {"anatomy",
+            "Makes a body for blasts: hexahedra by tissue, their surface and "
+            "their quality, from a human phantom, a simple shape, a surface or "
+            "medical images.",
+            AnatomyParameters::declare_parameters,
+            [on_cost_estimate](const io::CommandLine &command,
+                               dealii::ParameterHandler &prm) {
+              execute(command, prm, on_cost_estimate);
+            }};
+  }
+} // namespace coupling
+} // namespace contrecoup

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/coupling/application/biomechanics_application.h>
+#include <contrecoup/solid/run/solid_simulation.h>
+
+namespace contrecoup::coupling
+{
+namespace
+{
+  template <typename Real>
+  std::unique_ptr<Simulation> create(ParameterHandler &prm,
+                                     const MPI_Comm communicator)
+  {
+    auto simulation =
+      std::make_unique<solid::SolidSimulation<Real>>(communicator);
+    simulation->parse_parameters(prm);
+    return simulation;
+  }
+
+  std::unique_ptr<Simulation> create_any(ParameterHandler &prm,
+                                         const MPI_Comm communicator)
+  {
+    bool single = false;
+    {
+      const Section section(prm, "Elements");
+      single = prm.get("Precision") == "single";
+    }
+    return single ? create<float>(prm, communicator)
+                  : create<double>(prm, communicator);
+  }
+
+  /// Halves the number of elements of a box per direction, or doubles the
+  /// element size of a body, @p levels times.
+  bool coarsen(ParameterHandler &prm, const unsigned int levels)
+  {
+    const Section section(prm, "Mesh");
+    const std::string kind = prm.get("Kind");
+    const double factor = std::pow(2., levels);
+    if (kind == "body")
+    {
+      prm.set("Element size", exact(factor * read_double(prm, "Element size")));
+      return true;
+    }
+    if (kind == "ball octant" || kind == "shell octant")
+    {
+      const unsigned int refinements = read_unsigned(prm, "Refinements");
+      if (refinements < levels)
+        return false;
+      prm.set("Refinements", static_cast<long int>(refinements - levels));
+      return true;
+    }
+    if (kind != "box")
+      return levels == 0;
+    bool changed = levels == 0;
+    std::vector<std::string> words;
+    for (const double n : read_list(prm, "Elements"))
+    {
+      const double coarse = std::ceil(n / factor);
+      changed = changed || coarse < std::ceil(2. * n / factor);
+      words.push_back(std::to_string(static_cast<long int>(coarse)));
+    }
+    prm.set("Elements", join(words, ", "));
+    return changed;
+  }
+
+  io::FileNames files(const ParameterHandler &)
+  {
+    return io::FileNames{{"injury.csv"}, {}} + io::field_files("solid") +
+           io::picture_files({"history.png",
+                              "probes.png",
+                              "sagittal.png",
+                              "sagittal_head.png",
+                              "energies.png",
+                              "coup.png",
+                              "pressures.png"});
+  }
+} // namespace
+
+
+io::ApplicationDescription biomechanics_application()
+{
+  return {"biomechanics",
+          "Follows stress waves through a deformable body, with an energy "
+          "audit that can fail.",
+          solid::SolidSimulation<double>::declare_parameters,
+          create_any,
+          {"Energy audit/",
+           "Elements/Step safety",
+           "Elements/Largest number of retries"},
+          coarsen,
+          {},
+          files};
+}
+} // namespace contrecoup::coupling

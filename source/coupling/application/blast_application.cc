@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/coupling/application/blast_application.h>
+#include <contrecoup/coupling/application/coarse_scene.h>
+#include <contrecoup/coupling/application/domain_size.h>
+#include <contrecoup/coupling/first_stage/staged_simulation.h>
+
+namespace contrecoup::coupling
+{
+namespace
+{
+  template <int dim>
+  std::unique_ptr<Simulation> create(ParameterHandler &prm,
+                                     const MPI_Comm communicator)
+  {
+    bool by_time = false;
+    {
+      const Section section(prm, "Domain");
+      by_time = prm.get("Size") == "by time";
+    }
+    if (by_time)
+      fit_domain<dim>(prm, communicator);
+    FirstStageParameters stages;
+    stages.parse_parameters(prm);
+    if constexpr (dim > 1)
+      if (stages.kind != "none")
+      {
+        auto simulation = std::make_unique<StagedSimulation<dim>>(communicator);
+        simulation->parse_parameters(prm);
+        return simulation;
+      }
+    if (stages.kind != "none")
+      throw InputError("First stage/Kind: a scene of 1 dimension has none");
+    auto simulation = std::make_unique<gas::GasSimulation<dim>>(communicator);
+    simulation->parse_parameters(prm);
+    return simulation;
+  }
+
+  std::unique_ptr<Simulation> create_any(ParameterHandler &prm,
+                                         const MPI_Comm communicator)
+  {
+    int dimension = 0;
+    {
+      const Section section(prm, "Domain");
+      dimension = read_integer(prm, "Dimension");
+    }
+    switch (dimension)
+    {
+      case 1:
+        return create<1>(prm, communicator);
+      case 2:
+        return create<2>(prm, communicator);
+      default:
+        return create<3>(prm, communicator);
+    }
+  }
+
+  io::FileNames files(const ParameterHandler &prm)
+  {
+    io::FileNames names = {{"fields/plane_*.npy",
+                            "fields/plane_*.json",
+                            "fields/gauges_line_#.csv",
+                            "fields/gauges_plane_#_*.npy",
+                            "fields/gauges_plane_#_*.json",
+                            "loads.h5",
+                            "load_gauges.csv",
+                            "gauge_injury.csv"},
+                           {}};
+    const std::string profile = prm.get({"Output"}, "Profile file");
+    if (!profile.empty())
+      names.results.push_back(profile);
+    return names + io::field_files("fields") +
+           io::picture_files({"history.png",
+                              "probes.png",
+                              "*_maps.png",
+                              "plane*.png",
+                              "profiles.png",
+                              "body_pressure.png",
+                              "body_maps.png",
+                              "body_gauges.png",
+                              "triple_point.png"});
+  }
+} // namespace
+
+
+io::ApplicationDescription blast_application()
+{
+  return {"blast",
+          "Solves the Euler equations of a compressible gas, air or "
+          "explosive products, on adaptive octree meshes.",
+          StagedSimulation<3>::declare_parameters,
+          create_any,
+          {},
+          coarsen_scene,
+          "run",
+          files};
+}
+} // namespace contrecoup::coupling

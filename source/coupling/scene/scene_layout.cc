@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/coupling/scene/scene_layout.h>
+#include <contrecoup/materials/explosives.h>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <cmath>
+#include <random>
+
+namespace contrecoup::coupling
+{
+using dealii::Point;
+
+namespace
+{
+  constexpr double air_pressure = 101325.; // [Pa]
+  constexpr double air_density = 1.225;    // [kg/m^3]
+
+  /// First intersection of the ray along -x from @p begin with the surface, by
+  /// sphere tracing; nothing if the ray leaves the box.
+  std::optional<Point<3>> hit(const Shape &surface, const Point<3> &begin)
+  {
+    const auto box = surface.bounding_box();
+    const double near_enough = 1e-7;
+    Point<3> place = begin;
+    while (place[0] > box.lower_bound(0))
+    {
+      const double free = surface.value(place);
+      if (free < near_enough)
+        return place;
+      place[0] -= free;
+    }
+    return {};
+  }
+
+
+  /// Distance from @p place to the farthest corner of the box [m].
+  double farthest_distance(const dealii::BoundingBox<3> &box,
+                           const Point<3> &place)
+  {
+    double squares = 0.;
+    for (unsigned int d = 0; d < 3; ++d)
+      squares += std::pow(std::max(std::abs(box.lower_bound(d) - place[d]),
+                                   std::abs(box.upper_bound(d) - place[d])),
+                          2);
+    return std::sqrt(squares);
+  }
+
+
+  double energy_of(const SceneParameters &scene)
+  {
+    const JwlParameters &jwl = find_explosive(scene.explosive).jwl;
+    return scene.mass *
+           (jwl.energy_density / jwl.reference_density + scene.afterburn);
+  }
+
+
+  /// Volume of the unit ball.
+  constexpr double ball = 4. / 3. * boost::math::double_constants::pi;
+
+
+  double product_of(const std::array<std::array<double, 2>, 3> &leaves)
+  {
+    double product = 1.;
+    for (const auto &[below, above] : leaves)
+      product *= below + above;
+    return product;
+  }
+
+
+  std::string text_of(const Point<3> &point)
+  {
+    return brief(point[0]) + ", " + brief(point[1]) + ", " + brief(point[2]);
+  }
+} // namespace
+
+
+SceneLayout::SceneLayout(const SceneParameters &scene, const Shape &surface)
+  : body(surface.bounding_box())
+{
+  if (body.lower_bound(2) < -1e-6)
+    throw InputError("Body: it reaches " + brief(-body.lower_bound(2)) +
+                     " m below the ground z = 0; Body/Shift lifts it");
+  charge_radius =
+    std::cbrt(scene.mass /
+              (ball * find_explosive(scene.explosive).jwl.reference_density));
+  place_charge(scene, surface);
+  check_charge(scene);
+  find_symmetry(scene, surface);
+  const ExpectedBlast blast(energy_of(scene), air_pressure, air_density);
+  arrival = blast.arrival(distance);
+  const Point<3> image(charge[0], charge[1], -charge[2]);
+  last_arrival = blast.arrival(farthest_distance(body, image));
+  overpressure = blast.overpressure(distance);
+  front_distance = blast.radius(scene.end_time);
+  if (arrival >= scene.end_time)
+    throw InputError("Scene/End time = " + brief(scene.end_time) +
+                     " s: the blast reaches the body at " + brief(arrival) +
+                     " s only");
+  size_domain(scene, blast);
+}
+
+
+void SceneLayout::place_charge(const SceneParameters &scene,
+                               const Shape &surface)
+{
+  if (scene.place)
+    charge = *scene.place;
+  else
+  {
+    const double outside = body.upper_bound(0) + scene.distance;
+    const auto front = hit(surface, {outside, 0., scene.height});
+    if (front)
+      charge = {(*front)[0] + scene.distance, 0., scene.height};
+    else
+    {
+      // Nearest position outside the body at this distance, by bisection.
+      double low = 0.5 * (body.lower_bound(0) + body.upper_bound(0));
+      double high = outside;
+      if (surface.value({low, 0., scene.height}) > scene.distance)
+        throw InputError("Charge/Distance = " + brief(scene.distance) +
+                         " m: at the height of " + brief(scene.height) +
+                         " m the body is farther away; Charge/Place sets the "
+                         "position directly");
+      for (unsigned int i = 0; i < 60; ++i)
+      {
+        const double middle = 0.5 * (low + high);
+        (surface.value({middle, 0., scene.height}) < scene.distance ? low
+                                                                    : high) =
+          middle;
+      }
+      charge = {high, 0., scene.height};
+    }
+  }
+  distance = surface.distance(charge);
+  if (distance <= 0.)
+    throw InputError("Charge: its centre " + text_of(charge) +
+                     " m is in the body");
+}
+
+
+void SceneLayout::check_charge(const SceneParameters &scene) const
+{
+  const std::string charge_of =
+    "the charge of " + brief(scene.mass) + " kg of " + scene.explosive +
+    " has a radius of " + brief(charge_radius) + " m";
+  const auto largest_mass = [&](const double radius) {
+    return brief(scene.mass * std::pow(radius / charge_radius, 3), 3) + " kg";
+  };
+  const std::string height = scene.place ? "Charge/Place" : "Charge/Height";
+  if (charge[2] < charge_radius * (1. - 1e-9))
+    throw InputError(height + ": " + brief(charge[2]) +
+                     " m above the ground, " + charge_of +
+                     " and would be cut by it; at least that height, or a "
+                     "Mass of at most " +
+                     largest_mass(charge[2]) + ", is needed");
+  // Smallest number of skin subcells between charge and body.
+  constexpr double least_cells = 2.;
+  // Subcells of the first stage that the front needs while the charge burns.
+  constexpr double least_radial_cells = 10.;
+  const double cell = cell_size(scene);
+  const double gap =
+    std::max(least_cells * cell, least_radial_cells * radial_cell);
+  if (distance < charge_radius + gap)
+    throw InputError(
+      std::string(scene.place ? "Charge/Place" : "Charge/Distance") + ": " +
+      brief(distance) + " m from the body, " + charge_of + "; with cells of " +
+      brief(1e3 * cell) + " mm at the skin its surface must be " + brief(gap) +
+      " m away, its centre at least " + brief(charge_radius + gap) +
+      " m; a finer Scene/Accuracy allows less");
+}
+
+
+void SceneLayout::find_symmetry(const SceneParameters &scene,
+                                const Shape &surface)
+{
+  const unsigned int n_samples = 2000;
+  const double near_surface = 0.1 * body.side_length(1);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> part(0., 1.);
+  asymmetry = std::abs(charge[1]);
+  for (unsigned int i = 0; i < n_samples; ++i)
+  {
+    Point<3> place;
+    for (unsigned int d = 0; d < 3; ++d)
+      place[d] = body.lower_bound(d) + part(random) * body.side_length(d);
+    if (std::abs(surface.value(place)) > near_surface)
+      continue;
+    Point<3> image = surface.project(place);
+    image[1] *= -1.;
+    asymmetry = std::max(asymmetry, std::abs(surface.distance(image)));
+  }
+  symmetry_limit = 0.01 * body.side_length(1);
+  is_half = scene.symmetry != "none" && asymmetry < symmetry_limit;
+  // A charge on the plane of symmetry is centred on it.
+  if (is_half)
+    charge[1] = 0.;
+  if (scene.symmetry == "y" && !is_half)
+    throw InputError("Scene/Symmetry = y: body or charge differ by " +
+                     brief(asymmetry) + " m between both sides of y = 0");
+}
+
+
+std::array<std::array<double, 2>, 3>
+SceneLayout::leaves_for(const double front_distance) const
+{
+  // Smallest distance of an open side along direction d: the charge's mirror
+  // image in it is farther from the body than the front travels, and one leaf
+  // fits between it and body and charge.
+  const auto side = [&](const unsigned int d, const double sign) {
+    const double farthest =
+      sign > 0. ? body.upper_bound(d) : -body.lower_bound(d);
+    const double place = sign * charge[d];
+    double across = 0.;
+    for (unsigned int e = 0; e < 3; ++e)
+      if (e != d)
+        across += std::pow(std::max({0.,
+                                     body.lower_bound(e) - charge[e],
+                                     charge[e] - body.upper_bound(e)}),
+                           2);
+    const double along =
+      std::sqrt(std::max(0., front_distance * front_distance - across));
+    return std::max(0.5 * (along + farthest + place),
+                    std::max(farthest, place) + leaf);
+  };
+  std::array<std::array<double, 2>, 3> leaves;
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    leaves[d] = {
+      {std::ceil(side(d, -1.) / leaf), std::ceil(side(d, 1.) / leaf)}};
+    if (d == 2 || (d == 1 && is_half))
+      leaves[d][0] = 0.;
+  }
+  return leaves;
+}
+
+
+void SceneLayout::size_domain(const SceneParameters &scene,
+                              const ExpectedBlast &blast)
+{
+  const auto fits = [&](const double radius) {
+    return product_of(leaves_for(radius)) <= max_leaves;
+  };
+  const std::string many =
+    " leaves of " + brief(leaf) + " m, more than " + brief(max_leaves);
+  if (!fits(0.))
+    throw InputError(
+      std::string(scene.place ? "Charge/Place" : "Charge/Distance and Height") +
+      ": charge and body are " + brief(distance) +
+      " m apart; a domain with both would have " +
+      brief(product_of(leaves_for(0.)), 2) + many);
+  if (!fits(front_distance))
+  {
+    double low = 0., high = front_distance;
+    for (unsigned int i = 0; i < 200; ++i)
+    {
+      const double middle = 0.5 * (low + high);
+      (fits(middle) ? low : high) = middle;
+    }
+    throw InputError(
+      "Scene/End time = " + brief(scene.end_time) + " s: the front travels " +
+      brief(front_distance, 2) +
+      " m until then; a domain without reflections from open sides at the "
+      "body would have " +
+      brief(product_of(leaves_for(front_distance)), 2) + many + "; from " +
+      brief(arrival) + " to " + brief(blast.arrival(low), 3) +
+      " s are possible");
+  }
+  const auto leaves = leaves_for(front_distance);
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    lower[d] = 0. - leaves[d][0] * leaf; // not -0
+    upper[d] = leaves[d][1] * leaf;
+    n_leaves[d] = static_cast<unsigned int>(leaves[d][0] + leaves[d][1]);
+  }
+}
+
+
+double SceneLayout::unobstructed_distance() const
+{
+  double way = distance;
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    way = std::min(way, upper[d] - charge[d]);
+    const bool is_open = d == 0 || (d == 1 && !is_half);
+    if (is_open)
+      way = std::min(way, charge[d] - lower[d]);
+  }
+  return way;
+}
+
+
+bool SceneLayout::is_far(const SceneParameters &scene) const
+{
+  return ball * std::pow(distance, 3) * air_density > scene.mass;
+}
+
+
+double SceneLayout::cell_size(const SceneParameters &scene) const
+{
+  return leaf / subcells / std::pow(2., scene.accuracy.levels);
+}
+} // namespace contrecoup::coupling

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/parameters/bounds.h>
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/run/time_parameters.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/coupling/application/anatomy_parameters.h>
+#include <contrecoup/coupling/application/biomechanics_application.h>
+#include <contrecoup/coupling/application/blast_application.h>
+#include <contrecoup/coupling/scene/scene_parameters.h>
+#include <contrecoup/geometry/body/body_description.h>
+#include <contrecoup/materials/explosives.h>
+#include <contrecoup/materials/tissue_library.h>
+
+#include <algorithm>
+
+namespace contrecoup::coupling
+{
+const std::vector<SceneParameters::Accuracy> SceneParameters::accuracies = {
+  {"first look", 2, 2, 0.01, "40 mm cells, 10 mm elements"},
+  {"fast", 3, 3, 0.01, "20 mm cells, 10 mm elements"},
+  {"balanced", 4, 3, 0.005, "10 mm cells, 5 mm elements"},
+  {"accurate", 5, 3, 0.005, "5 mm cells, 5 mm elements"},
+  {"finest", 6, 3, 0.0025, "2.5 mm cells and elements"}};
+
+
+namespace
+{
+  void declare_scene(ParameterHandler &prm)
+  {
+    const Section section(prm, "Scene");
+    declare_string(prm, "Title", "", "Title of the report.");
+    declare_selection(
+      prm,
+      "Question",
+      "injury",
+      {"loads", "injury"},
+      "Result of the scene: the pressure on the body's skin only, "
+      "or the response of the body as well.");
+    std::vector<std::string> names;
+    std::string costs;
+    for (const auto &accuracy : SceneParameters::accuracies)
+    {
+      names.push_back(accuracy.name);
+      costs +=
+        (costs.empty() ? "" : "; ") + accuracy.name + ": " + accuracy.cost;
+    }
+    declare_selection(prm,
+                      "Accuracy",
+                      "fast",
+                      names,
+                      "Sizes of the gas's cells at the skin and of the body's "
+                      "elements (" +
+                        costs + "); finer ones cost more and err less.");
+    declare_double(prm,
+                   "Element size",
+                   "0",
+                   0.,
+                   1.,
+                   "m",
+                   "Edge of the body's elements; 0: that of the accuracy.");
+    declare_double(prm,
+                   "End time",
+                   "0.012",
+                   1e-9,
+                   1.,
+                   "s",
+                   "End time of the scene since the detonation, above 0.");
+    declare_selection(prm,
+                      "Symmetry",
+                      "auto",
+                      {"auto", "none", "y"},
+                      "Whether the gas is computed on one side of the plane "
+                      "y = 0 alone; auto: where body and charge allow it.");
+    declare_bool(prm,
+                 "Forecast",
+                 "true",
+                 "Whether time, memory and disk of each stage are predicted "
+                 "before the first one begins, by trial runs of some seconds.");
+    declare_bool(
+      prm, "Report", "true", "Whether report.html is made at the end.");
+  }
+
+
+  void declare_charge(ParameterHandler &prm)
+  {
+    const Section section(prm, "Charge");
+    declare_selection(prm,
+                      "Explosive",
+                      "tnt",
+                      explosive_names(),
+                      "Name in the library of explosives.");
+    declare_double(
+      prm, "Mass", "1", 1e-9, bounds::mass, "kg", "Of the sphere, above 0.");
+    declare_double(prm,
+                   "Afterburn energy",
+                   "0",
+                   0.,
+                   bounds::specific_energy,
+                   "J/kg",
+                   "Energy per mass that the products release by afterburn, at "
+                   "Miller's rate; 0: none.");
+    declare_double(prm,
+                   "Distance",
+                   "2",
+                   1e-9,
+                   1e3,
+                   "m",
+                   "From the centre along -x to the body's surface, or to its "
+                   "nearest place where that line misses it; above 0.");
+    declare_double(prm,
+                   "Height",
+                   "1",
+                   1e-9,
+                   1e3,
+                   "m",
+                   "Height of the centre above the ground z = 0, above 0.");
+    declare_points(prm,
+                   "Place",
+                   "",
+                   "m",
+                   "Centre of the charge x, y, z, instead of Distance and "
+                   "Height; empty: by those.");
+  }
+
+
+  void declare_tasks(ParameterHandler &prm)
+  {
+    {
+      const Section section(prm, "Anatomy");
+      AnatomyParameters::declare_parameters(prm);
+    }
+    const auto declare = [&](const std::string &name,
+                             const io::ApplicationDescription &application) {
+      const Section section(prm, name);
+      TimeParameters::declare_parameters(prm);
+      application.declare_parameters(prm);
+    };
+    declare("Blast", blast_application());
+    declare("Biomechanics", biomechanics_application());
+  }
+} // namespace
+
+
+void SceneParameters::declare_parameters(ParameterHandler &prm)
+{
+  declare_scene(prm);
+  declare_charge(prm);
+  {
+    const Section section(prm, "Body");
+    BodyDescription::declare_parameters(prm);
+  }
+  {
+    const Section section(prm, "Tissues");
+    declare_selection(
+      prm, "Set", "paper", tissue_set_names(), "Set of the tissue library.");
+  }
+  declare_tasks(prm);
+}
+
+
+void SceneParameters::parse_parameters(ParameterHandler &prm)
+{
+  {
+    const Section section(prm, "Scene");
+    title = prm.get("Title");
+    question = prm.get("Question");
+    const std::string name = prm.get("Accuracy");
+    accuracy = *std::find_if(accuracies.begin(),
+                             accuracies.end(),
+                             [&](const Accuracy &a) { return a.name == name; });
+    const double element_size = read_double(prm, "Element size");
+    if (element_size > 0.)
+      accuracy.element_size = element_size;
+    end_time = read_double(prm, "End time");
+    symmetry = prm.get("Symmetry");
+    has_forecast = prm.get_bool("Forecast");
+    draws_report = prm.get_bool("Report");
+  }
+  {
+    const Section section(prm, "Charge");
+    explosive = prm.get("Explosive");
+    mass = read_double(prm, "Mass");
+    afterburn = read_double(prm, "Afterburn energy");
+    distance = read_double(prm, "Distance");
+    height = read_double(prm, "Height");
+    const auto places = read_points<3>(prm, "Place");
+    if (places.size() > 1)
+      throw InputError("Charge/Place: one place is wanted, " +
+                       std::to_string(places.size()) + " are given");
+    if (!places.empty())
+      place = places[0];
+    if (place && (*place)[2] <= 0.)
+      throw InputError("Charge/Place: its height, the third number, must be "
+                       "above 0, the ground");
+  }
+  const Section section(prm, "Tissues");
+  tissues = prm.get("Set");
+}
+} // namespace contrecoup::coupling

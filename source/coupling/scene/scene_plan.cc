@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/coupling/scene/scene_plan.h>
+#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/output/history_reader.h>
+#include <contrecoup/materials/explosives.h>
+#include <contrecoup/numerics/injury/kingery_bulmash.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <filesystem>
+
+namespace contrecoup::coupling
+{
+namespace
+{
+  using Json = nlohmann::ordered_json;
+
+  constexpr double gravity = 9.81;       // [m/s^2]
+  constexpr double tnt_energy = 4.184e6; // [J/kg], by convention
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  constexpr double largest_strain = 0.1;   // limit of small-strain theory
+  constexpr double largest_gravity = 0.05; // fraction of the body's speed
+
+  /// Value of Kingery and Bulmash for TNT with the charge's energy.
+  double measured(const SceneParameters &scene,
+                  const SceneLayout &layout,
+                  const BlastQuantity quantity)
+  {
+    const JwlParameters &jwl = find_explosive(scene.explosive).jwl;
+    const KingeryBulmash blast("spherical",
+                               scene.mass * jwl.energy_density /
+                                 jwl.reference_density / tnt_energy);
+    return blast.covers(quantity, layout.distance)
+             ? blast.value(quantity, layout.distance)
+             : unknown;
+  }
+
+
+  /// Item about the body at rest, with its estimate.
+  Assumption rigid_body(const double displacement, const double cell)
+  {
+    return {"rigid_body",
+            "fixed rigid body in the gas",
+            "displacement of the body over a subcell at its skin",
+            "-",
+            displacement / cell,
+            1.,
+            false,
+            "Scene/Accuracy"};
+  }
+
+  Assumption strain(const double value)
+  {
+    return {"strain",
+            "any rotation, small strains",
+            "strain that 95 % of the brain do not exceed",
+            "-",
+            value,
+            largest_strain,
+            false,
+            "Biomechanics/Elements/Kinematics"};
+  }
+
+  Assumption gravity_of_body(const double end_time, const double speed)
+  {
+    return {"gravity_of_body",
+            "left out",
+            "speed due to gravity over that of the body",
+            "-",
+            gravity * end_time / speed,
+            largest_gravity,
+            false,
+            "Scene/End time"};
+  }
+
+  Assumption symmetry(const SceneLayout &layout)
+  {
+    return {"symmetry",
+            layout.is_half ? "half of the gas" : "all of the gas",
+            "difference between both sides of y = 0",
+            "m",
+            layout.asymmetry,
+            layout.is_half ? layout.symmetry_limit : unknown,
+            false,
+            "Scene/Symmetry"};
+  }
+
+  Assumption end_of_load(const SceneParameters &scene, const double value)
+  {
+    return {"end_time",
+            "followed until " + brief(1e3 * scene.end_time) + " ms",
+            "end of the positive phase in free air",
+            "s",
+            value,
+            scene.end_time,
+            false,
+            "Scene/End time"};
+  }
+
+
+  Json read_summary(const std::string &folder)
+  {
+    const std::string file = folder + "/summary.json";
+    return std::filesystem::exists(file)
+             ? Json::parse(io::read_file(file), nullptr, false)
+             : Json();
+  }
+
+
+  double number(const Json &object, const std::string &name)
+  {
+    return object.is_object() && object.contains(name) &&
+               object[name].is_number()
+             ? object[name].get<double>()
+             : unknown;
+  }
+
+
+  std::string text(const Json &object,
+                   const std::string &name,
+                   const std::string &otherwise = "")
+  {
+    return object.contains(name) && object[name].is_string()
+             ? object[name].get<std::string>()
+             : otherwise;
+  }
+
+
+  /// Items of a task's summary, with their estimates or with measured values.
+  std::vector<Assumption> task_items(const std::string &folder,
+                                     const char *value)
+  {
+    std::vector<Assumption> items;
+    const Json summary = read_summary(folder);
+    if (!summary.is_object() || !summary.contains("assumptions"))
+      return items;
+    for (const auto &[name, item] : summary["assumptions"].items())
+    {
+      if (!item.is_object())
+        continue;
+      Assumption one;
+      one.name = name;
+      one.decision = text(item, "decision");
+      one.quantity = text(item, "quantity");
+      one.unit = text(item, "unit", "-");
+      one.value = number(item, value);
+      one.is_lower_limit = item.contains("at_least");
+      one.limit = number(item, one.is_lower_limit ? "at_least" : "at_most");
+      one.entry = "Blast/" + text(item, "entry");
+      items.push_back(one);
+    }
+    return items;
+  }
+
+
+  /// Largest norm of the vector "NAME_x", "NAME_y", "NAME_z" over all probes
+  /// and times of a task; NaN if there is none.
+  double largest_vector(const std::string &folder, const std::string &name)
+  {
+    const std::string file = folder + "/probes.csv";
+    if (!std::filesystem::exists(file))
+      return unknown;
+    const io::HistoryTable table = io::read_history(file);
+    double largest = unknown;
+    for (std::size_t i = 0; i + 2 < table.names.size(); ++i)
+      if (table.names[i].find(name + "_x") != std::string::npos)
+        for (std::size_t row = 0; row < table.columns[i].size(); ++row)
+          largest = std::fmax(largest,
+                              std::hypot(table.columns[i][row],
+                                         table.columns[i + 1][row],
+                                         table.columns[i + 2][row]));
+    return largest;
+  }
+} // namespace
+
+
+std::vector<Assumption> scene_plan(const SceneParameters &scene,
+                                   const SceneLayout &layout,
+                                   const double body_mass)
+{
+  // The loaded area is three fifths of the cross-section of the body's box.
+  const double front =
+    0.6 * layout.body.side_length(1) *
+    std::min(layout.body.side_length(2), 2. * layout.distance);
+  const double speed =
+    measured(scene, layout, BlastQuantity::reflected_impulse) * front /
+    body_mass;
+  const double phase = measured(scene, layout, BlastQuantity::duration);
+  std::vector<Assumption> items = {symmetry(layout),
+                                   end_of_load(scene, layout.arrival + phase)};
+  items.push_back(rigid_body(speed * (scene.end_time - layout.arrival),
+                             layout.cell_size(scene)));
+  if (!scene.wants_injury())
+    return items;
+  items.push_back(strain(unknown));
+  items.push_back(gravity_of_body(scene.end_time, speed));
+  return items;
+}
+
+
+std::vector<Assumption> scene_audit(const SceneParameters &scene,
+                                    const SceneLayout &layout,
+                                    const std::string &folder)
+{
+  const std::string solid = folder + "/biomechanics";
+  std::vector<Assumption> items = {symmetry(layout)};
+  if (scene.wants_injury())
+  {
+    items.push_back(rigid_body(largest_vector(solid, "displacement"),
+                               layout.cell_size(scene)));
+    const Json summary = read_summary(solid);
+    items.push_back(
+      strain(summary.is_object() && summary.contains("assumptions")
+               ? number(summary["assumptions"], "injury_strain_95")
+               : unknown));
+    items.push_back(
+      gravity_of_body(scene.end_time, largest_vector(solid, "velocity")));
+  }
+  for (const Assumption &item : task_items(folder + "/blast", "measured"))
+    items.push_back(item);
+  return items;
+}
+
+
+std::vector<Assumption> task_plan(const std::string &folder)
+{
+  return task_items(folder, "estimate");
+}
+} // namespace contrecoup::coupling

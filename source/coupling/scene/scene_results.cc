@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/system/log.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/base/system/version.h>
+#include <contrecoup/coupling/scene/scene_plan.h>
+#include <contrecoup/coupling/scene/scene_results.h>
+#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/run/plan_table.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace contrecoup::coupling
+{
+namespace
+{
+  using Json = nlohmann::ordered_json;
+
+  Json list(const dealii::Point<3> &point)
+  {
+    return {point[0], point[1], point[2]};
+  }
+
+
+  /// Value with its unit as text; "unknown" if not finite.
+  std::string value_text(const double value, const std::string &unit)
+  {
+    return std::isfinite(value)
+             ? brief(value, 3) + (unit == "-" ? "" : " " + unit)
+             : "unknown";
+  }
+
+
+  Json plan_rows(const std::vector<Assumption> &plan)
+  {
+    Json rows = Json::array();
+    for (const Assumption &item : plan)
+      rows.push_back({{"item", item.name},
+                      {"decision", item.decision},
+                      {"quantity", item.quantity},
+                      {"estimate", value_text(item.value, item.unit)},
+                      {"entry", item.entry}});
+    return rows;
+  }
+
+
+  Json audit_rows(const std::vector<Assumption> &plan,
+                  const std::vector<Assumption> &audit)
+  {
+    Json rows = Json::array();
+    for (const Assumption &item : audit)
+    {
+      const Assumption *planned = io::find_assumption(plan, item.name);
+      Json row = {{"item", item.name},
+                  {"decision", item.decision},
+                  {"quantity", item.quantity},
+                  {"estimate",
+                   planned ? value_text(planned->value, item.unit) : "unknown"},
+                  {"found", value_text(item.value, item.unit)},
+                  {"limit",
+                   std::isnan(item.limit)
+                     ? ""
+                     : (item.is_lower_limit ? "at least " : "at most ") +
+                         value_text(item.limit, item.unit)},
+                  {"holds", nullptr},
+                  {"entry", item.entry}};
+      if (std::isfinite(item.value) && !std::isnan(item.limit))
+        row["holds"] = !item.fails();
+      rows.push_back(row);
+    }
+    return rows;
+  }
+
+
+  Json task_rows(const std::vector<SceneTask> &tasks,
+                 const std::vector<std::string> &reused)
+  {
+    Json rows = Json::array();
+    for (const SceneTask &task : tasks)
+    {
+      const TaskRecord &record = task.record();
+      const bool is_reused =
+        std::find(reused.begin(), reused.end(), task.name()) != reused.end();
+      rows.push_back({{"name", task.name()},
+                      {"status", is_reused ? "reused" : record.status},
+                      {"folder", task.name()},
+                      {"wall_seconds", record.wall_seconds},
+                      {"core_seconds", record.core_seconds},
+                      {"peak_memory", record.peak_memory},
+                      {"disk", record.disk},
+                      {"hash", record.key}});
+    }
+    return rows;
+  }
+
+
+  /// Replaces the entries named in @p items of the blast's plan by those of
+  /// the scene.
+  std::vector<Assumption> named(std::vector<Assumption> items,
+                                const std::vector<SceneTask> &tasks)
+  {
+    const std::string section = "Blast/";
+    for (const SceneTask &task : tasks)
+      if (task.name() == "blast")
+        for (Assumption &item : items)
+          if (item.entry.compare(0, section.size(), section) == 0)
+          {
+            const std::string entry = item.entry.substr(section.size());
+            const std::string name = task.named(entry);
+            if (name != entry)
+              item.entry = name;
+          }
+    return items;
+  }
+
+
+  Json place_rows(const std::vector<TissuePlace> &places)
+  {
+    Json rows = Json::array();
+    for (const TissuePlace &place : places)
+      rows.push_back({{"name", place.name}, {"place", list(place.place)}});
+    return rows;
+  }
+
+
+  /// Command line of the user without ranks and folders.
+  std::string call_of(const io::CommandLine &command)
+  {
+    std::string call = "scene " + command.parameter_file;
+    for (const std::string &text : command.overrides)
+      call += " --set \"" + text + "\"";
+    return call;
+  }
+
+
+  /// Plan of the scene and of its blast.
+  std::vector<Assumption> whole_plan(const PlannedScene &scene,
+                                     const std::string &folder)
+  {
+    std::vector<Assumption> plan = scene.plan();
+    for (const Assumption &item : task_plan(folder + "/blast"))
+      plan.push_back(item);
+    return plan;
+  }
+} // namespace
+
+
+void print_audit(const PlannedScene &scene, const std::string &folder)
+{
+  for (const std::string &line :
+       io::audit_lines(whole_plan(scene, folder),
+                       scene_audit(scene.parameters(), scene.layout(), folder)))
+    log_line(line);
+}
+
+
+void write_scene(const PlannedScene &scene,
+                 const std::vector<SceneTask> &tasks,
+                 const std::vector<std::string> &reused,
+                 const io::CommandLine &command,
+                 const unsigned int n_ranks)
+{
+  const SceneLayout &layout = scene.layout();
+  const auto plan = named(whole_plan(scene, command.output_folder), tasks);
+  const auto audit = named(
+    scene_audit(scene.parameters(), layout, command.output_folder), tasks);
+  const Json json = {
+    {"application", "scene"},
+    {"version", version()},
+    {"git_revision", git_revision()},
+    {"title", scene.parameters().title},
+    {"question", scene.parameters().question},
+    {"accuracy", scene.parameters().accuracy.name},
+    {"explosive", scene.parameters().explosive},
+    {"charge_mass", scene.parameters().mass},
+    {"charge_place", list(layout.charge)},
+    {"distance", layout.distance},
+    {"height", layout.charge[2]},
+    {"body", scene.body_kind()},
+    {"body_box",
+     {list(layout.body.get_boundary_points().first),
+      list(layout.body.get_boundary_points().second)}},
+    {"domain", {list(layout.lower), list(layout.upper)}},
+    {"symmetry", layout.is_half ? "y" : "none"},
+    {"end_time", scene.parameters().end_time},
+    {"cell_size_at_body", layout.cell_size(scene.parameters())},
+    {"element_size", scene.parameters().accuracy.element_size},
+    {"tissue_places", place_rows(scene.tissue_places())},
+    {"command", call_of(command)},
+    {"ranks", n_ranks},
+    {"stages", task_rows(tasks, reused)},
+    {"plan", plan_rows(plan)},
+    {"audit", audit_rows(plan, audit)},
+    {"remarks", scene.body().remarks()}};
+  io::write_file(command.output_folder + "/scene.json",
+                 [&](std::ostream &out) { out << json.dump(2) << "\n"; });
+}
+} // namespace contrecoup::coupling

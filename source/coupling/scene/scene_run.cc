@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/log.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/base/system/version.h>
+#include <contrecoup/coupling/scene/scene_results.h>
+#include <contrecoup/coupling/scene/scene_run.h>
+#include <contrecoup/coupling/scene/scene_tasks.h>
+#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/output/pictures.h>
+
+#include <algorithm>
+
+namespace contrecoup::coupling
+{
+SceneRun::SceneRun(const io::CommandLine &command,
+                   dealii::ParameterHandler &prm,
+                   Collective &collective)
+  : command_(command)
+  , prm_(prm)
+  , collective_(collective)
+  , is_first_rank_(
+      dealii::Utilities::MPI::this_mpi_process(collective.communicator()) == 0)
+{
+  collective_.run(
+    [&]() {
+      scene_.emplace(prm);
+      tasks_ = make_tasks(*scene_, command_, prm, collective_);
+    },
+    ExitCode::bad_input);
+}
+
+
+void SceneRun::print_costs()
+{
+  CostEstimate total;
+  bool any_finished = false;
+  for (SceneTask &task : tasks_)
+  {
+    if (task.is_finished())
+    {
+      log_line("stage " + task.name() + " is finished in " + task.folder());
+      any_finished = true;
+      continue;
+    }
+    log_line("stage " + task.name() + ":");
+    const CostEstimate cost = task.check(collective_);
+    total.seconds += cost.seconds;
+    total.memory = std::max(total.memory, cost.memory);
+    total.output += cost.output;
+  }
+  if (!(total.memory > 0.))
+    return;
+  log_line(std::string(any_finished ? "what is left" : "all stages") +
+           ", one after the other: wall time about " + duration(total.seconds) +
+           ", memory about " + bytes(total.memory) +
+           (total.output > 0. ? ", output about " + bytes(total.output) : "") +
+           " in " + command_.output_folder);
+}
+
+
+void SceneRun::check()
+{
+  scene_->print();
+  for (SceneTask &task : tasks_)
+    task.inspect(collective_);
+  print_costs();
+}
+
+
+void SceneRun::forecast()
+{
+  // The checks of tasks close the log, but there may be none.
+  Log::instance().close();
+  print_costs();
+  collective_.run([&]() { Log::instance().open(path("log.txt"), true); });
+}
+
+
+bool SceneRun::claim()
+{
+  collective_.run([&]() {
+    if (!is_first_rank_)
+      return;
+    io::FileNames names = {{"parameters.prm", "scene.json"},
+                           {"log.txt", "report.html", "report.html.new"}};
+    for (const SceneTask &task : tasks_)
+      names = names + TaskFiles::names(task.name());
+    claim_ = std::make_unique<io::FolderClaim>(
+      command_.output_folder,
+      "scene",
+      names,
+      io::make_run_input(parameter_values(prm_)));
+    for (const SceneTask &task : tasks_)
+      task.prepare();
+  });
+  for (SceneTask &task : tasks_)
+    task.inspect(collective_);
+  const unsigned int may_run = collective_.run_with_flags(
+    [&]() { return is_first_rank_ && may_proceed() ? 1U : 0U; });
+  return may_run != 0;
+}
+
+
+std::string SceneRun::list_unfinished_tasks() const
+{
+  std::vector<std::string> kept, replaced;
+  for (const SceneTask &task : tasks_)
+    (task.is_finished() ? kept : replaced).push_back(task.name());
+  return "makes " + join(replaced, ", ") + " anew" +
+         (kept.empty() ? "" : " and takes " + join(kept, ", ") + " as it is");
+}
+
+
+void SceneRun::require_consent() const
+{
+  const std::string here = "\"" + command_.output_folder + "\" holds ";
+  const std::string changed = claim_->difference();
+  const std::string what = claim_->manifest().status() == "finished"
+                             ? "the results of another scene"
+                             : "finished stages of another scene";
+  for (const SceneTask &task : tasks_)
+    if (task.status().has_other_key && !changed.empty())
+      throw InputError(here + what + ": " + changed + "; --overwrite " +
+                       list_unfinished_tasks() + ", or give another --output");
+  // Starting again would lose the computed part.
+  for (const SceneTask &task : tasks_)
+    if (command_.resume && task.status().has_checkpoint &&
+        !task.status().is_started && !task.is_finished())
+      throw InputError(
+        here + "a checkpoint of stage " + task.name() + " from which " +
+        (changed.empty() ? "this build or these input files cannot continue"
+                         : "this scene cannot continue: " + changed) +
+        "; --overwrite begins that stage anew");
+  if (command_.resume)
+    return;
+  if (claim_->manifest().status() == "finished" && !changed.empty())
+    throw InputError(here + what + ": " + changed +
+                     "; --overwrite renews what depends on that, or give "
+                     "another --output");
+  for (const SceneTask &task : tasks_)
+    if (task.status().has_checkpoint)
+      throw InputError(here + "a scene that has not finished (stage " +
+                       task.name() +
+                       "); --resume goes on with it, --overwrite begins "
+                       "that stage anew");
+}
+
+
+bool SceneRun::is_of_scene() const
+{
+  return claim_->manifest().application() == "scene";
+}
+
+
+bool SceneRun::may_proceed() const
+{
+  if (command_.resume)
+  {
+    bool any = false;
+    for (const SceneTask &task : tasks_)
+      any = any || task.status().has_record;
+    if (!any)
+      throw InputError("--resume: \"" + command_.output_folder +
+                       "\" holds no stage of a scene");
+  }
+  const io::Manifest &manifest = claim_->manifest();
+  if (!manifest.exists() || command_.overwrite)
+    return true;
+  if (!is_of_scene())
+    throw InputError("\"" + command_.output_folder + "\" holds a run of \"" +
+                     manifest.application() + "\" (" + manifest.status() +
+                     "); --overwrite replaces it, or give another --output");
+  require_consent();
+  if (manifest.status() != "finished" || !claim_->difference().empty() ||
+      !manifest.damage().empty())
+    return true;
+  std::string others;
+  for (const SceneTask &task : tasks_)
+  {
+    if (!task.is_finished() && !task.status().has_other_key)
+      return true;
+    if (task.status().has_other_key)
+      others += " (" + task.name() + " by another build)";
+  }
+  if (command_.resume && others.empty())
+    return true;
+  log_line("finished before, nothing is done: \"" + command_.output_folder +
+           "\" holds the results" + others +
+           "; --resume makes the report again, --overwrite computes all anew");
+  return false;
+}
+
+
+void SceneRun::start()
+{
+  // --overwrite of an unchanged finished scene runs all tasks again.
+  const unsigned int anew = collective_.run_with_flags([&]() {
+    return is_first_rank_ && command_.overwrite &&
+               claim_->manifest().status() == "finished" &&
+               claim_->difference().empty()
+             ? 1U
+             : 0U;
+  });
+  for (SceneTask &task : tasks_)
+    if (anew != 0 && task.is_finished())
+      task.discard_result();
+  collective_.run([&]() {
+    if (!is_first_rank_)
+      return;
+    if (claim_->manifest().exists() && !is_of_scene())
+      // The folder holds another run without files of tasks.
+      claim_->begin();
+    else
+    {
+      if (command_.overwrite && claim_->manifest().exists())
+        log_line("--overwrite " + list_unfinished_tasks() +
+                 "; what was there before goes when the new is complete");
+      claim_->resume();
+    }
+    io::write_file(path("parameters.prm"), [&](std::ostream &out) {
+      out << "# scene " << version() << " (" << git_revision()
+          << "): every entry as used\n\n"
+          << parameter_text(prm_, false);
+    });
+    Log::instance().open(path("log.txt"), command_.resume);
+  });
+}
+
+
+bool SceneRun::run_tasks()
+{
+  for (SceneTask &task : tasks_)
+  {
+    if (task.is_finished())
+    {
+      log_line("stage " + task.name() + ": finished before, taken from " +
+               task.folder());
+      reused_.push_back(task.name());
+      continue;
+    }
+    log_line("stage " + task.name() + ":");
+    Log::instance().close();
+    const bool finished = task.run(command_.resume, collective_);
+    collective_.run([&]() { Log::instance().open(path("log.txt"), true); });
+    if (!finished)
+    {
+      log_line("stopped in stage " + task.name() +
+               "; --resume goes on from there");
+      return false;
+    }
+    const TaskRecord &record = task.record();
+    log_line("stage " + task.name() + " took " + duration(record.wall_seconds) +
+             ", " + bytes(record.peak_memory) + " of memory, " +
+             bytes(record.disk) + " on disk");
+  }
+  return true;
+}
+
+
+void SceneRun::execute()
+{
+  if (!claim())
+    return;
+  start();
+  try
+  {
+    run_all();
+  }
+  catch (const std::exception &)
+  {
+    const Failure failure =
+      to_failure(std::current_exception(), ExitCode::system_failed);
+    try
+    {
+      collective_.run([&]() {
+        if (is_first_rank_)
+          claim_->set_status(is_stop(failure) ? "stopped" : "failed");
+      });
+    }
+    catch (const std::exception &)
+    {
+      // The first failure is reported.
+    }
+    throw;
+  }
+}
+
+
+void SceneRun::run_all()
+{
+  scene_->print();
+  if (scene_->parameters().has_forecast && !command_.resume)
+    forecast();
+  const bool finished = run_tasks();
+  collective_.run([&]() {
+    if (is_first_rank_)
+      write_scene(
+        *scene_,
+        tasks_,
+        reused_,
+        command_,
+        dealii::Utilities::MPI::n_mpi_processes(collective_.communicator()));
+  });
+  for (const SceneTask &task : tasks_)
+    if (is_stop(task.stop()))
+      throw_failure(task.stop());
+  collective_.run([&]() {
+    if (!is_first_rank_)
+      return;
+    if (finished)
+      write_report();
+    claim_->set_status(finished ? "finished" : "stopped");
+  });
+}
+
+
+void SceneRun::write_report()
+{
+  print_audit(*scene_, command_.output_folder);
+  if (scene_->parameters().draws_report)
+    io::draw("report", command_.output_folder, "report", "report.html");
+  log_line("results in " + command_.output_folder);
+  Log::instance().check();
+}
+} // namespace contrecoup::coupling

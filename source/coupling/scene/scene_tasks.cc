@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/run/time_parameters.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/memory.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/coupling/application/anatomy_application.h>
+#include <contrecoup/coupling/application/biomechanics_application.h>
+#include <contrecoup/coupling/application/blast_application.h>
+#include <contrecoup/coupling/scene/scene_files.h>
+#include <contrecoup/coupling/scene/scene_tasks.h>
+#include <contrecoup/io/application/application.h>
+#include <contrecoup/io/output/output_folder.h>
+
+#include <filesystem>
+
+namespace contrecoup::coupling
+{
+using dealii::ParameterHandler;
+
+namespace
+{
+  /// Runner of a solver.
+  SceneTask::Runner runner(const io::ApplicationDescription &application)
+  {
+    return [application](const std::vector<std::string> &arguments,
+                         CostEstimate &cost) {
+      forget_peak_memory();
+      io::ApplicationDescription task = application;
+      task.on_cost_estimate = [&cost](const CostEstimate &found) {
+        cost = found;
+      };
+      return io::run_within(arguments, task);
+    };
+  }
+
+
+  /// Runner of `anatomy`, which runs on the first rank.
+  SceneTask::Runner anatomy_runner(Collective &collective)
+  {
+    return [&collective](const std::vector<std::string> &arguments,
+                         CostEstimate &cost) {
+      const io::ToolDescription tool = anatomy_application(
+        [&cost](const CostEstimate &found) { cost = found; });
+      Failure failure;
+      try
+      {
+        collective.run([&]() {
+          const bool works = dealii::Utilities::MPI::this_mpi_process(
+                               collective.communicator()) == 0;
+          const Failure own =
+            works ? io::run_within(arguments, tool) : Failure();
+          if (own.code != ExitCode::done)
+            throw_failure(own);
+        });
+      }
+      catch (...)
+      {
+        failure = to_failure(std::current_exception(), ExitCode::system_failed);
+      }
+      return failure;
+    };
+  }
+
+
+  void declare(const io::ApplicationDescription &application,
+               ParameterHandler &prm)
+  {
+    TimeParameters::declare_parameters(prm);
+    application.declare_parameters(prm);
+  }
+
+
+  /// Creates the tasks from their common inputs.
+  class Maker
+  {
+  public:
+    Maker(const PlannedScene &scene,
+          const io::CommandLine &command,
+          const ParameterHandler &prm,
+          Collective &collective)
+      : scene_(scene)
+      , folder_(command.output_folder)
+      , prm_(prm)
+      , wrote_(io::assignments_of(command, prm))
+      , collective_(collective)
+    {}
+
+    SceneTask anatomy() const
+    {
+      const io::ToolDescription tool = anatomy_application();
+      const TaskText file = task_text("Anatomy",
+                                      anatomy_entries(scene_.parameters()),
+                                      prm_,
+                                      wrote_,
+                                      tool.declare_parameters);
+      SceneTask task("anatomy",
+                     folder_,
+                     file.text,
+                     anatomy_files(),
+                     {},
+                     false,
+                     anatomy_runner(collective_));
+      task.set_words(file.words);
+      return task;
+    }
+
+    SceneTask blast() const
+    {
+      return solver(
+        "blast",
+        "Blast",
+        blast_application(),
+        blast_entries(scene_.parameters(), scene_.layout(), scene_.body_mass()),
+        {});
+    }
+
+    /// @throws InputError unless the blast records the loads for biomechanics
+    void require_loads() const
+    {
+      for (const Assignment &assignment : wrote_)
+        if (join(assignment.sections, "/") == "Blast/Loads" &&
+            assignment.entry == "Record" && assignment.value == "false")
+          throw InputError(assignment.origin +
+                           ": Blast/Loads/Record must be true, for stage "
+                           "biomechanics takes the loads; Scene/Question = "
+                           "loads leaves this stage out");
+    }
+
+    /// @param blast task that records the loads
+    SceneTask biomechanics(const SceneTask &blast) const
+    {
+      SceneTask task = solver("biomechanics",
+                              "Biomechanics",
+                              biomechanics_application(),
+                              biomechanics_entries(scene_.parameters(),
+                                                   scene_.layout(),
+                                                   scene_.body(),
+                                                   scene_.tissue_places(),
+                                                   scene_.body_mass()),
+                              {blast.key()});
+      const std::string loads =
+        std::filesystem::absolute(blast.folder() + "/loads.h5").string();
+      task.set_arguments({"--set", "Loads/Recorded/File=" + loads});
+      task.rename("Loads/Recorded/File", "the loads of stage blast");
+      return task;
+    }
+
+  private:
+    SceneTask solver(const std::string &name,
+                     const std::string &section,
+                     const io::ApplicationDescription &application,
+                     const std::vector<Assignment> &entries,
+                     const std::vector<std::string> &upstream) const
+    {
+      const TaskText file =
+        task_text(section, entries, prm_, wrote_, [&](ParameterHandler &prm) {
+          declare(application, prm);
+        });
+      ParameterHandler defaults;
+      declare(application, defaults);
+      SceneTask task(name,
+                     folder_,
+                     file.text,
+                     io::OutputFolder::run_files() +
+                       application.files(defaults),
+                     upstream,
+                     true,
+                     runner(application));
+      task.set_words(file.words);
+      return task;
+    }
+
+    const PlannedScene &scene_;
+    std::string folder_;
+    const ParameterHandler &prm_;
+    std::vector<Assignment> wrote_;
+    Collective &collective_;
+  };
+} // namespace
+
+
+std::vector<SceneTask> make_tasks(const PlannedScene &scene,
+                                  const io::CommandLine &command,
+                                  const ParameterHandler &prm,
+                                  Collective &collective)
+{
+  const Maker maker(scene, command, prm, collective);
+  std::vector<SceneTask> tasks{maker.anatomy(), maker.blast()};
+  if (!scene.parameters().wants_injury())
+    return tasks;
+  maker.require_loads();
+  tasks.push_back(maker.biomechanics(tasks.back()));
+  return tasks;
+}
+} // namespace contrecoup::coupling

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/coupling/scene/tissue_places.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+
+namespace contrecoup::coupling
+{
+using dealii::Point;
+using dealii::Tensor;
+
+namespace
+{
+  /// Body sampled in cubes.
+  class Samples
+  {
+  public:
+    Samples(const Body &body, const double spacing)
+      : body_(body)
+      , grid_(make_grid(body.surface()->bounding_box(), spacing))
+    {
+      body.fill(grid_);
+    }
+
+    /// Calls @p work for the centre of each cube of a tissue.
+    void for_each(const Tissue tissue,
+                  const std::function<void(const Point<3> &)> &work) const
+    {
+      for (unsigned int k = 0; k < grid_.size[2]; ++k)
+        for (unsigned int j = 0; j < grid_.size[1]; ++j)
+          for (unsigned int i = 0; i < grid_.size[0]; ++i)
+          {
+            const unsigned char label = grid_.at(i, j, k);
+            if (label != LabelGrid::outside &&
+                body_.parts()[label].tissue == tissue)
+              work(grid_.center(i, j, k));
+          }
+    }
+
+    /// Mean of the centres of a tissue for which @p counts is true; nothing if
+    /// there are none.
+    std::optional<Point<3>>
+    centroid(const Tissue tissue,
+             const std::function<bool(const Point<3> &)> &counts) const
+    {
+      Tensor<1, 3> sum;
+      double n = 0.;
+      for_each(tissue, [&](const Point<3> &place) {
+        if (!counts(place))
+          return;
+        sum += place;
+        n += 1.;
+      });
+      if (n == 0.)
+        return {};
+      return Point<3>(sum / n);
+    }
+
+    /// Cube centre of a tissue nearest to @p place, where the mesh has an
+    /// element of that tissue; @p place itself if the tissue is missing.
+    Point<3> nearest(const Tissue tissue, const Point<3> &place) const
+    {
+      Point<3> result = place;
+      double least = std::numeric_limits<double>::max();
+      for_each(tissue, [&](const Point<3> &center) {
+        const double distance = center.distance_square(place);
+        // Among equally near positions the first one wins, whatever the
+        // round-off.
+        if (distance < least * (1. - 1e-9))
+        {
+          least = distance;
+          result = center;
+        }
+      });
+      return result;
+    }
+
+    bool is(const Tissue tissue, const Point<3> &place) const
+    {
+      const unsigned char part = body_.part_at(place);
+      return part != LabelGrid::outside && body_.parts()[part].tissue == tissue;
+    }
+
+  private:
+    const Body &body_;
+    LabelGrid grid_;
+  };
+
+
+  /// Last position of a tissue on the ray from @p begin along @p direction.
+  Point<3> last_of(const Samples &samples,
+                   const Tissue tissue,
+                   const Point<3> &begin,
+                   const Tensor<1, 3> &direction,
+                   const double spacing)
+  {
+    constexpr unsigned int most = 200;
+    Point<3> last = begin;
+    for (unsigned int i = 0; i < most; ++i)
+    {
+      const Point<3> place = begin + i * spacing * direction;
+      if (samples.is(tissue, place))
+        last = place;
+    }
+    return last;
+  }
+
+
+  void add_brain(const Samples &samples,
+                 const Point<3> &from,
+                 const double spacing,
+                 std::vector<TissuePlace> &places)
+  {
+    const auto all = [](const Point<3> &) { return true; };
+    const auto centre = samples.centroid(Tissue::brain, all);
+    if (!centre)
+      return;
+    Tensor<1, 3> towards = from - *centre;
+    towards[2] = 0.;
+    towards /= std::max(towards.norm(), 1e-12);
+    const double inside = 2. * spacing;
+    const Point<3> front =
+      last_of(samples, Tissue::brain, *centre, towards, spacing);
+    const Point<3> back =
+      last_of(samples, Tissue::brain, *centre, -towards, spacing);
+    const auto add = [&](const std::string &name, const Point<3> &place) {
+      places.push_back({name, samples.nearest(Tissue::brain, place)});
+    };
+    add("coup", front - inside * towards);
+    add("brain", *centre);
+    add("contrecoup", back + inside * towards);
+    for (unsigned int i = 1; i < 20; ++i)
+    {
+      const Point<3> place = front + i * spacing * towards;
+      if (samples.is(Tissue::skeleton, place))
+      {
+        places.push_back({"skull", samples.nearest(Tissue::skeleton, place)});
+        break;
+      }
+    }
+  }
+} // namespace
+
+
+double estimate_mass(const Body &body, const double spacing)
+{
+  LabelGrid grid = make_grid(body.surface()->bounding_box(), spacing);
+  body.fill(grid);
+  const auto n_filled = std::count_if(
+    grid.labels.begin(), grid.labels.end(), [](const unsigned char label) {
+      return label != LabelGrid::outside;
+    });
+  constexpr double density = 1000.; // of water [kg/m^3]
+  return density * grid.volume() * static_cast<double>(n_filled);
+}
+
+
+std::vector<TissuePlace>
+find_tissue_places(const Body &body, const Point<3> &from, const double spacing)
+{
+  const Samples samples(body, spacing);
+  std::vector<TissuePlace> places;
+  add_brain(samples, from, spacing, places);
+  const auto all = [](const Point<3> &) { return true; };
+  if (const auto lungs = samples.centroid(Tissue::lung, all))
+    for (const double side : {1., -1.})
+    {
+      const auto lung =
+        samples.centroid(Tissue::lung, [&](const Point<3> &place) {
+          return side * (place[1] - (*lungs)[1]) > 0.;
+        });
+      if (lung)
+        places.push_back({side > 0. ? "lung left" : "lung right",
+                          samples.nearest(Tissue::lung, *lung)});
+    }
+  if (const auto cord = samples.centroid(Tissue::spinal_cord, all))
+    places.push_back(
+      {"spinal cord", samples.nearest(Tissue::spinal_cord, *cord)});
+  return places;
+}
+} // namespace contrecoup::coupling

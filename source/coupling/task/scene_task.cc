@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/log.h>
+#include <contrecoup/base/system/log_words.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/coupling/task/scene_task.h>
+#include <contrecoup/coupling/task/source_digest.h>
+#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/temporary_folder.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <boost/uuid/name_generator_sha1.hpp>
+#include <boost/uuid/uuid_io.hpp>
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <filesystem>
+#include <sstream>
+
+namespace contrecoup::coupling
+{
+namespace
+{
+  namespace fs = std::filesystem;
+  using Json = nlohmann::ordered_json;
+
+  /// Contents of all files that values of a parameter file name.
+  std::string contents_of_files(const std::string &text)
+  {
+    std::string contents;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);)
+    {
+      const std::size_t equals = line.find(" = ");
+      if (equals == std::string::npos)
+        continue;
+      const std::string value = trim(line.substr(equals + 3));
+      std::error_code ignored;
+      if (!value.empty() && value[0] == '/' &&
+          fs::is_regular_file(value, ignored))
+        contents += short_key(io::read_file(value)) + "\n";
+    }
+    return contents;
+  }
+
+
+  double size_of_folder(const std::string &folder)
+  {
+    double size = 0.;
+    std::error_code ignored;
+    for (const auto &entry : fs::recursive_directory_iterator(folder, ignored))
+      if (entry.is_regular_file(ignored))
+        size += static_cast<double>(entry.file_size(ignored));
+    return size;
+  }
+
+
+  bool is_first_rank()
+  {
+    return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  }
+
+
+  /// Number of a JSON object, 0 if missing.
+  double number(const Json &object, const char *name)
+  {
+    return object.contains(name) && object[name].is_number()
+             ? object[name].get<double>()
+             : 0.;
+  }
+} // namespace
+
+
+std::string short_key(const std::string &text)
+{
+  const boost::uuids::name_generator_sha1 generator(boost::uuids::ns::oid());
+  return boost::uuids::to_string(generator(text));
+}
+
+
+SceneTask::SceneTask(const std::string &name,
+                     const std::string &scene_folder,
+                     const std::string &text,
+                     const io::FileNames &names,
+                     const std::vector<std::string> &upstream,
+                     const bool can_resume,
+                     const Runner &runner)
+  : name_(name)
+  , files_(scene_folder, name)
+  , text_(text)
+  , names_(names)
+  , can_resume_(can_resume)
+  , runner_(runner)
+{
+  record_.key = short_key(source_digest(name) + "\n" + text +
+                          contents_of_files(text) + join(upstream, "\n"));
+}
+
+
+void SceneTask::prepare() const
+{
+  files_.complete_replace();
+  const auto foreign = io::Manifest(folder()).foreign_files(names_);
+  if (!foreign.empty())
+    throw InputError("\"" + folder() + "/" + foreign.front() +
+                     "\" was written by no run of Contrecoup, and stage " +
+                     name_ + " would overwrite it; give another --output");
+}
+
+
+SceneTask::Status SceneTask::find_status()
+{
+  Status status;
+  const std::string key = record_.key;
+  const TaskRecord now = files_.read_record(false);
+  const TaskRecord beside = files_.read_record(true);
+  status.has_record = !now.status.empty() || !beside.status.empty();
+  const bool was_finished = now.status == "finished";
+  if (was_finished)
+  {
+    const std::string damage = files_.find_damage();
+    status.is_damaged = !damage.empty();
+    status.is_finished = damage.empty() && now.key == key;
+    status.has_other_key = damage.empty() && now.key != key;
+    if (!damage.empty())
+      log_line("stage " + name_ + " has to be made anew: " + damage);
+  }
+  status.uses_new_folder = was_finished;
+  const TaskRecord &begun = was_finished ? beside : now;
+  status.is_started = !status.is_finished && begun.key == key;
+  status.has_checkpoint =
+    !begun.status.empty() && files_.has_checkpoint(status.uses_new_folder);
+  if (status.is_finished)
+    record_ = now;
+  else if (status.is_started)
+    record_ = begun;
+  return status;
+}
+
+
+void SceneTask::inspect(Collective &collective)
+{
+  collective.run([&]() {
+    if (is_first_rank())
+      status_ = find_status();
+  });
+  status_ =
+    dealii::Utilities::MPI::broadcast(collective.communicator(), status_, 0);
+}
+
+
+void SceneTask::take_summary(const double wall_seconds)
+{
+  const std::string folder = files_.folder(status_.uses_new_folder);
+  const Json json =
+    Json::parse(io::read_file(folder + "/summary.json"), nullptr, false);
+  if (!json.is_object())
+    throw SystemError("cannot read \"" + folder + "/summary.json\"");
+  const Json performance = json.value("performance", Json::object());
+  const Json status = json.value("status", Json());
+  record_.status = status.is_string() ? status.get<std::string>() : "failed";
+  record_.wall_seconds += wall_seconds;
+  const double cores = number(performance, "core_seconds");
+  record_.core_seconds += cores > 0. ? cores : wall_seconds;
+  record_.peak_memory =
+    std::max(record_.peak_memory, number(performance, "peak_memory_bytes"));
+  record_.disk = size_of_folder(folder);
+}
+
+
+Failure SceneTask::call(const std::vector<std::string> &arguments,
+                        CostEstimate &cost) const
+{
+  const LogWords in_log(words_);
+  Failure failure = runner_(arguments, cost);
+  failure.message = words_(failure.message);
+  return failure;
+}
+
+
+CostEstimate SceneTask::check(Collective &collective)
+{
+  // Each rank uses its own folder: a folder visible to all ranks may not
+  // exist.
+  const io::TemporaryFolder temporary;
+  const std::string path = temporary.path() + "/" + name_ + ".prm";
+  collective.run(
+    [&]() { io::write_file(path, [&](std::ostream &out) { out << text_; }); });
+  CostEstimate cost;
+  const Failure failure =
+    call({name_, path, "--output", folder(), "--check"}, cost);
+  if (failure.code != ExitCode::done)
+    throw_failure({failure.code, "stage " + name_ + ": " + failure.message});
+  return cost;
+}
+
+
+void SceneTask::begin(const bool goes_on)
+{
+  if (!goes_on)
+  {
+    const std::string key = record_.key;
+    record_ = {};
+    record_.key = key;
+  }
+  record_.status = "started";
+  io::write_file(files_.parameter_file(status_.uses_new_folder),
+                 [&](std::ostream &out) { out << text_; });
+  files_.write_record(status_.uses_new_folder, record_);
+}
+
+
+void SceneTask::end(const double wall_seconds)
+{
+  // A stopped tool has no summary.
+  if (is_stop(stop_) && !can_resume_)
+    record_.status = "stopped";
+  else
+    take_summary(wall_seconds);
+  files_.write_record(status_.uses_new_folder, record_);
+  status_.is_finished = record_.status == "finished";
+  if (status_.is_finished && status_.uses_new_folder)
+    files_.replace();
+}
+
+
+bool SceneTask::run(const bool resume, Collective &collective)
+{
+  if (is_finished())
+    return true;
+  const bool goes_on =
+    resume && can_resume_ && status_.has_checkpoint && status_.is_started;
+  std::vector<std::string> words = {
+    name_,
+    files_.parameter_file(status_.uses_new_folder),
+    "--output",
+    files_.folder(status_.uses_new_folder),
+    goes_on ? "--resume" : "--overwrite"};
+  words.insert(words.end(), arguments_.begin(), arguments_.end());
+  collective.run([&]() {
+    if (is_first_rank())
+      begin(goes_on);
+  });
+  const auto begin = std::chrono::steady_clock::now();
+  CostEstimate unused;
+  const Failure failure = call(words, unused);
+  const double wall_seconds =
+    std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
+      .count();
+  if (is_stop(failure))
+    stop_ = failure;
+  else if (failure.code != ExitCode::done)
+    throw_failure({failure.code, "stage " + name_ + ": " + failure.message});
+  const unsigned int finished = collective.run_with_flags([&]() {
+    if (is_first_rank())
+      end(wall_seconds);
+    return is_finished() ? 1U : 0U;
+  });
+  status_.is_finished = finished != 0;
+  return is_finished();
+}
+} // namespace contrecoup::coupling
