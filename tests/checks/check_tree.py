@@ -230,6 +230,42 @@ def mirror(root):
     return problems
 
 
+def unnamed_functions(lines):
+    """Names of the functions in a source's unnamed namespaces."""
+    names, inside = set(), False
+    for line in lines:
+        if line == "namespace":
+            inside = True
+        elif line == "} // namespace":
+            inside = False
+        match = re.match(r"  (?:[\w:<>,*&]+ +)*[*&]*(\w+)\(", line)
+        if inside and match and not line.endswith(";"):
+            names.add(match[1])
+    return names
+
+
+def overloads(root):
+    """Sources that the compiler reads as one hide no overloads from each
+    other: the order of the sources would decide which one is called."""
+    call = re.compile(r"contrecoup_compile_together\((\w+)\s([^)]*)\)")
+    problems = []
+    for folder, _, names in os.walk(os.path.join(root, "source")):
+        if "CMakeLists.txt" not in names:
+            continue
+        text = "\n".join(lines_of(root, os.path.relpath(
+            os.path.join(folder, "CMakeLists.txt"), root)))
+        for layer, sources in call.findall(text):
+            first = {}
+            for source in sources.split():
+                path = os.path.join("source", layer, source)
+                for name in sorted(unnamed_functions(lines_of(root, path))):
+                    if name in first:
+                        problems.append(f"{path}: '{name}' is in the unnamed "
+                                        f"namespace of {first[name]}, too")
+                    first.setdefault(name, path)
+    return problems
+
+
 def licence(root):
     """Each file names its licence; each header is included once."""
     problems = []
@@ -362,8 +398,8 @@ def tidy(root, *folders):
 
 
 CHECKS = {check.__name__: check for check in
-          (layers, rooms, plot_rooms, lengths, functions, mirror, licence,
-           parameters, guide, formatting, tidy)}
+          (layers, rooms, plot_rooms, lengths, functions, mirror, overloads,
+           licence, parameters, guide, formatting, tidy)}
 
 
 def main(arguments):

@@ -69,7 +69,8 @@ class TreeTest(unittest.TestCase):
 
     def test_good_tree(self):
         for name in ("layers", "rooms", "plot_rooms", "lengths", "functions",
-                     "mirror", "licence", "parameters", "guide"):
+                     "mirror", "overloads", "licence", "parameters",
+                     "guide"):
             self.assertEqual(check_tree.CHECKS[name](self.root), [], name)
 
     def test_upward_include(self):
@@ -146,6 +147,15 @@ class TreeTest(unittest.TestCase):
         self.assertEqual(check_tree.mirror(self.root), [])
         self.write("source/materials/three.cc", GOOD_SOURCE)
         self.expect("mirror", "include/contrecoup/materials/three.h")
+
+    def test_overloads_of_sources_read_as_one(self):
+        hidden = TOP + ("namespace\n{\n  double number(const char *name)\n"
+                        "  {\n    return *name;\n  }\n} // namespace\n")
+        self.write("source/io/file/one.cc", hidden)
+        self.write("source/io/run/two.cc", hidden.replace("char", "double"))
+        self.write("source/io/CMakeLists.txt", "contrecoup_compile_together("
+                   "io file/one.cc\n  run/two.cc)\n")
+        self.expect("overloads", "run/two.cc: 'number'", "file/one.cc")
 
     def test_missing_licence(self):
         self.write("source/materials/two.cc", "int two();\n")

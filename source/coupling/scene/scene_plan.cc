@@ -111,7 +111,7 @@ namespace
   }
 
 
-  double number(const Json &object, const std::string &name)
+  double number_or_unknown(const Json &object, const std::string &name)
   {
     return object.is_object() && object.contains(name) &&
                object[name].is_number()
@@ -147,9 +147,10 @@ namespace
       one.decision = text(item, "decision");
       one.quantity = text(item, "quantity");
       one.unit = text(item, "unit", "-");
-      one.value = number(item, value);
+      one.value = number_or_unknown(item, value);
       one.is_lower_limit = item.contains("at_least");
-      one.limit = number(item, one.is_lower_limit ? "at_least" : "at_most");
+      one.limit =
+        number_or_unknown(item, one.is_lower_limit ? "at_least" : "at_most");
       one.entry = "Blast/" + text(item, "entry");
       items.push_back(one);
     }
@@ -215,7 +216,7 @@ std::vector<Assumption> scene_audit(const SceneParameters &scene,
     const Json summary = read_summary(solid);
     items.push_back(
       strain(summary.is_object() && summary.contains("assumptions")
-               ? number(summary["assumptions"], "injury_strain_95")
+               ? number_or_unknown(summary["assumptions"], "injury_strain_95")
                : unknown));
     items.push_back(
       gravity_of_body(scene.end_time, largest_vector(solid, "velocity")));

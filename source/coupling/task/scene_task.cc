@@ -65,7 +65,7 @@ namespace
 
 
   /// Number of a JSON object, 0 if missing.
-  double number(const Json &object, const char *name)
+  double number_or_zero(const Json &object, const char *name)
   {
     return object.contains(name) && object[name].is_number()
              ? object[name].get<double>()
@@ -163,10 +163,10 @@ void SceneTask::take_summary(const double wall_seconds)
   const Json status = json.value("status", Json());
   record_.status = status.is_string() ? status.get<std::string>() : "failed";
   record_.wall_seconds += wall_seconds;
-  const double cores = number(performance, "core_seconds");
+  const double cores = number_or_zero(performance, "core_seconds");
   record_.core_seconds += cores > 0. ? cores : wall_seconds;
-  record_.peak_memory =
-    std::max(record_.peak_memory, number(performance, "peak_memory_bytes"));
+  record_.peak_memory = std::max(
+    record_.peak_memory, number_or_zero(performance, "peak_memory_bytes"));
   record_.disk = size_of_folder(folder);
 }
 

@@ -62,9 +62,25 @@ def prove(case, output, check_bound, read_summary):
         check_bound(read_summary(os.path.join(output, "biomechanics")), bound)
     check_peaks(files, PEAKS.get(case.options.name, {}))
     check_summary(files)
+    check_audit(files, output)
     check_fields(case, output)
     count = report_figures.check_report(output)
     require(count > 100, f"{count} figures were compared")
+
+
+def check_audit(files, output):
+    """The scene's audit has the limits of the blast's, and no others."""
+    with open(os.path.join(output, "log.txt"), encoding="utf-8") as file:
+        lines = [line for line in file if not line.startswith("WARNING")]
+    for name, item in files.summary["blast"]["assumptions"].items():
+        if not isinstance(item, dict) or "quantity" not in item:
+            continue
+        rows = [line for line in lines if item["quantity"] in line]
+        has_limit = item.get("at_most", item.get("at_least")) is not None
+        require(rows, f"the audit of the scene lacks {name}")
+        for row in rows:
+            require((" at most " in row or " at least " in row) == has_limit,
+                    f"{name} has a limit: {has_limit}, but: {row}")
 
 
 def check_fields(case, output):
