@@ -301,14 +301,14 @@ template <int dim>
 void Adaptation<dim>::carry_over(GasField &field, BlastMaps<dim> &maps)
 {
   const LeafCarrier<dim> carrier(mesh_, points_, material_, field, maps);
-  const auto make_room = [&]() {
+  const auto resize_field_and_maps = [&]() {
     mesh_.rebuild();
     field.reinit(field.layout(), mesh_.n_stored_batches());
     if (!maps.empty())
       maps.reinit(field.layout().n_points, mesh_.n_owned());
   };
   if constexpr (dim == 1)
-    adapt_line(mesh_, carrier, make_room);
+    adapt_line(mesh_, carrier, resize_field_and_maps);
   else
   {
     using Cell = typename LeafMesh<dim>::CellIterator;
@@ -321,7 +321,7 @@ void Adaptation<dim>::carry_over(GasField &field, BlastMaps<dim> &maps)
       },
       false);
     tria.execute_coarsening_and_refinement();
-    make_room();
+    resize_field_and_maps();
     tria.notify_ready_to_unpack(
       handle, [&](const Cell &cell, const Status status, const Bytes &bytes) {
         carrier.unpack(cell, status == tria.CELL_REFINE, &*bytes.begin());

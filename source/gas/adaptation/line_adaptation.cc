@@ -73,7 +73,7 @@ void balance_line(LeafMesh<1> &mesh)
 
 void adapt_line(LeafMesh<1> &mesh,
                 const LeafCarrier<1> &carrier,
-                const std::function<void()> &make_room)
+                const std::function<void()> &resize_field_and_maps)
 {
   struct Parcel
   {
@@ -94,7 +94,7 @@ void adapt_line(LeafMesh<1> &mesh,
   }
   auto &triangulation = mesh.triangulation();
   triangulation.execute_coarsening_and_refinement();
-  make_room();
+  resize_field_and_maps();
   for (const auto &parcel : parcels)
     carrier.unpack(triangulation.create_cell_iterator(parcel.id),
                    parcel.is_halved,

@@ -6,6 +6,22 @@
 namespace contrecoup::gas
 {
 template <int dim>
+std::vector<unsigned int> GasOperator<dim>::driven_leaves() const
+{
+  using Kind = typename Boundary<dim>::Kind;
+  std::vector<unsigned int> result;
+  for (unsigned int batch = 0; batch < mesh_.n_batches(); ++batch)
+    for (auto s = mesh_.special_begin(batch); s != mesh_.special_end(batch);
+         ++s)
+      if (s->kind == SpecialFace::Kind::boundary &&
+          boundary_.kind(s->index) != Kind::wall &&
+          boundary_.kind(s->index) != Kind::open)
+        result.push_back(batch * mesh_.width() + s->lane);
+  return result;
+}
+
+
+template <int dim>
 std::unique_ptr<GasOperator<dim>>
 make_gas_operator(const LeafMesh<dim> &mesh,
                   const LeafLayout &layout,
@@ -21,6 +37,9 @@ make_gas_operator(const LeafMesh<dim> &mesh,
 }
 
 
+template class GasOperator<1>;
+template class GasOperator<2>;
+template class GasOperator<3>;
 template std::unique_ptr<GasOperator<1>>
 make_gas_operator(const LeafMesh<1> &,
                   const LeafLayout &,

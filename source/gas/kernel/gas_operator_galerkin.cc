@@ -23,9 +23,7 @@ namespace
                      const Scheme &scheme,
                      const Gas &gas,
                      const Boundary<dim> &boundary)
-      : mesh_(mesh)
-      , layout_(layout)
-      , boundary_(boundary)
+      : GasOperator<dim>(mesh, layout, boundary)
       , space_(mesh, layout)
       , faces_(space_, layout, scheme, gas, boundary)
       , leaves_(mesh, space_, faces_, layout, scheme, gas, boundary)
@@ -76,20 +74,6 @@ namespace
         leaves_.analyse(b, stage);
     }
 
-    std::vector<unsigned int> driven_leaves() const override
-    {
-      using Kind = typename Boundary<dim>::Kind;
-      std::vector<unsigned int> result;
-      for (unsigned int batch = 0; batch < mesh_.n_batches(); ++batch)
-        for (auto s = mesh_.special_begin(batch); s != mesh_.special_end(batch);
-             ++s)
-          if (s->kind == SpecialFace::Kind::boundary &&
-              boundary_.kind(s->index) != Kind::wall &&
-              boundary_.kind(s->index) != Kind::open)
-            result.push_back(batch * mesh_.width() + s->lane);
-      return result;
-    }
-
   private:
     /// Padding lanes copy the first, so that they never overflow.
     void fill_padding(Real *state) const
@@ -105,9 +89,8 @@ namespace
           values[i + lane] = values[i];
     }
 
-    const LeafMesh<dim> &mesh_;
-    const LeafLayout layout_;
-    const Boundary<dim> &boundary_;
+    using GasOperator<dim>::layout_;
+    using GasOperator<dim>::mesh_;
     GalerkinSpace<dim, Real> space_;
     GalerkinFaces<dim, Gas, Real> faces_;
     GalerkinLeaves<dim, Gas, Real> leaves_;

@@ -166,18 +166,6 @@ void LeafKernel<dim, Gas, Real>::widen_open_flux(const unsigned int direction,
 
 
 template <int dim, typename Gas, typename Real>
-typename LeafKernel<dim, Gas, Real>::Values
-LeafKernel<dim, Gas, Real>::neighbor_primitive(const unsigned int face,
-                                               const unsigned int point) const
-{
-  Values u;
-  for (unsigned int c = 0; c < nc; ++c)
-    u[c] = neighbors_[face].read(in_ + layout_.value(c, point));
-  return to_primitive<dim>(gas_, u);
-}
-
-
-template <int dim, typename Gas, typename Real>
 void LeafKernel<dim, Gas, Real>::fill_boundary(const SpecialFace &special,
                                                const unsigned int line,
                                                const Values &inside,
@@ -218,39 +206,6 @@ void LeafKernel<dim, Gas, Real>::fill_boundary(const SpecialFace &special,
     outside[C::momentum + d][lane] = state.velocity[(direction + d) % dim];
   if constexpr (Gas::has_products)
     outside[C::products][lane] = state.products;
-}
-
-
-template <int dim, typename Gas, typename Real>
-void LeafKernel<dim, Gas, Real>::replace_hanging_fluxes(
-  const unsigned int direction,
-  const unsigned int line,
-  const HangingData<dim, Real> &hanging,
-  Values &low,
-  Values &high) const
-{
-  for (auto s = mesh_.special_begin(batch_); s != mesh_.special_end(batch_);
-       ++s)
-    if (s->face / 2 == direction && s->kind != SpecialFace::Kind::boundary)
-      for (unsigned int c = 0; c < nc; ++c)
-        (s->face % 2 ? high : low)[c][s->lane] = hanging.flux(
-          s->index, slot_of(*s), rotated_component<dim>(c, direction))[line];
-}
-
-
-template <int dim, typename Gas, typename Real>
-typename LeafKernel<dim, Gas, Real>::Number
-LeafKernel<dim, Gas, Real>::neighbor_compression(const unsigned int face,
-                                                 const unsigned int line) const
-{
-  const auto velocity = [&](const unsigned int t,
-                            const unsigned int q) -> Number {
-    const auto &neighbors = neighbors_[face];
-    const Number density = neighbors.read(in_ + layout_.value(C::density, q));
-    return neighbors.read(in_ + layout_.value(C::momentum + t, q)) / density;
-  };
-  return transverse_compression(
-    face / 2, layout_.face_point(face ^ 1U, line, 0), velocity);
 }
 
 

@@ -33,8 +33,7 @@ MappedFiniteVolumeKernel<dim, Gas>::MappedFiniteVolumeKernel(
 
 template <int dim, typename Gas>
 void MappedFiniteVolumeKernel<dim, Gas>::update(const unsigned int batch,
-                                                const Stage &stage,
-                                                const HangingData<dim> &)
+                                                const Stage &stage)
 {
   Base::bind(batch, stage);
   metric_.reinit(mesh_, batch);

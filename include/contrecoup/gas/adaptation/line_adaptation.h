@@ -17,8 +17,8 @@ namespace contrecoup::gas
 void balance_line(LeafMesh<1> &mesh);
 
 /// Refines and coarsens leaves as flagged, and transfers their data.
-/// @param make_room resizes field and maps for the new octree
+/// @param resize_field_and_maps resizes field and maps for the new octree
 void adapt_line(LeafMesh<1> &mesh,
                 const LeafCarrier<1> &carrier,
-                const std::function<void()> &make_room);
+                const std::function<void()> &resize_field_and_maps);
 } // namespace contrecoup::gas

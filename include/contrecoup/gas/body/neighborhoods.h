@@ -27,7 +27,7 @@ public:
   /// Cells side by side, at most 1 + 1 + 2^(dim-1).
   using Chain = boost::container::static_vector<Subcell, 6>;
 
-  /// A small cell and the next ones, across @p face, that it shares its
+  /// A small cell and the next ones, across face, that it shares its
   /// change with.
   struct Neighborhood
   {

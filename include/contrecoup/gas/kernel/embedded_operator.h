@@ -50,7 +50,7 @@ public:
   {
     Base::begin_stage(stage, quiet_leaves);
     for (unsigned int g = 0; g < groups_.size(); ++g)
-      if (is_active(groups_[g], quiet_leaves))
+      if (Base::is_active(groups_[g], quiet_leaves))
         hanging_kernel_.compute(groups_[g],
                                 stage,
                                 hanging_,

@@ -5,7 +5,11 @@
 
 #include <contrecoup/gas/kernel/finite_volume_hanging.h>
 #include <contrecoup/gas/kernel/finite_volume_kernel.h>
-#include <contrecoup/gas/kernel/leaf_operator.h>
+#include <contrecoup/gas/kernel/gas_operator.h>
+#include <contrecoup/gas/octree/hanging_group.h>
+
+#include <algorithm>
+#include <vector>
 
 namespace contrecoup::gas
 {
@@ -22,9 +26,7 @@ public:
                        const Scheme &scheme,
                        const Gas &gas,
                        const Boundary<dim> &boundary)
-    : mesh_(mesh)
-    , layout_(layout)
-    , boundary_(boundary)
+    : GasOperator<dim>(mesh, layout, boundary)
     , primitives_(layout, gas)
     , kernel_(mesh, layout, scheme, gas, boundary, primitives_)
     , hanging_kernel_(layout, scheme, gas, primitives_)
@@ -58,12 +60,21 @@ public:
       kernel_.analyse(batch, stage);
   }
 
-  std::vector<unsigned int> driven_leaves() const override
+protected:
+  using GasOperator<dim>::layout_;
+  using GasOperator<dim>::mesh_;
+
+  /// Whether a batch that is active meets a face of the group.
+  static bool is_active(const HangingGroup<dim> &group,
+                        const QuietLeaves<dim> &quiet_leaves)
   {
-    return leaves_at_driven_boundaries(mesh_, boundary_);
+    return std::any_of(group.face.begin(),
+                       group.face.begin() + group.n_filled,
+                       [&](const unsigned int face) {
+                         return quiet_leaves.is_active_face(face);
+                       });
   }
 
-protected:
   void begin_stage(const BasicStage<Real> &stage,
                    QuietLeaves<dim> &quiet_leaves)
   {
@@ -71,9 +82,6 @@ protected:
     primitives_.begin_stage(stage.in);
   }
 
-  const LeafMesh<dim> &mesh_;
-  const LeafLayout layout_;
-  const Boundary<dim> &boundary_;
   PrimitiveField<dim, Gas, Real> primitives_;
   FiniteVolumeKernel<dim, Gas, Real> kernel_;
   FiniteVolumeHanging<dim, Gas, Real> hanging_kernel_;

@@ -26,6 +26,13 @@ template <int dim>
 class GasOperator
 {
 public:
+  GasOperator(const LeafMesh<dim> &mesh,
+              const LeafLayout &layout,
+              const Boundary<dim> &boundary)
+    : mesh_(mesh)
+    , layout_(layout)
+    , boundary_(boundary)
+  {}
   virtual ~GasOperator() = default;
 
   /// Renews what depends on the mesh. Call after LeafMesh::rebuild().
@@ -78,9 +85,14 @@ public:
     Assert(false, dealii::ExcInternalError());
   }
 
-  /// Owned leaves on which something other than their neighbours acts; see
+  /// Owned leaves at boundaries with a state of their own; see
   /// QuietLeaves::reinit().
-  virtual std::vector<unsigned int> driven_leaves() const = 0;
+  std::vector<unsigned int> driven_leaves() const;
+
+protected:
+  const LeafMesh<dim> &mesh_;
+  const LeafLayout layout_;
+  const Boundary<dim> &boundary_;
 };
 
 /// The operator that @p scheme and @p material ask for; the arguments must

@@ -18,8 +18,8 @@ namespace contrecoup::gas
 {
 /**
  * What the kernels of all schemes share on one batch of axis-aligned
- * leaves: reading the neighbours, the gas beyond the domain's boundary,
- * fluxes of hanging faces, and the shear factor of the shock-stable flux.
+ * leaves: reading the neighbours, the gas beyond the domain's boundary, and
+ * the shear factor of the shock-stable flux.
  *
  * A line is a row of points of a leaf along one direction; it is numbered
  * like the points of the leaf face that it starts from.
@@ -74,10 +74,6 @@ public:
       burn_->fraction(line_progress_[i + 1], cell[C::density]));
   }
 
-  /// Primitive state of a point of the neighbours across @p face.
-  Values neighbor_primitive(const unsigned int face,
-                            const unsigned int point) const;
-
   /// Reader of the neighbours across @p face.
   const NeighborReader<Real> &neighbors(const unsigned int face) const
   {
@@ -126,14 +122,6 @@ public:
                      const Values &inside,
                      Values &outside) const;
 
-  /// Takes the hanging faces' fluxes, in the frame of the line, at its low
-  /// and high end.
-  void replace_hanging_fluxes(const unsigned int direction,
-                              const unsigned int line,
-                              const HangingData<dim, Real> &hanging,
-                              Values &low,
-                              Values &high) const;
-
   /// Slot of a hanging face's data that belongs to this side.
   static unsigned int slot_of(const SpecialFace &special)
   {
@@ -148,10 +136,6 @@ public:
   Number transverse_compression(const unsigned int direction,
                                 const unsigned int point,
                                 const Velocity &velocity) const;
-
-  /// The same for the neighbours' point next to @p line across @p face.
-  Number neighbor_compression(const unsigned int face,
-                              const unsigned int line) const;
 
   /// Whether shocked leaves are among the batch and its neighbours and the
   /// flux asks for shear factors.

@@ -10,20 +10,6 @@
 
 namespace contrecoup::gas
 {
-/// Stands for the kernel of hanging faces, which mapped leaves do not have.
-template <int dim, typename Gas>
-struct NoHangingFaces
-{
-  NoHangingFaces(const LeafLayout &, const Scheme &, const Gas &)
-  {}
-  template <typename Group>
-  void compute(const Group &, const Stage &, HangingData<dim> &)
-  {
-    Assert(false, dealii::ExcInternalError());
-  }
-};
-
-
 /**
  * One stage of the finite-volume scheme on one batch of leaves of any
  * shape: multilinear images of the cube, with neighbours in any
@@ -53,9 +39,7 @@ public:
                            const Boundary<dim> &boundary);
 
   /// Does @p stage on the leaves of @p batch.
-  void update(const unsigned int batch,
-              const Stage &stage,
-              const HangingData<dim> &hanging);
+  void update(const unsigned int batch, const Stage &stage);
 
   /// Computes only sensor and signal rate of the state stage.results.state.
   void analyse(const unsigned int batch, const Stage &stage);
