@@ -13,6 +13,7 @@ contrecoup_add_application_test(stages scene_run FILE ${_head}
 # The following tests check how a scene continues, not its accuracy: cells of 40
 # mm, a tenth of the work in the blast.
 set(_brief "Scene/Accuracy=first look" "Scene/Forecast=false"
+  "Scene/Error estimate=false"
   "Scene/Report=false" "Anatomy/Output/Pictures=false")
 # Loads, probes, injuries and fields are those of an earlier run; quantities that
 # are zero by symmetry are compared absolutely. Checkpoints let killed runs resume.

@@ -190,7 +190,7 @@ class ReportTest(unittest.TestCase):
         front, back = (tiny_scene.HARM[name][1] for name in ("chest", "back"))
         self.expect(self.text, "10.8 m/s in front",
                     f"{html_page.number(0.5 * (front + back))} m/s as the",
-                    "0.26 of what half", "a probability of 79 %", "0.788",
+                    "0.26 of the 50 % lethality", "a probability of 79 %", "0.788",
                     "peak 175 kPa", "0.264")
 
     def test_brain_of_the_answer(self):
@@ -199,6 +199,20 @@ class ReportTest(unittest.TestCase):
                     "1.0 MPa, beyond the limit for serious injury by impacts "
                     "and that of cavitation; 95 % of its tissue is strained "
                     "by less than 5.4 %, below the 14 % at which")
+
+    def test_errors(self):
+        """Differences to the coarser run over r^0.7 - 1: of the strain half
+        its value, which passes the threshold of mild injury."""
+        times = 1. / (2. ** 0.7 - 1.), 1. / ((5. / 3.) ** 0.7 - 1.)
+        for error in (0.2, 0.1 * times[0], 0.1 * times[1]):
+            shown = html_page.percent(error).replace("\u00a0", " ")
+            self.expect(self.text, f"± {shown}")
+        self.expect(self.text, "Numerical error could change",
+                    "The incident peak overpressure is 15 % below Kingery")
+        alone = text_of(Made(self.copy_without("coarser_blast",
+                                               "coarser_biomechanics")).page)
+        self.expect(alone, "is unknown: the scene has no coarser run",
+                    "error unknown")
 
     def test_checks(self):
         """What alternates from element to element is a check, no injury."""

@@ -19,6 +19,8 @@ HARM = {"chest": (1e-3, 10.842, 0.26398, 0.99951),
         "forehead": (1e-3, 6.0428, 0.14665, 0.99177),
         "back": (1e-3, 2.4220, 0.058662, 0.84184),
         "left ear": (1e-3, 2.1197, 0.051329, 0.78773)}
+GAUGE_INJURY = ("place,peak [Pa],positive phase [s],chest wall velocity [m/s],"
+                "lung exposure [-],eardrum rupture [-]\n")
 PROBES = {"coup": (0.07, 0., 1.66), "contrecoup": (-0.07, 0., 1.66),
           "lung left": (0., 0.09, 1.28)}
 QUANTITIES = (["displacement_" + axis + " [m]" for axis in "xyz"]
@@ -59,7 +61,8 @@ def write_scene(folder):
     stages = [{"name": name, "status": "finished", "folder": name,
                "wall_seconds": 75., "core_seconds": 61.5,
                "peak_memory": 2.2e9, "disk": 5.5e6, "hash": "00"}
-              for name in ("anatomy", "blast", "biomechanics")]
+              for name in ("anatomy", "blast", "biomechanics",
+                           "coarser_blast", "coarser_biomechanics")]
     write(os.path.join(folder, "scene.json"), json.dumps({
         "application": "scene", "version": "0.1.0", "git_revision": "abc123",
         "title": "A tiny <scene>", "question": "injury", "accuracy": "fast",
@@ -67,6 +70,7 @@ def write_scene(folder):
         "charge_place": [2.458, 0, 1.27], "distance": 2.337, "height": 1.27,
         "body": "phantom", "symmetry": "none", "end_time": 6e-3,
         "cell_size_at_body": 0.02, "element_size": 0.01,
+        "coarser_run": {"cell_ratio": 2., "element_ratio": 5. / 3.},
         "command": "scene tiny.prm --set \"Scene/Accuracy=fast\"", "ranks": 2,
         "stages": stages,
         "audit": [{"item": "rigid_body", "decision": "at rest",
@@ -104,8 +108,7 @@ def write_blast(folder):
         "time [s]": TIMES, **{f"{name} [Pa]": pulse(TIMES, place[3])
                               for name, place in GAUGES.items()}})
     write(os.path.join(folder, "gauge_injury.csv"),
-          "place,peak [Pa],positive phase [s],chest wall velocity [m/s],"
-          "lung exposure [-],eardrum rupture [-]\n" + "".join(
+          GAUGE_INJURY + "".join(
               f"{name},{GAUGES[name][3]!r}," + ",".join(map(repr, harm)) + "\n"
               for name, harm in HARM.items()))
     write_loads(os.path.join(folder, "loads.h5"))
@@ -246,3 +249,21 @@ def write_all(folder):
     write_blast(os.path.join(folder, "blast"))
     write_biomechanics(os.path.join(folder, "biomechanics"))
     write_anatomy(os.path.join(folder, "anatomy"))
+    write_coarser(folder)
+
+
+# The coarser run's values over those of the scene.
+COARSER = {"injury_intracranial_pressure_peak": 0.9, "injury_strain_95": 0.5}
+
+
+def write_coarser(folder):
+    """What the report reads of the run with larger cells and elements."""
+    write(os.path.join(folder, "coarser_blast", "gauge_injury.csv"),
+          GAUGE_INJURY + "".join(
+              f"{name},{0.8 * GAUGES[name][3]!r}," + ",".join(
+                  repr(0.9 * value) for value in harm) + "\n"
+              for name, harm in HARM.items()))
+    write(os.path.join(folder, "coarser_biomechanics", "injury.csv"),
+          "measure,value,unit,threshold,limits\n" + "".join(
+              f"{name},{COARSER.get(name, 1.) * value!r},{unit},none,none\n"
+              for name, (value, unit) in INJURY.items()))

@@ -24,6 +24,7 @@ SCENE = {
     "height": NUMBER, "body": WORDS, "body_box": [POINT, 2],
     "domain": [POINT, 2], "symmetry": WORDS, "end_time": NUMBER,
     "cell_size_at_body": NUMBER, "element_size": NUMBER,
+    "coarser_run": {"*": NUMBER},
     "tissue_places": [{"name": WORDS, "place": POINT}],
     "command": WORDS, "ranks": NUMBER,
     "stages": [{"name": WORDS, "status": WORDS, "folder": WORDS,

@@ -26,6 +26,7 @@ class Scene:
         self.anatomy, self.blast, self.biomechanics = (
             Stage(os.path.join(folder, self._folder_of(name)))
             for name in STAGES)
+        self.coarser = self._coarser_run()
         if not self.facts and not any(
                 stage.exists for stage in
                 (self.anatomy, self.blast, self.biomechanics)):
@@ -33,6 +34,17 @@ class Scene:
                 f"{folder}: neither scene.json nor a stage's folder ("
                 + ", ".join(STAGES) + ") is in it")
         self._loads, self._fields = None, None
+
+    def _coarser_run(self):
+        """The CoarserRun, or None unless all its stages are finished."""
+        stages = [stage for stage in self.list_of("stages")
+                  if str(stage.get("name")).startswith("coarser_")]
+        if not stages or any(stage.get("status") not in ("finished", "reused")
+                             for stage in stages):
+            return None
+        return CoarserRun(*(
+            Stage(os.path.join(self.folder, self._folder_of(name)))
+            for name in ("coarser_blast", "coarser_biomechanics")))
 
     def _folder_of(self, name):
         for stage in self.list_of("stages"):
@@ -131,21 +143,42 @@ class Scene:
     def gauge_injury(self):
         """What loads on named places do to a person there: numbers by place
         and name, without units."""
-        path = self.blast.path("gauge_injury.csv")
-        if not os.path.exists(path):
-            return {}
-        with files.reading(path), open(path, newline="",
-                                       encoding="utf-8") as file:
-            found = {row.pop("place"): {
-                name.split(" [")[0]: float(value)
-                for name, value in row.items()}
-                for row in files.rows_of(file)}
-            for harm in found.values():
-                for name in HARM:
-                    if not np.isfinite(harm[name]):
-                        raise ValueError(f"{name}: no number")
-        return found
+        return read_gauge_injury(self.blast)
 
     def measures(self):
         """Measures of injury by name."""
         return read_measures(self.biomechanics.path("injury.csv"))
+
+
+class CoarserRun:
+    """What the run with larger cells and elements found."""
+
+    def __init__(self, blast, biomechanics):
+        self.blast, self.biomechanics = blast, biomechanics
+
+    def gauge_injury(self):
+        """As Scene.gauge_injury()."""
+        return read_gauge_injury(self.blast)
+
+    def measures(self):
+        """As Scene.measures()."""
+        return read_measures(self.biomechanics.path("injury.csv"))
+
+
+def read_gauge_injury(blast):
+    """What the loads of a blast do at named places: numbers by place and
+    name, without units."""
+    path = blast.path("gauge_injury.csv")
+    if not os.path.exists(path):
+        return {}
+    with files.reading(path), open(path, newline="",
+                                   encoding="utf-8") as file:
+        found = {row.pop("place"): {
+            name.split(" [")[0]: float(value)
+            for name, value in row.items()}
+            for row in files.rows_of(file)}
+        for harm in found.values():
+            for name in HARM:
+                if not np.isfinite(harm[name]):
+                    raise ValueError(f"{name}: no number")
+    return found

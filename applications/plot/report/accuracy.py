@@ -8,7 +8,7 @@ import math
 import os
 
 from plot.readers import files
-from plot.report import injury_thresholds, page
+from plot.report import error_estimate, injury_thresholds, page
 
 KNOWN = os.path.join(os.path.dirname(os.path.abspath(__file__)),
                      "known_differences.csv")
@@ -38,32 +38,6 @@ class Differences:
         if not rows or not size:
             return None
         return min(rows, key=lambda row: abs(math.log(row["coarse"] / size)))
-
-    def error(self, measure, varied, size):
-        """Relative error at @p size, by first-order extrapolation: of a method
-        of first order the error at h is the difference from h to h / 2 twice,
-        and grows like h. None if unknown."""
-        row = self.find(measure, varied, size)
-        if row is None or row["at fine"] == 0.:
-            return None
-        ratio = row["fine"] / row["coarse"]
-        difference = abs(row["at coarse"] / row["at fine"] - 1.)
-        return difference / (1. - ratio) * size / row["coarse"]
-
-
-def uncertainty(scene, measure, differences):
-    """Relative uncertainty of a measure by cells and elements together, and
-    which of them are known."""
-    parts, names = [], []
-    for varied, size in ((SKIN, scene.cell_size()),
-                         (BODY, scene.element_size())):
-        error = differences.error(measure, varied, size)
-        if error is not None:
-            parts.append(error)
-            names.append("gas cells" if varied == SKIN else "elements")
-    if not parts:
-        return None, ""
-    return math.sqrt(sum(error ** 2 for error in parts)), " and ".join(names)
 
 
 def plan(scene):
@@ -136,7 +110,7 @@ def _audit_row(name, entry):
             page.tag("code", str(entry.get("entry", ""))))
 
 
-def statement(scene):
+def statement(scene, judged):
     """What is known of the error at this setting."""
     parts = [page.paragraph(
         "Errors come from three sources, which are told apart here: the "
@@ -146,18 +120,17 @@ def statement(scene):
     free = _free_air(scene)
     if free:
         parts += [page.tag("h3", "Against measurements in free air"), free]
-    differences = Differences()
-    rows = _difference_rows(scene, differences)
+    parts += [page.tag("h3", "This scene with larger cells and elements"),
+              error_estimate.section(scene, judged)]
+    rows = _difference_rows(scene, Differences())
     if rows:
         parts += [
-            page.tag("h3", "What halving the cells changed"),
+            page.tag("h3", "What halving the cells changed elsewhere"),
             page.table(
-                ("measure", "varied", "from", "to", "change",
-                 "hence error here"), rows,
+                ("measure", "varied", "from", "to", "change"), rows,
                 "Measured once on the scene of five pounds of C-4 and "
-                "the phantom; the error here is extrapolated to first order "
-                "from the sizes nearest to those of this run. Where the scene "
-                "is another, it is a guess.", numbers=(2, 3, 4, 5))]
+                "the phantom, from the sizes nearest to those of this run; "
+                "it says nothing of other scenes.", numbers=(2, 3, 4))]
     checks = _checks(scene)
     if checks:
         parts += [page.tag("h3", "What this run checked itself"),
@@ -220,8 +193,7 @@ def _difference_rows(scene, differences):
         for varied, size in ((SKIN, scene.cell_size()),
                              (BODY, scene.element_size())):
             row = differences.find(measure, varied, size)
-            error = differences.error(measure, varied, size)
-            if row is None or error is None:
+            if row is None:
                 continue
             change = row["at fine"] / row["at coarse"] - 1. \
                 if row["at coarse"] else math.nan
@@ -229,8 +201,7 @@ def _difference_rows(scene, differences):
                 injury_thresholds.title(measure),
                 "elements" if varied == BODY else varied,
                 f"{1e3 * row['coarse']:g} mm", f"{1e3 * row['fine']:g} mm",
-                page.number(100. * change, 2) + " %",
-                "± " + page.percent(error)))
+                page.number(100. * change, 2) + " %"))
     return rows
 
 

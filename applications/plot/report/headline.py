@@ -4,6 +4,7 @@
 
 from plot.report import injury_table, page
 
+LARGE_DIFFERENCE = 0.1  # of the incident peak to Kingery and Bulmash
 LONG_ENOUGH = 0.01  # s, until the largest strains that a front causes
 
 
@@ -55,8 +56,8 @@ def _lung(judged):
     text += f", {page.quantity(mean.value, 'm/s')} as the mean of front and " \
             "back" if mean else ""
     if bowen is not None:
-        text += (f", and the load on the chest is "
-                 f"{page.number(bowen.value, 2)} of what half of men survive")
+        text += (f", and the chest load is "
+                 f"{page.number(bowen.value, 2)} of the 50 % lethality load")
     return text + "."
 
 
@@ -106,16 +107,16 @@ def _certainty(scene, judged):
              and entry.is_certain() is not None]
     parts = []
     if known:
-        sure = [entry for entry in known if entry.is_certain()]
+        open_ones = [entry for entry in known if not entry.is_certain()]
         parts.append(
-            f"How sure: for {len(sure)} of the {len(known)} measures whose "
-            "numerical error is estimated it leaves the verdict as it is"
-            + (", not for " + "; ".join(
-                entry.title for entry in known if not entry.is_certain())
-               if len(sure) < len(known) else "") + ".")
+            "Numerical error could change "
+            + (f"{len(open_ones)} of {len(known)} verdicts: " + "; ".join(
+                entry.title for entry in open_ones) if open_ones
+               else f"none of {len(known)} verdicts") + ".")
     elif judged:
-        parts.append("How sure: the numerical error of these measures has not "
-                     "been estimated.")
+        parts.append("The numerical error of these verdicts is unknown: the scene "
+                     "has no coarser run.")
+    parts += _free_air(scene) + _limits(scene)
     if any(entry.name == "injury_strain_95" for entry in judged):
         parts.append(
             "What pressures and strains mean for a brain in a blast is open: "
@@ -130,8 +131,32 @@ def _certainty(scene, judged):
             "the brain and motion of the head still grow: they are lower "
             "limits.")
     failed = [stage.get("name") for stage in scene.list_of("stages")
-              if stage.get("status") == "failed"]
+              if stage.get("status") == "failed"
+              and not str(stage.get("name")).startswith("coarser_")]
     if failed:
         parts.append("The scene is not complete: " + ", ".join(
             str(name) for name in failed) + " failed.")
     return " ".join(parts)
+
+
+def _free_air(scene):
+    """The peak beside the body, where it differs from measurements."""
+    here, known = (scene.blast.found("assumptions", "probe_1_" + name)
+                   for name in ("peak_overpressure",
+                                "reference_peak_overpressure"))
+    if not here or not known or abs(here / known - 1.) <= LARGE_DIFFERENCE:
+        return []
+    change = here / known - 1.
+    return ["The incident peak overpressure is "
+            f"{page.number(100. * abs(change), 2)} % "
+            f"{'below' if change < 0. else 'above'} Kingery and Bulmash, more "
+            "than that of a fine mesh: loads and verdicts carry this "
+            "difference."]
+
+
+def _limits(scene):
+    """Items of plan and audit beyond their limits."""
+    failed = [str(row.get("item")).replace("_", " ")
+              for row in scene.list_of("audit") if row.get("holds") is False]
+    return ["Beyond its limit: " + ", ".join(failed)
+            + " (see what was taken for granted)."] if failed else []

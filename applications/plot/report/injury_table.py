@@ -3,7 +3,7 @@
 """Measures of injury with their errors and thresholds, and what they say
 together."""
 
-from plot.report import accuracy, injury_thresholds, page
+from plot.report import error_estimate, injury_thresholds, page
 from plot.report.injury_thresholds import KNOWN
 
 # What the report takes from the skin itself instead of these.
@@ -12,6 +12,8 @@ REPLACED = ("injury_chest_pressure_peak", "injury_chest_wall_velocity",
             "injury_eardrum_rupture")
 # Told with the checks of the run.
 NO_INJURY = ("injury_pressure_roughness",)
+PRESSURES = ("injury_intracranial_pressure_peak",
+             "injury_intracranial_pressure_lowest")
 GROUPS = (("Ears", ("ear_",)),
           ("Chest and lungs", ("chest_", "injury_chest", "injury_lung",
                                "lung_")),
@@ -21,10 +23,11 @@ GROUPS = (("Ears", ("ear_",)),
 class Judged:
     """A measure beside its thresholds."""
 
-    def __init__(self, name, value, unit, known, error, error_of):
+    def __init__(self, name, value, unit, known, error, error_of,
+                 coarser=None):
         self.name, self.value, self.unit = name, value, unit
         self.title, self.thresholds, self.source, self.limits = known
-        self.error, self.error_of = error, error_of
+        self.coarser, self.error, self.error_of = coarser, error, error_of
 
     def exceeded(self, value=None):
         """Number of thresholds that a value, or this one's, exceeds."""
@@ -48,37 +51,60 @@ class Judged:
 
 def judge(scene):
     """All measures, those of the skin first."""
-    differences = accuracy.Differences()
+    coarser = {} if scene.coarser is None else _measures_of(scene.coarser)
+    # Errors of peak and duration can cancel in what follows from both.
+    peak_change = error_estimate.peak_change(scene, "chest")
     judged = []
-
-    def add(name, value, unit, known, known_by=None):
-        error, of = accuracy.uncertainty(scene, known_by or name,
-                                         differences)
-        judged.append(Judged(name, value, unit, known, error, of))
-
-    _add_skin(scene, add)
-    for name, measure in scene.measures().items():
-        has_skin = any(entry.name.startswith("chest_") for entry in judged)
-        if name in NO_INJURY or has_skin and name in REPLACED:
-            continue
-        known = KNOWN.get(name) or (
-            injury_thresholds.title(name), [],
-            measure.threshold, measure.limits)
-        add(name, measure.value, measure.unit, known)
+    for name, (value, unit, known) in _measures_of(scene).items():
+        other = coarser.get(name)
+        error, of = (None, "") if other is None else error_estimate.of(
+            scene, name, value, other[0])
+        if error is not None and name.startswith(("chest_wall_", "lung_")):
+            error = max(error, peak_change)
+        judged.append(Judged(name, value, unit, known, error, of,
+                             None if other is None else other[0]))
+    _share_errors(judged)
     return judged
 
 
-def _add_skin(scene, add):
+def _share_errors(judged):
+    """Both extremes of the brain's pressure have the larger relative error of
+    the two, since one of them may agree by chance."""
+    entries = [entry for entry in judged if entry.name in PRESSURES
+               and entry.error is not None]
+    for entry in entries:
+        entry.error = max(other.error for other in entries)
+
+
+def _measures_of(run):
+    """Value, unit, and what is known of each measure, by name; @p run: a
+    Scene or its CoarserRun."""
+    found = {}
+
+    def add(name, value, unit, known):
+        found[name] = value, unit, known
+
+    _add_skin(run, add)
+    has_skin = any(name.startswith("chest_") for name in found)
+    for name, measure in run.measures().items():
+        if name in NO_INJURY or has_skin and name in REPLACED:
+            continue
+        add(name, measure.value, measure.unit,
+            KNOWN.get(name) or (injury_thresholds.title(name), [],
+                                measure.threshold, measure.limits))
+    return found
+
+
+def _add_skin(run, add):
     """Measures of the recorded loads alone: eardrums, chest wall, lung."""
-    places = scene.gauge_injury()
+    places = run.gauge_injury()
     for name, found in places.items():
         if name.endswith("ear"):
             words, thresholds, source, limits = KNOWN["ear_rupture"]
             add("ear_rupture_" + name, found["eardrum rupture"], "-",
                 (words.replace("an eardrum", f"the {name}drum"), thresholds,
                  source,
-                 f"peak {page.quantity(found['peak'], 'Pa')}; {limits}"),
-                "ear_rupture")
+                 f"peak {page.quantity(found['peak'], 'Pa')}; {limits}"))
     if "chest" not in places:
         return
     front = places["chest"]["chest wall velocity"]
@@ -116,10 +142,9 @@ def table(scene, judged):
             parts.append(table_of(group))
     parts.append(_disagreement(scene, judged))
     parts.append(page.paragraph(
-        "Errors are parts of the value (a probability ends at 1 all the same) "
-        "and those of the numerics alone, extrapolated from runs of the man "
-        "before five pounds of C-4 with halved cells and elements (see the "
-        "section on accuracy); for other scenes they are guesses. Thresholds "
+        "Errors are relative, numerical alone, and estimated from the coarser "
+        "run of this scene (see the section on accuracy); without that run "
+        "they are unknown. Thresholds "
         "are given as they are commonly cited; tissue properties and "
         "thresholds are less certain than the numerics.", kind="note"))
     return [part for part in parts if part]
@@ -143,7 +168,7 @@ def _row(entry):
         value += [page.escape("±\u00a0" + page.percent(entry.error)),
                   page.tag("small", f"by {entry.error_of}")]
     else:
-        value.append(page.tag("small", "error not measured"))
+        value.append(page.tag("small", "error unknown"))
     return (entry.title, page.Html("<br>".join(value)),
             page.Html("<br>".join(lines)), _verdict(entry), entry.limits)
 

@@ -34,7 +34,7 @@ def build(scene):
     parts.section("Conservation of the gas",
                   *blast_sections.conservation(scene))
     parts.section("What was taken for granted", *accuracy.plan(scene))
-    parts.section("Accuracy", *accuracy.statement(scene))
+    parts.section("Accuracy", *accuracy.statement(scene, judged))
     parts.section("The body's mesh", *body_sections.mesh(scene))
     parts.section("Cost", *accuracy.cost(scene))
     parts.section("How to reproduce", *accuracy.reproduce(scene))

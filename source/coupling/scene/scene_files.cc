@@ -365,7 +365,8 @@ task_text(const std::string &name,
           const std::vector<Assignment> &entries,
           const dealii::ParameterHandler &scene,
           const std::vector<Assignment> &wrote,
-          const std::function<void(dealii::ParameterHandler &)> &declare)
+          const std::function<void(dealii::ParameterHandler &)> &declare,
+          const EntryChanges &changes)
 {
   std::vector<Assignment> all = entries;
   for (Assignment &assignment : all)
@@ -388,6 +389,8 @@ task_text(const std::string &name,
   try
   {
     apply_assignments(all, prm);
+    if (changes)
+      apply_assignments(changes(prm), prm);
   }
   catch (const InputError &error)
   {

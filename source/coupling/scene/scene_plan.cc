@@ -89,6 +89,22 @@ namespace
             "Scene/Symmetry"};
   }
 
+  /// Item about the energy that the products release in air.
+  Assumption afterburn(const SceneParameters &scene)
+  {
+    const JwlParameters &jwl = find_explosive(scene.explosive).jwl;
+    return {"afterburn",
+            scene.afterburn > 0.
+              ? brief(1e-6 * scene.afterburn) + " MJ/kg at Miller's rate"
+              : "left out",
+            "energy of afterburn over that of detonation",
+            "-",
+            scene.afterburn * jwl.reference_density / jwl.energy_density,
+            unknown,
+            false,
+            "Charge/Afterburn energy"};
+  }
+
   Assumption end_of_load(const SceneParameters &scene, const double value)
   {
     return {"end_time",
@@ -192,6 +208,7 @@ std::vector<Assumption> scene_plan(const SceneParameters &scene,
     body_mass;
   const double phase = measured(scene, layout, BlastQuantity::duration);
   std::vector<Assumption> items = {symmetry(layout),
+                                   afterburn(scene),
                                    end_of_load(scene, layout.arrival + phase)};
   items.push_back(rigid_body(speed * (scene.end_time - layout.arrival),
                              layout.cell_size(scene)));
@@ -208,7 +225,7 @@ std::vector<Assumption> scene_audit(const SceneParameters &scene,
                                     const std::string &folder)
 {
   const std::string solid = folder + "/biomechanics";
-  std::vector<Assumption> items = {symmetry(layout)};
+  std::vector<Assumption> items = {symmetry(layout), afterburn(scene)};
   if (scene.wants_injury())
   {
     items.push_back(rigid_body(largest_vector(solid, "displacement"),

@@ -4,6 +4,7 @@
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/base/system/version.h>
+#include <contrecoup/coupling/scene/coarser_run.h>
 #include <contrecoup/coupling/scene/scene_plan.h>
 #include <contrecoup/coupling/scene/scene_results.h>
 #include <contrecoup/io/file/checked_file.h>
@@ -190,6 +191,9 @@ void write_scene(const PlannedScene &scene,
     {"cell_size_at_body", layout.cell_size(scene.parameters())},
     {"element_size", scene.parameters().accuracy.element_size},
     {"tissue_places", place_rows(scene.tissue_places())},
+    {"coarser_run",
+     {{"cell_ratio", CoarserRun::cell_ratio},
+      {"element_ratio", CoarserRun::element_ratio}}},
     {"command", call_of(command)},
     {"ranks", n_ranks},
     {"stages", task_rows(tasks, reused)},

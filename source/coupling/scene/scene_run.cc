@@ -40,6 +40,8 @@ void SceneRun::print_costs()
   bool any_finished = false;
   for (SceneTask &task : tasks_)
   {
+    if (task.is_optional())
+      continue;
     if (task.is_finished())
     {
       log_line("stage " + task.name() + " is finished in " + task.folder());
@@ -59,6 +61,9 @@ void SceneRun::print_costs()
            ", memory about " + bytes(total.memory) +
            (total.output > 0. ? ", output about " + bytes(total.output) : "") +
            " in " + command_.output_folder);
+  if (scene_->parameters().estimates_error)
+    log_line("the coarser run that estimates the error takes about a seventh "
+             "of that time more");
 }
 
 
@@ -231,6 +236,30 @@ void SceneRun::start()
 }
 
 
+SceneRun::TaskEnd SceneRun::run(SceneTask &task)
+{
+  TaskEnd end;
+  try
+  {
+    end.is_finished = task.run(command_.resume, collective_);
+  }
+  catch (const InputError &)
+  {
+    if (!task.is_optional())
+      throw;
+    end.failure = to_failure(std::current_exception(), ExitCode::bad_input);
+  }
+  catch (const NumericsError &)
+  {
+    if (!task.is_optional())
+      throw;
+    end.failure =
+      to_failure(std::current_exception(), ExitCode::numerics_failed);
+  }
+  return end;
+}
+
+
 bool SceneRun::run_tasks()
 {
   for (SceneTask &task : tasks_)
@@ -244,9 +273,15 @@ bool SceneRun::run_tasks()
     }
     log_line("stage " + task.name() + ":");
     Log::instance().close();
-    const bool finished = task.run(command_.resume, collective_);
+    const TaskEnd end = run(task);
     collective_.run([&]() { Log::instance().open(path("log.txt"), true); });
-    if (!finished)
+    if (end.failure.code != ExitCode::done)
+    {
+      log_line("WARNING: no estimate of the numerical error: " +
+               end.failure.message);
+      break;
+    }
+    if (!end.is_finished)
     {
       log_line("stopped in stage " + task.name() +
                "; --resume goes on from there");

@@ -9,6 +9,7 @@
 #include <contrecoup/coupling/application/anatomy_application.h>
 #include <contrecoup/coupling/application/biomechanics_application.h>
 #include <contrecoup/coupling/application/blast_application.h>
+#include <contrecoup/coupling/scene/coarser_run.h>
 #include <contrecoup/coupling/scene/scene_files.h>
 #include <contrecoup/coupling/scene/scene_tasks.h>
 #include <contrecoup/io/application/application.h>
@@ -97,6 +98,7 @@ namespace
                                       wrote_,
                                       tool.declare_parameters);
       SceneTask task("anatomy",
+                     "anatomy",
                      folder_,
                      file.text,
                      anatomy_files(),
@@ -109,12 +111,14 @@ namespace
 
     SceneTask blast() const
     {
-      return solver(
-        "blast",
-        "Blast",
-        blast_application(),
-        blast_entries(scene_.parameters(), scene_.layout(), scene_.body_mass()),
-        {});
+      return blast("blast", {});
+    }
+
+    SceneTask coarser_blast() const
+    {
+      SceneTask task = blast("coarser_blast", CoarserRun::blast);
+      task.set_optional();
+      return task;
     }
 
     /// @throws InputError unless the blast records the loads for biomechanics
@@ -132,7 +136,35 @@ namespace
     /// @param blast task that records the loads
     SceneTask biomechanics(const SceneTask &blast) const
     {
-      SceneTask task = solver("biomechanics",
+      return biomechanics("biomechanics", blast, {});
+    }
+
+    /// @param blast coarser blast that records the loads
+    SceneTask coarser_biomechanics(const SceneTask &blast) const
+    {
+      SceneTask task =
+        biomechanics("coarser_biomechanics", blast, CoarserRun::biomechanics);
+      task.set_optional();
+      return task;
+    }
+
+  private:
+    SceneTask blast(const std::string &name, const EntryChanges &changes) const
+    {
+      return solver(
+        name,
+        "Blast",
+        blast_application(),
+        blast_entries(scene_.parameters(), scene_.layout(), scene_.body_mass()),
+        {},
+        changes);
+    }
+
+    SceneTask biomechanics(const std::string &name,
+                           const SceneTask &blast,
+                           const EntryChanges &changes) const
+    {
+      SceneTask task = solver(name,
                               "Biomechanics",
                               biomechanics_application(),
                               biomechanics_entries(scene_.parameters(),
@@ -140,28 +172,33 @@ namespace
                                                    scene_.body(),
                                                    scene_.tissue_places(),
                                                    scene_.body_mass()),
-                              {blast.key()});
+                              {blast.key()},
+                              changes);
       const std::string loads =
         std::filesystem::absolute(blast.folder() + "/loads.h5").string();
       task.set_arguments({"--set", "Loads/Recorded/File=" + loads});
-      task.rename("Loads/Recorded/File", "the loads of stage blast");
+      task.rename("Loads/Recorded/File", "the loads of stage " + blast.name());
       return task;
     }
 
-  private:
     SceneTask solver(const std::string &name,
                      const std::string &section,
                      const io::ApplicationDescription &application,
                      const std::vector<Assignment> &entries,
-                     const std::vector<std::string> &upstream) const
+                     const std::vector<std::string> &upstream,
+                     const EntryChanges &changes) const
     {
-      const TaskText file =
-        task_text(section, entries, prm_, wrote_, [&](ParameterHandler &prm) {
-          declare(application, prm);
-        });
+      const TaskText file = task_text(
+        section,
+        entries,
+        prm_,
+        wrote_,
+        [&](ParameterHandler &prm) { declare(application, prm); },
+        changes);
       ParameterHandler defaults;
       declare(application, defaults);
       SceneTask task(name,
+                     application.name,
                      folder_,
                      file.text,
                      io::OutputFolder::run_files() +
@@ -189,10 +226,16 @@ std::vector<SceneTask> make_tasks(const PlannedScene &scene,
 {
   const Maker maker(scene, command, prm, collective);
   std::vector<SceneTask> tasks{maker.anatomy(), maker.blast()};
-  if (!scene.parameters().wants_injury())
+  if (scene.parameters().wants_injury())
+  {
+    maker.require_loads();
+    tasks.push_back(maker.biomechanics(tasks.back()));
+  }
+  if (!scene.parameters().estimates_error)
     return tasks;
-  maker.require_loads();
-  tasks.push_back(maker.biomechanics(tasks.back()));
+  tasks.push_back(maker.coarser_blast());
+  if (scene.parameters().wants_injury())
+    tasks.push_back(maker.coarser_biomechanics(tasks.back()));
   return tasks;
 }
 } // namespace contrecoup::coupling

@@ -82,6 +82,7 @@ std::string short_key(const std::string &text)
 
 
 SceneTask::SceneTask(const std::string &name,
+                     const std::string &application,
                      const std::string &scene_folder,
                      const std::string &text,
                      const io::FileNames &names,
@@ -95,7 +96,7 @@ SceneTask::SceneTask(const std::string &name,
   , can_resume_(can_resume)
   , runner_(runner)
 {
-  record_.key = short_key(source_digest(name) + "\n" + text +
+  record_.key = short_key(source_digest(application) + "\n" + text +
                           contents_of_files(text) + join(upstream, "\n"));
 }
 

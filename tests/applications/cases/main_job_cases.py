@@ -7,7 +7,7 @@ import os
 import subprocess
 
 import report_figures
-from report_figures import STAGES, require
+from report_figures import COARSER, STAGES, require
 
 # Peaks [Pa] on the skin by test and place: of the test's own run, of which
 # 3 % may be missing, and of another run with what the test's differs by.
@@ -56,7 +56,7 @@ def prove(case, output, check_bound, read_summary):
     files = report_figures.Files(output)
     statuses = {stage["name"]: stage["status"]
                 for stage in files.scene["stages"]}
-    require(statuses == dict.fromkeys(STAGES, "finished"),
+    require(statuses == dict.fromkeys(STAGES + COARSER, "finished"),
             f"stages are {statuses}")
     for bound in case.options.bound:
         check_bound(read_summary(os.path.join(output, "biomechanics")), bound)

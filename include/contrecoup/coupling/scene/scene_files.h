@@ -42,6 +42,10 @@ biomechanics_entries(const SceneParameters &scene,
 /// @}
 
 /// Parameter file of a task.
+/// Changes to the entries of a stage, as a function of the entries.
+using EntryChanges =
+  std::function<std::vector<Assignment>(const dealii::ParameterHandler &)>;
+
 struct TaskText
 {
   std::string text; ///< content, all entries
@@ -55,6 +59,7 @@ struct TaskText
  * @param scene all entries of the scene's file; those of the body and those
  * under @p name that the user @p wrote override @p entries
  * @param declare declares the entries of the application
+ * @param changes changes to the resulting entries; empty: none
  * @throws InputError for entries that the application does not have
  */
 TaskText
@@ -62,5 +67,6 @@ task_text(const std::string &name,
           const std::vector<Assignment> &entries,
           const dealii::ParameterHandler &scene,
           const std::vector<Assignment> &wrote,
-          const std::function<void(dealii::ParameterHandler &)> &declare);
+          const std::function<void(dealii::ParameterHandler &)> &declare,
+          const EntryChanges &changes = {});
 } // namespace contrecoup::coupling

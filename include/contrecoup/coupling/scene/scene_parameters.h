@@ -48,11 +48,13 @@ struct SceneParameters
   std::string symmetry;     ///< auto, none, y
   bool has_forecast = true; ///< whether to predict the costs of tasks
   bool draws_report = true; ///< report.html
-  std::string explosive;    ///< name in the library of explosives
-  double mass = 0.;         ///< [kg]
-  double afterburn = 0.;    ///< energy [J/kg]
-  double distance = 0.;     ///< from the charge's centre to the body [m]
-  double height = 0.;       ///< of the charge's centre above the ground [m]
+  /// Whether a coarser run estimates the numerical error
+  bool estimates_error = true;
+  std::string explosive; ///< name in the library of explosives
+  double mass = 0.;      ///< [kg]
+  double afterburn = 0.; ///< energy [J/kg]
+  double distance = 0.;  ///< from the charge's centre to the body [m]
+  double height = 0.;    ///< of the charge's centre above the ground [m]
   /// Position of the charge's centre instead [m]
   std::optional<dealii::Point<3>> place;
   std::string tissues; ///< set in the tissue library

@@ -45,6 +45,13 @@ private:
   void require_consent() const;
   std::string list_unfinished_tasks() const;
   void start();
+  /// Outcome of a task: the failure is that of an optional one.
+  struct TaskEnd
+  {
+    bool is_finished = false;
+    Failure failure;
+  };
+  TaskEnd run(SceneTask &task);
   bool run_tasks();
   void run_all();
   /// Writes audit and report.

@@ -40,13 +40,15 @@ public:
   };
 
   /**
-   * @param name of the application, see source_digest()
+   * @param name of the task and its folder
+   * @param application name of the application, see source_digest()
    * @param text content of the parameter file
    * @param names files that the application writes
    * @param upstream keys of the tasks whose results this task reads
    * @param can_resume whether the application supports --resume
    */
   SceneTask(const std::string &name,
+            const std::string &application,
             const std::string &scene_folder,
             const std::string &text,
             const io::FileNames &names,
@@ -92,6 +94,17 @@ public:
     status_.is_finished = false;
     status_.is_started = false;
     status_.uses_new_folder = true;
+  }
+
+  /// Marks the task as one without which the scene is complete.
+  void set_optional()
+  {
+    is_optional_ = true;
+  }
+
+  bool is_optional() const
+  {
+    return is_optional_;
   }
 
   bool is_finished() const
@@ -163,6 +176,7 @@ private:
   std::string text_;
   io::FileNames names_;
   bool can_resume_;
+  bool is_optional_ = false;
   Runner runner_;
   std::vector<std::string> arguments_;
   TaskRecord record_;

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""Numerical errors of a scene, from its run with larger cells and elements."""
+
+from plot.report import page
+
+# Assumed order of convergence: pressures at fronts converge slower than to
+# first order. See parameter_files/scene/error_estimate.md for how often the
+# estimate covers the difference to finer cells.
+ORDER = 0.7
+
+
+def factor(scene, name):
+    """Error over the difference between both runs: 1 / (r^p - 1) with ratio r
+    of the sizes and order p, and the sizes that differ."""
+    ratios = scene.facts.get("coarser_run") or {}
+    cells = ratios.get("cell_ratio", 2.)
+    if name.startswith(("ear_", "chest_", "lung_")):
+        return 1. / (cells ** ORDER - 1.), "cells"
+    ratio = min(cells, ratios.get("element_ratio", cells))
+    return 1. / (ratio ** ORDER - 1.), "cells and elements"
+
+
+def of(scene, name, value, coarser):
+    """Relative error of a measure, None if unknown, and its causes."""
+    if not value:
+        return None, ""
+    times, causes = factor(scene, name)
+    return times * abs(coarser / value - 1.), causes
+
+
+def peak_change(scene, place):
+    """Relative difference of both runs' peaks at a place; 0 if unknown."""
+    runs = [] if scene.coarser is None else [scene.coarser, scene]
+    peaks = [run.gauge_injury().get(place, {}).get("peak") for run in runs]
+    return abs(peaks[0] / peaks[1] - 1.) if all(peaks) and peaks else 0.
+
+
+def section(scene, judged):
+    """The measures of both runs; None without a coarser run."""
+    if scene.coarser is None:
+        return page.paragraph(
+            "The numerical error of this scene is unknown: it has no finished "
+            "coarser run (Scene/Error estimate).")
+    rows = []
+    for entry in judged:
+        if entry.error is None:
+            continue
+        rows.append((entry.title, page.quantity(entry.coarser, entry.unit),
+                     page.quantity(entry.value, entry.unit),
+                     "± " + page.percent(entry.error)))
+    return page.table(
+        ("measure", "coarser run", "this run", "estimated error"), rows,
+        "The coarser run has cells of twice the size and elements of 5/3 of "
+        "the size. The estimated error is the difference over "
+        f"r^{ORDER} − 1 with the ratio r of the sizes; that of chest wall and "
+        "lungs is at least the difference of the chest's peak, and both "
+        "extremes of the brain's pressure have the larger of theirs.",
+        numbers=(1, 2, 3))
