@@ -8,7 +8,9 @@
 
 #include <boost/math/tools/roots.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace contrecoup
 {
@@ -25,8 +27,12 @@ namespace
     double energy;              ///< per volume [GPa]
     double detonation_speed;    ///< [m/s]
     double cj_pressure;         ///< [GPa]
+    double combustion;          ///< heat, with water vapour [MJ/kg]
+    double afterburn;           ///< fitted [MJ/kg]; NaN: none known
     std::string source;
   };
+
+  constexpr double not_fitted = std::numeric_limits<double>::quiet_NaN();
 
   const std::vector<Row> &rows()
   {
@@ -38,25 +44,59 @@ namespace
                                "(Dobratz and Crawford 1985) in common use";
     // clang-format off
     static const std::vector<Row> table{
-      {"tnt", 1630., 373.8, 3.747, 4.15, 0.90, 0.35, 6.0, 6930., 21.0,
+      {"tnt", 1630., 373.8, 3.747, 4.15, 0.90, 0.35, 6.0, 6930., 21.0, 14.5, 3.5,
        "Tan, Saunders and Bagchi, COUPLED PROBLEMS 2017, table 2 (3.68 "
        "MJ/kg)"},
-      {"tnt dobratz", 1630., 371.2, 3.231, 4.15, 0.95, 0.30, 7.0, 6930., 21.0,
+      {"tnt dobratz", 1630., 371.2, 3.231, 4.15, 0.95, 0.30, 7.0, 6930., 21.0, 14.5, 3.0,
        map + unseen},
-      {"c-4", 1601., 609.77, 12.95, 4.5, 1.4, 0.25, 9.0, 8193., 28.0,
+      {"c-4", 1601., 609.77, 12.95, 4.5, 1.4, 0.25, 9.0, 8193., 28.0, 11.6, 3.5,
        foam + "; detonation speed: " + common + unseen},
-      {"composition b", 1717., 524.23, 7.678, 4.2, 1.1, 0.34, 8.5, 7980., 29.5,
+      {"composition b", 1717., 524.23, 7.678, 4.2, 1.1, 0.34, 8.5, 7980., 29.5, 11.1, not_fitted,
        common + unseen},
-      {"petn 1.77", 1770., 617.0, 16.926, 4.4, 1.2, 0.25, 10.1, 8300., 33.5,
+      {"petn 1.77", 1770., 617.0, 16.926, 4.4, 1.2, 0.25, 10.1, 8300., 33.5, 7.58, not_fitted,
        map},
-      {"petn 1.50", 1500., 625.3, 23.29, 5.25, 1.6, 0.28, 8.56, 7450., 22.0,
+      {"petn 1.50", 1500., 625.3, 23.29, 5.25, 1.6, 0.28, 8.56, 7450., 22.0, 7.58, not_fitted,
        common + unseen},
-      {"anfo", 931., 49.46, 1.891, 3.907, 1.118, 0.3333, 2.484, 4160., 5.15,
+      {"anfo", 931., 49.46, 1.891, 3.907, 1.118, 0.3333, 2.484, 4160., 5.15, 2.67, 0.,
        map + "; energy, detonation speed and pressure: in common use" + unseen},
-      {"pentolite", 1700., 540.94, 9.373, 4.5, 1.1, 0.35, 8.1, 7530., 25.5,
+      {"pentolite", 1700., 540.94, 9.373, 4.5, 1.1, 0.35, 8.1, 7530., 25.5, 11.0, not_fitted,
        common + unseen}};
     // clang-format on
     return table;
+  }
+
+  /// Detonation energy [J/kg].
+  double detonation_energy(const Row &row)
+  {
+    return row.energy * gigapascal / row.density;
+  }
+
+  TntEquivalence tnt_equivalence(const Row &row)
+  {
+    constexpr double tnt_energy = 4.184e6; // [J/kg], by convention
+    if (row.name.compare(0, 3, "tnt") == 0)
+      return {1., 1., true, "TNT"};
+    if (row.name == "c-4")
+      return {1.37, 1.19, true, "averages of TM 5-855-1 (1986)"};
+    const double ratio = detonation_energy(row) / tnt_energy;
+    return {ratio, ratio, false, "ratio of detonation energies"};
+  }
+
+  Afterburn afterburn_of(const Row &row)
+  {
+    constexpr double megajoule = 1e6;
+    constexpr double usual_part = 0.32; // that of TNT
+    const double largest =
+      std::max(0., row.combustion * megajoule - detonation_energy(row));
+    if (row.name == "anfo")
+      return {0., largest, "its oxygen is balanced"};
+    return std::isnan(row.afterburn)
+             ? Afterburn{usual_part * largest,
+                         largest,
+                         "the part of the heat of combustion that fits TNT"}
+             : Afterburn{row.afterburn * megajoule,
+                         largest,
+                         "fits Kingery and Bulmash at 1 to 2 m"};
   }
 
   Explosive to_explosive(const Row &row)
@@ -75,7 +115,9 @@ namespace
             jwl,
             row.detonation_speed,
             row.cj_pressure * gigapascal,
-            row.source};
+            row.source,
+            tnt_equivalence(row),
+            afterburn_of(row)};
   }
 
   /// Pressure on the Hugoniot curve of the products at a relative volume.

@@ -132,3 +132,30 @@ TEST(Explosives, AreComparedWithWhatIsPublished)
   EXPECT_EQ(describe_detonation(explosive).find("published"),
             std::string::npos);
 }
+
+
+// Heats of combustion from enthalpies of formation, by hand, in MJ/kg: TNT
+// (7 * 393.5 + 2.5 * 241.8 - 63) / 227.1, PETN (5 * 393.5 + 4 * 241.8 - 538) /
+// 316.1.
+TEST(Explosives, ReleaseNoMoreByAfterburnThanByCombustion)
+{
+  const double tnt = (7. * 393.5 + 2.5 * 241.8 - 63.) / 227.1;
+  const double petn = (5. * 393.5 + 4. * 241.8 - 538.) / 316.1;
+  EXPECT_NEAR(
+    find_explosive("tnt").afterburn.largest, 1e6 * (tnt - 6000. / 1630.), 1e5);
+  EXPECT_NEAR(find_explosive("petn 1.77").afterburn.largest,
+              1e6 * (petn - 10100. / 1770.),
+              1e5);
+  for (const Explosive &explosive : explosive_library())
+  {
+    SCOPED_TRACE(explosive.name);
+    EXPECT_GE(explosive.afterburn.energy, 0.);
+    EXPECT_LE(explosive.afterburn.energy, explosive.afterburn.largest);
+    EXPECT_FALSE(explosive.afterburn.source.empty());
+    EXPECT_GT(explosive.tnt.pressure, 0.4);
+    EXPECT_LT(explosive.tnt.pressure, 1.5);
+  }
+  EXPECT_EQ(find_explosive("tnt").afterburn.energy, 3.5e6);
+  EXPECT_EQ(find_explosive("anfo").afterburn.energy, 0.);
+  EXPECT_NEAR(find_explosive("anfo").tnt.impulse, 2.484 / 0.931 / 4.184, 1e-12);
+}
