@@ -105,7 +105,8 @@ contrecoup_add_application_test(full_disk disk_anew
   TIMEOUT 120)
 
 set(_head_loads FILE scene/verification/head.prm SET "Scene/Question=loads"
-  "Scene/Accuracy=first look" "Scene/Forecast=false" "Scene/Report=false"
+  "Scene/Accuracy=first look" "Scene/Cell size=0.04"
+  "Scene/Forecast=false" "Scene/Report=false"
   "Anatomy/Output/Pictures=false" "Blast/Output/Fields=false")
 set(_codes_on_1 130 138)
 set(_codes_on_2 130 143)

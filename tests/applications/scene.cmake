@@ -12,7 +12,8 @@ contrecoup_add_application_test(stages scene_run FILE ${_head}
     "assumptions.injury_strain_95 < 2.26e-3")
 # The following tests check how a scene continues, not its accuracy: cells of 40
 # mm, a tenth of the work in the blast.
-set(_brief "Scene/Accuracy=first look" "Scene/Forecast=false"
+set(_brief "Scene/Accuracy=first look" "Scene/Cell size=0.04"
+  "Scene/Forecast=false"
   "Scene/Error estimate=false"
   "Scene/Report=false" "Anatomy/Output/Pictures=false")
 # Loads, probes, injuries and fields are those of an earlier run; quantities that
@@ -54,7 +55,7 @@ contrecoup_add_application_test(failing_stage scene_failure FILE ${_head}
 # It is the blast that fills the disk: each picture of a plane has 2 MB.
 contrecoup_add_application_test(full_disk scene_full_disk FILE ${_head}
   RANKS 2 3 CORES 1
-  SET ${_brief} "Scene/Accuracy=fast" "Scene/Question=loads"
+  SET ${_brief} "Scene/Cell size=0.02" "Scene/Question=loads"
     "Scene/Element size=0.006" "Scene/End time=0.0005")
 
 # scene_refuses(<name> <message> <arguments>)

@@ -177,3 +177,55 @@ TEST(SceneFiles, LoadBothSidesOfASymmetricBody)
     EXPECT_EQ(body.at("Loads/Recorded/Mirror"), is_half ? "y" : "none");
   }
 }
+
+
+TEST(SceneFiles, GiveShortPositivePhasesFinerCells)
+{
+  SceneParameters scene = scene_with(2.337, 1.27);
+  const auto layout_of = [&](const std::size_t preset) {
+    scene.accuracy = SceneParameters::accuracies[preset];
+    return SceneLayout(scene, standing_box());
+  };
+  // 1.97 ms by the tables: 33 cells of 20 mm.
+  const KingeryBulmash tables("spherical", 1.19 * scene.mass);
+  const SceneLayout usual = layout_of(1);
+  EXPECT_EQ(usual.positive_phase,
+            tables.value(BlastQuantity::duration, usual.distance));
+  EXPECT_EQ(usual.levels, 3U);
+  EXPECT_EQ(usual.front_levels, 3U);
+  EXPECT_DOUBLE_EQ(usual.cell_size(), 0.02);
+  scene.mass = 0.2;
+  scene.place = Point<3>(0.95, 0., 1.27);
+  for (std::size_t i = 0; i < SceneParameters::accuracies.size(); ++i)
+  {
+    const SceneLayout near = layout_of(i);
+    SCOPED_TRACE(scene.accuracy.name);
+    const unsigned int extra = near.levels - scene.accuracy.levels;
+    EXPECT_EQ(near.front_levels - scene.accuracy.front_levels, extra);
+    EXPECT_LE(extra, SceneLayout::max_extra_levels);
+    EXPECT_GE(near.cells_per_phase(), scene.accuracy.cells_per_phase);
+    // One level less would not do.
+    if (extra > 0)
+      EXPECT_LT(near.cells_per_phase() / 2., scene.accuracy.cells_per_phase);
+  }
+  EXPECT_EQ(layout_of(1).levels, 4U);
+  const auto entries = values_of(blast_entries(scene, layout_of(1), 78.5));
+  EXPECT_EQ(entries.at("Rigid body/Levels"), "4");
+  EXPECT_EQ(entries.at("Adaptation/Largest level"), "4");
+}
+
+
+TEST(SceneFiles, TakeTheLargestCellsUpToTheSizeOfTheUser)
+{
+  SceneParameters scene = scene_with(2.337, 1.27);
+  scene.accuracy = SceneParameters::accuracies[2]; // fronts one level coarser
+  const std::vector<std::array<double, 2>> sizes = {
+    {0.02, 0.02}, {0.03, 0.02}, {0.005, 0.005}, {0.16, 0.16}};
+  for (const auto &[wanted, expected] : sizes)
+  {
+    scene.cell_size = wanted;
+    const SceneLayout layout(scene, standing_box());
+    EXPECT_DOUBLE_EQ(layout.cell_size(), expected);
+    EXPECT_EQ(layout.front_levels + (layout.levels > 0 ? 1 : 0), layout.levels);
+  }
+}

@@ -50,7 +50,7 @@ void PlannedScene::print() const
            "): " + brief(parameters_.mass) + " kg of " + parameters_.explosive +
            ", " + brief(layout_->distance) + " m from the " + body_kind() +
            ", " + brief(layout_->charge[2]) + " m above the ground; cells of " +
-           brief(1e3 * layout_->cell_size(parameters_)) + " mm at the skin" +
+           brief(1e3 * layout_->cell_size()) + " mm at the skin" +
            (parameters_.wants_injury()
               ? ", elements of " +
                   brief(1e3 * parameters_.accuracy.element_size) + " mm"

@@ -5,6 +5,7 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/coupling/scene/scene_files.h>
+#include <contrecoup/materials/explosives.h>
 
 #include <algorithm>
 #include <cmath>
@@ -125,7 +126,7 @@ namespace
     // The 2-D stage continues from the ground to the body or a side, if that
     // distance is worth a stage; it ends some subcells of the scene before.
     const double front_cell = SceneLayout::leaf / SceneLayout::subcells /
-                              std::pow(2., scene.accuracy.front_levels);
+                              std::pow(2., layout.front_levels);
     const double free_distance =
       layout.unobstructed_distance() - 2. * front_cell - 4. * cell;
     const bool meets_ground_first = free_distance > 1.2 * layout.charge[2];
@@ -163,9 +164,7 @@ namespace
                   const SceneLayout &layout,
                   Entries &entries)
   {
-    // The tables of Kingery and Bulmash are for TNT; mean TNT equivalence of
-    // C-4 for peak and impulse (TM 5-855-1, 1986).
-    const bool is_c4 = scene.explosive == "c-4";
+    const TntEquivalence &tnt = find_explosive(scene.explosive).tnt;
     const std::string mass = "Charge/Mass", place = place_entry(scene);
     entries.set("Material/Equation of state", "jwl in air");
     entries.set("Material/Explosive", scene.explosive, "Charge/Explosive");
@@ -178,14 +177,15 @@ namespace
       entries.set(
         "Charges/Afterburn/Energy", scene.afterburn, "Charge/Afterburn energy");
     set_first_stage(scene, layout, entries);
-    if (!is_c4 && scene.explosive != "tnt")
+    // An equivalence that was not measured would compare with a guess.
+    if (!tnt.is_published)
       return;
     const std::string reference = "Reference/Kingery Bulmash/";
     entries.set("Reference/Kind", "kingery bulmash");
     entries.set(reference + "Mass", scene.mass, mass);
     entries.set(reference + "Center", text_of(layout.charge), place);
-    entries.set(reference + "TNT equivalence of pressure", is_c4 ? 1.37 : 1.);
-    entries.set(reference + "TNT equivalence of impulse", is_c4 ? 1.19 : 1.);
+    entries.set(reference + "TNT equivalence of pressure", tnt.pressure);
+    entries.set(reference + "TNT equivalence of impulse", tnt.impulse);
   }
 
 
@@ -211,7 +211,7 @@ namespace
                       const SceneLayout &layout,
                       Entries &entries)
   {
-    const unsigned int front = scene.accuracy.front_levels;
+    const unsigned int front = layout.front_levels;
     const auto below = [&](const unsigned int n) {
       return front > n ? front - n : 0U;
     };
@@ -312,7 +312,7 @@ std::vector<Assignment> blast_entries(const SceneParameters &scene,
   entries.set("Method/Subcells", SceneLayout::subcells);
   entries.set("Method/CFL number", 0.9);
   entries.set("Rigid body/Kind", "body", "Body/Kind");
-  entries.set("Rigid body/Levels", scene.accuracy.levels, "Scene/Accuracy");
+  entries.set("Rigid body/Levels", layout.levels, "Scene/Accuracy");
   entries.set("Loads/Record", "true");
   entries.set("Loads/Interval", scene.end_time / 2400., "Scene/End time");
   entries.set("Loads/Body mass", allowed_mass(body_mass));

@@ -5,6 +5,7 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/coupling/scene/scene_layout.h>
 #include <contrecoup/materials/explosives.h>
+#include <contrecoup/numerics/injury/kingery_bulmash.h>
 
 #include <boost/math/constants/constants.hpp>
 
@@ -19,6 +20,7 @@ namespace
 {
   constexpr double air_pressure = 101325.; // [Pa]
   constexpr double air_density = 1.225;    // [kg/m^3]
+  constexpr double sound_speed = 340.;     // of air [m/s]
 
   /// First intersection of the ray along -x from @p begin with the surface, by
   /// sphere tracing; nothing if the ray leaves the box.
@@ -48,6 +50,19 @@ namespace
                                    std::abs(box.upper_bound(d) - place[d])),
                           2);
     return std::sqrt(squares);
+  }
+
+
+  /// Positive phase at the nearest distance that the tables cover [s].
+  double phase_at(const SceneParameters &scene, double distance)
+  {
+    const KingeryBulmash blast(
+      "spherical", scene.mass * find_explosive(scene.explosive).tnt.impulse);
+    const double one = blast.scaling_length();
+    constexpr double step = 1.02;
+    while (!blast.covers(BlastQuantity::duration, distance))
+      distance *= distance < one ? step : 1. / step;
+    return blast.value(BlastQuantity::duration, distance);
   }
 
 
@@ -89,6 +104,7 @@ SceneLayout::SceneLayout(const SceneParameters &scene, const Shape &surface)
     std::cbrt(scene.mass /
               (ball * find_explosive(scene.explosive).jwl.reference_density));
   place_charge(scene, surface);
+  choose_levels(scene);
   check_charge(scene);
   find_symmetry(scene, surface);
   const ExpectedBlast blast(energy_of(scene), air_pressure, air_density);
@@ -143,6 +159,28 @@ void SceneLayout::place_charge(const SceneParameters &scene,
 }
 
 
+void SceneLayout::choose_levels(const SceneParameters &scene)
+{
+  positive_phase = phase_at(scene, distance);
+  levels = scene.accuracy.levels;
+  const unsigned int most = levels + max_extra_levels;
+  const auto is_coarse = [&]() {
+    return scene.cell_size > 0.
+             ? cell_size() > scene.cell_size * (1. + 1e-9)
+             : levels < most &&
+                 cells_per_phase() < scene.accuracy.cells_per_phase;
+  };
+  if (scene.cell_size > 0.)
+    levels = 0;
+  while (is_coarse())
+    ++levels;
+  // Fronts before the body keep the difference of the preset's levels.
+  const unsigned int difference =
+    scene.accuracy.levels - scene.accuracy.front_levels;
+  front_levels = levels > difference ? levels - difference : 0;
+}
+
+
 void SceneLayout::check_charge(const SceneParameters &scene) const
 {
   const std::string charge_of =
@@ -162,7 +200,7 @@ void SceneLayout::check_charge(const SceneParameters &scene) const
   constexpr double least_cells = 2.;
   // Subcells of the first stage that the front needs while the charge burns.
   constexpr double least_radial_cells = 10.;
-  const double cell = cell_size(scene);
+  const double cell = cell_size();
   const double gap =
     std::max(least_cells * cell, least_radial_cells * radial_cell);
   if (distance < charge_radius + gap)
@@ -300,8 +338,14 @@ bool SceneLayout::is_far(const SceneParameters &scene) const
 }
 
 
-double SceneLayout::cell_size(const SceneParameters &scene) const
+double SceneLayout::cell_size() const
 {
-  return leaf / subcells / std::pow(2., scene.accuracy.levels);
+  return leaf / subcells / std::pow(2., levels);
+}
+
+
+double SceneLayout::cells_per_phase() const
+{
+  return sound_speed * positive_phase / cell_size();
 }
 } // namespace contrecoup::coupling

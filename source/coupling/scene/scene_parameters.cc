@@ -5,6 +5,7 @@
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/run/time_parameters.h>
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/text.h>
 #include <contrecoup/coupling/application/anatomy_parameters.h>
 #include <contrecoup/coupling/application/biomechanics_application.h>
 #include <contrecoup/coupling/application/blast_application.h>
@@ -13,31 +14,32 @@
 #include <contrecoup/materials/explosives.h>
 #include <contrecoup/materials/tissue_library.h>
 
+#include <deal.II/base/patterns.h>
+#include <deal.II/base/utilities.h>
+
 #include <algorithm>
+#include <optional>
 
 namespace contrecoup::coupling
 {
 const std::vector<SceneParameters::Accuracy> SceneParameters::accuracies = {
-  {"first look", 2, 2, 0.01, "40 mm cells, 10 mm elements"},
-  {"fast", 3, 3, 0.01, "20 mm cells, 10 mm elements"},
-  {"balanced", 4, 3, 0.005, "10 mm cells, 5 mm elements"},
-  {"accurate", 5, 3, 0.005, "5 mm cells, 5 mm elements"},
-  {"finest", 6, 3, 0.0025, "2.5 mm cells and elements"}};
+  {"first look",
+   2,
+   2,
+   10.,
+   0.01,
+   "cells of at most 40 mm, 10 for the positive phase at the body, 10 mm "
+   "elements"},
+  {"fast", 3, 3, 20., 0.01, "20 mm, 20, 10 mm"},
+  {"balanced", 4, 3, 40., 0.005, "10 mm, 40, 5 mm"},
+  {"accurate", 5, 3, 80., 0.005, "5 mm, 80, 5 mm"},
+  {"finest", 6, 3, 160., 0.0025, "2.5 mm, 160, 2.5 mm"}};
 
 
 namespace
 {
-  void declare_scene(ParameterHandler &prm)
+  void declare_accuracy(ParameterHandler &prm)
   {
-    const Section section(prm, "Scene");
-    declare_string(prm, "Title", "", "Title of the report.");
-    declare_selection(
-      prm,
-      "Question",
-      "injury",
-      {"loads", "injury"},
-      "Result of the scene: the pressure on the body's skin only, "
-      "or the response of the body as well.");
     std::vector<std::string> names;
     std::string costs;
     for (const auto &accuracy : SceneParameters::accuracies)
@@ -54,12 +56,36 @@ namespace
                       "elements (" +
                         costs + "); finer ones cost more and err less.");
     declare_double(prm,
+                   "Cell size",
+                   "0",
+                   0.,
+                   0.16,
+                   "m",
+                   "Largest edge of the gas's cells at the skin, which is 160 "
+                   "mm over a power of two; 0: by accuracy and positive "
+                   "phase.");
+    declare_double(prm,
                    "Element size",
                    "0",
                    0.,
                    1.,
                    "m",
                    "Edge of the body's elements; 0: that of the accuracy.");
+  }
+
+
+  void declare_scene(ParameterHandler &prm)
+  {
+    const Section section(prm, "Scene");
+    declare_string(prm, "Title", "", "Title of the report.");
+    declare_selection(
+      prm,
+      "Question",
+      "injury",
+      {"loads", "injury"},
+      "Result of the scene: the pressure on the body's skin only, "
+      "or the response of the body as well.");
+    declare_accuracy(prm);
     declare_double(prm,
                    "End time",
                    "0.012",
@@ -90,6 +116,37 @@ namespace
   }
 
 
+  constexpr double smallest_cell = 0.16 / 1024.; // [m]
+  const std::string usual_afterburn = "by explosive";
+
+  /// The usual energy of each explosive, as text.
+  std::string usual_afterburns()
+  {
+    std::string text;
+    for (const Explosive &explosive : explosive_library())
+      text += (text.empty() ? "" : ", ") + explosive.name + " " +
+              brief(explosive.afterburn.energy, 2) + " of " +
+              brief(explosive.afterburn.largest, 2);
+    return text + " J/kg of complete combustion";
+  }
+
+
+  /// Energy of afterburn by the entry [J/kg]; nothing: by explosive.
+  std::optional<double> read_afterburn(const ParameterHandler &prm)
+  {
+    const std::string text = prm.get("Afterburn energy");
+    if (text == usual_afterburn)
+      return {};
+    const dealii::Patterns::Double allowed(0., bounds::specific_energy);
+    if (!allowed.match(text))
+      throw InputError("entry \"Charge/Afterburn energy\" cannot be \"" + text +
+                       "\"; allowed: " + usual_afterburn +
+                       ", or a number from 0 to " +
+                       brief(bounds::specific_energy) + " [J/kg]");
+    return dealii::Utilities::string_to_double(text);
+  }
+
+
   void declare_charge(ParameterHandler &prm)
   {
     const Section section(prm, "Charge");
@@ -100,14 +157,13 @@ namespace
                       "Name in the library of explosives.");
     declare_double(
       prm, "Mass", "1", 1e-9, bounds::mass, "kg", "Of the sphere, above 0.");
-    declare_double(prm,
+    declare_string(prm,
                    "Afterburn energy",
-                   "0",
-                   0.,
-                   bounds::specific_energy,
-                   "J/kg",
+                   usual_afterburn,
                    "Energy per mass that the products release by afterburn, at "
-                   "Miller's rate; 0: none.");
+                   "Miller's rate [J/kg, 0 to " +
+                     brief(bounds::specific_energy) +
+                     "]; 0: none; by explosive: " + usual_afterburns() + ".");
     declare_double(prm,
                    "Distance",
                    "2",
@@ -180,6 +236,10 @@ void SceneParameters::parse_parameters(ParameterHandler &prm)
     const double element_size = read_double(prm, "Element size");
     if (element_size > 0.)
       accuracy.element_size = element_size;
+    cell_size = read_double(prm, "Cell size");
+    if (cell_size > 0. && cell_size < smallest_cell)
+      throw InputError("Scene/Cell size cannot be " + brief(cell_size) +
+                       " m: 0 or at least " + brief(smallest_cell) + " m");
     end_time = read_double(prm, "End time");
     symmetry = prm.get("Symmetry");
     has_forecast = prm.get_bool("Forecast");
@@ -190,7 +250,9 @@ void SceneParameters::parse_parameters(ParameterHandler &prm)
     const Section section(prm, "Charge");
     explosive = prm.get("Explosive");
     mass = read_double(prm, "Mass");
-    afterburn = read_double(prm, "Afterburn energy");
+    const std::optional<double> energy = read_afterburn(prm);
+    has_usual_afterburn = !energy;
+    afterburn = energy.value_or(find_explosive(explosive).afterburn.energy);
     distance = read_double(prm, "Distance");
     height = read_double(prm, "Height");
     const auto places = read_points<3>(prm, "Place");

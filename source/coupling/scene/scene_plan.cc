@@ -19,26 +19,23 @@ namespace
 {
   using Json = nlohmann::ordered_json;
 
-  constexpr double gravity = 9.81;       // [m/s^2]
-  constexpr double tnt_energy = 4.184e6; // [J/kg], by convention
+  constexpr double gravity = 9.81; // [m/s^2]
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   constexpr double largest_strain = 0.1; // limit of small-strain theory
   /// Fewest cells for a positive phase. With fewer, cells of half the size
   /// raise the peak on a chest by a fifth and more, see
   /// parameter_files/scene/error_estimate.md.
   constexpr double least_cells = 15.;
-  constexpr double sound_speed = 340.;     // of air [m/s]
   constexpr double largest_gravity = 0.05; // fraction of the body's speed
 
-  /// Value of Kingery and Bulmash for TNT with the charge's energy.
+  /// Value of Kingery and Bulmash for impulse or duration; NaN where they
+  /// have none.
   double measured(const SceneParameters &scene,
                   const SceneLayout &layout,
                   const BlastQuantity quantity)
   {
-    const JwlParameters &jwl = find_explosive(scene.explosive).jwl;
-    const KingeryBulmash blast("spherical",
-                               scene.mass * jwl.energy_density /
-                                 jwl.reference_density / tnt_energy);
+    const TntEquivalence &tnt = find_explosive(scene.explosive).tnt;
+    const KingeryBulmash blast("spherical", scene.mass * tnt.impulse);
     return blast.covers(quantity, layout.distance)
              ? blast.value(quantity, layout.distance)
              : unknown;
@@ -94,36 +91,84 @@ namespace
             "Scene/Symmetry"};
   }
 
+  /// Energy of afterburn over that of detonation.
+  double afterburn_share(const SceneParameters &scene)
+  {
+    const JwlParameters &jwl = find_explosive(scene.explosive).jwl;
+    return scene.afterburn * jwl.reference_density / jwl.energy_density;
+  }
+
   /// Item about the energy that the products release in air.
   Assumption afterburn(const SceneParameters &scene)
   {
-    const JwlParameters &jwl = find_explosive(scene.explosive).jwl;
+    const Explosive &explosive = find_explosive(scene.explosive);
+    const std::string decision =
+      scene.afterburn > 0. ? brief(1e-6 * scene.afterburn) + " of at most " +
+                               brief(1e-6 * explosive.afterburn.largest, 2) +
+                               " MJ/kg, Miller's rate"
+                           : "left out";
     return {"afterburn",
-            scene.afterburn > 0.
-              ? brief(1e-6 * scene.afterburn) + " MJ/kg at Miller's rate"
-              : "left out",
+            decision + (scene.has_usual_afterburn ? ", by explosive" : ""),
             "energy of afterburn over that of detonation",
             "-",
-            scene.afterburn * jwl.reference_density / jwl.energy_density,
+            afterburn_share(scene),
+            unknown,
+            false,
+            "Charge/Afterburn energy"};
+  }
+
+  /// Item about what afterburn does to @p quantity at the body: its rise by
+  /// the tables of Kingery and Bulmash if all of the energy came with the
+  /// detonation, the largest possible.
+  Assumption afterburn_effect(const SceneParameters &scene,
+                              const SceneLayout &layout,
+                              const BlastQuantity quantity)
+  {
+    const bool is_impulse = quantity == BlastQuantity::impulse;
+    const TntEquivalence &tnt = find_explosive(scene.explosive).tnt;
+    const double mass = scene.mass * (is_impulse ? tnt.impulse : tnt.pressure);
+    const KingeryBulmash without("spherical", mass);
+    const KingeryBulmash with("spherical",
+                              (1. + afterburn_share(scene)) * mass);
+    const double distance = layout.distance;
+    const double rise =
+      without.covers(quantity, distance) && with.covers(quantity, distance)
+        ? with.value(quantity, distance) / without.value(quantity, distance) -
+            1.
+        : unknown;
+    const std::string what = is_impulse ? "impulse" : "peak";
+    return {"afterburn_" + what,
+            scene.afterburn > 0. ? "in the loads" : "left out",
+            "largest rise of the incident " + what + " by afterburn",
+            "-",
+            rise,
             unknown,
             false,
             "Charge/Afterburn energy"};
   }
 
   /// Item about the cells of the gas for the blast wave at the body.
-  Assumption resolution(const SceneParameters &scene, const SceneLayout &layout)
+  Assumption resolution(const SceneLayout &layout)
   {
-    const double length =
-      sound_speed * measured(scene, layout, BlastQuantity::duration);
     return {"resolution",
-            "cells of " + brief(1e3 * layout.cell_size(scene)) +
-              " mm at the skin",
+            "cells of " + brief(1e3 * layout.cell_size()) + " mm at the skin",
             "cells for the positive phase at the body",
             "-",
-            length / layout.cell_size(scene),
+            layout.cells_per_phase(),
             least_cells,
             true,
             "Scene/Accuracy"};
+  }
+
+  /// Items about charge and cells, known before the run.
+  std::vector<Assumption> items_of_charge(const SceneParameters &scene,
+                                          const SceneLayout &layout)
+  {
+    return {symmetry(layout),
+            afterburn(scene),
+            afterburn_effect(scene, layout, BlastQuantity::overpressure),
+            afterburn_effect(scene, layout, BlastQuantity::impulse),
+            resolution(layout)};
   }
 
   Assumption end_of_load(const SceneParameters &scene, const double value)
@@ -228,12 +273,10 @@ std::vector<Assumption> scene_plan(const SceneParameters &scene,
     measured(scene, layout, BlastQuantity::reflected_impulse) * front /
     body_mass;
   const double phase = measured(scene, layout, BlastQuantity::duration);
-  std::vector<Assumption> items = {symmetry(layout),
-                                   afterburn(scene),
-                                   resolution(scene, layout),
-                                   end_of_load(scene, layout.arrival + phase)};
-  items.push_back(rigid_body(speed * (scene.end_time - layout.arrival),
-                             layout.cell_size(scene)));
+  std::vector<Assumption> items = items_of_charge(scene, layout);
+  items.push_back(end_of_load(scene, layout.arrival + phase));
+  items.push_back(
+    rigid_body(speed * (scene.end_time - layout.arrival), layout.cell_size()));
   if (!scene.wants_injury())
     return items;
   items.push_back(strain(unknown));
@@ -247,12 +290,11 @@ std::vector<Assumption> scene_audit(const SceneParameters &scene,
                                     const std::string &folder)
 {
   const std::string solid = folder + "/biomechanics";
-  std::vector<Assumption> items = {
-    symmetry(layout), afterburn(scene), resolution(scene, layout)};
+  std::vector<Assumption> items = items_of_charge(scene, layout);
   if (scene.wants_injury())
   {
-    items.push_back(rigid_body(largest_vector(solid, "displacement"),
-                               layout.cell_size(scene)));
+    items.push_back(
+      rigid_body(largest_vector(solid, "displacement"), layout.cell_size()));
     const Json summary = read_summary(solid);
     items.push_back(
       strain(summary.is_object() && summary.contains("assumptions")

@@ -393,6 +393,7 @@ BRIEF = {
                "Vary scheme/Labels=finite volume", "Vary leaves/Values=10"]),
     "scene": ("scene/verification/head.prm",
               ["Scene/Question=loads", "Scene/Accuracy=first look",
+               "Scene/Cell size=0.04",
                "Scene/Forecast=false", "Scene/Report=false",
                "Scene/End time=0.0005", "Anatomy/Output/Pictures=false"])}
 

@@ -17,9 +17,7 @@ namespace contrecoup::coupling
  */
 struct SceneLayout
 {
-  /// Edge of coarse leaves [m]. At the skin leaves are refined by
-  /// SceneParameters::Accuracy::levels; a leaf has `subcells` subcells per
-  /// edge.
+  /// Edge of coarse leaves [m]; a leaf has `subcells` subcells per edge.
   static constexpr double leaf = 0.64;
   static constexpr unsigned int subcells = 4;
   /// Edge of the subcells of the 1-D stage [m].
@@ -41,6 +39,9 @@ struct SceneLayout
    */
   SceneLayout(const SceneParameters &scene, const Shape &surface);
 
+  /// Most refinement levels beyond those of the preset.
+  static constexpr unsigned int max_extra_levels = 2;
+
   dealii::BoundingBox<3> body;
   dealii::Point<3> charge; ///< centre of the charge [m]
   double charge_radius;    ///< [m]
@@ -53,6 +54,12 @@ struct SceneLayout
   double arrival; ///< expected arrival of the front at the body [s]
   /// Time when the ground reflection has passed the body [s]
   double last_arrival;
+  /// Positive phase of the incident wave at the body by Kingery and Bulmash,
+  /// at the nearest distance that they cover [s]
+  double positive_phase;
+  /// Refinement levels at the skin and of fronts near the body: those of the
+  /// preset, both raised until the positive phase has the cells it asks for.
+  unsigned int levels, front_levels;
   double overpressure;           ///< of the front at the body [Pa]
   double front_distance;         ///< distance of the front at the end time [m]
   dealii::Point<3> lower, upper; ///< corners of the domain [m]
@@ -67,10 +74,13 @@ struct SceneLayout
   bool is_far(const SceneParameters &scene) const;
 
   /// Edge of the subcells at the skin [m].
-  double cell_size(const SceneParameters &scene) const;
+  double cell_size() const;
+  /// Subcells at the skin for the length of the positive phase in air.
+  double cells_per_phase() const;
 
 private:
   void place_charge(const SceneParameters &scene, const Shape &surface);
+  void choose_levels(const SceneParameters &scene);
   void check_charge(const SceneParameters &scene) const;
   void find_symmetry(const SceneParameters &scene, const Shape &surface);
   /// Numbers of coarse leaves per direction, below and above 0, that the

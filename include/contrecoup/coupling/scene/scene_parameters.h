@@ -15,12 +15,14 @@ namespace contrecoup::coupling
 /// Parameters of a scene, read from its parameter file.
 struct SceneParameters
 {
-  /// Preset of mesh sizes of gas and body.
+  /// Preset of mesh sizes of gas and body: the largest sizes. Scenes whose
+  /// positive phase is short get finer cells, see SceneLayout.
   struct Accuracy
   {
     std::string name;
     unsigned int levels;       ///< refinement level at the skin
     unsigned int front_levels; ///< refinement level of fronts near the body
+    double cells_per_phase;    ///< least for the positive phase at the body
     double element_size;       ///< edge of the body's elements [m]
     std::string cost; ///< cost for the reference scene of a man, as text
   };
@@ -44,6 +46,8 @@ struct SceneParameters
   std::string title;
   std::string question; ///< loads, injury
   Accuracy accuracy;
+  /// Largest edge of cells at the skin [m]; 0: by accuracy
+  double cell_size = 0.;
   double end_time = 0.;     ///< [s]
   std::string symmetry;     ///< auto, none, y
   bool has_forecast = true; ///< whether to predict the costs of tasks
@@ -53,8 +57,10 @@ struct SceneParameters
   std::string explosive; ///< name in the library of explosives
   double mass = 0.;      ///< [kg]
   double afterburn = 0.; ///< energy [J/kg]
-  double distance = 0.;  ///< from the charge's centre to the body [m]
-  double height = 0.;    ///< of the charge's centre above the ground [m]
+  /// Whether the energy of afterburn is that of the library of explosives
+  bool has_usual_afterburn = false;
+  double distance = 0.; ///< from the charge's centre to the body [m]
+  double height = 0.;   ///< of the charge's centre above the ground [m]
   /// Position of the charge's centre instead [m]
   std::optional<dealii::Point<3>> place;
   std::string tissues; ///< set in the tissue library
