@@ -67,6 +67,7 @@ namespace
                             "fields/gauges_plane_#_*.json",
                             "loads.h5",
                             "load_gauges.csv",
+                            "gauge_measures.csv",
                             "gauge_injury.csv"},
                            {}};
     const std::string profile = prm.get({"Output"}, "Profile file");

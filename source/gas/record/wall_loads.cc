@@ -291,7 +291,7 @@ void WallLoads<dim>::finish()
     end_sample(totals_.time);
   reduce_over_ranks();
   if (active_ && dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
-    gauges_.write_injury();
+    gauges_.write_tables(totals_.time);
 }
 
 
@@ -375,9 +375,25 @@ void WallLoads<dim>::write_measures()
   for (unsigned int k = 0; k < 4; ++k)
     file.write(names[k], values[k]);
   io::LoadFile::Numbers numbers = {{"ambient_pressure_Pa", ambient_}};
-  for (const NamedValue &value : check_values())
-    numbers.emplace_back(value.name, value.value);
+  for (const auto &values_of : {check_values(), result_values()})
+    for (const NamedValue &value : values_of)
+      numbers.emplace_back(value.name, value.value);
   file.write(numbers);
+}
+
+
+template <int dim>
+std::vector<NamedValue> WallLoads<dim>::result_values() const
+{
+  std::vector<NamedValue> values;
+  const std::array<const char *, 3> axes = {{"x", "y", "z"}};
+  for (unsigned int d = 0; d < dim; ++d)
+    values.push_back({std::string("loads_impulse_") + axes[d],
+                      dim == 3 ? "N s" : "N s/m",
+                      totals_.facet_impulse[d]});
+  for (const NamedValue &value : gauges_.measures(totals_.time))
+    values.push_back(value);
+  return values;
 }
 
 
@@ -387,26 +403,15 @@ std::vector<NamedValue> WallLoads<dim>::check_values() const
   const auto relative = [](const double part, const double whole) {
     return whole > 0. ? part / whole : 0.;
   };
-  std::vector<NamedValue> values = {
-    {"loads_facets", "-", double(facets_.n_global())}};
-  const std::array<const char *, 3> axes = {{"x", "y", "z"}};
-  for (unsigned int d = 0; d < dim; ++d)
-    values.push_back({std::string("loads_impulse_") + axes[d],
-                      dim == 3 ? "N s" : "N s/m",
-                      totals_.facet_impulse[d]});
-  values.push_back(
-    {"loads_impulse_difference",
-     "-",
-     relative((totals_.facet_impulse - totals_.gas_impulse).norm(),
-              totals_.gas_impulse.norm())});
-  values.push_back(
-    {"loads_force_difference",
-     "-",
-     relative(totals_.largest_difference, totals_.largest_force)});
-  values.push_back({"loads_sampled_peak_loss", "-", totals_.peak_loss});
-  for (const NamedValue &value : gauges_.measures(totals_.time))
-    values.push_back(value);
-  return values;
+  return {{"loads_facets", "-", double(facets_.n_global())},
+          {"loads_impulse_difference",
+           "-",
+           relative((totals_.facet_impulse - totals_.gas_impulse).norm(),
+                    totals_.gas_impulse.norm())},
+          {"loads_force_difference",
+           "-",
+           relative(totals_.largest_difference, totals_.largest_force)},
+          {"loads_sampled_peak_loss", "-", totals_.peak_loss}};
 }
 
 
