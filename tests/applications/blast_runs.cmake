@@ -47,7 +47,7 @@ foreach(_ranks 1 2)
     "Adaptation/Smallest level=2" "Adaptation/Largest level=3"
     "Output/Checkpoint every steps=6"
     VARY "Method/Skip quiet leaves=true|false" ${_tables}
-    BOUNDS "assumptions.skipped_updates > 0.6")
+    BOUNDS "checks.skipped_updates > 0.6")
 endforeach()
 
 contrecoup_add_application_test(resume_sod resume

@@ -98,6 +98,10 @@ class JudgementTest(SelfTest):
         self.rejects("no 'errors.y'", "bounds", "--bound=errors.y < 1")
         self.rejects("history.csv:3", "bounds", flaw="nan")
 
+    def test_schema(self):
+        self.accepts("schema")
+        self.rejects("'' is too short", "schema", flaw="unitless")
+
     def test_several_kinds(self):
         options = ("bounds,resume", "--bound=errors.x < 2e-3")
         self.accepts(*options)

@@ -217,7 +217,7 @@ namespace io
     return {{"position", "m", std::abs(position_ - exact)}};
   }
 
-  std::vector<NamedValue> Oscillator::assumptions()
+  std::vector<NamedValue> Oscillator::checks()
   {
     return {{"largest_angle", "-", std::nan("")}};
   }

@@ -37,7 +37,7 @@ namespace io
     std::string write_fields(const std::string &folder,
                              unsigned int index) override;
     std::vector<NamedValue> errors() override;
-    std::vector<NamedValue> assumptions() override;
+    std::vector<NamedValue> checks() override;
     std::pair<std::uint64_t, std::uint64_t> size() const override;
 
   private:

@@ -195,8 +195,8 @@ def _rear(gauges, peak):
 
 def _incident(scene, peak):
     temple = next((name for name in peak if name.endswith("temple")), None)
-    side_on = scene.blast.found("assumptions", "probe_1_peak_overpressure")
-    known = scene.blast.found("assumptions",
+    side_on = scene.blast.found("results", "probe_1_peak_overpressure")
+    known = scene.blast.found("results",
                               "probe_1_reference_peak_overpressure")
     if temple is None or side_on is None:
         return []

@@ -171,10 +171,17 @@ std::vector<NamedValue> GasSimulation<dim>::errors()
 
 
 template <int dim>
-std::vector<NamedValue> GasSimulation<dim>::assumptions()
+std::vector<NamedValue> GasSimulation<dim>::results()
 {
-  auto values = recorders_.collect(&Recorder<dim>::measures, core_.snapshot());
-  for (const NamedValue &value : core_.measures())
+  return recorders_.collect(&Recorder<dim>::results, core_.snapshot());
+}
+
+
+template <int dim>
+std::vector<NamedValue> GasSimulation<dim>::checks()
+{
+  auto values = recorders_.collect(&Recorder<dim>::checks, core_.snapshot());
+  for (const NamedValue &value : core_.checks())
     values.push_back(value);
   return values;
 }

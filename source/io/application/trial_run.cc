@@ -110,10 +110,6 @@ namespace io
       {
         return {};
       }
-      std::vector<NamedValue> assumptions() override
-      {
-        return {};
-      }
       std::pair<std::uint64_t, std::uint64_t> size() const override
       {
         return inner_.size();

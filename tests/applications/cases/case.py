@@ -111,6 +111,9 @@ def look_up(summary, key):
             raise Failed(f"summary.json has no '{key}'; at '{part}' there are:"
                          f" {', '.join(value) if value else 'none'}")
         value = value[part]
+    # A result or check is an object with a value and its unit.
+    if isinstance(value, dict) and set(value) == {"value", "unit"}:
+        return value["value"]
     return value
 
 

@@ -8,6 +8,7 @@ import subprocess
 
 import report_figures
 from report_figures import COARSER, STAGES, require
+from summaries import flaw_of, values_of
 
 # Peaks [Pa] on the skin by test and place: of the test's own run, of which
 # 3 % may be missing, and of another run with what the test's differs by.
@@ -32,7 +33,9 @@ def main_job(case, check_bound, read_summary):
     stored ones, the bounds of the summary of biomechanics hold, and every
     figure of the report is that of the files."""
     output = case.folder("run")
-    case.run(output)
+    _, out, _ = case.run(output)
+    with open(os.path.join(output, "log.txt"), encoding="utf-8") as file:
+        require(file.read() == out, "log.txt has other lines than the screen")
     prove(case, output, check_bound, read_summary)
 
 
@@ -58,6 +61,10 @@ def prove(case, output, check_bound, read_summary):
                 for stage in files.scene["stages"]}
     require(statuses == dict.fromkeys(STAGES + COARSER, "finished"),
             f"stages are {statuses}")
+    for name in ("scene.json", "blast/summary.json",
+                 "biomechanics/summary.json"):
+        flaw = flaw_of(os.path.join(output, name))
+        require(not flaw, f"{name}: {flaw}")
     for bound in case.options.bound:
         check_bound(read_summary(os.path.join(output, "biomechanics")), bound)
     check_peaks(files, PEAKS.get(case.options.name, {}))
@@ -71,7 +78,11 @@ def prove(case, output, check_bound, read_summary):
 def check_audit(files, output):
     """The scene's audit has the limits of the blast's, and no others."""
     with open(os.path.join(output, "log.txt"), encoding="utf-8") as file:
-        lines = [line for line in file if not line.startswith("WARNING")]
+        text = file.read()
+    # The log has the lines of all stages; the scene's audit is at its end.
+    stages = text.rindex("\nstage ")
+    lines = [line for line in text[stages:].splitlines(keepends=True)
+             if not line.startswith("WARNING")]
     for name, item in files.summary["blast"]["assumptions"].items():
         if not isinstance(item, dict) or "quantity" not in item:
             continue
@@ -115,7 +126,7 @@ def check_summary(files):
     """Summaries say the same as the tables of peaks and injuries. The former
     have the values at steps; a sample is the mean over one step or several,
     so that the largest lacks at most half of what two samples change there."""
-    blast = files.summary["blast"]["assumptions"]
+    blast = values_of(files.summary["blast"], "results")
     for name, samples in files.gauges.items():
         key = f"loads_{name.replace(' ', '_')}_peak"
         if name == "time" or blast[key + "_time"] >= files.gauges["time"][-1]:
@@ -127,7 +138,7 @@ def check_summary(files):
         print(f"{key}: the samples lack {lack:.2%}")
         require(0. <= lack <= 0.5 * (1. - min(beside) / largest),
                 f"{key} is {blast[key]}, the table has {largest}")
-    body = files.summary["biomechanics"]["assumptions"]
+    body = values_of(files.summary["biomechanics"], "results")
     for name, value in files.injury.items():
         require(abs(body[name] - value) <= 1e-6 * abs(value),
                 f"{name} is {body[name]} in the summary, {value} in the "

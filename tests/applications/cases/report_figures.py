@@ -12,6 +12,7 @@ import re
 
 import report_reader
 from report_reader import require_same
+from summaries import values_of
 
 STAGES = ("anatomy", "blast", "biomechanics")
 COARSER = ("coarser_blast", "coarser_biomechanics")
@@ -301,7 +302,7 @@ def check_headline(page, files):
     if files.injury["injury_strain_95"] < 0.14:
         wanted.append((r"below the (14 %) at which", 0.14))
     wanted += _certainty(page)
-    known = files.summary["blast"]["assumptions"]
+    known = values_of(files.summary["blast"], "results")
     change = known.get("probe_1_peak_overpressure", 0.) / known.get(
         "probe_1_reference_peak_overpressure", math.inf) - 1.
     if 0.1 < abs(change) < 1.:
@@ -383,7 +384,7 @@ def check_conservation(page, files):
             require_same(row[header], known[name + end], name + end)
             count += 1
     require(count >= 6, "no gas is conserved")
-    known = files.summary["blast"]["assumptions"]
+    known = values_of(files.summary["blast"], "checks")
     rows = page.table("Conservation of the gas",
                       column="check of the loads").rows
     for row, key in zip(rows, (key for key in (
@@ -395,9 +396,7 @@ def check_conservation(page, files):
 
 def check_audit(page, files):
     """Estimates and measurements of what was taken for granted."""
-    known = {name: entry for name, entry
-             in files.summary["blast"]["assumptions"].items()
-             if isinstance(entry, dict)}
+    known = files.summary["blast"]["assumptions"]
     section, count = "What was taken for granted", 0
     rows = page.table(section).records()
     for row, told in zip(rows, files.scene["audit"], strict=True):
@@ -431,7 +430,7 @@ def _with_power(text):
 
 
 def check_free_air(page, files):
-    known = files.summary["blast"]["assumptions"]
+    known = values_of(files.summary["blast"], "results")
     if "probe_1_reference_peak_overpressure" not in known:
         return 0
     table = page.table("Accuracy", "Against measurements in free air")
@@ -464,7 +463,7 @@ def check_energy(page, files):
                      last[names[name]] / abs(last["external_work"]), name)
     told = next(text for section, text in page.paragraphs
                 if section == "Energy of the body" and "The audit" in text)
-    known = files.summary["biomechanics"]["assumptions"]
+    known = values_of(files.summary["biomechanics"], "checks")
     parts = re.search(r": (.*?%) of the energy .* control has (.*?%)", told)
     require_same(parts[1], abs(known["energy_residual"]), "energy missing")
     require_same(parts[2], known["hourglass_part"], "hourglass energy")

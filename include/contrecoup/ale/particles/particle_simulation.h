@@ -49,7 +49,8 @@ public:
     return reference_.errors(
       scene_.materials(), particles_, time_, communicator_);
   }
-  std::vector<NamedValue> assumptions() override;
+  std::vector<NamedValue> results() override;
+  std::vector<NamedValue> checks() override;
   std::vector<Assumption> plan() override;
   std::vector<Assumption> audit() override;
   std::pair<std::uint64_t, std::uint64_t> size() const override

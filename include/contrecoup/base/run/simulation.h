@@ -119,8 +119,18 @@ public:
   /// Errors against the reference solution, for the summary; may be empty.
   virtual std::vector<NamedValue> errors() = 0;
 
-  /// Measured modelling assumptions, for the summary; may be empty.
-  virtual std::vector<NamedValue> assumptions() = 0;
+  /// Results for the summary; may be empty.
+  virtual std::vector<NamedValue> results()
+  {
+    return {};
+  }
+
+  /// Figures that tell whether the results can be trusted, for the summary: of
+  /// energy, time step, mesh and recording; may be empty.
+  virtual std::vector<NamedValue> checks()
+  {
+    return {};
+  }
 
   /// Assumptions of the run, estimated from the scene; may be called before
   /// setup().

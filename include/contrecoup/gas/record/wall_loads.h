@@ -48,10 +48,15 @@ public:
   /// Completes the current sample and writes all results.
   void finish() override;
 
-  /// Number and area of the facets, impulses, the audit, and the measures of
-  /// the gauges.
+  /// Impulses on the body and the measures of the gauges.
   std::vector<NamedValue>
-  measures(const GasSnapshot<dim> & /*gas*/) const override
+  results(const GasSnapshot<dim> & /*gas*/) const override
+  {
+    return active_ ? result_values() : std::vector<NamedValue>();
+  }
+  /// Number of facets; differences between facets, gas and record.
+  std::vector<NamedValue>
+  checks(const GasSnapshot<dim> & /*gas*/) const override
   {
     return active_ ? check_values() : std::vector<NamedValue>();
   }
@@ -113,6 +118,7 @@ private:
   void end_sample(const double time);
   void create_file() const;
   void write_measures();
+  std::vector<NamedValue> result_values() const;
   std::vector<NamedValue> check_values() const;
 
   bool active_ = false;
