@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""Measures of injury with their errors and thresholds, and what they say
-together."""
+"""Measures of injury with their errors, thresholds and verdicts."""
+
+import re
 
 from plot.report import error_estimate, injury_thresholds, page
 from plot.report.injury_thresholds import KNOWN
@@ -28,6 +29,13 @@ class Judged:
         self.name, self.value, self.unit = name, value, unit
         self.title, self.thresholds, self.source, self.limits = known
         self.coarser, self.error, self.error_of = coarser, error, error_of
+        self.has_verdict = bool(self.thresholds) \
+            and name not in injury_thresholds.EXPOSURES
+
+    def short_title(self):
+        """The abbreviation, or the title without its brackets."""
+        match = re.search(r"\(([A-Z]\w+)\)$", self.title)
+        return match[1] if match else self.title.partition(" (")[0]
 
     def exceeded(self, value=None):
         """Number of thresholds that a value, or this one's, exceeds."""
@@ -142,11 +150,11 @@ def table(scene, judged):
             parts.append(table_of(group))
     parts.append(_disagreement(scene, judged))
     parts.append(page.paragraph(
-        "Errors are relative, numerical alone, and estimated from the coarser "
-        "run of this scene (see the section on accuracy); without that run "
-        "they are unknown. Thresholds "
-        "are given as they are commonly cited; tissue properties and "
-        "thresholds are less certain than the numerics.", kind="note"))
+        "Errors are relative and cover the numerics alone. They are estimated "
+        "from the coarser run of this scene (see the section on accuracy) and "
+        "unknown without that run. Thresholds are those commonly cited; they "
+        "and the tissue properties are less certain than the numerics.",
+        kind="note"))
     return [part for part in parts if part]
 
 
@@ -154,9 +162,11 @@ def table_of(group):
     """A table of some judged measures."""
     return page.table(
         ("measure", "value and its estimated error",
-         "thresholds and their source", "verdict",
-         "what the measure does not say"),
-        [_row(entry) for entry in group], widths=(20, 14, 29, 15, 22))
+         "thresholds and their source", "verdict", "limitations"),
+        [_row(entry) for entry in group], widths=(20, 14, 29, 15, 22),
+        data=(("measure", "value", "unit", "estimated relative error",
+               "thresholds", "source", "verdict", "limitations"),
+              [_data_row(entry) for entry in group]))
 
 
 def _row(entry):
@@ -165,12 +175,21 @@ def _row(entry):
     lines.append(page.tag("small", entry.source))
     value = [page.tag("b", _shown(entry.value, entry.unit))]
     if entry.error is not None:
-        value += [page.escape("±\u00a0" + page.percent(entry.error)),
+        value += [page.escape(page.error(entry.error)),
                   page.tag("small", f"by {entry.error_of}")]
     else:
         value.append(page.tag("small", "error unknown"))
     return (entry.title, page.Html("<br>".join(value)),
             page.Html("<br>".join(lines)), _verdict(entry), entry.limits)
+
+
+def _data_row(entry):
+    """The same for the CSV file, with all digits."""
+    return (entry.title, page.Rounded("", entry.value), entry.unit,
+            "" if entry.error is None else page.Rounded("", entry.error),
+            "; ".join(f"{limit!r}: {meaning}"
+                      for limit, meaning in entry.thresholds),
+            entry.source, _verdict(entry), entry.limits)
 
 
 def _shown(value, unit):
@@ -181,7 +200,9 @@ def _shown(value, unit):
 
 def _verdict(entry):
     if not entry.thresholds:
-        return "not judged"
+        return page.tag("span", "no threshold", kind="none")
+    if not entry.has_verdict:
+        return page.tag("span", "exposure, no verdict", kind="none")
     count = entry.exceeded()
     kind = "good" if count == 0 else \
         "bad" if count == len(entry.thresholds) else "mid"
@@ -195,7 +216,7 @@ def _verdict(entry):
 
 
 def _disagreement(scene, judged):
-    """A word when facet and patch make different things of the chest."""
+    """A note where facet and patch give different chest wall velocities."""
     here = find(judged, "chest_wall_front")
     there = scene.measures().get("injury_chest_wall_velocity")
     if here is None or there is None or here.value <= 0.:
