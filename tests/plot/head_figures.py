@@ -191,7 +191,7 @@ def check_injury(page, files):
     history have, which are of the same steps."""
     rows = {row["measure"]: row for row in page.table("Injury").records()}
     titles = dict(report_figures.TITLES, injury_pressure_roughness=(
-        "what alternates from element to element in the brain's pressure, over "
+        "oscillation of the brain pressure between neighbouring elements over "
         "its averages"))
     require(sorted(rows) == sorted(titles[name] for name in files.injury),
             f"the injury table has {list(rows)}")

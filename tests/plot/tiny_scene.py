@@ -13,14 +13,12 @@ TIMES = np.linspace(0., 6e-3, 241)
 GAUGES = {"forehead": (0.09, 0., 1.7, 5e5), "chest": (0.12, 0., 1.3, 9e5),
           "back": (-0.12, 0., 1.25, 2e5), "left ear": (0., 0.08, 1.65, 1.75e5)}
 # What blast finds of these pulses for a man of 78.5 kg (tests/numerics has the
-# first row's): first positive phase, chest wall velocity, lung exposure,
-# probability that an eardrum ruptures.
-HARM = {"chest": (1e-3, 10.842, 0.26398, 0.99951),
-        "forehead": (1e-3, 6.0428, 0.14665, 0.99177),
-        "back": (1e-3, 2.4220, 0.058662, 0.84184),
-        "left ear": (1e-3, 2.1197, 0.051329, 0.78773)}
-GAUGE_INJURY = ("place,peak [Pa],positive phase [s],chest wall velocity [m/s],"
-                "lung exposure [-],eardrum rupture [-]\n")
+# chest's), by measure and place: value, unit.
+HARM = {("chest_wall_velocity", "chest"): (10.842, "m/s"),
+        ("chest_wall_velocity", "back"): (2.4220, "m/s"),
+        ("chest_wall_velocity", "chest and back"): (6.632, "m/s"),
+        ("lung_exposure", "chest"): (0.26398, "-"),
+        ("eardrum_rupture", "left ear"): (0.78773, "-")}
 PROBES = {"coup": (0.07, 0., 1.66), "contrecoup": (-0.07, 0., 1.66),
           "lung left": (0., 0.09, 1.28)}
 QUANTITIES = (["displacement_" + axis + " [m]" for axis in "xyz"]
@@ -30,15 +28,36 @@ QUANTITIES = (["displacement_" + axis + " [m]" for axis in "xyz"]
 INJURY = {"injury_intracranial_pressure_peak": (1.0425e6, "Pa"),
           "injury_intracranial_pressure_lowest": (-8.1e5, "Pa"),
           "injury_strain_95": (0.0542, "-"), "injury_hic15": (931., "-"),
-          "injury_pressure_roughness": (0.515, "-"),
-          "injury_chest_wall_velocity": (9.9, "m/s"),
-          "injury_lung_exposure": (0.35, "-")}
+          "injury_pressure_roughness": (0.515, "-")}
+
+# Rows of the audit as scene writes them; no limit judges the last one.
+AUDIT = (
+    ("rigid_body", "at rest", "displacement", "1 mm", "8.25 mm",
+     "at most 20 mm", True, "Scene/Body"),
+    ("afterburn", "3.5 of at most 7.3 MJ/kg, Miller's rate, by explosive",
+     "energy of afterburn over that of detonation", "0.623", "0.623", "", None,
+     "Charge/Afterburn energy"),
+    ("afterburn_peak", "in the loads",
+     "largest rise of the incident peak by afterburn", "0.284", "0.284", "",
+     None, "Charge/Afterburn energy"),
+    ("afterburn_impulse", "in the loads",
+     "largest rise of the incident impulse by afterburn", "0.317", "0.317", "",
+     None, "Charge/Afterburn energy"),
+    ("resolution", "cells of 20 mm at the skin",
+     "cells for the positive phase at the body", "11.9", "12.3", "at least 15",
+     False, "Scene/Accuracy"),
+    ("quiet_leaves", "not computed", "fraction of skipped updates", "unknown",
+     "0.47", "", True, "Blast/Method/Skip quiet leaves"))
 
 
 def write(path, text):
     os.makedirs(os.path.dirname(path), exist_ok=True)
     with open(path, "w", encoding="utf-8") as file:
         file.write(text)
+
+
+def with_unit(value, unit):
+    return {"value": value, "unit": unit}
 
 
 def write_table(path, columns):
@@ -73,10 +92,9 @@ def write_scene(folder):
         "coarser_run": {"cell_ratio": 2., "element_ratio": 5. / 3.},
         "command": "scene tiny.prm --set \"Scene/Accuracy=fast\"", "ranks": 2,
         "stages": stages,
-        "audit": [{"item": "rigid_body", "decision": "at rest",
-                   "quantity": "way", "estimate": "1 mm", "found": "8.25 mm",
-                   "limit": "at most 20 mm", "holds": True,
-                   "entry": "Scene/Body"}],
+        "audit": [dict(zip(("item", "decision", "quantity", "estimate",
+                            "found", "limit", "holds", "entry"), row))
+                  for row in AUDIT],
         "remarks": ["Organs are those of the phantom."]}))
 
 
@@ -93,10 +111,15 @@ def write_blast(folder):
             "mass_relative_change": -0.22005,
             "energy_first": 7.57e6, "energy_last": 6.02e6,
             "energy_relative_change": -0.20475},
+        "results": {
+            "probe_1_peak_overpressure": with_unit(267701.8, "Pa"),
+            "probe_1_reference_peak_overpressure": with_unit(314415., "Pa"),
+            "probe_1_impulse": with_unit(150.4, "Pa s"),
+            "probe_1_reference_impulse": with_unit(221.7, "Pa s"),
+            "probe_1_duration": with_unit(2.31e-3, "s"),
+            "probe_1_reference_duration": with_unit(2.38e-3, "s")},
+        "checks": {"loads_impulse_difference": with_unit(5.52e-4, "-")},
         "assumptions": {
-            "probe_1_peak_overpressure": 267701.8,
-            "probe_1_reference_peak_overpressure": 314415.,
-            "loads_impulse_difference": 5.52e-4,
             "gravity": {"decision": "left out", "quantity": "its speed",
                         "unit": "-", "estimate": 2.9e-4, "measured": 3.3e-4,
                         "at_most": 0.05, "holds": True,
@@ -107,14 +130,25 @@ def write_blast(folder):
     write_table(os.path.join(folder, "load_gauges.csv"), {
         "time [s]": TIMES, **{f"{name} [Pa]": pulse(TIMES, place[3])
                               for name, place in GAUGES.items()}})
-    write(os.path.join(folder, "gauge_injury.csv"),
-          GAUGE_INJURY + "".join(
-              f"{name},{GAUGES[name][3]!r}," + ",".join(map(repr, harm)) + "\n"
-              for name, harm in HARM.items()))
+    write_gauge_tables(folder)
     write_loads(os.path.join(folder, "loads.h5"))
     for number, time in enumerate((1.5e-3, 2.5e-3)):
         write_plane(os.path.join(folder, "fields",
                                  f"plane_y_0_pressure_{number:04d}"), time)
+
+
+def write_gauge_tables(folder, peaks=1., harm=1.):
+    """Measures and injuries at the gauges, multiplied by these factors."""
+    write(os.path.join(folder, "gauge_measures.csv"),
+          "place,arrival [s],peak [Pa],peak time [s],impulse [Pa s],positive "
+          "phase [s]\n" + "".join(
+              f"{name},{BEGIN!r},{peaks * peak!r},{BEGIN!r},"
+              f"{0.38e-3 * peak!r},0.001\n"
+              for name, (*_, peak) in GAUGES.items()))
+    write(os.path.join(folder, "gauge_injury.csv"),
+          "measure,place,value,unit,definition\n" + "".join(
+              f'{measure},{place},{harm * value!r},{unit},"of a model"\n'
+              for (measure, place), (value, unit) in HARM.items()))
 
 
 def write_loads(path, gauges=GAUGES):
@@ -163,10 +197,12 @@ def write_biomechanics(folder):
     write(os.path.join(folder, "summary.json"), json.dumps({
         "application": "biomechanics", "version": "0.1.0",
         "status": "finished", "cells": 64, "steps": 240,
-        "assumptions": {"energy_residual": 3.5e-6, "hourglass_part": 0.034,
-                        "loads_impulse_factor": 0.984,
-                        "loads_recorded_impulse_x": -118.4,
-                        "loads_mapped_impulse_x": -118.3}}))
+        "checks": {
+            "energy_residual": with_unit(3.5e-6, "-"),
+            "hourglass_part": with_unit(0.077, "-"),
+            "loads_impulse_factor": with_unit(0.984, "-"),
+            "loads_recorded_impulse_x": with_unit(-118.4, "N s"),
+            "loads_mapped_impulse_x": with_unit(-118.3, "N s")}}))
     work = 200. * (1. - np.exp(-np.maximum(TIMES - BEGIN, 0.) / 1e-3))
     write_table(os.path.join(folder, "history.csv"), {
         "step": np.arange(len(TIMES)), "time [s]": TIMES,
@@ -258,11 +294,7 @@ COARSER = {"injury_intracranial_pressure_peak": 0.9, "injury_strain_95": 0.5}
 
 def write_coarser(folder):
     """What the report reads of the run with larger cells and elements."""
-    write(os.path.join(folder, "coarser_blast", "gauge_injury.csv"),
-          GAUGE_INJURY + "".join(
-              f"{name},{0.8 * GAUGES[name][3]!r}," + ",".join(
-                  repr(0.9 * value) for value in harm) + "\n"
-              for name, harm in HARM.items()))
+    write_gauge_tables(os.path.join(folder, "coarser_blast"), 0.8, 0.9)
     write(os.path.join(folder, "coarser_biomechanics", "injury.csv"),
           "measure,value,unit,threshold,limits\n" + "".join(
               f"{name},{COARSER.get(name, 1.) * value!r},{unit},none,none\n"

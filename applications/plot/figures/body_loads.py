@@ -57,12 +57,16 @@ def draw_times(loads, views, path, one_scale=False):
     spans = np.array([np.percentile(values, [0.2, 99.5]) for values in shown])
     if one_scale:
         spans[:] = spans[:, 0].min(), spans[:, 1].max()
-    for axis, time, values, (low, high) in zip(axes, times, shown, spans):
+    for number, (axis, time, values, (low, high)) in enumerate(
+            zip(axes, times, shown, spans), 1):
         factor, unit = style.scale_unit("Pa", max(-low, high))
         low, high = low * factor, high * factor
         norm = style.about_zero(max(-low, high, 1e-9))
         _draw_body(figure, axis, views, values * factor, norm,
-                   style.DIVERGING, unit, (low, high))
+                   style.DIVERGING, unit, (low, high),
+                   # One scale of all stands at the end of each row.
+                   not one_scale or number % columns == 0
+                   or number == len(times))
         time_factor, time_unit = style.scale_unit("s", times[-1])
         axis.set_title(f"{time * time_factor:.3g} {time_unit}")
     figure.suptitle("Overpressure on the body", x=0.01, ha="left")
@@ -95,17 +99,18 @@ def draw_measures(loads, views, path):
 def _panels(views, rows, columns):
     """Axes for pictures of the body from all sides."""
     width, height = views.extent()
-    side = 4.6
+    side = 3.25
     figure, axes = plt.subplots(
         rows, columns, squeeze=False,
-        figsize=(side * columns, (side - 0.9) * rows * height / width
+        figsize=(side * columns, (side - 0.5) * rows * height / width
                  + 0.7 * rows + 0.2))
     for axis in axes.flat:
         axis.set_axis_off()
     return figure, list(axes.flat)
 
 
-def _draw_body(figure, axis, views, values, norm, colours, unit, limits):
+def _draw_body(figure, axis, views, values, norm, colours, unit, limits,
+               has_bar=True):
     """The body from all sides, in the colours of values of its facets."""
     picture = views.paint(values, norm, plt.get_cmap(colours))
     axis.set_axis_on()
@@ -119,6 +124,8 @@ def _draw_body(figure, axis, views, values, norm, colours, unit, limits):
     for name, place in views.labels():
         axis.annotate(name, (place, 0.), (0, -4), textcoords="offset points",
                       ha="center", va="top", fontsize=8, color=style.GREY)
+    if not has_bar:
+        return
     bar = figure.colorbar(
         plt.cm.ScalarMappable(norm, colours),
         cax=axis.inset_axes([1.02, 0.05, 0.025, 0.9]))
@@ -132,10 +139,14 @@ def _draw_body(figure, axis, views, values, norm, colours, unit, limits):
 
 
 def draw_gauges(gauges, loads, views, path):
+    """Saves gauges_figure(), if there are places and times."""
+    if gauges.others("time") and len(gauges["time"]) >= 3:
+        style.save(gauges_figure(gauges, loads, views), path)
+
+
+def gauges_figure(gauges, loads, views):
     """A panel for each place; the body with the places beside them."""
     names = gauges.others("time")
-    if not names or len(gauges["time"]) < 3:
-        return
     columns = min(len(names), 2 if len(names) < 5 else 3)
     rows = -(-len(names) // columns)
     width = 3.1 * columns
@@ -160,7 +171,7 @@ def draw_gauges(gauges, loads, views, path):
             axis.tick_params(labelbottom=True)
     figure.suptitle("Overpressure at places on the body; first and second "
                     "peak marked", x=0.01, ha="left")
-    style.save(figure, path)
+    return figure
 
 
 def _time_span(gauges, names):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""What was taken for granted and whether it held, how far results are to be
-trusted, what they cost, and how to have them again."""
+"""Assumptions of a scene and whether they held, its accuracy, cost, and how to
+reproduce it."""
 
 import csv
 import math
@@ -46,48 +46,60 @@ def plan(scene):
     audited = scene.list_of("audit")
     if audited:
         parts.append(page.table(
-            ("item", "decision", "what was estimated and found", "estimate",
-             "found", "limit", "holds", "decided otherwise by"),
-            [_planned(row) for row in audited]))
+            ("item", "assumption", "quantity", "estimate before", "found after",
+             "limit", "holds", "entry that changes it"),
+            [_planned(row) for row in audited],
+            "A dash stands for a value that is unknown or a limit that does "
+            "not exist; items without either are not judged."))
     elif scene.list_of("plan"):
         parts.append(page.table(
-            ("item", "decision", "estimate before", "decided otherwise by"),
-            [(row.get("item", ""), row.get("decision", ""),
-              row.get("estimate", ""), page.tag("code", row.get("entry", "")))
+            ("item", "assumption", "quantity", "estimate before",
+             "entry that changes it"),
+            [(_words(row.get("item", "")), row.get("decision", ""),
+              row.get("quantity", ""), row.get("estimate", ""),
+              page.tag("code", row.get("entry", "")))
              for row in scene.list_of("plan")]))
     told = {row.get("item") for row in audited}
     known = audit_table(scene.blast, told)
     if known:
-        parts += [page.tag("h3", "What the blast took for granted"), known]
+        parts += [page.tag("h3", "Further assumptions of the blast"), known]
     return parts or [page.missing("plan and audit in scene.json and the "
                                   "blast's summary.json")]
 
 
 def audit_table(stage, told=()):
-    """What a stage took for granted and whether it held, besides what is told
-    already; None without any."""
+    """Assumptions of a stage and whether they held, besides those of @p told;
+    None without any."""
     rows = [_audit_row(name, entry) for name, entry in
             (stage.summary.get("assumptions") or {}).items()
             if isinstance(entry, dict) and name not in told]
     return page.table(
-        ("item", "decision", "what was estimated and measured",
-         "estimate", "measured", "limit", "holds", "decided otherwise by"),
+        ("item", "assumption", "quantity", "estimate", "measured", "limit",
+         "holds", "entry that changes it"),
         rows, numbers=(3, 4)) if rows else None
 
 
 def _planned(row):
     """A row of scene.json's audit; every entry is words already."""
     def word(key):
-        return str(row.get(key) or "–")
+        text = str(row.get(key) or "–")
+        return "–" if text == "unknown" else text
 
-    return (word("item").replace("_", " "), word("decision"),
-            word("quantity"), word("estimate"), word("found"), word("limit"),
-            _holds(row.get("holds")), page.tag("code", word("entry")))
+    limit = "–" if word("limit").endswith("unknown") else word("limit")
+    is_judged = "–" not in (limit, word("found"))
+    return (_words(word("item")), word("decision"), word("quantity"),
+            word("estimate"), word("found"), limit,
+            _holds(row.get("holds") if is_judged else None),
+            page.tag("code", word("entry")))
+
+
+def _words(item):
+    return item.replace("_", " ")
 
 
 def _holds(value):
     if value is None:
-        return "not judged"
+        return page.tag("span", "not judged", kind="none")
     return page.tag("span", "yes" if value else "no",
                     kind="good" if value else "bad")
 
@@ -103,20 +115,21 @@ def _audit_row(name, entry):
     for key, word in (("at_most", "at most "), ("at_least", "at least ")):
         if files.as_number(entry.get(key)) is not None:
             limit = word + shown(entry[key], page.plain)
-    judged = None if limit == "–" else entry.get("holds")
-    return (name.replace("_", " "), entry.get("decision", ""),
+    measured = shown(entry.get("measured"))
+    judged = None if "–" in (limit, measured) else entry.get("holds")
+    return (_words(name), entry.get("decision", ""),
             entry.get("quantity", ""), shown(entry.get("estimate")),
-            shown(entry.get("measured")), limit, _holds(judged),
+            measured, limit, _holds(judged),
             page.tag("code", str(entry.get("entry", ""))))
 
 
 def statement(scene, judged):
-    """What is known of the error at this setting."""
+    """Accuracy: numerical errors and differences to measurements."""
     parts = [page.paragraph(
-        "Errors come from three sources, which are told apart here: the "
-        "numerics (cells, elements, recording), the model (how the explosive "
-        "burns, what tissue is made of), and the thresholds, which other "
-        "models and animals gave.")]
+        "Errors have three sources: the numerics (cells, elements, recording), "
+        "the model (detonation, afterburn, tissue properties), and the "
+        "thresholds, which were derived from other models and from animals. "
+        "This section estimates the errors of the numerics.")]
     free = _free_air(scene)
     if free:
         parts += [page.tag("h3", "Against measurements in free air"), free]
@@ -125,15 +138,15 @@ def statement(scene, judged):
     rows = _difference_rows(scene, Differences())
     if rows:
         parts += [
-            page.tag("h3", "What halving the cells changed elsewhere"),
+            page.tag("h3", "Halved cells and elements in another scene"),
             page.table(
                 ("measure", "varied", "from", "to", "change"), rows,
-                "Measured once on the scene of five pounds of C-4 and "
-                "the phantom, from the sizes nearest to those of this run; "
-                "it says nothing of other scenes.", numbers=(2, 3, 4))]
+                "Measured once on the scene of 2.27 kg of C-4 before the "
+                "phantom, for the sizes nearest to those of this run. Other "
+                "scenes have other differences.", numbers=(2, 3, 4))]
     checks = _checks(scene)
     if checks:
-        parts += [page.tag("h3", "What this run checked itself"),
+        parts += [page.tag("h3", "Checks within this run"),
                   page.bullets(checks)]
     return parts
 
@@ -143,28 +156,28 @@ def _free_air(scene):
     for quantity, unit in (("peak_overpressure", "Pa"), ("impulse", "Pa s"),
                            ("arrival", "s"), ("duration", "s")):
         number = 1
-        while scene.blast.found("assumptions",
+        while scene.blast.found("results",
                                 f"probe_{number}_{quantity}") is not None:
             stem = f"probe_{number}_"
-            here = scene.blast.found("assumptions", stem + quantity)
-            known = scene.blast.found("assumptions",
+            here = scene.blast.found("results", stem + quantity)
+            known = scene.blast.found("results",
                                       stem + "reference_" + quantity)
             if known:
                 rows.append((_probe_place(scene, number),
                              quantity.replace("_", " "),
                              page.quantity(here, unit),
                              page.quantity(known, unit),
-                             page.number(100. * (here / known - 1.), 2)
-                             + " %"))
+                             page.percent(here / known - 1.)))
             number += 1
     if not rows:
         return None
     return page.table(
-        ("where", "what", "found", "Kingery and Bulmash", "difference"), rows,
-        "The reference is the blast of a sphere in free air (C. N. Kingery, "
-        "G. Bulmash, ARBRL-TR-02555, 1984). Ground and body add to the "
-        "impulse and duration at the probe; its peak and arrival are those of "
-        "the free wave.", numbers=(2, 3, 4))
+        ("probe", "quantity", "this run", "Kingery and Bulmash", "difference"),
+        rows,
+        "The reference is a spherical charge in free air (C. N. Kingery, G. "
+        "Bulmash, ARBRL-TR-02555, 1984). Peak and arrival at the probe are "
+        "those of the incident wave; reflections by ground and body add to "
+        "impulse and duration.", numbers=(2, 3, 4))
 
 
 def _probe_place(scene, number):
@@ -178,7 +191,7 @@ def _probe_place(scene, number):
     if len(point) != 3 or charge is None:
         return f"probe {number}"
     away = math.dist(point, charge)
-    place = ", ".join(f"{round(x, 3) + 0.:g}" for x in point).replace("-", "−")
+    place = page.point([round(x, 3) + 0. for x in point])
     return f"({place}) m, {page.quantity(away, 'm')} from the charge"
 
 
@@ -200,48 +213,49 @@ def _difference_rows(scene, differences):
             rows.append((
                 injury_thresholds.title(measure),
                 "elements" if varied == BODY else varied,
-                f"{1e3 * row['coarse']:g} mm", f"{1e3 * row['fine']:g} mm",
-                page.number(100. * change, 2) + " %"))
+                page.plain(row["coarse"], "m"), page.plain(row["fine"], "m"),
+                page.percent(change)))
     return rows
 
 
 def _checks(scene):
     found = scene.biomechanics.found
     items = []
-    residual = found("assumptions", "energy_residual")
+    residual = found("checks", "energy_residual")
     if residual is not None:
-        items.append(f"Energy of the body: {page.number(100 * abs(residual))}"
-                     " % missing.")
-    unmatched = found("assumptions", "loads_unmatched_facets")
-    largest = found("assumptions", "loads_largest_distance")
-    mean = found("assumptions", "loads_mean_distance")
+        items.append(f"Energy: {page.percent(abs(residual), 3)} of the body's "
+                     "energy is missing.")
+    unmatched = found("checks", "loads_unmatched_facets")
+    largest = found("checks", "loads_largest_distance")
+    mean = found("checks", "loads_mean_distance")
     if None not in (unmatched, largest, mean):
         items.append(
-            f"Loads: {page.number(unmatched)} facets of the body without a "
-            f"recorded one; the others are {page.number(1e3 * mean)} mm from "
-            f"theirs on average, {page.number(1e3 * largest)} mm at most.")
-    recorded = found("assumptions", "loads_recorded_impulse_x")
-    mapped = found("assumptions", "loads_mapped_impulse_x")
+            f"Loads: {page.number(unmatched)} facets of the body have no "
+            "recorded facet; the others are "
+            f"{page.number(1e3 * mean)} mm from theirs on average, "
+            f"{page.number(1e3 * largest)} mm at most.")
+    recorded = found("checks", "loads_recorded_impulse_x")
+    mapped = found("checks", "loads_mapped_impulse_x")
     if recorded and mapped:
-        factor = found("assumptions", "loads_impulse_factor")
+        factor = found("checks", "loads_impulse_factor")
         mended = "" if factor is None else (
-            ", after one factor on all pressures, "
-            f"{page.number(factor)}, that makes the impulses agree")
+            ", after all pressures were multiplied by "
+            f"{page.number(factor)} so that the impulses agree")
         items.append(
             f"Impulse along x: {page.quantity(recorded, 'N s')} recorded on "
             f"the whole body, {page.quantity(mapped, 'N s')} on the elements "
             f"({page.number(100. * (mapped / recorded - 1.), 2)} %){mended}.")
-    loss = scene.blast.found("assumptions", "loads_sampled_peak_loss")
+    loss = scene.blast.found("checks", "loads_sampled_peak_loss")
     if loss is not None:
-        items.append(f"Recording misses {_round_off(loss)} % of a facet's "
-                     "peak at most.")
+        items.append("Recording: samples miss at most "
+                     f"{_round_off(loss)} % of the peak on a facet.")
     rough = scene.measures().get("injury_pressure_roughness")
     if rough is not None:
         items.append(
-            "Pressures of the brain's single elements less their averages are "
-            f"{page.number(rough.value, 2)} times the averages (root mean "
-            "square): that part alternates from element to element and is no "
-            "pressure. The measures of injury take averages.")
+            "Brain pressure oscillates between neighbouring elements, by "
+            f"{page.number(rough.value, 2)} times its averages over neighbours "
+            "(root mean square). The oscillation is a numerical error; measures "
+            "of injury therefore use the averages.")
     return items
 
 
@@ -266,8 +280,8 @@ def cost_table(rows):
     """Of cost_row()s."""
     return page.table(
         ("stage", "status", "wall time", "core time", "memory", "disk",
-         "size"), rows, "Wall time depends on what else the machine does, "
-        "core time less.", numbers=(2, 3, 4, 5))
+         "size"), rows, "Other work on the machine lengthens the wall time, "
+        "and less so the core time.", numbers=(2, 3, 4, 5))
 
 
 def cost_row(name, told, stage):
@@ -298,11 +312,12 @@ def cost_row(name, told, stage):
 def _duration(seconds):
     if seconds is None:
         return "–"
+    text = f"{int(seconds // 3600)} h {int(seconds % 3600 // 60):02d} min"
     if seconds < 60.:
-        return f"{page.number(seconds, 2)} s"
-    if seconds < 3600.:
-        return f"{int(seconds // 60)} min {int(seconds % 60):02d} s"
-    return f"{int(seconds // 3600)} h {int(seconds % 3600 // 60):02d} min"
+        text = f"{page.number(seconds, 2)} s"
+    elif seconds < 3600.:
+        text = f"{int(seconds // 60)} min {int(seconds % 60):02d} s"
+    return page.Rounded(text, seconds, "s")
 
 
 def _bytes(count):
@@ -310,8 +325,9 @@ def _bytes(count):
         return "–"
     for size, unit in ((1e9, "GB"), (1e6, "MB"), (1e3, "kB")):
         if count >= size:
-            return f"{page.number(count / size, 2)} {unit}"
-    return f"{int(count)} B"
+            return page.Rounded(f"{page.number(count / size, 2)} {unit}",
+                                int(count), "B")
+    return page.Rounded(f"{int(count)} B", int(count), "B")
 
 
 def reproduce(scene):
@@ -334,7 +350,7 @@ def reproduce(scene):
                          page.tag("code", known.get("git_revision", "–")),
                          known.get("ranks", "–")))
     if rows:
-        parts.append(page.table(("what", "version", "revision", "ranks"),
+        parts.append(page.table(("application", "version", "revision", "ranks"),
                                 rows))
     for name in ("", "anatomy", "blast", "biomechanics"):
         path = os.path.join(scene.folder, name, "parameters.prm")
@@ -344,5 +360,5 @@ def reproduce(scene):
                 text = file.read()
             parts.append(page.folded_file(
                 os.path.join(name, "parameters.prm")
-                + ": every entry as used", text))
+                + ": all entries as used", text))
     return parts or [page.missing("scene.json and the parameter files")]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
 """The blast in the air and on the skin: pictures, histories, resultant force,
-what is conserved."""
+conservation."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -29,10 +29,10 @@ def air(scene):
             f"{page.moments([cut.time for cut in picked])}; the largest is "
             + page.quantity(plane_cuts.largest_overpressure(picked), "Pa")
             + ".",
-            f"Overpressure in the air in the plane {axis} = {place} m at "
-            "several times, one scale for all: red above, blue below the "
-            "ambient pressure, square-root colours so that weak waves "
-            "show. The body, where there is no gas, is grey."))
+            f"Overpressure in the air in the plane {axis} = {place} m, with one "
+            "colour scale for all times: red above, blue below the ambient "
+            "pressure. Colours follow the square root of the overpressure, "
+            "which shows weak waves as well. The body is grey."))
     return parts
 
 
@@ -70,15 +70,14 @@ def skin(scene):
         page.figure(times, "The body from in front, left, behind and right, "
                     "coloured by the overpressure on its skin after "
                     f"{page.moments(moments)}.",
-                    "Overpressure on the skin while the wave passes, "
-                    "from four sides, one scale for all times, square-root "
-                    "colours."),
+                    "Overpressure on the skin while the wave passes, from four "
+                    "sides, with one colour scale for all times. Colours "
+                    "follow the square root of the overpressure."),
         page.figure(measures, "The body from four sides, coloured by peak "
                     f"overpressure, {largest} at most, by positive impulse "
                     "and by arrival.",
-                    "What each part of the skin got during the "
-                    "whole run: largest overpressure, impulse of the positive "
-                    "phase, and when the wave arrived.")]
+                    "Peak overpressure, impulse of the positive phase and "
+                    "arrival of the wave on the skin, over the whole run.")]
 
 
 def histories(scene):
@@ -87,59 +86,64 @@ def histories(scene):
     parts = []
     if scene.has_no_gauges():
         parts.append(page.paragraph(
-            "No place on the skin was named (entry Blast/Loads/Gauges), so "
-            "none has a history of its own.", kind="note"))
+            "There are no histories on the skin: no place was named (entry "
+            "Blast/Loads/Gauges).", kind="note"))
     elif gauges is None or len(gauges.values) < 3 or scene.loads() is None:
         parts.append(page.missing("load_gauges.csv of the blast"))
     else:
         parts.append(page.figure(
-            page.drawn(body_loads.draw_gauges, gauges, scene.loads(),
-                       body_views.views_of(scene.loads(),
-                                           scene.blast.folder)),
+            body_loads.gauges_figure(
+                gauges, scene.loads(),
+                body_views.views_of(scene.loads(), scene.blast.folder)),
             "Curves of overpressure over time, one chart for each of "
             + ", ".join(gauges.others("time")) + "; their peaks are in the "
             "table below.",
-            "Overpressure at named places of the skin, means over patches "
-            "around them; dots: the first peak, triangles: the second, later "
-            "one, in kPa at ms. The places are numbered on the body."))
+            "Overpressure at named places on the skin, averaged over the "
+            "patch around each place. Dots mark the first peak, triangles the "
+            "second one, both with overpressure and time. The places are "
+            "numbered on the body.", "svg"))
         parts.append(_gauge_table(scene, gauges))
     force = resultant(scene)
     if force is not None:
         parts.append(page.figure(
             _draw_force(*force),
-            "Two charts over time: the force on the body, "
+            "Two charts with curves for x, y and z over time: the force on the "
+            "body, which reaches "
             + page.quantity(float(np.abs(force[1]).max()), "N")
-            + " at most along an axis, and the momentum.",
-            "Resultant force of the overpressure on the whole body, along the "
-            "three axes, and the momentum that it has given so far; that of "
-            "the air's flow past the body is in it.", "svg"))
+            + ", and its integral over time.",
+            "Resultant force of the overpressure on the whole body along the "
+            "three axes, and its cumulative impulse, including drag.", "svg"))
     return parts
 
 
 def _gauge_table(scene, gauges):
     rows = []
     time = gauges["time"]
-    for name in gauges.others("time"):
-        phase = signals.positive_phase(time, gauges[name])
-        if phase is None:
+    for name, measures in scene.gauge_measures().items():
+        if measures["peak"] <= 0. or name not in gauges:
             continue
         lowest = float(gauges[name].min())
         rows.append((
-            name, page.number(1e3 * phase[0]),
-            page.number(1e-3 * float(gauges[name].max())),
-            page.number(phase[2]),
-            ("≥ " if signals.is_cut(time, gauges[name], phase) else "")
-            + page.number(1e3 * (phase[1] - phase[0])),
+            name, page.number(1e3 * measures["arrival"]),
+            page.number(1e-3 * measures["peak"]),
+            page.number(measures["impulse"]),
+            page.at_least(1e3 * measures["positive phase"],
+                          signals.is_cut(time, measures)),
             page.number(1e-3 * lowest) if lowest < -1. else "–",
             page.number(1e6 * signals.rise_time(time, gauges[name]), 2)))
+    header = ("place", "arrival [ms]", "peak [kPa]", "impulse [Pa s]",
+              "positive phase [ms]", "minimum [kPa]", "rise time [µs]")
     return page.table(
-        ("place", "arrival [ms]", "peak [kPa]", "impulse [Pa s]",
-         "positive phase [ms]", "lowest [kPa]", "rise time [µs]"), rows,
-        "Arrival: a twentieth of the peak; impulse and positive phase: until "
-        "the overpressure is first back at zero (≥: the run ended before); "
-        "lowest –: never below the ambient pressure; rise from a tenth to "
-        "nine tenths of the first peak, which cells and patches lengthen.",
-        numbers=range(1, 7))
+        header, rows,
+        "Arrival: the middle of the first rise. Positive phase and impulse "
+        "last from the arrival until the overpressure first falls to zero "
+        "after its peak; ≥ means that the run ended before. Minimum: a dash means that the "
+        "pressure never falls below the ambient pressure. Rise time: from a "
+        "tenth to nine tenths of the first peak; cells and patches lengthen "
+        "it.", numbers=range(1, 7),
+        data=(header + ("positive phase",),
+              [row + ("cut by the end of the run" if row[4].startswith("≥")
+                      else "complete",) for row in rows]))
 
 
 def resultant(scene):
@@ -163,11 +167,11 @@ def resultant(scene):
 
 def _draw_force(time, force):
     steps = np.diff(time, prepend=0.)[:, None]
-    momentum = np.cumsum(force * steps, axis=0)
+    impulse = np.cumsum(force * steps, axis=0)
     figure, axes = plt.subplots(1, 2, figsize=(9., 3.3))
     for axis, values, name, unit in (
             (axes[0], 1e-3 * force, "force", "kN"),
-            (axes[1], momentum, "momentum", "N s")):
+            (axes[1], impulse, "cumulative impulse", "N s")):
         for d, colour in zip(range(3), style.COLOURS):
             axis.plot(1e3 * time, values[:, d], color=colour,
                       label="xyz"[d], linewidth=1.2)
@@ -178,7 +182,7 @@ def _draw_force(time, force):
 
 
 def conservation(scene):
-    """What the gas kept, lost and gave to the body."""
+    """Mass and energy of the gas, and checks of the loads."""
     summary = scene.blast.summary
     if not summary:
         return [page.missing("summary.json of the blast")]
@@ -197,22 +201,23 @@ def conservation(scene):
             continue
         rows.append((name.replace("_", " "), page.quantity(value, unit, 4),
                      page.quantity(last, unit, 4),
-                     page.number(100. * change) + " %"))
+                     page.percent(change, 3)))
     parts = [page.table(
-        ("in the domain of the gas", "at the start", "at the end", "change"),
+        ("total in the domain", "at the start", "at the end", "change"),
         rows, numbers=(1, 2, 3))]
     parts.append(page.paragraph(_open_sides(scene)))
     rows = []
     for name, text in (
-            ("loads_impulse_difference", "impulse on the body: facets against "
-             "the momentum that the gas lost"),
-            ("loads_force_difference", "the same of the force, root mean "
-             "square over time"),
-            ("loads_sampled_peak_loss", "part of a peak that the recorded "
-             "samples miss, worst facet")):
-        value = scene.blast.found("assumptions", name)
+            ("loads_impulse_difference", "impulse on the body: recorded on the "
+             "facets against momentum lost by the gas"),
+            ("loads_force_difference", "force on the body: recorded on the "
+             "facets against momentum lost by the gas, root mean square over "
+             "time"),
+            ("loads_sampled_peak_loss", "peak on the worst facet: fraction "
+             "missed by the recorded samples")):
+        value = scene.blast.found("checks", name)
         if value is not None:
-            rows.append((text, page.number(100. * value, 2) + " %"))
+            rows.append((text, page.percent(value)))
     if rows:
         parts.append(page.table(("check of the loads", "difference"), rows,
                                 numbers=(1,)))
@@ -224,10 +229,11 @@ def _open_sides(scene):
              in scene.blast.parameters.items()
              if key.startswith("Boundaries/") and value == "open"]
     if not sides:
-        return ("No side of the domain is open: what changes in a closed "
-                "domain is an error.")
-    return ("The sides " + ", ".join(sorted(sides)) + " are open. What leaves "
-            "there counts as a change, of products as well when they get that "
-            "far. In closed domains mass and energy "
-            "are kept to 10⁻¹² in double and 10⁻⁷ in single precision, which "
-            "the tests of the code show.")
+        return ("No side of the domain is open: any change is a numerical "
+                "error.")
+    return (("The sides " if len(sides) > 1 else "The side ")
+            + page.joined(sorted(sides))
+            + (" are" if len(sides) > 1 else " is") + " open. Gas that leaves "
+            "the domain there is part of the change. In closed domains, tests "
+            "of the code show that mass and energy are conserved to 10⁻¹² in "
+            "double and 10⁻⁷ in single precision.")

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""What happens inside of the body: stress waves, histories in the tissue, the
-audit of the energy, the mesh."""
+"""The inside of the body: stress waves, histories in the tissue, energy,
+mesh."""
 
 import os
 
@@ -21,18 +21,19 @@ MOST_TIMES = 8
 BESIDE = 0.0801
 MOST_BESIDE = 0.4
 HEAD_ALONE = 0.4  # m, least height of what is more than a head
-# Fields of what each element went through, titles, units, colours, and whether
+# Extremes of each element over the run: fields, titles, units, and whether
 # they have two signs.
-PEAKS = (("highest_pressure", "highest pressure", "Pa", True),
-         ("lowest_pressure", "lowest pressure", "Pa", True),
+PEAKS = (("highest_pressure", "maximum pressure", "Pa", True),
+         ("lowest_pressure", "minimum pressure", "Pa", True),
          ("largest_von_mises_stress", "largest von Mises stress", "Pa", False),
          ("largest_principal_strain", "largest principal strain", "-", False))
 ENERGIES = (("external_work", "work of the loads"),
-            ("kinetic_energy", "kinetic"), ("stored_energy", "stored"),
-            ("relaxation_energy", "lost in relaxation"),
-            ("bulk_viscosity_energy", "bulk viscosity"),
-            ("hourglass_energy", "hourglass control"),
-            ("energy_residual", "missing"))
+            ("kinetic_energy", "kinetic energy"),
+            ("stored_energy", "elastic energy"),
+            ("relaxation_energy", "lost by relaxation"),
+            ("bulk_viscosity_energy", "lost by bulk viscosity"),
+            ("hourglass_energy", "hourglass energy"),
+            ("energy_residual", "missing energy"))
 
 
 def waves(scene):
@@ -57,36 +58,37 @@ def waves(scene):
     parts = [
         page.figure(whole, "The body cut along its middle, coloured by the "
                     f"pressure in its tissues after {times}.",
-                    "Pressure in the sagittal plane (cut beside y = "
-                    "0), one scale for all times: red is compression, blue "
-                    "tension, square-root colours. Skeleton, which is stiff, "
-                    "stands out."),
+                    "Pressure in the sagittal plane (y = 0), with one colour "
+                    "scale for all times: red is compression, blue tension. "
+                    "Colours follow the square root of the pressure. The "
+                    "stiff skeleton stands out."),
         page.figure(beside, f"The body cut {place:.3g} m beside its middle, "
                     f"coloured by the pressure after {times}.",
-                    "The same in a parasagittal plane, y = "
-                    f"{place:.3g} m, through {tissues}.")]
+                    "Pressure in a parasagittal plane, y = "
+                    f"{place:.3g} m, through {tissues}, with one colour scale "
+                    "for all times.")]
     if head is not None:
         parts.append(page.figure(
             head, "The head cut along its middle, coloured by the pressure "
             f"after {times}.",
-            "The head in the sagittal plane, with a scale of its own."))
+            "Pressure in the head, in the sagittal plane, with one colour scale "
+            "for all times."))
     return parts + [page.paragraph(
-        "Pressures are averaged over the corners and the elements around "
-        "them: what alternates from one element to the next, as it may in "
-        "nearly incompressible tissue, is no pressure.", kind="note"),
+        "Pressures are averages over neighbouring elements: in nearly "
+        "incompressible tissue, the pressure of single elements oscillates "
+        "from one to the next by numerical error.", kind="note"),
         *_peaks(scene)]
 
 
 def _tissues_at(pieces, place):
-    """What a parasagittal plane cuts, in words."""
+    """Tissues in a parasagittal plane, in words."""
     numbers = fields.cut_values(pieces, place, "tissue")[1]
-    names = [tissue_places.NAMES.get(int(number), "other tissue")
-             for number in np.unique(numbers)]
-    return " and ".join(filter(None, (", ".join(names[:-1]), names[-1])))
+    return page.joined(tissue_places.NAMES.get(int(number), "other tissue")
+                       for number in np.unique(numbers))
 
 
 def _peaks(scene):
-    """What each element of the head went through, if that was kept."""
+    """Extremes of each element of the head over the run, if recorded."""
     pieces = scene.field_list()[-1][1]
     found = []
     for name, title, unit, is_signed in PEAKS:
@@ -101,10 +103,11 @@ def _peaks(scene):
         _draw_peaks(found),
         "The head cut along its middle, coloured by "
         + ", ".join(title for title, *_ in found) + ".",
-        "What each element of the head went through until the end, in the "
+        "Extremes of each element of the head over the whole run, in the "
         "sagittal plane. Pressures are " + (
-            "averages, as above." if averaged else "those of single elements, "
-            "not averages: what alternates is none."))]
+            "averages over neighbouring elements." if averaged else
+            "those of single elements, which oscillate from one to the next "
+            "by numerical error."))]
 
 
 def _draw_peaks(found):
@@ -177,18 +180,18 @@ def histories(scene):
             _draw_first(probes, brain),
             "Curves of pressure over time in "
             + ", ".join(place.title() for place in brain) + ".",
-            "The brain's pressure in the first 2.5 ms after the wave reaches "
-            "it. Dotted: −100 kPa, where fluid may cavitate, which the model "
-            "does not.", "svg"))
+            "Brain pressure in the first 2.5 ms after the wave reaches the "
+            "brain. At −100 kPa (dotted) fluid may cavitate; the model has no "
+            "cavitation.", "svg"))
     parts += [page.figure(
         _draw_histories(probes, groups),
         "Curves of pressure over the whole time at "
         f"{len(places)} places, charts for: "
         + ", ".join(title.lower() for title, _ in groups)
         + "; the extremes are in the table below.",
-        "Pressure in single elements over time; compression is positive. The "
-        "coup is the side of the brain towards the charge, the contrecoup the "
-        "opposite one.", "svg")]
+        "Pressure in single elements over time; compression is positive. Coup "
+        "is the side of the brain towards the charge, contrecoup the opposite "
+        "side.", "svg")]
     rows = []
     for place in places:
         pressure = probes[place.column + "pressure"]
@@ -196,9 +199,7 @@ def histories(scene):
         shift = np.sqrt(sum(probes[f"{place.column}displacement_{axis}"] ** 2
                             for axis in "xyz"))
         rows.append((
-            place.title(), page.Html(",\u00a0".join(
-                f"{round(x, 3) + 0.:g}".replace("-", "−")
-                for x in place.point)),
+            place.title(), page.point([round(x, 3) + 0. for x in place.point]),
             page.number(1e-3 * float(pressure.max())),
             page.number(1e-3 * float(pressure.min())),
             page.number(1e-3 * float(
@@ -206,9 +207,10 @@ def histories(scene):
             page.number(100. * float(strain.max())),
             page.number(1e3 * float(shift.max()))))
     parts.append(page.table(
-        ("place", "x, y, z [m]", "highest pressure [kPa]",
-         "lowest pressure [kPa]", "von Mises stress [kPa]",
+        ("place", "x, y, z [m]", "maximum pressure [kPa]",
+         "minimum pressure [kPa]", "von Mises stress [kPa]",
          "largest strain [%]", "displacement [mm]"), rows,
+        "Largest values over the run, in single elements.",
         numbers=range(2, 7)))
     return parts
 
@@ -259,14 +261,14 @@ def _draw_histories(probes, groups):
 
 
 def energy(scene):
-    """Table and picture of the energy, and whether its audit holds."""
+    """Table and picture of the energy, and whether it keeps its limits."""
     history = scene.biomechanics.table("history.csv")
     if history is None or "external_work" not in history:
         return [page.missing("history.csv of biomechanics")]
     known = [(name, text) for name, text in ENERGIES if name in history]
     work = max(abs(float(history["external_work"][-1])), 1e-300)
     rows = [(text, page.quantity(float(history[name][-1]), "J", 4),
-             page.number(100. * float(history[name][-1]) / work) + " %")
+             page.percent(float(history[name][-1]) / work, 3))
             for name, text in known]
     parts = [_verdict(scene),
              page.table(("energy at the end", "value",
@@ -274,16 +276,19 @@ def energy(scene):
              page.figure(
                  _draw_energy(history, known),
                  "Two charts of energy over time: of the whole body by kind, "
-                 "and of its internal energy by tissue.",
-                 "Energy of the whole body over time, and who has the "
-                 "internal one. The work of the loads must be the sum of all "
-                 "others; what is missing is drawn as well.", "svg")]
+                 "with the work of the loads, "
+                 f"{page.quantity(work, 'J')} at the end, as the largest "
+                 "curve; and of its internal energy by tissue.",
+                 "Energy of the whole body by kind, and its internal energy "
+                 "by tissue. The work of the loads must be the sum of all "
+                 "other energies; the missing energy is drawn as well.",
+                 "svg")]
     return parts
 
 
 def _verdict(scene):
-    residual = scene.biomechanics.found("assumptions", "energy_residual")
-    part = scene.biomechanics.found("assumptions", "hourglass_part")
+    residual = scene.biomechanics.found("checks", "energy_residual")
+    part = scene.biomechanics.found("checks", "hourglass_part")
     if residual is None or part is None:
         return page.missing("the audit in summary.json of biomechanics")
     limits = [(scene.biomechanics.parameter(f"Energy audit/{name}")
@@ -291,13 +296,13 @@ def _verdict(scene):
               (("Largest residual", 0.01), ("Largest hourglass part", 0.1))]
     holds = abs(residual) <= limits[0] and part <= limits[1]
     return page.paragraph(
-        page.tag("span", "The audit holds" if holds else
-                 "The audit does not hold",
+        page.tag("span", "The audit of the energy holds" if holds else
+                 "The audit of the energy does not hold",
                  kind="good" if holds else "bad"),
-        f": {page.number(100. * abs(residual), 2)} % of the energy is missing "
-        f"(allowed {page.number(100. * limits[0])} %), hourglass control has "
-        f"{page.number(100. * part, 2)} % of the internal energy (allowed "
-        f"{page.number(100. * limits[1])} %, a warning from 5 %).")
+        f": {page.percent(abs(residual))} of the energy is missing (limit "
+        f"{page.plain(100. * limits[0], '%')}), and {page.percent(part)} of the internal "
+        f"energy is hourglass energy (limit {page.plain(100. * limits[1], '%')}, "
+        "warning from 5 %).")
 
 
 def _draw_energy(history, known):
@@ -345,12 +350,13 @@ def mesh(scene):
                 parts.append(page.figure(
                     file.read(), "Cuts through the body, coloured by tissue: "
                     + ", ".join(row[0] for row in rows) + ".",
-                    "The body in cuts, by tissue, as anatomy "
-                    "made it."))
+                    "The mesh of the body in cuts, with one colour for each "
+                    "tissue."))
             break
     parts.append(page.table(
         ("tissue", "elements", "volume [litre]", "mass [kg]",
-         "smallest scaled Jacobian", "time step alone [µs]"), rows,
+         "smallest scaled Jacobian", "largest time step [µs]"), rows,
+        "Largest time step: the stability limit of the tissue alone.",
         numbers=range(1, 6)))
     return parts
 

@@ -32,7 +32,7 @@ def of(scene, name, value, coarser):
 def peak_change(scene, place):
     """Relative difference of both runs' peaks at a place; 0 if unknown."""
     runs = [] if scene.coarser is None else [scene.coarser, scene]
-    peaks = [run.gauge_injury().get(place, {}).get("peak") for run in runs]
+    peaks = [run.gauge_measures().get(place, {}).get("peak") for run in runs]
     return abs(peaks[0] / peaks[1] - 1.) if all(peaks) and peaks else 0.
 
 
@@ -48,12 +48,12 @@ def section(scene, judged):
             continue
         rows.append((entry.title, page.quantity(entry.coarser, entry.unit),
                      page.quantity(entry.value, entry.unit),
-                     "± " + page.percent(entry.error)))
+                     page.error(entry.error)))
     return page.table(
         ("measure", "coarser run", "this run", "estimated error"), rows,
         "The coarser run has cells of twice the size and elements of 5/3 of "
-        "the size. The estimated error is the difference over "
-        f"r^{ORDER} − 1 with the ratio r of the sizes; that of chest wall and "
-        "lungs is at least the difference of the chest's peak, and both "
-        "extremes of the brain's pressure have the larger of theirs.",
+        "the size. The estimated error is the difference of both runs over "
+        f"r^{ORDER} − 1 with the ratio r of the sizes. For chest wall and lungs "
+        "it is at least the difference of the peak on the chest; maximum and "
+        "minimum brain pressure both take the larger of their errors.",
         numbers=(1, 2, 3))

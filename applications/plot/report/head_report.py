@@ -333,9 +333,10 @@ def _extrema(run):
             index = int(take(run.history[column]))
             value = float(run.history[column][index])
             if unit == "%":
-                shown = page.number(100. * value) + " %"
+                shown = page.percent(value, 3)
             elif unit == "m^3":
-                shown = page.number(1e6 * value) + " cm³"
+                shown = page.Rounded(page.number(1e6 * value) + " cm³", value,
+                                     "m^3")
             else:
                 shown = page.quantity(value, unit)
             rows.append((

@@ -1,11 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""The answer of a report in a few plain sentences."""
+"""The answer of a report in a few plain sentences, and what it is subject to."""
 
+import re
+
+from plot.analysis import signals
 from plot.report import injury_table, page
 
-LARGE_DIFFERENCE = 0.1  # of the incident peak to Kingery and Bulmash
+LARGE_DIFFERENCE = 0.1  # to Kingery and Bulmash
 LONG_ENOUGH = 0.01  # s, until the largest strains that a front causes
+# Usual limits of the audit of a body's energy; hourglass energy is told from
+# the smaller one on.
+LARGEST_RESIDUAL, LARGEST_HOURGLASS, NOTED_HOURGLASS = 0.01, 0.1, 0.05
 
 
 def answer(scene, judged):
@@ -14,8 +20,8 @@ def answer(scene, judged):
     sentences += [words for words in (_lung(judged), _ears(judged),
                                       _brain(judged)) if words]
     if len(sentences) == 1:
-        sentences.append("What it does to a person cannot be told: neither "
-                         "loads on the skin nor measures of injury are there.")
+        sentences.append("The injury is unknown: the scene has neither loads "
+                         "on the skin nor measures of injury.")
     return page.tag("div", *(page.paragraph(text) for text in
                              (" ".join(sentences), _certainty(scene, judged))
                              if text), kind="answer")
@@ -24,20 +30,19 @@ def answer(scene, judged):
 def _opening(scene):
     mass, place = scene.charge_mass(), scene.charge_place()
     body = {None: "a standing man", "phantom": "a standing man",
-            "surface": "a person of a given surface",
-            "image": "a body of medical images"}.get(
+            "surface": "a person given by a surface",
+            "image": "a body from medical images"}.get(
                 scene.facts.get("body"), "a body")
     charge = "The charge" if mass is None else (
         f"{page.quantity(mass, 'kg')} of {scene.explosive().upper()}")
-    where = ""
-    if scene.fact("distance") is not None:
-        where += f", {page.quantity(scene.fact('distance'), 'm')} away"
-    height = scene.fact("height")
+    distance, height = scene.fact("distance"), scene.fact("height")
+    where = f"in front of {body}" if distance is None else \
+        f"{page.quantity(distance, 'm')} from {body}"
     if height is None and place is not None:
         height = float(place[2])
     if height is not None:
-        where += f" and {page.quantity(height, 'm')} above the ground"
-    return f"{charge} goes off before {body}{where}."
+        where += f", {page.quantity(height, 'm')} above the ground"
+    return f"{charge} detonates {where}."
 
 
 def _lung(judged):
@@ -50,28 +55,25 @@ def _lung(judged):
         or injury_table.find(judged, "injury_lung_exposure")
     worst = front.meaning() or "none"
     best = mean.meaning() or "none" if mean else worst
-    words = worst if worst == best else f"between {best} and {worst}"
-    text = (f"The injury of the lungs to expect is {words}: the chest wall is "
-            f"pushed in at {page.quantity(front.value, 'm/s')} in front")
-    text += f", {page.quantity(mean.value, 'm/s')} as the mean of front and " \
-            "back" if mean else ""
+    words = worst if worst == best else f"{best} by the mean chest wall " \
+        f"velocity, {worst} by the front one"
+    text = (f"The expected lung injury is {words}: the chest wall velocity is "
+            f"{page.quantity(front.value, 'm/s')} in front")
+    text += f" and {page.quantity(mean.value, 'm/s')} as the mean of front " \
+        "and back" if mean else ""
     if bowen is not None:
-        text += (f", and the chest load is "
-                 f"{page.number(bowen.value, 2)} of the 50 % lethality load")
+        text += (f"; the chest load is {page.number(bowen.value, 2)} of the "
+                 "50 % lethality load")
     return text + "."
 
 
 def _ears(judged):
     ears = [entry for entry in judged if entry.name.startswith("ear_")]
-    ears = ears or [entry for entry in judged
-                    if entry.name == "injury_eardrum_rupture"]
     if not ears:
         return ""
     worst = max(entry.value for entry in ears)
-    part = "more than 99 %" if worst > 0.99 \
-        else f"{page.number(100. * worst, 2)} %"
-    return ("Unprotected eardrums rupture with a probability of "
-            f"{part}.")
+    part = "more than 99 %" if worst > 0.99 else page.percent(worst)
+    return f"Unprotected eardrums rupture with a probability of {part}."
 
 
 def _brain(judged):
@@ -80,83 +82,153 @@ def _brain(judged):
     strain = injury_table.find(judged, "injury_strain_95")
     if high is None or low is None:
         return ""
-    text = (f"Pressures in the brain reach from {_pressure(low.value)} to "
-            f"{_pressure(high.value)}")
-    exceeded = [name for name, entry in (
-        ("the limit for serious injury by impacts",
-         high if high.exceeded() == 2 else None),
-        ("that of cavitation", low if low.exceeded() else None)) if entry]
-    text += ", beyond " + " and ".join(exceeded) if exceeded \
-        else ", within the known limits"
+    text = (f"Brain pressure ranges from {page.quantity(low.value, 'Pa', 2)} "
+            f"to {page.quantity(high.value, 'Pa', 2)}; its minimum is "
+            + ("below" if low.exceeded() else "above") + " the "
+            f"{page.plain(low.thresholds[0][0], 'Pa')} at which fluid may "
+            "cavitate.")
     if strain is not None:
-        text += (f"; 95 % of its tissue is strained by less than "
-                 f"{page.number(100. * strain.value, 2)} %, "
-                 + ("below the 14 % at which mild injury begins"
-                    if strain.exceeded() == 0
-                    else f"which means: {strain.meaning()}"))
-    return text + "."
-
-
-def _pressure(value):
-    return page.quantity(value, "Pa", 2)
+        limit = strain.thresholds[0][0]
+        text += (f" In 95 % of the brain the strain is below "
+                 f"{page.percent(strain.value)}, "
+                 + (f"under the {page.plain(100. * limit, '%')} at which "
+                    "mild injury begins" if strain.exceeded() == 0
+                    else f"a threshold of {strain.meaning()} is exceeded")
+                 + ".")
+    return text
 
 
 def _certainty(scene, judged):
     """How sure the answer is."""
-    known = [entry for entry in judged if entry.thresholds
-             and entry.is_certain() is not None]
-    parts = []
-    if known:
-        open_ones = [entry for entry in known if not entry.is_certain()]
-        parts.append(
-            "Numerical error could change "
-            + (f"{len(open_ones)} of {len(known)} verdicts: " + "; ".join(
-                entry.title for entry in open_ones) if open_ones
-               else f"none of {len(known)} verdicts") + ".")
-    elif judged:
-        parts.append("The numerical error of these verdicts is unknown: the scene "
-                     "has no coarser run.")
-    parts += _free_air(scene) + _limits(scene)
+    parts = _verdicts(judged) + _free_air(scene) + _afterburn(scene)
+    parts += _energy(scene) + _limits(scene) + _cut_phases(scene)
     if any(entry.name == "injury_strain_95" for entry in judged):
         parts.append(
-            "What pressures and strains mean for a brain in a blast is open: "
-            "the limits were found for impacts, and blasts that were survived "
-            "exceed that of pressure.")
+            "No limit of brain pressure or strain is agreed on for blast: the "
+            "published limits were found for impacts, and survived blasts "
+            "exceed those of pressure.")
     end = scene.fact("end_time")
     if end is not None and end < LONG_ENOUGH and any(
             entry.name in ("injury_strain_95", "injury_hic15")
             for entry in judged):
         parts.append(
-            f"The run ends after {page.milliseconds(end)}, while strains of "
-            "the brain and motion of the head still grow: they are lower "
-            "limits.")
+            f"The run ends after {page.milliseconds(end)}, while brain strain "
+            "and head motion still grow: their values are lower limits.")
     failed = [stage.get("name") for stage in scene.list_of("stages")
               if stage.get("status") == "failed"
               and not str(stage.get("name")).startswith("coarser_")]
     if failed:
-        parts.append("The scene is not complete: " + ", ".join(
+        parts.append("The scene is not complete: " + page.joined(
             str(name) for name in failed) + " failed.")
     return " ".join(parts)
 
 
+def _verdicts(judged):
+    """Which verdicts the numerical error could change."""
+    known = [entry for entry in judged if entry.has_verdict
+             and entry.is_certain() is not None]
+    if not known:
+        return ["The numerical error of these verdicts is unknown: the scene "
+                "has no coarser run."] if judged else []
+    open_ones = [entry for entry in known if not entry.is_certain()]
+    return ["Numerical error could change "
+            + (page.count_in_words(len(open_ones)) if open_ones else "none")
+            + f" of {page.count_in_words(len(known))} verdicts"
+            + (": " + page.joined(entry.short_title() for entry in open_ones)
+               if open_ones else "") + "."]
+
+
 def _free_air(scene):
-    """The peak beside the body, where it differs from measurements."""
-    here, known = (scene.blast.found("assumptions", "probe_1_" + name)
-                   for name in ("peak_overpressure",
-                                "reference_peak_overpressure"))
-    if not here or not known or abs(here / known - 1.) <= LARGE_DIFFERENCE:
+    """Large differences of the wave beside the body to measurements."""
+    parts, adds = [], False
+    for name, words in (("peak_overpressure", "incident peak overpressure"),
+                        ("impulse", "impulse"), ("duration", "duration")):
+        here, known = (scene.blast.found("results", "probe_1_" + stem
+                                         + name)
+                       for stem in ("", "reference_"))
+        if not here or not known \
+                or abs(here / known - 1.) <= LARGE_DIFFERENCE:
+            continue
+        change = here / known - 1.
+        adds = adds or change > 0. and name != "peak_overpressure"
+        parts.append(f"{words} is {page.percent(abs(change))} "
+                     + ("below" if change < 0. else "above"))
+    if not parts:
         return []
-    change = here / known - 1.
-    return ["The incident peak overpressure is "
-            f"{page.number(100. * abs(change), 2)} % "
-            f"{'below' if change < 0. else 'above'} Kingery and Bulmash, more "
-            "than that of a fine mesh: loads and verdicts carry this "
-            "difference."]
+    return ["Beside the body, the " + page.joined(
+        [parts[0]] + ["the " + part for part in parts[1:]])
+        + " Kingery and Bulmash; loads and verdicts carry "
+        + ("these differences" if len(parts) > 1 else "this difference")
+        + (" (ground and body add to impulse and duration)." if adds
+           else ".")]
+
+
+def _afterburn(scene):
+    """The energy of afterburn that is assumed, and its largest effects."""
+    rows = {row.get("item"): row for row in
+            scene.list_of("plan") + scene.list_of("audit")}
+    if "afterburn" not in rows:
+        return []
+    energy = re.match(r"[\d.e+-]+(?= of at most ([\d.e+-]+) MJ/kg)",
+                      rows["afterburn"].get("decision") or "")
+    effects = [(_fraction(rows.get(f"afterburn_{name}")), word)
+               for name, word in (("peak", "incident peak"),
+                                  ("impulse", "incident impulse"))]
+    effects = page.joined(f"the {word} by at most {page.percent(rise)}"
+                          for rise, word in effects if rise is not None)
+    text = "The run leaves out afterburn" if energy is None else (
+        f"The run assumes {energy[0]} MJ/kg of afterburn "
+        f"(at most {energy[1]} MJ/kg)")
+    if effects:
+        text += f", which {'would raise' if energy is None else 'raises'} " \
+            + effects
+    return [text + "."]
+
+
+def _fraction(row):
+    """The estimate of a row of the plan, or None."""
+    try:
+        return float(row.get("estimate"))
+    except (AttributeError, TypeError, ValueError):
+        return None
+
+
+def _energy(scene):
+    """What of the body's energy is missing or in hourglass modes."""
+    found = []
+    for name, entry, usual, noted, text in (
+            ("energy_residual", "Largest residual", LARGEST_RESIDUAL, None,
+             "of the body's energy is missing"),
+            ("hourglass_part", "Largest hourglass part", LARGEST_HOURGLASS,
+             NOTED_HOURGLASS, "of the internal energy is hourglass energy")):
+        part = scene.biomechanics.found("checks", name)
+        limit = (scene.biomechanics.parameter(f"Energy audit/{entry}")
+                 or [usual])[0]
+        if part is not None and abs(part) > min(limit, noted or limit):
+            found.append(f"{page.percent(abs(part))} {text} "
+                         f"(limit {page.plain(100. * limit, '%')})")
+    return [page.joined(found) + "."] if found else []
 
 
 def _limits(scene):
-    """Items of plan and audit beyond their limits."""
-    failed = [str(row.get("item")).replace("_", " ")
-              for row in scene.list_of("audit") if row.get("holds") is False]
-    return ["Beyond its limit: " + ", ".join(failed)
-            + " (see what was taken for granted)."] if failed else []
+    """Items of the audit beyond their limits."""
+    failed = [f"{row.get('quantity') or row.get('item')} ({row.get('found')}; "
+              f"{row.get('limit')} is allowed)"
+              for row in scene.list_of("audit")
+              if row.get("holds") is False and row.get("limit")]
+    return ["Beyond " + ("their limits" if len(failed) > 1 else "its limit")
+            + ": " + "; ".join(failed) + "."] if failed else []
+
+
+def _cut_phases(scene):
+    """Places whose positive phase goes on at the end of the run."""
+    gauges = scene.blast.table("load_gauges.csv")
+    if gauges is None:
+        return []
+    cut = [name for name, measures in scene.gauge_measures().items()
+           if name in gauges and measures["peak"] > 0.
+           and signals.is_cut(gauges["time"], measures)]
+    if not cut:
+        return []
+    return ["The run ends before the positive phase does at "
+            + page.joined(cut) + ": the impulse there is a lower limit."]

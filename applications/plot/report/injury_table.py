@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""Measures of injury with their errors and thresholds, and what they say
-together."""
+"""Measures of injury with their errors, thresholds and verdicts."""
+
+import re
 
 from plot.report import error_estimate, injury_thresholds, page
 from plot.report.injury_thresholds import KNOWN
 
-# What the report takes from the skin itself instead of these.
-REPLACED = ("injury_chest_pressure_peak", "injury_chest_wall_velocity",
-            "injury_adjusted_severity", "injury_lung_exposure",
-            "injury_eardrum_rupture")
+# Names of the measures of gauge_injury.csv.
+SKIN_NAMES = {("chest_wall_velocity", "chest"): "chest_wall_front",
+              ("chest_wall_velocity", "chest and back"): "chest_wall_mean",
+              ("lung_exposure", "chest"): "lung_exposure"}
 # Told with the checks of the run.
 NO_INJURY = ("injury_pressure_roughness",)
 PRESSURES = ("injury_intracranial_pressure_peak",
@@ -28,6 +29,13 @@ class Judged:
         self.name, self.value, self.unit = name, value, unit
         self.title, self.thresholds, self.source, self.limits = known
         self.coarser, self.error, self.error_of = coarser, error, error_of
+        self.has_verdict = bool(self.thresholds) \
+            and name not in injury_thresholds.EXPOSURES
+
+    def short_title(self):
+        """The abbreviation, or the title without its brackets."""
+        match = re.search(r"\(([A-Z]\w+)\)$", self.title)
+        return match[1] if match else self.title.partition(" (")[0]
 
     def exceeded(self, value=None):
         """Number of thresholds that a value, or this one's, exceeds."""
@@ -85,9 +93,8 @@ def _measures_of(run):
         found[name] = value, unit, known
 
     _add_skin(run, add)
-    has_skin = any(name.startswith("chest_") for name in found)
     for name, measure in run.measures().items():
-        if name in NO_INJURY or has_skin and name in REPLACED:
+        if name in NO_INJURY:
             continue
         add(name, measure.value, measure.unit,
             KNOWN.get(name) or (injury_thresholds.title(name), [],
@@ -96,26 +103,19 @@ def _measures_of(run):
 
 
 def _add_skin(run, add):
-    """Measures of the recorded loads alone: eardrums, chest wall, lung."""
-    places = run.gauge_injury()
-    for name, found in places.items():
-        if name.endswith("ear"):
+    """Measures of the recorded loads alone: chest wall, lung, eardrums."""
+    gauges = run.gauge_measures()
+    for (measure, place), found in run.gauge_injury().items():
+        name = SKIN_NAMES.get((measure, place))
+        if measure == "eardrum_rupture":
             words, thresholds, source, limits = KNOWN["ear_rupture"]
-            add("ear_rupture_" + name, found["eardrum rupture"], "-",
-                (words.replace("an eardrum", f"the {name}drum"), thresholds,
-                 source,
-                 f"peak {page.quantity(found['peak'], 'Pa')}; {limits}"))
-    if "chest" not in places:
-        return
-    front = places["chest"]["chest wall velocity"]
-    add("chest_wall_front", front, "m/s", KNOWN["chest_wall_front"])
-    if "back" in places:
-        back = places["back"]["chest wall velocity"]
-        add("chest_wall_mean", 0.5 * (front + back), "m/s",
-            KNOWN["chest_wall_mean"])
-    if places["chest"]["positive phase"] > 0.:
-        add("lung_exposure", places["chest"]["lung exposure"], "-",
-            KNOWN["injury_lung_exposure"])
+            peak = gauges.get(place, {}).get("peak")
+            add("ear_rupture_" + place, found.value, found.unit,
+                (words.replace("an eardrum", f"the {place}drum"), thresholds,
+                 source, limits if peak is None else
+                 f"peak {page.quantity(peak, 'Pa')}; {limits}"))
+        elif name is not None:
+            add(name, found.value, found.unit, KNOWN[name])
 
 
 def find(judged, name):
@@ -140,13 +140,12 @@ def table(scene, judged):
         if group:
             parts.append(page.tag("h3", title))
             parts.append(table_of(group))
-    parts.append(_disagreement(scene, judged))
     parts.append(page.paragraph(
-        "Errors are relative, numerical alone, and estimated from the coarser "
-        "run of this scene (see the section on accuracy); without that run "
-        "they are unknown. Thresholds "
-        "are given as they are commonly cited; tissue properties and "
-        "thresholds are less certain than the numerics.", kind="note"))
+        "Errors are relative and cover the numerics alone. They are estimated "
+        "from the coarser run of this scene (see the section on accuracy) and "
+        "unknown without that run. Thresholds are those commonly cited; they "
+        "and the tissue properties are less certain than the numerics.",
+        kind="note"))
     return [part for part in parts if part]
 
 
@@ -154,9 +153,11 @@ def table_of(group):
     """A table of some judged measures."""
     return page.table(
         ("measure", "value and its estimated error",
-         "thresholds and their source", "verdict",
-         "what the measure does not say"),
-        [_row(entry) for entry in group], widths=(20, 14, 29, 15, 22))
+         "thresholds and their source", "verdict", "limitations"),
+        [_row(entry) for entry in group], widths=(20, 14, 29, 15, 22),
+        data=(("measure", "value", "unit", "estimated relative error",
+               "thresholds", "source", "verdict", "limitations"),
+              [_data_row(entry) for entry in group]))
 
 
 def _row(entry):
@@ -165,12 +166,21 @@ def _row(entry):
     lines.append(page.tag("small", entry.source))
     value = [page.tag("b", _shown(entry.value, entry.unit))]
     if entry.error is not None:
-        value += [page.escape("±\u00a0" + page.percent(entry.error)),
+        value += [page.escape(page.error(entry.error)),
                   page.tag("small", f"by {entry.error_of}")]
     else:
         value.append(page.tag("small", "error unknown"))
     return (entry.title, page.Html("<br>".join(value)),
             page.Html("<br>".join(lines)), _verdict(entry), entry.limits)
+
+
+def _data_row(entry):
+    """The same for the CSV file, with all digits."""
+    return (entry.title, page.Rounded("", entry.value), entry.unit,
+            "" if entry.error is None else page.Rounded("", entry.error),
+            "; ".join(f"{limit!r}: {meaning}"
+                      for limit, meaning in entry.thresholds),
+            entry.source, _verdict(entry), entry.limits)
 
 
 def _shown(value, unit):
@@ -181,7 +191,9 @@ def _shown(value, unit):
 
 def _verdict(entry):
     if not entry.thresholds:
-        return "not judged"
+        return page.tag("span", "no threshold", kind="none")
+    if not entry.has_verdict:
+        return page.tag("span", "exposure, no verdict", kind="none")
     count = entry.exceeded()
     kind = "good" if count == 0 else \
         "bad" if count == len(entry.thresholds) else "mid"
@@ -192,19 +204,3 @@ def _verdict(entry):
     note = "" if certain is None else "; the error does not change this" \
         if certain else "; a threshold lies within the error"
     return page.Html(page.tag("span", word, kind=kind) + page.escape(note))
-
-
-def _disagreement(scene, judged):
-    """A word when facet and patch make different things of the chest."""
-    here = find(judged, "chest_wall_front")
-    there = scene.measures().get("injury_chest_wall_velocity")
-    if here is None or there is None or here.value <= 0.:
-        return None
-    ratio = there.value / here.value
-    if abs(ratio - 1.) < 0.15:
-        return None
-    return page.paragraph(
-        page.tag("span", "Take care: ", kind="bad"),
-        f"the facet nearest to the chest gives {page.number(there.value)} "
-        f"m/s, the mean over the patch around it {page.number(here.value)} "
-        "m/s from the same recorded loads. This report uses the patch.")

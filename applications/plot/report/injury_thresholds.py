@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""Measures of injury: what each is called, its thresholds with their sources,
-and what it does not say."""
+"""Measures of injury: their names, thresholds with sources, and limitations."""
 
 AXELSSON = ("H. Axelsson, J. T. Yelverton, J. Trauma 40 (1996) S31–S37")
 BOWEN = ("I. G. Bowen, E. R. Fletcher, D. R. Richmond, DASA-2113 (1968)")
@@ -13,85 +12,97 @@ ZHANG = ("L. Zhang, K. H. Yang, A. I. King, J. Biomech. Eng. 126 (2004) "
 SIMON = "E. G. Takhounts et al., Stapp Car Crash J. 47 (2003), 52 (2008)"
 GOELLER = "J. Goeller et al., J. Neurotrauma 29 (2012) 1970–1981"
 BRIC = "E. G. Takhounts et al., Stapp Car Crash J. 57 (2013) 243–266"
-OTHER_MODELS = ("thresholds were found with other models of the head, and "
-                "models differ")
-WALL_LIMITS = ("a mass on a spring before one lung, of a man of 70 kg, fitted "
-               "to sheep; the bands of the source overlap and are meant for "
-               "the mean over four sides of the trunk")
+OTHER_MODELS = ("thresholds were found with other head models, and models "
+                "differ")
+WALL_LIMITS = ("model of one mass on a spring before one lung, for a man of "
+               "70 kg, fitted to sheep; the injury bands of the source overlap "
+               "and apply to the mean over four sides of the trunk")
 WALL_BANDS = [(3.6, "trace to slight"), (4.3, "slight"),
               (7.5, "slight to moderate"), (9.8, "moderate"),
-              (12.8, "extensive; more than half die")]
-# By the names of biomechanics: title, thresholds in increasing order of
-# severity with what they mean, source, what the measure does not say. Of a
-# measure that is worse when lower thresholds are negative.
+              (12.8, "extensive; lethality above 50 %")]
+# Measures of how strong the load is. Their thresholds, found for other loads,
+# give no verdict on injury.
+EXPOSURES = frozenset({"injury_intracranial_pressure_peak"})
+# By the names of biomechanics: title, an abbreviation in brackets at its end;
+# thresholds in increasing order of severity, with their meanings; source;
+# limitations. Of a measure that is worse when lower thresholds are negative.
 KNOWN = {
     "injury_intracranial_pressure_peak": (
-        "highest pressure in the brain",
+        "maximum brain pressure",
         [(173e3, "minor injury"), (235e3, "serious injury")], WARD,
-        "found for blunt impacts of milliseconds; the pressure of blasts that "
-        "are survived exceeds it: an exposure, no verdict; averaged over "
-        "neighbouring elements"),
+        "the thresholds were found for blunt impacts of several milliseconds, "
+        "and survived blasts exceed them: an exposure, no verdict; pressures "
+        "are averaged over neighbouring elements"),
     "injury_intracranial_pressure_lowest": (
-        "lowest pressure in the brain", [(-100e3, "fluid may cavitate")],
-        GOELLER, "the model does not cavitate, so that tension goes on where "
-        "a real fluid would have broken; whether a brain does is disputed"),
+        "minimum brain pressure", [(-100e3, "fluid may cavitate")],
+        GOELLER, "the model has no cavitation, so that tension continues "
+        "where fluid would have ruptured; whether a brain cavitates is "
+        "disputed"),
     "injury_cavitating_fraction": (
-        "part of the brain ever below −100 kPa",
+        "fraction of the brain ever below −100 kPa",
         [(0.072, "dilatation damage")], SIMON,
-        "made for impacts; says nothing of how long"),
+        "made for blunt impact; the duration is ignored"),
     "injury_cavitation_dose": (
-        "mean time below −100 kPa", [], "no threshold is published", ""),
+        "mean time of the brain below −100 kPa", [],
+        "no threshold is published", ""),
     "injury_pressure_roughness": (
-        "what alternates from element to element in the brain's pressure, "
-        "over its averages",
-        [(1., "only averages over neighbours mean anything")],
-        "a check of this code on itself",
-        "no injury: how much of the pressure of single elements is none"),
+        "oscillation of the brain pressure between neighbouring elements over "
+        "its averages",
+        [(1., "only averages over neighbours have a meaning")],
+        "numerical check",
+        "no injury, but the numerical error of the pressure of single "
+        "elements"),
     "injury_strain_95": (
-        "95th percentile of the largest principal strain of the brain",
-        [(0.14, "a quarter have mild injury"),
-         (0.19, "half have mild injury"), (0.24, "four fifths")], ZHANG,
+        "brain strain (95th percentile of the largest principal strain)",
+        [(0.14, "mild injury in 25 % of cases"),
+         (0.19, "mild injury in 50 % of cases"),
+         (0.24, "mild injury in 80 % of cases")], ZHANG,
         OTHER_MODELS),
     "injury_csdm_15": (
-        "part of the brain strained by more than 0.15",
-        [(0.55, "half have diffuse axonal injury")], SIMON, OTHER_MODELS),
+        "fraction of the brain strained above 0.15 (CSDM15)",
+        [(0.55, "diffuse axonal injury in 50 % of cases")], SIMON,
+        OTHER_MODELS),
     "injury_csdm_25": (
-        "part of the brain strained by more than 0.25",
-        [(0.54, "half have diffuse axonal injury")], SIMON, OTHER_MODELS),
+        "fraction of the brain strained above 0.25 (CSDM25)",
+        [(0.54, "diffuse axonal injury in 50 % of cases")], SIMON,
+        OTHER_MODELS),
     "injury_hic15": (
-        "head injury criterion, 15 ms",
+        "head injury criterion over 15 ms (HIC15)",
         [(250., "limit of NATO AEP-55"), (700., "limit of road traffic")],
         "FMVSS 208; NATO AEP-55",
-        "of the mean motion of the brain; made for blunt impact, no limit is "
-        "agreed on for blast"),
+        "computed from the mean motion of the brain; made for blunt impact; "
+        "no limit is agreed on for blast"),
     "injury_bric": (
-        "brain injury criterion", [(0.5, "mild injury possible"),
-                                   (1., "half have injury of degree 4")],
-        BRIC, "of the mean turning of the brain; made for blunt impact, said "
-        "to predict too much; the head turns on after the end of the run"),
+        "brain injury criterion (BrIC)",
+        [(0.5, "mild injury possible"), (1., "AIS 4 injury in 50 % of cases")],
+        BRIC, "computed from the mean rotation of the brain; made for blunt "
+        "impact; said to predict too many injuries; the head rotates on after "
+        "the end of the run"),
     "injury_chest_wall_velocity": (
         "chest wall velocity, facet nearest to the chest", WALL_BANDS,
         AXELSSON, WALL_LIMITS),
     "injury_chest_wall_velocity_mesh": (
-        "velocity of the skin before the chest, in the mesh", [], "this mesh",
-        "mean over 6 cm around the chest; thresholds are of the model of one "
-        "mass, not of tissue; ribs are coarse"),
+        "chest skin velocity in the mesh", [], "this mesh",
+        "mean over 6 cm around the chest; published thresholds apply to the "
+        "one-mass model, not to tissue; the mesh of the ribs is coarse"),
     "injury_lung_exposure": (
-        "pressure on the chest over that which half survive",
-        [(0.2, "lungs begin to be hurt"), (1., "half die")], BOWEN,
-        "for a simple wave and a body before no wall; duration is that of "
-        "the first positive phase on the chest"),
+        "chest load over the 50 % lethality load",
+        [(0.2, "threshold of lung injury"), (1., "50 % lethality")], BOWEN,
+        "for a simple blast wave and a body far from walls; the duration is "
+        "that of the first positive phase on the chest"),
     "chest_wall_front": (
-        "chest wall velocity, in front", WALL_BANDS, AXELSSON, WALL_LIMITS),
+        "front chest wall velocity", WALL_BANDS, AXELSSON, WALL_LIMITS),
     "chest_wall_mean": (
-        "chest wall velocity, mean of front and back", WALL_BANDS, AXELSSON,
-        WALL_LIMITS + "; arms cover the sides, which are not in the mean"),
+        "mean chest wall velocity (front and back)", WALL_BANDS, AXELSSON,
+        WALL_LIMITS + "; here the mean of front and back, since the arms cover "
+        "the sides"),
     "ear_rupture": (
-        "probability that an eardrum ruptures",
-        [(0.05, "possible"), (0.5, "likely"), (0.95, "nearly sure")],
+        "rupture probability of an eardrum",
+        [(0.05, "rupture possible"), (0.5, "rupture likely"),
+         (0.95, "rupture nearly certain")],
         RICHMOND + "; probit −12.6 + 1.524 ln p",
-        "open ear without protection; of the peak alone, while longer waves "
-        "do more"),
+        "open ear without protection; depends on the peak alone, although "
+        "longer waves injure more"),
 }
 KNOWN["lung_exposure"] = KNOWN["injury_lung_exposure"]
 

@@ -1,13 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
 """The page of a report: sections, tables and pictures in one HTML file that
-needs nothing besides itself."""
+needs nothing besides itself. Each table has a link to itself as a CSV file, which
+is in the page as well, with units in its header and all digits of numbers that
+the table rounds."""
 
 import base64
+import csv
 import html
 import io
 import math
 import os
+import re
+import struct
 
 import matplotlib.pyplot as plt
 
@@ -15,7 +20,8 @@ from plot.figures import style
 
 STYLE = """
 :root { --ink: #1d2329; --soft: #5b6570; --line: #d9dee3; --pale: #f4f6f8;
-        --accent: #0b5c8f; --bad: #a12a1c; --mid: #8a5a00; --good: #1f6b3a; }
+        --accent: #0b5c8f; --bad: #a12a1c; --mid: #8a5a00; --good: #1f6b3a;
+        --none: #5b6570; }
 * { box-sizing: border-box; }
 body { font: 16px/1.5 "Segoe UI", "DejaVu Sans", Arial, sans-serif;
        color: var(--ink); background: #fff; margin: 0 auto; max-width: 1060px;
@@ -30,6 +36,7 @@ p, li { max-width: 78ch; }
           padding: 12px 20px; margin: 16px 0; font-size: 18px; }
 .answer p { margin: 8px 0; }
 .missing, .note { color: var(--soft); }
+a.csv { font-size: 13px; color: var(--accent); }
 nav { columns: 3 220px; font-size: 14px; margin: 12px 0 0; }
 nav a { display: block; color: var(--accent); text-decoration: none; }
 table { border-collapse: collapse; width: 100%; margin: 10px 0 6px;
@@ -44,6 +51,8 @@ caption { caption-side: bottom; text-align: left; color: var(--soft);
           font-size: 13.5px; padding: 6px 0; }
 figure { margin: 16px 0 20px; }
 figure img { max-width: 100%; height: auto; display: block; }
+/* Labels of pictures stay legible where the window is narrower. */
+.picture { overflow-x: auto; }
 figcaption { color: var(--soft); font-size: 13.5px; max-width: 95ch;
              padding-top: 5px; }
 code, pre { font-family: "DejaVu Sans Mono", Consolas, monospace;
@@ -52,6 +61,7 @@ pre { background: var(--pale); padding: 10px 14px; white-space: pre-wrap; }
 .bad { color: var(--bad); font-weight: 600; }
 .mid { color: var(--mid); font-weight: 600; }
 .good { color: var(--good); font-weight: 600; }
+.none { color: var(--none); font-weight: 600; }
 details summary { cursor: pointer; color: var(--accent); }
 .paper { display: none; }
 /* On a narrow window a row stands as a card, each cell after its heading. */
@@ -60,6 +70,7 @@ details summary { cursor: pointer; color: var(--accent); }
   h1 { font-size: 25px; }
   .answer { padding: 8px 14px; font-size: 16px; }
   td, td.number { white-space: normal; overflow-wrap: anywhere; }
+  figure img { max-width: 860px; }
   .wide { display: flex; flex-direction: column; }
   .wide caption { order: 1; }
   .wide col, .wide thead { display: none; }
@@ -87,9 +98,10 @@ details summary { cursor: pointer; color: var(--accent); }
   td small { font-size: 7pt; }
   caption, figcaption { font-size: 8pt; max-width: none; }
   figure { margin: 8px 0 10px; }
-  figure img { width: auto !important; max-height: 80mm; }
+  figure img { max-width: 100%; max-height: 100mm; }
+  .picture { overflow: visible; }
   figure, tr { break-inside: avoid; }
-  nav, .screen { display: none; }
+  nav, a.csv { display: none; }
   .paper { display: inline; }
   /* Paper cannot be unfolded. */
   details.table::details-content { content-visibility: visible; }
@@ -98,8 +110,25 @@ details summary { cursor: pointer; color: var(--accent); }
 """
 
 
+# Of all pictures of a page.
+DOTS_PER_INCH = 150
+WORDS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight",
+         "nine", "ten", "eleven", "twelve")
+NAMELESS = "table.csv"  # until the section is known
+
+
 class Html(str):
     """Text that is HTML already."""
+
+
+class Rounded(str):
+    """A number as a page shows it, with the number itself and its unit, None
+    where the heading of its column has it."""
+
+    def __new__(cls, text, value, unit=None):
+        made = super().__new__(cls, text)
+        made.value, made.unit = value, unit
+        return made
 
 
 def escape(text):
@@ -132,6 +161,10 @@ def number(value, digits=3):
     """A number with some digits that count; thin spaces between thousands."""
     if value is None or (isinstance(value, float) and not math.isfinite(value)):
         return "–"
+    return Rounded(_digits(value, digits), value)
+
+
+def _digits(value, digits):
     if value == 0:
         return "0"
     size = abs(value)
@@ -151,23 +184,45 @@ def number(value, digits=3):
     return (whole + dot + rest).replace("-", "−")
 
 
+def at_least(value, is_lower_limit):
+    """A number, which may be a lower limit."""
+    return Rounded(("≥ " if is_lower_limit else "") + number(value), value)
+
+
 def count(value):
     """A whole number, thousands apart."""
     text = f"{int(value):,}".replace(",", "\u202f")
-    return text if abs(value) >= 10000 else text.replace("\u202f", "")
+    return Rounded(text if abs(value) >= 10000
+                   else text.replace("\u202f", ""), int(value))
 
 
-def percent(part):
-    """An estimated error; what is as large as the value has no digits."""
-    return "more than 100\u00a0%" if part > 1. \
-        else f"{number(100. * part, 2)}\u00a0%"
+def percent(part, digits=2):
+    """A part in per cent."""
+    return Rounded(f"{number(100. * part, digits)}\u00a0%", 100. * part, "%")
+
+
+def error(part):
+    """An estimated error; one as large as the value has no digits."""
+    return Rounded("±\u00a0" + ("more than 100\u00a0%" if part > 1.
+                                else percent(part)), 100. * part, "%")
+
+
+def joined(words):
+    """Words as a list in a sentence."""
+    words = list(words)
+    return " and ".join(filter(None, (", ".join(words[:-1]), *words[-1:])))
+
+
+def count_in_words(value):
+    """A small number in words."""
+    return WORDS[value] if value < len(WORDS) else str(value)
 
 
 def plain(value, unit):
     """A round number, as a limit, with its unit: 3.6 m/s, 173 kPa."""
     factor, shown = style.scale_unit(unit, abs(value))
     text = f"{value * factor:.4g}".replace("-", "−")
-    return f"{text}\u00a0{shown}" if shown else text
+    return Rounded(f"{text}\u00a0{shown}" if shown else text, value, unit)
 
 
 def quantity(value, unit, digits=3):
@@ -176,27 +231,69 @@ def quantity(value, unit, digits=3):
         return "–"
     factor, shown = style.scale_unit(unit, abs(value))
     text = number(value * factor, digits)
-    return f"{text}\u00a0{shown}" if shown else text
+    return Rounded(f"{text}\u00a0{shown}" if shown else text, value, unit)
 
 
 def milliseconds(seconds, digits=3):
-    return f"{number(1e3 * seconds, digits)}\u00a0ms"
+    return Rounded(f"{number(1e3 * seconds, digits)}\u00a0ms", seconds, "s")
 
 
-def table(header, rows, caption=None, numbers=(), widths=()):
-    """A table; @p numbers are the columns that are aligned to the right,
-    @p widths those of all columns in per cent. Each cell knows its heading,
-    which stands before it where the window is too narrow for columns."""
+def point(coordinates, digits=4):
+    """Coordinates as a page shows them, without brackets and unit."""
+    words = [f"{x:.{digits}g}".replace("-", "−") for x in coordinates]
+    return Rounded(", ".join(words), "; ".join(
+        repr(float(x)) for x in coordinates))
+
+
+def table(header, rows, caption=None, numbers=(), widths=(), data=None):
+    """A table and a link to it as a CSV file; @p numbers are the columns that
+    are aligned to the right, @p widths those of all columns in per cent, @p
+    data header and rows of the file where those of the table do not fit. Each
+    cell knows its heading, which stands before it where the window is too
+    narrow for columns."""
     def cells(kind, row):
         return tag("tr", *(
             tag(kind, cell, kind="number" if column in numbers else None,
-                **({"data-label": header[column]} if kind == "td" else {}))
+                **({"data-label": header[column]} if kind == "td"
+                   else {"scope": "col"}))
             for column, cell in enumerate(row)))
     parts = [tag("caption", caption)] if caption else []
     parts += [Html(f'<col style="width:{width}%">') for width in widths]
     parts += [tag("thead", cells("th", header)),
               tag("tbody", *(cells("td", row) for row in rows))]
-    return tag("table", *parts, kind="wide" if len(header) > 2 else None)
+    content = csv_text(*(data or (header, rows))).encode("utf-8")
+    link = tag("a", "CSV", kind="csv", download=NAMELESS, href="data:text/csv;"
+               "charset=utf-8;base64," + base64.b64encode(content).decode())
+    return Html(tag("table", *parts, kind="wide" if len(header) > 2 else None)
+                + link)
+
+
+def csv_text(header, rows):
+    """A table as CSV: numbers with all digits, in columns of one unit below
+    it, in others before it."""
+    titles, columns = [], []
+    for title, cells in zip(header, zip(*rows) if rows else [()] * len(header)):
+        units = {cell.unit for cell in cells if isinstance(cell, Rounded)}
+        titles.append(title)
+        columns.append([_plain(cell) for cell in cells])
+        if len(units) > 1:
+            titles.append(f"unit of {title}")
+            columns.append([getattr(cell, "unit", None) or ""
+                            for cell in cells])
+        elif any(units):
+            titles[-1] += f" [{units.pop()}]"
+    stream = io.StringIO()
+    csv.writer(stream, lineterminator="\n").writerows([titles, *zip(*columns)])
+    return stream.getvalue()
+
+
+def _plain(cell):
+    """A cell as text without HTML."""
+    if isinstance(cell, Rounded):
+        return str(cell.value)
+    if isinstance(cell, Html):
+        cell = html.unescape(re.sub("<[^>]*>", "", cell.replace("<br>", "; ")))
+    return "" if cell == "–" else str(cell).replace("\u00a0", " ")
 
 
 def folded_table(title, content):
@@ -214,22 +311,31 @@ def folded_file(title, text):
 
 def moments(times, digits=3):
     """Times [s] in words: "1.8, 2.1 and 2.5 ms"."""
-    words = [number(1e3 * time, digits) for time in times]
-    return " and ".join(filter(None, (", ".join(words[:-1]), words[-1]))) \
-        + "\u00a0ms"
+    return joined(number(1e3 * time, digits) for time in times) + "\u00a0ms"
 
 
-def figure(picture, description, caption, kind="png", width=None):
+def figure(picture, description, caption, kind="png"):
     """A matplotlib figure, or the bytes of a PNG picture, with its caption.
     @p description says what is to be seen to those who cannot see it. Lines
     are best as "svg", pictures with many colours as "png"."""
     content = picture if isinstance(picture, bytes) else render(picture, kind)
     form = "image/svg+xml" if kind == "svg" else "image/png"
     data = base64.b64encode(content).decode("ascii")
+    width = _natural_width(content)
     image = Html(f'<img src="data:{form};base64,{data}" '
                  f'alt="{html.escape(description, quote=True)}"'
                  + (f' style="width:{width}"' if width else "") + ">")
-    return tag("figure", image, tag("figcaption", caption))
+    return tag("figure", tag("div", image, kind="picture"),
+               tag("figcaption", caption))
+
+
+def _natural_width(content):
+    """Of a PNG picture, at which points of its fonts are points; None of
+    others, which have their own."""
+    if not content.startswith(b"\x89PNG"):
+        return None
+    dots, = struct.unpack(">I", content[16:20])
+    return f"{96. * dots / DOTS_PER_INCH:.0f}px"
 
 
 def render(picture, kind):
@@ -237,7 +343,7 @@ def render(picture, kind):
     stream = io.BytesIO()
     options = {"pil_kwargs": {"optimize": True}} if kind == "png" else {}
     picture.savefig(stream, format=kind, bbox_inches="tight",
-                    dpi=120, **options)
+                    dpi=DOTS_PER_INCH, **options)
     plt.close(picture)
     return stream.getvalue()
 
@@ -269,8 +375,8 @@ class Page:
         for index, (name, parts) in enumerate(self.sections, 1):
             anchor = f"section-{index}"
             links.append(tag("a", f"{index}  {name}", href=f"#{anchor}"))
-            body.append(tag("section", tag("h2", f"{index}  {name}"), *parts,
-                            id=anchor))
+            body.append(_name_files(name, tag(
+                "section", tag("h2", f"{index}  {name}"), *parts, id=anchor)))
         head = Html('<head><meta charset="utf-8"><meta name="viewport" '
                     'content="width=device-width, initial-scale=1">'
                     f"<title>{html.escape(self.title)}</title>"
@@ -278,8 +384,20 @@ class Page:
         return "<!DOCTYPE html>\n" + tag(
             "html", head,
             tag("body", tag("h1", self.title),
-                paragraph(self.subtitle, kind="sub"), *self.lead,
-                tag("nav", *links), *body), lang="en") + "\n"
+                paragraph(self.subtitle, kind="sub"), tag(
+                    "main", *self.lead, tag("nav", *links), *body)),
+            lang="en") + "\n"
+
+
+def _name_files(section, content):
+    """Names the CSV files of a section after it."""
+    name = re.sub(r"[^a-z0-9]+", "_", section.lower()).strip("_")
+    parts = content.split(f'download="{NAMELESS}"')
+    names = [name] if len(parts) == 2 else [
+        f"{name}_{number}" for number in range(1, len(parts))]
+    return Html(parts[0] + "".join(
+        f'download="{file}.csv"{part}' for file, part in zip(names,
+                                                             parts[1:])))
 
 
 def write_page(folder, text):

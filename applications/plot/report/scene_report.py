@@ -14,7 +14,7 @@ def build(scene):
     judged = injury_table.judge(scene)
     parts.open_with(headline.answer(scene, judged))
     parts.section("The scene", *scene_sections.section(scene))
-    parts.section("What happens when", *scene_sections.timeline(scene))
+    parts.section("Events over time", *scene_sections.timeline(scene))
     parts.section("Pressure in the air", *blast_sections.air(scene))
     parts.section("Pressure on the skin", *blast_sections.skin(scene))
     parts.section("Histories on the skin", *blast_sections.histories(scene))
@@ -33,7 +33,7 @@ def build(scene):
         parts.section("Energy of the body", *body_sections.energy(scene))
     parts.section("Conservation of the gas",
                   *blast_sections.conservation(scene))
-    parts.section("What was taken for granted", *accuracy.plan(scene))
+    parts.section("Assumptions", *accuracy.plan(scene))
     parts.section("Accuracy", *accuracy.statement(scene, judged))
     parts.section("The body's mesh", *body_sections.mesh(scene))
     parts.section("Cost", *accuracy.cost(scene))

@@ -29,27 +29,34 @@ def facts(scene):
 
     mass, place = scene.charge_mass(), scene.charge_place()
     if mass is not None:
-        add("charge", f"{page.quantity(mass, 'kg', 4)} of "
-            f"{scene.explosive().upper()}")
+        add("charge", page.Rounded(
+            f"{page.quantity(mass, 'kg', 4)} of {scene.explosive().upper()}",
+            mass, f"kg of {scene.explosive().upper()}"))
     if place is not None:
-        add("its centre", "(" + ", ".join(f"{x:.4g}" for x in place) + ") m")
+        shown = page.point(place)
+        add("centre of the charge",
+            page.Rounded(f"({shown}) m", shown.value, "m"))
     for name, key, unit in (("distance to the body", "distance", "m"),
                             ("height above ground", "height", "m")):
         if scene.fact(key) is not None:
             add(name, page.quantity(scene.fact(key), unit, 4))
     add("body", scene.facts.get("body"))
-    add("plane of symmetry", scene.facts.get("symmetry"))
+    symmetry = scene.facts.get("symmetry")
+    add("plane of symmetry", f"{symmetry} = 0" if symmetry in ("x", "y", "z")
+        else symmetry)
     if scene.fact("end_time") is not None:
-        add("followed until", page.milliseconds(scene.fact("end_time")))
+        add("end of the run", page.milliseconds(scene.fact("end_time")))
     add("question", scene.facts.get("question"))
     add("accuracy", scene.facts.get("accuracy"))
     if scene.cell_size():
-        add("gas cells at the skin",
-            f"{page.number(1e3 * scene.cell_size())} mm")
+        add("gas cells at the skin", _millimetres(scene.cell_size()))
     if scene.element_size():
-        add("elements of the body",
-            f"{page.number(1e3 * scene.element_size())} mm")
-    return page.table(("what", "value"), rows)
+        add("elements of the body", _millimetres(scene.element_size()))
+    return page.table(("item", "value"), rows)
+
+
+def _millimetres(size):
+    return page.Rounded(f"{page.number(1e3 * size)} mm", size, "m")
 
 
 def section(scene):
@@ -58,8 +65,8 @@ def section(scene):
     remarks = [_sentence(str(remark))
                for remark in scene.facts.get("remarks") or []]
     if scene.facts.get("body") == "image":
-        remarks.append("The body is what the images hold: where they end it "
-                       "is cut off, and the blast passes there, too.")
+        remarks.append("The body ends where the images end, and the blast "
+                       "passes there as well.")
     if remarks:
         parts.append(page.bullets(remarks))
     if scene.charge_place() is None:
@@ -67,14 +74,14 @@ def section(scene):
                                   "can be drawn"))
         return parts
     ways = "" if _target(scene) is None else (
-        "The line to the charge is the way of the direct wave, the bent one "
-        "that of its reflection by the ground to the same place. ")
+        "The solid line is the path of the direct wave to the body, the dashed "
+        "line the path of its reflection by the ground to the same place. ")
     parts.append(page.figure(
         _draw(scene), f"Drawing of the {scene.explosive().upper()} charge, "
         f"{page.quantity(float(scene.charge_place()[2]), 'm')} above the "
         "ground, and of the body before it, seen from the side.",
-        f"The scene from the side, to scale. {ways}In grey: the "
-        "body as the gas met it.", "svg", "92%"))
+        f"The scene from the side, to scale. {ways}Grey: the "
+        "skin that the blast loads.", "svg"))
     return parts
 
 
@@ -186,7 +193,8 @@ def _hand_overs(scene):
         r"first stage ends at (\S+) s with its front at (\S+) m",
         scene.blast.log())
     return [Event("air", f"front {float(radius):.2f} m from the charge",
-                  float(time), detail="a stage in fewer dimensions ends")
+                  float(time), detail="end of a first stage in fewer "
+                  "dimensions")
             for time, radius in found]
 
 
@@ -196,17 +204,17 @@ def _skin_events(scene):
     if gauges is None:
         return found
     time = gauges["time"]
-    for name in gauges.others("time"):
-        phase = signals.positive_phase(time, gauges[name])
-        if phase is None:
+    for name, measures in scene.gauge_measures().items():
+        if measures["peak"] <= 0. or name not in gauges:
             continue
-        first, second = signals.find_peaks(time, gauges[name])
-        peak = page.quantity(float(gauges[name].max()), "Pa")
+        _, second = signals.find_peaks(time, gauges[name])
         found.append(Event(
-            "skin", name, phase[0], phase[1],
+            "skin", name, measures["arrival"],
+            measures["arrival"] + measures["positive phase"],
             None if second is None else float(time[second]),
-            f"peak {peak}, impulse {page.quantity(phase[2], 'Pa s')}"))
-        found[-1].is_cut = signals.is_cut(time, gauges[name], phase)
+            f"peak {page.quantity(measures['peak'], 'Pa')}, impulse "
+            + page.quantity(measures["impulse"], "Pa s")))
+        found[-1].is_cut = signals.is_cut(time, measures)
     return sorted(found, key=lambda event: event.begin)
 
 
@@ -225,9 +233,9 @@ def _tissue_events(scene):
         largest = int(np.argmax(np.where(near, np.abs(values), 0.)))
         found.append(Event(
             "tissue", place.title(), begin, None, float(time[largest]),
-            f"{page.quantity(float(values[largest]), 'Pa')} then; from "
+            f"{page.quantity(float(values[largest]), 'Pa')} then; "
             f"{page.quantity(float(values.min()), 'Pa')} to "
-            f"{page.quantity(float(values.max()), 'Pa')} in the whole run"))
+            f"{page.quantity(float(values.max()), 'Pa')} over the whole run"))
     return sorted(found, key=lambda event: event.begin)
 
 
@@ -249,35 +257,42 @@ def timeline(scene):
             if event.mark is not None:
                 text += f", second front at {page.milliseconds(event.mark)}"
             text += ", positive phase " + (
-                "goes on at the end of the run" if event.is_cut else
+                "continues at the end of the run" if event.is_cut else
                 f"ends at {page.milliseconds(event.end)}")
         elif event.lane == "tissue":
-            text = (f"{event.what}: pressure sets in, largest of the first "
-                    f"waves at {page.milliseconds(event.mark)}")
+            text = (f"{event.what}: pressure begins, first waves are largest "
+                    f"at {page.milliseconds(event.mark)}")
         else:
             text = event.what
         rows.append((page.milliseconds(event.begin), text, event.detail))
-    caption = "What happens when, from the detonation on. "
+    caption = "Events since the detonation. "
     lanes = {event.lane for event in found}
     if "skin" in lanes:
-        caption += ("Bars: positive phases on the skin; triangles: the second "
-                    "front there, which the ground or the body itself has "
-                    "reflected. ")
+        caption += ("Bars: positive phases on the skin; triangles: second "
+                    "front, reflected by the ground or by the body. ")
     if "tissue" in lanes:
-        caption += ("Lines in the tissue go from the onset of pressure to its "
-                    "largest value, of either sign, within 2.5 ms. ")
+        caption += ("Lines: from the onset of pressure in the tissue to its "
+                    "largest absolute value within 2.5 ms. ")
     return [page.figure(
-        _draw_timeline(found), "Chart of what happens when, from "
+        _draw_timeline(found), "Chart of events on a time axis, one row for "
+        "each place on the skin and in the tissue, from "
         f"{page.milliseconds(min(event.begin for event in found))} to "
         + page.milliseconds(max(event.end or event.mark or event.begin
                                 for event in found))
-        + "; all of it is in the table below.", caption + "Dotted lines: (a) "
+        + "; the table below lists them.", caption + "Dotted lines: (a) "
         + "; ".join(f"({'abcdefgh'[i + 1]}) {event.what}" if i >= 0 else
                     event.what for i, event in enumerate(
                         (event for event in found if event.lane == "air"),
                         -1)) + ".", "svg"),
         page.folded_table("All events as a table", page.table(
-            ("time", "what", "how much"), rows, numbers=(0,)))]
+            ("time", "event", "values"), rows, numbers=(0,), data=(
+                ("place", "medium", "begin [s]", "end of the positive phase "
+                 "[s]", "second front or largest pressure [s]", "values"),
+                [(event.what, event.lane, *(
+                    "" if time is None else page.Rounded("", time) for time in
+                    (event.begin, None if event.is_cut else event.end,
+                     event.mark)), event.detail)
+                 for event in sorted(found, key=lambda event: event.begin)])))]
 
 
 def _draw_timeline(found):
