@@ -198,7 +198,7 @@ class DamageTest(unittest.TestCase):
                 value = whole
                 for key in path:
                     value = value[key]
-                for kind, wrong in WRONG.items():
+                for kind, wrong in WRONG.items() if value is not None else ():
                     # These may be numbers or objects.
                     either = path[0] == "assumptions" and len(path) == 2 \
                         and kind in ("number", "object")
