@@ -298,7 +298,7 @@ def timeline(scene):
 def _draw_timeline(found):
     last = max(event.end or event.mark or event.begin for event in found)
     rows = [event for event in found if event.lane != "air"]
-    figure, axis = plt.subplots(figsize=(9., 0.29 * len(rows) + 1.5))
+    figure, axis = plt.subplots(figsize=(9., 0.25 * len(rows) + 1.3))
     for row, event in enumerate(rows):
         if event.lane == "skin":
             axis.barh(row, 1e3 * (event.end - event.begin),
