@@ -14,7 +14,7 @@ import browser
 
 WIDTHS = (1200, 920, 800, 400)
 # Of a page's height, above its lowest mark; the last page may end anywhere.
-LEAST_FILL = 0.45
+LEAST_FILL = 0.5
 LEAST_MEAN_FILL = 0.75
 
 # Of its own size in points, below which a picture's labels of 10 points are

@@ -22,6 +22,7 @@ import unittest.mock
 import numpy as np
 
 import damage_test
+import labels
 import tiny_scene
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(
@@ -249,6 +250,38 @@ class ReportTest(unittest.TestCase):
         self.assertEqual([len(found) for found in limits[1::2]],
                          [2, times, times])
         for figure in figures:
+            style.plt.close(figure)
+
+    def test_labels(self):
+        """They are of 8 points at least and overlap nothing, with as many
+        places and times as with the phantom."""
+        folder = self.copy_without()
+        tiny_scene.crowd(folder)
+        found, figures = [], []
+
+        def judge(figure, other):
+            found.extend(labels.faults(figure))
+            figures.append(figure)
+            return damage_test.draw_nothing(
+                figure, io.BytesIO() if isinstance(other, str) else other) \
+                or b"picture"
+
+        with unittest.mock.patch.object(style, "save", judge), \
+                unittest.mock.patch.object(html_page, "render", judge), \
+                contextlib.redirect_stdout(io.StringIO()):
+            self.assertEqual(command_line.run("plot.py", ["report", folder]),
+                             0)
+        self.assertEqual(found, [])
+        self.assertEqual(len(figures), 14)
+
+    def test_faults_of_labels_are_found(self):
+        style.set_up()
+        for width, second, faults in ((8., 0.8, 0), (8., 0.52, 1),
+                                      (16., 0.8, 14)):
+            figure, axis = style.plt.subplots(figsize=(width, 3.))
+            for place, words in ((0.5, "one"), (second, "two")):
+                axis.text(place, 0.5, words)
+            self.assertEqual(len(labels.faults(figure)), faults)
             style.plt.close(figure)
 
     def test_numbers(self):

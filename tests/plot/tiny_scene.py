@@ -127,12 +127,22 @@ def write_blast(folder):
     steps = np.arange(len(TIMES))
     write_table(os.path.join(folder, "history.csv"), {
         "step": steps, "time [s]": TIMES, "mass [kg]": 186. - steps / 6.})
-    write_table(os.path.join(folder, "load_gauges.csv"), {
-        "time [s]": TIMES, **{f"{name} [Pa]": pulse(TIMES, place[3])
-                              for name, place in GAUGES.items()}})
+    write_gauges(folder, GAUGES)
     write_gauge_tables(folder)
     write_loads(os.path.join(folder, "loads.h5"))
-    for number, time in enumerate((1.5e-3, 2.5e-3)):
+    write_planes(folder, (1.5e-3, 2.5e-3))
+
+
+def write_gauges(folder, gauges):
+    """Histories of gauges."""
+    write_table(os.path.join(folder, "load_gauges.csv"), {
+        "time [s]": TIMES, **{
+            f"{name} [Pa]": pulse(TIMES, peak) for name, (_, _, _, peak)
+            in gauges.items()}})
+
+
+def write_planes(folder, times):
+    for number, time in enumerate(times):
         write_plane(os.path.join(folder, "fields",
                                  f"plane_y_0_pressure_{number:04d}"), time)
 
@@ -189,11 +199,7 @@ def write_plane(stem, time):
 
 
 def write_biomechanics(folder):
-    write(os.path.join(folder, "parameters.prm"),
-          "subsection Probes\n  set Points = " + "; ".join(
-              ", ".join(str(x) for x in place) for place in PROBES.values())
-          + "\nend\nsubsection Loads\n  subsection Recorded\n    "
-          "set Mirror = y\n  end\nend\n")
+    write_probes(folder, PROBES)
     write(os.path.join(folder, "summary.json"), json.dumps({
         "application": "biomechanics", "version": "0.1.0",
         "status": "finished", "cells": 64, "steps": 240,
@@ -209,13 +215,6 @@ def write_biomechanics(folder):
         "external_work [J]": work, "kinetic_energy [J]": 0.7 * work,
         "stored_energy [J]": 0.3 * work, "energy_residual [J]": 0. * work,
         "internal_energy_brain [J]": 0.1 * work})
-    columns = {"time [s]": TIMES}
-    for number in range(1, len(PROBES) + 1):
-        values = pulse(TIMES, 6e5 / number, 1e-4 * number)
-        for quantity in QUANTITIES:
-            scale = 1. if "[Pa]" in quantity else 1e-8
-            columns[f"probe_{number}_{quantity}"] = scale * values
-    write_table(os.path.join(folder, "probes.csv"), columns)
     write(os.path.join(folder, "injury.csv"),
           "measure,value,unit,threshold,limits\n" + "".join(
               f'{name},{value!r},{unit},"",""\n'
@@ -223,9 +222,25 @@ def write_biomechanics(folder):
     write_fields(folder)
 
 
-def write_fields(folder):
+def write_probes(folder, probes):
+    """Their places in the parameter file, and their histories."""
+    write(os.path.join(folder, "parameters.prm"),
+          "subsection Probes\n  set Points = " + "; ".join(
+              ", ".join(str(x) for x in place) for place in probes.values())
+          + "\nend\nsubsection Loads\n  subsection Recorded\n    "
+          "set Mirror = y\n  end\nend\n")
+    columns = {"time [s]": TIMES}
+    for number in range(1, len(probes) + 1):
+        values = pulse(TIMES, 6e5 / number, 1e-4 * number)
+        for quantity in QUANTITIES:
+            scale = 1. if "[Pa]" in quantity else 1e-8
+            columns[f"probe_{number}_{quantity}"] = scale * values
+    write_table(os.path.join(folder, "probes.csv"), columns)
+
+
+def write_fields(folder, times=(0., 2e-3, 4e-3)):
     listed = []
-    for number, time in enumerate((0., 2e-3, 4e-3)):
+    for number, time in enumerate(times):
         name = f"fields/solid_{number:04d}.vtu"
         write_mesh(os.path.join(folder, name), 1e6 * time)
         listed.append(f'<DataSet timestep="{time}" group="" part="0" '
@@ -286,6 +301,39 @@ def write_all(folder):
     write_biomechanics(os.path.join(folder, "biomechanics"))
     write_anatomy(os.path.join(folder, "anatomy"))
     write_coarser(folder)
+
+
+# As many places as a scene with the phantom has, some of them close together.
+CROWD = {"forehead": (0.09, 0., 1.7, 5e5), "eye": (0.09, 0.03, 1.66, 6.2e5),
+         "vertex": (0., 0., 1.72, 2.4e5), "temple": (0.04, 0.07, 1.67, 2.9e5),
+         "left ear": (0., 0.08, 1.65, 1.75e5),
+         "occiput": (-0.09, 0., 1.66, 3.1e5), "chest": (0.12, 0., 1.3, 9e5),
+         "left side": (0., 0.12, 1.25, 2.6e5), "back": (-0.12, 0., 1.25, 2e5),
+         "abdomen": (0.12, 0., 1.1, 8.2e5), "thigh": (0.12, 0.05, 0.7, 6e5),
+         "shin": (0.12, 0.05, 0.3, 4.1e5), "calf": (-0.12, 0.05, 0.3, 1.1e5)}
+CROWDED_PROBES = {
+    "coup": (0.07, 0., 1.66), "contrecoup": (-0.07, 0., 1.66),
+    "brain": (0., 0.02, 1.62), "skull": (0.09, 0., 1.66),
+    "spinal cord": (-0.04, 0., 1.52), "lung left": (0., 0.08, 1.28),
+    "lung right": (0., -0.08, 1.28), "heart": (0.03, 0.02, 1.22),
+    "liver": (0.03, -0.05, 1.1)}
+
+
+def crowd(folder):
+    """As many places and times in a scene as in one with the phantom."""
+    blast = os.path.join(folder, "blast")
+    write_gauges(blast, CROWD)
+    write_loads(os.path.join(blast, "loads.h5"), CROWD)
+    write_planes(blast, np.linspace(1e-3, 4e-3, 9))
+    solid = os.path.join(folder, "biomechanics")
+    write_fields(solid, np.linspace(1.5e-3, 5e-3, 12))
+    write_probes(solid, CROWDED_PROBES)
+    path = os.path.join(folder, "scene.json")
+    with open(path, encoding="utf-8") as file:
+        facts = json.load(file)
+    facts["tissue_places"] = [{"name": name, "place": place} for name, place
+                              in CROWDED_PROBES.items()]
+    write(path, json.dumps(facts))
 
 
 # The coarser run's values over those of the scene.

@@ -26,8 +26,8 @@ def draw_pressures(panels, head_only, path):
     columns = min(4, len(panels)) if head_only else len(panels)
     rows = -(-len(panels) // columns)
     figure, axes = plt.subplots(
-        rows, columns, figsize=(3. * columns, 3.2 * rows) if head_only
-        else (1.6 * columns, 6.), squeeze=False)
+        rows, columns, figsize=(2.5 * columns, 2.7 * rows) if head_only
+        else (1.25 * columns, 5.2), squeeze=False)
     for axis in axes.flat:
         axis.set_axis_off()
     for axis, (time, shape, values) in zip(axes.flat, panels):

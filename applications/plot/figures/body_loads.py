@@ -123,14 +123,14 @@ def _draw_body(figure, axis, views, values, norm, colours, unit, limits,
                                  views.extent()[1]))
     for name, place in views.labels():
         axis.annotate(name, (place, 0.), (0, -4), textcoords="offset points",
-                      ha="center", va="top", fontsize=8, color=style.GREY)
+                      ha="center", va="top", fontsize=9, color=style.GREY)
     if not has_bar:
         return
     bar = figure.colorbar(
         plt.cm.ScalarMappable(norm, colours),
         cax=axis.inset_axes([1.02, 0.05, 0.025, 0.9]))
     bar.set_label(unit, fontsize=9)
-    bar.ax.tick_params(labelsize=8)
+    bar.ax.tick_params(labelsize=9)
     if limits is not None and limits[1] > limits[0]:
         bar.ax.set_ylim(*limits)
     if isinstance(norm, LogNorm):
@@ -149,13 +149,13 @@ def gauges_figure(gauges, loads, views):
     names = gauges.others("time")
     columns = min(len(names), 2 if len(names) < 5 else 3)
     rows = -(-len(names) // columns)
-    width = 3.1 * columns
+    width = 2.6 * columns
     figure = plt.figure(
-        figsize=(width + 2.6 * (views is not None),
+        figsize=(width + 2.4 * (views is not None),
                  max(1.45 * rows, 3.) + 0.9))
     part = figure
     if views is not None:
-        body, part = figure.subfigures(1, 2, width_ratios=[2.6, width])
+        body, part = figure.subfigures(1, 2, width_ratios=[2.4, width])
         _draw_places(body, loads, views, names)
     axes = part.subplots(rows, columns, squeeze=False, sharex=True)
     for axis in axes.flat[len(names):]:
@@ -202,7 +202,7 @@ def _draw_history(axis, gauges, name, colour):
         axis.annotate(f"{place[1]:.3g} at {place[0]:.3g}", place,
                       (-6 if is_late else 6, -drop),
                       textcoords="offset points",
-                      fontsize=8, ha="right" if is_late else "left")
+                      fontsize=9, ha="right" if is_late else "left")
     axis.set_ylabel(unit)
     axis.margins(y=0.15)
 

@@ -65,7 +65,7 @@ def draw_planes(planes, path, one_scale=False):
     rows = -(-len(picked) // columns)
     width = planes[0].upper[0] - planes[0].lower[0]
     height = planes[0].upper[1] - planes[0].lower[1]
-    side = 8. if columns == 1 else 4.4
+    side = 8. if columns == 1 else 3.3
     panel = np.clip((side - 1.) * height / width, 1.2, 8.)
     figure, axes = plt.subplots(
         rows, columns, squeeze=False, sharex=True, sharey=True,

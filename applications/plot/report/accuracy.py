@@ -12,6 +12,7 @@ from plot.report import error_estimate, injury_thresholds, page
 
 KNOWN = os.path.join(os.path.dirname(os.path.abspath(__file__)),
                      "known_differences.csv")
+PLAN_WIDTHS = (10, 17, 19, 9, 9, 10, 7, 19)
 BODY, SKIN = "Mesh/Element size", "cells at the skin"
 
 
@@ -49,8 +50,8 @@ def plan(scene):
             ("item", "assumption", "quantity", "estimate before", "found after",
              "limit", "holds", "entry that changes it"),
             [_planned(row) for row in audited],
-            "A dash stands for a value that is unknown or a limit that does "
-            "not exist; items without either are not judged."))
+            "A dash stands for an unknown value or for no limit; such items "
+            "are not judged.", widths=PLAN_WIDTHS))
     elif scene.list_of("plan"):
         parts.append(page.table(
             ("item", "assumption", "quantity", "estimate before",
@@ -76,7 +77,7 @@ def audit_table(stage, told=()):
     return page.table(
         ("item", "assumption", "quantity", "estimate", "measured", "limit",
          "holds", "entry that changes it"),
-        rows, numbers=(3, 4)) if rows else None
+        rows, numbers=(3, 4), widths=PLAN_WIDTHS) if rows else None
 
 
 def _planned(row):

@@ -112,7 +112,7 @@ def _peaks(scene):
 
 def _draw_peaks(found):
     figure, axes = plt.subplots(1, len(found), squeeze=False,
-                                figsize=(3. * len(found), 3.))
+                                figsize=(2.5 * len(found), 2.6))
     for axis, (title, unit, is_signed, polygons, values) in zip(axes.flat,
                                                                 found):
         low = max(polygons[:, :, 1].max() - 0.3, polygons[:, :, 1].min())
@@ -210,8 +210,7 @@ def histories(scene):
         ("place", "x, y, z [m]", "maximum pressure [kPa]",
          "minimum pressure [kPa]", "von Mises stress [kPa]",
          "largest strain [%]", "displacement [mm]"), rows,
-        "Largest values over the run, in single elements.",
-        numbers=range(2, 7)))
+        "Extremes over the run, in single elements.", numbers=range(1, 7)))
     return parts
 
 

@@ -22,9 +22,10 @@ def answer(scene, judged):
     if len(sentences) == 1:
         sentences.append("The injury is unknown: the scene has neither loads "
                          "on the skin nor measures of injury.")
-    return page.tag("div", *(page.paragraph(text) for text in
-                             (" ".join(sentences), _certainty(scene, judged))
-                             if text), kind="answer")
+    certainty = _certainty(scene, judged)
+    return page.tag("div", page.paragraph(" ".join(sentences)),
+                    *([page.bullets(certainty)] if certainty else []),
+                    kind="answer")
 
 
 def _opening(scene):
@@ -99,7 +100,7 @@ def _brain(judged):
 
 
 def _certainty(scene, judged):
-    """How sure the answer is."""
+    """How sure the answer is, a sentence each."""
     parts = _verdicts(judged) + _free_air(scene) + _afterburn(scene)
     parts += _energy(scene) + _limits(scene) + _cut_phases(scene)
     if any(entry.name == "injury_strain_95" for entry in judged):
@@ -120,7 +121,7 @@ def _certainty(scene, judged):
     if failed:
         parts.append("The scene is not complete: " + page.joined(
             str(name) for name in failed) + " failed.")
-    return " ".join(parts)
+    return parts
 
 
 def _verdicts(judged):

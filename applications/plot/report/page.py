@@ -34,7 +34,8 @@ p, li { max-width: 78ch; }
 .sub { color: var(--soft); margin: 0 0 18px; }
 .answer { background: var(--pale); border-left: 5px solid var(--accent);
           padding: 12px 20px; margin: 16px 0; font-size: 18px; }
-.answer p { margin: 8px 0; }
+.answer p, .answer ul { margin: 8px 0; }
+.answer ul { padding-left: 22px; font-size: 16px; }
 .missing, .note { color: var(--soft); }
 a.csv { font-size: 13px; color: var(--accent); }
 nav { columns: 3 220px; font-size: 14px; margin: 12px 0 0; }
@@ -93,12 +94,13 @@ details summary { cursor: pointer; color: var(--accent); }
   h2, h3 { break-after: avoid; }
   p, li { max-width: none; orphans: 3; widows: 3; margin-block: 5px; }
   .answer { font-size: 10.5pt; padding: 6px 14px; }
+  .answer ul { font-size: 9.5pt; }
   table { font-size: 8pt; }
   th, td { padding: 3px 5px; }
   td small { font-size: 7pt; }
   caption, figcaption { font-size: 8pt; max-width: none; }
   figure { margin: 8px 0 10px; }
-  figure img { max-width: 100%; max-height: 100mm; }
+  figure img { max-width: 100%; max-height: 110mm; }
   .picture { overflow: visible; }
   figure, tr { break-inside: avoid; }
   nav, a.csv { display: none; }

@@ -14,7 +14,8 @@ SOURCE = ("X. G. Tan, R. N. Saunders, A. Bagchi: Coupled modeling for "
           "PROBLEMS 2017")
 HEAD = ("forehead", "vertex", "occiput", "eye", "temple", "ear")
 CAVITATION = -1e5
-AGREES, PARTLY, DIFFERS, OPEN = "agrees", "partly", "differs", "not told"
+FIRST_WAVES = 2.5e-3  # s, from the onset of pressure at the coup on
+AGREES, PARTLY, DIFFERS, OPEN = "agrees", "partly", "differs", "open"
 
 
 class Statement:
@@ -57,17 +58,17 @@ def counted(statements, where):
     """How many statements agree, in a sentence."""
     count = {verdict: sum(entry.verdict == verdict for entry in statements)
              for verdict in (AGREES, PARTLY, DIFFERS, OPEN)}
-    return (f"Of {len(statements)} statements of its {where}, "
-            f"{count[AGREES]} agree with this run, {count[PARTLY]} in part, "
-            f"{count[DIFFERS]} do not, and {count[OPEN]} cannot be told from "
-            "it. What was found is computed from this run's tables.")
+    return (f"This run agrees with {count[AGREES]} of {len(statements)} "
+            f"statements of its {where} and partly with {count[PARTLY]}; it "
+            f"differs from {count[DIFFERS]}, and {count[OPEN]} cannot be judged "
+            "from it. Findings are computed from the tables of this run.")
 
 
 def table(statements):
     """Each statement beside what was found."""
     kinds = {AGREES: "good", PARTLY: "mid", DIFFERS: "bad", OPEN: "note"}
     return page.table(
-        ("as published", "as found here", "verdict",
+        ("as published", "in this run", "verdict",
          "likely reason of the difference"),
         [(f"“{entry.quote}”", entry.found,
           page.tag("span", entry.verdict, kind=kinds[entry.verdict]),
@@ -146,8 +147,8 @@ def _head(scene, gauges):
         f"forehead {_kpa(peak['forehead'])}; " + ", ".join(
             f"{name} {_kpa(value)}" for name, value in others.items()),
         AGREES if not larger else PARTLY,
-        "" if not larger else "hollows as " + " and ".join(larger)
-        + " hold the wave and have more; a smooth head has none"))
+        "" if not larger else "concave places, here " + page.joined(larger)
+        + ", reflect the wave repeatedly; a smooth head has none"))
     found += _rear(gauges, peak)
     found += _incident(scene, peak)
     found += _ground(scene, gauges)
@@ -187,10 +188,10 @@ def _rear(gauges, peak):
         "front", text,
         AGREES if agrees else PARTLY if ear and behind > peak[ear]
         else DIFFERS,
-        "" if agrees else "it depends on the place called temple: what lies "
-        "before the middle of the head still sees the incident wave, what "
-        "lies behind it, as the ear, does not; waves from both sides meet at "
-        "the rear")]
+        "" if agrees else "the published place of the temple is unknown: in "
+        "front of the middle of the head the incident wave acts, behind it, "
+        "as at the ear, the diffracted wave alone; diffracted waves from both "
+        "sides meet at the rear")]
 
 
 def _incident(scene, peak):
@@ -204,7 +205,7 @@ def _incident(scene, peak):
     return [Statement(
         "The peak pressure at the temple is similar to the incident peak "
         "pressure",
-        f"temple {_kpa(peak[temple])}; beside him {_kpa(side_on)}"
+        f"temple {_kpa(peak[temple])}; incident {_kpa(side_on)}"
         + (f", Kingery and Bulmash {_kpa(known)}" if known else ""),
         AGREES if abs(ratio - 1.) < 0.25 else DIFFERS,
         "" if abs(ratio - 1.) < 0.25 else "the skin is not parallel to the "
@@ -237,7 +238,7 @@ def _ground(scene, gauges):
 
 
 def _places(scene, gauges):
-    """Order of arrival, hollows, the lower leg."""
+    """Order of arrival, concave places, the lower leg."""
     known = {name: measures for name, measures
              in scene.gauge_measures().items() if measures["peak"] > 0.}
     names = list(known)
@@ -265,7 +266,7 @@ def _places(scene, gauges):
             f"{_kpa(peak['forehead'])}, throat {_kpa(peak['throat'])} against "
             f"chest {_kpa(peak['chest'])}",
             AGREES if all(higher) else PARTLY if any(higher) else DIFFERS,
-            "" if all(higher) else "the hollow is shallow, and farther from "
+            "" if all(higher) else "the concave place is shallow and farther from "
             "the charge"))
     shin = next((name for name in names if name.endswith("shin")), None)
     if shin:
@@ -287,8 +288,8 @@ def _leg(time, gauges, shin):
         "The high pressure on the lower leg was caused by the ground "
         "reflection", text, AGREES if second_is_higher else
         PARTLY if both else OPEN,
-        "" if second_is_higher else "only one front was found: it is a Mach "
-        "stem, or cells do not part the two" if not both else "")
+        "" if second_is_higher else "only one front was found: a Mach stem, "
+        "or cells too coarse to resolve both" if not both else "")
 
 
 def _body(scene, probes):
@@ -297,16 +298,19 @@ def _body(scene, probes):
     found = _soft_and_stiff(scene)
     found += _first_struck(places, probes)
     coup = tissue_places.named(places, ", coup")
-    if coup is not None:
-        values = np.abs(probes[coup.column + "pressure"])
-        top = int(np.argmax(values))
+    begin = None if coup is None else signals.arrival(
+        probes["time"], probes[coup.column + "pressure"])
+    if begin is not None:
+        first = probes["time"] <= begin + FIRST_WAVES
+        top = int(np.argmax(np.abs(
+            probes[coup.column + "pressure"][first])))
         shift = max(np.sqrt(sum(
             probes[f"{place.column}displacement_{axis}"][top] ** 2
             for axis in "xyz")) for place in places)
         found.append(Statement(
             "The high-amplitude stress wave propagated inside the human "
             "body prior to any visible displacement of human body",
-            "pressure at the coup is largest at "
+            "the first waves at the coup are largest at "
             f"{page.milliseconds(float(probes['time'][top]))}; no probe has "
             f"moved by more than {page.quantity(float(shift), 'm')} then",
             AGREES if shift < 5e-3 else DIFFERS))
@@ -320,8 +324,8 @@ def _body(scene, probes):
             f"{page.milliseconds(shift[1])}, in "
             + tissue_places.NAMES.get(shift[2], "other tissue"),
             AGREES if few else PARTLY if 1e-3 < shift[0] < 0.1 else DIFFERS,
-            "" if few else "the softest parts move most; the body "
-            "neither stands on the ground nor has weight"))
+            "" if few else "the softest parts move most; the model has "
+            "neither contact with the ground nor gravity"))
     return found
 
 
@@ -335,16 +339,16 @@ def _soft_and_stiff(scene):
     return [Statement(
         "A stiff material like the skeleton has the higher pressure, while "
         "the pressure in a softer material like the lung is much lower",
-        "95th percentile of the size over the elements, largest of all "
-        "outputs: " + ", ".join(
+        "95th percentile of the absolute pressure over the elements, largest "
+        "of all output times: " + ", ".join(
             f"{tissue_places.NAMES.get(tissue, 'body')} "
             f"{page.quantity(pressures[tissue], 'Pa', 2)}"
             for tissue in listed),
         AGREES if bone > 3. * lung and listed[0] == tissue_places.SKELETON
         else PARTLY if bone > lung else DIFFERS,
         "" if listed[0] == tissue_places.SKELETON else
-        f"{tissue_places.NAMES.get(listed[0])} is shut in by bone and hardly "
-        "compressible, so that pressure stays in it")]
+        f"{tissue_places.NAMES.get(listed[0])} is nearly incompressible and "
+        "enclosed, so that its pressure persists")]
 
 
 def _first_struck(places, probes):
@@ -366,11 +370,11 @@ def _first_struck(places, probes):
         AGREES if coup < contrecoup and "chest" in order[0] else
         PARTLY if coup < contrecoup else DIFFERS,
         "" if any("chest" in name for name in begins) or coup > contrecoup
-        else "no place in the chest's wall was followed")]
+        else "no probe is in the chest wall")]
 
 
 def _brain(scene, probes):
-    """The five facts of coup and contrecoup, in the first 2.5 ms."""
+    """The five facts of coup and contrecoup, in the first waves."""
     places = tissue_places.find_places(scene)
     near = tissue_places.named(places, ", coup")
     far = tissue_places.named(places, "contrecoup")
@@ -382,7 +386,7 @@ def _brain(scene, probes):
     begin = signals.arrival(time, coup)
     if begin is None:
         return []
-    part = (time >= begin - 1e-4) & (time <= begin + 2.5e-3)
+    part = (time >= begin - 1e-4) & (time <= begin + FIRST_WAVES)
     time, coup, counter = time[part], coup[part], counter[part]
     delay = signals.arrival(time, counter) - signals.arrival(time, coup)
     # What matters is slower than the transit of a few elements.
@@ -403,9 +407,9 @@ def _delay(delay, near, far):
         "between coup and contrecoup sites",
         f"{page.milliseconds(delay, 2)} between the probes, which are "
         f"{way:.2f} m apart", AGREES if close else DIFFERS,
-        "" if close else "the skull is faster than the brain and takes the "
-        "wave around it; sound in the brain of table 1 needs "
-        f"{page.milliseconds(way / 1480., 2)} for that way")
+        "" if close else "waves travel around the brain through the skull, "
+        "in which sound is faster; in the brain of table 1 it needs "
+        f"{page.milliseconds(way / 1480., 2)} for this distance")
 
 
 def _sign(time, counter, size, tops, dips):
@@ -422,8 +426,8 @@ def _sign(time, counter, size, tops, dips):
            f"{page.quantity(dips[0][1], 'Pa', 2)} at "
            f"{page.milliseconds(dips[0][0])}, is negative" if weak else ""),
         AGREES if negative else PARTLY if weak else DIFFERS,
-        "" if negative else "compression through the skull's base and the "
-        "neck arrives before the skull is pushed away from the brain there")
+        "" if negative else "compression arrives through neck and skull base "
+        "before the skull moves away from the brain there")
 
 
 def _higher(coup, counter):
@@ -450,13 +454,13 @@ def _peaks(tops, dips):
             "at the contrecoup site three positive peaks are gradually "
             "weakening", f"positive peaks within 2.5 ms: {shown}",
             AGREES if falling else PARTLY if len(highs) >= 3 else DIFFERS,
-            "" if falling else "other waves, through neck and skull, come on "
-            "top of the echoes inside of the head"),
+            "" if falling else "waves through neck and skull are superposed "
+            "on the reflections within the head"),
         Statement(
             "three negative pressure dips occurred over the cavitation limit "
             "of -100kPa",
             f"{len(deep)} dips below −100 kPa within 2.5 ms"
             + (", the deepest " + _kpa(min(deep)) if deep else ""),
             AGREES if len(deep) == 3 else PARTLY if deep else DIFFERS,
-            "" if len(deep) == 3 else "without cavitation in the model "
-            "tension swings back unhindered" if len(deep) > 3 else "")]
+            "" if len(deep) == 3 else "without cavitation in the model, "
+            "nothing limits the tension" if len(deep) > 3 else "")]

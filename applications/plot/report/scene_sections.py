@@ -157,9 +157,9 @@ def _draw_ways(axis, charge, target):
     axis.plot([charge[0], ground, target[0]], [charge[2], 0., target[2]],
               color=style.COLOURS[0], linewidth=1.2, linestyle="--")
     middle = 0.5 * (charge + target)
-    axis.annotate(f"{direct:.2f} m", (middle[0], middle[2]), (0, 6),
-                  textcoords="offset points", ha="center",
-                  color=style.COLOURS[0])
+    axis.annotate(f"{direct:.2f} m", (middle[0], middle[2]), ha="center",
+                  va="center", color=style.COLOURS[0],
+                  bbox={"facecolor": "white", "linewidth": 0., "pad": 2.})
     axis.annotate(f"{bent:.2f} m by the ground", (ground, -0.02),
                   ha="center", va="top", color="black", fontsize=9)
     axis.annotate("", (charge[0], 0.), (charge[0], charge[2]),
@@ -298,7 +298,7 @@ def timeline(scene):
 def _draw_timeline(found):
     last = max(event.end or event.mark or event.begin for event in found)
     rows = [event for event in found if event.lane != "air"]
-    figure, axis = plt.subplots(figsize=(9., 0.29 * len(rows) + 1.5))
+    figure, axis = plt.subplots(figsize=(9., 0.25 * len(rows) + 1.3))
     for row, event in enumerate(rows):
         if event.lane == "skin":
             axis.barh(row, 1e3 * (event.end - event.begin),
