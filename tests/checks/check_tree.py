@@ -377,6 +377,22 @@ def links(root):
     return problems
 
 
+def citation(root):
+    """CITATION.cff has the version of the build."""
+    files = (("CMakeLists.txt", r"project\(\w+ VERSION ([\d.]+)"),
+             ("CITATION.cff", r"version: ([\d.]+)"))
+    found = []
+    for path, pattern in files:
+        lines = lines_of(root, path) if os.path.exists(
+            os.path.join(root, path)) else []
+        found += [match[1] for line in lines
+                  if (match := re.match(pattern, line))]
+    if len(found) == 2 and found[0] == found[1]:
+        return []
+    return ["CITATION.cff: its version must be that of CMakeLists.txt; found: "
+            + (", ".join(found) or "none")]
+
+
 def clang_tool(tool):
     """The name of a tool of LLVM 14."""
     for name in (tool + "-14", tool):
@@ -461,7 +477,8 @@ def tidy(root, *folders):
 
 CHECKS = {check.__name__: check for check in
           (layers, rooms, plot_rooms, lengths, functions, mirror, overloads,
-           licence, parameters, guide, links, formatting, tidy)}
+           licence, parameters, guide, links, citation, formatting,
+           tidy)}
 
 
 def main(arguments):

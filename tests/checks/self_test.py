@@ -53,6 +53,8 @@ class TreeTest(unittest.TestCase):
         self.write("include/contrecoup/materials/two.h", GOOD_HEADER)
         self.write("source/materials/two.cc", GOOD_SOURCE)
         self.write("applications/blast/main.cc", TOP + "int main()\n{}\n")
+        self.write("CMakeLists.txt", "project(contrecoup VERSION 1.2.3)\n")
+        self.write("CITATION.cff", "cff-version: 1.2.0\nversion: 1.2.3\n")
 
     def write(self, path, text):
         path = os.path.join(self.root, path)
@@ -70,7 +72,7 @@ class TreeTest(unittest.TestCase):
     def test_good_tree(self):
         for name in ("layers", "rooms", "plot_rooms", "lengths", "functions",
                      "mirror", "overloads", "licence", "parameters",
-                     "guide", "links"):
+                     "guide", "links", "citation"):
             self.assertEqual(check_tree.CHECKS[name](self.root), [], name)
 
     def test_upward_include(self):
@@ -215,6 +217,11 @@ class TreeTest(unittest.TestCase):
         self.write("README.md", good)
         self.write("source/materials/README.md", "[up](README.md#two)\n")
         self.expect("links", "source/materials/README.md:1", "no heading")
+
+    def test_citation_of_another_version(self):
+        for text in ("version: 1.2.4\n", "cff-version: 1.2.3\n"):
+            self.write("CITATION.cff", text)
+            self.expect("citation", "CITATION.cff")
 
     def test_badly_formatted(self):
         try:
