@@ -128,13 +128,14 @@ def write_blast(folder):
     write_table(os.path.join(folder, "history.csv"), {
         "step": steps, "time [s]": TIMES, "mass [kg]": 186. - steps / 6.})
     write_gauges(folder, GAUGES)
-    write_gauge_tables(folder)
+    write_harm(folder)
     write_loads(os.path.join(folder, "loads.h5"))
     write_planes(folder, (1.5e-3, 2.5e-3))
 
 
 def write_gauges(folder, gauges):
-    """Histories of gauges."""
+    """Histories and measures of gauges."""
+    write_measures(folder, gauges)
     write_table(os.path.join(folder, "load_gauges.csv"), {
         "time [s]": TIMES, **{
             f"{name} [Pa]": pulse(TIMES, peak) for name, (_, _, _, peak)
@@ -147,17 +148,21 @@ def write_planes(folder, times):
                                  f"plane_y_0_pressure_{number:04d}"), time)
 
 
-def write_gauge_tables(folder, peaks=1., harm=1.):
-    """Measures and injuries at the gauges, multiplied by these factors."""
+def write_measures(folder, gauges, factor=1.):
+    """What blast finds at the gauges, with their peaks times a factor."""
     write(os.path.join(folder, "gauge_measures.csv"),
           "place,arrival [s],peak [Pa],peak time [s],impulse [Pa s],positive "
           "phase [s]\n" + "".join(
-              f"{name},{BEGIN!r},{peaks * peak!r},{BEGIN!r},"
+              f"{name},{BEGIN!r},{factor * peak!r},{BEGIN!r},"
               f"{0.38e-3 * peak!r},0.001\n"
-              for name, (*_, peak) in GAUGES.items()))
+              for name, (*_, peak) in gauges.items()))
+
+
+def write_harm(folder, factor=1.):
+    """HARM times a factor."""
     write(os.path.join(folder, "gauge_injury.csv"),
           "measure,place,value,unit,definition\n" + "".join(
-              f'{measure},{place},{harm * value!r},{unit},"of a model"\n'
+              f'{measure},{place},{factor * value!r},{unit},"of a model"\n'
               for (measure, place), (value, unit) in HARM.items()))
 
 
@@ -342,7 +347,9 @@ COARSER = {"injury_intracranial_pressure_peak": 0.9, "injury_strain_95": 0.5}
 
 def write_coarser(folder):
     """What the report reads of the run with larger cells and elements."""
-    write_gauge_tables(os.path.join(folder, "coarser_blast"), 0.8, 0.9)
+    blast = os.path.join(folder, "coarser_blast")
+    write_measures(blast, GAUGES, 0.8)
+    write_harm(blast, 0.9)
     write(os.path.join(folder, "coarser_biomechanics", "injury.csv"),
           "measure,value,unit,threshold,limits\n" + "".join(
               f"{name},{COARSER.get(name, 1.) * value!r},{unit},none,none\n"
