@@ -141,8 +141,8 @@ bool GasSimulation<dim>::adapt()
 
 
 template <int dim>
-std::string GasSimulation<dim>::write_fields(const std::string &folder,
-                                             unsigned int index)
+std::vector<FieldFile>
+GasSimulation<dim>::write_fields(const std::string &folder, unsigned int index)
 {
   const auto gas = core_.snapshot();
   recorders_.for_each([&](auto &recorder) { recorder.write(gas, folder); });
