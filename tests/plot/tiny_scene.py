@@ -4,9 +4,10 @@
 
 import json
 import os
-import zlib
 
 import numpy as np
+
+import tiny_files
 
 BEGIN = 1.8e-3  # s, arrival at the body
 TIMES = np.linspace(0., 6e-3, 241)
@@ -145,7 +146,7 @@ def write_gauges(folder, gauges):
 def write_planes(folder, times):
     for number, time in enumerate(times):
         write_plane(os.path.join(folder, "fields",
-                                 f"plane_y_0_pressure_{number:04d}"), time)
+                                 f"plane_y_0_{number:04d}.vti"), time)
 
 
 def write_measures(folder, gauges, factor=1.):
@@ -191,16 +192,15 @@ def write_loads(path, gauges=GAUGES):
             in gauges.items()))
 
 
-def write_plane(stem, time):
-    os.makedirs(os.path.dirname(stem), exist_ok=True)
+def write_plane(path, time):
     x, z = np.meshgrid(np.linspace(-1., 3., 60), np.linspace(0.02, 2., 30))
     distance = np.hypot(x - 2.458, z - 1.27)
     front = 2.337 * time / BEGIN
-    np.save(stem + ".npy", 101325. + 1e5 * np.where(
-        distance < front, np.exp(distance - front), 0.))
-    write(stem + ".json", json.dumps({
-        "quantity": "pressure", "unit": "Pa", "time": time,
-        "axes": ["x", "z"], "lower": [-1., 0.02], "upper": [3., 2.]}))
+    pressure = 101325. + 1e5 * np.where(distance < front,
+                                        np.exp(distance - front), 0.)
+    tiny_files.write_plane(path, {"pressure": (pressure, "Pa"),
+                                  "density": (1e-5 * pressure, "kg/m^3")},
+                           [-1., 0.02], [3., 2.], time)
 
 
 def write_biomechanics(folder):
@@ -270,26 +270,15 @@ def write_mesh(path, scale, stature=1.7, tissue=None):
     height = points[cells].mean(axis=1)[:, 2]
     tissue = np.where(height > 1.5, 4, np.where(height > 1., 7, 3)) \
         if tissue is None else np.full(height.shape, tissue)
-    arrays = [("points", points.astype(np.float32), 3),
-              ("connectivity", cells.astype(np.uint32), 1),
+    arrays = [("points", points.astype(np.float32), 3, "m"),
+              ("connectivity", cells.astype(np.uint32), 1, ""),
               ("displacement", np.full(points.shape, 1e-6 * scale,
-                                       np.float32), 3),
-              ("tissue", tissue.astype(np.uint8), 1),
-              ("pressure", (scale * height).astype(np.float32), 1)]
-    arrays += [(name, (1e-6 * scale * height).astype(np.float32), 1)
+                                       np.float32), 3, "m"),
+              ("tissue", tissue.astype(np.uint8), 1, ""),
+              ("pressure", (scale * height).astype(np.float32), 1, "Pa")]
+    arrays += [(name, (1e-6 * scale * height).astype(np.float32), 1, "-")
                for name in ("highest_pressure", "largest_principal_strain")]
-    kinds = {"float32": "Float32", "uint32": "UInt32", "uint8": "UInt8"}
-    head, data = "", b""
-    for name, values, components in arrays:
-        head += (f'<DataArray type="{kinds[str(values.dtype)]}" Name="{name}"'
-                 f' NumberOfComponents="{components}" format="appended" '
-                 f'offset="{len(data)}"/>\n')
-        block = zlib.compress(values.tobytes())
-        data += np.array([1, values.nbytes, 0, len(block)],
-                         np.uint64).tobytes() + block
-    os.makedirs(os.path.dirname(path), exist_ok=True)
-    with open(path, "wb") as file:
-        file.write(head.encode() + b'<AppendedData encoding="raw">\n_' + data)
+    tiny_files.write(path, *tiny_files.appended(arrays))
 
 
 def write_anatomy(folder):

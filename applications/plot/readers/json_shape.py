@@ -39,9 +39,6 @@ SUMMARY = {
     "performance": {"*": NUMBER}, "conservation": {"*": NUMBER},
     "errors": {"*": NUMBER}, "results": {"*": _VALUE},
     "checks": {"*": _VALUE}, "assumptions": {"*": _ASSUMPTION}}
-PLANE = {
-    "quantity": WORDS, "unit": WORDS, "time": NUMBER, "axes": [WORDS, 2],
-    "lower": [NUMBER, 2], "upper": [NUMBER, 2]}
 
 
 def _refuse_number(text):

@@ -352,11 +352,13 @@ std::vector<NamedValue> ParticleSimulation::probes()
 }
 
 
-std::string ParticleSimulation::write_fields(const std::string &folder,
-                                             const unsigned int index)
+std::vector<FieldFile>
+ParticleSimulation::write_fields(const std::string &folder,
+                                 const unsigned int index)
 {
-  return mpm::write_particles(
-    scene_.materials(), particles_, folder, index, communicator_);
+  return {{"",
+           mpm::write_particles(
+             scene_.materials(), particles_, folder, index, communicator_)}};
 }
 
 

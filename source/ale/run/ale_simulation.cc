@@ -407,10 +407,10 @@ std::vector<NamedValue> AleSimulation::probes()
 }
 
 
-std::string AleSimulation::write_fields(const std::string &folder,
-                                        const unsigned int index)
+std::vector<FieldFile> AleSimulation::write_fields(const std::string &folder,
+                                                   const unsigned int index)
 {
-  return write_ale(space_, lagrange_, state_, folder, index);
+  return {{"", write_ale(space_, lagrange_, state_, folder, index)}};
 }
 
 

@@ -299,8 +299,9 @@ std::vector<NamedValue> StagedSimulation<dim>::probes()
 
 
 template <int dim>
-std::string StagedSimulation<dim>::write_fields(const std::string &folder,
-                                                const unsigned int index)
+std::vector<FieldFile>
+StagedSimulation<dim>::write_fields(const std::string &folder,
+                                    const unsigned int index)
 {
   return active().write_fields(folder, index);
 }

@@ -9,8 +9,10 @@
 #include <contrecoup/gas/record/wall_loads.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/output/load_file.h>
+#include <contrecoup/io/output/load_series.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <cmath>
@@ -290,8 +292,40 @@ void WallLoads<dim>::finish()
   if (active_ && totals_.time > totals_.sample_begin)
     end_sample(totals_.time);
   reduce_over_ranks();
-  if (active_ && dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
-    gauges_.write_tables(totals_.time);
+  if (!active_ || dealii::Utilities::MPI::this_mpi_process(communicator_) != 0)
+    return;
+  gauges_.write_tables(totals_.time);
+  if (totals_.n_times > 0. && !file_.empty())
+    io::write_load_series(file_);
+}
+
+
+template <int dim>
+std::string WallLoads<dim>::write_skin(const std::string &folder,
+                                       const unsigned int index,
+                                       const double time)
+{
+  if (!active_)
+    return "";
+  share_records();
+  const std::string name =
+    "skin_" + dealii::Utilities::int_to_string(index, 4) + ".vtp";
+  if (dealii::Utilities::MPI::this_mpi_process(communicator_) != 0)
+    return name;
+  std::vector<io::SkinField> fields = {{"overpressure", "Pa", {}},
+                                       {"peak", "Pa", {}},
+                                       {"impulse", "Pa s", {}},
+                                       {"arrival", "s", {}}};
+  for (const Record &record : records_)
+  {
+    const BlastMeasures measures = record.blast.measures(time);
+    const std::array<double, 4> values = {
+      {record.last, measures.peak, measures.impulse, measures.arrival}};
+    for (std::size_t k = 0; k < values.size(); ++k)
+      fields[k].values.push_back(static_cast<float>(values[k]));
+  }
+  io::write_skin(folder + "/" + name, facets_.skin(), fields, time);
+  return name;
 }
 
 
@@ -342,6 +376,7 @@ void WallLoads<dim>::create_file() const
       facets.normals.push_back(-values[3 + d] / area);
     }
   }
+  facets.corners = facets_.skin();
   io::LoadFile(file_).create(
     facets,
     {{"application", "blast " + version() + " (" + git_revision() + ")"},

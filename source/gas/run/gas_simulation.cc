@@ -141,13 +141,18 @@ bool GasSimulation<dim>::adapt()
 
 
 template <int dim>
-std::string GasSimulation<dim>::write_fields(const std::string &folder,
-                                             unsigned int index)
+std::vector<FieldFile>
+GasSimulation<dim>::write_fields(const std::string &folder, unsigned int index)
 {
   const auto gas = core_.snapshot();
   recorders_.for_each([&](auto &recorder) { recorder.write(gas, folder); });
-  return output_.write(
+  auto files = output_.write(
     gas, recorders_.template get<BlastMaps<dim>>(), {folder, index});
+  const std::string skin = recorders_.template get<WallLoads<dim>>().write_skin(
+    folder, index, gas.time);
+  if (!skin.empty())
+    files.push_back({"skin", skin});
+  return files;
 }
 
 

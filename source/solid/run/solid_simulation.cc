@@ -344,10 +344,11 @@ std::vector<NamedValue> SolidSimulation<Real>::probes()
 
 
 template <typename Real>
-std::string SolidSimulation<Real>::write_fields(const std::string &folder,
-                                                const unsigned int index)
+std::vector<FieldFile>
+SolidSimulation<Real>::write_fields(const std::string &folder,
+                                    const unsigned int index)
 {
-  return write_solid(body_, peaks_, folder, index);
+  return {{"", write_solid(body_, peaks_, folder, index)}};
 }
 
 

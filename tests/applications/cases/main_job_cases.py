@@ -5,6 +5,7 @@ kinds of run_case.py."""
 
 import os
 import subprocess
+import xml.etree.ElementTree as xml
 
 import report_figures
 from report_figures import COARSER, STAGES, require
@@ -95,17 +96,25 @@ def check_audit(files, output):
 
 
 def check_fields(case, output):
-    """The body's fields are there for ParaView, those of the gas on demand,
-    and its pressure in a plane."""
+    """The fields of body, plane and skin are there for ParaView at several
+    times, those of all the gas on demand; so are the loads."""
     wanted = "Blast/Output/Volume fields=true" in case.options.set
-    for stage, holds in (("biomechanics", True), ("blast", wanted)):
+    for stage, names in (("biomechanics", {None}), ("blast", {
+            "plane y = 0", "skin", *(["gas"] if wanted else [])})):
         path = os.path.join(output, stage, "fields.pvd")
-        require(os.path.exists(path) == holds, f"{path} is "
-                + ("missing" if holds else "there"))
-    planes = [name for name in os.listdir(os.path.join(output, "blast",
-                                                       "fields"))
-              if name.endswith(".npy")]
-    require(len(planes) > 3, f"planes of the gas: {planes}")
+        require(os.path.exists(path), f"{path} is missing")
+        times = {}
+        for entry in xml.parse(path).iter("DataSet"):
+            require(os.path.exists(os.path.join(output, stage,
+                                                entry.get("file"))),
+                    f"{path} lists {entry.get('file')}")
+            times.setdefault(entry.get("timestep"), set()).add(
+                entry.get("name"))
+        require(len(times) > 3, f"{path} has {len(times)} times")
+        require(names == set.union(*times.values()), f"{path} has {times}")
+    for name in ("loads.h5", "loads.xdmf"):
+        path = os.path.join(output, "blast", name)
+        require(os.path.exists(path), f"{path} is missing")
 
 
 def check_peaks(files, stored):

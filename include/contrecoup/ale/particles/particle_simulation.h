@@ -42,8 +42,8 @@ public:
   bool adapt() override;
   std::vector<NamedValue> history() override;
   std::vector<NamedValue> probes() override;
-  std::string write_fields(const std::string &folder,
-                           unsigned int index) override;
+  std::vector<FieldFile> write_fields(const std::string &folder,
+                                      unsigned int index) override;
   std::vector<NamedValue> errors() override
   {
     return reference_.errors(

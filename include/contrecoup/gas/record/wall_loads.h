@@ -10,9 +10,10 @@ namespace contrecoup::gas
 {
 /**
  * Records the overpressure on the facets of a rigid body, see WallFacets, in
- * loads.h5 (io::LoadFile), and that of the gauges in load_gauges.csv
- * (LoadGauges). Sampling begins when the wave arrives at the first facet; the
- * first sample is the mean over all time before.
+ * loads.h5 (io::LoadFile) with loads.xdmf (io::write_load_series()), and that
+ * of the gauges in load_gauges.csv (LoadGauges). Sampling begins when the wave
+ * arrives at the first facet; the first sample is the mean over all time
+ * before.
  *
  * The audit compares force and impulse of all facets with the force that the
  * scheme exerts on the gas. In the staircase treatment a facet takes one
@@ -47,6 +48,13 @@ public:
   void load(std::istream &stream, const std::string &folder) override;
   /// Completes the current sample and writes all results.
   void finish() override;
+
+  /// Writes skin_NNNN.vtp: the facets with their overpressure, and peak,
+  /// impulse and arrival so far; see WallFacets::skin(). Collective.
+  /// @return name of the file; empty without loads
+  std::string write_skin(const std::string &folder,
+                         const unsigned int index,
+                         const double time);
 
   /// Impulses on the body and the measures of the gauges.
   std::vector<NamedValue>
