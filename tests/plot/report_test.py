@@ -328,8 +328,8 @@ class ReportTest(unittest.TestCase):
     def test_items_of_the_answer(self):
         """What could change it, in plain words."""
         self.expect(
-            self.text, "Beside the body, the incident peak overpressure is 15 "
-            "% below and the impulse is 32 % below Kingery and Bulmash; loads "
+            self.text, "Beside the body, the incident peak overpressure is "
+            "15 % below and the impulse is 32 % below Kingery and Bulmash; loads "
             "and verdicts carry these differences.",
             "The run assumes 3.5 MJ/kg of afterburn (at most 7.3 MJ/kg), which "
             "raises the incident peak by at most 28 % and the incident "

@@ -29,8 +29,8 @@ def air(scene):
             f"{page.moments([cut.time for cut in picked])}; the largest is "
             + page.quantity(plane_cuts.largest_overpressure(picked), "Pa")
             + ".",
-            f"Overpressure in the air in the plane {axis} = {place} m, with one "
-            "colour scale for all times: red above, blue below the ambient "
+            f"Overpressure in the air in the plane {axis} = {place} m, with "
+            "one colour scale for all times: red above, blue below the ambient "
             "pressure. Colours follow the square root of the overpressure, "
             "which shows weak waves as well. The body is grey."))
     return parts

@@ -57,7 +57,8 @@ def waves(scene):
     times = page.moments([time for time, _ in outputs])
     parts = [
         page.figure(whole, "The body cut along its middle, coloured by the "
-                    f"pressure in its tissues, {_span(panels)}, after {times}.",
+                    f"pressure in its tissues, {_span(panels)}, after "
+                    f"{times}.",
                     "Pressure in the sagittal plane (y = 0), with one colour "
                     "scale for all times: red is compression, blue tension. "
                     "Colours follow the square root of the pressure. The "
@@ -307,9 +308,9 @@ def _verdict(scene):
                  "The audit of the energy does not hold",
                  kind="good" if holds else "bad"),
         f": {page.percent(abs(residual))} of the energy is missing (limit "
-        f"{page.plain(100. * limits[0], '%')}), and {page.percent(part)} of the internal "
-        f"energy is hourglass energy (limit {page.plain(100. * limits[1], '%')}, "
-        "warning from 5 %).")
+        f"{page.plain(100. * limits[0], '%')}), and {page.percent(part)} of "
+        "the internal energy is hourglass energy (limit "
+        f"{page.plain(100. * limits[1], '%')}, warning from 5 %).")
 
 
 def _draw_energy(history, known):

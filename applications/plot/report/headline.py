@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""The answer of a report in a few plain sentences, and what it is subject to."""
+"""The answer of a report in a few plain sentences, and how certain it is."""
 
 import re
 

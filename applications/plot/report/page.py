@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
 """The page of a report: sections, tables and pictures in one HTML file that
-needs nothing besides itself. Each table has a link to itself as a CSV file, which
-is in the page as well, with units in its header and all digits of numbers that
-the table rounds."""
+needs nothing besides itself. Each table has a link to itself as a CSV file,
+which is in the page as well, with units in its header and all digits of numbers
+that the table rounds."""
 
 import base64
 import csv

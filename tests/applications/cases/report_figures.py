@@ -6,7 +6,6 @@ alone."""
 
 import csv
 import json
-import math
 import os
 import re
 
