@@ -37,8 +37,8 @@ FAULTY = {
         "</body>", '<table style="overflow:hidden"><tr><td>' + 80 * "x"
         + "</table></body>"),
     "picture 1 is 0.50 of its size": (
-        f'src="{DOT}"', "src='data:image/svg+xml,<svg xmlns=\"http://www.w3.org/"
-        "2000/svg\" width=\"200\" height=\"9\"/>' width=\"100\""),
+        f'src="{DOT}"', "src='data:image/svg+xml,<svg xmlns=\"http://www.w3."
+        "org/2000/svg\" width=\"200\" height=\"9\"/>' width=\"100\""),
     "folded away": ("</body>", '<details class="table"><summary>x</summary>'
                     "<table><tr><td>vanished</table></details></body>"),
     "page 1 of 2 ends at": ("</body>", '<p style="break-before:page">x</p>'

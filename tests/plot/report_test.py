@@ -130,7 +130,9 @@ class ReportTest(unittest.TestCase):
         self.expect(told.replace("\u00a0", " "),
                     "after 1.50 and 2.50 ms; the largest is 99.9 kPa",
                     "the C-4 charge, 1.27 m above the ground",
-                    "one chart for each of forehead, chest, back, left ear",
+                    "one chart for each of forehead, chest, back, left ear; "
+                    "the largest peak is 900 kPa at the chest",
+                    "in its tissues, from 100 Pa to 6.6 kPa, after 2.00 and",
                     "coloured by maximum pressure, largest principal strain")
         self.assertEqual(len(set(pictures)), len(pictures))
 
@@ -325,15 +327,16 @@ class ReportTest(unittest.TestCase):
     def test_items_of_the_answer(self):
         """What could change it, in plain words."""
         self.expect(
-            self.text, "Beside the body, the incident peak overpressure is 15 "
-            "% below and the impulse is 32 % below Kingery and Bulmash; loads "
+            self.text, "Beside the body, the incident peak overpressure is "
+            "15 % below and the impulse is 32 % below Kingery and Bulmash; loads "
             "and verdicts carry these differences.",
             "The run assumes 3.5 MJ/kg of afterburn (at most 7.3 MJ/kg), which "
             "raises the incident peak by at most 28 % and the incident "
             "impulse by at most 32 %.",
-            "7.7 % of the internal energy is hourglass energy (limit 10 %).",
-            "Beyond its limit: cells for the positive phase at the body (12.3; "
-            "at least 15 is allowed).")
+            "7.7 % of the internal energy is hourglass energy (warning from 5 "
+            "%, limit 10 %).",
+            "Beyond its limit: number of cells in the positive phase at the "
+            "body (12.3; limit: at least 15).")
         answer = re.search('<div class="answer">(.*?)</div>', self.page)[1]
         for word in ("duration", "is missing (limit", "The run ends before"):
             self.assertFalse(word in answer, word)
@@ -368,7 +371,8 @@ class ReportTest(unittest.TestCase):
             "and verdicts carry these differences (ground and body add to "
             "impulse and duration).",
             "2.1 % of the body's energy is missing (limit 1 %) and 7.7 % of "
-            "the internal energy is hourglass energy (limit 10 %).",
+            "the internal energy is hourglass energy (warning from 5 %, limit "
+            "10 %).",
             "The run leaves out afterburn, which would raise the incident "
             "peak by at most 28 %",
             "The run ends before the positive phase does at chest: the "

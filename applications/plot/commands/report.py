@@ -4,9 +4,10 @@
 
 Writes SCENE_FOLDER/report.html, one page that needs nothing besides itself:
 what the blast does to the person, with pictures, histories, the injury table,
-audits, accuracy, cost and how to reproduce it. What a stage did not leave is
-said in one line where it would stand. Exit code 0, or 1 with one line for a
-folder or file that is not what it should be.
+audits, accuracy, cost and how to reproduce it. Each table has a link to a CSV
+file, which is in the page as well, with units and all digits. What a stage did
+not leave is said in one line where it would stand. Exit code 0, or 1 with one
+line for a folder or file that is not what it should be.
 """
 
 import os

@@ -255,8 +255,8 @@ def _checks(scene):
         items.append(
             "Brain pressure oscillates between neighbouring elements, by "
             f"{page.number(rough.value, 2)} times its averages over neighbours "
-            "(root mean square). The oscillation is a numerical error; measures "
-            "of injury therefore use the averages.")
+            "(root mean square). The oscillation is a numerical error; "
+            "measures of injury therefore use the averages.")
     return items
 
 

@@ -29,8 +29,8 @@ def air(scene):
             f"{page.moments([cut.time for cut in picked])}; the largest is "
             + page.quantity(plane_cuts.largest_overpressure(picked), "Pa")
             + ".",
-            f"Overpressure in the air in the plane {axis} = {place} m, with one "
-            "colour scale for all times: red above, blue below the ambient "
+            f"Overpressure in the air in the plane {axis} = {place} m, with "
+            "one colour scale for all times: red above, blue below the ambient "
             "pressure. Colours follow the square root of the overpressure, "
             "which shows weak waves as well. The body is grey."))
     return parts
@@ -96,8 +96,8 @@ def histories(scene):
                 gauges, scene.loads(),
                 body_views.views_of(scene.loads(), scene.blast.folder)),
             "Curves of overpressure over time, one chart for each of "
-            + ", ".join(gauges.others("time")) + "; their peaks are in the "
-            "table below.",
+            + ", ".join(gauges.others("time")) + "; the largest peak is "
+            + _largest_peak(gauges) + ", and the table below has all peaks.",
             "Overpressure at named places on the skin, averaged over the "
             "patch around each place. Dots mark the first peak, triangles the "
             "second one, both with overpressure and time. The places are "
@@ -114,6 +114,12 @@ def histories(scene):
             "Resultant force of the overpressure on the whole body along the "
             "three axes, and its cumulative impulse, including drag.", "svg"))
     return parts
+
+
+def _largest_peak(gauges):
+    """A peak and its place in words."""
+    name = max(gauges.others("time"), key=lambda place: gauges[place].max())
+    return f"{page.quantity(float(gauges[name].max()), 'Pa')} at the {name}"
 
 
 def _gauge_table(scene, gauges):

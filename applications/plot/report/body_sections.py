@@ -51,19 +51,21 @@ def waves(scene):
         whole = page.drawn(body_cuts.draw_pressures, panels, is_head)
         head = None if is_head else page.drawn(body_cuts.draw_pressures,
                                                panels, True)
-        beside = page.drawn(body_cuts.draw_pressures, fields.cut_fields(
-            outputs, place), is_head)
+        panels_beside = fields.cut_fields(outputs, place)
+        beside = page.drawn(body_cuts.draw_pressures, panels_beside, is_head)
         tissues = _tissues_at(outputs[0][1], place)
     times = page.moments([time for time, _ in outputs])
     parts = [
         page.figure(whole, "The body cut along its middle, coloured by the "
-                    f"pressure in its tissues after {times}.",
+                    f"pressure in its tissues, {_span(panels)}, after "
+                    f"{times}.",
                     "Pressure in the sagittal plane (y = 0), with one colour "
                     "scale for all times: red is compression, blue tension. "
                     "Colours follow the square root of the pressure. The "
                     "stiff skeleton stands out."),
         page.figure(beside, f"The body cut {place:.3g} m beside its middle, "
-                    f"coloured by the pressure after {times}.",
+                    f"coloured by the pressure, {_span(panels_beside)}, after "
+                    f"{times}.",
                     "Pressure in a parasagittal plane, y = "
                     f"{place:.3g} m, through {tissues}, with one colour scale "
                     "for all times.")]
@@ -78,6 +80,13 @@ def waves(scene):
         "incompressible tissue, the pressure of single elements oscillates "
         "from one to the next by numerical error.", kind="note"),
         *_peaks(scene)]
+
+
+def _span(panels):
+    """Least and largest pressure of cuts, in words."""
+    values = np.concatenate([found for _, _, found in panels])
+    return (f"from {page.quantity(float(values.min()), 'Pa', 2)} to "
+            f"{page.quantity(float(values.max()), 'Pa', 2)}")
 
 
 def _tissues_at(pieces, place):
@@ -178,8 +187,8 @@ def histories(scene):
     if brain:
         parts.append(page.figure(
             _draw_first(probes, brain),
-            "Curves of pressure over time in "
-            + ", ".join(place.title() for place in brain) + ".",
+            "Curves of pressure over time, one for each of: "
+            + "; ".join(place.title() for place in brain) + ".",
             "Brain pressure in the first 2.5 ms after the wave reaches the "
             "brain. At −100 kPa (dotted) fluid may cavitate; the model has no "
             "cavitation.", "svg"))
@@ -299,9 +308,9 @@ def _verdict(scene):
                  "The audit of the energy does not hold",
                  kind="good" if holds else "bad"),
         f": {page.percent(abs(residual))} of the energy is missing (limit "
-        f"{page.plain(100. * limits[0], '%')}), and {page.percent(part)} of the internal "
-        f"energy is hourglass energy (limit {page.plain(100. * limits[1], '%')}, "
-        "warning from 5 %).")
+        f"{page.plain(100. * limits[0], '%')}), and {page.percent(part)} of "
+        "the internal energy is hourglass energy (limit "
+        f"{page.plain(100. * limits[1], '%')}, warning from 5 %).")
 
 
 def _draw_energy(history, known):

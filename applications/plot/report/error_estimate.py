@@ -51,9 +51,11 @@ def section(scene, judged):
                      page.error(entry.error)))
     return page.table(
         ("measure", "coarser run", "this run", "estimated error"), rows,
-        "The coarser run has cells of twice the size and elements of 5/3 of "
-        "the size. The estimated error is the difference of both runs over "
-        f"r^{ORDER} − 1 with the ratio r of the sizes. For chest wall and lungs "
-        "it is at least the difference of the peak on the chest; maximum and "
-        "minimum brain pressure both take the larger of their errors.",
+        page.tag(
+            "span", "The coarser run has cells of twice the size and elements "
+            "of 5/3 of the size. The estimated error is the difference of both "
+            "runs over r", page.tag("sup", ORDER), " − 1 with the ratio r of "
+            "the sizes. For chest wall and lungs it is at least the difference "
+            "of the peak on the chest; maximum and minimum brain pressure both "
+            "take the larger of their errors."),
         numbers=(1, 2, 3))

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""The answer of a report in a few plain sentences, and what it is subject to."""
+"""The answer of a report in a few plain sentences, and how certain it is."""
 
 import re
 
@@ -9,6 +9,11 @@ from plot.report import injury_table, page
 
 LARGE_DIFFERENCE = 0.1  # to Kingery and Bulmash
 LONG_ENOUGH = 0.01  # s, until the largest strains that a front causes
+# Of items of the audit, for readers who do not know the plan.
+WORDS = {"reflection": "arrival of a wave reflected by an open side of the "
+         "domain",
+         "resolution": "number of cells in the positive phase at the body",
+         "rigid_body": "displacement of the body over a cell of the gas"}
 # Usual limits of the audit of a body's energy; hourglass energy is told from
 # the smaller one on.
 LARGEST_RESIDUAL, LARGEST_HOURGLASS, NOTED_HOURGLASS = 0.01, 0.1, 0.05
@@ -107,7 +112,7 @@ def _certainty(scene, judged):
         parts.append(
             "No limit of brain pressure or strain is agreed on for blast: the "
             "published limits were found for impacts, and survived blasts "
-            "exceed those of pressure.")
+            "exceed the pressure limits.")
     end = scene.fact("end_time")
     if end is not None and end < LONG_ENOUGH and any(
             entry.name in ("injury_strain_95", "injury_hic15")
@@ -206,15 +211,17 @@ def _energy(scene):
         limit = (scene.biomechanics.parameter(f"Energy audit/{entry}")
                  or [usual])[0]
         if part is not None and abs(part) > min(limit, noted or limit):
-            found.append(f"{page.percent(abs(part))} {text} "
-                         f"(limit {page.plain(100. * limit, '%')})")
+            warning = "" if noted is None else \
+                f"warning from {page.plain(100. * noted, '%')}, "
+            found.append(f"{page.percent(abs(part))} {text} ({warning}"
+                         f"limit {page.plain(100. * limit, '%')})")
     return [page.joined(found) + "."] if found else []
 
 
 def _limits(scene):
     """Items of the audit beyond their limits."""
-    failed = [f"{row.get('quantity') or row.get('item')} ({row.get('found')}; "
-              f"{row.get('limit')} is allowed)"
+    failed = [f"{WORDS.get(row.get('item')) or row.get('quantity')} "
+              f"({row.get('found')}; limit: {row.get('limit')})"
               for row in scene.list_of("audit")
               if row.get("holds") is False and row.get("limit")]
     return ["Beyond " + ("their limits" if len(failed) > 1 else "its limit")

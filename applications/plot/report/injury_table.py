@@ -167,7 +167,7 @@ def _row(entry):
     value = [page.tag("b", _shown(entry.value, entry.unit))]
     if entry.error is not None:
         value += [page.escape(page.error(entry.error)),
-                  page.tag("small", f"by {entry.error_of}")]
+                  page.tag("small", f"due to {entry.error_of}")]
     else:
         value.append(page.tag("small", "error unknown"))
     return (entry.title, page.Html("<br>".join(value)),

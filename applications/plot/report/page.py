@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
 """The page of a report: sections, tables and pictures in one HTML file that
-needs nothing besides itself. Each table has a link to itself as a CSV file, which
-is in the page as well, with units in its header and all digits of numbers that
-the table rounds."""
+needs nothing besides itself. Each table has a link to itself as a CSV file,
+which is in the page as well, with units in its header and all digits of numbers
+that the table rounds."""
 
 import base64
 import csv
@@ -107,7 +107,8 @@ details summary { cursor: pointer; color: var(--accent); }
   .paper { display: inline; }
   /* Paper cannot be unfolded. */
   details.table::details-content { content-visibility: visible; }
-  details summary { list-style: none; color: var(--ink); }
+  details summary { list-style: none; color: var(--ink);
+                    break-after: avoid; }
 }
 """
 
@@ -264,7 +265,7 @@ def table(header, rows, caption=None, numbers=(), widths=(), data=None):
     parts += [tag("thead", cells("th", header)),
               tag("tbody", *(cells("td", row) for row in rows))]
     content = csv_text(*(data or (header, rows))).encode("utf-8")
-    link = tag("a", "CSV", kind="csv", download=NAMELESS, href="data:text/csv;"
+    link = tag("a", "Table as CSV", kind="csv", download=NAMELESS, href="data:text/csv;"
                "charset=utf-8;base64," + base64.b64encode(content).decode())
     return Html(tag("table", *parts, kind="wide" if len(header) > 2 else None)
                 + link)

@@ -60,8 +60,8 @@ def counted(statements, where):
              for verdict in (AGREES, PARTLY, DIFFERS, OPEN)}
     return (f"This run agrees with {count[AGREES]} of {len(statements)} "
             f"statements of its {where} and partly with {count[PARTLY]}; it "
-            f"differs from {count[DIFFERS]}, and {count[OPEN]} cannot be judged "
-            "from it. Findings are computed from the tables of this run.")
+            f"differs from {count[DIFFERS]}, and {count[OPEN]} cannot be "
+            "judged from it. Findings are computed from the tables of this run.")
 
 
 def table(statements):
@@ -266,8 +266,8 @@ def _places(scene, gauges):
             f"{_kpa(peak['forehead'])}, throat {_kpa(peak['throat'])} against "
             f"chest {_kpa(peak['chest'])}",
             AGREES if all(higher) else PARTLY if any(higher) else DIFFERS,
-            "" if all(higher) else "the concave place is shallow and farther from "
-            "the charge"))
+            "" if all(higher) else "the concave place is shallow and farther "
+            "from the charge"))
     shin = next((name for name in names if name.endswith("shin")), None)
     if shin:
         found.append(_leg(gauges["time"], gauges, shin))

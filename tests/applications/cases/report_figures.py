@@ -6,7 +6,6 @@ alone."""
 
 import csv
 import json
-import math
 import os
 import re
 
@@ -284,7 +283,7 @@ def check_headline(page, files):
     text = _without_verdicts(page, text)
     wanted += _free_air(files) + _afterburn(files) + _energy(files)
     for row in files.scene["audit"]:
-        told = f" ({row['found']}; {row['limit']} is allowed)"
+        told = f" ({row['found']}; limit: {row['limit']})"
         require((told in text) == (row["holds"] is False),
                 f"the answer on {row}: {text}")
         text = text.replace(told, "")
@@ -368,7 +367,10 @@ def _energy(files):
              "of the internal energy is hourglass energy")):
         if abs(known.get(name, 0.)) > noted:
             wanted += [(rf"({number} %) {words}", abs(known[name])),
-                       (rf"{words} \(limit ({number} %)\)", limit)]
+                       (rf"{words} \(.*?limit ({number} %)\)", limit)]
+            if noted < limit:
+                wanted.append((rf"{words} \(warning from ({number} %), ",
+                               noted))
     return wanted
 
 
