@@ -16,13 +16,26 @@ namespace
   std::string
   kilopascal(const KingeryBulmash &tables, BlastQuantity quantity, double at)
   {
-    return brief(1e-3 * tables.value(quantity, at), 3) + " kPa";
+    const double value = 1e-3 * tables.value(quantity, at);
+    return brief(value, value < 1000. ? 3 : 4) + " kPa";
   }
 
 
   std::string percent(const double part)
   {
-    return brief(100. * part, 2) + " %";
+    return part > 0.99 ? "more than 99 %" : brief(100. * part, 2) + " %";
+  }
+
+
+  /// The TNT equivalence in words; none for TNT itself.
+  std::string equivalence(const SceneParameters &scene)
+  {
+    const TntEquivalence &tnt = find_explosive(scene.explosive).tnt;
+    return tnt.pressure == 1. && tnt.impulse == 1.
+             ? ""
+             : " (as " + brief(tnt.pressure, 3) +
+                 " times its mass of TNT for pressures, " +
+                 brief(tnt.impulse, 3) + " for impulses: " + tnt.source + ")";
   }
 
 
@@ -64,9 +77,8 @@ std::vector<std::string> first_answer(const SceneParameters &scene,
   const double duration = impulses.value(BlastQuantity::duration, distance);
   return {
     "first answer, by tables and without a run: " + brief(scene.mass) +
-      " kg of " + scene.explosive + " (as " + brief(tnt.pressure, 3) +
-      " times its mass of TNT for pressures, " + brief(tnt.impulse, 3) +
-      " for impulses: " + tnt.source + ") at " + brief(distance) + " m",
+      " kg of " + scene.explosive + equivalence(scene) + " at " +
+      brief(distance) + " m",
     "  incident wave in free air: peak " +
       kilopascal(pressures, BlastQuantity::overpressure, distance) +
       ", impulse " +
