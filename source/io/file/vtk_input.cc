@@ -100,8 +100,7 @@ namespace io
     const std::uint64_t n_blocks = number_at(place);
     const std::uint64_t block_size = number_at(place + word);
     const std::uint64_t last_size = number_at(place + 2 * word);
-    const std::uint64_t most = most_per_byte * content_.size();
-    if (n_blocks > content_.size() || block_size > most || last_size > most)
+    if (n_blocks > content_.size())
       refuse("sizes in it are damaged");
     std::string result;
     std::size_t begin = place + (3 + n_blocks) * word;

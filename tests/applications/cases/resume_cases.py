@@ -67,7 +67,7 @@ def judge(case, straight, output, state, ranks):
                         case.options.compare)
         return
     fields = [os.path.relpath(path, straight) for path in
-              glob.glob(os.path.join(straight, "fields", "**", "*.vtu"),
+              glob.glob(os.path.join(straight, "fields", "**", "*.vt[uip]"),
                         recursive=True)]
     compare_bytes(straight, output,
                   expand(straight, case.options.compare) + fields)
