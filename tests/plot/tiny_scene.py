@@ -133,12 +133,12 @@ def write_blast(folder):
     write_planes(folder, (1.5e-3, 2.5e-3))
 
 
-def write_gauges(folder, gauges):
-    """Histories of gauges."""
+def write_gauges(folder, gauges, slowness=0.):
+    """Histories of gauges; those behind begin later by @p slowness [s/m]."""
     write_table(os.path.join(folder, "load_gauges.csv"), {
         "time [s]": TIMES, **{
-            f"{name} [Pa]": pulse(TIMES, peak) for name, (_, _, _, peak)
-            in gauges.items()}})
+            f"{name} [Pa]": pulse(TIMES, peak, max(0., -slowness * x))
+            for name, (x, _, _, peak) in gauges.items()}})
 
 
 def write_planes(folder, times):
@@ -193,17 +193,23 @@ def write_biomechanics(folder):
                         "loads_impulse_factor": 0.984,
                         "loads_recorded_impulse_x": -118.4,
                         "loads_mapped_impulse_x": -118.3}}))
-    work = 200. * (1. - np.exp(-np.maximum(TIMES - BEGIN, 0.) / 1e-3))
-    write_table(os.path.join(folder, "history.csv"), {
-        "step": np.arange(len(TIMES)), "time [s]": TIMES,
-        "external_work [J]": work, "kinetic_energy [J]": 0.7 * work,
-        "stored_energy [J]": 0.3 * work, "energy_residual [J]": 0. * work,
-        "internal_energy_brain [J]": 0.1 * work})
+    write_history(folder, ("brain",))
     write(os.path.join(folder, "injury.csv"),
           "measure,value,unit,threshold,limits\n" + "".join(
               f'{name},{value!r},{unit},"",""\n'
               for name, (value, unit) in INJURY.items()))
     write_fields(folder)
+
+
+def write_history(folder, tissues):
+    """Energies, the internal one by tissue."""
+    work = 200. * (1. - np.exp(-np.maximum(TIMES - BEGIN, 0.) / 1e-3))
+    write_table(os.path.join(folder, "history.csv"), {
+        "step": np.arange(len(TIMES)), "time [s]": TIMES,
+        "external_work [J]": work, "kinetic_energy [J]": 0.7 * work,
+        "stored_energy [J]": 0.3 * work, "energy_residual [J]": 0. * work,
+        **{f"internal_energy_{tissue.replace(' ', '_')} [J]":
+           0.1 * work / number for number, tissue in enumerate(tissues, 1)}})
 
 
 def write_probes(folder, probes):
@@ -306,12 +312,19 @@ CROWDED_PROBES = {
 def crowd(folder):
     """As many places and times in a scene as in one with the phantom."""
     blast = os.path.join(folder, "blast")
-    write_gauges(blast, CROWD)
+    write_gauges(blast, CROWD, 3e-3)
     write_loads(os.path.join(blast, "loads.h5"), CROWD)
     write_planes(blast, np.linspace(1e-3, 4e-3, 9))
+    write(os.path.join(blast, "log.txt"), "".join(
+        f"first stage ends at {time} s with its front at {front} m\n"
+        for time, front in ((0.00041, 1.24), (0.00045, 1.31),
+                            (0.00168, 2.19))))
     solid = os.path.join(folder, "biomechanics")
     write_fields(solid, np.linspace(1.5e-3, 5e-3, 12))
     write_probes(solid, CROWDED_PROBES)
+    write_history(solid, ("soft tissue", "skin", "skeleton", "brain",
+                          "spinal cord", "cerebrospinal fluid", "lung",
+                          "heart", "liver"))
     path = os.path.join(folder, "scene.json")
     with open(path, encoding="utf-8") as file:
         facts = json.load(file)
