@@ -98,7 +98,7 @@ class ReportTest(unittest.TestCase):
                 "The scene", "Events over time", "Pressure in the air",
                 "Pressure on the skin", "Histories on the skin",
                 "Stress waves in the body", "Histories in the tissue",
-                "Injury", "Beside the published simulation",
+                "Injury", "Comparison with the published simulation",
                 "Energy of the body", "Conservation of the gas",
                 "Assumptions", "Accuracy", "The body's mesh",
                 "Cost", "How to reproduce"):
@@ -330,8 +330,8 @@ class ReportTest(unittest.TestCase):
             self.text, "Beside the body, the incident peak overpressure is "
             "15 % below and the impulse is 32 % below Kingery and Bulmash; loads "
             "and verdicts carry these differences.",
-            "The run assumes 3.5 MJ/kg of afterburn (at most 7.3 MJ/kg), which "
-            "raises the incident peak by at most 28 % and the incident "
+            "The run assumes 3.5 MJ/kg of afterburn (at most 7.3 MJ/kg is "
+            "possible), which raises the incident peak by at most 28 % and the incident "
             "impulse by at most 32 %.",
             "7.7 % of the internal energy is hourglass energy (warning from 5 "
             "%, limit 10 %).",

@@ -134,13 +134,14 @@ def write_blast(folder):
     write_planes(folder, (1.5e-3, 2.5e-3))
 
 
-def write_gauges(folder, gauges):
-    """Histories and measures of gauges."""
-    write_measures(folder, gauges)
+def write_gauges(folder, gauges, slowness=0.):
+    """Histories and measures of gauges; those behind begin later by
+    @p slowness [s/m]."""
+    write_measures(folder, gauges, slowness=slowness)
     write_table(os.path.join(folder, "load_gauges.csv"), {
         "time [s]": TIMES, **{
-            f"{name} [Pa]": pulse(TIMES, peak) for name, (_, _, _, peak)
-            in gauges.items()}})
+            f"{name} [Pa]": pulse(TIMES, peak, max(0., -slowness * x))
+            for name, (x, _, _, peak) in gauges.items()}})
 
 
 def write_planes(folder, times):
@@ -149,12 +150,14 @@ def write_planes(folder, times):
                                  f"plane_y_0_{number:04d}.vti"), time)
 
 
-def write_measures(folder, gauges, factor=1.):
+def write_measures(folder, gauges, factor=1., slowness=0.):
     """What blast finds at the gauges, with their peaks times a factor."""
+    begin = {name: BEGIN + max(0., -slowness * x)
+             for name, (x, *_) in gauges.items()}
     write(os.path.join(folder, "gauge_measures.csv"),
           "place,arrival [s],peak [Pa],peak time [s],impulse [Pa s],positive "
           "phase [s]\n" + "".join(
-              f"{name},{BEGIN!r},{factor * peak!r},{BEGIN!r},"
+              f"{name},{begin[name]!r},{factor * peak!r},{begin[name]!r},"
               f"{0.38e-3 * peak!r},0.001\n"
               for name, (*_, peak) in gauges.items()))
 
@@ -214,17 +217,23 @@ def write_biomechanics(folder):
             "loads_impulse_factor": with_unit(0.984, "-"),
             "loads_recorded_impulse_x": with_unit(-118.4, "N s"),
             "loads_mapped_impulse_x": with_unit(-118.3, "N s")}}))
-    work = 200. * (1. - np.exp(-np.maximum(TIMES - BEGIN, 0.) / 1e-3))
-    write_table(os.path.join(folder, "history.csv"), {
-        "step": np.arange(len(TIMES)), "time [s]": TIMES,
-        "external_work [J]": work, "kinetic_energy [J]": 0.7 * work,
-        "stored_energy [J]": 0.3 * work, "energy_residual [J]": 0. * work,
-        "internal_energy_brain [J]": 0.1 * work})
+    write_history(folder, ("brain",))
     write(os.path.join(folder, "injury.csv"),
           "measure,value,unit,threshold,limits\n" + "".join(
               f'{name},{value!r},{unit},"",""\n'
               for name, (value, unit) in INJURY.items()))
     write_fields(folder)
+
+
+def write_history(folder, tissues):
+    """Energies, the internal one by tissue."""
+    work = 200. * (1. - np.exp(-np.maximum(TIMES - BEGIN, 0.) / 1e-3))
+    write_table(os.path.join(folder, "history.csv"), {
+        "step": np.arange(len(TIMES)), "time [s]": TIMES,
+        "external_work [J]": work, "kinetic_energy [J]": 0.7 * work,
+        "stored_energy [J]": 0.3 * work, "energy_residual [J]": 0. * work,
+        **{f"internal_energy_{tissue.replace(' ', '_')} [J]":
+           0.1 * work / number for number, tissue in enumerate(tissues, 1)}})
 
 
 def write_probes(folder, probes):
@@ -316,12 +325,19 @@ CROWDED_PROBES = {
 def crowd(folder):
     """As many places and times in a scene as in one with the phantom."""
     blast = os.path.join(folder, "blast")
-    write_gauges(blast, CROWD)
+    write_gauges(blast, CROWD, 3e-3)
     write_loads(os.path.join(blast, "loads.h5"), CROWD)
     write_planes(blast, np.linspace(1e-3, 4e-3, 9))
+    write(os.path.join(blast, "log.txt"), "".join(
+        f"first stage ends at {time} s with its front at {front} m\n"
+        for time, front in ((0.00041, 1.24), (0.00045, 1.31),
+                            (0.00168, 2.19))))
     solid = os.path.join(folder, "biomechanics")
     write_fields(solid, np.linspace(1.5e-3, 5e-3, 12))
     write_probes(solid, CROWDED_PROBES)
+    write_history(solid, ("soft tissue", "skin", "skeleton", "brain",
+                          "spinal cord", "cerebrospinal fluid", "lung",
+                          "heart", "liver"))
     path = os.path.join(folder, "scene.json")
     with open(path, encoding="utf-8") as file:
         facts = json.load(file)

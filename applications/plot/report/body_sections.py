@@ -280,7 +280,8 @@ def energy(scene):
             for name, text in known]
     parts = [_verdict(scene),
              page.table(("energy at the end", "value",
-                         "of the work of the loads"), rows, numbers=(1, 2)),
+                         "fraction of the work of the loads"), rows,
+                        numbers=(1, 2)),
              page.figure(
                  _draw_energy(history, known),
                  "Two charts of energy over time: of the whole body by kind, "

@@ -62,7 +62,7 @@ def _lung(judged):
     worst = front.meaning() or "none"
     best = mean.meaning() or "none" if mean else worst
     words = worst if worst == best else f"{best} by the mean chest wall " \
-        f"velocity, {worst} by the front one"
+        f"velocity and {worst} by the front one"
     text = (f"The expected lung injury is {words}: the chest wall velocity is "
             f"{page.quantity(front.value, 'm/s')} in front")
     text += f" and {page.quantity(mean.value, 'm/s')} as the mean of front " \
@@ -184,7 +184,7 @@ def _afterburn(scene):
                           for rise, word in effects if rise is not None)
     text = "The run leaves out afterburn" if energy is None else (
         f"The run assumes {energy[0]} MJ/kg of afterburn "
-        f"(at most {energy[1]} MJ/kg)")
+        f"(at most {energy[1]} MJ/kg is possible)")
     if effects:
         text += f", which {'would raise' if energy is None else 'raises'} " \
             + effects

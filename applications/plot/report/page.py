@@ -97,7 +97,7 @@ details summary { cursor: pointer; color: var(--accent); }
   .answer ul { font-size: 9.5pt; }
   table { font-size: 8pt; }
   th, td { padding: 3px 5px; }
-  td small { font-size: 7pt; }
+  td small, td code { font-size: 7pt; }
   caption, figcaption { font-size: 8pt; max-width: none; }
   figure { margin: 8px 0 10px; }
   figure img { max-width: 100%; max-height: 110mm; }

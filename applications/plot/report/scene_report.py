@@ -27,7 +27,7 @@ def build(scene):
                       *body_sections.histories(scene))
     parts.section("Injury", *injury_table.table(scene, judged))
     if paper.is_that_scene(scene):
-        parts.section("Beside the published simulation",
+        parts.section("Comparison with the published simulation",
                       *paper.section(scene))
     if has_body:
         parts.section("Energy of the body", *body_sections.energy(scene))

@@ -321,7 +321,7 @@ def _draw_timeline(found):
         axis.axvline(1e3 * event.begin, color="black", linewidth=0.9,
                      linestyle=":")
         axis.annotate(f"({letter})", (1e3 * event.begin, -0.65),
-                      (6 if is_close else 0, 3),
+                      (10 if is_close else 0, 3),
                       textcoords="offset points", ha="center", fontsize=9,
                       annotation_clip=False)
     axis.set_yticks(range(len(rows)), [event.what for event in rows])

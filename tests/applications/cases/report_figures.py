@@ -347,7 +347,7 @@ def _afterburn(files):
     number, decision = report_reader.NUMBER, rows["afterburn"]["decision"]
     energies = re.findall(r"[\d.]+", decision.split(" MJ/kg")[0])
     wanted = [(rf"({number}) MJ/kg of afterburn", float(energies[0])),
-              (rf"\(at most ({number}) MJ/kg\)", float(energies[1]))] \
+              (rf"\(at most ({number}) MJ/kg is", float(energies[1]))] \
         if len(energies) == 2 else []
     for name in ("peak", "impulse"):
         rise = rows[f"afterburn_{name}"]["estimate"]
@@ -498,7 +498,7 @@ def check_energy(page, files):
     for row in rows:
         name = row["energy at the end"]
         require_same(row["value"], last[names[name]], name)
-        require_same(row["of the work of the loads"],
+        require_same(row["fraction of the work of the loads"],
                      last[names[name]] / abs(last["external_work"]), name)
     told = next(text for section, text in page.paragraphs
                 if section == "Energy of the body" and "The audit" in text)
