@@ -157,8 +157,8 @@ endfunction()
 #                 history.csv, "probes.x" of probes.csv;
 #                 [EXIT <code>...] [MESSAGE <text>] on the screen
 #   regression    COMPARE <file>... TOLERANCE "1e-8" "momentum*=1e-9 absolute":
-#                 tables (.csv) and samples of planes, loads and meshes (.npy,
-#                 .h5, .vtu) agree with those in
+#                 tables (.csv) and samples of planes, skins, loads and meshes
+#                 (.vti, .vtp, .h5, .vtu) agree with those in
 #                 tests/applications/references/<application>_<name>/; a
 #                 tolerance is a part of the largest value of a column or
 #                 field, or absolute, see tests/applications/cases/samples.py

@@ -96,7 +96,10 @@ namespace
                          "the part of the heat of combustion that fits TNT"}
              : Afterburn{row.afterburn * megajoule,
                          largest,
-                         "fits Kingery and Bulmash at 1 to 2 m"};
+                         row.name == "c-4"
+                           ? "that of TNT, which agrees with Kingery and "
+                             "Bulmash at 1 to 2 m"
+                           : "fitted to Kingery and Bulmash at 1 to 2 m"};
   }
 
   Explosive to_explosive(const Row &row)

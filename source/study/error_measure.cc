@@ -6,7 +6,7 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/readable_file.h>
 #include <contrecoup/base/system/text.h>
-#include <contrecoup/io/file/numpy.h>
+#include <contrecoup/io/file/vtk_input.h>
 #include <contrecoup/study/curve.h>
 #include <contrecoup/study/error_measure.h>
 #include <contrecoup/study/json_path.h>
@@ -17,6 +17,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 
 namespace contrecoup::study
 {
@@ -37,38 +38,52 @@ namespace
                                             "history curve",
                                             "plane"};
 
-  /// The latest array of a plane: stem_NNNN.npy with the largest number.
-  std::string newest_plane(const std::string &folder, const std::string &stem)
+  /// A quantity in a plane.
+  struct PlaneField
   {
-    std::vector<std::string> arrays, stems;
+    std::string extent; ///< numbers of the points along the axes
+    std::vector<double> values;
+  };
+
+  /// Reads "STEM_QUANTITY" from STEM_NNNN.vti with the largest number.
+  PlaneField newest_plane(const std::string &folder, const std::string &name)
+  {
+    std::map<std::string, std::string> newest; // file by stem
     std::error_code ignored;
     for (const auto &entry : fs::directory_iterator(folder, ignored))
-      if (entry.path().extension() == ".npy")
+      if (entry.path().extension() == ".vti")
       {
-        const std::string name = entry.path().stem().string();
-        stems.push_back(name.substr(0, name.rfind('_')));
-        if (stems.back() == stem)
-          arrays.push_back(entry.path().string());
+        const std::string stem = entry.path().stem().string();
+        std::string &file = newest[stem.substr(0, stem.rfind('_'))];
+        file = std::max(file, entry.path().string());
       }
-    if (arrays.empty())
-      throw InputError("Error/Name: \"" + folder + "\" has no plane \"" + stem +
-                       "\"" + suggestion(stem, stems));
-    return *std::max_element(arrays.begin(), arrays.end());
+    std::vector<std::string> known;
+    for (const auto &[stem, file] : newest)
+    {
+      const io::VtkInput plane(file);
+      for (const std::string &quantity : plane.names())
+      {
+        known.push_back(stem + "_" + quantity);
+        if (known.back() == name)
+          return {plane.extent(), plane.numbers(quantity)};
+      }
+    }
+    throw InputError("Error/Name: \"" + folder + "\" has no plane \"" + name +
+                     "\"" + suggestion(name, known));
   }
 
   /// Mean absolute difference, without samples that are NaN.
-  double mean_difference(const std::string &file, const std::string &reference)
+  double mean_difference(const PlaneField &a, const PlaneField &b)
   {
-    const io::NumpyArray a = io::read_npy(file), b = io::read_npy(reference);
-    if (a.shape != b.shape)
-      throw InputError("the planes \"" + file + "\" and \"" + reference +
-                       "\" have different numbers of samples");
+    if (a.extent != b.extent || a.values.size() != b.values.size())
+      throw InputError("Error/Quantity = plane: this run and the reference "
+                       "run have different numbers of samples");
     double sum = 0.;
     std::size_t count = 0;
-    for (std::size_t i = 0; i < a.data.size(); ++i)
-      if (std::isfinite(a.data[i] - b.data[i]))
+    for (std::size_t i = 0; i < a.values.size(); ++i)
+      if (std::isfinite(a.values[i] - b.values[i]))
       {
-        sum += std::abs(a.data[i] - b.data[i]);
+        sum += std::abs(a.values[i] - b.values[i]);
         ++count;
       }
     return sum / static_cast<double>(count);
@@ -103,7 +118,7 @@ void ErrorMeasure::declare_parameters(ParameterHandler &prm)
                  "For exact, the name below \"errors\" in summary.json; for "
                  "summary, a dotted path as \"conservation.mass_last\"; for "
                  "probe or history, the column of probes.csv or history.csv; "
-                 "for a plane, the name of its files without number.");
+                 "for a plane, file and quantity as plane_y_0_pressure.");
   declare_selection(prm,
                     "Quantity",
                     "summary",

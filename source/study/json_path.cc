@@ -31,6 +31,9 @@ double number_at(const nlohmann::json &object,
     walked += (walked.empty() ? "" : ".") + part;
     node = &(*node)[part];
   }
+  // A result or check is an object with a value and its unit.
+  if (node->is_object() && node->contains("value"))
+    node = &(*node)["value"];
   if (node->is_null())
     return std::numeric_limits<double>::quiet_NaN();
   if (!node->is_number() || path.empty())

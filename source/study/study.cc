@@ -8,6 +8,7 @@
 #include <contrecoup/base/system/version.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/file/temporary_folder.h>
+#include <contrecoup/io/output/pictures.h>
 #include <contrecoup/study/report.h>
 #include <contrecoup/study/study.h>
 
@@ -352,8 +353,8 @@ void Study::draw() const
   try
   {
     const io::TemporaryFolder temporary;
-    const ProcessText text = run_process(
-      {CONTRECOUP_PLOT_PROGRAM, "study", folder_}, temporary.path());
+    const ProcessText text =
+      run_process({io::plot_program(), "study", folder_}, temporary.path());
     if (text.end.exit_code != 0 || text.end.signal != 0)
       throw SystemError(text.errors);
   }

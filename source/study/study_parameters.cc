@@ -41,7 +41,7 @@ namespace
                    "",
                    "Further values of summary.json for study.csv and "
                    "study.md, including the reference run: dotted paths as "
-                   "in \"assumptions.loads_chest_peak; ...\".");
+                   "in \"results.loads_chest_peak; ...\".");
     declare_selection(prm,
                       "Mode",
                       "work precision",

@@ -16,7 +16,7 @@ function(blast_regresses name file tolerance steps)
 endfunction()
 
 set(_line COMPARE fields/fields_0001.vtu)
-set(_planes COMPARE fields/plane_*.npy)
+set(_planes COMPARE fields/plane_*.vti)
 set(_resolution "Pictures/Resolution=64")
 blast_regresses(sod verification/sod 1e-8 60 ${_line})
 blast_regresses(sod_galerkin verification/sod 1e-8 60 ${_line}

@@ -13,7 +13,7 @@ set(_tables COMPARE history.csv probes.csv)
 # round-off.
 set(_gauges "Output/Maps=true" "Probes/Lines=0,0,0 : 1,0,0.5 : 11"
   "Probes/Gauge planes=-1,-1,0 : 1,1,0 : 9, 9")
-set(_all COMPARE history.csv probes.csv fields/*.npy fields/gauges_*.csv)
+set(_all COMPARE history.csv probes.csv fields/*.vti fields/gauges_*.csv)
 set(_near TOLERANCE 1e-10 "momentum*=1e-9 absolute")
 contrecoup_add_application_test(hot_ball
   regression,ranks,resume,sigterm,sigkill,disk,quota,other_build,parallel_disk
@@ -24,7 +24,7 @@ contrecoup_add_application_test(hot_ball_on_2
   SET ${_short} ${_gauges} ${_all} ${_near} STOP_AFTER 7)
 contrecoup_add_application_test(hot_ball_galerkin ranks,resume ${_hot_ball}
   SET ${_short} "Method/Scheme=discontinuous galerkin" "Method/Degree=2"
-  COMPARE history.csv probes.csv fields/*.npy ${_near} CORES 1 STOP_AFTER 7)
+  COMPARE history.csv probes.csv fields/*.vti ${_near} CORES 1 STOP_AFTER 7)
 contrecoup_add_application_test(hot_ball_single
   ranks,resume,parallel_resume,parallel_sigkill ${_hot_ball}
   SET ${_short} "Method/Precision=single" ${_gauges} ${_all} RANKS 2 7 3
@@ -47,7 +47,7 @@ foreach(_ranks 1 2)
     "Adaptation/Smallest level=2" "Adaptation/Largest level=3"
     "Output/Checkpoint every steps=6"
     VARY "Method/Skip quiet leaves=true|false" ${_tables}
-    BOUNDS "assumptions.skipped_updates > 0.6")
+    BOUNDS "checks.skipped_updates > 0.6")
 endforeach()
 
 contrecoup_add_application_test(resume_sod resume

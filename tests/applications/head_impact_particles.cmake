@@ -1,40 +1,40 @@
 # Runs of head_impact by the material point method: heads, ranks, resume, reports.
-set(_ledger "status == finished;assumptions.energy_residual < 1e-10;\
-assumptions.energy_residual > -1e-10")
+set(_ledger "status == finished;checks.energy_residual < 1e-10;\
+checks.energy_residual > -1e-10")
 set(_particles "Method=mpm" "MPM/Cell size=0.012" "Output/Pictures=false"
   "Scheme/Courant number=0.5" "Output/History every steps=1" "Time/End time=6e-5")
 
 # One velocity field for all regions, and one for each. Ranks differ by round-off, most
 # in the energy that strains store and in small pressures [Pa].
-contrecoup_add_application_test(particles_head bounds,resume,ranks
+contrecoup_add_application_test(particles_head schema,bounds,resume,ranks
   FILE head_impact/quickstart.prm SET ${_particles} "Output/Fields=false"
-  BOUNDS ${_ledger} "assumptions.peak_contact_force > 10"
+  BOUNDS ${_ledger} "results.peak_contact_force > 10"
   COMPARE history.csv probes.csv STOP_AFTER 8
   TOLERANCE 3e-10 "energy_residual*=1e-12 absolute" "pressure_*=1e-8 absolute")
 # Sums over ranks differ in their last bit: 2e-16 of a bulk modulus of 2.2 GPa is
 # 5e-7 Pa.
 contrecoup_add_application_test(particles_head_slip bounds,resume,ranks
   FILE head_impact/quickstart.prm SET ${_particles} "Output/Fields=false"
-  "Region CSF/Interface=slip" BOUNDS ${_ledger} "assumptions.peak_contact_force > 10"
+  "Region CSF/Interface=slip" BOUNDS ${_ledger} "results.peak_contact_force > 10"
   COMPARE history.csv probes.csv STOP_AFTER 8
   TOLERANCE 3e-10 "energy_residual*=1e-12 absolute" "pressure_*=5e-7 absolute" RANKS 2 7)
 # Cells of 8 mm where skull and CSF are, of 16 mm elsewhere.
 contrecoup_add_application_test(particles_head_fine bounds,resume,ranks
   FILE head_impact/quickstart.prm SET ${_particles} "Output/Fields=false"
   "Region CSF/Interface=slip" "MPM/Cell size=0.016" "MPM/Fine regions=skull, CSF"
-  "MPM/Fine margin=0" BOUNDS ${_ledger} "assumptions.peak_contact_force > 10"
+  "MPM/Fine margin=0" BOUNDS ${_ledger} "results.peak_contact_force > 10"
   COMPARE history.csv probes.csv STOP_AFTER 8
   TOLERANCE 3e-10 "energy_residual*=1e-11 absolute" "pressure_*=1e-8 absolute")
 contrecoup_add_application_test(particles_head_oblique bounds
   FILE head_impact/quickstart.prm SET ${_particles} "Output/Fields=false"
   "Mesh/Symmetry planes=y" "Plane wall/Normal=1, 0, 1"
   "Plane wall/Point=-0.06434672, 0, -0.06434672" "Plane wall/Friction=0.3"
-  BOUNDS ${_ledger} "assumptions.peak_contact_force > 10")
+  BOUNDS ${_ledger} "results.peak_contact_force > 10")
 # A gap of 0.1 mm takes 33 microseconds at 3 m/s.
 contrecoup_add_application_test(particles_head_gap bounds
   FILE head_impact/quickstart.prm SET ${_particles} "Output/Fields=false"
   "Plane wall/Point=0, 0, -0.0911" "Time/End time=1e-4" BOUNDS ${_ledger}
-  "assumptions.contact_begin > 3.2e-5" "assumptions.contact_begin < 8e-5")
+  "results.contact_begin > 3.2e-5" "results.contact_begin < 8e-5")
 
 contrecoup_add_application_test(particles_refuse_gas refusal
   FILE head_impact/verification/sod.prm SET "Method=mpm" "MPM/Cell size=0.01"

@@ -34,13 +34,33 @@ import scene_cases
 import study_cases
 from case import (Case, Failed, Skipped, check_bound, check_finite,
                   checkpoints, compare_arrays, compare_bytes, compare_numbers,
-                  expand, look_up, read_summary, snapshot)
+                  expand, look_up, read_json, read_summary, snapshot)
+from summaries import flaw_of
 
 
 REPOSITORY = os.path.dirname(os.path.dirname(HERE))
 # Values in a table that regressions keep as it is.
 LARGEST_TABLE = 5000
 SAMPLES = ".samples.csv"
+# Their summaries are those of tools, not of runs in time.
+NO_SCHEMA = ("anatomy", "study")
+
+
+def schema(case):
+    """Each summary.json of blast, biomechanics and head_impact, and each
+    scene.json, of the run is as its schema says."""
+    found = 0
+    for here, _, names in os.walk(case.straight()):
+        for name in {"summary.json", "scene.json"} & set(names):
+            path = os.path.join(here, name)
+            if read_json(path).get("application") in NO_SCHEMA:
+                continue
+            flaw = flaw_of(path)
+            if flaw:
+                raise Failed(f"{path}: {flaw}")
+            found += 1
+    if not found:
+        raise Failed("the run left nothing that has a schema")
 
 
 def bounds(case):
@@ -352,7 +372,7 @@ def of_module(kind):
 
 
 KINDS = {kind.__name__: kind for kind in
-         (bounds, regression, ranks, same, convergence, check_files, stem,
+         (schema, bounds, regression, ranks, same, convergence, check_files, stem,
           wedge, reflection, refusal, failure, damaged_checkpoint,
           foreign_checkpoint)}
 KINDS.update(resume_cases.KINDS)

@@ -98,6 +98,10 @@ class JudgementTest(SelfTest):
         self.rejects("no 'errors.y'", "bounds", "--bound=errors.y < 1")
         self.rejects("history.csv:3", "bounds", flaw="nan")
 
+    def test_schema(self):
+        self.accepts("schema")
+        self.rejects("'' is too short", "schema", flaw="unitless")
+
     def test_several_kinds(self):
         options = ("bounds,resume", "--bound=errors.x < 2e-3")
         self.accepts(*options)
@@ -113,14 +117,14 @@ class JudgementTest(SelfTest):
     def test_regression(self):
         options = ("regression", "--reference=references", "--tolerance=1e-12",
                    "--set=Writes=stem", "--compare=history.csv",
-                   "--compare=fields/*.npy")
+                   "--compare=fields/*.vti")
         self.environment["CONTRECOUP_UPDATE_REFERENCES"] = "1"
         self.accepts(*options)
         del self.environment["CONTRECOUP_UPDATE_REFERENCES"]
         self.accepts(*options)
         self.rejects("history.csv differs", *options,
                      "--set=Step size=0.0100000001")
-        self.rejects("plane_pressure_0000.npy differs", *options, flaw="kink")
+        self.rejects("plane_0000.vti differs", *options, flaw="kink")
         self.rejects("references are of other files", *options,
                      "--compare=summary.json")
 

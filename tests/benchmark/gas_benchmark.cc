@@ -149,7 +149,7 @@ Throughput measure(const Settings &settings,
     return updates / dealii::Utilities::MPI::n_mpi_processes(communicator);
   };
   best.unknowns_per_second = best_rate(take_steps);
-  for (const auto &value : simulation.assumptions())
+  for (const auto &value : simulation.checks())
     if (value.name == "troubled_leaves")
       best.troubled = value.value;
   best.components = settings.count("Material/Equation of state") ? 6. : 5.;

@@ -42,6 +42,7 @@ ROOMS = {"base": ["lanes", "system", "parameters", "run"],
 # Those of the Python package applications/plot.
 PLOT_ROOMS = ["readers", "analysis", "figures", "report", "commands"]
 
+LONGEST_README = 200  # of the top level: five minutes
 LONGEST_HEADER = 250
 LONGEST_SOURCE = 500
 LONGEST_MAIN = 40
@@ -65,6 +66,18 @@ def cpp_files(root, folders=("include", "source", "applications", "tests")):
             for name in sorted(names):
                 if name.endswith((".h", ".cc")):
                     yield os.path.relpath(os.path.join(here, name), root)
+
+
+def texts(root):
+    """Yields the paths below @p root of all .md files, sorted; not those of
+    builds and runs."""
+    for here, folders, names in os.walk(root):
+        folders[:] = sorted(
+            name for name in folders if not name.startswith((".", "build"))
+            and (name != "output" or here != root))
+        for name in sorted(names):
+            if name.endswith(".md"):
+                yield os.path.relpath(os.path.join(here, name), root)
 
 
 def lines_of(root, path):
@@ -163,8 +176,11 @@ def plot_rooms(root):
 def lengths(root):
     """No file is longer than one reader holds."""
     problems = []
-    for path in cpp_files(root):
-        if path.endswith(".h"):
+    readme = [path for path in texts(root) if path == "README.md"]
+    for path in [*cpp_files(root), *readme]:
+        if path == "README.md":
+            limit = LONGEST_README
+        elif path.endswith(".h"):
             limit = LONGEST_HEADER
         elif os.path.basename(path) == "main.cc":
             limit = LONGEST_MAIN
@@ -302,7 +318,7 @@ def guide(root):
         elif table is not None:
             table += re.findall(r"`(\w+)`", line.split("|")[1])
         names = re.findall(r"`((?:\w+/)+\w+\.(?:h|cc|py|prm|md|toml|csv))`",
-                           line) + re.findall(r"\]\(([\w./-]+)\)", line)
+                           line)
         problems += [
             f"{path}:{number}: there is no {name}" for name in names
             if not any(os.path.exists(os.path.join(root, below, name)) for below
@@ -313,6 +329,68 @@ def guide(root):
             problems.append(f"{path}: the rooms of '{layer}' are "
                             + ", ".join(known))
     return problems
+
+
+def prose(root, path):
+    """The lines of a text, empty where they are code."""
+    found, in_code = [], False
+    for line in lines_of(root, path):
+        fence = line.lstrip().startswith("```")
+        in_code ^= fence
+        found.append("" if fence or in_code else line)
+    return found
+
+
+def anchors(root, path):
+    """What links to places in a text may name: its headings, in lower case,
+    with hyphens for blanks and without other signs."""
+    found = set()
+    for line in prose(root, path):
+        if heading := re.match(r"#{1,6} +(.*)", line):
+            name = re.sub(r"[^\w\- ]", "", heading[1].strip().lower())
+            name, count = name.replace(" ", "-"), 1
+            first = name
+            while name in found:
+                name, count = f"{first}-{count}", count + 1
+            found.add(name)
+    return found
+
+
+def links(root):
+    """What texts link to is there: files, pictures and headings."""
+    problems = []
+    for path in texts(root):
+        text = "\n".join(re.sub(r"`[^`]*`", "", line)
+                         for line in prose(root, path))
+        for link in re.finditer(r"\]\(([^)\s]+)\)", text):
+            if re.match(r"\w+:", link[1]):
+                continue
+            name, _, anchor = link[1].partition("#")
+            target = os.path.normpath(os.path.join(
+                os.path.dirname(path), name)) if name else path
+            number = text.count("\n", 0, link.start()) + 1
+            if not os.path.exists(os.path.join(root, target)):
+                problems.append(f"{path}:{number}: there is no {target}")
+            elif anchor and anchor not in anchors(root, target):
+                problems.append(f"{path}:{number}: {target} has no heading "
+                                f"#{anchor}")
+    return problems
+
+
+def citation(root):
+    """CITATION.cff has the version of the build."""
+    files = (("CMakeLists.txt", r"project\(\w+ VERSION ([\d.]+)"),
+             ("CITATION.cff", r"version: ([\d.]+)"))
+    found = []
+    for path, pattern in files:
+        lines = lines_of(root, path) if os.path.exists(
+            os.path.join(root, path)) else []
+        found += [match[1] for line in lines
+                  if (match := re.match(pattern, line))]
+    if len(found) == 2 and found[0] == found[1]:
+        return []
+    return ["CITATION.cff: its version must be that of CMakeLists.txt; found: "
+            + (", ".join(found) or "none")]
 
 
 def clang_tool(tool):
@@ -399,7 +477,8 @@ def tidy(root, *folders):
 
 CHECKS = {check.__name__: check for check in
           (layers, rooms, plot_rooms, lengths, functions, mirror, overloads,
-           licence, parameters, guide, formatting, tidy)}
+           licence, parameters, guide, links, citation, formatting,
+           tidy)}
 
 
 def main(arguments):

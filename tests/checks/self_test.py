@@ -53,6 +53,8 @@ class TreeTest(unittest.TestCase):
         self.write("include/contrecoup/materials/two.h", GOOD_HEADER)
         self.write("source/materials/two.cc", GOOD_SOURCE)
         self.write("applications/blast/main.cc", TOP + "int main()\n{}\n")
+        self.write("CMakeLists.txt", "project(contrecoup VERSION 1.2.3)\n")
+        self.write("CITATION.cff", "cff-version: 1.2.0\nversion: 1.2.3\n")
 
     def write(self, path, text):
         path = os.path.join(self.root, path)
@@ -70,7 +72,7 @@ class TreeTest(unittest.TestCase):
     def test_good_tree(self):
         for name in ("layers", "rooms", "plot_rooms", "lengths", "functions",
                      "mirror", "overloads", "licence", "parameters",
-                     "guide"):
+                     "guide", "links", "citation"):
             self.assertEqual(check_tree.CHECKS[name](self.root), [], name)
 
     def test_upward_include(self):
@@ -136,6 +138,13 @@ class TreeTest(unittest.TestCase):
         self.write("applications/blast/main.cc", "\n" * 41)
         self.expect("lengths", "41 lines, at most 40")
 
+    def test_long_readme(self):
+        self.write("README.md", "\n" * 200)
+        self.write("tests/README.md", "\n" * 201)
+        self.assertEqual(check_tree.lengths(self.root), [])
+        self.write("README.md", "\n" * 201)
+        self.expect("lengths", "README.md: 201 lines, at most 200")
+
     def test_long_function(self):
         self.write("source/base/lanes.cc", function_of(60))
         self.assertEqual(check_tree.functions(self.root), [])
@@ -176,16 +185,43 @@ class TreeTest(unittest.TestCase):
             + "".join(f"| `{room}` | it |\n" for room in known) + "\n"
             for layer, known in {**check_tree.ROOMS,
                                  "plot": check_tree.PLOT_ROOMS}.items())
-        good = rooms + "`materials/two.cc`, [two](source/materials/two.cc)\n"
+        good = rooms + "`materials/two.cc`\n"
         self.write("CONTRIBUTING.md", good)
         self.assertEqual(check_tree.guide(self.root), [])
         self.write("CONTRIBUTING.md", good + "`materials/three.h`\n")
         self.expect("guide", f":{good.count(chr(10)) + 1}:",
                     "no materials/three.h")
-        self.write("CONTRIBUTING.md", good + "![two](two.png)\n")
-        self.expect("guide", "no two.png")
         self.write("CONTRIBUTING.md", good.replace("| `octree` | it |\n", ""))
         self.expect("guide", "'gas'", "octree")
+
+    def test_links(self):
+        """Of texts in any folder, to files and headings, over line ends; not
+        of code, other sites, builds and runs."""
+        here = "# Two\n\n## What `two()` is, at 1.5\n\n## Two\n"
+        self.write("source/README.md", here)
+        good = ("[two](source/materials/two.cc), [a\nroom](source/README.md"
+                "#what-two-is-at-15), [again](source/README.md#two-1)\n"
+                "[deal.II](https://www.dealii.org), [here](#links)\n"
+                "`[a](b)`\n```\n# No\n[c](d)\n```\n# Links\n")
+        self.write("README.md", good)
+        for folder in ("build/three", "output/three", ".git"):
+            self.write(folder + "/README.md", "[three](three.h)\n")
+        self.assertEqual(check_tree.links(self.root), [])
+        number = good.count("\n") + 1
+        for link, word in (("two.png", "no two.png"),
+                           ("source/three.md#two", "no source/three.md"),
+                           ("source/README.md#three", "no heading #three"),
+                           ("#no", "no heading #no")):
+            self.write("README.md", good + f"![two]({link})\n")
+            self.expect("links", f"README.md:{number}:", word)
+        self.write("README.md", good)
+        self.write("source/materials/README.md", "[up](README.md#two)\n")
+        self.expect("links", "source/materials/README.md:1", "no heading")
+
+    def test_citation_of_another_version(self):
+        for text in ("version: 1.2.4\n", "cff-version: 1.2.3\n"):
+            self.write("CITATION.cff", text)
+            self.expect("citation", "CITATION.cff")
 
     def test_badly_formatted(self):
         try:

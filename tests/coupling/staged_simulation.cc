@@ -126,7 +126,7 @@ std::string names(const std::vector<NamedValue> &values)
 
 bool in_second_stage(Simulation &simulation)
 {
-  return row(simulation.assumptions()).count("hand_over_time") > 0;
+  return row(simulation.checks()).count("hand_over_time") > 0;
 }
 
 
@@ -266,7 +266,7 @@ TEST(StagedSimulation, HandsOverBeforeTheFrontReachesTheGround)
   simulation->setup();
   while (!in_second_stage(*simulation))
     steps(*simulation, 1);
-  const auto values = row(simulation->assumptions());
+  const auto values = row(simulation->checks());
   EXPECT_LT(values.at("hand_over_radius"), 0.5);
   EXPECT_GT(values.at("hand_over_radius"), 0.3);
 }
@@ -279,7 +279,7 @@ TEST(StagedSimulation, HandsOverAtAGivenTimeAndAtOnce)
   late->setup();
   while (!in_second_stage(*late))
     steps(*late, 1);
-  EXPECT_NEAR(row(late->assumptions()).at("hand_over_time"), 5e-5, 1e-17);
+  EXPECT_NEAR(row(late->checks()).at("hand_over_time"), 5e-5, 1e-17);
 
   const auto early = make<3>(octant() + Lines{"First stage/Hand over at=time"});
   early->setup();
@@ -308,8 +308,8 @@ TEST(StagedSimulation, GoesOnFromBothStages)
     EXPECT_EQ(resumed->time(), straight->time());
     EXPECT_EQ(row(resumed->history()), row(straight->history()));
     EXPECT_EQ(row(resumed->probes()), row(straight->probes()));
-    auto resumed_values = row(resumed->assumptions());
-    auto straight_values = row(straight->assumptions());
+    auto resumed_values = row(resumed->checks());
+    auto straight_values = row(straight->checks());
     // These two are of the run, not of the scene.
     for (const std::string name : {"skipped_updates", "careful_steps"})
     {

@@ -59,5 +59,14 @@ TEST(TissuePlaces, LieInElementsOfTheirTissueWhateverTheirSize)
     for (const TissuePlace &place : places)
       EXPECT_EQ(tissue_in_grid(*body, grid, place.place), wanted.at(place.name))
         << place.name << " at " << place.place << ", " << spacing;
+    std::map<std::string, dealii::Point<3>> by_name;
+    for (const TissuePlace &place : places)
+      by_name[place.name] = place.place;
+    // The man's lungs differ, the positions in them do not.
+    const dealii::Point<3> &left = by_name.at("lung left");
+    const dealii::Point<3> &right = by_name.at("lung right");
+    EXPECT_GT(left[1], 0.);
+    EXPECT_LT(left.distance({right[0], -right[1], right[2]}), 0.1 * spacing)
+      << left << " and " << right << ", " << spacing;
   }
 }

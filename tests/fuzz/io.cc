@@ -4,7 +4,8 @@
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/geometry/body/body_description.h>
 #include <contrecoup/io/file/checked_file.h>
-#include <contrecoup/io/file/numpy.h>
+#include <contrecoup/io/file/plane_file.h>
+#include <contrecoup/io/file/vtk_input.h>
 #include <contrecoup/io/output/checkpoint.h>
 #include <contrecoup/io/output/history.h>
 #include <contrecoup/io/output/history_reader.h>
@@ -86,12 +87,18 @@ void read_history(const std::string &path)
 
 void prepare_array(const std::string &folder)
 {
-  io::write_npy(folder + "/plane.npy", {2, 3}, {1., 2., 3., 4., 5., 6.});
+  io::PlaneSamples plane;
+  plane.axes = {{0, 2}};
+  plane.n_points = {{2, 3}};
+  plane.fields = {{"pressure", "Pa", {1., 2., 3., 4., 5., 6.}}};
+  io::write_plane(folder + "/plane.vti", plane);
 }
 
 void read_array(const std::string &path)
 {
-  io::read_npy(path);
+  const io::VtkInput plane(path);
+  for (const std::string &name : plane.names())
+    plane.numbers(name);
 }
 
 
@@ -134,7 +141,7 @@ void read_run(const std::string &path)
 
 io::FileNames names_of_run()
 {
-  return {{"loads.h5", "fields/plane_*.npy"}, {"log.txt", "inner/"}};
+  return {{"loads.h5", "fields/plane_*.vti"}, {"log.txt", "inner/"}};
 }
 
 void prepare_manifest(const std::string &folder)
@@ -187,7 +194,7 @@ int main(int argc, char **argv)
     {{"parameters", "run.prm", prepare_parameters, read_parameters},
      {"loads", "loads.h5", prepare_loads, read_loads},
      {"history", "history.csv", prepare_history, read_history},
-     {"array", "plane.npy", prepare_array, read_array},
+     {"array", "plane.vti", prepare_array, read_array},
      {"cost", "cost.json", prepare_cost, read_cost},
      {"run", "run.json", prepare_run, read_run},
      {"manifest", "manifest.json", prepare_manifest, read_manifest},

@@ -72,7 +72,7 @@ TEST(Application, LeavesTheFilesOfTheContract)
     0.1);
   EXPECT_FALSE(json["conservation"].contains("position_first"));
   EXPECT_LT(json["errors"]["position"].get<double>(), 0.1);
-  EXPECT_TRUE(json["assumptions"]["largest_angle"].is_null());
+  EXPECT_TRUE(json["checks"]["largest_angle"]["value"].is_null());
   EXPECT_GT(json["performance"]["updates_per_second_per_core"], 0.);
   EXPECT_GT(json["performance"]["peak_memory_bytes"], 1e6);
   EXPECT_TRUE(json["timers"].contains("advance"));

@@ -40,6 +40,15 @@ TEST(CommandLine, ReadsEveryOptionInAnyOrder)
   EXPECT_FALSE(command.help);
 }
 
+TEST(CommandLine, EstimateIsAnOptionOfSceneAlone)
+{
+  const char *const words[] = {"scene", "a.prm", "--estimate"};
+  EXPECT_TRUE(parse_command_line(3, words, "scene").estimate);
+  EXPECT_THROW(parse({"a.prm", "--estimate"}), InputError);
+  EXPECT_NE(help_text("scene", "", "").find("--estimate"), std::string::npos);
+  EXPECT_EQ(help_text("blast", "", "").find("--estimate"), std::string::npos);
+}
+
 TEST(CommandLine, OutputFolderIsNamedAfterTheFile)
 {
   EXPECT_EQ(parse({"folder/scene.prm"}).output_folder, "output/program/scene");

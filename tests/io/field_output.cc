@@ -79,11 +79,3 @@ TEST(FieldOutput, WritesHdf5WithXdmf)
   EXPECT_NE(text.find("0.5"), std::string::npos);
   EXPECT_GT(std::filesystem::file_size("vtu/cube_0001.h5"), 27 * 4 * 8u);
 }
-
-TEST(FieldOutput, CollectionsListFilesAndTimes)
-{
-  write_collection("list.pvd", {{0.1, "a.vtu"}, {1. / 3., "b.vtu"}});
-  const std::string text = read_file("list.pvd");
-  EXPECT_NE(text.find("timestep=\"0.333333333333\""), std::string::npos);
-  EXPECT_NE(text.find("b.vtu"), std::string::npos);
-}

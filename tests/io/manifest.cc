@@ -62,7 +62,7 @@ TEST(NamePatterns, DigitsAndAnyCharacters)
 {
   EXPECT_TRUE(matches("fields_0001.vtu", "fields_#.vtu"));
   EXPECT_TRUE(matches("fields_12345.0003.vtu", "fields_#.#.vtu"));
-  EXPECT_TRUE(matches("plane_y_0_pressure_0001.npy", "plane_*_#.npy"));
+  EXPECT_TRUE(matches("plane_y_0_0001.vti", "plane_*_#.vti"));
   EXPECT_TRUE(matches("a", "*a"));
   EXPECT_FALSE(matches("fields_.vtu", "fields_#.vtu"));
   EXPECT_FALSE(matches("fields_1a.vtu", "fields_#.vtu"));

@@ -186,8 +186,8 @@ namespace io
             {"mass velocity", "m/s", velocity_}};
   }
 
-  std::string Oscillator::write_fields(const std::string &folder,
-                                       const unsigned int index)
+  std::vector<FieldFile> Oscillator::write_fields(const std::string &folder,
+                                                  const unsigned int index)
   {
     FieldOutput<2> output({{"position", "m"}, {"velocity", "m/s", true}});
     if (dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
@@ -203,8 +203,10 @@ namespace io
       }
       output.add_patch(std::move(patch));
     }
-    return output.write(
-      field_format_, folder, "oscillator", index, time_, communicator_);
+    return {
+      {"",
+       output.write(
+         field_format_, folder, "oscillator", index, time_, communicator_)}};
   }
 
   std::vector<NamedValue> Oscillator::errors()
@@ -217,7 +219,7 @@ namespace io
     return {{"position", "m", std::abs(position_ - exact)}};
   }
 
-  std::vector<NamedValue> Oscillator::assumptions()
+  std::vector<NamedValue> Oscillator::checks()
   {
     return {{"largest_angle", "-", std::nan("")}};
   }

@@ -140,9 +140,9 @@ LoadInjury under_two_fronts(const double peak, const double body_mass)
 TEST(LoadInjury, OfTwoFrontsIsKnown)
 {
   const LoadInjury chest = under_two_fronts(9e5, 78.5);
-  EXPECT_DOUBLE_EQ(chest.peak, 9e5);
+  EXPECT_DOUBLE_EQ(chest.pulse.peak, 9e5);
   EXPECT_NEAR(chest.chest_wall_velocity, 10.8423, 1e-3);
-  EXPECT_NEAR(chest.positive_phase, 1e-3, 1e-12);
+  EXPECT_NEAR(chest.pulse.duration, 1e-3, 1e-12);
   EXPECT_NEAR(chest.lung_exposure, 0.2639789, 1e-6);
   EXPECT_NEAR(under_two_fronts(2e5, 78.5).chest_wall_velocity, 2.4220, 1e-3);
   EXPECT_NEAR(under_two_fronts(1.75e5, 78.5).eardrum_rupture, 0.7877251, 1e-6);

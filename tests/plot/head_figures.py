@@ -13,6 +13,7 @@ import report_figures
 import report_reader
 from report_figures import require
 from report_reader import require_same
+from summaries import values_of
 
 GRAVITY = 9.80665
 
@@ -25,7 +26,8 @@ class Files:
         with open(os.path.join(output, "summary.json"),
                   encoding="utf-8") as file:
             self.summary = json.load(file)
-        self.found = self.summary["assumptions"]
+        self.found = (values_of(self.summary, "results")
+                      | values_of(self.summary, "checks"))
         self.history = _columns(output, "history.csv")
         self.probes = _columns(output, "probes.csv")
         self.injury = {row["measure"]: float(row["value"]) for row in

@@ -4,23 +4,22 @@
 
 import json
 import os
-import zlib
 
 import numpy as np
+
+import tiny_files
 
 BEGIN = 1.8e-3  # s, arrival at the body
 TIMES = np.linspace(0., 6e-3, 241)
 GAUGES = {"forehead": (0.09, 0., 1.7, 5e5), "chest": (0.12, 0., 1.3, 9e5),
           "back": (-0.12, 0., 1.25, 2e5), "left ear": (0., 0.08, 1.65, 1.75e5)}
 # What blast finds of these pulses for a man of 78.5 kg (tests/numerics has the
-# first row's): first positive phase, chest wall velocity, lung exposure,
-# probability that an eardrum ruptures.
-HARM = {"chest": (1e-3, 10.842, 0.26398, 0.99951),
-        "forehead": (1e-3, 6.0428, 0.14665, 0.99177),
-        "back": (1e-3, 2.4220, 0.058662, 0.84184),
-        "left ear": (1e-3, 2.1197, 0.051329, 0.78773)}
-GAUGE_INJURY = ("place,peak [Pa],positive phase [s],chest wall velocity [m/s],"
-                "lung exposure [-],eardrum rupture [-]\n")
+# chest's), by measure and place: value, unit.
+HARM = {("chest_wall_velocity", "chest"): (10.842, "m/s"),
+        ("chest_wall_velocity", "back"): (2.4220, "m/s"),
+        ("chest_wall_velocity", "chest and back"): (6.632, "m/s"),
+        ("lung_exposure", "chest"): (0.26398, "-"),
+        ("eardrum_rupture", "left ear"): (0.78773, "-")}
 PROBES = {"coup": (0.07, 0., 1.66), "contrecoup": (-0.07, 0., 1.66),
           "lung left": (0., 0.09, 1.28)}
 QUANTITIES = (["displacement_" + axis + " [m]" for axis in "xyz"]
@@ -30,9 +29,7 @@ QUANTITIES = (["displacement_" + axis + " [m]" for axis in "xyz"]
 INJURY = {"injury_intracranial_pressure_peak": (1.0425e6, "Pa"),
           "injury_intracranial_pressure_lowest": (-8.1e5, "Pa"),
           "injury_strain_95": (0.0542, "-"), "injury_hic15": (931., "-"),
-          "injury_pressure_roughness": (0.515, "-"),
-          "injury_chest_wall_velocity": (9.9, "m/s"),
-          "injury_lung_exposure": (0.35, "-")}
+          "injury_pressure_roughness": (0.515, "-")}
 
 # Rows of the audit as scene writes them; no limit judges the last one.
 AUDIT = (
@@ -58,6 +55,10 @@ def write(path, text):
     os.makedirs(os.path.dirname(path), exist_ok=True)
     with open(path, "w", encoding="utf-8") as file:
         file.write(text)
+
+
+def with_unit(value, unit):
+    return {"value": value, "unit": unit}
 
 
 def write_table(path, columns):
@@ -111,12 +112,15 @@ def write_blast(folder):
             "mass_relative_change": -0.22005,
             "energy_first": 7.57e6, "energy_last": 6.02e6,
             "energy_relative_change": -0.20475},
+        "results": {
+            "probe_1_peak_overpressure": with_unit(267701.8, "Pa"),
+            "probe_1_reference_peak_overpressure": with_unit(314415., "Pa"),
+            "probe_1_impulse": with_unit(150.4, "Pa s"),
+            "probe_1_reference_impulse": with_unit(221.7, "Pa s"),
+            "probe_1_duration": with_unit(2.31e-3, "s"),
+            "probe_1_reference_duration": with_unit(2.38e-3, "s")},
+        "checks": {"loads_impulse_difference": with_unit(5.52e-4, "-")},
         "assumptions": {
-            "probe_1_peak_overpressure": 267701.8,
-            "probe_1_reference_peak_overpressure": 314415.,
-            "probe_1_impulse": 150.4, "probe_1_reference_impulse": 221.7,
-            "probe_1_duration": 2.31e-3, "probe_1_reference_duration": 2.38e-3,
-            "loads_impulse_difference": 5.52e-4,
             "gravity": {"decision": "left out", "quantity": "its speed",
                         "unit": "-", "estimate": 2.9e-4, "measured": 3.3e-4,
                         "at_most": 0.05, "holds": True,
@@ -125,16 +129,15 @@ def write_blast(folder):
     write_table(os.path.join(folder, "history.csv"), {
         "step": steps, "time [s]": TIMES, "mass [kg]": 186. - steps / 6.})
     write_gauges(folder, GAUGES)
-    write(os.path.join(folder, "gauge_injury.csv"),
-          GAUGE_INJURY + "".join(
-              f"{name},{GAUGES[name][3]!r}," + ",".join(map(repr, harm)) + "\n"
-              for name, harm in HARM.items()))
+    write_harm(folder)
     write_loads(os.path.join(folder, "loads.h5"))
     write_planes(folder, (1.5e-3, 2.5e-3))
 
 
 def write_gauges(folder, gauges, slowness=0.):
-    """Histories of gauges; those behind begin later by @p slowness [s/m]."""
+    """Histories and measures of gauges; histories of those behind begin later
+    by @p slowness [s/m]."""
+    write_measures(folder, gauges)
     write_table(os.path.join(folder, "load_gauges.csv"), {
         "time [s]": TIMES, **{
             f"{name} [Pa]": pulse(TIMES, peak, max(0., -slowness * x))
@@ -144,7 +147,25 @@ def write_gauges(folder, gauges, slowness=0.):
 def write_planes(folder, times):
     for number, time in enumerate(times):
         write_plane(os.path.join(folder, "fields",
-                                 f"plane_y_0_pressure_{number:04d}"), time)
+                                 f"plane_y_0_{number:04d}.vti"), time)
+
+
+def write_measures(folder, gauges, factor=1.):
+    """What blast finds at the gauges, with their peaks times a factor."""
+    write(os.path.join(folder, "gauge_measures.csv"),
+          "place,arrival [s],peak [Pa],peak time [s],impulse [Pa s],positive "
+          "phase [s]\n" + "".join(
+              f"{name},{BEGIN!r},{factor * peak!r},{BEGIN!r},"
+              f"{0.38e-3 * peak!r},0.001\n"
+              for name, (*_, peak) in gauges.items()))
+
+
+def write_harm(folder, factor=1.):
+    """HARM times a factor."""
+    write(os.path.join(folder, "gauge_injury.csv"),
+          "measure,place,value,unit,definition\n" + "".join(
+              f'{measure},{place},{factor * value!r},{unit},"of a model"\n'
+              for (measure, place), (value, unit) in HARM.items()))
 
 
 def write_loads(path, gauges=GAUGES):
@@ -172,16 +193,15 @@ def write_loads(path, gauges=GAUGES):
             in gauges.items()))
 
 
-def write_plane(stem, time):
-    os.makedirs(os.path.dirname(stem), exist_ok=True)
+def write_plane(path, time):
     x, z = np.meshgrid(np.linspace(-1., 3., 60), np.linspace(0.02, 2., 30))
     distance = np.hypot(x - 2.458, z - 1.27)
     front = 2.337 * time / BEGIN
-    np.save(stem + ".npy", 101325. + 1e5 * np.where(
-        distance < front, np.exp(distance - front), 0.))
-    write(stem + ".json", json.dumps({
-        "quantity": "pressure", "unit": "Pa", "time": time,
-        "axes": ["x", "z"], "lower": [-1., 0.02], "upper": [3., 2.]}))
+    pressure = 101325. + 1e5 * np.where(distance < front,
+                                        np.exp(distance - front), 0.)
+    tiny_files.write_plane(path, {"pressure": (pressure, "Pa"),
+                                  "density": (1e-5 * pressure, "kg/m^3")},
+                           [-1., 0.02], [3., 2.], time)
 
 
 def write_biomechanics(folder):
@@ -189,10 +209,12 @@ def write_biomechanics(folder):
     write(os.path.join(folder, "summary.json"), json.dumps({
         "application": "biomechanics", "version": "0.1.0",
         "status": "finished", "cells": 64, "steps": 240,
-        "assumptions": {"energy_residual": 3.5e-6, "hourglass_part": 0.077,
-                        "loads_impulse_factor": 0.984,
-                        "loads_recorded_impulse_x": -118.4,
-                        "loads_mapped_impulse_x": -118.3}}))
+        "checks": {
+            "energy_residual": with_unit(3.5e-6, "-"),
+            "hourglass_part": with_unit(0.077, "-"),
+            "loads_impulse_factor": with_unit(0.984, "-"),
+            "loads_recorded_impulse_x": with_unit(-118.4, "N s"),
+            "loads_mapped_impulse_x": with_unit(-118.3, "N s")}}))
     write_history(folder, ("brain",))
     write(os.path.join(folder, "injury.csv"),
           "measure,value,unit,threshold,limits\n" + "".join(
@@ -255,26 +277,15 @@ def write_mesh(path, scale, stature=1.7, tissue=None):
     height = points[cells].mean(axis=1)[:, 2]
     tissue = np.where(height > 1.5, 4, np.where(height > 1., 7, 3)) \
         if tissue is None else np.full(height.shape, tissue)
-    arrays = [("points", points.astype(np.float32), 3),
-              ("connectivity", cells.astype(np.uint32), 1),
+    arrays = [("points", points.astype(np.float32), 3, "m"),
+              ("connectivity", cells.astype(np.uint32), 1, ""),
               ("displacement", np.full(points.shape, 1e-6 * scale,
-                                       np.float32), 3),
-              ("tissue", tissue.astype(np.uint8), 1),
-              ("pressure", (scale * height).astype(np.float32), 1)]
-    arrays += [(name, (1e-6 * scale * height).astype(np.float32), 1)
+                                       np.float32), 3, "m"),
+              ("tissue", tissue.astype(np.uint8), 1, ""),
+              ("pressure", (scale * height).astype(np.float32), 1, "Pa")]
+    arrays += [(name, (1e-6 * scale * height).astype(np.float32), 1, "-")
                for name in ("highest_pressure", "largest_principal_strain")]
-    kinds = {"float32": "Float32", "uint32": "UInt32", "uint8": "UInt8"}
-    head, data = "", b""
-    for name, values, components in arrays:
-        head += (f'<DataArray type="{kinds[str(values.dtype)]}" Name="{name}"'
-                 f' NumberOfComponents="{components}" format="appended" '
-                 f'offset="{len(data)}"/>\n')
-        block = zlib.compress(values.tobytes())
-        data += np.array([1, values.nbytes, 0, len(block)],
-                         np.uint64).tobytes() + block
-    os.makedirs(os.path.dirname(path), exist_ok=True)
-    with open(path, "wb") as file:
-        file.write(head.encode() + b'<AppendedData encoding="raw">\n_' + data)
+    tiny_files.write(path, *tiny_files.appended(arrays))
 
 
 def write_anatomy(folder):
@@ -339,11 +350,9 @@ COARSER = {"injury_intracranial_pressure_peak": 0.9, "injury_strain_95": 0.5}
 
 def write_coarser(folder):
     """What the report reads of the run with larger cells and elements."""
-    write(os.path.join(folder, "coarser_blast", "gauge_injury.csv"),
-          GAUGE_INJURY + "".join(
-              f"{name},{0.8 * GAUGES[name][3]!r}," + ",".join(
-                  repr(0.9 * value) for value in harm) + "\n"
-              for name, harm in HARM.items()))
+    blast = os.path.join(folder, "coarser_blast")
+    write_measures(blast, GAUGES, 0.8)
+    write_harm(blast, 0.9)
     write(os.path.join(folder, "coarser_biomechanics", "injury.csv"),
           "measure,value,unit,threshold,limits\n" + "".join(
               f"{name},{COARSER.get(name, 1.) * value!r},{unit},none,none\n"

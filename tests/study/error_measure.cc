@@ -3,7 +3,7 @@
 
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/system/exceptions.h>
-#include <contrecoup/io/file/numpy.h>
+#include <contrecoup/io/file/plane_file.h>
 #include <contrecoup/io/file/temporary_folder.h>
 #include <contrecoup/study/error_measure.h>
 
@@ -68,8 +68,13 @@ TEST(ErrorMeasure, ComparesTablesAndPlanesOfRuns)
       << "\n3,1\n";
     const std::string fields = folder->path() + "/fields";
     std::filesystem::create_directories(fields);
-    io::write_npy(fields + "/plane_p_0000.npy", {2, 1}, {0., 0.});
-    io::write_npy(fields + "/plane_p_0001.npy", {2, 1}, {factor, std::nan("")});
+    io::PlaneSamples plane;
+    plane.axes = {{0, 1}};
+    plane.n_points = {{2, 2}};
+    plane.fields = {{"p", "Pa", {0., 0., 0., 0.}}};
+    io::write_plane(fields + "/plane_0000.vti", plane);
+    plane.fields[0].values = {factor, std::nan(""), factor, factor};
+    io::write_plane(fields + "/plane_0001.vti", plane);
   }
   const auto difference = [&](const std::string &quantity,
                               const std::string &name) {

@@ -16,26 +16,11 @@ def arrival(time, values, part=ARRIVED):
     return float(time[np.argmax(size >= part * size.max())])
 
 
-def positive_phase(time, values):
-    """When the first positive phase begins and ends, and its impulse: until
-    the overpressure is first back at zero."""
-    begin = arrival(time, np.maximum(values, 0.))
-    if begin is None:
-        return None
-    first = int(np.searchsorted(time, begin))
-    after = np.flatnonzero(values[first:] <= 0.)
-    last = first + int(after[0]) if after.size else len(time) - 1
-    start = max(first - 1, 0)
-    while start > 0 and values[start] > 0.:
-        start -= 1
-    part = slice(start, last + 1)
-    impulse = float(np.trapz(np.maximum(values[part], 0.), time[part]))
-    return begin, float(time[last]), impulse
-
-
-def is_cut(time, values, phase):
-    """Whether the end of the run cuts off a positive_phase()."""
-    return phase[1] >= time[-1] and values[-1] > 0.
+def is_cut(time, measures):
+    """Whether the positive phase of a row of gauge_measures.csv lasts until the
+    end of the run."""
+    return measures["arrival"] + measures["positive phase"] \
+        >= time[-1] * (1. - 1e-9)
 
 
 def rise_time(time, values):

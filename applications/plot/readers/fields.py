@@ -16,12 +16,15 @@ EDGES = [((0, 3, 7, 4), (1, 2, 6, 5)), ((0, 1, 5, 4), (3, 2, 6, 7)),
 
 
 def list_fields(folder):
-    """Times and the files of each output."""
+    """Times and the files of each output, without planes and skin of a
+    blast."""
     with open(os.path.join(folder, "fields.pvd"), encoding="utf-8") as file:
         found = re.findall(r'timestep="([^"]*)"[^>]*file="([^"]*)"',
                            file.read())
     result = []
     for time, name in found:
+        if name.endswith((".vti", ".vtp")):
+            continue
         path = os.path.join(folder, name)
         pieces = [path]
         if path.endswith(".pvtu"):

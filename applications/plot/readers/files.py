@@ -24,7 +24,7 @@ def reading(path):
     try:
         yield
     except (OSError, ValueError, KeyError, IndexError, TypeError, zlib.error,
-            StopIteration, AttributeError, EOFError) as problem:
+            StopIteration, AttributeError, EOFError, csv.Error) as problem:
         words = " ".join(str(problem).split()) or type(problem).__name__
         raise BrokenInput(f"{path}: cannot be read: {words}") from problem
 
@@ -41,7 +41,7 @@ def read_json(path, shape):
 
 def rows_of(file):
     """The rows of a CSV file with a header, by its names."""
-    reader = csv.DictReader(file)
+    reader = csv.DictReader(file, strict=True)
     if not reader.fieldnames:
         raise ValueError("it is empty")
     for row in reader:

@@ -109,7 +109,7 @@ class HeadRun(Stage):
     def contact(self, name):
         """What the summary says of the contact, of every step; None if nothing
         touched the planes."""
-        return self.found("assumptions", name)
+        return self.found("results", name)
 
     def last_contact(self):
         """When the planes last pushed; None if never, or at the end."""

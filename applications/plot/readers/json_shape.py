@@ -12,11 +12,12 @@ POINT = [NUMBER, 3]
 _ASSUMPTION = {"decision": WORDS, "quantity": WORDS, "unit": WORDS,
                "estimate": NUMBER, "measured": NUMBER, "at_most": NUMBER,
                "at_least": NUMBER, "holds": TRUTH, "entry": WORDS}
+_VALUE = {"value": NUMBER, "unit": WORDS}
 _ROW = {"item": WORDS, "decision": WORDS, "quantity": WORDS,
         "estimate": WORDS, "found": WORDS, "limit": WORDS, "holds": TRUTH,
         "entry": WORDS}
 # A list is one of such things, with a number behind it of so many; "*" stands
-# for any other name; a tuple for either.
+# for any other name.
 SCENE = {
     "application": WORDS, "version": WORDS, "git_revision": WORDS,
     "title": WORDS, "question": WORDS, "accuracy": WORDS, "explosive": WORDS,
@@ -36,10 +37,8 @@ SUMMARY = {
     "status": WORDS, "cells": NUMBER, "steps": NUMBER, "ranks": NUMBER,
     "nodes": NUMBER, "unknowns": NUMBER, "wall_seconds": NUMBER,
     "performance": {"*": NUMBER}, "conservation": {"*": NUMBER},
-    "errors": {"*": NUMBER}, "assumptions": {"*": (NUMBER, _ASSUMPTION)}}
-PLANE = {
-    "quantity": WORDS, "unit": WORDS, "time": NUMBER, "axes": [WORDS, 2],
-    "lower": [NUMBER, 2], "upper": [NUMBER, 2]}
+    "errors": {"*": NUMBER}, "results": {"*": _VALUE},
+    "checks": {"*": _VALUE}, "assumptions": {"*": _ASSUMPTION}}
 
 
 def _refuse_number(text):
@@ -69,8 +68,6 @@ def check(value, shape, name=""):
     """Raises ValueError where @p value is not of that shape."""
     if value is None:
         return
-    if isinstance(shape, tuple):
-        shape = shape[1] if isinstance(value, dict) else shape[0]
     if isinstance(shape, (dict, list)):
         if not isinstance(value, type(shape)):
             raise ValueError(f'"{name}" must be {_name(shape)}')

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 by the Contrecoup authors
-"""Plane cuts through fields, NAME.npy with NAME.json."""
+"""Plane cuts through fields, NAME.vti."""
 
 import glob
 import os
@@ -8,25 +8,20 @@ import re
 
 import numpy as np
 
-from plot.readers import json_shape
+from plot.readers import vtk_file
 
 
 class Plane:
     """One quantity on a regular grid: values[second axis, first axis]."""
 
-    def __init__(self, description, path):
-        json_shape.check(description, json_shape.PLANE)
-        for name in json_shape.PLANE:
-            if description.get(name) is None:
-                raise ValueError(f'"{name}" is missing')
-        self.quantity = description["quantity"]
-        self.unit = description["unit"]
-        self.time = description["time"]
-        self.axes = description["axes"]
-        self.lower = description["lower"]
-        self.upper = description["upper"]
-        self.values = np.load(path)
-        if self.values.ndim != 2 or self.values.dtype.kind != "f" \
+    def __init__(self, image, quantity):
+        self.quantity = quantity
+        self.values, self.unit = image.fields[quantity]
+        self.time = image.time
+        self.axes = image.axes
+        self.lower = image.lower
+        self.upper = image.upper
+        if self.values.dtype.kind != "f" \
                 or not np.isfinite(self.values).any():
             raise ValueError("no grid of numbers")
 
@@ -48,22 +43,20 @@ class Plane:
 
 
 def open_planes(folder):
-    """All planes of a run, by the names of their files without the number
-    of the output at the end, each list by time. Planes without a number,
-    which sum up a whole run, stand alone."""
+    """All planes of a run, by the names of their files and quantities, such as
+    "plane_y_0_pressure", without the number of the output, each list by time.
+    Planes without a number, which sum up a whole run, stand alone."""
     found = {}
-    for path in glob.glob(os.path.join(folder, "**", "*.json"),
+    for path in glob.glob(os.path.join(folder, "**", "*plane_*.vti"),
                           recursive=True):
-        array = path[:-len(".json")] + ".npy"
-        if not os.path.exists(array):
-            continue
+        stem = re.sub(r"_(\d{4,}|maps)$", "", os.path.basename(path)[:-4])
+        image = vtk_file.Image(path)
         try:
-            with open(path, encoding="utf-8") as file:
-                plane = Plane(json_shape.parse(file.read()), array)
-        except (ValueError, EOFError) as problem:
-            raise ValueError(f"{array} with .json: {problem}") from problem
-        stem = re.sub(r"_\d{4,}$", "", os.path.basename(array)[:-4])
-        found.setdefault(stem, []).append(plane)
+            for quantity in image.fields:
+                found.setdefault(f"{stem}_{quantity}", []).append(
+                    Plane(image, quantity))
+        except ValueError as problem:
+            raise ValueError(f"{path}: {problem}") from problem
     for planes in found.values():
         planes.sort(key=lambda plane: plane.time)
     return found

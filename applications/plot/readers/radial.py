@@ -95,7 +95,8 @@ class RadialRun:
             self.entries = [
                 (float(entry.get("timestep")),
                  os.path.join(path, entry.get("file")))
-                for entry in xml.parse(collection).iter("DataSet")]
+                for entry in xml.parse(collection).iter("DataSet")
+                if not entry.get("file").endswith((".vti", ".vtp"))]
             if len(self.entries) < 2:
                 raise BrokenInput(f"{path}: no fields but those at the start")
             self.last = _read(self.entries[-1][1])

@@ -8,12 +8,11 @@ import os
 import numpy as np
 
 from plot.readers import (fields, files, json_shape, loads, planes, vtk_file)
-from plot.readers.stage import Stage, read_measures
+from plot.readers.stage import Measure, Stage, read_measures
 
 STAGES = ("anatomy", "blast", "biomechanics")
-# What blast finds of the loads on a place.
-HARM = ("peak", "positive phase", "chest wall velocity", "lung exposure",
-        "eardrum rupture")
+# Columns of gauge_measures.csv, without units.
+GAUGE_MEASURES = ("arrival", "peak", "peak time", "impulse", "positive phase")
 
 
 class Scene:
@@ -140,9 +139,12 @@ class Scene:
                 parts.append(vtk_file.read(piece))
         return parts
 
+    def gauge_measures(self):
+        """GAUGE_MEASURES of the gauges on the skin: numbers by gauge and name."""
+        return read_gauge_measures(self.blast)
+
     def gauge_injury(self):
-        """What loads on named places do to a person there: numbers by place
-        and name, without units."""
+        """Injuries by the loads at gauges: Measure by (measure, gauge)."""
         return read_gauge_injury(self.blast)
 
     def measures(self):
@@ -156,6 +158,10 @@ class CoarserRun:
     def __init__(self, blast, biomechanics):
         self.blast, self.biomechanics = blast, biomechanics
 
+    def gauge_measures(self):
+        """As Scene.gauge_measures()."""
+        return read_gauge_measures(self.blast)
+
     def gauge_injury(self):
         """As Scene.gauge_injury()."""
         return read_gauge_injury(self.blast)
@@ -165,10 +171,9 @@ class CoarserRun:
         return read_measures(self.biomechanics.path("injury.csv"))
 
 
-def read_gauge_injury(blast):
-    """What the loads of a blast do at named places: numbers by place and
-    name, without units."""
-    path = blast.path("gauge_injury.csv")
+def read_gauge_measures(blast):
+    """gauge_measures.csv: numbers by gauge and name, {} without the file."""
+    path = blast.path("gauge_measures.csv")
     if not os.path.exists(path):
         return {}
     with files.reading(path), open(path, newline="",
@@ -177,8 +182,25 @@ def read_gauge_injury(blast):
             name.split(" [")[0]: float(value)
             for name, value in row.items()}
             for row in files.rows_of(file)}
-        for harm in found.values():
-            for name in HARM:
-                if not np.isfinite(harm[name]):
+        for measures in found.values():
+            for name in GAUGE_MEASURES:
+                if not np.isfinite(measures[name]):
                     raise ValueError(f"{name}: no number")
+    return found
+
+
+def read_gauge_injury(blast):
+    """gauge_injury.csv: Measure by (measure, gauge), {} without the file."""
+    path = blast.path("gauge_injury.csv")
+    if not os.path.exists(path):
+        return {}
+    found = {}
+    with files.reading(path), open(path, newline="",
+                                   encoding="utf-8") as file:
+        for row in files.rows_of(file):
+            value = float(row["value"])
+            if not np.isfinite(value):
+                raise ValueError(f"{row['measure']}: no number")
+            found[row["measure"], row["place"]] = Measure(
+                row["measure"], value, row["unit"], limits=row["definition"])
     return found

@@ -59,8 +59,12 @@ class Stage:
             return table if len(table.values) else None
 
     def found(self, group, name):
-        """A number of the summary, or None."""
-        return files.as_number((self.summary.get(group) or {}).get(name))
+        """A number of the summary, or None; of "results" and "checks" the
+        value without its unit."""
+        entry = (self.summary.get(group) or {}).get(name)
+        if isinstance(entry, dict):
+            entry = entry.get("value")
+        return files.as_number(entry)
 
     def parameter(self, name):
         """Numbers of an entry; None if it is missing or other than that."""

@@ -71,10 +71,10 @@ def open_references(folder):
     if not os.path.exists(path):
         return {}
     with open(path, encoding="utf-8") as file:
-        known = json.load(file).get("assumptions", {})
+        known = json.load(file).get("results", {})
     references = {}
-    for name, value in known.items():
+    for name, entry in known.items():
         match = re.fullmatch(r"(probe_\d+)_reference_(\w+)", name)
         if match:
-            references.setdefault(match[1], {})[match[2]] = value
+            references.setdefault(match[1], {})[match[2]] = entry["value"]
     return references

@@ -11,6 +11,11 @@ import numpy as np
 
 _TYPES = {"Float64": np.float64, "Float32": np.float32, "UInt32": np.uint32,
           "Int64": np.int64, "UInt8": np.uint8}
+_ARRAY = re.compile(
+    r'<DataArray type="(\w+)" Name="([^"]*)" NumberOfComponents="(\d+)"'
+    r' format="appended" offset="(\d+)"'
+    r'(?:/>|><InformationKey name="UNITS_LABEL" location="vtkDataArray">'
+    r'([^<]*)<)')
 
 
 def _decompress(content, begin):
@@ -28,6 +33,48 @@ def _decompress(content, begin):
 def read(path):
     """All arrays by name; those with several components have a row for each
     tuple. A ValueError names a file that is no such one."""
+    return {name: values for name, (values, _) in _open(path)[1].items()}
+
+
+class Image:
+    """Fields on a regular grid of points in a plane: time [s]; of both axes
+    their names, first and last points [m] and numbers of points; and by name
+    values [second axis, first axis] with units. A ValueError names a file
+    that is no such one."""
+
+    def __init__(self, path):
+        head, arrays = _open(path)
+        try:
+            extent = _numbers(head, r'WholeExtent="([^"]*)"')
+            origin = _numbers(head, r'Origin="([^"]*)"')
+            spacing = _numbers(head, r'Spacing="([^"]*)"')
+            self.time = _numbers(head, r'Name="TimeValue"[^>]*>([^<]*)<')[0]
+            axes = [axis for axis in range(3) if extent[2 * axis + 1] > 0]
+            self.axes = ["xyz"[axis] for axis in axes]
+            self.counts = [int(extent[2 * axis + 1]) + 1 for axis in axes]
+            self.lower = [origin[axis] for axis in axes]
+            self.upper = [origin[axis] + spacing[axis] * extent[2 * axis + 1]
+                          for axis in axes]
+            if len(axes) != 2:
+                raise ValueError("not of two dimensions")
+            self.fields = {
+                name: (values.reshape(self.counts[::-1]), unit)
+                for name, (values, unit) in arrays.items()}
+        except (ValueError, IndexError) as problem:
+            raise ValueError(f"{path}: no picture in a plane") from problem
+
+
+def _numbers(head, pattern):
+    """Of an attribute or element; a ValueError if missing or not finite."""
+    found = re.search(pattern, head)
+    values = [float(word) for word in found[1].split()] if found else []
+    if not values or not np.isfinite(values).all():
+        raise ValueError(f"{pattern} is missing")
+    return values
+
+
+def _open(path):
+    """What describes the arrays, and these by name with their units."""
     with open(path, "rb") as file:
         content = file.read()
     try:
@@ -41,18 +88,16 @@ def _arrays(content):
     mark = b'<AppendedData encoding="raw">\n_'
     end = content.index(mark)
     begin = end + len(mark)
+    head = content[:end].decode("ascii")
     arrays = {}
-    for match in re.finditer(
-            r'<DataArray type="(\w+)" Name="([^"]*)" NumberOfComponents="(\d+)"'
-            r' format="appended" offset="(\d+)"/>',
-            content[:end].decode("ascii")):
-        kind, name, components, offset = match.groups()
+    for match in _ARRAY.finditer(head):
+        kind, name, components, offset, unit = match.groups()
         values = np.frombuffer(_decompress(content, begin + int(offset)),
                                _TYPES[kind])
         if int(components) > 1:
             values = values.reshape(-1, int(components))
-        arrays[name] = values
-    return arrays
+        arrays[name] = values, unit or ""
+    return head, arrays
 
 
 def decode(element):

@@ -157,11 +157,11 @@ def _free_air(scene):
     for quantity, unit in (("peak_overpressure", "Pa"), ("impulse", "Pa s"),
                            ("arrival", "s"), ("duration", "s")):
         number = 1
-        while scene.blast.found("assumptions",
+        while scene.blast.found("results",
                                 f"probe_{number}_{quantity}") is not None:
             stem = f"probe_{number}_"
-            here = scene.blast.found("assumptions", stem + quantity)
-            known = scene.blast.found("assumptions",
+            here = scene.blast.found("results", stem + quantity)
+            known = scene.blast.found("results",
                                       stem + "reference_" + quantity)
             if known:
                 rows.append((_probe_place(scene, number),
@@ -222,23 +222,23 @@ def _difference_rows(scene, differences):
 def _checks(scene):
     found = scene.biomechanics.found
     items = []
-    residual = found("assumptions", "energy_residual")
+    residual = found("checks", "energy_residual")
     if residual is not None:
         items.append(f"Energy: {page.percent(abs(residual), 3)} of the body's "
                      "energy is missing.")
-    unmatched = found("assumptions", "loads_unmatched_facets")
-    largest = found("assumptions", "loads_largest_distance")
-    mean = found("assumptions", "loads_mean_distance")
+    unmatched = found("checks", "loads_unmatched_facets")
+    largest = found("checks", "loads_largest_distance")
+    mean = found("checks", "loads_mean_distance")
     if None not in (unmatched, largest, mean):
         items.append(
             f"Loads: {page.number(unmatched)} facets of the body have no "
             "recorded facet; the others are "
             f"{page.number(1e3 * mean)} mm from theirs on average, "
             f"{page.number(1e3 * largest)} mm at most.")
-    recorded = found("assumptions", "loads_recorded_impulse_x")
-    mapped = found("assumptions", "loads_mapped_impulse_x")
+    recorded = found("checks", "loads_recorded_impulse_x")
+    mapped = found("checks", "loads_mapped_impulse_x")
     if recorded and mapped:
-        factor = found("assumptions", "loads_impulse_factor")
+        factor = found("checks", "loads_impulse_factor")
         mended = "" if factor is None else (
             ", after all pressures were multiplied by "
             f"{page.number(factor)} so that the impulses agree")
@@ -246,7 +246,7 @@ def _checks(scene):
             f"Impulse along x: {page.quantity(recorded, 'N s')} recorded on "
             f"the whole body, {page.quantity(mapped, 'N s')} on the elements "
             f"({page.number(100. * (mapped / recorded - 1.), 2)} %){mended}.")
-    loss = scene.blast.found("assumptions", "loads_sampled_peak_loss")
+    loss = scene.blast.found("checks", "loads_sampled_peak_loss")
     if loss is not None:
         items.append("Recording: samples miss at most "
                      f"{_round_off(loss)} % of the peak on a facet.")

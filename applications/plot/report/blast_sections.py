@@ -125,26 +125,25 @@ def _largest_peak(gauges):
 def _gauge_table(scene, gauges):
     rows = []
     time = gauges["time"]
-    for name in gauges.others("time"):
-        phase = signals.positive_phase(time, gauges[name])
-        if phase is None:
+    for name, measures in scene.gauge_measures().items():
+        if measures["peak"] <= 0. or name not in gauges:
             continue
         lowest = float(gauges[name].min())
         rows.append((
-            name, page.number(1e3 * phase[0]),
-            page.number(1e-3 * float(gauges[name].max())),
-            page.number(phase[2]),
-            page.at_least(1e3 * (phase[1] - phase[0]), signals.is_cut(
-                time, gauges[name], phase)),
+            name, page.number(1e3 * measures["arrival"]),
+            page.number(1e-3 * measures["peak"]),
+            page.number(measures["impulse"]),
+            page.at_least(1e3 * measures["positive phase"],
+                          signals.is_cut(time, measures)),
             page.number(1e-3 * lowest) if lowest < -1. else "–",
             page.number(1e6 * signals.rise_time(time, gauges[name]), 2)))
     header = ("place", "arrival [ms]", "peak [kPa]", "impulse [Pa s]",
               "positive phase [ms]", "minimum [kPa]", "rise time [µs]")
     return page.table(
         header, rows,
-        "Arrival: the overpressure reaches a twentieth of its peak. Positive "
-        "phase and impulse end when the overpressure is first back at zero; ≥ "
-        "means that the run ended before. Minimum: a dash means that the "
+        "Arrival: the middle of the first rise. Positive phase and impulse "
+        "last from the arrival until the overpressure first falls to zero "
+        "after its peak; ≥ means that the run ended before. Minimum: a dash means that the "
         "pressure never falls below the ambient pressure. Rise time: from a "
         "tenth to nine tenths of the first peak; cells and patches lengthen "
         "it.", numbers=range(1, 7),
@@ -222,7 +221,7 @@ def conservation(scene):
              "time"),
             ("loads_sampled_peak_loss", "peak on the worst facet: fraction "
              "missed by the recorded samples")):
-        value = scene.blast.found("assumptions", name)
+        value = scene.blast.found("checks", name)
         if value is not None:
             rows.append((text, page.percent(value)))
     if rows:

@@ -296,8 +296,8 @@ def energy(scene):
 
 
 def _verdict(scene):
-    residual = scene.biomechanics.found("assumptions", "energy_residual")
-    part = scene.biomechanics.found("assumptions", "hourglass_part")
+    residual = scene.biomechanics.found("checks", "energy_residual")
+    part = scene.biomechanics.found("checks", "hourglass_part")
     if residual is None or part is None:
         return page.missing("the audit in summary.json of biomechanics")
     limits = [(scene.biomechanics.parameter(f"Energy audit/{name}")

@@ -32,7 +32,7 @@ def of(scene, name, value, coarser):
 def peak_change(scene, place):
     """Relative difference of both runs' peaks at a place; 0 if unknown."""
     runs = [] if scene.coarser is None else [scene.coarser, scene]
-    peaks = [run.gauge_injury().get(place, {}).get("peak") for run in runs]
+    peaks = [run.gauge_measures().get(place, {}).get("peak") for run in runs]
     return abs(peaks[0] / peaks[1] - 1.) if all(peaks) and peaks else 0.
 
 

@@ -379,7 +379,7 @@ def energy(run, folder):
                            int(np.searchsorted(time, rebound))))
     rows = [(name, *(page.quantity(float(column[index]), "J", 4)
                      for _, index in moments)) for name, column in known]
-    residual = run.found("assumptions", "energy_residual")
+    residual = run.found("checks", "energy_residual")
     parts = []
     if residual is not None:
         part = abs(residual)
@@ -440,10 +440,9 @@ def assumptions(run):
     known = accuracy.audit_table(run)
     if known:
         parts.append(known)
-    rows = [(name.replace("_", " "), page.number(float(value)))
-            for name, value in (run.summary.get("assumptions") or {}).items()
-            if files.as_number(value) is not None
-            and not name.startswith(("injury_", "contact_", "peak_contact_"))]
+    rows = [(name.replace("_", " "), page.number(run.found("checks", name)))
+            for name in run.summary.get("checks") or {}
+            if run.found("checks", name) is not None]
     settings = mesh_settings(run)
     settings.append(("rows of history.csv",
                      page.count(len(run.history["time"]))))

@@ -75,8 +75,6 @@ def _lung(judged):
 
 def _ears(judged):
     ears = [entry for entry in judged if entry.name.startswith("ear_")]
-    ears = ears or [entry for entry in judged
-                    if entry.name == "injury_eardrum_rupture"]
     if not ears:
         return ""
     worst = max(entry.value for entry in ears)
@@ -151,7 +149,7 @@ def _free_air(scene):
     parts, adds = [], False
     for name, words in (("peak_overpressure", "incident peak overpressure"),
                         ("impulse", "impulse"), ("duration", "duration")):
-        here, known = (scene.blast.found("assumptions", "probe_1_" + stem
+        here, known = (scene.blast.found("results", "probe_1_" + stem
                                          + name)
                        for stem in ("", "reference_"))
         if not here or not known \
@@ -209,7 +207,7 @@ def _energy(scene):
              "of the body's energy is missing"),
             ("hourglass_part", "Largest hourglass part", LARGEST_HOURGLASS,
              NOTED_HOURGLASS, "of the internal energy is hourglass energy")):
-        part = scene.biomechanics.found("assumptions", name)
+        part = scene.biomechanics.found("checks", name)
         limit = (scene.biomechanics.parameter(f"Energy audit/{entry}")
                  or [usual])[0]
         if part is not None and abs(part) > min(limit, noted or limit):
@@ -235,11 +233,9 @@ def _cut_phases(scene):
     gauges = scene.blast.table("load_gauges.csv")
     if gauges is None:
         return []
-    time, cut = gauges["time"], []
-    for name in gauges.others("time"):
-        phase = signals.positive_phase(time, gauges[name])
-        if phase is not None and signals.is_cut(time, gauges[name], phase):
-            cut.append(name)
+    cut = [name for name, measures in scene.gauge_measures().items()
+           if name in gauges and measures["peak"] > 0.
+           and signals.is_cut(gauges["time"], measures)]
     if not cut:
         return []
     return ["The run ends before the positive phase does at "

@@ -7,10 +7,10 @@ import re
 from plot.report import error_estimate, injury_thresholds, page
 from plot.report.injury_thresholds import KNOWN
 
-# What the report takes from the skin itself instead of these.
-REPLACED = ("injury_chest_pressure_peak", "injury_chest_wall_velocity",
-            "injury_adjusted_severity", "injury_lung_exposure",
-            "injury_eardrum_rupture")
+# Names of the measures of gauge_injury.csv.
+SKIN_NAMES = {("chest_wall_velocity", "chest"): "chest_wall_front",
+              ("chest_wall_velocity", "chest and back"): "chest_wall_mean",
+              ("lung_exposure", "chest"): "lung_exposure"}
 # Told with the checks of the run.
 NO_INJURY = ("injury_pressure_roughness",)
 PRESSURES = ("injury_intracranial_pressure_peak",
@@ -93,9 +93,8 @@ def _measures_of(run):
         found[name] = value, unit, known
 
     _add_skin(run, add)
-    has_skin = any(name.startswith("chest_") for name in found)
     for name, measure in run.measures().items():
-        if name in NO_INJURY or has_skin and name in REPLACED:
+        if name in NO_INJURY:
             continue
         add(name, measure.value, measure.unit,
             KNOWN.get(name) or (injury_thresholds.title(name), [],
@@ -104,26 +103,19 @@ def _measures_of(run):
 
 
 def _add_skin(run, add):
-    """Measures of the recorded loads alone: eardrums, chest wall, lung."""
-    places = run.gauge_injury()
-    for name, found in places.items():
-        if name.endswith("ear"):
+    """Measures of the recorded loads alone: chest wall, lung, eardrums."""
+    gauges = run.gauge_measures()
+    for (measure, place), found in run.gauge_injury().items():
+        name = SKIN_NAMES.get((measure, place))
+        if measure == "eardrum_rupture":
             words, thresholds, source, limits = KNOWN["ear_rupture"]
-            add("ear_rupture_" + name, found["eardrum rupture"], "-",
-                (words.replace("an eardrum", f"the {name}drum"), thresholds,
-                 source,
-                 f"peak {page.quantity(found['peak'], 'Pa')}; {limits}"))
-    if "chest" not in places:
-        return
-    front = places["chest"]["chest wall velocity"]
-    add("chest_wall_front", front, "m/s", KNOWN["chest_wall_front"])
-    if "back" in places:
-        back = places["back"]["chest wall velocity"]
-        add("chest_wall_mean", 0.5 * (front + back), "m/s",
-            KNOWN["chest_wall_mean"])
-    if places["chest"]["positive phase"] > 0.:
-        add("lung_exposure", places["chest"]["lung exposure"], "-",
-            KNOWN["injury_lung_exposure"])
+            peak = gauges.get(place, {}).get("peak")
+            add("ear_rupture_" + place, found.value, found.unit,
+                (words.replace("an eardrum", f"the {place}drum"), thresholds,
+                 source, limits if peak is None else
+                 f"peak {page.quantity(peak, 'Pa')}; {limits}"))
+        elif name is not None:
+            add(name, found.value, found.unit, KNOWN[name])
 
 
 def find(judged, name):
@@ -148,7 +140,6 @@ def table(scene, judged):
         if group:
             parts.append(page.tag("h3", title))
             parts.append(table_of(group))
-    parts.append(_disagreement(scene, judged))
     parts.append(page.paragraph(
         "Errors are relative and cover the numerics alone. They are estimated "
         "from the coarser run of this scene (see the section on accuracy) and "
@@ -213,19 +204,3 @@ def _verdict(entry):
     note = "" if certain is None else "; the error does not change this" \
         if certain else "; a threshold lies within the error"
     return page.Html(page.tag("span", word, kind=kind) + page.escape(note))
-
-
-def _disagreement(scene, judged):
-    """A note where facet and patch give different chest wall velocities."""
-    here = find(judged, "chest_wall_front")
-    there = scene.measures().get("injury_chest_wall_velocity")
-    if here is None or there is None or here.value <= 0.:
-        return None
-    ratio = there.value / here.value
-    if abs(ratio - 1.) < 0.15:
-        return None
-    return page.paragraph(
-        page.tag("span", "Take care: ", kind="bad"),
-        f"the facet nearest to the chest gives {page.number(there.value)} "
-        f"m/s, the mean over the patch around it {page.number(here.value)} "
-        "m/s from the same recorded loads. This report uses the patch.")

@@ -196,8 +196,8 @@ def _rear(gauges, peak):
 
 def _incident(scene, peak):
     temple = next((name for name in peak if name.endswith("temple")), None)
-    side_on = scene.blast.found("assumptions", "probe_1_peak_overpressure")
-    known = scene.blast.found("assumptions",
+    side_on = scene.blast.found("results", "probe_1_peak_overpressure")
+    known = scene.blast.found("results",
                               "probe_1_reference_peak_overpressure")
     if temple is None or side_on is None:
         return []
@@ -239,11 +239,11 @@ def _ground(scene, gauges):
 
 def _places(scene, gauges):
     """Order of arrival, concave places, the lower leg."""
-    time = gauges["time"]
-    names = [name for name in gauges.others("time") if gauges[name].max() > 0.]
-    peak = {name: float(gauges[name].max()) for name in names}
-    begin = {name: signals.arrival(time, np.maximum(gauges[name], 0.))
-             for name in names}
+    known = {name: measures for name, measures
+             in scene.gauge_measures().items() if measures["peak"] > 0.}
+    names = list(known)
+    peak = {name: measures["peak"] for name, measures in known.items()}
+    begin = {name: measures["arrival"] for name, measures in known.items()}
     order = sorted(names, key=lambda name: begin[name])
     front = [name for name in order[:4]]
     chest_first = "chest" in order[:2]
@@ -270,7 +270,7 @@ def _places(scene, gauges):
             "from the charge"))
     shin = next((name for name in names if name.endswith("shin")), None)
     if shin:
-        found.append(_leg(time, gauges, shin))
+        found.append(_leg(gauges["time"], gauges, shin))
     return found
 
 

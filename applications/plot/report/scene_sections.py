@@ -204,17 +204,17 @@ def _skin_events(scene):
     if gauges is None:
         return found
     time = gauges["time"]
-    for name in gauges.others("time"):
-        phase = signals.positive_phase(time, gauges[name])
-        if phase is None:
+    for name, measures in scene.gauge_measures().items():
+        if measures["peak"] <= 0. or name not in gauges:
             continue
-        first, second = signals.find_peaks(time, gauges[name])
-        peak = page.quantity(float(gauges[name].max()), "Pa")
+        _, second = signals.find_peaks(time, gauges[name])
         found.append(Event(
-            "skin", name, phase[0], phase[1],
+            "skin", name, measures["arrival"],
+            measures["arrival"] + measures["positive phase"],
             None if second is None else float(time[second]),
-            f"peak {peak}, impulse {page.quantity(phase[2], 'Pa s')}"))
-        found[-1].is_cut = signals.is_cut(time, gauges[name], phase)
+            f"peak {page.quantity(measures['peak'], 'Pa')}, impulse "
+            + page.quantity(measures["impulse"], "Pa s")))
+        found[-1].is_cut = signals.is_cut(time, measures)
     return sorted(found, key=lambda event: event.begin)
 
 

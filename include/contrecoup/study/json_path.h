@@ -10,8 +10,9 @@
 namespace contrecoup::study
 {
 /**
- * Number at a dotted path such as "errors.density_L1" in nested objects; null,
- * which represents a value that is not finite, gives NaN.
+ * Number at a dotted path such as "errors.density_L1" in nested objects, or the
+ * "value" of the object there, as of "results.injury_hic15"; null, which
+ * represents a value that is not finite, gives NaN.
  * @param where name of the object, for error messages
  * @throws InputError, listing what exists, if there is no such number
  */

@@ -352,32 +352,38 @@ std::vector<NamedValue> ParticleSimulation::probes()
 }
 
 
-std::string ParticleSimulation::write_fields(const std::string &folder,
-                                             const unsigned int index)
+std::vector<FieldFile>
+ParticleSimulation::write_fields(const std::string &folder,
+                                 const unsigned int index)
 {
-  return mpm::write_particles(
-    scene_.materials(), particles_, folder, index, communicator_);
+  return {{"",
+           mpm::write_particles(
+             scene_.materials(), particles_, folder, index, communicator_)}};
 }
 
 
-std::vector<NamedValue> ParticleSimulation::assumptions()
+std::vector<NamedValue> ParticleSimulation::results()
 {
-  const EnergyLedger now = ledger();
-  const double scale = std::max(energy_scale_, 1e-300);
-  std::vector<NamedValue> values = {
-    {"energy_residual", "-", now.residual / scale},
-    {"transfer_loss", "-", now.transfer_loss / scale},
-    {"contact_loss", "-", now.contact_loss / scale},
-    {"split_particles", "-", static_cast<double>(n_split_)},
-    {"merged_particles", "-", static_cast<double>(n_merged_)}};
+  std::vector<NamedValue> values;
   if (!contact_.empty())
-    for (NamedValue &value : contact_record_.values())
-      values.push_back(std::move(value));
+    values = contact_record_.values();
   for (const NamedValue &value : region_contact_.values())
     if (value.name.find("area") == std::string::npos)
       values.push_back({"region_" + value.name, value.unit, value.value});
   set_to_whole(values, mesh_.computed_fraction(), mesh_.symmetry_planes());
   return values;
+}
+
+
+std::vector<NamedValue> ParticleSimulation::checks()
+{
+  const EnergyLedger now = ledger();
+  const double scale = std::max(energy_scale_, 1e-300);
+  return {{"energy_residual", "-", now.residual / scale},
+          {"transfer_loss", "-", now.transfer_loss / scale},
+          {"contact_loss", "-", now.contact_loss / scale},
+          {"split_particles", "-", static_cast<double>(n_split_)},
+          {"merged_particles", "-", static_cast<double>(n_merged_)}};
 }
 
 

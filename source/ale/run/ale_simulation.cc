@@ -407,10 +407,10 @@ std::vector<NamedValue> AleSimulation::probes()
 }
 
 
-std::string AleSimulation::write_fields(const std::string &folder,
-                                        const unsigned int index)
+std::vector<FieldFile> AleSimulation::write_fields(const std::string &folder,
+                                                   const unsigned int index)
 {
-  return write_ale(space_, lagrange_, state_, folder, index);
+  return {{"", write_ale(space_, lagrange_, state_, folder, index)}};
 }
 
 
@@ -420,7 +420,23 @@ std::vector<NamedValue> AleSimulation::errors()
 }
 
 
-std::vector<NamedValue> AleSimulation::assumptions()
+std::vector<NamedValue> AleSimulation::results()
+{
+  std::vector<NamedValue> values;
+  if (!planes_.empty())
+  {
+    values = contact_.values();
+    set_to_whole(values,
+                 mesh_description_.computed_fraction(),
+                 mesh_description_.symmetry_planes());
+  }
+  for (const solid::InjuryMeasure &measure : head_.measures(communicator_))
+    values.push_back(measure.value);
+  return values;
+}
+
+
+std::vector<NamedValue> AleSimulation::checks()
 {
   const EnergyLedger now = ledger();
   const double scale = std::max(energy_scale_, 1e-300);
@@ -430,17 +446,6 @@ std::vector<NamedValue> AleSimulation::assumptions()
     {"rezones_left_out", "-", static_cast<double>(rezone_.n_skipped())}};
   for (NamedValue &value : lagrange_.coupling().summary(scale))
     values.push_back(std::move(value));
-  if (!planes_.empty())
-  {
-    auto contact = contact_.values();
-    set_to_whole(contact,
-                 mesh_description_.computed_fraction(),
-                 mesh_description_.symmetry_planes());
-    for (NamedValue &value : contact)
-      values.push_back(std::move(value));
-  }
-  for (const solid::InjuryMeasure &measure : head_.measures(communicator_))
-    values.push_back(measure.value);
   return values;
 }
 

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <iostream>
+#include <utility>
 
 namespace contrecoup
 {
@@ -32,20 +33,31 @@ void Log::open(const std::string &file, const bool append)
 {
   if (!active_)
     return;
-  file_.open(file, append ? std::ios::app : std::ios::trunc);
-  if (!file_)
+  std::ofstream stream(file, append ? std::ios::app : std::ios::trunc);
+  if (!stream)
     throw SystemError("cannot write \"" + file + "\"");
-  file_ << held_ << std::flush;
+  stream << held_ << std::flush;
   held_.clear();
+  files_.push_back(std::move(stream));
 }
 
 void Log::close()
 {
   clear_status();
-  if (file_.is_open())
-    file_.close();
-  file_.clear();
+  files_.resize(n_kept_);
   held_.clear();
+}
+
+void Log::begin_part()
+{
+  n_kept_ = files_.size();
+  held_.clear();
+}
+
+void Log::end_part()
+{
+  close();
+  n_kept_ = 0;
 }
 
 void Log::line(const std::string &line)
@@ -55,16 +67,17 @@ void Log::line(const std::string &line)
   const std::string text = LogWords::of(line);
   clear_status();
   std::cout << text << std::endl;
-  if (file_.is_open())
-    file_ << text << std::endl;
-  else
+  for (std::ofstream &file : files_)
+    file << text << std::endl;
+  if (files_.size() == n_kept_)
     held_ += text + '\n';
 }
 
 void Log::check() const
 {
-  if (file_.is_open() && !file_)
-    throw SystemError("cannot write log.txt: is the disk full?");
+  for (const std::ofstream &file : files_)
+    if (!file)
+      throw SystemError("cannot write log.txt: is the disk full?");
 }
 
 void Log::status(const std::string &text)

@@ -60,13 +60,14 @@ namespace
 
   io::FileNames files(const ParameterHandler &prm)
   {
-    io::FileNames names = {{"fields/plane_*.npy",
-                            "fields/plane_*.json",
+    io::FileNames names = {{"fields/plane_*.vti",
+                            "fields/skin_#.vtp",
                             "fields/gauges_line_#.csv",
-                            "fields/gauges_plane_#_*.npy",
-                            "fields/gauges_plane_#_*.json",
+                            "fields/gauges_plane_#.vti",
                             "loads.h5",
+                            "loads.xdmf",
                             "load_gauges.csv",
+                            "gauge_measures.csv",
                             "gauge_injury.csv"},
                            {}};
     const std::string profile = prm.get({"Output"}, "Profile file");

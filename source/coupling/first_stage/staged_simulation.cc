@@ -299,8 +299,9 @@ std::vector<NamedValue> StagedSimulation<dim>::probes()
 
 
 template <int dim>
-std::string StagedSimulation<dim>::write_fields(const std::string &folder,
-                                                const unsigned int index)
+std::vector<FieldFile>
+StagedSimulation<dim>::write_fields(const std::string &folder,
+                                    const unsigned int index)
 {
   return active().write_fields(folder, index);
 }
@@ -314,11 +315,20 @@ std::vector<NamedValue> StagedSimulation<dim>::errors()
 
 
 template <int dim>
-std::vector<NamedValue> StagedSimulation<dim>::assumptions()
+std::vector<NamedValue> StagedSimulation<dim>::results()
 {
   if (first_)
     return scene_.probe_set().measures(scene_.scene().reference);
-  auto values = scene_.assumptions();
+  return scene_.results();
+}
+
+
+template <int dim>
+std::vector<NamedValue> StagedSimulation<dim>::checks()
+{
+  if (first_)
+    return {};
+  auto values = scene_.checks();
   values.push_back({"hand_over_time", "s", hand_over_time_});
   values.push_back({"hand_over_radius", "m", hand_over_radius_});
   return values;

@@ -2,15 +2,29 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/system/log.h>
+#include <contrecoup/coupling/scene/first_answer.h>
+#include <contrecoup/coupling/scene/planned_scene.h>
 #include <contrecoup/coupling/scene/scene_application.h>
 #include <contrecoup/coupling/scene/scene_run.h>
 #include <contrecoup/io/run/command_line.h>
-
 
 namespace contrecoup::coupling
 {
 namespace
 {
+  void print_estimate(dealii::ParameterHandler &prm, Collective &collective)
+  {
+    collective.run(
+      [&]() {
+        const PlannedScene scene(prm);
+        for (const std::string &line : first_answer(
+               scene.parameters(), scene.layout(), scene.body_mass()))
+          log_line(line);
+      },
+      ExitCode::bad_input);
+  }
+
+
   void execute(const std::vector<std::string> &arguments,
                Collective &collective)
   {
@@ -47,6 +61,11 @@ namespace
         if (is_first_rank)
           io::print_requested(text);
       });
+      return;
+    }
+    if (command.estimate)
+    {
+      print_estimate(prm, collective);
       return;
     }
     SceneRun run(command, prm, collective);

@@ -218,7 +218,8 @@ namespace
     const double spacing = 0.6;
     const std::string accuracy = "Scene/Accuracy";
     // After the ground reflection, too, has passed the whole body.
-    const double later = std::max(2.8 * layout.arrival, layout.last_arrival);
+    const double later =
+      std::max(2.8 * layout.earliest_arrival, layout.last_arrival);
     const double at_last = 1.5 * later;
     // The radius of the fireball scales with the cube root of the charge: 0.9
     // m for 2.268 kg of C-4.
@@ -348,7 +349,11 @@ biomechanics_entries(const SceneParameters &scene,
   entries.set("Injury/Body mass", allowed_mass(body_mass));
   for (const Landmark &landmark : body.landmarks())
     if (landmark.name == "chest")
+    {
+      // The blast has a gauge at each landmark, which reports the injuries.
       entries.set("Injury/Chest", text_of(landmark.place));
+      entries.set("Injury/Chest load", "false");
+    }
   std::vector<std::string> points;
   for (const TissuePlace &place : places)
     points.push_back(text_of(place.place));

@@ -108,10 +108,9 @@ SceneLayout::SceneLayout(const SceneParameters &scene, const Shape &surface)
   check_charge(scene);
   find_symmetry(scene, surface);
   const ExpectedBlast blast(energy_of(scene), air_pressure, air_density);
-  arrival = blast.arrival(distance);
+  expect_front(scene, blast);
   const Point<3> image(charge[0], charge[1], -charge[2]);
   last_arrival = blast.arrival(farthest_distance(body, image));
-  overpressure = blast.overpressure(distance);
   front_distance = blast.radius(scene.end_time);
   if (arrival >= scene.end_time)
     throw InputError("Scene/End time = " + brief(scene.end_time) +
@@ -178,6 +177,22 @@ void SceneLayout::choose_levels(const SceneParameters &scene)
   const unsigned int difference =
     scene.accuracy.levels - scene.accuracy.front_levels;
   front_levels = levels > difference ? levels - difference : 0;
+}
+
+
+void SceneLayout::expect_front(const SceneParameters &scene,
+                               const ExpectedBlast &blast)
+{
+  earliest_arrival = arrival = blast.arrival(distance);
+  overpressure = blast.overpressure(distance);
+  const TntEquivalence &tnt = find_explosive(scene.explosive).tnt;
+  const KingeryBulmash tables("spherical", scene.mass * tnt.pressure);
+  if (tnt.is_published && tables.covers(BlastQuantity::arrival, distance) &&
+      tables.covers(BlastQuantity::overpressure, distance))
+  {
+    arrival = tables.value(BlastQuantity::arrival, distance);
+    overpressure = tables.value(BlastQuantity::overpressure, distance);
+  }
 }
 
 

@@ -202,6 +202,17 @@ namespace
   }
 
 
+  /// The result of that name in a summary, an object with value and unit.
+  Json result_of(const Json &summary, const std::string &name)
+  {
+    return summary.is_object() && summary.contains("results") &&
+               summary["results"].is_object() &&
+               summary["results"].contains(name)
+             ? summary["results"][name]
+             : Json();
+  }
+
+
   std::string text(const Json &object,
                    const std::string &name,
                    const std::string &otherwise = "")
@@ -296,10 +307,8 @@ std::vector<Assumption> scene_audit(const SceneParameters &scene,
     items.push_back(
       rigid_body(largest_vector(solid, "displacement"), layout.cell_size()));
     const Json summary = read_summary(solid);
-    items.push_back(
-      strain(summary.is_object() && summary.contains("assumptions")
-               ? number_or_unknown(summary["assumptions"], "injury_strain_95")
-               : unknown));
+    items.push_back(strain(
+      number_or_unknown(result_of(summary, "injury_strain_95"), "value")));
     items.push_back(
       gravity_of_body(scene.end_time, largest_vector(solid, "velocity")));
   }

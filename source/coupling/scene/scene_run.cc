@@ -78,10 +78,8 @@ void SceneRun::check()
 
 void SceneRun::forecast()
 {
-  // The checks of tasks close the log, but there may be none.
-  Log::instance().close();
+  const LogPart part;
   print_costs();
-  collective_.run([&]() { Log::instance().open(path("log.txt"), true); });
 }
 
 
@@ -238,6 +236,7 @@ void SceneRun::start()
 
 SceneRun::TaskEnd SceneRun::run(SceneTask &task)
 {
+  const LogPart part;
   TaskEnd end;
   try
   {
@@ -272,9 +271,7 @@ bool SceneRun::run_tasks()
       continue;
     }
     log_line("stage " + task.name() + ":");
-    Log::instance().close();
     const TaskEnd end = run(task);
-    collective_.run([&]() { Log::instance().open(path("log.txt"), true); });
     if (end.failure.code != ExitCode::done)
     {
       log_line("WARNING: no estimate of the numerical error: " +

@@ -144,6 +144,36 @@ namespace
       }
     }
   }
+
+
+  /// Adds mirror-symmetric positions in both lungs: the mean of one lung's
+  /// centroid and the image of the other's, so that the histories on both sides
+  /// of a symmetric body can be compared although its lungs differ.
+  void add_lungs(const Samples &samples,
+                 const double middle,
+                 std::vector<TissuePlace> &places)
+  {
+    const auto side_of = [&](const double sign) {
+      return samples.centroid(Tissue::lung, [&](const Point<3> &place) {
+        return sign * (place[1] - middle) > 0.;
+      });
+    };
+    const auto image_of = [&](Point<3> place) {
+      place[1] = 2. * middle - place[1];
+      return place;
+    };
+    const auto left = side_of(1.), right = side_of(-1.);
+    if (!left && !right)
+      return;
+    const Point<3> mean = left && right
+                            ? *left + 0.5 * (image_of(*right) - *left)
+                            : (left ? *left : image_of(*right));
+    if (left)
+      places.push_back({"lung left", samples.nearest(Tissue::lung, mean)});
+    if (right)
+      places.push_back(
+        {"lung right", samples.nearest(Tissue::lung, image_of(mean))});
+  }
 } // namespace
 
 
@@ -166,18 +196,8 @@ find_tissue_places(const Body &body, const Point<3> &from, const double spacing)
   const Samples samples(body, spacing);
   std::vector<TissuePlace> places;
   add_brain(samples, from, spacing, places);
+  add_lungs(samples, body.surface()->bounding_box().center()[1], places);
   const auto all = [](const Point<3> &) { return true; };
-  if (const auto lungs = samples.centroid(Tissue::lung, all))
-    for (const double side : {1., -1.})
-    {
-      const auto lung =
-        samples.centroid(Tissue::lung, [&](const Point<3> &place) {
-          return side * (place[1] - (*lungs)[1]) > 0.;
-        });
-      if (lung)
-        places.push_back({side > 0. ? "lung left" : "lung right",
-                          samples.nearest(Tissue::lung, *lung)});
-    }
   if (const auto cord = samples.centroid(Tissue::spinal_cord, all))
     places.push_back(
       {"spinal cord", samples.nearest(Tissue::spinal_cord, *cord)});

@@ -5,10 +5,10 @@
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
+#include <contrecoup/gas/record/gauge_tables.h>
 #include <contrecoup/gas/record/load_gauges.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/output/history_reader.h>
-#include <contrecoup/numerics/injury/load_injury.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -105,7 +105,7 @@ void LoadGauges::declare_parameters(dealii::ParameterHandler &prm)
                  1.,
                  500.,
                  "kg",
-                 "Body mass for the lung injury in gauge_injury.csv; lighter "
+                 "Body mass for the lung exposure in gauge_injury.csv; lighter "
                  "persons are more vulnerable.");
 }
 
@@ -261,7 +261,7 @@ void LoadGauges::flush()
 }
 
 
-void LoadGauges::write_injury() const
+void LoadGauges::write_tables(const double time) const
 {
   const std::string file = folder_ + histories;
   if (folder_.empty() || !std::filesystem::exists(file))
@@ -270,23 +270,18 @@ void LoadGauges::write_injury() const
   const std::vector<double> &times = table.column("time", file);
   if (times.size() < 2)
     return;
-  std::string text = "place,peak [Pa],positive phase [s],chest wall velocity "
-                     "[m/s],lung exposure [-],eardrum rupture [-]\n";
-  for (const Place &place : places_)
-  {
-    const LoadInjury injury =
-      load_injury(times, table.column(place.name, file), body_mass_);
-    text += place.name;
-    for (const double value : {injury.peak,
-                               injury.positive_phase,
-                               injury.chest_wall_velocity,
-                               injury.lung_exposure,
-                               injury.eardrum_rupture})
-      text += "," + exact(value);
-    text += "\n";
-  }
-  io::write_file(folder_ + "/gauge_injury.csv",
-                 [&](std::ostream &out) { out << text; });
+  std::vector<GaugeBlast> gauges;
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    gauges.push_back({places_[i].name,
+                      records_[i].blast.measures(time),
+                      records_[i].peak_time,
+                      table.column(places_[i].name, file)});
+  io::write_file(folder_ + "/gauge_measures.csv", [&](std::ostream &out) {
+    out << gauge_measures_table(gauges);
+  });
+  io::write_file(folder_ + "/gauge_injury.csv", [&](std::ostream &out) {
+    out << gauge_injury_table(gauges, times, body_mass_);
+  });
 }
 
 
@@ -326,6 +321,7 @@ std::vector<NamedValue> LoadGauges::measures(const double time) const
     values.push_back({name + "peak_time", "s", records_[i].peak_time});
     values.push_back({name + "arrival", "s", blast.arrival});
     values.push_back({name + "impulse", "Pa s", blast.impulse});
+    values.push_back({name + "positive_phase", "s", blast.duration});
   }
   return values;
 }

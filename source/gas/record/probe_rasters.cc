@@ -7,7 +7,7 @@
 #include <contrecoup/gas/record/blast_maps.h>
 #include <contrecoup/gas/record/probe_rasters.h>
 #include <contrecoup/io/file/checked_file.h>
-#include <contrecoup/io/file/numpy.h>
+#include <contrecoup/io/file/plane_file.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -244,8 +244,9 @@ void ProbeRasters<dim>::write(const GasSnapshot<dim> &gas,
                  raster,
                  gas.time);
     else
-      write_plane(
-        folder + "/gauges_plane_" + std::to_string(++plane), raster, gas.time);
+      write_plane(folder + "/gauges_plane_" + std::to_string(++plane) + ".vti",
+                  raster,
+                  gas.time);
 }
 
 
@@ -275,30 +276,29 @@ void ProbeRasters<dim>::write_line(const std::string &file,
 
 
 template <int dim>
-void ProbeRasters<dim>::write_plane(const std::string &stem,
+void ProbeRasters<dim>::write_plane(const std::string &file,
                                     const Raster &raster,
                                     const double time) const
 {
   io::PlaneSamples samples;
   samples.time = time;
-  for (unsigned int i = 0; i < 2; ++i)
+  samples.axes = raster.axes;
+  for (unsigned int d = 0; d < dim; ++d)
   {
-    samples.axes[i] = axis_names.substr(raster.axes[i], 1);
-    samples.lower[i] = raster.begin[raster.axes[i]];
-    samples.upper[i] = raster.end[raster.axes[i]];
-    samples.n_points[i] = raster.counts[i];
+    samples.lower[d] = raster.begin[d];
+    samples.upper[d] = raster.end[d];
   }
-  const std::size_t n = samples.n_points[0] * samples.n_points[1];
+  for (unsigned int i = 0; i < 2; ++i)
+    samples.n_points[i] = raster.counts[i];
   for (std::size_t k = 0; k < map_quantities.size(); ++k)
   {
-    samples.quantity = map_quantities[k].first;
-    samples.unit = map_quantities[k].second;
-    samples.values.clear();
-    for (std::size_t i = raster.first; i < raster.first + n; ++i)
-      samples.values.push_back(
-        map_values(gauges_.records()[i].measures(time))[k]);
-    io::write_plane(stem + "_" + samples.quantity, samples);
+    samples.fields.push_back(
+      {map_quantities[k].first, map_quantities[k].second, {}});
+    for (std::size_t i = 0; i < samples.n_samples(); ++i)
+      samples.fields.back().values.push_back(
+        map_values(gauges_.records()[raster.first + i].measures(time))[k]);
   }
+  io::write_plane(file, samples);
 }
 
 

@@ -9,8 +9,10 @@
 #include <contrecoup/gas/record/wall_loads.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/output/load_file.h>
+#include <contrecoup/io/output/load_series.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <cmath>
@@ -290,8 +292,40 @@ void WallLoads<dim>::finish()
   if (active_ && totals_.time > totals_.sample_begin)
     end_sample(totals_.time);
   reduce_over_ranks();
-  if (active_ && dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
-    gauges_.write_injury();
+  if (!active_ || dealii::Utilities::MPI::this_mpi_process(communicator_) != 0)
+    return;
+  gauges_.write_tables(totals_.time);
+  if (totals_.n_times > 0. && !file_.empty())
+    io::write_load_series(file_);
+}
+
+
+template <int dim>
+std::string WallLoads<dim>::write_skin(const std::string &folder,
+                                       const unsigned int index,
+                                       const double time)
+{
+  if (!active_)
+    return "";
+  share_records();
+  const std::string name =
+    "skin_" + dealii::Utilities::int_to_string(index, 4) + ".vtp";
+  if (dealii::Utilities::MPI::this_mpi_process(communicator_) != 0)
+    return name;
+  std::vector<io::SkinField> fields = {{"overpressure", "Pa", {}},
+                                       {"peak", "Pa", {}},
+                                       {"impulse", "Pa s", {}},
+                                       {"arrival", "s", {}}};
+  for (const Record &record : records_)
+  {
+    const BlastMeasures measures = record.blast.measures(time);
+    const std::array<double, 4> values = {
+      {record.last, measures.peak, measures.impulse, measures.arrival}};
+    for (std::size_t k = 0; k < values.size(); ++k)
+      fields[k].values.push_back(static_cast<float>(values[k]));
+  }
+  io::write_skin(folder + "/" + name, facets_.skin(), fields, time);
+  return name;
 }
 
 
@@ -342,6 +376,7 @@ void WallLoads<dim>::create_file() const
       facets.normals.push_back(-values[3 + d] / area);
     }
   }
+  facets.corners = facets_.skin();
   io::LoadFile(file_).create(
     facets,
     {{"application", "blast " + version() + " (" + git_revision() + ")"},
@@ -375,9 +410,25 @@ void WallLoads<dim>::write_measures()
   for (unsigned int k = 0; k < 4; ++k)
     file.write(names[k], values[k]);
   io::LoadFile::Numbers numbers = {{"ambient_pressure_Pa", ambient_}};
-  for (const NamedValue &value : check_values())
-    numbers.emplace_back(value.name, value.value);
+  for (const auto &values_of : {check_values(), result_values()})
+    for (const NamedValue &value : values_of)
+      numbers.emplace_back(value.name, value.value);
   file.write(numbers);
+}
+
+
+template <int dim>
+std::vector<NamedValue> WallLoads<dim>::result_values() const
+{
+  std::vector<NamedValue> values;
+  const std::array<const char *, 3> axes = {{"x", "y", "z"}};
+  for (unsigned int d = 0; d < dim; ++d)
+    values.push_back({std::string("loads_impulse_") + axes[d],
+                      dim == 3 ? "N s" : "N s/m",
+                      totals_.facet_impulse[d]});
+  for (const NamedValue &value : gauges_.measures(totals_.time))
+    values.push_back(value);
+  return values;
 }
 
 
@@ -387,26 +438,15 @@ std::vector<NamedValue> WallLoads<dim>::check_values() const
   const auto relative = [](const double part, const double whole) {
     return whole > 0. ? part / whole : 0.;
   };
-  std::vector<NamedValue> values = {
-    {"loads_facets", "-", double(facets_.n_global())}};
-  const std::array<const char *, 3> axes = {{"x", "y", "z"}};
-  for (unsigned int d = 0; d < dim; ++d)
-    values.push_back({std::string("loads_impulse_") + axes[d],
-                      dim == 3 ? "N s" : "N s/m",
-                      totals_.facet_impulse[d]});
-  values.push_back(
-    {"loads_impulse_difference",
-     "-",
-     relative((totals_.facet_impulse - totals_.gas_impulse).norm(),
-              totals_.gas_impulse.norm())});
-  values.push_back(
-    {"loads_force_difference",
-     "-",
-     relative(totals_.largest_difference, totals_.largest_force)});
-  values.push_back({"loads_sampled_peak_loss", "-", totals_.peak_loss});
-  for (const NamedValue &value : gauges_.measures(totals_.time))
-    values.push_back(value);
-  return values;
+  return {{"loads_facets", "-", double(facets_.n_global())},
+          {"loads_impulse_difference",
+           "-",
+           relative((totals_.facet_impulse - totals_.gas_impulse).norm(),
+                    totals_.gas_impulse.norm())},
+          {"loads_force_difference",
+           "-",
+           relative(totals_.largest_difference, totals_.largest_force)},
+          {"loads_sampled_peak_loss", "-", totals_.peak_loss}};
 }
 
 

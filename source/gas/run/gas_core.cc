@@ -379,7 +379,7 @@ double GasCore<dim>::skipped_updates() const
 
 
 template <int dim>
-std::vector<NamedValue> GasCore<dim>::measures() const
+std::vector<NamedValue> GasCore<dim>::checks() const
 {
   // Leaves with a positive sensor: with a shock or, in the Galerkin scheme,
   // troubled.

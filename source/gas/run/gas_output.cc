@@ -3,18 +3,17 @@
 
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/octree/lattice.h>
 #include <contrecoup/gas/run/gas_output.h>
 #include <contrecoup/gas/state/leaf_sampling.h>
 #include <contrecoup/gas/state/point_sampler.h>
-#include <contrecoup/io/file/numpy.h>
+#include <contrecoup/io/file/plane_file.h>
 #include <contrecoup/io/output/field_output.h>
 
 #include <deal.II/base/geometry_info.h>
 
-#include <iomanip>
 #include <limits>
-#include <sstream>
 
 namespace contrecoup::gas
 {
@@ -77,27 +76,29 @@ namespace
       {
         const unsigned int d = i == 0 ? a : b;
         const double n = resolution * (upper[d] - lower[d]) / longer;
-        samples.axes[i] = axis_names.substr(d, 1);
+        samples.axes[i] = d;
         samples.n_points[i] = std::max(2., std::round(n));
         const double half = 0.5 * (upper[d] - lower[d]) / samples.n_points[i];
-        samples.lower[i] = lower[d] + half;
-        samples.upper[i] = upper[d] - half;
+        samples.lower[d] = lower[d] + half;
+        samples.upper[d] = upper[d] - half;
       }
+      if (dim == 3)
+        samples.lower[direction] = samples.upper[direction] = position;
       for (std::size_t j = 0; j < samples.n_points[1]; ++j)
         for (std::size_t i = 0; i < samples.n_points[0]; ++i)
         {
           dealii::Point<dim> place;
           if (dim == 3)
             place[direction % dim] = position;
-          place[a] = samples.lower[0] + (samples.upper[0] - samples.lower[0]) *
+          place[a] = samples.lower[a] + (samples.upper[a] - samples.lower[a]) *
                                           i / (samples.n_points[0] - 1);
-          place[b] = samples.lower[1] + (samples.upper[1] - samples.lower[1]) *
+          place[b] = samples.lower[b] + (samples.upper[b] - samples.lower[b]) *
                                           j / (samples.n_points[1] - 1);
           places.push_back(place);
         }
     }
 
-    io::PlaneSamples samples; ///< without quantity and values
+    io::PlaneSamples samples; ///< without fields
     std::vector<dealii::Point<dim>> places;
   };
 
@@ -219,15 +220,16 @@ void GasOutput<dim>::parse_parameters(ParameterHandler &prm,
 
 
 template <int dim>
-std::string GasOutput<dim>::write(const GasSnapshot<dim> &gas,
-                                  const BlastMaps<dim> &maps,
-                                  const Target &target) const
+std::vector<FieldFile> GasOutput<dim>::write(const GasSnapshot<dim> &gas,
+                                             const BlastMaps<dim> &maps,
+                                             const Target &target) const
 {
+  std::vector<FieldFile> files;
   for (const Plane &plane : planes_)
-    write_plane(plane, gas, maps, target);
-  if (!wants_volume_)
-    return "";
-  return write_leaves(gas, maps, target);
+    files.push_back(write_plane(plane, gas, maps, target));
+  if (wants_volume_)
+    files.insert(files.begin(), {"gas", write_leaves(gas, maps, target)});
+  return files;
 }
 
 
@@ -312,10 +314,10 @@ std::string GasOutput<dim>::write_leaves(const GasSnapshot<dim> &gas,
 
 
 template <int dim>
-void GasOutput<dim>::write_plane(const Plane &plane,
-                                 const GasSnapshot<dim> &gas,
-                                 const BlastMaps<dim> &maps,
-                                 const Target &target) const
+FieldFile GasOutput<dim>::write_plane(const Plane &plane,
+                                      const GasSnapshot<dim> &gas,
+                                      const BlastMaps<dim> &maps,
+                                      const Target &target) const
 {
   if constexpr (dim > 1)
   {
@@ -333,41 +335,41 @@ void GasOutput<dim>::write_plane(const Plane &plane,
           std::copy_n(values.begin(), n_maps, to);
         });
     const std::vector<double> open = open_fractions(sampler, gas.field);
-    if (dealii::Utilities::MPI::this_mpi_process(gas.mesh.communicator()) != 0)
-      return;
 
-    const std::string suffix =
-      dim == 2 ? ""
-               : "_" + axis_names.substr(plane.direction, 1) + "_" +
-                   std::to_string(&plane - planes_.data());
-    std::ostringstream number;
-    number << "_" << std::setw(4) << std::setfill('0') << target.index;
+    const std::string axis = axis_names.substr(plane.direction, 1);
+    const std::string stem =
+      dim == 2
+        ? "plane"
+        : "plane_" + axis + "_" + std::to_string(&plane - planes_.data());
+    const FieldFile result = {
+      dim == 2 ? "plane" : "plane " + axis + " = " + brief(plane.position),
+      stem + "_" + dealii::Utilities::int_to_string(target.index, 4) + ".vti"};
+    if (dealii::Utilities::MPI::this_mpi_process(gas.mesh.communicator()) != 0)
+      return result;
     raster.samples.time = gas.time;
-    const auto write = [&](const std::string &quantity,
-                           const std::string &unit,
-                           const std::string &ending,
-                           const std::function<double(std::size_t)> &value) {
-      raster.samples.quantity = quantity;
-      raster.samples.unit = unit;
-      raster.samples.values.clear();
+    const auto add = [&](const std::string &name,
+                         const std::string &unit,
+                         const std::function<double(std::size_t)> &value) {
+      std::vector<double> values;
       for (std::size_t i = 0; i < states.size(); ++i)
-        raster.samples.values.push_back(open[i] > 0. ? value(i) : no_gas);
-      io::write_plane(target.folder + "/plane" + suffix + "_" + quantity +
-                        ending,
-                      raster.samples);
+        values.push_back(open[i] > 0. ? value(i) : no_gas);
+      raster.samples.fields.push_back({name, unit, std::move(values)});
     };
-    write("pressure", "Pa", number.str(), [&](const std::size_t i) {
-      return states[i].pressure;
-    });
-    write("density", "kg/m^3", number.str(), [&](const std::size_t i) {
-      return states[i].density;
-    });
+    add("pressure", "Pa", [&](const auto i) { return states[i].pressure; });
+    add("density", "kg/m^3", [&](const auto i) { return states[i].density; });
+    io::write_plane(target.folder + "/" + result.file, raster.samples);
+    if (n_maps == 0)
+      return result;
+    raster.samples.fields.clear();
     for (unsigned int k = 0; k < n_maps; ++k)
-      write(map_quantities[k].first,
-            map_quantities[k].second,
-            "",
-            [&](const std::size_t i) { return records[i * n_maps + k]; });
+      add(map_quantities[k].first, map_quantities[k].second, [&](const auto i) {
+        return records[i * n_maps + k];
+      });
+    io::write_plane(target.folder + "/" + stem + "_maps.vti", raster.samples);
+    return result;
   }
+  else
+    throw std::logic_error("planes need two dimensions");
 }
 
 

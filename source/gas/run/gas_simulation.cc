@@ -141,13 +141,18 @@ bool GasSimulation<dim>::adapt()
 
 
 template <int dim>
-std::string GasSimulation<dim>::write_fields(const std::string &folder,
-                                             unsigned int index)
+std::vector<FieldFile>
+GasSimulation<dim>::write_fields(const std::string &folder, unsigned int index)
 {
   const auto gas = core_.snapshot();
   recorders_.for_each([&](auto &recorder) { recorder.write(gas, folder); });
-  return output_.write(
+  auto files = output_.write(
     gas, recorders_.template get<BlastMaps<dim>>(), {folder, index});
+  const std::string skin = recorders_.template get<WallLoads<dim>>().write_skin(
+    folder, index, gas.time);
+  if (!skin.empty())
+    files.push_back({"skin", skin});
+  return files;
 }
 
 
@@ -171,10 +176,17 @@ std::vector<NamedValue> GasSimulation<dim>::errors()
 
 
 template <int dim>
-std::vector<NamedValue> GasSimulation<dim>::assumptions()
+std::vector<NamedValue> GasSimulation<dim>::results()
 {
-  auto values = recorders_.collect(&Recorder<dim>::measures, core_.snapshot());
-  for (const NamedValue &value : core_.measures())
+  return recorders_.collect(&Recorder<dim>::results, core_.snapshot());
+}
+
+
+template <int dim>
+std::vector<NamedValue> GasSimulation<dim>::checks()
+{
+  auto values = recorders_.collect(&Recorder<dim>::checks, core_.snapshot());
+  for (const NamedValue &value : core_.checks())
     values.push_back(value);
   return values;
 }

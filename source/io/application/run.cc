@@ -220,7 +220,8 @@ namespace io
     if (status != "failed")
       collective_.run([&]() {
         summary.errors = simulation_.errors();
-        summary.assumptions = simulation_.assumptions();
+        summary.results = simulation_.results();
+        summary.checks = simulation_.checks();
         summary.plan = plan_;
         summary.audit = simulation_.audit();
       });

@@ -97,20 +97,16 @@ namespace io
       {
         return inner_.probes();
       }
-      std::string write_fields(const std::string &folder,
-                               const unsigned int index) override
+      std::vector<FieldFile> write_fields(const std::string &folder,
+                                          const unsigned int index) override
       {
         if (!trial_.stages.empty())
           trial_.stages.back().seconds += lap();
-        const std::string file = inner_.write_fields(folder, index);
+        const auto files = inner_.write_fields(folder, index);
         trial_.output_seconds += lap();
-        return file;
+        return files;
       }
       std::vector<NamedValue> errors() override
-      {
-        return {};
-      }
-      std::vector<NamedValue> assumptions() override
       {
         return {};
       }

@@ -30,7 +30,17 @@ namespace io
       for (const Point<3> &point : points)
         for (unsigned int d = 0; d < 3; ++d)
           coordinates.push_back(point[d]);
-      file.add("Points", "points", coordinates, 3);
+      file.add("Points", "points", coordinates, 3, "m");
+    }
+
+    /// Adds the names of what the arrays "part" and "tissue" hold.
+    void add_names(VtkFile &file, const HexMesh &mesh)
+    {
+      std::vector<std::string> parts;
+      for (const BodyPart &part : mesh.parts)
+        parts.push_back(part.name);
+      file.add_texts("part_names", parts);
+      file.add_texts("tissue_names", tissue_names());
     }
 
     /// Adds cells with @p width corners each.
@@ -60,6 +70,7 @@ namespace io
     VtkFile file("UnstructuredGrid",
                  "",
                  count_attributes(mesh.nodes.size(), mesh.cells.size()));
+    add_names(file, mesh);
     add_points(file, mesh.nodes);
     std::vector<std::uint32_t> connectivity;
     connectivity.reserve(8 * mesh.cells.size());
@@ -134,11 +145,12 @@ namespace io
     VtkFile file("UnstructuredGrid",
                  "",
                  count_attributes(nodes.size(), mesh.boundary.size()));
+    add_names(file, mesh);
     add_points(file, nodes);
     add_cells(file, connectivity, 4, vtk_quadrilateral);
     file.add("CellData", "part", part);
     file.add("CellData", "tissue", tissue);
-    file.add("CellData", "normal", normals, 3);
+    file.add("CellData", "normal", normals, 3, "-");
     file.write(name);
   }
 
@@ -221,7 +233,7 @@ namespace io
                  "WholeExtent=\"" + extent + "\" Origin=\"" + origin +
                    "\" Spacing=\"" + spacings + "\"",
                  "Extent=\"" + extent + "\"");
-    file.add("PointData", "signed_distance", values);
+    file.add("PointData", "signed_distance", values, 1, "m");
     file.write(name);
   }
 } // namespace io

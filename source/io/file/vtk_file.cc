@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/text.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/file/vtk_file.h>
 
@@ -88,6 +89,7 @@ namespace io
 
   void VtkFile::add_bytes(const std::string &section,
                           const std::string &attributes,
+                          const std::string &unit,
                           const unsigned char *data,
                           const std::size_t n_bytes)
   {
@@ -98,9 +100,12 @@ namespace io
       description_ += "<" + section + ">\n";
       section_ = section;
     }
+    const std::string key = "<InformationKey name=\"UNITS_LABEL\" "
+                            "location=\"vtkDataArray\">" +
+                            unit + "</InformationKey></DataArray>\n";
     description_ += "<DataArray " + attributes +
                     " format=\"appended\" offset=\"" + std::to_string(offset_) +
-                    "\"/>\n";
+                    (unit.empty() ? "\"/>\n" : "\">" + key);
     blocks_.push_back(compress_blocks(data, n_bytes));
     offset_ += blocks_.back().size();
   }
@@ -109,14 +114,39 @@ namespace io
   void VtkFile::add(const std::string &section,
                     const std::string &name,
                     const std::vector<Number> &values,
-                    const unsigned int n_components)
+                    const unsigned int n_components,
+                    const std::string &unit)
   {
     add_bytes(section,
               "type=\"" + std::string(type_name<Number>()) + "\" Name=\"" +
                 name + "\" NumberOfComponents=\"" +
                 std::to_string(n_components) + "\"",
+              unit,
               reinterpret_cast<const unsigned char *>(values.data()),
               values.size() * sizeof(Number));
+  }
+
+  void VtkFile::set_time(const double time)
+  {
+    field_data_ += "<DataArray type=\"Float64\" Name=\"TimeValue\" "
+                   "NumberOfTuples=\"1\" format=\"ascii\">" +
+                   exact(time) + "</DataArray>\n";
+  }
+
+  void VtkFile::add_texts(const std::string &name,
+                          const std::vector<std::string> &texts)
+  {
+    // VTK's text form of texts: the codes of all characters, 0 at the end.
+    field_data_ += "<Array type=\"String\" Name=\"" + name +
+                   "\" NumberOfTuples=\"" + std::to_string(texts.size()) +
+                   "\" format=\"ascii\">";
+    for (const std::string &text : texts)
+    {
+      for (const char letter : text)
+        field_data_ += std::to_string(static_cast<unsigned char>(letter)) + " ";
+      field_data_ += "0 ";
+    }
+    field_data_ += "</Array>\n";
   }
 
   void VtkFile::write(const std::string &file) const
@@ -125,8 +155,10 @@ namespace io
       out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"" << type_
           << "\" version=\"1.0\" byte_order=\"LittleEndian\" "
              "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n<"
-          << type_ << " " << grid_attributes_ << ">\n<Piece "
-          << piece_attributes_ << ">\n"
+          << type_ << " " << grid_attributes_ << ">\n";
+      if (!field_data_.empty())
+        out << "<FieldData>\n" << field_data_ << "</FieldData>\n";
+      out << "<Piece " << piece_attributes_ << ">\n"
           << description_ << "</" << section_ << ">\n</Piece>\n</" << type_
           << ">\n<AppendedData encoding=\"raw\">\n_";
       for (const std::string &block : blocks_)
@@ -139,7 +171,8 @@ namespace io
   template void VtkFile::add<Number>(const std::string &,         \
                                      const std::string &,         \
                                      const std::vector<Number> &, \
-                                     unsigned int);
+                                     unsigned int,                \
+                                     const std::string &);
   CONTRECOUP_INSTANTIATE(double)
   CONTRECOUP_INSTANTIATE(float)
   CONTRECOUP_INSTANTIATE(std::uint32_t)

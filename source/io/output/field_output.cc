@@ -227,15 +227,6 @@ namespace io
     return ranges;
   }
 
-  void
-  write_collection(const std::string &file,
-                   const std::vector<std::pair<double, std::string>> &entries)
-  {
-    write_file(file, [&](std::ostream &out) {
-      dealii::DataOutBase::write_pvd_record(out, entries);
-    });
-  }
-
   template class FieldOutput<0, 3>;
   template class FieldOutput<1>;
   template class FieldOutput<2>;

@@ -6,6 +6,7 @@
 #include <contrecoup/io/output/load_file.h>
 
 #include <algorithm>
+#include <map>
 
 namespace contrecoup
 {
@@ -14,6 +15,39 @@ namespace io
   namespace
   {
     const char *const format = "contrecoup loads 1";
+
+    /// What a dataset says about itself.
+    struct Label
+    {
+      std::vector<const char *> axes;
+      const char *units;
+      const char *description;
+    };
+
+    const std::map<std::string, Label> labels = {
+      {"centroid",
+       {{"facet", "direction"},
+        "m",
+        "place on the surface that is nearest to the middle of the cut cell"}},
+      {"normal", {{"facet", "direction"}, "-", "unit normal, out of the body"}},
+      {"area", {{"facet"}, "m^2", "area"}},
+      {"vertex", {{"vertex", "direction"}, "m", "corners of facets"}},
+      {"connectivity",
+       {{"number"},
+        "-",
+        "of each facet its type (3: polygon, 2: line), the number of its "
+        "corners, and their vertices: mixed topology of XDMF"}},
+      {"time", {{"time"}, "s", "end of each sample"}},
+      {"overpressure",
+       {{"facet", "time"},
+        "Pa",
+        "mean overpressure since the time before, of the first sample since "
+        "time 0"}},
+      {"peak", {{"facet"}, "Pa", "largest overpressure of any time step"}},
+      {"impulse",
+       {{"facet"}, "Pa s", "integral of overpressure, positive phase"}},
+      {"arrival", {{"facet"}, "s", "time at which the blast arrives"}},
+      {"duration", {{"facet"}, "s", "duration of the positive phase"}}};
 
     /// An HDF5 object that must exist.
     class Handle : public Hdf5Handle
@@ -36,6 +70,7 @@ namespace io
     }
 
 
+    /// Of a file or dataset.
     void write_attribute(const hid_t file,
                          const std::string &name,
                          const hid_t type,
@@ -61,6 +96,44 @@ namespace io
       const Handle type(H5Tcopy(H5T_C_S1), H5Tclose, path);
       check(H5Tset_size(type, text.size() + 1), path);
       write_attribute(file, name, type, text.c_str(), path);
+    }
+
+
+    /// Writes HDF5's labels of a dataset's dimensions.
+    void label_dimensions(const hid_t data,
+                          const std::vector<const char *> &axes,
+                          const std::string &path)
+    {
+      const Handle type(H5Tcopy(H5T_C_S1), H5Tclose, path);
+      check(H5Tset_size(type, H5T_VARIABLE), path);
+      const hsize_t size[] = {axes.size()};
+      const Handle space(H5Screate_simple(1, size, nullptr), H5Sclose, path);
+      const Handle attribute(
+        H5Acreate2(
+          data, "DIMENSION_LABELS", type, space, H5P_DEFAULT, H5P_DEFAULT),
+        H5Aclose,
+        path);
+      check(H5Awrite(attribute, type, axes.data()), path);
+    }
+
+
+    /// Writes the attributes of a dataset that has a label.
+    void
+    describe(const hid_t file, const std::string &name, const std::string &path)
+    {
+      const auto found = labels.find(name);
+      if (found == labels.end())
+        return;
+      const Label &label = found->second;
+      const Handle data(
+        H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, path);
+      write_text(data, "units", label.units, path);
+      write_text(data, "description", label.description, path);
+      std::string axes;
+      for (const char *const axis : label.axes)
+        axes += (axes.empty() ? "" : " x ") + std::string(axis);
+      write_text(data, "axes", axes, path);
+      label_dimensions(data, label.axes, path);
     }
 
 
@@ -105,6 +178,85 @@ namespace io
                      H5P_DEFAULT,
                      values.data()),
             path);
+      describe(file, name, path);
+    }
+
+
+    /// Properties of compressed datasets.
+    Handle compressed(const std::vector<hsize_t> &chunk,
+                      const std::string &path)
+    {
+      const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
+      check(H5Pset_chunk(properties, chunk.size(), chunk.data()), path);
+      check(H5Pset_shuffle(properties), path);
+      check(H5Pset_deflate(properties, 4), path);
+      return Handle(properties, H5Pclose, path);
+    }
+
+
+    /// Writes an array once, compressed.
+    void write_array(const hid_t file,
+                     const std::string &name,
+                     const hid_t type,
+                     const void *values,
+                     const std::vector<hsize_t> &size,
+                     const std::string &path)
+    {
+      std::vector<hsize_t> chunk = size;
+      chunk[0] = std::min<hsize_t>(chunk[0], 1 << 16);
+      const Handle properties = compressed(chunk, path);
+      const Handle space(
+        H5Screate_simple(size.size(), size.data(), nullptr), H5Sclose, path);
+      const Handle data(H5Dcreate2(file,
+                                   name.c_str(),
+                                   type,
+                                   space,
+                                   H5P_DEFAULT,
+                                   properties,
+                                   H5P_DEFAULT),
+                        H5Dclose,
+                        path);
+      check(H5Dwrite(data, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), path);
+      describe(file, name, path);
+    }
+
+
+    void write_corners(const hid_t file,
+                       const SkinMesh &corners,
+                       const std::string &path)
+    {
+      if (corners.corners.empty())
+        return;
+      constexpr std::int32_t line = 2, polygon = 3; // XDMF's numbers
+      std::vector<std::int32_t> connectivity;
+      std::int64_t begin = 0;
+      for (const std::int64_t end : corners.ends)
+      {
+        connectivity.push_back(corners.are_lines ? line : polygon);
+        connectivity.push_back(static_cast<std::int32_t>(end - begin));
+        connectivity.insert(connectivity.end(),
+                            corners.corners.begin() + begin,
+                            corners.corners.begin() + end);
+        begin = end;
+      }
+      write_array(file,
+                  "vertex",
+                  H5T_NATIVE_FLOAT,
+                  corners.vertices.data(),
+                  {corners.vertices.size() / 3, 3},
+                  path);
+      write_array(file,
+                  "connectivity",
+                  H5T_NATIVE_INT32,
+                  connectivity.data(),
+                  {connectivity.size()},
+                  path);
+      if (corners.are_lines)
+      {
+        const Handle area(H5Dopen2(file, "area", H5P_DEFAULT), H5Dclose, path);
+        write_text(area, "units", "m", path);
+        write_text(area, "description", "length, per depth", path);
+      }
     }
 
 
@@ -122,19 +274,19 @@ namespace io
         H5Screate_simple(size.size(), size.data(), largest.data()),
         H5Sclose,
         path);
-      const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, path);
-      check(H5Pset_chunk(properties, chunk.size(), chunk.data()), path);
-      check(H5Pset_shuffle(properties), path);
-      check(H5Pset_deflate(properties, 4), path);
-      const Handle data(H5Dcreate2(file,
-                                   name.c_str(),
-                                   type,
-                                   space,
-                                   H5P_DEFAULT,
-                                   properties,
-                                   H5P_DEFAULT),
-                        H5Dclose,
-                        path);
+      const Handle properties = compressed(chunk, path);
+      {
+        const Handle data(H5Dcreate2(file,
+                                     name.c_str(),
+                                     type,
+                                     space,
+                                     H5P_DEFAULT,
+                                     properties,
+                                     H5P_DEFAULT),
+                          H5Dclose,
+                          path);
+      }
+      describe(file, name, path);
     }
 
 
@@ -201,6 +353,7 @@ namespace io
     write_table(file, "centroid", facets.centroids, 3, path_);
     write_table(file, "normal", facets.normals, 3, path_);
     write_table(file, "area", facets.areas, 1, path_);
+    write_corners(file, facets.corners, path_);
     const hsize_t n = facets.areas.size();
     create_growing(file, "time", H5T_NATIVE_DOUBLE, {1024}, {0}, path_);
     create_growing(

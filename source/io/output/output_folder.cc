@@ -6,10 +6,11 @@
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/io/file/checked_file.h>
-#include <contrecoup/io/output/field_output.h>
 #include <contrecoup/io/output/output_folder.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <sstream>
 
 namespace contrecoup
 {
@@ -23,6 +24,29 @@ namespace io
     {
       return dealii::Utilities::MPI::this_mpi_process(
                collective.communicator()) == 0;
+    }
+
+    /// Whether a .pvd collection can list a file.
+    bool can_be_listed(const std::string &file)
+    {
+      const auto ending = fs::path(file).extension();
+      return ending == ".vtu" || ending == ".pvtu" || ending == ".vti" ||
+             ending == ".vtp";
+    }
+
+    /// The files that the first rank knows. Collective.
+    std::vector<FieldFile> broadcast(const MPI_Comm communicator,
+                                     const std::vector<FieldFile> &files)
+    {
+      std::string text;
+      for (const FieldFile &file : files)
+        text += file.part + "\n" + file.file + "\n";
+      std::istringstream lines(broadcast_text(communicator, text, 0));
+      std::vector<FieldFile> result;
+      for (FieldFile file;
+           std::getline(lines, file.part) && std::getline(lines, file.file);)
+        result.push_back(file);
+      return result;
     }
 
     NamedValue
@@ -159,21 +183,26 @@ namespace io
       if (writes_)
         fs::create_directories(path("fields"));
     });
-    std::string file;
+    std::vector<FieldFile> files;
     collective_.run([&]() {
-      file = simulation.write_fields(
+      files = simulation.write_fields(
         path("fields"), static_cast<unsigned int>(state.field_index));
     });
-    // Of 1-D fields, only the first rank writes and knows the name.
-    file = broadcast_text(collective_.communicator(), file, 0);
-    // A .pvd collection cannot list other formats.
-    if (fs::path(file).extension() != ".vtu" &&
-        fs::path(file).extension() != ".pvtu")
+    files = broadcast(collective_.communicator(), files);
+    const std::size_t n_before = run_.fields.size();
+    for (const FieldFile &file : files)
+    {
+      const std::string name = "fields/" + file.file;
+      // Do not list an index twice after a failed attempt.
+      const bool is_listed = std::any_of(
+        run_.fields.begin(),
+        run_.fields.begin() + static_cast<std::ptrdiff_t>(n_before),
+        [&](const CollectionEntry &entry) { return entry.file == name; });
+      if (can_be_listed(name) && !is_listed)
+        run_.fields.push_back({state.time, file.part, name});
+    }
+    if (run_.fields.empty())
       return;
-    // Do not list an index twice after a failed attempt.
-    const std::string entry = "fields/" + fs::path(file).filename().string();
-    if (run_.fields.empty() || run_.fields.back().second != entry)
-      run_.fields.emplace_back(state.time, entry);
     collective_.run([&]() {
       if (!writes_)
         return;

@@ -30,6 +30,15 @@ namespace io
       return object;
     }
 
+    Json with_units(const std::vector<NamedValue> &values)
+    {
+      Json object = Json::object();
+      for (const NamedValue &value : values)
+        object[value.name] = {{"value", number(value.value)},
+                              {"unit", value.unit}};
+      return object;
+    }
+
     Json conservation(const std::vector<NamedValue> &first,
                       const std::vector<NamedValue> &last)
     {
@@ -50,10 +59,12 @@ namespace io
 
     Json assumptions(const Summary &summary)
     {
-      Json object = by_name(summary.assumptions);
+      Json object = Json::object();
       for (const Assumption &item : summary.audit)
       {
         const Assumption *planned = find_assumption(summary.plan, item.name);
+        const bool is_judged =
+          std::isfinite(item.value) && !std::isnan(item.limit);
         object[item.name] = {
           {"decision", item.decision},
           {"quantity", item.quantity},
@@ -61,7 +72,7 @@ namespace io
           {"estimate", planned ? number(planned->value) : Json(nullptr)},
           {"measured", number(item.value)},
           {item.is_lower_limit ? "at_least" : "at_most", number(item.limit)},
-          {"holds", !item.fails()},
+          {"holds", is_judged ? Json(!item.fails()) : Json(nullptr)},
           {"entry", item.entry}};
       }
       return object;
@@ -103,6 +114,8 @@ namespace io
     json["conservation"] =
       conservation(summary.first_values, summary.last_values);
     json["errors"] = by_name(summary.errors);
+    json["results"] = with_units(summary.results);
+    json["checks"] = with_units(summary.checks);
     json["assumptions"] = assumptions(summary);
     json["timers"] = timers;
     return json.dump(2) + "\n";

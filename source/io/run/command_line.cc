@@ -24,6 +24,7 @@ namespace io
                                               "--resume",
                                               "--overwrite",
                                               "--check",
+                                              "--estimate",
                                               "--print-parameters",
                                               "--help",
                                               "--version"};
@@ -47,6 +48,8 @@ namespace io
         command.overwrite = true;
       else if (option == "--check")
         command.check = true;
+      else if (option == "--estimate")
+        command.estimate = true;
       else if (option == "--print-parameters")
         command.print_parameters = true;
       else if (option == "--help" || option == "-h")
@@ -161,6 +164,9 @@ namespace io
       command.help || command.version || command.print_parameters;
     if (command.parameter_file.empty() && !only_prints)
       throw InputError("no parameter file is given; --help shows how");
+    if (command.estimate && application != "scene")
+      throw InputError("the option --estimate is one of scene, not of " +
+                       application);
     if (command.resume && command.overwrite)
       throw InputError("--resume keeps what --overwrite removes; give one of "
                        "them");
@@ -188,7 +194,12 @@ namespace io
            "complete checkpoint there\n  --overwrite         begins anew "
            "and removes what an earlier run left there\n  "
            "--check             says what would be run and what it would "
-           "cost\n  --print-parameters  prints all entries with meaning, "
+           "cost\n" +
+           (application == "scene"
+              ? "  --estimate          prints a first answer from tables, "
+                "without a run\n"
+              : "") +
+           "  --print-parameters  prints all entries with meaning, "
            "allowed values, default\n  --help              prints this\n  "
            "--version           prints version and git revision\n\nExit "
            "codes: 0 done, 1 bad input, 2 the numerics failed, 3 the system "

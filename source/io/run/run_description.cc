@@ -56,6 +56,9 @@ namespace io
     visit_members(description.state, [&](const char *name, const auto &value) {
       state[name] = value;
     });
+    Json fields = Json::array();
+    for (const CollectionEntry &entry : description.fields)
+      fields.push_back({entry.time, entry.part, entry.file});
     Json first = Json::array();
     for (const NamedValue &value : description.first_values)
       first.push_back({value.name, value.unit, value.value, value.conserved});
@@ -66,7 +69,7 @@ namespace io
                        {"state", state},
                        {"history_bytes", description.history_bytes},
                        {"probes_bytes", description.probes_bytes},
-                       {"fields", description.fields},
+                       {"fields", fields},
                        {"first_values", first},
                        {"parameters", description.parameters}};
     return text.dump(1) + "\n";
@@ -84,7 +87,8 @@ namespace io
       require_same_format(json, description.build);
       json.at("history_bytes").get_to(description.history_bytes);
       json.at("probes_bytes").get_to(description.probes_bytes);
-      json.at("fields").get_to(description.fields);
+      for (const Json &entry : json.at("fields"))
+        description.fields.push_back({entry.at(0), entry.at(1), entry.at(2)});
       json.at("parameters").get_to(description.parameters);
       visit_members(description.state, [&](const char *name, auto &value) {
         json.at("state").at(name).get_to(value);

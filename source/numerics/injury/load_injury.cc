@@ -45,18 +45,29 @@ double first_positive_phase(const std::vector<double> &times,
 
 LoadInjury load_injury(const std::vector<double> &times,
                        const std::vector<double> &overpressures,
+                       const PressurePulse &pulse,
                        const double body_mass)
 {
   LoadInjury injury;
+  injury.pulse = pulse;
   injury.chest_wall_velocity =
     chest_wall_response(times, overpressures, sea_level).velocity;
-  injury.peak = peak_of(overpressures);
-  injury.positive_phase = first_positive_phase(times, overpressures);
-  if (injury.positive_phase > 0.)
-    injury.lung_exposure =
-      injury.peak / lung_median_lethal_overpressure(
-                      injury.positive_phase, body_mass, sea_level);
-  injury.eardrum_rupture = eardrum_rupture_probability(injury.peak);
+  if (pulse.duration > 0.)
+    injury.lung_exposure = pulse.peak / lung_median_lethal_overpressure(
+                                          pulse.duration, body_mass, sea_level);
+  injury.eardrum_rupture = eardrum_rupture_probability(pulse.peak);
   return injury;
+}
+
+
+LoadInjury load_injury(const std::vector<double> &times,
+                       const std::vector<double> &overpressures,
+                       const double body_mass)
+{
+  return load_injury(
+    times,
+    overpressures,
+    {peak_of(overpressures), first_positive_phase(times, overpressures)},
+    body_mass);
 }
 } // namespace contrecoup

@@ -23,6 +23,11 @@ void ChestInjury::declare_parameters(dealii::ParameterHandler &prm)
                "m",
                "Position of the chest; the pressure is that on the nearest "
                "loaded facet.");
+  declare_bool(prm,
+               "Chest load",
+               "true",
+               "Whether injuries by the load on the chest are reported; false "
+               "where the blast reports them for its gauge \"chest\".");
   declare_double(prm,
                  "Chest radius",
                  "0.06",
@@ -44,6 +49,7 @@ void ChestInjury::declare_parameters(dealii::ParameterHandler &prm)
 void ChestInjury::parse_parameters(dealii::ParameterHandler &prm)
 {
   place_ = read_point<3>(prm, "Chest");
+  reports_load_ = prm.get_bool("Chest load");
   radius_ = read_double(prm, "Chest radius");
   mass_ = read_double(prm, "Body mass");
 }
@@ -63,35 +69,41 @@ std::vector<InjuryMeasure> ChestInjury::measures() const
 {
   if (times_.size() < 2)
     return {};
-  const LoadInjury injury = load_injury(times_, pressures_, mass_);
-  const double velocity = injury.chest_wall_velocity;
   std::vector<InjuryMeasure> list{
-    {{"injury_chest_pressure_peak", "Pa", injury.peak},
-     "none of its own",
-     "as loaded, on the facet nearest to the place of the chest"},
-    {{"injury_chest_wall_velocity", "m/s", velocity},
-     "3.6: slight, 7.5: moderate, 12.8: lethal for half (Axelsson and "
-     "Yelverton 1996)",
-     "model of one mass"},
     {{"injury_chest_wall_velocity_mesh",
       "m/s",
       *std::max_element(wall_velocities_.begin(), wall_velocities_.end())},
      "none of its own: those of the model are of the model's velocity",
      "of the skin before the chest in this mesh, a mean over its "
-     "neighbourhood; bars of ribs coarser than 5 mm are too stiff or broken"},
+     "neighbourhood; bars of ribs coarser than 5 mm are too stiff or broken"}};
+  if (reports_load_)
+    add_load(list);
+  return list;
+}
+
+
+void ChestInjury::add_load(std::vector<InjuryMeasure> &list) const
+{
+  const LoadInjury injury = load_injury(times_, pressures_, mass_);
+  const double velocity = injury.chest_wall_velocity;
+  list.push_back({{"injury_chest_pressure_peak", "Pa", injury.pulse.peak},
+                  "none of its own",
+                  "as loaded, on the facet nearest to the place of the chest"});
+  list.push_back(
+    {{"injury_chest_wall_velocity", "m/s", velocity},
+     "3.6: slight, 7.5: moderate, 12.8: lethal for half (Axelsson and "
+     "Yelverton 1996)",
+     "model of one mass"});
+  list.push_back(
     {{"injury_adjusted_severity", "-", thorax_injury_index(velocity)},
      "0.2 to 1: slight (recalled)",
-     "of that velocity"}};
-  if (injury.positive_phase > 0.)
+     "of that velocity"});
+  if (injury.pulse.duration > 0.)
     list.push_back(
       {{"injury_lung_exposure", "-", injury.lung_exposure},
        "0.2: lung injury begins, 1: half die (Bowen et al. 1968, recalled)",
        "for long bodies near no wall; takes the first positive phase of the "
        "pressure on the chest"});
-  list.push_back({{"injury_eardrum_rupture", "-", injury.eardrum_rupture},
-                  "a probability",
-                  "takes the pressure on the chest for that at the ear"});
-  return list;
 }
 
 

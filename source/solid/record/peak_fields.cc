@@ -39,6 +39,11 @@ const std::array<std::string, PeakFields<Real>::n_fields>
 
 
 template <typename Real>
+const std::array<std::string, PeakFields<Real>::n_fields>
+  PeakFields<Real>::units{{"Pa", "Pa", "Pa", "-"}};
+
+
+template <typename Real>
 void PeakFields<Real>::declare_parameters(ParameterHandler &prm)
 {
   const Section section(prm, "Peaks");
@@ -129,7 +134,6 @@ template <typename Real>
 std::vector<NamedValue>
 PeakFields<Real>::measures(const SolidBody<Real> &body) const
 {
-  static const std::array<std::string, n_fields> units{{"Pa", "Pa", "Pa", "-"}};
   std::vector<NamedValue> list;
   for (unsigned int k = 0; k < averages_.size(); ++k)
   {

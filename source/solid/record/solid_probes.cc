@@ -277,8 +277,17 @@ std::vector<NamedValue> SolidProbes::values() const
 std::vector<NamedValue> SolidProbes::measured() const
 {
   std::vector<NamedValue> result;
+  const auto &quantities = probe_quantities();
   for (const Measure &measure : measures_)
-    result.push_back({measure.name, "", measure.result()});
+  {
+    const std::string &unit =
+      quantities[measure.column % quantities.size()].unit;
+    result.push_back({measure.name,
+                      measure.statistic == "arrival"     ? "s"
+                      : measure.statistic == "frequency" ? "1/s"
+                                                         : unit,
+                      measure.result()});
+  }
   return result;
 }
 

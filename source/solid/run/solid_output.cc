@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/parameters/tissues.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/file/vtk_file.h>
 #include <contrecoup/solid/body/stress_invariants.h>
@@ -11,11 +12,13 @@ namespace contrecoup::solid
 {
 namespace
 {
-  const std::vector<std::string> vector_names{"displacement", "velocity"};
-  const std::vector<std::string> cell_names{"pressure",
-                                            "averaged_pressure",
-                                            "von_mises_stress",
-                                            "principal_strain"};
+  /// Names and units.
+  using Names = std::vector<std::pair<std::string, std::string>>;
+  const Names vector_names{{"displacement", "m"}, {"velocity", "m/s"}};
+  const Names cell_names{{"pressure", "Pa"},
+                         {"averaged_pressure", "Pa"},
+                         {"von_mises_stress", "Pa"},
+                         {"principal_strain", "-"}};
 
   template <typename Real>
   void add_points(io::VtkFile &file, const SolidBody<Real> &body)
@@ -26,7 +29,7 @@ namespace
     for (const auto &node : mesh.nodes)
       for (unsigned int d = 0; d < 3; ++d)
         points.push_back(static_cast<float>(node[d]));
-    file.add("Points", "points", points, 3);
+    file.add("Points", "points", points, 3, "m");
     std::vector<std::uint32_t> corners;
     corners.reserve(8 * mesh.elements.size());
     for (const HexMesh::Cell &cell : mesh.elements)
@@ -52,8 +55,13 @@ namespace
         displacement.push_back(float(body.nodes().displacement_of(i)[d]));
         velocity.push_back(float(body.nodes().velocity_of(i)[d]));
       }
-    file.add("PointData", vector_names[0], displacement, 3);
-    file.add("PointData", vector_names[1], velocity, 3);
+    const std::vector<float> *const vectors[] = {&displacement, &velocity};
+    for (unsigned int k = 0; k < 2; ++k)
+      file.add("PointData",
+               vector_names[k].first,
+               *vectors[k],
+               3,
+               vector_names[k].second);
     std::vector<unsigned char> tissue;
     for (const unsigned char index : mesh.tissue)
       tissue.push_back(static_cast<unsigned char>(mesh.tissues[index]));
@@ -80,13 +88,14 @@ namespace
         values[1][average.elements()[i]] = static_cast<float>(pressures[i]);
     }
     for (std::size_t k = 0; k < cell_names.size(); ++k)
-      file.add("CellData", cell_names[k], values[k]);
+      file.add(
+        "CellData", cell_names[k].first, values[k], 1, cell_names[k].second);
   }
 
   /// Writes the .pvtu file, which names the pieces of all ranks.
   void write_master(const std::string &name,
                     const std::vector<std::string> &pieces,
-                    const std::vector<std::string> &fields)
+                    const Names &fields)
   {
     io::write_file(name, [&](std::ostream &out) {
       const auto array = [&](const std::string &type,
@@ -102,12 +111,12 @@ namespace
              "GhostLevel=\"0\">\n<PPoints>\n";
       array("Float32", "points", 3);
       out << "</PPoints>\n<PPointData>\n";
-      for (const std::string &field : vector_names)
-        array("Float32", field, 3);
+      for (const auto &field : vector_names)
+        array("Float32", field.first, 3);
       out << "</PPointData>\n<PCellData>\n";
       array("UInt8", "tissue", 1);
-      for (const std::string &field : fields)
-        array("Float32", field, 1);
+      for (const auto &field : fields)
+        array("Float32", field.first, 1);
       out << "</PCellData>\n";
       for (const std::string &piece : pieces)
         out << "<Piece Source=\"" << piece << "\"/>\n";
@@ -139,14 +148,15 @@ std::string write_solid(const SolidBody<Real> &body,
     "NumberOfPoints=\"" + std::to_string(body.mesh().nodes.size()) +
     "\" NumberOfCells=\"" + std::to_string(body.mesh().elements.size()) + "\"";
   io::VtkFile file("UnstructuredGrid", "", sizes);
+  file.add_texts("tissue_names", tissue_names());
   add_points(file, body);
   add_fields(file, body);
-  std::vector<std::string> fields = cell_names;
+  Names fields = cell_names;
   if (peaks.active())
     for (unsigned int k = 0; k < peaks.n_fields; ++k)
     {
-      file.add("CellData", peaks.names[k], peaks.field(k));
-      fields.push_back(peaks.names[k]);
+      file.add("CellData", peaks.names[k], peaks.field(k), 1, peaks.units[k]);
+      fields.emplace_back(peaks.names[k], peaks.units[k]);
     }
   file.write(folder + "/" + piece(rank));
   if (n_ranks == 1)

@@ -344,10 +344,11 @@ std::vector<NamedValue> SolidSimulation<Real>::probes()
 
 
 template <typename Real>
-std::string SolidSimulation<Real>::write_fields(const std::string &folder,
-                                                const unsigned int index)
+std::vector<FieldFile>
+SolidSimulation<Real>::write_fields(const std::string &folder,
+                                    const unsigned int index)
 {
-  return write_solid(body_, peaks_, folder, index);
+  return {{"", write_solid(body_, peaks_, folder, index)}};
 }
 
 
@@ -362,7 +363,21 @@ std::vector<NamedValue> SolidSimulation<Real>::errors()
 
 
 template <typename Real>
-std::vector<NamedValue> SolidSimulation<Real>::assumptions()
+std::vector<NamedValue> SolidSimulation<Real>::results()
+{
+  std::vector<NamedValue> values = probes_.measured();
+  if (injury_.active())
+    for (const InjuryMeasure &measure : injury_.measures(body_))
+      values.push_back(measure.value);
+  if (peaks_.active())
+    for (const NamedValue &value : peaks_.measures(body_))
+      values.push_back(value);
+  return values;
+}
+
+
+template <typename Real>
+std::vector<NamedValue> SolidSimulation<Real>::checks()
 {
   const EnergyLedger ledger = check_energy();
   const double scale = std::max(energy_scale_, 1e-300);
@@ -380,18 +395,10 @@ std::vector<NamedValue> SolidSimulation<Real>::assumptions()
     {"element_step", "s", stability_.element_step},
     {"body_step", "s", stability_.body_step},
     {"least_volume", "-", body_.least_volume()}};
-  for (const NamedValue &value : probes_.measured())
-    values.push_back(value);
   for (const NamedValue &value : body_.mass_scaling().report())
     values.push_back(value);
   for (const NamedValue &value : body_.loads().check_values())
     values.push_back(value);
-  if (injury_.active())
-    for (const InjuryMeasure &measure : injury_.measures(body_))
-      values.push_back(measure.value);
-  if (peaks_.active())
-    for (const NamedValue &value : peaks_.measures(body_))
-      values.push_back(value);
   return values;
 }
 

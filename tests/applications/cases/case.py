@@ -111,6 +111,9 @@ def look_up(summary, key):
             raise Failed(f"summary.json has no '{key}'; at '{part}' there are:"
                          f" {', '.join(value) if value else 'none'}")
         value = value[part]
+    # A result or check is an object with a value and its unit.
+    if isinstance(value, dict) and set(value) == {"value", "unit"}:
+        return value["value"]
     return value
 
 
@@ -136,12 +139,13 @@ def check_bound(summary, bound):
 
 
 def results(output):
-    """The tables, planes and load files of a run, without its checkpoints."""
+    """The tables, planes, skins and load files of a run, without its
+    checkpoints."""
     found = []
     for here, folders, names in os.walk(output):
         folders[:] = [name for name in folders if name != "checkpoint"]
         found += [os.path.join(here, name) for name in names
-                  if name.endswith((".csv", ".npy", ".h5"))]
+                  if name.endswith((".csv", ".vti", ".vtp", ".h5"))]
     return sorted(found)
 
 
@@ -154,7 +158,7 @@ def check_finite(output):
             check_table(path)
             continue
         for name, values in samples.read(path).items():
-            reason = samples.flaw(values, may_miss=path.endswith(".npy"))
+            reason = samples.flaw(values, may_miss=path.endswith(".vti"))
             if reason:
                 raise Failed(f"{path}: {name} {reason}")
 

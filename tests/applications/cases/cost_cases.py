@@ -5,6 +5,8 @@ import json
 import os
 import re
 
+from summaries import values_of
+
 
 def require(holds, reason):
     if not holds:
@@ -86,7 +88,7 @@ def presets(case, check_bound, read_summary):
         output = case.folder(name)
         case.run(output, file=case.folder(name + ".prm"))
         summary = read_summary(output)
-        found = summary["assumptions"]
+        found = values_of(summary, "results")
         errors = [max(100. * abs(found[f"probe_{gauge:.0f}_{quantity}"] / scale
                                  / row[column] - 1.)
                       for gauge, *row in truth)

@@ -6,6 +6,8 @@ import math
 import os
 import re
 
+from summaries import values_of
+
 ENTRY = "Loads/Smallest overpressure"
 
 
@@ -124,7 +126,8 @@ def farther(output, number):
 
 def largest_difference(output, other, read_summary):
     """Of peaks and impulses at the gauges, over the largest of their kind."""
-    one, two = (read_summary(run)["assumptions"] for run in (output, other))
+    one, two = (values_of(read_summary(run), "results")
+                for run in (output, other))
     largest = 0.
     for kind in ("_peak", "_impulse"):
         names = [name for name in one
@@ -165,7 +168,7 @@ def facet_loads(case, check_bound, read_summary):
         areas, normals = file["area"][:], file["normal"][:]
     steps = [end - begin for begin, end in zip([0.] + times, times)]
     found = -(samples @ steps * areas) @ normals
-    told = [summary["assumptions"].get("loads_impulse_" + axis, 0.)
+    told = [values_of(summary, "results").get("loads_impulse_" + axis, 0.)
             for axis in "xyz"]
     summary["file_difference"] = math.dist(found, told) / math.hypot(*told)
     for bound in case.options.bound:

@@ -5,9 +5,11 @@ kinds of run_case.py."""
 
 import os
 import subprocess
+import xml.etree.ElementTree as xml
 
 import report_figures
 from report_figures import COARSER, STAGES, require
+from summaries import flaw_of, values_of
 
 # Peaks [Pa] on the skin by test and place: of the test's own run, of which
 # 3 % may be missing, and of another run with what the test's differs by.
@@ -32,7 +34,9 @@ def main_job(case, check_bound, read_summary):
     stored ones, the bounds of the summary of biomechanics hold, and every
     figure of the report is that of the files."""
     output = case.folder("run")
-    case.run(output)
+    _, out, _ = case.run(output)
+    with open(os.path.join(output, "log.txt"), encoding="utf-8") as file:
+        require(file.read() == out, "log.txt has other lines than the screen")
     prove(case, output, check_bound, read_summary)
 
 
@@ -58,6 +62,10 @@ def prove(case, output, check_bound, read_summary):
                 for stage in files.scene["stages"]}
     require(statuses == dict.fromkeys(STAGES + COARSER, "finished"),
             f"stages are {statuses}")
+    for name in ("scene.json", "blast/summary.json",
+                 "biomechanics/summary.json"):
+        flaw = flaw_of(os.path.join(output, name))
+        require(not flaw, f"{name}: {flaw}")
     for bound in case.options.bound:
         check_bound(read_summary(os.path.join(output, "biomechanics")), bound)
     check_peaks(files, PEAKS.get(case.options.name, {}))
@@ -71,7 +79,11 @@ def prove(case, output, check_bound, read_summary):
 def check_audit(files, output):
     """The scene's audit has the limits of the blast's, and no others."""
     with open(os.path.join(output, "log.txt"), encoding="utf-8") as file:
-        lines = [line for line in file if not line.startswith("WARNING")]
+        text = file.read()
+    # The log has the lines of all stages; the scene's audit is at its end.
+    stages = text.rindex("\nstage ")
+    lines = [line for line in text[stages:].splitlines(keepends=True)
+             if not line.startswith("WARNING")]
     for name, item in files.summary["blast"]["assumptions"].items():
         if not isinstance(item, dict) or "quantity" not in item:
             continue
@@ -84,17 +96,25 @@ def check_audit(files, output):
 
 
 def check_fields(case, output):
-    """The body's fields are there for ParaView, those of the gas on demand,
-    and its pressure in a plane."""
+    """The fields of body, plane and skin are there for ParaView at several
+    times, those of all the gas on demand; so are the loads."""
     wanted = "Blast/Output/Volume fields=true" in case.options.set
-    for stage, holds in (("biomechanics", True), ("blast", wanted)):
+    for stage, names in (("biomechanics", {None}), ("blast", {
+            "plane y = 0", "skin", *(["gas"] if wanted else [])})):
         path = os.path.join(output, stage, "fields.pvd")
-        require(os.path.exists(path) == holds, f"{path} is "
-                + ("missing" if holds else "there"))
-    planes = [name for name in os.listdir(os.path.join(output, "blast",
-                                                       "fields"))
-              if name.endswith(".npy")]
-    require(len(planes) > 3, f"planes of the gas: {planes}")
+        require(os.path.exists(path), f"{path} is missing")
+        times = {}
+        for entry in xml.parse(path).iter("DataSet"):
+            require(os.path.exists(os.path.join(output, stage,
+                                                entry.get("file"))),
+                    f"{path} lists {entry.get('file')}")
+            times.setdefault(entry.get("timestep"), set()).add(
+                entry.get("name"))
+        require(len(times) > 3, f"{path} has {len(times)} times")
+        require(names == set.union(*times.values()), f"{path} has {times}")
+    for name in ("loads.h5", "loads.xdmf"):
+        path = os.path.join(output, "blast", name)
+        require(os.path.exists(path), f"{path} is missing")
 
 
 def check_peaks(files, stored):
@@ -115,7 +135,7 @@ def check_summary(files):
     """Summaries say the same as the tables of peaks and injuries. The former
     have the values at steps; a sample is the mean over one step or several,
     so that the largest lacks at most half of what two samples change there."""
-    blast = files.summary["blast"]["assumptions"]
+    blast = values_of(files.summary["blast"], "results")
     for name, samples in files.gauges.items():
         key = f"loads_{name.replace(' ', '_')}_peak"
         if name == "time" or blast[key + "_time"] >= files.gauges["time"][-1]:
@@ -127,7 +147,7 @@ def check_summary(files):
         print(f"{key}: the samples lack {lack:.2%}")
         require(0. <= lack <= 0.5 * (1. - min(beside) / largest),
                 f"{key} is {blast[key]}, the table has {largest}")
-    body = files.summary["biomechanics"]["assumptions"]
+    body = values_of(files.summary["biomechanics"], "results")
     for name, value in files.injury.items():
         require(abs(body[name] - value) <= 1e-6 * abs(value),
                 f"{name} is {body[name]} in the summary, {value} in the "

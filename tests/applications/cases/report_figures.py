@@ -11,6 +11,7 @@ import re
 
 import report_reader
 from report_reader import require_same
+from summaries import values_of
 
 STAGES = ("anatomy", "blast", "biomechanics")
 COARSER = ("coarser_blast", "coarser_biomechanics")
@@ -34,11 +35,10 @@ TITLES = {
     "injury_chest_wall_velocity_mesh": "chest skin velocity in the mesh"}
 # Measures with thresholds that give no verdict.
 EXPOSURES = ("maximum brain pressure",)
-# What the table takes from gauge_injury.csv where there is a chest, and what
-# stands among the checks.
-FROM_GAUGES = ("injury_chest_pressure_peak", "injury_chest_wall_velocity",
-               "injury_adjusted_severity", "injury_lung_exposure",
-               "injury_eardrum_rupture")
+# Names of the measures of gauge_injury.csv in the report.
+OF_SKIN = {("chest_wall_velocity", "chest"): "chest_wall_front",
+           ("chest_wall_velocity", "chest and back"): "chest_wall_mean",
+           ("lung_exposure", "chest"): "lung_exposure"}
 SKIN_TITLES = {
     "chest_wall_front": "front chest wall velocity",
     "chest_wall_mean": "mean chest wall velocity (front and back)",
@@ -79,13 +79,8 @@ class Files:
                        read_rows(output, "biomechanics", "injury.csv")}
         self.units = {row["measure"]: row["unit"] for row in
                       read_rows(output, "biomechanics", "injury.csv")}
-        self.places, self.gauges = {}, {}
-        if os.path.exists(os.path.join(output, "blast", "gauge_injury.csv")):
-            for row in read_rows(output, "blast", "gauge_injury.csv"):
-                place = row.pop("place")
-                self.places[place] = {
-                    key.split(" [")[0]: float(value)
-                    for key, value in row.items()}
+        self.places, self.skin = gauges_of(output, "blast")
+        self.gauges = {}
         if os.path.exists(os.path.join(output, "blast", "load_gauges.csv")):
             rows = read_rows(output, "blast", "load_gauges.csv")
             self.gauges = {name.split(" [")[0]: [float(row[name])
@@ -96,18 +91,12 @@ class Files:
         # expected_injuries().
         self.coarser = {row["measure"]: float(row["value"]) for row in
                         read_rows(output, COARSER[1], "injury.csv")}
-        self.coarser_places = {}
-        if self.places:
-            self.coarser_places = {
-                row["place"]: {key.split(" [")[0]: float(value)
-                               for key, value in row.items()
-                               if key != "place"}
-                for row in read_rows(output, COARSER[0], "gauge_injury.csv")}
-            skin = of_skin(self.coarser_places)
-            self.coarser.update({name: value for value, name in skin.values()})
+        self.coarser_places, skin = gauges_of(output, COARSER[0])
+        self.coarser.update({name: value
+                             for value, name in of_skin(skin).values()})
 
     def peak(self, place):
-        return max(self.gauges[place])
+        return self.places[place]["peak"]
 
 
 def check_report(output):
@@ -133,32 +122,37 @@ def check_facts(page, files):
     return len(known)
 
 
-def of_skin(places):
-    """By title: the value at places on the skin, and its name."""
+def gauges_of(output, stage):
+    """The measures of each gauge by name, and the injuries by measure and
+    place; {} without gauges."""
+    places, skin = {}, {}
+    if os.path.exists(os.path.join(output, stage, "gauge_measures.csv")):
+        for row in read_rows(output, stage, "gauge_measures.csv"):
+            place = row.pop("place")
+            places[place] = {key.split(" [")[0]: float(value)
+                             for key, value in row.items()}
+        for row in read_rows(output, stage, "gauge_injury.csv"):
+            skin[row["measure"], row["place"]] = float(row["value"])
+    return places, skin
+
+
+def of_skin(skin):
+    """By title: the value of an injury at the gauges, and its name."""
     rows = {}
-    for name, found in places.items():
-        if name.endswith("ear"):
-            rows[f"rupture probability of the {name}drum"] = (
-                found["eardrum rupture"], name)
-    chest = places.get("chest")
-    if chest:
-        rows["front chest wall velocity"] = (
-            chest["chest wall velocity"], "chest_wall_front")
-        rows["mean chest wall velocity (front and back)"] = (
-            0.5 * (chest["chest wall velocity"]
-                   + places["back"]["chest wall velocity"]),
-            "chest_wall_mean")
-        rows["chest load over the 50 % lethality load"] = (
-            chest["lung exposure"], "lung_exposure")
+    for (measure, place), value in skin.items():
+        if measure == "eardrum_rupture":
+            rows[f"rupture probability of the {place}drum"] = value, place
+        name = OF_SKIN.get((measure, place))
+        if name:
+            rows[SKIN_TITLES[name]] = value, name
     return rows
 
 
 def expected_injuries(files):
     """By title: the value, and its name in Files.coarser."""
-    rows = of_skin(files.places)
-    chest = files.places.get("chest")
+    rows = of_skin(files.skin)
     for name, value in files.injury.items():
-        if name not in CHECKED and not (chest and name in FROM_GAUGES):
+        if name not in CHECKED:
             rows[TITLES[name]] = value, name
     return rows
 
@@ -192,26 +186,7 @@ def check_injury(page, files):
         if told:
             ear = title.split("the ")[1].replace("drum", "")
             require_same(told[1], files.places[ear]["peak"], ear)
-    _check_disagreement(page, files)
     return 2 * len(rows)
-
-
-def _check_disagreement(page, files):
-    """A note stands where facet and patch differ by 15 % at least."""
-    chest = files.places.get("chest")
-    if not chest or "injury_chest_wall_velocity" not in files.injury:
-        return
-    facet = files.injury["injury_chest_wall_velocity"]
-    patch = chest["chest wall velocity"]
-    told = [re.search(r"chest gives (\S+) m/s, the mean over the patch around "
-                      r"it (\S+) m/s", text)
-            for section, text in page.paragraphs if section == "Injury"]
-    told = list(filter(None, told))
-    require(bool(told) == (abs(facet / patch - 1.) >= 0.15),
-            f"facet {facet}, patch {patch}: {len(told)} notes on that")
-    for match in told:
-        require_same(match[1], facet, "chest wall velocity of the facet")
-        require_same(match[2], patch, "chest wall velocity of the patch")
 
 
 def _error(name, value, files):
@@ -287,10 +262,10 @@ def check_headline(page, files):
             (rf" ({number} m/s) as the mean",
              rows["mean chest wall velocity (front and back)"][0]),
             (rf"the chest load is ({number}) of the 50",
-             files.places["chest"]["lung exposure"]),
+             files.skin["lung_exposure", "chest"]),
             (r"of the (50 %) lethality", 0.5)]
-    ears = [found["eardrum rupture"] for name, found in files.places.items()
-            if name.endswith("ear")]
+    ears = [value for (measure, _), value in files.skin.items()
+            if measure == "eardrum_rupture"]
     if ears:
         wanted.append((r"more than (99 %)", 0.99) if max(ears) > 0.99 else
                       (rf"with a probability of ({number} %)", max(ears)))
@@ -351,7 +326,7 @@ def _without_verdicts(page, text):
 
 def _free_air(files):
     """Differences to Kingery and Bulmash above a tenth."""
-    known, wanted = files.summary["blast"]["assumptions"], []
+    known, wanted = values_of(files.summary["blast"], "results"), []
     for name, word in (("peak_overpressure", "incident peak overpressure"),
                        ("impulse", "the impulse"),
                        ("duration", "the duration")):
@@ -384,7 +359,7 @@ def _afterburn(files):
 
 def _energy(files):
     """Missing energy above its limit, hourglass energy above 5 %."""
-    known = files.summary["biomechanics"]["assumptions"]
+    known = values_of(files.summary["biomechanics"], "checks")
     number, wanted = report_reader.NUMBER, []
     for name, noted, limit, words in (
             ("energy_residual", 0.01, 0.01, "of the body's energy is missing"),
@@ -409,27 +384,18 @@ def check_gauges(page, files):
     """Peak, lowest value, arrival, impulse and duration of each place."""
     if not files.gauges:
         return 0
-    time, count = files.gauges["time"], 0
+    count = 0
     rows = page.table("Histories on the skin", column="place").records()
     require([row["place"] for row in rows]
-            == [name for name in files.gauges if name != "time"
-                and files.peak(name) > 0.], "places on the skin are others")
+            == [name for name in files.places if files.peak(name) > 0.],
+            "places on the skin are others")
     for row in rows:
-        values = files.gauges[row["place"]]
-        peak, lowest = max(values), min(values)
-        begin = next(i for i, value in enumerate(values)
-                     if value >= 0.05 * peak)
-        end = next((i for i in range(begin, len(values)) if values[i] <= 0.),
-                   len(values) - 1)
-        start = begin - 1
-        while start > 0 and values[start] > 0.:
-            start -= 1
-        impulse = sum(0.5 * (time[i + 1] - time[i])
-                      * (max(values[i], 0.) + max(values[i + 1], 0.))
-                      for i in range(max(start, 0), end))
-        known = {"peak [kPa]": peak, "arrival [ms]": time[begin],
-                 "impulse [Pa s]": impulse,
-                 "positive phase [ms]": time[end] - time[begin]}
+        measures = files.places[row["place"]]
+        lowest = min(files.gauges[row["place"]])
+        known = {"peak [kPa]": measures["peak"],
+                 "arrival [ms]": measures["arrival"],
+                 "impulse [Pa s]": measures["impulse"],
+                 "positive phase [ms]": measures["positive phase"]}
         if lowest < -1.:
             known["minimum [kPa]"] = lowest
         for header, value in known.items():
@@ -449,7 +415,7 @@ def check_conservation(page, files):
             require_same(row[header], known[name + end], name + end)
             count += 1
     require(count >= 6, "no gas is conserved")
-    known = files.summary["blast"]["assumptions"]
+    known = values_of(files.summary["blast"], "checks")
     rows = page.table("Conservation of the gas",
                       column="check of the loads").rows
     for row, key in zip(rows, (key for key in (
@@ -461,9 +427,7 @@ def check_conservation(page, files):
 
 def check_audit(page, files):
     """Estimates and measurements of what was taken for granted."""
-    known = {name: entry for name, entry
-             in files.summary["blast"]["assumptions"].items()
-             if isinstance(entry, dict)}
+    known = files.summary["blast"]["assumptions"]
     section, count = "Assumptions", 0
     rows = page.table(section).records()
     for row, told in zip(rows, files.scene["audit"], strict=True):
@@ -503,7 +467,7 @@ def _with_power(text):
 
 
 def check_free_air(page, files):
-    known = files.summary["blast"]["assumptions"]
+    known = values_of(files.summary["blast"], "results")
     if "probe_1_reference_peak_overpressure" not in known:
         return 0
     table = page.table("Accuracy", "Against measurements in free air")
@@ -538,7 +502,7 @@ def check_energy(page, files):
                      last[names[name]] / abs(last["external_work"]), name)
     told = next(text for section, text in page.paragraphs
                 if section == "Energy of the body" and "The audit" in text)
-    known = files.summary["biomechanics"]["assumptions"]
+    known = values_of(files.summary["biomechanics"], "checks")
     parts = re.search(r": (.*?%) of the energy .*\), and (.*?%) of the", told)
     require_same(parts[1], abs(known["energy_residual"]), "energy missing")
     require_same(parts[2], known["hourglass_part"], "hourglass energy")

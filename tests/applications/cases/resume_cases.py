@@ -73,7 +73,7 @@ def judge(case, straight, output, state, ranks):
                   expand(straight, case.options.compare) + fields)
     ends = [{key: summary.get(key) for key in ("conservation", "errors")}
             | {key: value
-               for key, value in summary.get("assumptions", {}).items()
+               for key, value in summary.get("results", {}).items()
                if key.startswith(PEAKS)} for summary in (one, two)]
     require(ends[0] == ends[1],
             f"summaries differ: {ends[0]} and {ends[1]}")

@@ -27,13 +27,11 @@ HEADER = ["array", "size", "missing", "smallest", "largest", "mean", "square"]
 
 
 def read(path):
-    """All arrays of a table (.csv), plane (.npy), load file (.h5) or mesh
-    (.vtu), by name."""
-    if path.endswith(".npy"):
-        return {"values": numpy.load(path)}
+    """All arrays of a table (.csv), load file (.h5), plane (.vti), skin (.vtp)
+    or mesh (.vtu), by name."""
     if path.endswith(".h5"):
         return read_hdf5(path)
-    if path.endswith(".vtu"):
+    if path.endswith((".vtu", ".vti", ".vtp")):
         return read_mesh(path)
     with open(path, newline="", encoding="utf-8") as file:
         return read_table(file.read())

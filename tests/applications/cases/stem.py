@@ -9,12 +9,14 @@ the parabola through it, for 0 < y < 0.18: the stem of a double Mach
 reflection. A kink or a foot that runs ahead cannot be fitted.
 """
 
-import glob
-import json
 import os
 import sys
 
 import numpy
+
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..",
+                             "..", "..", "applications"))
+from plot.readers import planes  # noqa: E402
 
 
 def front(row, x, level):
@@ -25,12 +27,9 @@ def front(row, x, level):
 
 
 def main(folder):
-    name = max(glob.glob(os.path.join(folder, "fields",
-                                      "plane_pressure_*.npy")))
-    pressure = numpy.load(name)
-    with open(name[:-3] + "json") as file:
-        plane = json.load(file)
-    x, y = (numpy.linspace(plane["lower"][axis], plane["upper"][axis],
+    plane = planes.open_planes(folder)["plane_pressure"][-1]
+    pressure = plane.values
+    x, y = (numpy.linspace(plane.lower[axis], plane.upper[axis],
                            pressure.shape[1 - axis]) for axis in range(2))
     level = 10. * pressure[0, -1]
     rows = y < 0.18

@@ -272,7 +272,7 @@ def study_head(case):
         "set Settings = Output/Fields=false; Output/Pictures=false; "
         "Output/History every steps=5; Mesh/Cell size=0.02; "
         "Time/End time=1e-4",
-        "set Columns = assumptions.rezones; timers.advance; "
+        "set Columns = checks.rezones; timers.advance; "
         "assumptions.cavitation_CSF.measured", "end",
         "subsection Error", "set Kind = reference run",
         "set Reference = Rezone/Interval=1e-6",
@@ -291,7 +291,7 @@ def study_head(case):
         require(float(row["updates"]) ==
                 float(row["cells"]) * float(row["steps"]), "updates differ")
         is_rezoned = row["rezone"].startswith("elastic")
-        require(float(row["assumptions.rezones"]) == 5. * is_rezoned,
+        require(float(row["checks.rezones"]) == 5. * is_rezoned,
                 "there are other rezones")
     for coarse, fine in (table[:2], table[2:]):
         require(float(coarse["error"]) > float(fine["error"]) > 0. and

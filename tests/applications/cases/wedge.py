@@ -10,23 +10,23 @@ regular reflection) and to the way of the triple point ("triple_point", where
 a Mach stem that is straight and normal to the wall meets the incident shock).
 """
 
-import glob
 import json
 import os
 import sys
 
 import numpy
 
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..",
+                             "..", "..", "applications"))
+from plot.readers import planes  # noqa: E402
+
 
 class Plane:
     def __init__(self, folder):
-        name = max(glob.glob(os.path.join(folder, "fields",
-                                          "plane_pressure_*.npy")))
-        self.pressure = numpy.load(name)
-        with open(name[:-3] + "json") as file:
-            plane = json.load(file)
+        plane = planes.open_planes(folder)["plane_pressure"][-1]
+        self.pressure = plane.values
         self.x, self.y = (
-            numpy.linspace(plane["lower"][axis], plane["upper"][axis],
+            numpy.linspace(plane.lower[axis], plane.upper[axis],
                            self.pressure.shape[1 - axis])
             for axis in range(2))
 

@@ -136,15 +136,20 @@ def save(step, value):
         file.write('{"files": {}}')
 
 
-def assumptions():
+def results():
     """Measures of a blast in a domain that ends at the upper corner, with an
     error of the step size."""
     upper = float(entries["Domain/Upper corner"].split(",")[0])
     far = 1. + math.exp(-upper)
     size = float(entries["Step size"])
-    return {"loads_chest_peak": far, "loads_chest_impulse": far,
-            "probe_1_peak_overpressure": 5e3 * (1. - size),
-            "probe_1_impulse": 10. * (1. - 0.5 * size)}
+    return {"loads_chest_peak": value_of(far, "Pa"),
+            "loads_chest_impulse": value_of(far, "Pa s"),
+            "probe_1_peak_overpressure": value_of(5e3 * (1. - size), "Pa"),
+            "probe_1_impulse": value_of(10. * (1. - 0.5 * size), "Pa s")}
+
+
+def value_of(value, unit):
+    return {"value": value, "unit": "" if flawed("unitless") else unit}
 
 
 def size_domain():
@@ -184,14 +189,21 @@ def summarise(status, step, value, first):
     write_manifest(status)
     exact = math.exp(-step * float(entries["Step size"]))
     with open(os.path.join(output, "summary.json"), "w") as file:
-        json.dump({"status": status, "errors": {"x": abs(value - exact)},
-                   "steps": step,
+        json.dump({"application": "decay", "version": "1",
+                   "git_revision": "0", "status": status,
+                   "time": step * float(entries["Step size"]),
+                   "steps": step, "retries": 0, "ranks": 1, "unknowns": 10,
+                   "wall_seconds": 1., "checks": {}, "assumptions": {},
+                   "timers": {}, "errors": {"x": abs(value - exact)},
                    "resumed_from_step":
                        first if "--resume" in sys.argv else None,
-                   "performance": {"peak_memory_bytes": 1e6, "updates": 10 * (
-                       step - (0 if flawed("wasteful") else first))},
-                   "assumptions": assumptions() | {
-                       "probe_1_peak": 1. if first and flawed("low") else 2.},
+                   "performance": {
+                       "peak_memory_bytes": 1e6, "wall_seconds": 1.,
+                       "core_seconds": 1., "updates_per_second": 10.,
+                       "updates_per_second_per_core": 10., "updates": 10 * (
+                           step - (0 if flawed("wasteful") else first))},
+                   "results": results() | {"probe_1_peak": value_of(
+                       1. if first and flawed("low") else 2., "Pa")},
                    "cells": 10,
                    "conservation": {}}, file)
 

@@ -4,6 +4,7 @@
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/record/load_gauges.h>
 
 #include <gtest/gtest.h>
@@ -45,6 +46,18 @@ LoadGauges make_gauges(const std::vector<std::string> &lines)
   const Section section(prm, "Loads");
   gauges.parse_parameters(prm, body, Point<3>(-2, -2, -2), Point<3>(2, 2, 2));
   return gauges;
+}
+
+
+/// Text between the commas of each line.
+std::vector<std::vector<std::string>> read_rows(const std::string &path)
+{
+  std::vector<std::vector<std::string>> rows;
+  std::ifstream file(path);
+  std::string line;
+  while (std::getline(file, line))
+    rows.push_back(split(line, ','));
+  return rows;
 }
 
 
@@ -176,14 +189,16 @@ TEST(LoadGauges, TellWhatTheBlastDidAndGoOnFromACheckpoint)
 // ear was found independently; a run that was stopped has the whole history.
 TEST(LoadGauges, WriteWhatTheLoadsWouldDoToAPerson)
 {
-  const std::vector<std::string> lines = {"Loads/Gauges=here: 0, 0, 1",
-                                          "Loads/Body mass=70"};
+  const std::vector<std::string> lines = {
+    "Loads/Gauges=chest: 0, 0, 1; left ear: 0.1, 0, 1; calf: 0.2, 0, 1",
+    "Loads/Body mass=70"};
   const auto follow = [](LoadGauges &gauges, const int begin, const int end) {
     const double step = 5e-6;
     for (int i = begin; i < end; ++i)
     {
       const double x = (i + 1) * step / 5e-3;
-      gauges.add({200e3 * (1. - x) * std::exp(-x)}, (i + 1) * step, step, 1.);
+      const double pressure = 200e3 * (1. - x) * std::exp(-x);
+      gauges.add({pressure, pressure, pressure}, (i + 1) * step, step, 1.);
       gauges.end_sample((i + 1) * step, step, true);
     }
     gauges.flush();
@@ -197,24 +212,35 @@ TEST(LoadGauges, WriteWhatTheLoadsWouldDoToAPerson)
   second.load(stream);
   second.set_folder("gauges_of_one");
   follow(second, 500, 2000);
-  second.write_injury();
-  std::ifstream file("gauges_of_one/gauge_injury.csv");
-  std::string header, name, number;
-  std::getline(file, header);
-  EXPECT_EQ(header,
-            "place,peak [Pa],positive phase [s],chest wall velocity [m/s],"
-            "lung exposure [-],eardrum rupture [-]");
-  std::getline(file, name, ',');
-  EXPECT_EQ(name, "here");
-  std::vector<double> values;
-  while (std::getline(file, number, ','))
-    values.push_back(std::stod(number));
-  ASSERT_EQ(values.size(), 5);
-  EXPECT_NEAR(values[0], 200e3, 0.01 * 200e3);
-  EXPECT_NEAR(values[1], 5e-3, 5e-5);
-  EXPECT_NEAR(values[2], 6.020, 0.02);
-  EXPECT_NEAR(values[3], 200. / 941., 3e-3);
-  EXPECT_NEAR(values[4], 0.84, 0.01);
+  second.write_tables(0.01);
+  const std::vector<std::vector<std::string>> measures =
+    read_rows("gauges_of_one/gauge_measures.csv");
+  ASSERT_EQ(measures.size(), 4U);
+  EXPECT_EQ(join(measures[0], ","),
+            "place,arrival [s],peak [Pa],peak time [s],impulse [Pa s],positive "
+            "phase [s]");
+  EXPECT_EQ(measures[1][0], "chest");
+  EXPECT_NEAR(std::stod(measures[1][2]), 200e3, 0.01 * 200e3);
+  EXPECT_NEAR(std::stod(measures[1][5]), 5e-3, 5e-5);
+  // The same numbers as in the summary.
+  std::map<std::string, double> told;
+  for (const NamedValue &value : second.measures(0.01))
+    told[value.name] = value.value;
+  const std::vector<std::string> names = {
+    "arrival", "peak", "peak_time", "impulse", "positive_phase"};
+  for (std::size_t i = 0; i < names.size(); ++i)
+    EXPECT_EQ(std::stod(measures[1][i + 1]), told.at("loads_chest_" + names[i]))
+      << names[i];
+  const std::vector<std::vector<std::string>> injuries =
+    read_rows("gauges_of_one/gauge_injury.csv");
+  ASSERT_EQ(injuries.size(), 4U);
+  EXPECT_EQ(join(injuries[0], ","), "measure,place,value,unit,definition");
+  EXPECT_EQ(injuries[1][0] + " " + injuries[1][1], "chest_wall_velocity chest");
+  EXPECT_NEAR(std::stod(injuries[1][2]), 6.020, 0.02);
+  EXPECT_EQ(injuries[2][0] + " " + injuries[2][1], "lung_exposure chest");
+  EXPECT_NEAR(std::stod(injuries[2][2]), 200. / 941., 3e-3);
+  EXPECT_EQ(injuries[3][0] + " " + injuries[3][1], "eardrum_rupture left ear");
+  EXPECT_NEAR(std::stod(injuries[3][2]), 0.84, 0.01);
 }
 
 

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/gas/record/probe_rasters.h>
+#include <contrecoup/io/file/vtk_input.h>
 
 #include "gas_run.h"
 #include <gtest/gtest.h>
@@ -124,11 +125,15 @@ TEST(ProbeRasters, WriteLinesAndPlanes)
     ++n_rows;
   }
   EXPECT_EQ(n_rows, 9U);
-  for (const std::string quantity :
-       {"peak_overpressure", "impulse", "arrival", "duration"})
-    EXPECT_EQ(std::filesystem::file_size(folder + "/gauges_plane_1_" +
-                                         quantity + ".npy"),
-              128U + 20U * sizeof(double));
+  const io::VtkInput plane(folder + "/gauges_plane_1.vti");
+  EXPECT_EQ(plane.extent(), "0 3 0 0 0 4");
+  EXPECT_EQ(plane.names(),
+            (std::vector<std::string>{
+              "peak_overpressure", "impulse", "arrival", "duration"}));
+  const auto peaks = plane.numbers("peak_overpressure");
+  ASSERT_EQ(peaks.size(), 20U);
+  for (unsigned int i = 0; i < 20; ++i)
+    EXPECT_NEAR(peaks[i], 1e5 * (0.2 + 0.2 * (i % 4)), 1e5 / 64.);
   std::filesystem::remove_all(folder);
 }
 

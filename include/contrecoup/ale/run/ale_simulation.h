@@ -48,10 +48,11 @@ public:
   bool adapt() override;
   std::vector<NamedValue> history() override;
   std::vector<NamedValue> probes() override;
-  std::string write_fields(const std::string &folder,
-                           unsigned int index) override;
+  std::vector<FieldFile> write_fields(const std::string &folder,
+                                      unsigned int index) override;
   std::vector<NamedValue> errors() override;
-  std::vector<NamedValue> assumptions() override;
+  std::vector<NamedValue> results() override;
+  std::vector<NamedValue> checks() override;
   std::vector<Assumption> plan() override;
   std::vector<Assumption> audit() override;
   std::pair<std::uint64_t, std::uint64_t> size() const override;

@@ -47,6 +47,13 @@ struct CostEstimate
   double output = 0.;   ///< results on disk, no checkpoints [byte]
 };
 
+/// A file of one field output.
+struct FieldFile
+{
+  std::string part; ///< what it shows, such as "skin"; empty: everything
+  std::string file; ///< name, without folder
+};
+
 /// A modelling assumption or simplification of a run, with a figure that tells
 /// whether it is justified: estimated before the run, measured by the run.
 struct Assumption
@@ -111,16 +118,26 @@ public:
   /// One row of probes.csv: current values at probes; empty without probes.
   virtual std::vector<NamedValue> probes() = 0;
 
-  /// Writes field output number @p index into @p folder; returns the file for
-  /// the .pvd collection (empty: none).
-  virtual std::string write_fields(const std::string &folder,
-                                   unsigned int index) = 0;
+  /// Writes field output number @p index into @p folder; returns the files for
+  /// the .pvd collection, which the first rank must know.
+  virtual std::vector<FieldFile> write_fields(const std::string &folder,
+                                              unsigned int index) = 0;
 
   /// Errors against the reference solution, for the summary; may be empty.
   virtual std::vector<NamedValue> errors() = 0;
 
-  /// Measured modelling assumptions, for the summary; may be empty.
-  virtual std::vector<NamedValue> assumptions() = 0;
+  /// Results for the summary; may be empty.
+  virtual std::vector<NamedValue> results()
+  {
+    return {};
+  }
+
+  /// Figures that tell whether the results can be trusted, for the summary: of
+  /// energy, time step, mesh and recording; may be empty.
+  virtual std::vector<NamedValue> checks()
+  {
+    return {};
+  }
 
   /// Assumptions of the run, estimated from the scene; may be called before
   /// setup().

@@ -5,6 +5,7 @@
 
 #include <fstream>
 #include <string>
+#include <vector>
 
 namespace contrecoup
 {
@@ -23,8 +24,14 @@ public:
   /// to @p file as well. @throws SystemError when it cannot be opened
   void open(const std::string &file, bool append);
 
-  /// Closes the file and ends the status line.
+  /// Closes the files opened since the last begin_part(), or all of them, and
+  /// ends the status line.
   void close();
+
+  /// Begins and ends a part of the run that opens a log file of its own: the
+  /// open files stay open beside it. Parts are not nested. See LogPart.
+  void begin_part();
+  void end_part();
 
   /// Writes a line. Never throws; see check().
   void line(const std::string &text);
@@ -42,11 +49,28 @@ private:
   Log();
   void clear_status();
 
-  std::ofstream file_;
-  std::string held_;
+  std::vector<std::ofstream> files_;
+  std::size_t n_kept_ = 0; ///< first files that close() leaves open
+  std::string held_;       ///< lines for the file that is opened next
   bool active_ = true;
   bool terminal_ = false;
   bool status_shown_ = false;
+};
+
+/// A part of the run, see Log::begin_part(), while this object exists.
+class LogPart
+{
+public:
+  LogPart()
+  {
+    Log::instance().begin_part();
+  }
+  ~LogPart()
+  {
+    Log::instance().end_part();
+  }
+  LogPart(const LogPart &) = delete;
+  LogPart &operator=(const LogPart &) = delete;
 };
 
 /// Short for Log::instance().line().

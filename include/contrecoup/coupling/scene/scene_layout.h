@@ -50,8 +50,14 @@ struct SceneLayout
   /// Largest asymmetry for which only half of the gas is computed: a hundredth
   /// of the body's width, less than the natural asymmetry of persons [m].
   double symmetry_limit;
-  bool is_half;   ///< whether only y > 0 is computed
-  double arrival; ///< expected arrival of the front at the body [s]
+  bool is_half; ///< whether only y > 0 is computed
+  /// Arrival of the front of a point source at the body, earlier than that of
+  /// a charge [s]
+  double earliest_arrival;
+  /// Expected arrival of the front at the body [s] and its overpressure [Pa]:
+  /// by Kingery and Bulmash where they cover charge and distance, else those of
+  /// the point source.
+  double arrival, overpressure;
   /// Time when the ground reflection has passed the body [s]
   double last_arrival;
   /// Positive phase of the incident wave at the body by Kingery and Bulmash,
@@ -60,7 +66,6 @@ struct SceneLayout
   /// Refinement levels at the skin and of fronts near the body: those of the
   /// preset, both raised until the positive phase has the cells it asks for.
   unsigned int levels, front_levels;
-  double overpressure;           ///< of the front at the body [Pa]
   double front_distance;         ///< distance of the front at the end time [m]
   dealii::Point<3> lower, upper; ///< corners of the domain [m]
   std::array<unsigned int, 3> n_leaves;
@@ -81,6 +86,7 @@ struct SceneLayout
 private:
   void place_charge(const SceneParameters &scene, const Shape &surface);
   void choose_levels(const SceneParameters &scene);
+  void expect_front(const SceneParameters &scene, const ExpectedBlast &blast);
   void check_charge(const SceneParameters &scene) const;
   void find_symmetry(const SceneParameters &scene, const Shape &surface);
   /// Numbers of coarse leaves per direction, below and above 0, that the

@@ -27,8 +27,8 @@ double estimate_mass(const Body &body, double spacing);
  * Standard positions of a blast report, as far as the body has the tissues:
  * "coup" and "contrecoup", the ends of the brain towards @p from and away from
  * it on the horizontal line through its centroid; "brain", its centroid;
- * "skull", the bone in front of the coup; "lung left" and "lung right", the
- * centroids of the lungs on either side of their common centroid along y;
+ * "skull", the bone in front of the coup; "lung left" and "lung right", mirror
+ * images about the middle of the body along y, near the centroids of its lungs;
  * "spinal cord", its centroid. Each is moved to the nearest centre of an
  * element of its tissue.
  *

@@ -23,9 +23,9 @@ namespace contrecoup::gas
  * surface: the facets with centroids within "Loads/Gauge radius" whose normals
  * point to the same side, or the nearest facet if there is none.
  *
- * Histories go to load_gauges.csv, as means over the samples of the loads, and
- * the injury of a chest or an ear under these histories to gauge_injury.csv.
- * Peak, arrival and impulse follow from every time step.
+ * Histories go to load_gauges.csv, as means over the samples of the loads;
+ * peak, arrival, impulse and positive phase, from every time step, to
+ * gauge_measures.csv; injuries by both to gauge_injury.csv.
  */
 class LoadGauges
 {
@@ -82,16 +82,16 @@ public:
   /// Writes buffered samples to the file. @throws SystemError
   void flush();
 
-  /// Writes load_injury() of the whole histories to gauge_injury.csv, one row
-  /// per gauge. Call after flush(), on the rank that writes.
+  /// Writes gauge_measures.csv and gauge_injury.csv, see gauge_tables.h, for
+  /// the blast until @p time [s]. Call after flush(), on the rank that writes.
   /// @throws SystemError
-  void write_injury() const;
+  void write_tables(const double time) const;
 
   /// Writes and reads the record of a checkpoint; call flush() before save().
   void save(std::ostream &stream) const;
   void load(std::istream &stream);
 
-  /// Peak, its time, arrival and positive impulse at each gauge.
+  /// Peak, its time, arrival, positive impulse and phase at each gauge.
   std::vector<NamedValue> measures(const double time) const;
 
   /// The same as a text table, one line per row.

@@ -30,8 +30,7 @@ public:
                const GasSnapshot<dim> &gas) override;
   void add_step(const GasSnapshot<dim> &gas) override;
 
-  /// Writes lines as gauges_line_N.csv and planes as
-  /// gauges_plane_N_QUANTITY.npy.
+  /// Writes lines as gauges_line_N.csv and planes as gauges_plane_N.vti.
   /// @throws SystemError when the disk is full
   void write(const GasSnapshot<dim> &gas, const std::string &folder) override;
 
@@ -58,7 +57,7 @@ private:
   void write_line(const std::string &file,
                   const Raster &raster,
                   const double time) const;
-  void write_plane(const std::string &stem,
+  void write_plane(const std::string &file,
                    const Raster &raster,
                    const double time) const;
 

@@ -57,7 +57,7 @@ public:
   /// The same as named values, with those of @p reference where it has them.
   std::vector<NamedValue>
   measures(const ReferenceSolution<dim> &reference) const;
-  std::vector<NamedValue> measures(const GasSnapshot<dim> &gas) const override
+  std::vector<NamedValue> results(const GasSnapshot<dim> &gas) const override
   {
     return measures(gas.scene.reference);
   }

@@ -108,8 +108,13 @@ public:
   virtual void finish()
   {}
 
-  /// Values for "assumptions" in summary.json.
-  virtual std::vector<NamedValue> measures(const GasSnapshot<dim> &) const
+  /// Values for "results" in summary.json.
+  virtual std::vector<NamedValue> results(const GasSnapshot<dim> &) const
+  {
+    return {};
+  }
+  /// Values for "checks" in summary.json.
+  virtual std::vector<NamedValue> checks(const GasSnapshot<dim> &) const
   {
     return {};
   }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/gas/record/recorder.h>
+#include <contrecoup/io/file/skin_file.h>
 
 namespace contrecoup::gas
 {
@@ -50,6 +51,15 @@ public:
     return geometry_;
   }
 
+  /// Outlines of the facets of all ranks, on the first rank alone: those of the
+  /// cut cells, see cut_outline() and closed_outline(). Of a cell that was
+  /// closed because its neighbours are too small, a square (in 2-D a line)
+  /// about the centroid with the facet's area and normal.
+  const io::SkinMesh &skin() const
+  {
+    return skin_;
+  }
+
   /// Overpressures on the facets of this rank relative to @p ambient [Pa]; zero
   /// in quiet leaves.
   std::vector<double> overpressures(const GasSnapshot<dim> &gas,
@@ -67,9 +77,15 @@ private:
                   const GasSnapshot<dim> &gas,
                   Found &found);
   bool number_facets(const Found &found, const MPI_Comm communicator);
+  /// Finds skin(). Collective.
+  void find_outlines(const GasSnapshot<dim> &gas);
+  /// Corners of a facet, three numbers each [m].
+  std::vector<float> outline(const Facet &facet,
+                             const GasSnapshot<dim> &gas) const;
 
   std::vector<std::uint64_t> keys_; ///< of the facets of all ranks, ascending
   std::vector<double> geometry_;
   std::vector<Facet> facets_;
+  io::SkinMesh skin_;
 };
 } // namespace contrecoup::gas

@@ -10,9 +10,10 @@ namespace contrecoup::gas
 {
 /**
  * Records the overpressure on the facets of a rigid body, see WallFacets, in
- * loads.h5 (io::LoadFile), and that of the gauges in load_gauges.csv
- * (LoadGauges). Sampling begins when the wave arrives at the first facet; the
- * first sample is the mean over all time before.
+ * loads.h5 (io::LoadFile) with loads.xdmf (io::write_load_series()), and that
+ * of the gauges in load_gauges.csv (LoadGauges). Sampling begins when the wave
+ * arrives at the first facet; the first sample is the mean over all time
+ * before.
  *
  * The audit compares force and impulse of all facets with the force that the
  * scheme exerts on the gas. In the staircase treatment a facet takes one
@@ -48,10 +49,22 @@ public:
   /// Completes the current sample and writes all results.
   void finish() override;
 
-  /// Number and area of the facets, impulses, the audit, and the measures of
-  /// the gauges.
+  /// Writes skin_NNNN.vtp: the facets with their overpressure, and peak,
+  /// impulse and arrival so far; see WallFacets::skin(). Collective.
+  /// @return name of the file; empty without loads
+  std::string write_skin(const std::string &folder,
+                         const unsigned int index,
+                         const double time);
+
+  /// Impulses on the body and the measures of the gauges.
   std::vector<NamedValue>
-  measures(const GasSnapshot<dim> & /*gas*/) const override
+  results(const GasSnapshot<dim> & /*gas*/) const override
+  {
+    return active_ ? result_values() : std::vector<NamedValue>();
+  }
+  /// Number of facets; differences between facets, gas and record.
+  std::vector<NamedValue>
+  checks(const GasSnapshot<dim> & /*gas*/) const override
   {
     return active_ ? check_values() : std::vector<NamedValue>();
   }
@@ -113,6 +126,7 @@ private:
   void end_sample(const double time);
   void create_file() const;
   void write_measures();
+  std::vector<NamedValue> result_values() const;
   std::vector<NamedValue> check_values() const;
 
   bool active_ = false;

@@ -61,7 +61,7 @@ public:
   /// Conserved totals and extrema, for history.csv. Collective.
   std::vector<NamedValue> totals() const;
   /// Measures of the numerical method, for the summary. Collective.
-  std::vector<NamedValue> measures() const;
+  std::vector<NamedValue> checks() const;
   /// Fraction of the updates of this run that were skipped in quiet leaves [-].
   /// Collective.
   double skipped_updates() const;

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <contrecoup/base/run/simulation.h>
 #include <contrecoup/gas/record/blast_maps.h>
 #include <contrecoup/io/output/field_output.h>
 
@@ -14,7 +15,8 @@
 namespace contrecoup::gas
 {
 /// Writes the field output of a run: all leaves as VTU, and the planes of
-/// subsection "Pictures" as arrays.
+/// subsection "Pictures" as
+/// VTK images.
 template <int dim>
 class GasOutput
 {
@@ -37,13 +39,13 @@ public:
    * Writes density, velocity, pressure, refinement level, sensor, burned
    * fraction of explosive, open fraction around a body and, unless they are
    * empty, maps of all leaves as VTU (if volume fields are requested), and the
-   * planes as arrays. Planes of maps replace those of earlier outputs.
-   * Collective.
-   * @return the file for the .pvd collection; empty: none
+   * planes as images: pressure and density, and the maps in a file of their
+   * own, which replaces that of earlier outputs. Collective.
+   * @return the files for the .pvd collection
    */
-  std::string write(const GasSnapshot<dim> &gas,
-                    const BlastMaps<dim> &maps,
-                    const Target &target) const;
+  std::vector<FieldFile> write(const GasSnapshot<dim> &gas,
+                               const BlastMaps<dim> &maps,
+                               const Target &target) const;
 
 private:
   struct Plane
@@ -57,10 +59,10 @@ private:
   std::string write_leaves(const GasSnapshot<dim> &gas,
                            const BlastMaps<dim> &maps,
                            const Target &target) const;
-  void write_plane(const Plane &plane,
-                   const GasSnapshot<dim> &gas,
-                   const BlastMaps<dim> &maps,
-                   const Target &target) const;
+  FieldFile write_plane(const Plane &plane,
+                        const GasSnapshot<dim> &gas,
+                        const BlastMaps<dim> &maps,
+                        const Target &target) const;
 
   bool wants_volume_ = true;
   std::vector<Plane> planes_;

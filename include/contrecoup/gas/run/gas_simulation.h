@@ -40,10 +40,11 @@ public:
   {
     return probe_set().values(scene_.material.has_products());
   }
-  std::string write_fields(const std::string &folder,
-                           unsigned int index) override;
+  std::vector<FieldFile> write_fields(const std::string &folder,
+                                      unsigned int index) override;
   std::vector<NamedValue> errors() override;
-  std::vector<NamedValue> assumptions() override;
+  std::vector<NamedValue> results() override;
+  std::vector<NamedValue> checks() override;
   std::vector<Assumption> plan() override
   {
     return plan_.plan(probe_set().places());

@@ -13,7 +13,8 @@ namespace contrecoup
 namespace io
 {
   /// Writes the mesh for ParaView (VTU) with cell data `part` and `tissue`
-  /// (indices in HexMesh::parts and tissue_names()). @throws SystemError
+  /// (indices in HexMesh::parts and tissue_names()), and the names of both as
+  /// field data `part_names` and `tissue_names`. @throws SystemError
   void write_vtu(const HexMesh &mesh, const std::string &file);
 
   /// Writes the mesh for Gmsh and deal.II (Gmsh format 2.2, ASCII). The
@@ -23,7 +24,7 @@ namespace io
 
   /// Writes the boundary quadrilaterals for ParaView (VTU) with cell data
   /// `part`, `tissue` and `normal`, the outward normal of @p surface at their
-  /// centres. @throws SystemError
+  /// centres, and names as write_vtu(). @throws SystemError
   void write_surface_vtu(const HexMesh &mesh,
                          const Shape &surface,
                          const std::string &file);

@@ -10,7 +10,7 @@ namespace contrecoup
 {
 namespace io
 {
-  /// @name Files of a folder by patterns such as "fields/plane_*_#.npy": #
+  /// @name Files of a folder by patterns such as "fields/plane_*_#.vti": #
   /// stands for one or more digits, * for any characters of a name.
   /// @{
 

@@ -13,6 +13,7 @@ namespace io
 {
   /// A VTK XML file with compressed (zlib), appended binary arrays, for
   /// ParaView. Arrays are compressed when they are added, which saves memory.
+  /// VtkInput reads it.
   class VtkFile
   {
   public:
@@ -26,8 +27,9 @@ namespace io
 
     /**
      * Adds an array.
-     * @param section Points, Cells, PointData or CellData; add the arrays of a
-     * section consecutively
+     * @param section Points, Cells, Polys, Lines, PointData or CellData; add
+     * the arrays of a section consecutively
+     * @param unit becomes VTK's UNITS_LABEL of the array; empty: none
      * @tparam Number double, float, std::uint32_t, std::int64_t or unsigned
      * char
      */
@@ -35,7 +37,16 @@ namespace io
     void add(const std::string &section,
              const std::string &name,
              const std::vector<Number> &values,
-             unsigned int n_components = 1);
+             unsigned int n_components = 1,
+             const std::string &unit = "");
+
+    /// Sets the simulated time [s], "TimeValue" in the field data.
+    void set_time(double time);
+
+    /// Adds texts to the field data, such as the names of what integers in an
+    /// array stand for.
+    void add_texts(const std::string &name,
+                   const std::vector<std::string> &texts);
 
     /// @throws SystemError
     void write(const std::string &file) const;
@@ -43,12 +54,14 @@ namespace io
   private:
     void add_bytes(const std::string &section,
                    const std::string &attributes,
+                   const std::string &unit,
                    const unsigned char *data,
                    std::size_t n_bytes);
 
     std::string type_;
     std::string grid_attributes_;
     std::string piece_attributes_;
+    std::string field_data_;
     std::string section_;
     std::string description_;
     std::vector<std::string> blocks_;

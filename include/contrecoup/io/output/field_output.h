@@ -113,10 +113,5 @@ namespace io
     std::vector<FieldName> names_;
     std::vector<Patch> patches_;
   };
-
-  /// Writes the .pvd collection of (time [s], file) pairs for ParaView.
-  void
-  write_collection(const std::string &file,
-                   const std::vector<std::pair<double, std::string>> &entries);
 } // namespace io
 } // namespace contrecoup

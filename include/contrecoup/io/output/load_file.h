@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <contrecoup/io/file/skin_file.h>
+
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,7 +20,13 @@ namespace io
    * float, chunked and compressed, "peak" in Pa, "impulse" of the positive
    * phase in Pa s, "arrival" and "duration" in s; and "time" in s. Each
    * overpressure sample is the mean since the previous time, the first one
-   * since time 0, so that the integral over time is exact.
+   * since time 0, so that the integral over time is exact. If the corners of
+   * the facets are known, also "vertex" [vertex][3] in m and "connectivity",
+   * in the form of XDMF's mixed topology: of each facet its type (3: polygon;
+   * in 2-D 2: line), the number of its corners, and their vertices.
+   *
+   * Each dataset has attributes "units", "description" and "axes", such as
+   * "facet x time", and HDF5's labels of dimensions with the same names.
    *
    * The file is open only during each call.
    */
@@ -30,6 +38,7 @@ namespace io
       std::vector<double> centroids; ///< three numbers each [m]
       std::vector<double> normals;   ///< three numbers each [-]
       std::vector<double> areas;     ///< [m^2]
+      SkinMesh corners;              ///< may be empty
     };
     /// Number of times compressed together; appending to an incomplete chunk
     /// rewrites it at another place in the file.

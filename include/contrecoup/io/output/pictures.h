@@ -9,6 +9,10 @@ namespace contrecoup
 {
 namespace io
 {
+  /// Path of plot.py: of the installation to which the running application
+  /// belongs, else of the source.
+  std::string plot_program();
+
   /**
    * Runs applications/plot/plot.py on an output folder, and logs where its
    * pictures are, or that it failed: failure does not affect results. For one

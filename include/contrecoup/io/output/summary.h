@@ -37,7 +37,8 @@ namespace io
     std::vector<NamedValue> first_values;
     std::vector<NamedValue> last_values;
     std::vector<NamedValue> errors;
-    std::vector<NamedValue> assumptions;
+    std::vector<NamedValue> results;
+    std::vector<NamedValue> checks;
     std::vector<Assumption> plan;         ///< with estimates
     std::vector<Assumption> audit;        ///< with measurements
     std::map<std::string, double> timers; ///< [s]
@@ -50,9 +51,11 @@ namespace io
    * "conservation" has Q_first, Q_last and Q_relative_change = (last - first)
    * / |first|. Values that are not finite become null. "resumed_from_step" is
    * the step of the checkpoint from which this start resumed, null for a new
-   * run. "assumptions" has the values of that name and, for each item of the
-   * audit, an object with decision, quantity, unit, estimate, measured value,
-   * limit, whether it holds, and the entry that changes the decision.
+   * run. "results" and "checks" have an object with value and unit for each
+   * name. "assumptions" has for each item of the audit an object with decision,
+   * quantity, unit, estimate, measured value, limit, whether it holds (null
+   * without a limit or a measured value), and the entry that changes the
+   * decision.
    */
   std::string to_text(const Summary &summary);
 } // namespace io

@@ -25,6 +25,7 @@ namespace io
     bool resume = false;
     bool overwrite = false;
     bool check = false;
+    bool estimate = false; ///< of scene only
     bool print_parameters = false;
     bool help = false;
     bool version = false;
@@ -32,8 +33,9 @@ namespace io
 
   /**
    * Parses `FILE.prm [--set "Section/Entry=value"]... [--output DIR]
-   * [--resume] [--overwrite] [--check] [--print-parameters] [--help]
-   * [--version]`; also accepts `--set=...` and `--output=...`. Without
+   * [--resume] [--overwrite] [--check] [--estimate] [--print-parameters]
+   * [--help] [--version]`, `--estimate` for "scene" only; also accepts
+   * `--set=...` and `--output=...`. Without
    * `--output` the folder is output/<application>/<name of the file>.
    * @throws InputError for an unknown option, suggesting the nearest one, or
    * when a required parameter file is missing

@@ -5,6 +5,7 @@
 
 #include <contrecoup/base/run/simulation.h>
 #include <contrecoup/base/run/time_control.h>
+#include <contrecoup/io/file/vtk_collection.h>
 
 #include <cstdint>
 #include <map>
@@ -18,7 +19,7 @@ namespace io
 {
   /// Format number of checkpoints: run.json and the solvers' files. Increase
   /// it with any change of them, so that other builds refuse the files.
-  constexpr int checkpoint_format = 5;
+  constexpr int checkpoint_format = 6;
 
   /// State of run loop and outputs in a checkpoint: run.json.
   struct RunDescription
@@ -29,7 +30,7 @@ namespace io
     std::map<std::string, std::string> parameters;
     std::uint64_t history_bytes = 0;
     std::uint64_t probes_bytes = 0;
-    std::vector<std::pair<double, std::string>> fields;
+    std::vector<CollectionEntry> fields; ///< of fields.pvd
     std::vector<NamedValue> first_values;
   };
 

@@ -7,11 +7,17 @@
 
 namespace contrecoup
 {
+/// Pressure pulse on the skin.
+struct PressurePulse
+{
+  double peak = 0.;     ///< peak overpressure [Pa]
+  double duration = 0.; ///< duration of the positive phase [s]
+};
+
 /// Injuries that a load on the skin would cause.
 struct LoadInjury
 {
-  double peak = 0.;                ///< peak overpressure [Pa]
-  double positive_phase = 0.;      ///< duration of the first one [s]
+  PressurePulse pulse;
   double chest_wall_velocity = 0.; ///< largest inward velocity [m/s]
   double lung_exposure = 0.;       ///< peak over median lethal peak [-]
   double eardrum_rupture = 0.;     ///< probability [-]
@@ -29,16 +35,23 @@ double first_positive_phase(const std::vector<double> &times,
                             const std::vector<double> &overpressures);
 
 /**
- * Injuries of a man by a load at sea level, from chest_wall_response(),
- * lung_median_lethal_overpressure() for the first positive phase, and
- * eardrum_rupture_probability(), as if chest or ear were at this place.
+ * Injuries of a man by a load at sea level, from chest_wall_response() of the
+ * history, lung_median_lethal_overpressure() and eardrum_rupture_probability()
+ * of the pulse, as if chest or ear were at this place.
  *
  * @param times increasing [s]
  * @param overpressures at these times, linear in between [Pa]
+ * @param pulse peak and positive phase of the load
  * @param body_mass [kg]
  * @throws InputError for times that do not increase, or when numbers of times
  * and overpressures differ
  */
+LoadInjury load_injury(const std::vector<double> &times,
+                       const std::vector<double> &overpressures,
+                       const PressurePulse &pulse,
+                       const double body_mass);
+
+/// The same for the peak and the first positive phase of the history.
 LoadInjury load_injury(const std::vector<double> &times,
                        const std::vector<double> &overpressures,
                        const double body_mass);

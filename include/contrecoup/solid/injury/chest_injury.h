@@ -13,9 +13,9 @@
 namespace contrecoup::solid
 {
 /**
- * Records the pressure on the chest and computes injury of chest wall, lung
- * and eardrum by models that do not depend on the mesh. Also records the
- * inward velocity of the mesh's chest wall. Subsection "Injury".
+ * Records the pressure on the chest and computes injury of chest wall and lung
+ * by models that do not depend on the mesh, unless "Chest load" is false. Also
+ * records the inward velocity of the mesh's chest wall. Subsection "Injury".
  */
 class ChestInjury
 {
@@ -68,7 +68,11 @@ public:
                std::vector<double> wall_velocities);
 
 private:
+  /// Adds the injuries by the load on the chest.
+  void add_load(std::vector<InjuryMeasure> &list) const;
+
   dealii::Point<3> place_;
+  bool reports_load_ = true;
   double radius_ = 0.;
   double mass_ = 70.;
   std::vector<double> times_;

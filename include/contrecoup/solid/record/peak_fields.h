@@ -26,8 +26,9 @@ class PeakFields
 public:
   static constexpr unsigned int n_fields = 4;
 
-  /// Names of the fields.
+  /// Names of the fields and their units.
   static const std::array<std::string, n_fields> names;
+  static const std::array<std::string, n_fields> units;
 
   static void declare_parameters(dealii::ParameterHandler &prm);
   void parse_parameters(dealii::ParameterHandler &prm);

@@ -53,10 +53,11 @@ public:
   }
   std::vector<NamedValue> history() override;
   std::vector<NamedValue> probes() override;
-  std::string write_fields(const std::string &folder,
-                           unsigned int index) override;
+  std::vector<FieldFile> write_fields(const std::string &folder,
+                                      unsigned int index) override;
   std::vector<NamedValue> errors() override;
-  std::vector<NamedValue> assumptions() override;
+  std::vector<NamedValue> results() override;
+  std::vector<NamedValue> checks() override;
   void finish(const std::string &folder) override;
   std::pair<std::uint64_t, std::uint64_t> size() const override;
 

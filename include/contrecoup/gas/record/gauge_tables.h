@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/gas/state/blast_record.h>
+
+#include <string>
+#include <vector>
+
+namespace contrecoup::gas
+{
+/// Blast wave at a gauge on the body, with its overpressure history.
+struct GaugeBlast
+{
+  std::string place;
+  BlastMeasures blast;
+  double peak_time = 0.;             ///< [s]
+  std::vector<double> overpressures; ///< at the times of the samples [Pa]
+};
+
+/// CSV table of the blast measures, one row per gauge: arrival, peak, its time,
+/// positive impulse and positive phase, as BlastRecord defines them.
+std::string gauge_measures_table(const std::vector<GaugeBlast> &gauges);
+
+/**
+ * CSV table of injuries that the loads at the gauges would cause, one row per
+ * measure and place, with unit and definition: chest wall velocity at "chest"
+ * and "back" and the mean of both, lung exposure at "chest", eardrum rupture
+ * at gauges whose name ends with "ear"; see load_injury(). Other gauges have
+ * no row.
+ *
+ * @param times of the samples, increasing [s]
+ * @param body_mass [kg]
+ */
+std::string gauge_injury_table(const std::vector<GaugeBlast> &gauges,
+                               const std::vector<double> &times,
+                               const double body_mass);
+} // namespace contrecoup::gas

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/coupling/scene/first_answer.h>
+#include <contrecoup/geometry/shape/primitive_shapes.h>
+
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <string>
+
+using namespace contrecoup;
+using namespace contrecoup::coupling;
+using dealii::Point;
+
+namespace
+{
+/// Lines for TNT 2 m from a box 1.8 m high.
+std::vector<std::string> answer_for(const double mass)
+{
+  SceneParameters scene;
+  scene.accuracy = SceneParameters::accuracies[0];
+  scene.explosive = "tnt";
+  scene.mass = mass;
+  scene.place = Point<3>(2.15, 0., 1.);
+  scene.end_time = 0.01;
+  scene.symmetry = "none";
+  const RoundedBox body(Point<3>(0., 0., 0.9), Point<3>(0.15, 0.25, 0.9), 0.05);
+  return first_answer(scene, SceneLayout(scene, body), 70.);
+}
+
+
+/// First number after @p words in any of the lines.
+double number_after(const std::vector<std::string> &lines,
+                    const std::string &words)
+{
+  std::smatch match;
+  for (const std::string &line : lines)
+    if (std::regex_search(line, match, std::regex(words + " ([-0-9.e+]+)")))
+      return std::stod(match[1]);
+  ADD_FAILURE() << "no " << words;
+  return 0.;
+}
+} // namespace
+
+// Read off the curves of Kingery and Bulmash for spheres in free air at Z = 2
+// m/kg^(1/3): some 200 kPa, 590 kPa reflected, arrival after 2.1 ms.
+TEST(FirstAnswer, HasTheWaveOfTheTablesAndWhatItDoes)
+{
+  const auto lines = answer_for(1.);
+  const double peak = number_after(lines, "free air: peak");
+  EXPECT_NEAR(peak, 200., 15.);
+  EXPECT_NEAR(number_after(lines, "wall there: peak"), 590., 60.);
+  EXPECT_NEAR(number_after(lines, "arrival"), 2.1, 0.3);
+  // Richmond: half at 104 kPa, nearly all at 400 kPa.
+  const double incident = number_after(lines, "incident peak: eardrum rupture");
+  EXPECT_GT(incident, 70.);
+  EXPECT_LT(incident, 95.);
+  EXPECT_GT(number_after(lines, "reflected peak: eardrum rupture"), 97.);
+}
+
+
+TEST(FirstAnswer, SaysWhereTheTablesEnd)
+{
+  const auto lines = answer_for(1e-6);
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_NE(lines[0].find("do not cover 1e-06 kg of tnt at 2 m"),
+            std::string::npos)
+    << lines[0];
+}

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/io/file/plane_file.h>
+#include <contrecoup/io/file/skin_file.h>
+#include <contrecoup/io/file/vtk_collection.h>
+#include <contrecoup/io/file/vtk_file.h>
+#include <contrecoup/io/file/vtk_input.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+using namespace contrecoup::io;
+
+namespace
+{
+PlaneSamples make_plane()
+{
+  PlaneSamples plane;
+  plane.time = 0.5;
+  plane.axes = {{0, 2}};
+  plane.lower = {{1., -7., 0.25}};
+  plane.upper = {{3., -7., 0.75}};
+  plane.n_points = {{3, 2}};
+  plane.fields = {{"pressure", "Pa", {0., 1., 2., 3., 4., std::nan("")}},
+                  {"density", "kg/m^3", {1. / 3., 1., 1., 1., 1., 1.}}};
+  return plane;
+}
+
+
+bool holds(const std::string &file, const std::string &text)
+{
+  return read_file(file).find(text) != std::string::npos;
+}
+} // namespace
+
+
+TEST(VtkFiles, PlanesSayWhereTheyAre)
+{
+  write_plane("plane.vti", make_plane());
+  EXPECT_TRUE(holds("plane.vti",
+                    "WholeExtent=\"0 2 0 0 0 1\" Origin=\"1 -7 0.25\" "
+                    "Spacing=\"1 1 0.5\""));
+  EXPECT_TRUE(holds("plane.vti", "Name=\"TimeValue\""));
+  EXPECT_TRUE(holds("plane.vti", ">0.5</DataArray>"));
+  EXPECT_TRUE(holds("plane.vti",
+                    "<InformationKey name=\"UNITS_LABEL\" "
+                    "location=\"vtkDataArray\">kg/m^3</InformationKey>"));
+  PlaneSamples short_one = make_plane();
+  short_one.fields[0].values.pop_back();
+  EXPECT_THROW(write_plane("plane.vti", short_one), std::invalid_argument);
+}
+
+
+TEST(VtkFiles, AreReadAsWritten)
+{
+  write_plane("plane.vti", make_plane());
+  const VtkInput plane("plane.vti");
+  EXPECT_EQ(plane.names(), (std::vector<std::string>{"pressure", "density"}));
+  EXPECT_EQ(plane.extent(), "0 2 0 0 0 1");
+  EXPECT_EQ(plane.numbers("density"), make_plane().fields[1].values);
+  const auto pressures = plane.numbers("pressure");
+  ASSERT_EQ(pressures.size(), 6U);
+  EXPECT_EQ(pressures[4], 4.);
+  EXPECT_TRUE(std::isnan(pressures[5]));
+  EXPECT_THROW(plane.numbers("speed"), contrecoup::InputError);
+
+  // More than one compressed block, the last of them shorter.
+  std::vector<double> many(300000);
+  std::iota(many.begin(), many.end(), 0.25);
+  VtkFile file("ImageData", "WholeExtent=\"0 299999 0 0 0 0\"", "");
+  file.add("PointData", "many", many);
+  file.add("PointData", "none", std::vector<double>());
+  file.write("many.vti");
+  EXPECT_EQ(VtkInput("many.vti").numbers("many"), many);
+  EXPECT_TRUE(VtkInput("many.vti").numbers("none").empty());
+}
+
+
+TEST(VtkFiles, DamagedOnesAreRefused)
+{
+  write_plane("plane.vti", make_plane());
+  const std::string whole = read_file("plane.vti");
+  const auto refuses = [](const std::string &content) {
+    write_file("cut.vti", [&](std::ostream &out) { out << content; });
+    EXPECT_THROW(VtkInput("cut.vti").numbers("density"),
+                 contrecoup::InputError);
+  };
+  // The end of the file is after all arrays.
+  for (std::size_t size = 0; size < whole.size() - 40; size += 7)
+    refuses(whole.substr(0, size));
+  std::string wrong = whole;
+  wrong.replace(wrong.rfind("offset=\"") + 8, 1, "9");
+  refuses(wrong);
+  EXPECT_THROW(VtkInput("no such file.vti"), contrecoup::InputError);
+}
+
+
+TEST(VtkFiles, FacetsShareVertices)
+{
+  // Two triangles of a square, and a line of two pieces.
+  const SkinMesh skin = make_skin_mesh(
+    {{0, 0, 0, 1, 0, 0, 1, 1, 0}, {0, 0, 0, 1, 1, 0, 0, 1, 0}}, false);
+  EXPECT_EQ(skin.vertices.size(), 4U * 3U);
+  EXPECT_EQ(skin.corners, (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
+  EXPECT_EQ(skin.ends, (std::vector<std::int64_t>{3, 6}));
+  write_skin("skin.vtp", skin, {{"peak", "Pa", {1.F, 2.F}}}, 0.25);
+  EXPECT_TRUE(holds("skin.vtp",
+                    "NumberOfPoints=\"4\" NumberOfVerts=\"0\" "
+                    "NumberOfLines=\"0\" NumberOfStrips=\"0\" "
+                    "NumberOfPolys=\"2\""));
+  EXPECT_TRUE(holds("skin.vtp", ">Pa</InformationKey>"));
+  EXPECT_THROW(write_skin("skin.vtp", skin, {{"peak", "Pa", {1.F}}}, 0.25),
+               std::invalid_argument);
+
+  const SkinMesh lines = make_skin_mesh({{0, 0, 0, 1, 0, 0, 1, 1, 0}}, true);
+  write_skin("skin.vtp", lines, {}, 0.25);
+  EXPECT_TRUE(holds("skin.vtp", "NumberOfLines=\"1\""));
+  EXPECT_TRUE(holds("skin.vtp", "<Lines>"));
+}
+
+
+TEST(VtkFiles, NamesOfNumbers)
+{
+  VtkFile file("UnstructuredGrid", "", "");
+  file.add_texts("tissue_names", {"none", "a b"});
+  file.add("CellData", "tissue", std::vector<unsigned char>{1, 0});
+  file.write("names.vtu");
+  EXPECT_TRUE(holds("names.vtu",
+                    "<FieldData>\n<Array type=\"String\" "
+                    "Name=\"tissue_names\" NumberOfTuples=\"2\" "
+                    "format=\"ascii\">110 111 110 101 0 97 32 98 0 </Array>\n"
+                    "</FieldData>\n<Piece"));
+}
+
+
+TEST(VtkFiles, CollectionsListFilesTimesAndParts)
+{
+  write_collection("list.pvd",
+                   {{0.1, "", "a.vtu"},
+                    {1. / 3., "plane", "b.vti"},
+                    {1. / 3., "skin", "b.vtp"}});
+  EXPECT_TRUE(holds("list.pvd",
+                    "<DataSet timestep=\"0.1\" group=\"\" part=\"0\" "
+                    "file=\"a.vtu\"/>"));
+  EXPECT_TRUE(holds("list.pvd",
+                    "<DataSet timestep=\"0.333333333333\" group=\"\" "
+                    "part=\"0\" name=\"plane\" file=\"b.vti\"/>"));
+  EXPECT_TRUE(holds("list.pvd", "part=\"1\" name=\"skin\" file=\"b.vtp\"/>"));
+}

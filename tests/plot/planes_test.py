@@ -1,0 +1,85 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""Plane cuts are read with their places, units and times."""
+
+import os
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+
+import tiny_files
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(
+    os.path.dirname(os.path.abspath(__file__)))), "applications"))
+
+from plot.readers import fields, planes, vtk_file  # noqa: E402
+
+
+class PlanesTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.values = np.arange(12.).reshape(3, 4)
+
+    def write(self, name, time, axes="xz", **fields_of):
+        tiny_files.write_plane(
+            os.path.join(self.folder, "fields", name),
+            fields_of or {"pressure": (self.values + time, "Pa"),
+                          "density": (2. * self.values, "kg/m^3")},
+            [0.5, -1.], [3.5, 1.], time, axes)
+
+    def test_series(self):
+        """Outputs of a plane are one list for each quantity, by time."""
+        for number, time in ((12, 3.), (2, 1.)):
+            self.write(f"plane_y_0_{number:04d}.vti", time)
+        found = planes.open_planes(self.folder)
+        self.assertEqual(set(found), {"plane_y_0_pressure",
+                                      "plane_y_0_density"})
+        first, last = found["plane_y_0_pressure"]
+        self.assertEqual((first.time, last.time), (1., 3.))
+        self.assertEqual((first.unit, first.axes), ("Pa", ["x", "z"]))
+        self.assertEqual((first.lower, first.upper), ([0.5, -1.], [3.5, 1.]))
+        np.testing.assert_array_equal(last.values, self.values + 3.)
+        self.assertEqual(first.extent(), [0., 4., -1.5, 1.5])
+
+    def test_maps(self):
+        """Maps and planes of gauges stand alone; axes are as in the file."""
+        peak = {"peak_overpressure": (self.values, "Pa")}
+        self.write("plane_maps.vti", 1., "xy", **peak)
+        self.write("gauges_plane_1.vti", 1., "yz", **peak)
+        found = planes.open_planes(self.folder)
+        self.assertEqual(set(found), {"plane_peak_overpressure",
+                                      "gauges_plane_1_peak_overpressure"})
+        self.assertEqual(found["plane_peak_overpressure"][0].axes, ["x", "y"])
+        self.assertEqual(
+            found["gauges_plane_1_peak_overpressure"][0].axes, ["y", "z"])
+
+    def test_read(self):
+        """Arrays are read with and without a unit."""
+        path = os.path.join(self.folder, "arrays.vtp")
+        arrays = [("points", np.arange(6.), 3, "m"),
+                  ("part", np.arange(4, dtype=np.uint8), 1, "")]
+        tiny_files.write(path, *tiny_files.appended(arrays))
+        found = vtk_file.read(path)
+        np.testing.assert_array_equal(found["points"],
+                                      np.arange(6.).reshape(2, 3))
+        np.testing.assert_array_equal(found["part"], np.arange(4))
+
+    def test_collection(self):
+        """Planes and skin of a collection are not taken for volumes."""
+        with open(os.path.join(self.folder, "fields.pvd"), "w",
+                  encoding="utf-8") as file:
+            for part, name in enumerate(("gas_0000.vtu", "plane_0000.vti",
+                                         "skin_0000.vtp")):
+                file.write(f'<DataSet timestep="0.5" group="" part="{part}" '
+                           f'name="it" file="fields/{name}"/>\n')
+        self.assertEqual(fields.list_fields(self.folder), [
+            (0.5, [os.path.join(self.folder, "fields/gas_0000.vtu")])])
+
+
+if __name__ == "__main__":
+    unittest.main()
