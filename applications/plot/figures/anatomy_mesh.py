@@ -127,7 +127,7 @@ def draw_cuts(mesh, names, path):
     figure.legend(handles=[Patch(facecolor=TISSUE_COLOURS[number],
                                  edgecolor=style.GREY, label=names[number])
                            for number in sorted(seen)],
-                  loc="center right", fontsize=8)
+                  loc="upper center", bbox_to_anchor=(0.5, 0.), ncols=5)
     style.save(figure, path)
 
 
