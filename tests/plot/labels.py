@@ -20,7 +20,8 @@ class Label:
 
     def __init__(self, text, renderer):
         self.words, self.size = text.get_text(), text.get_size()
-        self.box = text.get_window_extent(renderer)
+        # Without the arrow that an annotation may have.
+        self.box = Text.get_window_extent(text, renderer)
 
 
 @contextlib.contextmanager

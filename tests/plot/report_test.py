@@ -367,9 +367,10 @@ class ReportTest(unittest.TestCase):
                 "back [Pa]": 0. * times})
         text = text_of(Made(folder).page)
         self.expect(
-            text, "and the duration is 26 % above Kingery and Bulmash; loads "
-            "and verdicts carry these differences (ground and body add to "
-            "impulse and duration).",
+            text, "and the impulse is 32 % below Kingery and Bulmash; loads "
+            "and verdicts carry these differences. Beside the body, the "
+            "duration is 26 % above Kingery and Bulmash; reflections by "
+            "ground and body contribute to this.",
             "2.1 % of the body's energy is missing (limit 1 %) and 7.7 % of "
             "the internal energy is hourglass energy (warning from 5 %, limit "
             "10 %).",

@@ -67,7 +67,7 @@ def draw_outside(mesh, path):
     height = max(extent[3] for _, extent in pictures)
     figure, axes = plt.subplots(
         1, len(VIEWS), gridspec_kw={"width_ratios": widths},
-        figsize=(min(14., 6. * sum(widths) / height + 1.5), 6.5))
+        figsize=(min(10., 4.8 * sum(widths) / height + 1.5), 5.2))
     for axis, view, (picture, extent) in zip(axes, VIEWS, pictures):
         axis.imshow(picture, cmap="copper", vmin=-0.2, vmax=1.1,
                     extent=extent, interpolation="nearest")
@@ -114,12 +114,12 @@ def draw_cuts(mesh, names, path):
     if tall:
         cuts = [(1, 1e-4), (0, -0.02), (2, low[2] + 0.955 * size[2]),
                 (2, low[2] + 0.72 * size[2])]
-        figure = plt.figure(figsize=(12., 7.5))
+        figure = plt.figure(figsize=(10., 6.3))
         grid = figure.add_gridspec(2, 4, width_ratios=[1., 1.2, 1.2, 0.5])
         axes = [figure.add_subplot(grid[:, 0]), figure.add_subplot(grid[:, 1]),
                 figure.add_subplot(grid[0, 2]), figure.add_subplot(grid[1, 2])]
     else:
-        figure, axes = plt.subplots(1, 4, figsize=(13., 4.5))
+        figure, axes = plt.subplots(1, 4, figsize=(10., 3.6))
         axes[3].set_axis_off()
     seen = set()
     for axis, (normal, place) in zip(axes, cuts):
@@ -127,7 +127,7 @@ def draw_cuts(mesh, names, path):
     figure.legend(handles=[Patch(facecolor=TISSUE_COLOURS[number],
                                  edgecolor=style.GREY, label=names[number])
                            for number in sorted(seen)],
-                  loc="center right", fontsize=8)
+                  loc="upper center", bbox_to_anchor=(0.5, 0.), ncols=5)
     style.save(figure, path)
 
 

@@ -146,27 +146,30 @@ def _verdicts(judged):
 
 def _free_air(scene):
     """Large differences of the wave beside the body to measurements."""
-    parts, adds = [], False
+    carried, added = [], []
     for name, words in (("peak_overpressure", "incident peak overpressure"),
                         ("impulse", "impulse"), ("duration", "duration")):
-        here, known = (scene.blast.found("results", "probe_1_" + stem
-                                         + name)
+        here, known = (scene.blast.found("results", "probe_1_" + stem + name)
                        for stem in ("", "reference_"))
         if not here or not known \
                 or abs(here / known - 1.) <= LARGE_DIFFERENCE:
             continue
         change = here / known - 1.
-        adds = adds or change > 0. and name != "peak_overpressure"
-        parts.append(f"{words} is {page.percent(abs(change))} "
-                     + ("below" if change < 0. else "above"))
-    if not parts:
-        return []
-    return ["Beside the body, the " + page.joined(
-        [parts[0]] + ["the " + part for part in parts[1:]])
-        + " Kingery and Bulmash; loads and verdicts carry "
-        + ("these differences" if len(parts) > 1 else "this difference")
-        + (" (ground and body add to impulse and duration)." if adds
-           else ".")]
+        is_added = change > 0. and name != "peak_overpressure"
+        (added if is_added else carried).append(
+            f"the {words} is {page.percent(abs(change))} "
+            + ("below" if change < 0. else "above"))
+    parts = []
+    if carried:
+        parts.append("Beside the body, " + page.joined(carried) + " Kingery "
+                     "and Bulmash; loads and verdicts carry "
+                     + ("these differences." if len(carried) > 1
+                        else "this difference."))
+    if added:
+        parts.append("Beside the body, " + page.joined(added) + " Kingery and "
+                     "Bulmash; reflections by ground and body contribute to "
+                     "this.")
+    return parts
 
 
 def _afterburn(scene):

@@ -317,11 +317,11 @@ def _without_verdicts(page, text):
         return text
     count = WORDS[len(unsure)] if unsure else "none"
     told = f"could change {count} of {WORDS[sure + len(unsure)]} verdicts"
-    if unsure:
-        told += ": " + " and ".join(filter(None, (
-            ", ".join(unsure[:-1]), unsure[-1])))
-    require(told + "." in text, f"the answer lacks «{told}»: {text}")
-    return text.replace(told, "")
+    match = re.search(told + r"(?:: (.*))?\.\n", text)
+    require(match, f"the answer lacks «{told}»: {text}")
+    named = re.split(", | and ", match[1]) if match[1] else []
+    require(sorted(named) == sorted(unsure), f"{named} instead of {unsure}")
+    return text.replace(match[0], "")
 
 
 def _free_air(files):
