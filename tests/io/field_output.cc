@@ -58,7 +58,11 @@ TEST(FieldOutput, WritesPatchesOfEveryDimension)
   EXPECT_NE(text.find("Name=\"density\""), std::string::npos);
   EXPECT_NE(text.find("Name=\"velocity\" NumberOfComponents=\"3\""),
             std::string::npos);
-  EXPECT_NE(text.find("kg/m^3"), std::string::npos);
+  EXPECT_NE(text.find("units=\"kg/m^3\""), std::string::npos);
+  EXPECT_NE(text.find("<InformationKey name=\"UNITS_LABEL\" "
+                      "location=\"vtkDataArray\">m/s</InformationKey>"
+                      "</DataArray>"),
+            std::string::npos);
 }
 
 TEST(FieldOutput, TheSameFieldsGiveTheSameBytes)

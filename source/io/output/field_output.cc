@@ -10,6 +10,8 @@
 #include <deal.II/base/utilities.h>
 #include <deal.II/grid/reference_cell.h>
 
+#include <sstream>
+
 namespace contrecoup
 {
 namespace io
@@ -25,6 +27,33 @@ namespace io
 
     const char *const vtu = "vtu";
     const char *const hdf5 = "hdf5";
+
+    /// Copies a VTU file of deal.II, whose attribute "units" ParaView does not
+    /// read, and adds the units as VTK's own key after the numbers.
+    void label_units(std::istream &vtu, std::ostream &out)
+    {
+      const std::string mark = " units=\"", end = "</DataArray>";
+      std::string unit;
+      for (std::string line; std::getline(vtu, line);)
+      {
+        const std::size_t begin = line.find(mark);
+        if (begin != std::string::npos)
+        {
+          const std::size_t first = begin + mark.size();
+          unit = line.substr(first, line.find('"', first) - first);
+        }
+        const std::size_t close = line.find(end);
+        if (close != std::string::npos && !unit.empty())
+        {
+          line.insert(close,
+                      "<InformationKey name=\"UNITS_LABEL\" "
+                      "location=\"vtkDataArray\">" +
+                        unit + "</InformationKey>");
+          unit.clear();
+        }
+        out << line << '\n';
+      }
+    }
 
     std::string numbered(const std::string &stem, const unsigned int index)
     {
@@ -121,9 +150,12 @@ namespace io
       gather_arrays(communicator, std::vector<std::size_t>{patches_.size()});
     // A rank without patches writes no piece.
     if (!patches_.empty() || n == 1)
-      write_file(folder + "/" + piece(rank), [&](std::ostream &out) {
-        dealii::DataOutInterface<dim, spacedim>::write_vtu(out);
-      });
+    {
+      std::stringstream vtu;
+      dealii::DataOutInterface<dim, spacedim>::write_vtu(vtu);
+      write_file(folder + "/" + piece(rank),
+                 [&](std::ostream &out) { label_units(vtu, out); });
+    }
     if (n == 1)
       return piece(0);
     if (rank == 0)

@@ -100,23 +100,29 @@ namespace
     io::write_file(name, [&](std::ostream &out) {
       const auto array = [&](const std::string &type,
                              const std::string &field,
-                             const unsigned int n_components) {
+                             const unsigned int n_components,
+                             const std::string &unit) {
         out << "<PDataArray type=\"" << type << "\" Name=\"" << field
-            << "\" NumberOfComponents=\"" << n_components << "\"/>\n";
+            << "\" NumberOfComponents=\"" << n_components << "\">";
+        if (!unit.empty())
+          out << "<InformationKey name=\"UNITS_LABEL\" "
+                 "location=\"vtkDataArray\">"
+              << unit << "</InformationKey>";
+        out << "</PDataArray>\n";
       };
       out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\" "
              "version=\"1.0\" byte_order=\"LittleEndian\" "
              "header_type=\"UInt64\" "
              "compressor=\"vtkZLibDataCompressor\">\n<PUnstructuredGrid "
              "GhostLevel=\"0\">\n<PPoints>\n";
-      array("Float32", "points", 3);
+      array("Float32", "points", 3, "m");
       out << "</PPoints>\n<PPointData>\n";
       for (const auto &field : vector_names)
-        array("Float32", field.first, 3);
+        array("Float32", field.first, 3, field.second);
       out << "</PPointData>\n<PCellData>\n";
-      array("UInt8", "tissue", 1);
+      array("UInt8", "tissue", 1, "");
       for (const auto &field : fields)
-        array("Float32", field.first, 1);
+        array("Float32", field.first, 1, field.second);
       out << "</PCellData>\n";
       for (const std::string &piece : pieces)
         out << "<Piece Source=\"" << piece << "\"/>\n";

@@ -80,7 +80,7 @@ def read_mesh(path):
         return vtk_file.read(path)
     found = {}
     for match in re.finditer(rb'<DataArray type="(\w+)"([^>]*)format="binary"'
-                             rb'[^>]*>\s*([^<\s]+)\s*</DataArray>', content):
+                             rb'[^>]*>\s*([^<\s]+)\s*<', content):
         name = re.search(rb'Name="([^"]*)"', match[2])
         found[name[1].decode() if name else "points"] = numpy.frombuffer(
             inflate(match[3]), match[1].decode().lower())

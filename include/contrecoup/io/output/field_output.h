@@ -71,7 +71,8 @@ namespace io
 
     /**
      * Writes `stem_0012.0003.vtu`, one piece per rank with patches, and
-     * `stem_0012.pvtu`; on a single rank `stem_0012.vtu` only. Collective.
+     * `stem_0012.pvtu`; on a single rank `stem_0012.vtu` only. Arrays have
+     * their units, for ParaView and for others. Collective.
      * @return name of the file to open, without folder
      * @throws SystemError when the disk is full; the piece is then removed
      */
