@@ -162,7 +162,7 @@ contrecoup_add_application_test(body_runs
     "Loads/Gauge radius=0.05" "Loads/Interval=0.005" "Pictures/Resolution=96"
   BOUNDS "first_sample > 0.0758" "first_sample < 0.101" "samples_at_rest < 3"
     "first_overpressure < 1e-3" "impulse_difference < 1e-9"
-  COMPARE history.csv probes.csv load_gauges.csv gauge_injury.csv loads.h5
+  COMPARE history.csv probes.csv load_gauges.csv gauge_measures.csv loads.h5
     fields/*.vti fields/*.vtp TOLERANCE 1e-10 "fields/*.vtp:*=2e-7"
   STOP_AFTER 5 20 RANKS 2 7 3 CORES 1)
 

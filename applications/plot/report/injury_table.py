@@ -103,9 +103,12 @@ def _measures_of(run):
 
 
 def _add_skin(run, add):
-    """Measures of the recorded loads alone: chest wall, lung, eardrums."""
+    """Measures of the recorded loads alone, eardrums first, as in the
+    table."""
     gauges = run.gauge_measures()
-    for (measure, place), found in run.gauge_injury().items():
+    for (measure, place), found in sorted(
+            run.gauge_injury().items(),
+            key=lambda item: item[0][0] != "eardrum_rupture"):
         name = SKIN_NAMES.get((measure, place))
         if measure == "eardrum_rupture":
             words, thresholds, source, limits = KNOWN["ear_rupture"]

@@ -115,7 +115,7 @@ std::string gauge_injury_table(const std::vector<GaugeBlast> &gauges,
                "-",
                "peak overpressure over the one that half survive for this "
                "positive phase and body mass (Bowen et al. 1968)");
-  return "measure,place,value,unit,definition\n" + chest_wall_rows(injuries) +
-         lung + ears;
+  const std::string rows = chest_wall_rows(injuries) + lung + ears;
+  return rows.empty() ? "" : "measure,place,value,unit,definition\n" + rows;
 }
 } // namespace contrecoup::gas

@@ -279,9 +279,10 @@ void LoadGauges::write_tables(const double time) const
   io::write_file(folder_ + "/gauge_measures.csv", [&](std::ostream &out) {
     out << gauge_measures_table(gauges);
   });
-  io::write_file(folder_ + "/gauge_injury.csv", [&](std::ostream &out) {
-    out << gauge_injury_table(gauges, times, body_mass_);
-  });
+  const std::string injuries = gauge_injury_table(gauges, times, body_mass_);
+  if (!injuries.empty())
+    io::write_file(folder_ + "/gauge_injury.csv",
+                   [&](std::ostream &out) { out << injuries; });
 }
 
 

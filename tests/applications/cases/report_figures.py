@@ -131,6 +131,7 @@ def gauges_of(output, stage):
             place = row.pop("place")
             places[place] = {key.split(" [")[0]: float(value)
                              for key, value in row.items()}
+    if os.path.exists(os.path.join(output, stage, "gauge_injury.csv")):
         for row in read_rows(output, stage, "gauge_injury.csv"):
             skin[row["measure"], row["place"]] = float(row["value"])
     return places, skin

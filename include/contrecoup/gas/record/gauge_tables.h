@@ -27,8 +27,8 @@ std::string gauge_measures_table(const std::vector<GaugeBlast> &gauges);
  * CSV table of injuries that the loads at the gauges would cause, one row per
  * measure and place, with unit and definition: chest wall velocity at "chest"
  * and "back" and the mean of both, lung exposure at "chest", eardrum rupture
- * at gauges whose name ends with "ear"; see load_injury(). Other gauges have
- * no row.
+ * at gauges whose name ends with "ear"; see load_injury(). Empty without such
+ * gauges.
  *
  * @param times of the samples, increasing [s]
  * @param body_mass [kg]

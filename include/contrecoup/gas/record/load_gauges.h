@@ -82,8 +82,9 @@ public:
   /// Writes buffered samples to the file. @throws SystemError
   void flush();
 
-  /// Writes gauge_measures.csv and gauge_injury.csv, see gauge_tables.h, for
-  /// the blast until @p time [s]. Call after flush(), on the rank that writes.
+  /// Writes gauge_measures.csv and, with a gauge at chest, back or ear,
+  /// gauge_injury.csv, see gauge_tables.h, for the blast until @p time [s].
+  /// Call after flush(), on the rank that writes.
   /// @throws SystemError
   void write_tables(const double time) const;
 
