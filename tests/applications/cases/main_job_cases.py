@@ -4,6 +4,7 @@
 kinds of run_case.py."""
 
 import os
+import re
 import subprocess
 import xml.etree.ElementTree as xml
 
@@ -70,6 +71,7 @@ def prove(case, output, check_bound, read_summary):
         check_bound(read_summary(os.path.join(output, "biomechanics")), bound)
     check_peaks(files, PEAKS.get(case.options.name, {}))
     check_summary(files)
+    check_one_number(files, output)
     check_audit(files, output)
     check_fields(case, output)
     count = report_figures.check_report(output)
@@ -152,6 +154,25 @@ def check_summary(files):
         require(abs(body[name] - value) <= 1e-6 * abs(value),
                 f"{name} is {body[name]} in the summary, {value} in the "
                 "table")
+
+
+def check_one_number(files, output):
+    """A quantity that occurs in two outputs has one value: measures of gauges
+    in the table and in the summary, the announced wave and the reference."""
+    results = values_of(files.summary["blast"], "results")
+    for place, measures in files.places.items():
+        for name, value in measures.items():
+            key = f"loads_{place}_{name}".replace(" ", "_")
+            require(results[key] == value,
+                    f"{key} is {results[key]}, the table has {value}")
+    with open(os.path.join(output, "log.txt"), encoding="utf-8") as file:
+        told = re.search(r"reaches the body at (\S+) ms with (\S+) kPa",
+                         file.read())
+    for text, name, scale in ((told[1], "arrival", 1e3),
+                              (told[2], "peak_overpressure", 1e-3)):
+        known = scale * results["probe_1_reference_" + name]
+        require(text == f"{known:.3g}",
+                f"the announced {name} is {text}, the reference {known}")
 
 
 KINDS = {"main_job": main_job, "main_job_surface": main_job_surface}
