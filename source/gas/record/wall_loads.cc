@@ -301,13 +301,20 @@ void WallLoads<dim>::finish()
 
 
 template <int dim>
+void WallLoads<dim>::gather_skin()
+{
+  if (active_)
+    share_records();
+}
+
+
+template <int dim>
 std::string WallLoads<dim>::write_skin(const std::string &folder,
                                        const unsigned int index,
-                                       const double time)
+                                       const double time) const
 {
   if (!active_)
     return "";
-  share_records();
   const std::string name =
     "skin_" + dealii::Utilities::int_to_string(index, 4) + ".vtp";
   if (dealii::Utilities::MPI::this_mpi_process(communicator_) != 0)

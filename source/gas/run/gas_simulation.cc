@@ -145,11 +145,14 @@ std::vector<FieldFile>
 GasSimulation<dim>::write_fields(const std::string &folder, unsigned int index)
 {
   const auto gas = core_.snapshot();
+  auto &loads = recorders_.template get<WallLoads<dim>>();
+  // No collective call follows the files that the first rank writes, since it
+  // may fail to write them.
+  loads.gather_skin();
   recorders_.for_each([&](auto &recorder) { recorder.write(gas, folder); });
   auto files = output_.write(
     gas, recorders_.template get<BlastMaps<dim>>(), {folder, index});
-  const std::string skin = recorders_.template get<WallLoads<dim>>().write_skin(
-    folder, index, gas.time);
+  const std::string skin = loads.write_skin(folder, index, gas.time);
   if (!skin.empty())
     files.push_back({"skin", skin});
   return files;

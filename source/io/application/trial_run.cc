@@ -10,6 +10,7 @@
 #include <contrecoup/base/system/processor_time.h>
 #include <contrecoup/io/application/trial_run.h>
 #include <contrecoup/io/file/temporary_folder.h>
+#include <contrecoup/io/output/load_series.h>
 #include <contrecoup/io/output/output_folder.h>
 
 #include <algorithm>
@@ -213,8 +214,9 @@ namespace io
       return (wanted + 1.) / (few + 1.);
     }
 
-    /// Makes the simulation write pending results, as with each checkpoint;
-    /// finish() would also check the accuracy of so coarse a run.
+    /// Makes the simulation write pending results, as with each checkpoint, and
+    /// the description of recorded loads, as at the end of a run; finish()
+    /// would also check the accuracy of so coarse a run.
     void save_results(const std::string &folder,
                       Simulation &simulation,
                       Collective &collective)
@@ -226,6 +228,13 @@ namespace io
           std::filesystem::create_directory(checkpoint);
       });
       simulation.save(checkpoint);
+      const std::string loads = folder + "/loads.h5";
+      collective.run([&]() {
+        if (dealii::Utilities::MPI::this_mpi_process(
+              collective.communicator()) == 0 &&
+            std::filesystem::exists(loads))
+          write_load_series(loads);
+      });
     }
 
     /// Runs @p simulation in @p folder; returns the completed fraction of
@@ -265,7 +274,8 @@ namespace io
       trial.load_bytes = bytes_in(folder + "/loads.h5");
       trial.table_bytes = bytes_in(folder + "/history.csv") +
                           bytes_in(folder + "/probes.csv") +
-                          bytes_in(folder + "/load_gauges.csv");
+                          bytes_in(folder + "/load_gauges.csv") +
+                          bytes_in(folder + "/loads.xdmf");
       return measured.is_too_long()
                ? (measured.time() - begin) / (time.end_time - begin)
                : 1.;

@@ -49,12 +49,15 @@ public:
   /// Completes the current sample and writes all results.
   void finish() override;
 
-  /// Writes skin_NNNN.vtp: the facets with their overpressure, and peak,
-  /// impulse and arrival so far; see WallFacets::skin(). Collective.
+  /// Combines the records of all ranks for write_skin(). Collective.
+  void gather_skin();
+  /// Writes skin_NNNN.vtp on the first rank: the facets with their
+  /// overpressure, and peak, impulse and arrival so far; see
+  /// WallFacets::skin(). Call after gather_skin().
   /// @return name of the file; empty without loads
   std::string write_skin(const std::string &folder,
                          const unsigned int index,
-                         const double time);
+                         const double time) const;
 
   /// Impulses on the body and the measures of the gauges.
   std::vector<NamedValue>
