@@ -52,11 +52,12 @@ contrecoup_add_application_test(single_runs scene_ranks,scene_parallel_sigkill
 contrecoup_add_application_test(failing_stage scene_failure FILE ${_head}
   SET ${_brief} "Blast/Output/Fields=false" "Biomechanics/Output/Fields=false"
     "Biomechanics/Output/Checkpoint every minutes=1000")
-# It is the blast that fills the disk: each picture of a plane has 2 MB.
+# It is the blast that fills the disk: each picture of a plane has some 3 MB.
 contrecoup_add_application_test(full_disk scene_full_disk FILE ${_head}
   RANKS 2 3 CORES 1
   SET ${_brief} "Scene/Cell size=0.02" "Scene/Question=loads"
-    "Scene/Element size=0.006" "Scene/End time=0.0005")
+    "Scene/Element size=0.006" "Scene/End time=0.0005"
+    "Blast/Pictures/Resolution=1024")
 
 # scene_refuses(<name> <message> <arguments>)
 function(scene_refuses name message)
