@@ -341,6 +341,31 @@ class ReportTest(unittest.TestCase):
         for word in ("duration", "is missing (limit", "The run ends before"):
             self.assertFalse(word in answer, word)
 
+    def test_peak_that_the_ground_raises(self):
+        """Near the ground a peak above measurements in free air is no error,
+        high above it is one."""
+        for height, words in (
+                ("1.27", "overpressure is 27 % above and the impulse is 35 % "
+                 "above Kingery and Bulmash; reflections by ground"),
+                ("10", "loads and verdicts carry this difference")):
+            folder = self.copy_without("blast/fields",
+                                       "biomechanics/fields.pvd")
+            for name, before, after in (
+                    ("blast/summary.json", "267701.8", "400000.0"),
+                    ("blast/summary.json", '"value": 150.4', '"value": 300.4'),
+                    ("scene.json", '"charge_place": [2.458, 0, 1.27]',
+                     f'"charge_place": [2.458, 0, {height}]'),
+                    ("scene.json", '"explosive": "c-4"',
+                     '"explosive": "composition b"')):
+                path = os.path.join(folder, name)
+                with open(path, encoding="utf-8") as file:
+                    text = file.read()
+                self.assertIn(before, text)
+                tiny_scene.write(path, text.replace(before, after))
+            text = text_of(Made(folder).page)
+            self.expect(text, "2.27 kg of composition B detonates 2.34 m")
+            self.expect(text, words)
+
     def test_other_items_of_the_answer(self):
         """A longer phase in the air and on the skin, missing energy, no
         afterburn."""

@@ -92,6 +92,16 @@ class Scene:
         return self.facts.get("explosive") or self.blast.parameters.get(
             "Material/Explosive") or "explosive"
 
+    def explosive_name(self):
+        """As it is written: TNT, C-4, composition B, pentolite."""
+        return " ".join(word.upper() if len(word) < 5 else word
+                        for word in self.explosive().split())
+
+    def probe_place(self, number):
+        """Where a probe in the air is [m]; None if that is unknown."""
+        points = files.points_of(self.blast.parameters.get("Probes/Points"))
+        return points[number - 1] if len(points) >= number else None
+
     def loads(self):
         """loads.h5, or None."""
         path = self.blast.path("loads.h5")

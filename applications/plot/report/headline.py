@@ -2,11 +2,13 @@
 # Copyright (C) 2026 by the Contrecoup authors
 """The answer of a report in a few plain sentences, and how certain it is."""
 
+import math
 import re
 
 from plot.analysis import signals
 from plot.report import injury_table, page
 
+MERGING = 40.  # degrees of incidence, from which reflections may merge
 LARGE_DIFFERENCE = 0.1  # to Kingery and Bulmash
 LONG_ENOUGH = 0.01  # s, until the largest strains that a front causes
 # Of items of the audit, for readers who do not know the plan.
@@ -25,8 +27,8 @@ def answer(scene, judged):
     sentences += [words for words in (_lung(judged), _ears(judged),
                                       _brain(judged)) if words]
     if len(sentences) == 1:
-        sentences.append("The injury is unknown: the scene has neither loads "
-                         "on the skin nor measures of injury.")
+        sentences.append("The injury is unknown: the scene has neither gauges "
+                         "at chest and ears nor measures of injury.")
     certainty = _certainty(scene, judged)
     return page.tag("div", page.paragraph(" ".join(sentences)),
                     *([page.bullets(certainty)] if certainty else []),
@@ -40,7 +42,7 @@ def _opening(scene):
             "image": "a body from medical images"}.get(
                 scene.facts.get("body"), "a body")
     charge = "The charge" if mass is None else (
-        f"{page.quantity(mass, 'kg')} of {scene.explosive().upper()}")
+        f"{page.quantity(mass, 'kg')} of {scene.explosive_name()}")
     distance, height = scene.fact("distance"), scene.fact("height")
     where = f"in front of {body}" if distance is None else \
         f"{page.quantity(distance, 'm')} from {body}"
@@ -144,6 +146,17 @@ def _verdicts(judged):
                if open_ones else "") + "."]
 
 
+def _may_merge(scene):
+    """Whether the ground's reflection may have merged with the incident wave
+    at the probe: regular reflection of strong shocks in air ends at an angle of
+    incidence of 40 degrees (von Neumann's detachment criterion)."""
+    charge, probe = scene.charge_place(), scene.probe_place(1)
+    if charge is None or probe is None:
+        return False
+    way = math.hypot(*(charge - probe)[:2])
+    return math.degrees(math.atan2(way, charge[2] + probe[2])) > MERGING
+
+
 def _free_air(scene):
     """Large differences of the wave beside the body to measurements."""
     carried, added = [], []
@@ -155,7 +168,8 @@ def _free_air(scene):
                 or abs(here / known - 1.) <= LARGE_DIFFERENCE:
             continue
         change = here / known - 1.
-        is_added = change > 0. and name != "peak_overpressure"
+        is_added = change > 0. and (name != "peak_overpressure"
+                                    or _may_merge(scene))
         (added if is_added else carried).append(
             f"the {words} is {page.percent(abs(change))} "
             + ("below" if change < 0. else "above"))

@@ -232,7 +232,8 @@ def quantity(value, unit, digits=3):
     """A value with its unit and a prefix that makes it easy to read."""
     if value is None or not math.isfinite(value):
         return "–"
-    factor, shown = style.scale_unit(unit, abs(value))
+    # What rounds to 1 m is not 1000 mm.
+    factor, shown = style.scale_unit(unit, float(f"{abs(value):.{digits}g}"))
     text = number(value * factor, digits)
     return Rounded(f"{text}\u00a0{shown}" if shown else text, value, unit)
 

@@ -30,8 +30,8 @@ def facts(scene):
     mass, place = scene.charge_mass(), scene.charge_place()
     if mass is not None:
         add("charge", page.Rounded(
-            f"{page.quantity(mass, 'kg', 4)} of {scene.explosive().upper()}",
-            mass, f"kg of {scene.explosive().upper()}"))
+            f"{page.quantity(mass, 'kg', 4)} of {scene.explosive_name()}",
+            mass, f"kg of {scene.explosive_name()}"))
     if place is not None:
         shown = page.point(place)
         add("centre of the charge",
@@ -77,7 +77,7 @@ def section(scene):
         "The solid line is the path of the direct wave to the body, the dashed "
         "line the path of its reflection by the ground to the same place. ")
     parts.append(page.figure(
-        _draw(scene), f"Drawing of the {scene.explosive().upper()} charge, "
+        _draw(scene), f"Drawing of the {scene.explosive_name()} charge, "
         f"{page.quantity(float(scene.charge_place()[2]), 'm')} above the "
         "ground, and of the body before it, seen from the side.",
         f"The scene from the side, to scale. {ways}Grey: the "
@@ -101,7 +101,7 @@ def _draw(scene):
                           color=style.COLOURS[1]))
     axis.annotate(
         f"{page.quantity(scene.charge_mass(), 'kg', 4)} "
-        f"{scene.explosive().upper()}", (charge[0], charge[2] + radius),
+        f"{scene.explosive_name()}", (charge[0], charge[2] + radius),
         (0, 6), textcoords="offset points", ha="center", va="bottom")
     if target is not None:
         _draw_ways(axis, charge, target)
