@@ -57,7 +57,7 @@ contrecoup_add_application_test(full_disk scene_full_disk FILE ${_head}
   RANKS 2 3 CORES 1
   SET ${_brief} "Scene/Cell size=0.02" "Scene/Question=loads"
     "Scene/Element size=0.006" "Scene/End time=0.0005"
-    "Blast/Pictures/Resolution=1024")
+    "Blast/Pictures/Resolution=1024" TIMEOUT 600)
 
 # scene_refuses(<name> <message> <arguments>)
 function(scene_refuses name message)
