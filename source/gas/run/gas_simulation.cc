@@ -146,8 +146,7 @@ GasSimulation<dim>::write_fields(const std::string &folder, unsigned int index)
 {
   const auto gas = core_.snapshot();
   auto &loads = recorders_.template get<WallLoads<dim>>();
-  // No collective call follows the files that the first rank writes, since it
-  // may fail to write them.
+  // Collective, hence before the first rank writes files, which may fail.
   loads.gather_skin();
   recorders_.for_each([&](auto &recorder) { recorder.write(gas, folder); });
   auto files = output_.write(
