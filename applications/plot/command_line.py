@@ -7,6 +7,7 @@ import importlib
 import inspect
 import os
 import pkgutil
+import signal
 import sys
 
 from plot import commands
@@ -58,6 +59,8 @@ def run(script, arguments, documentation=""):
     whose first argument is the command, or of a link to it, which is called
     like the command, with or without "plot_" before it. @p documentation is the
     help text on all commands."""
+    # A reader that closes the pipe early, as head does, is no error.
+    signal.signal(signal.SIGPIPE, signal.SIG_DFL)
     program = os.path.basename(script)
     name = os.path.splitext(program)[0]
     if name == "plot":

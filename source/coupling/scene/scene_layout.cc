@@ -111,12 +111,14 @@ SceneLayout::SceneLayout(const SceneParameters &scene, const Shape &surface)
   expect_front(scene, blast);
   const Point<3> image(charge[0], charge[1], -charge[2]);
   last_arrival = blast.arrival(farthest_distance(body, image));
-  front_distance = blast.radius(scene.end_time);
+  // The ground sends the charge's energy into one half of the air.
+  const ExpectedBlast outward(2. * energy_of(scene), air_pressure, air_density);
+  front_distance = outward.radius(scene.end_time);
   if (arrival >= scene.end_time)
     throw InputError("Scene/End time = " + brief(scene.end_time) +
                      " s: the blast reaches the body at " + brief(arrival) +
                      " s only");
-  size_domain(scene, blast);
+  size_domain(scene, outward);
 }
 
 

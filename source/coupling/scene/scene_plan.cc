@@ -103,7 +103,7 @@ namespace
   {
     const Explosive &explosive = find_explosive(scene.explosive);
     const std::string decision =
-      scene.afterburn > 0. ? brief(1e-6 * scene.afterburn) + " of at most " +
+      scene.afterburn > 0. ? brief(1e-6 * scene.afterburn, 3) + " of at most " +
                                brief(1e-6 * explosive.afterburn.largest, 2) +
                                " MJ/kg, Miller's rate"
                            : "left out";

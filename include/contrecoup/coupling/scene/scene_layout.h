@@ -66,7 +66,9 @@ struct SceneLayout
   /// Refinement levels at the skin and of fronts near the body: those of the
   /// preset, both raised until the positive phase has the cells it asks for.
   unsigned int levels, front_levels;
-  double front_distance;         ///< distance of the front at the end time [m]
+  /// Largest distance of the front at the end time: that of a charge on the
+  /// ground [m].
+  double front_distance;
   dealii::Point<3> lower, upper; ///< corners of the domain [m]
   std::array<unsigned int, 3> n_leaves;
 
