@@ -16,6 +16,7 @@ import re
 import shutil
 import sys
 import tempfile
+import types
 import unittest
 import unittest.mock
 
@@ -33,7 +34,7 @@ from plot.analysis import signals  # noqa: E402
 from plot.figures import (body_loads, body_views, plane_cuts,  # noqa: E402
                           style)
 from plot.readers.scene import Scene  # noqa: E402
-from plot.report import page as html_page  # noqa: E402
+from plot.report import headline, page as html_page  # noqa: E402
 
 
 class Made:
@@ -303,6 +304,16 @@ class ReportTest(unittest.TestCase):
                     f"{html_page.number(mean)} m/s as the",
                     "the chest load is 0.26 of the 50 % lethality load",
                     "a probability of 79 %", "0.788", "peak 175 kPa", "0.264")
+
+    def test_load_on_the_back(self):
+        """A charge behind the person loads the back, and the chest's measures
+        say too little; before the person, nothing is said."""
+        self.assertNotIn("understate", self.text)
+        scene = types.SimpleNamespace(gauge_measures=lambda: {
+            "chest": {"peak": 6.1e4}, "back": {"peak": 2.26e5}})
+        self.assertIn("The peak on the back, 226 kPa, exceeds that on the "
+                      "chest, 61.0 kPa: the chest load",
+                      headline._rear_load(scene).replace("\xa0", " "))
 
     def test_brain_of_the_answer(self):
         """Both pressures and the strain, each with its own unit."""

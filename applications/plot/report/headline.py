@@ -24,8 +24,8 @@ LARGEST_RESIDUAL, LARGEST_HOURGLASS, NOTED_HOURGLASS = 0.01, 0.1, 0.05
 def answer(scene, judged):
     """What this blast does to this person, and how sure that is."""
     sentences = [_opening(scene)]
-    sentences += [words for words in (_lung(judged), _ears(judged),
-                                      _brain(judged)) if words]
+    sentences += [words for words in (_lung(judged), _rear_load(scene),
+                                      _ears(judged), _brain(judged)) if words]
     if len(sentences) == 1:
         sentences.append("The injury is unknown: the scene has neither gauges "
                          "at chest and ears nor measures of injury.")
@@ -73,6 +73,19 @@ def _lung(judged):
         text += (f"; the chest load is {page.number(bowen.value, 2)} of the "
                  "50 % lethality load")
     return text + "."
+
+
+def _rear_load(scene):
+    """Warning that the back bears the larger load, "" if the chest does."""
+    gauges = scene.gauge_measures()
+    if not {"chest", "back"} <= set(gauges):
+        return ""
+    chest, back = (gauges[place]["peak"] for place in ("chest", "back"))
+    if back <= chest:
+        return ""
+    return (f"The peak on the back, {page.quantity(back, 'Pa')}, exceeds that "
+            f"on the chest, {page.quantity(chest, 'Pa')}: the chest load and "
+            "the front chest wall velocity understate the lung injury.")
 
 
 def _ears(judged):
