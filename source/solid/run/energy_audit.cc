@@ -91,8 +91,8 @@ std::vector<NamedValue>
 EnergyAudit::checks(const EnergyLedger &ledger,
                     const std::vector<Tissue> &tissues) const
 {
-  const double internal = std::max({body_.internal, judged_fraction * scale_,
-                                    1e-300});
+  const double internal =
+    std::max({body_.internal, judged_fraction * scale_, 1e-300});
   std::vector<NamedValue> values{
     {"energy_residual", "-", residual(ledger)},
     {"nodal_work_difference",
@@ -142,8 +142,7 @@ void EnergyAudit::judge_hourglass(const std::vector<Tissue> &tissues) const
       if (const double here = hourglass_part(tissues_[i]);
           here > largest_hourglass_)
         log_line("WARNING: hourglass modes store " + brief(100. * here, 3) +
-                 " % of the largest internal energy of " +
-                 name_of(tissues[i]));
+                 " % of the largest internal energy of " + name_of(tissues[i]));
 }
 
 
