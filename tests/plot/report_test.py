@@ -315,6 +315,27 @@ class ReportTest(unittest.TestCase):
                       "chest, 61.0 kPa: the chest load",
                       headline._rear_load(scene).replace("\xa0", " "))
 
+    def test_pressure_of_a_place(self):
+        """Averaged over the tissue; of the element in older runs."""
+        table = {"probe_1_pressure": 1., "probe_1_averaged_pressure": 2.,
+                 "probe_2_pressure": 3.}
+        self.assertEqual([tables.tissue_pressure(table, f"probe_{number}_")
+                          for number in (1, 2)], [2., 3.])
+
+    def test_errors_of_gauges(self):
+        """No error is below the median of its measure or two per cent, and
+        what one of both runs lacks has none."""
+        fine = {"a": {"peak": 1., "impulse": 1.}, "b": {"peak": 1.},
+                "c": {"peak": 1.}, "d": {"peak": 0.}}
+        coarse = {"a": {"peak": 0.9, "impulse": 0.999}, "b": {"peak": 1.},
+                  "c": {"peak": 0.95}, "d": {"peak": 1.}}
+        errors = error_estimate.of_gauges(fine, coarse, 2.)
+        times = 1. / (2. ** 0.7 - 1.)
+        for gauge, error in (("a", 0.1), ("b", 0.05), ("c", 0.05)):
+            self.assertAlmostEqual(errors[gauge]["peak"], times * error)
+        self.assertEqual(errors["a"]["impulse"], 0.02)
+        self.assertEqual(errors["d"], {})
+
     def test_brain_of_the_answer(self):
         """Both pressures and the strain, each with its own unit."""
         self.expect(self.text, "Brain pressure ranges from −810 kPa to 1.0 MPa; "
