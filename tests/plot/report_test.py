@@ -33,8 +33,10 @@ from plot import command_line  # noqa: E402 (after the path of the package)
 from plot.analysis import signals  # noqa: E402
 from plot.figures import (body_loads, body_views, plane_cuts,  # noqa: E402
                           style)
+from plot.readers import tables  # noqa: E402
 from plot.readers.scene import Scene  # noqa: E402
-from plot.report import headline, page as html_page  # noqa: E402
+from plot.report import (error_estimate, headline,  # noqa: E402
+                         page as html_page)
 
 
 class Made:
