@@ -242,6 +242,8 @@ def _checks(scene):
     if recorded and mapped:
         factor = found("checks", "loads_impulse_factor")
         mended = "" if factor is None else (
+            "; pressures are as recorded, since the impulses differ by too "
+            "much for one factor on all of them" if factor == 1. else
             ", after all pressures were multiplied by "
             f"{page.number(factor)} so that the impulses agree")
         items.append(
