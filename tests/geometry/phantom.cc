@@ -149,7 +149,7 @@ TEST(Phantom, LandmarksAreOnTheSkinWhereTheirNamesSay)
         << landmark.name;
       places[landmark.name] = landmark.place;
     }
-    ASSERT_EQ(places.size(), 19u);
+    ASSERT_EQ(places.size(), 21u);
     const auto box = body->surface()->bounding_box();
     const double height = box.side_length(2);
     EXPECT_NEAR(places.at("vertex")[2], box.upper_bound(2), 1e-6);
@@ -164,6 +164,13 @@ TEST(Phantom, LandmarksAreOnTheSkinWhereTheirNamesSay)
     const auto across = places.at("left temple") - places.at("right temple");
     EXPECT_NEAR(across.norm() / man.head, 0.135, 0.003);
     EXPECT_GT(across[1 - man.forward] * (man.forward == 0 ? 1. : -1.), 0.);
+    // The arms hang beside the trunk, as high as the chest.
+    const auto wide =
+      places.at("left upper arm") - places.at("right upper arm");
+    EXPECT_GT(wide * across, 0.99 * wide.norm() * across.norm());
+    EXPECT_GT(wide.norm(), 1.2 * depth("chest", "back"));
+    EXPECT_NEAR(
+      places.at("left upper arm")[2], places.at("chest")[2], 0.02 * height);
     EXPECT_NEAR(
       (places.at("left shin")[2] - box.lower_bound(2)) / height, 0.17, 0.01);
   }

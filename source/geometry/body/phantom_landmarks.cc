@@ -79,7 +79,8 @@ namespace phantom
                              Aim{"ear", -0.008, 0., -0.030, 1, side}})
         landmarks.push_back(find_landmark(
           aim, prefix, frame.at_head(aim.x, side * aim.y, aim.z), skin));
-      for (const Aim &aim : {Aim{"thigh", 0., 0.098, 0.70, 0, 1.},
+      for (const Aim &aim : {Aim{"upper arm", 0., 0., 1.30, 1, side},
+                             Aim{"thigh", 0., 0.098, 0.70, 0, 1.},
                              Aim{"shin", 0., 0.108, 0.30, 0, 1.},
                              Aim{"calf", 0., 0.108, 0.33, 0, -1.}})
         landmarks.push_back(find_landmark(
