@@ -16,6 +16,7 @@ using namespace contrecoup;
 namespace
 {
 const double ambient = 101325.;
+const double psi = 6894.757; // Pa
 
 /// Friedlander's wave of decay 1, and the time after it.
 ChestWallResponse under_blast(const double peak, const double duration)
@@ -107,8 +108,45 @@ TEST(BlastInjury, FollowsBowensCurve)
               1e-12);
 }
 
+// UFC 3-340-02 (2008), table 1-1, for 3 to 5 ms: half die at 130 to 180 psi,
+// lungs are damaged from 30 to 40 psi on.
+TEST(BlastInjury, AgreesWithTheTableOfTolerances)
+{
+  const double median = lung_median_lethal_overpressure(4e-3, 70., ambient);
+  EXPECT_GT(median, 130. * psi);
+  EXPECT_LT(median, 180. * psi);
+  const double threshold = lung_threshold_overpressure(4e-3, 70., ambient);
+  EXPECT_GT(threshold, 30. * psi);
+  EXPECT_LT(threshold, 40. * psi);
+}
+
+TEST(BlastInjury, LethalityFollowsTheExposure)
+{
+  EXPECT_DOUBLE_EQ(lung_lethality_probability(1.), 0.5);
+  EXPECT_NEAR(lung_lethality_probability(0.66), 0.01, 2e-4);
+  EXPECT_NEAR(lung_lethality_probability(1. / 0.66), 0.99, 2e-4);
+  EXPECT_EQ(lung_lethality_probability(0.), 0.);
+  EXPECT_LT(lung_lethality_probability(0.2), 1e-12);
+}
+
+// S. Glasstone, P. J. Dolan, The Effects of Nuclear Weapons (1977), table 3.07.
+TEST(BlastInjury, DynamicPressureIsThatOfTheTable)
+{
+  const std::pair<double, double> table[] = {
+    {100., 123.}, {50., 41.}, {30., 17.}, {20., 8.1}, {10., 2.2}};
+  for (const auto &[overpressure, dynamic] : table)
+    EXPECT_NEAR(
+      dynamic_pressure(overpressure * psi, ambient) / psi / dynamic, 1., 0.02)
+      << overpressure;
+  EXPECT_DOUBLE_EQ(standing_load(2e5, ambient),
+                   2e5 + dynamic_pressure(2e5, ambient));
+}
+
+// NASA-STD-8719.12A, table E-1: 50 % at 15.0 psi, 99 % at 74.4 psi.
 TEST(BlastInjury, BreaksHalfOfTheEardrumsAt104Kilopascal)
 {
+  EXPECT_NEAR(eardrum_rupture_probability(15. * psi), 0.5, 5e-3);
+  EXPECT_NEAR(eardrum_rupture_probability(74.4 * psi), 0.99, 3e-3);
   EXPECT_NEAR(eardrum_rupture_probability(103.7e3), 0.5, 1e-3);
   EXPECT_LT(eardrum_rupture_probability(34.5e3), 0.05);
   EXPECT_GT(eardrum_rupture_probability(400e3), 0.97);

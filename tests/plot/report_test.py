@@ -16,7 +16,6 @@ import re
 import shutil
 import sys
 import tempfile
-import types
 import unittest
 import unittest.mock
 
@@ -34,7 +33,7 @@ from plot.analysis import signals  # noqa: E402
 from plot.figures import (body_loads, body_views, plane_cuts,  # noqa: E402
                           style)
 from plot.readers.scene import Scene  # noqa: E402
-from plot.report import headline, page as html_page  # noqa: E402
+from plot.report import page as html_page  # noqa: E402
 
 
 class Made:
@@ -302,18 +301,49 @@ class ReportTest(unittest.TestCase):
         mean = tiny_scene.HARM["chest_wall_velocity", "chest and back"][0]
         self.expect(self.text, "10.8 m/s in front",
                     f"{html_page.number(mean)} m/s as the",
-                    "the chest load is 0.26 of the 50 % lethality load",
+                    "The chest load is 0.26 of the 50 % lethality load.",
                     "a probability of 79 %", "0.788", "peak 175 kPa", "0.264")
+        # The probe in the air is not where the body is.
+        self.assertNotIn("free-field load", self.text)
 
     def test_load_on_the_back(self):
-        """A charge behind the person loads the back, and the chest's measures
-        say too little; before the person, nothing is said."""
-        self.assertNotIn("understate", self.text)
-        scene = types.SimpleNamespace(gauge_measures=lambda: {
-            "chest": {"peak": 6.1e4}, "back": {"peak": 2.26e5}})
-        self.assertIn("The peak on the back, 226 kPa, exceeds that on the "
-                      "chest, 61.0 kPa: the chest load",
-                      headline._rear_load(scene).replace("\xa0", " "))
+        """With the charge behind the person, the back's load and velocity are
+        shown, in both runs."""
+        self.assertNotIn("back chest wall velocity", self.text)
+        folder = self.copy_without("biomechanics/fields.pvd", "blast/fields")
+        for stage in ("blast", "coarser_blast"):
+            path = os.path.join(folder, stage, "gauge_injury.csv")
+            with open(path, encoding="utf-8") as file:
+                found = file.read()
+            tiny_scene.write(path, re.sub(
+                "chest,|back,", lambda match: "back," if match[0] == "chest,"
+                else "chest,", found).replace("chest and chest", "chest and "
+                                              "back"))
+        made = Made(folder)
+        self.assertEqual(made.code, 0, made.errors)
+        words = text_of(made.page)
+        self.expect(words, "the chest wall velocity is 10.8 m/s at the back",
+                    "The back load is 0.26 of the 50 % lethality load.",
+                    "back load over the 50 % lethality load",
+                    "back chest wall velocity")
+        self.assertNotIn("in front and", words)
+
+    def test_load_in_the_air(self):
+        """At a probe as far from the charge as the body, Bowen's definition
+        gives the exposure and the probability of death."""
+        folder = self.copy_without("biomechanics/fields.pvd", "blast/fields")
+        path = os.path.join(folder, "blast", "parameters.prm")
+        with open(path, encoding="utf-8") as file:
+            found = file.read()
+        tiny_scene.write(path, found.replace("0.008, 2.337", "0.2, 0.65"))
+        made = Made(folder)
+        self.assertEqual(made.code, 0, made.errors)
+        self.expect(text_of(made.page),
+                    "The wave beside the body is 0.43 of the 50 % lethality "
+                    "load of the lung, by which less than 0.1 % of standing "
+                    "persons die. The chest load is 0.26 of it.",
+                    "free-field load over the 50 % lethality load",
+                    "probability of death by lung injury < 0.001")
 
     def test_brain_of_the_answer(self):
         """Both pressures and the strain, each with its own unit."""

@@ -2,15 +2,25 @@
 # Copyright (C) 2026 by the Contrecoup authors
 """Measures of injury with their errors, thresholds and verdicts."""
 
+import math
 import re
 
 from plot.report import error_estimate, injury_thresholds, page
 from plot.report.injury_thresholds import KNOWN
 
-# Names of the measures of gauge_injury.csv.
-SKIN_NAMES = {("chest_wall_velocity", "chest"): "chest_wall_front",
-              ("chest_wall_velocity", "chest and back"): "chest_wall_mean",
-              ("lung_exposure", "chest"): "lung_exposure"}
+# Names of the measures of gauge_injury.csv; of chest and back, the side with
+# the larger load is shown.
+SIDES = ("chest", "back")
+SKIN_NAMES = {("chest_wall_velocity", "chest and back"): "chest_wall_mean",
+              ("chest_wall_velocity", "chest"): "chest_wall_front",
+              ("chest_wall_velocity", "back"): "chest_wall_back",
+              ("lung_exposure", "chest"): "lung_exposure",
+              ("lung_exposure", "back"): "lung_exposure_back"}
+# Of those of probe_injury.csv that are shown, at a probe as far from the charge
+# as the body.
+AIR_NAMES = {"lung_exposure": "lung_exposure_air",
+             "lung_lethality": "lung_lethality"}
+AS_FAR = 0.05  # relative difference
 # Told with the checks of the run.
 NO_INJURY = ("injury_pressure_roughness",)
 PRESSURES = ("injury_intracranial_pressure_peak",
@@ -59,15 +69,20 @@ class Judged:
 
 def judge(scene):
     """All measures, those of the skin first."""
-    coarser = {} if scene.coarser is None else _measures_of(scene.coarser)
+    side = loaded_side(scene)
+    with_air = has_probe_at_body(scene)
+    coarser = {} if scene.coarser is None else _measures_of(
+        scene.coarser, side, with_air)
     # Errors of peak and duration can cancel in what follows from both.
-    peak_change = error_estimate.peak_change(scene, "chest")
+    peak_change = error_estimate.peak_change(scene, side)
     judged = []
-    for name, (value, unit, known) in _measures_of(scene).items():
+    for name, (value, unit, known) in _measures_of(
+            scene, side, with_air).items():
         other = coarser.get(name)
         error, of = (None, "") if other is None else error_estimate.of(
             scene, name, value, other[0])
-        if error is not None and name.startswith(("chest_wall_", "lung_")):
+        if error is not None and name.startswith(("chest_wall_", "lung_")) \
+                and name not in AIR_NAMES.values():
             error = max(error, peak_change)
         judged.append(Judged(name, value, unit, known, error, of,
                              None if other is None else other[0]))
@@ -84,7 +99,24 @@ def _share_errors(judged):
         entry.error = max(other.error for other in entries)
 
 
-def _measures_of(run):
+def loaded_side(scene):
+    """The one of SIDES with the larger exposure of the lung."""
+    injury = scene.gauge_injury()
+    found = [side for side in SIDES if ("lung_exposure", side) in injury]
+    return max(found, default=SIDES[0],
+               key=lambda side: injury["lung_exposure", side].value)
+
+
+def has_probe_at_body(scene):
+    """Whether the first probe in the air is as far from the charge as the
+    body."""
+    charge, probe = scene.charge_place(), scene.probe_place(1)
+    distance = scene.fact("distance")
+    return charge is not None and probe is not None and bool(distance) \
+        and abs(math.dist(charge, probe) / distance - 1.) < AS_FAR
+
+
+def _measures_of(run, side, with_air):
     """Value, unit, and what is known of each measure, by name; @p run: a
     Scene or its CoarserRun."""
     found = {}
@@ -92,7 +124,12 @@ def _measures_of(run):
     def add(name, value, unit, known):
         found[name] = value, unit, known
 
-    _add_skin(run, add)
+    _add_skin(run, side, add)
+    if with_air:
+        for (measure, place), one in run.air_injury().items():
+            name = AIR_NAMES.get(measure)
+            if place == "probe 1" and name is not None:
+                add(name, one.value, one.unit, KNOWN[name])
     for name, measure in run.measures().items():
         if name in NO_INJURY:
             continue
@@ -102,9 +139,9 @@ def _measures_of(run):
     return found
 
 
-def _add_skin(run, add):
-    """Measures of the recorded loads alone, eardrums first, as in the
-    table."""
+def _add_skin(run, side, add):
+    """Measures of the recorded loads alone, eardrums first, as in the table;
+    of chest and back those of a side, and their mean."""
     gauges = run.gauge_measures()
     for (measure, place), found in sorted(
             run.gauge_injury().items(),
@@ -117,7 +154,7 @@ def _add_skin(run, add):
                 (words.replace("an eardrum", f"the {place}drum"), thresholds,
                  source, limits if peak is None else
                  f"peak {page.quantity(peak, 'Pa')}; {limits}"))
-        elif name is not None:
+        elif name is not None and place in (side, "chest and back"):
             add(name, found.value, found.unit, KNOWN[name])
 
 
@@ -167,7 +204,7 @@ def _row(entry):
     lines = [page.escape(f"{page.plain(limit, entry.unit)}: {meaning}")
              for limit, meaning in entry.thresholds]
     lines.append(page.tag("small", entry.source))
-    value = [page.tag("b", _shown(entry.value, entry.unit))]
+    value = [page.tag("b", _shown(entry))]
     if entry.error is not None:
         value += [page.escape(page.error(entry.error)),
                   page.tag("small", f"due to {entry.error_of}")]
@@ -186,10 +223,12 @@ def _data_row(entry):
             entry.source, _verdict(entry), entry.limits)
 
 
-def _shown(value, unit):
-    if unit == "-" and abs(value) >= 0.9995 and abs(value) < 1.:
+def _shown(entry):
+    if entry.unit == "-" and 0.9995 <= abs(entry.value) < 1.:
         return ">\u00a00.999"
-    return page.quantity(value, unit)
+    if injury_thresholds.is_probability(entry.name) and entry.value < 5e-4:
+        return "<\u00a00.001"
+    return page.quantity(entry.value, entry.unit)
 
 
 def _verdict(entry):

@@ -3,9 +3,12 @@
 """Measures of injury: their names, thresholds with sources, and limitations."""
 
 AXELSSON = ("H. Axelsson, J. T. Yelverton, J. Trauma 40 (1996) S31–S37")
-BOWEN = ("I. G. Bowen, E. R. Fletcher, D. R. Richmond, DASA-2113 (1968)")
-RICHMOND = ("D. R. Richmond et al., Ann. Otol. Rhinol. Laryngol. 98 (1989) "
-            "35–41")
+BOWEN = ("I. G. Bowen, E. R. Fletcher, D. R. Richmond, DASA-2113 (1968), as "
+         "in LLNL-TR-468242 (2011)")
+TNO = "TNO, CPR 16E (1992); probit −12.6 + 1.524 ln p"
+SKIN_LOAD = ("the source takes the load in the free field; that on the skin is "
+             "reflected, so that this is an upper limit; the duration is that "
+             "of the first positive phase there")
 WARD = "C. Ward, M. Chan, A. Nahum, SAE 801304 (1980)"
 ZHANG = ("L. Zhang, K. H. Yang, A. I. King, J. Biomech. Eng. 126 (2004) "
          "226–236")
@@ -88,10 +91,26 @@ KNOWN = {
     "injury_lung_exposure": (
         "chest load over the 50 % lethality load",
         [(0.2, "threshold of lung injury"), (1., "50 % lethality")], BOWEN,
-        "for a simple blast wave and a body far from walls; the duration is "
-        "that of the first positive phase on the chest"),
+        SKIN_LOAD),
+    "lung_exposure_back": (
+        "back load over the 50 % lethality load",
+        [(0.2, "threshold of lung injury"), (1., "50 % lethality")], BOWEN,
+        SKIN_LOAD),
+    "lung_exposure_air": (
+        "free-field load over the 50 % lethality load",
+        [(0.2, "threshold of lung injury"), (1., "50 % lethality")], BOWEN,
+        "side-on plus dynamic pressure of the wave beside the body, as far "
+        "from the charge; for a simple wave and a person who stands far from "
+        "walls"),
+    "lung_lethality": (
+        "probability of death by lung injury",
+        [(0.01, "possible"), (0.5, "likely"), (0.99, "nearly certain")],
+        BOWEN, "of the free-field load; for 24 h without treatment, a simple "
+        "wave and a person who stands far from walls"),
     "chest_wall_front": (
         "front chest wall velocity", WALL_BANDS, AXELSSON, WALL_LIMITS),
+    "chest_wall_back": (
+        "back chest wall velocity", WALL_BANDS, AXELSSON, WALL_LIMITS),
     "chest_wall_mean": (
         "mean chest wall velocity (front and back)", WALL_BANDS, AXELSSON,
         WALL_LIMITS + "; here the mean of front and back, since the arms cover "
@@ -100,11 +119,16 @@ KNOWN = {
         "rupture probability of an eardrum",
         [(0.05, "rupture possible"), (0.5, "rupture likely"),
          (0.95, "rupture nearly certain")],
-        RICHMOND + "; probit −12.6 + 1.524 ln p",
+        TNO,
         "open ear without protection; depends on the peak alone, although "
         "longer waves injure more"),
 }
 KNOWN["lung_exposure"] = KNOWN["injury_lung_exposure"]
+
+
+def is_probability(name):
+    """Whether the value of a measure is a probability."""
+    return name.startswith("ear_") or name == "lung_lethality"
 
 
 def title(name):

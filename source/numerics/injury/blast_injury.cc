@@ -7,6 +7,16 @@
 
 namespace contrecoup
 {
+namespace
+{
+  /// Part of the standard normal distribution below @p deviation.
+  double normal_part_below(const double deviation)
+  {
+    return 0.5 * std::erfc(-deviation / std::sqrt(2.));
+  }
+} // namespace
+
+
 double lung_median_lethal_overpressure(const double duration,
                                        const double mass,
                                        const double ambient_pressure)
@@ -29,12 +39,31 @@ double lung_threshold_overpressure(const double duration,
 }
 
 
+double lung_lethality_probability(const double exposure)
+{
+  constexpr double deviation = 0.1788;
+  return exposure > 0. ? normal_part_below(std::log(exposure) / deviation) : 0.;
+}
+
+
+double dynamic_pressure(const double overpressure, const double ambient)
+{
+  return 2.5 * overpressure * overpressure / (7. * ambient + overpressure);
+}
+
+
+double standing_load(const double overpressure, const double ambient)
+{
+  return overpressure + dynamic_pressure(overpressure, ambient);
+}
+
+
 double eardrum_rupture_probability(const double overpressure)
 {
   if (!(overpressure > 0.))
     return 0.;
   const double probit = -12.6 + 1.524 * std::log(overpressure);
   // A probit of 5 is the median.
-  return 0.5 * std::erfc((5. - probit) / std::sqrt(2.));
+  return normal_part_below(probit - 5.);
 }
 } // namespace contrecoup

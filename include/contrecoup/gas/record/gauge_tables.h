@@ -26,9 +26,9 @@ std::string gauge_measures_table(const std::vector<GaugeBlast> &gauges);
 /**
  * CSV table of injuries that the loads at the gauges would cause, one row per
  * measure and place, with unit and definition: chest wall velocity at "chest"
- * and "back" and the mean of both, lung exposure at "chest", eardrum rupture
- * at gauges whose name ends with "ear"; see load_injury(). Empty without such
- * gauges.
+ * and "back" and the mean of both, lung exposure at "chest" and "back", eardrum
+ * rupture at gauges whose name ends with "ear"; see load_injury(). Empty
+ * without such gauges.
  *
  * @param times of the samples, increasing [s]
  * @param body_mass [kg]
@@ -36,4 +36,24 @@ std::string gauge_measures_table(const std::vector<GaugeBlast> &gauges);
 std::string gauge_injury_table(const std::vector<GaugeBlast> &gauges,
                                const std::vector<double> &times,
                                const double body_mass);
+
+/// Blast wave at a place in the air.
+struct AirBlast
+{
+  std::string place;
+  BlastMeasures blast;
+  double ambient = 0.; ///< pressure [Pa]
+};
+
+/**
+ * CSV table, as gauge_injury_table(), of injuries to a person who stands
+ * upright in the open at each place: lung exposure by standing_load(), the
+ * probability of death that follows, and eardrum rupture by the incident peak.
+ * Places that no blast has reached, or whose ambient pressure is none that
+ * people live at, are left out; empty without others.
+ *
+ * @param body_mass [kg]
+ */
+std::string air_injury_table(const std::vector<AirBlast> &places,
+                             const double body_mass);
 } // namespace contrecoup::gas
