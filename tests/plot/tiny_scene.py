@@ -173,7 +173,7 @@ def write_harm(folder, factor=1.):
                        ("probe_injury.csv", AIR_HARM)):
         write(os.path.join(folder, name),
               "measure,place,value,unit,definition\n" + "".join(
-                  f'{measure},{place},{factor * value!r},{unit},"of a model"\n'
+                  f'{measure},{place},{factor * value!r},{unit},"by a model of it"\n'
                   for (measure, place), (value, unit) in harm.items()))
 
 

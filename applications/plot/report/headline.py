@@ -70,15 +70,14 @@ def _wall(judged):
             break
     else:
         return ""
-    worst = side.meaning() or "none"
-    best = (mean.meaning() or "none") if mean else worst
-    words = worst if worst == best else f"{best} by the mean chest wall " \
-        f"velocity and {worst} by the one {where}"
-    text = (f"The expected lung injury is {words}: the chest wall velocity is "
-            f"{page.quantity(side.value, 'm/s')} {where}")
-    text += f" and {page.quantity(mean.value, 'm/s')} as the mean of front " \
-        "and back" if mean else ""
-    return text + "."
+    if mean is None:
+        return (f"The chest wall velocity {where} is "
+                f"{page.quantity(side.value, 'm/s')}; levels of injury are of "
+                "the mean over the sides alone.")
+    return (f"The expected lung injury is {mean.meaning() or 'none'} by the "
+            "mean chest wall velocity of front and back, "
+            f"{page.quantity(mean.value, 'm/s')}; {where} it is "
+            f"{page.quantity(side.value, 'm/s')}.")
 
 
 def _exposure(judged):

@@ -133,9 +133,10 @@ def _measures_of(run, side, with_air):
     for name, measure in run.measures().items():
         if name in NO_INJURY:
             continue
+        title, thresholds, source, limits = KNOWN.get(
+            name, (injury_thresholds.title(name), [], measure.threshold, ""))
         add(name, measure.value, measure.unit,
-            KNOWN.get(name) or (injury_thresholds.title(name), [],
-                                measure.threshold, measure.limits))
+            (title, thresholds, source, measure.limits or limits))
     return found
 
 

@@ -4,15 +4,19 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/record/gauge_tables.h>
 #include <contrecoup/numerics/injury/blast_injury.h>
+#include <contrecoup/numerics/injury/chest_wall.h>
+#include <contrecoup/numerics/injury/injury_criteria.h>
 #include <contrecoup/numerics/injury/load_injury.h>
 
 #include <map>
+#include <optional>
 
 namespace contrecoup::gas
 {
 namespace
 {
   const std::string chest = "chest", back = "back";
+  const std::string device = "device ";
   const std::string header = "measure,place,value,unit,definition\n";
 
   /// Ambient pressures that people live at [Pa].
@@ -69,6 +73,39 @@ namespace
   }
 
 
+  /// Rows of a blast test device.
+  std::string device_rows(const std::map<std::string, LoadInjury> &injuries)
+  {
+    const auto found = [&](const std::string &side) {
+      const auto entry = injuries.find(device + side);
+      return entry == injuries.end()
+               ? std::nullopt
+               : std::optional<double>(entry->second.chest_wall_velocity);
+    };
+    const auto front = found("front"), rear = found("back"),
+               left = found("left"), right = found("right");
+    if (!front || !rear || (!left && !right))
+      return "";
+    const double velocity =
+      (*front + *rear + left.value_or(right.value_or(0.)) +
+       right.value_or(left.value_or(0.))) /
+      4.;
+    return row("chest_wall_velocity",
+               "device",
+               velocity,
+               "m/s",
+               "mean over the four gauges of a blast test device (Axelsson "
+               "and Yelverton 1996)") +
+           row("thorax_injury_index",
+               "device",
+               thorax_injury_index(velocity),
+               "-",
+               "adjusted severity of injury index of that mean (Axelsson and "
+               "Yelverton 1996): " +
+                 injury_criterion("chest_wall_mean").meaning(velocity));
+  }
+
+
   std::string
   lung_exposure_rows(const std::map<std::string, LoadInjury> &injuries)
   {
@@ -122,7 +159,8 @@ std::string gauge_injury_table(const std::vector<GaugeBlast> &gauges,
   std::string ears;
   for (const GaugeBlast &gauge : gauges)
   {
-    if (gauge.place != chest && gauge.place != back && !is_ear(gauge.place))
+    if (gauge.place != chest && gauge.place != back && !is_ear(gauge.place) &&
+        gauge.place.rfind(device, 0) != 0)
       continue;
     const LoadInjury injury =
       load_injury(times,
@@ -138,8 +176,8 @@ std::string gauge_injury_table(const std::vector<GaugeBlast> &gauges,
                   "probability by the peak overpressure at this ear (TNO CPR "
                   "16E, 1992)");
   }
-  const std::string rows =
-    chest_wall_rows(injuries) + lung_exposure_rows(injuries) + ears;
+  const std::string rows = chest_wall_rows(injuries) + device_rows(injuries) +
+                           lung_exposure_rows(injuries) + ears;
   return rows.empty() ? "" : header + rows;
 }
 

@@ -187,11 +187,8 @@ void InjuryReport<Real>::add_head(std::vector<InjuryMeasure> &list) const
 {
   if (record_.times.size() < 2)
     return;
-  list.push_back(
-    head_motion_measure(record_.times,
-                        record_.speeds,
-                        "the mean motion of the brain; made for impacts, not "
-                        "blasts"));
+  list.push_back(head_motion_measure(
+    record_.times, record_.speeds, "the mean motion of the brain"));
   list.push_back(head_rotation_measure(record_.largest_angular_velocity,
                                        "the mean turning of the brain"));
 }

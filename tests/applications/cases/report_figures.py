@@ -278,10 +278,10 @@ def check_headline(page, files):
         rows = expected_injuries(files)
         where = {"chest": "in front", "back": "at the back"}[files.side]
         wanted += [
-            (rf"wall velocity is ({number} m/s) {where}",
-             files.skin["chest_wall_velocity", files.side]),
-            (rf" ({number} m/s) as the mean",
+            (rf"of front and back, ({number} m/s);",
              rows["mean chest wall velocity (front and back)"][0]),
+            (rf"; {where} it is ({number} m/s)",
+             files.skin["chest_wall_velocity", files.side]),
             (rf"The {files.side} load is ({number}) of ",
              files.skin["lung_exposure", files.side]),
             (r"of the (50 %) lethality", 0.5)]

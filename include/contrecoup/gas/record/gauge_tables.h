@@ -27,8 +27,13 @@ std::string gauge_measures_table(const std::vector<GaugeBlast> &gauges);
  * CSV table of injuries that the loads at the gauges would cause, one row per
  * measure and place, with unit and definition: chest wall velocity at "chest"
  * and "back" and the mean of both, lung exposure at "chest" and "back", eardrum
- * rupture at gauges whose name ends with "ear"; see load_injury(). Empty
- * without such gauges.
+ * rupture at gauges whose name ends with "ear"; see load_injury(). Of a blast
+ * test device, a cylinder of 0.305 m diameter and 0.762 m height (NATO AEP-55,
+ * vol. 3, 2011) with the gauges "device front", "device back", "device left"
+ * and "device right" at half its height, the chest wall velocity that Axelsson
+ * and Yelverton (1996) define, the mean of the four, and their index of injury;
+ * half a device has one of its sides, which counts twice. Empty without such
+ * gauges.
  *
  * @param times of the samples, increasing [s]
  * @param body_mass [kg]

@@ -16,4 +16,9 @@ struct InjuryMeasure
   std::string threshold; ///< including its source
   std::string limits;    ///< limits of its validity
 };
+
+/// A measure with what injury_criterion() knows of its name.
+InjuryMeasure known_measure(const std::string &name,
+                            const std::string &unit,
+                            const double value);
 } // namespace contrecoup::solid
