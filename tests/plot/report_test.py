@@ -377,8 +377,8 @@ class ReportTest(unittest.TestCase):
             "The run assumes 3.5 MJ/kg of afterburn (at most 7.3 MJ/kg is "
             "possible), which raises the incident peak by at most 28 % and the incident "
             "impulse by at most 32 %.",
-            "7.7 % of the internal energy is hourglass energy (warning from 5 "
-            "%, limit 10 %).",
+            "7.7 % of the largest internal energy was stored in hourglass "
+            "modes (warning from 5 %, limit 10 %).",
             "Beyond its limit: number of cells in the positive phase at the "
             "body (12.3; limit: at least 15).")
         answer = re.search('<div class="answer">(.*?)</div>', self.page)[1]
@@ -441,8 +441,8 @@ class ReportTest(unittest.TestCase):
             "duration is 26 % above Kingery and Bulmash; reflections by "
             "ground and body contribute to this.",
             "2.1 % of the body's energy is missing (limit 1 %) and 7.7 % of "
-            "the internal energy is hourglass energy (warning from 5 %, limit "
-            "10 %).",
+            "the largest internal energy was stored in hourglass modes "
+            "(warning from 5 %, limit 10 %).",
             "The run leaves out afterburn, which would raise the incident "
             "peak by at most 28 %",
             "The run ends before the positive phase does at chest: the "

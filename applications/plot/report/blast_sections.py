@@ -9,7 +9,7 @@ import numpy as np
 from plot.readers import files, loads
 from plot.analysis import signals
 from plot.figures import body_loads, body_views, plane_cuts, style
-from plot.report import page
+from plot.report import error_estimate, page
 
 
 def air(scene):
@@ -125,6 +125,7 @@ def _largest_peak(gauges):
 def _gauge_table(scene, gauges):
     rows = []
     time = gauges["time"]
+    errors = error_estimate.of_scene_gauges(scene)
     for name, measures in scene.gauge_measures().items():
         if measures["peak"] <= 0. or name not in gauges:
             continue
@@ -136,9 +137,13 @@ def _gauge_table(scene, gauges):
             page.at_least(1e3 * measures["positive phase"],
                           signals.is_cut(time, measures)),
             page.number(1e-3 * lowest) if lowest < -1. else "–",
-            page.number(1e6 * signals.rise_time(time, gauges[name]), 2)))
+            page.number(1e6 * signals.rise_time(time, gauges[name]), 2))
+            + tuple(page.error(errors[name][measure])
+                    if measure in errors.get(name, {}) else "unknown"
+                    for measure in error_estimate.GAUGE_MEASURES))
     header = ("place", "arrival [ms]", "peak [kPa]", "impulse [Pa s]",
-              "positive phase [ms]", "minimum [kPa]", "rise time [µs]")
+              "positive phase [ms]", "minimum [kPa]", "rise time [µs]",
+              "error of peak", "error of impulse", "error of phase")
     return page.table(
         header, rows,
         "Arrival: the middle of the first rise. Positive phase and impulse "
@@ -146,7 +151,8 @@ def _gauge_table(scene, gauges):
         "after its peak; ≥ means that the run ended before. Minimum: a dash means that the "
         "pressure never falls below the ambient pressure. Rise time: from a "
         "tenth to nine tenths of the first peak; cells and patches lengthen "
-        "it.", numbers=range(1, 7),
+        "it. Errors are numerical, estimated from the coarser run.",
+        numbers=range(1, 10),
         data=(header + ("positive phase",),
               [row + ("cut by the end of the run" if row[4].startswith("≥")
                       else "complete",) for row in rows]))

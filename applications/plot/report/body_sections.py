@@ -33,6 +33,7 @@ ENERGIES = (("external_work", "work of the loads"),
             ("relaxation_energy", "lost by relaxation"),
             ("bulk_viscosity_energy", "lost by bulk viscosity"),
             ("hourglass_energy", "hourglass energy"),
+            ("hourglass_damping_energy", "lost by hourglass damping"),
             ("energy_residual", "missing energy"))
 
 
@@ -310,7 +311,7 @@ def _verdict(scene):
                  kind="good" if holds else "bad"),
         f": {page.percent(abs(residual))} of the energy is missing (limit "
         f"{page.plain(100. * limits[0], '%')}), and {page.percent(part)} of "
-        "the internal energy is hourglass energy (limit "
+        "the largest internal energy was stored in hourglass modes (limit "
         f"{page.plain(100. * limits[1], '%')}, warning from 5 %).")
 
 

@@ -2,12 +2,51 @@
 # Copyright (C) 2026 by the Contrecoup authors
 """Numerical errors of a scene, from its run with larger cells and elements."""
 
+import math
+import statistics
+
 from plot.report import page
 
 # Assumed order of convergence: pressures at fronts converge slower than to
 # first order. See parameter_files/scene/error_estimate.md for how often the
 # estimate covers the difference to finer cells.
 ORDER = 0.7
+
+
+# Measures of gauge_measures.csv that have an estimated error.
+GAUGE_MEASURES = ("peak", "impulse", "positive phase")
+# Smallest relative error of a gauge's measure: two runs can agree by chance.
+LEAST = 0.02
+
+
+def of_gauges(fine, coarse, ratio, names=GAUGE_MEASURES):
+    """Relative errors by gauge and measure, from the measures of both runs (as
+    Scene.gauge_measures()) and the ratio of their cells. Two runs can agree at
+    a place by chance: no error is smaller than LEAST, or than the median of its
+    measure over all gauges. Measures that are missing or not positive have
+    none."""
+    times = 1. / (ratio ** ORDER - 1.)
+    errors = {gauge: {} for gauge in fine}
+    for name in names:
+        for gauge, measures in fine.items():
+            value = measures.get(name, math.nan)
+            other = coarse.get(gauge, {}).get(name, math.nan)
+            if value > 0. and math.isfinite(other):
+                errors[gauge][name] = times * abs(other / value - 1.)
+        known = [one[name] for one in errors.values() if name in one]
+        for one in errors.values():
+            if name in one:
+                one[name] = max(one[name], LEAST, statistics.median(known))
+    return errors
+
+
+def of_scene_gauges(scene):
+    """of_gauges() of a scene and its coarser run; {} without one."""
+    if scene.coarser is None:
+        return {}
+    ratio = (scene.facts.get("coarser_run") or {}).get("cell_ratio", 2.)
+    return of_gauges(scene.gauge_measures(), scene.coarser.gauge_measures(),
+                     ratio)
 
 
 def factor(scene, name):

@@ -254,7 +254,8 @@ def _energy(scene):
             ("energy_residual", "Largest residual", LARGEST_RESIDUAL, None,
              "of the body's energy is missing"),
             ("hourglass_part", "Largest hourglass part", LARGEST_HOURGLASS,
-             NOTED_HOURGLASS, "of the internal energy is hourglass energy")):
+             NOTED_HOURGLASS,
+             "of the largest internal energy was stored in hourglass modes")):
         part = scene.biomechanics.found("checks", name)
         limit = (scene.biomechanics.parameter(f"Energy audit/{entry}")
                  or [usual])[0]

@@ -199,7 +199,8 @@ EnergyLedger SolidBody<Real>::energy_ledger() const
                     one.stored,
                     one.hourglass,
                     one.bulk_viscosity,
-                    one.relaxation});
+                    one.relaxation,
+                    one.hourglass_damping});
   dealii::Utilities::MPI::sum(numbers, communicator_, numbers);
   ledger.external_work = numbers[0];
   ledger.contact = numbers[3];
@@ -209,13 +210,14 @@ EnergyLedger SolidBody<Real>::energy_ledger() const
   const double *next = &numbers[4];
   for (TissueEnergies &one : ledger.tissues)
   {
-    one = {next[0], next[1], next[2], next[3], next[4]};
-    next += 5;
+    one = {next[0], next[1], next[2], next[3], next[4], next[5]};
+    next += 6;
     ledger.sum.kinetic += one.kinetic;
     ledger.sum.stored += one.stored;
     ledger.sum.hourglass += one.hourglass;
     ledger.sum.bulk_viscosity += one.bulk_viscosity;
     ledger.sum.relaxation += one.relaxation;
+    ledger.sum.hourglass_damping += one.hourglass_damping;
   }
   return ledger;
 }

@@ -291,9 +291,9 @@ SolidBody<Real>::read_header(std::istream &in, const std::string &file)
   step_change_ += header.step_change;
   for (std::size_t i = 0; i < losses.size(); ++i)
   {
-    operator_.losses()[i].hourglass += losses[i].hourglass;
     operator_.losses()[i].bulk_viscosity += losses[i].bulk_viscosity;
     operator_.losses()[i].relaxation += losses[i].relaxation;
+    operator_.losses()[i].hourglass_damping += losses[i].hourglass_damping;
   }
   return header;
 }

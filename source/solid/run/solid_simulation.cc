@@ -6,6 +6,7 @@
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/base/system/timers.h>
+#include <contrecoup/io/file/binary_records.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/solid/body/tissue_measures.h>
 #include <contrecoup/solid/boundary/load_alignment.h>
@@ -24,9 +25,6 @@ namespace
 
   /// Memory per element with its nodes and a part of the mesh [bytes].
   constexpr double typical_memory = 900.;
-
-  /// Ratio of hourglass to internal energy above which a warning is given.
-  constexpr double notable_hourglass = 0.05;
 
   /// Steps between evaluations of the stable step of the deformed body.
   constexpr double steps_between_checks = 50.;
@@ -82,24 +80,7 @@ void SolidSimulation<Real>::declare_parameters(ParameterHandler &prm)
   SolidProbes::declare_parameters(prm);
   InjuryReport<Real>::declare_parameters(prm);
   PeakFields<Real>::declare_parameters(prm);
-  const Section section(prm, "Energy audit");
-  declare_double(prm,
-                 "Largest residual",
-                 "0.01",
-                 0.,
-                 1e6,
-                 "-",
-                 "The run fails if the energy balance of elements and nodes "
-                 "against the work of loads misses more than this fraction "
-                 "at the end.");
-  declare_double(prm,
-                 "Largest hourglass part",
-                 "0.1",
-                 0.,
-                 1e6,
-                 "-",
-                 "The run fails if hourglass energy exceeds this fraction "
-                 "of internal energy at the end; 0.05 is a warning.");
+  EnergyAudit::declare_parameters(prm);
 }
 
 
@@ -123,11 +104,7 @@ void SolidSimulation<Real>::parse_parameters(ParameterHandler &prm)
   probes_.parse_parameters(prm);
   injury_.parse_parameters(prm);
   peaks_.parse_parameters(prm);
-  {
-    const Section section(prm, "Energy audit");
-    largest_residual_ = read_double(prm, "Largest residual");
-    largest_hourglass_ = read_double(prm, "Largest hourglass part");
-  }
+  audit_.parse_parameters(prm);
   const Section section(prm, "Time");
   end_time_ = read_double(prm, "End time");
 }
@@ -278,11 +255,7 @@ EnergyLedger SolidSimulation<Real>::check_energy()
 {
   const TimerScope timer("energy audit");
   EnergyLedger ledger = body_.energy_ledger();
-  energy_scale_ =
-    std::max({energy_scale_,
-              ledger.initial,
-              std::abs(ledger.external_work),
-              ledger.sum.kinetic + std::abs(ledger.sum.internal())});
+  audit_.record(ledger);
   return ledger;
 }
 
@@ -299,6 +272,7 @@ std::vector<NamedValue> SolidSimulation<Real>::history()
     {"internal_energy", "J", sum.internal()},
     {"stored_energy", "J", sum.stored},
     {"hourglass_energy", "J", sum.hourglass},
+    {"hourglass_damping_energy", "J", sum.hourglass_damping},
     {"bulk_viscosity_energy", "J", sum.bulk_viscosity},
     {"relaxation_energy", "J", sum.relaxation},
     {"external_work", "J", ledger.external_work},
@@ -380,21 +354,14 @@ template <typename Real>
 std::vector<NamedValue> SolidSimulation<Real>::checks()
 {
   const EnergyLedger ledger = check_energy();
-  const double scale = std::max(energy_scale_, 1e-300);
-  std::vector<NamedValue> values{
-    {"energy_residual", "-", ledger.residual() / scale},
-    {"nodal_work_difference",
-     "-",
-     (ledger.nodal_internal_work + ledger.initial - ledger.sum.internal()) /
-       scale},
-    {"hourglass_part",
-     "-",
-     ledger.sum.hourglass / std::max(ledger.sum.internal(), 1e-3 * scale)},
+  std::vector<NamedValue> values = audit_.checks(ledger, body_.mesh().tissues);
+  const std::initializer_list<NamedValue> others{
     {"quiet_elements", "-", body_.skipped_fraction()},
     {"stable_step", "s", stable_step_},
     {"element_step", "s", stability_.element_step},
     {"body_step", "s", stability_.body_step},
     {"least_volume", "-", body_.least_volume()}};
+  values.insert(values.end(), others);
   for (const NamedValue &value : body_.mass_scaling().report())
     values.push_back(value);
   for (const NamedValue &value : body_.loads().check_values())
@@ -422,31 +389,7 @@ template <typename Real>
 void SolidSimulation<Real>::finish(const std::string &folder)
 {
   report_injury(folder);
-  const EnergyLedger ledger = check_energy();
-  if (energy_scale_ == 0.)
-    return;
-  const double residual = std::abs(ledger.residual()) / energy_scale_;
-  log_line("energy: " + brief(ledger.sum.kinetic) + " J kinetic, " +
-           brief(ledger.sum.internal()) + " J internal, work of loads " +
-           brief(ledger.external_work) + " J, missing " +
-           brief(100. * residual, 3) + " %");
-  if (!(residual <= largest_residual_))
-    throw NumericsError(
-      "energy audit: " + brief(100. * residual) +
-      " % of the energy is missing; Energy audit/Largest residual allows " +
-      brief(100. * largest_residual_) + " %");
-  const double hourglass_fraction =
-    ledger.sum.hourglass /
-    std::max(ledger.sum.internal(), 1e-3 * energy_scale_);
-  if (hourglass_fraction > largest_hourglass_)
-    throw NumericsError("energy audit: hourglass control has " +
-                        brief(100. * hourglass_fraction) +
-                        " % of the internal energy; Energy audit/Largest "
-                        "hourglass part allows " +
-                        brief(100. * largest_hourglass_) + " %");
-  if (hourglass_fraction > notable_hourglass)
-    log_line("WARNING: hourglass control has " +
-             brief(100. * hourglass_fraction) + " % of the internal energy");
+  audit_.judge(check_energy(), body_.mesh().tissues);
 }
 
 
@@ -468,8 +411,9 @@ void SolidSimulation<Real>::save(const std::string &folder)
   if (dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
     io::write_file(folder + "/probes.bin", [&](std::ostream &out) {
       for (const double value :
-           {energy_scale_, reduction_, deformed_step_, steps_until_check_})
-        out.write(reinterpret_cast<const char *>(&value), sizeof(value));
+           {reduction_, deformed_step_, steps_until_check_})
+        io::write_binary(out, value);
+      audit_.save(out);
       probes_.save(out);
     });
 }
@@ -485,9 +429,9 @@ void SolidSimulation<Real>::restore(const std::string &folder)
   if (peaks_.active())
     peaks_.restore(body_, folder);
   std::istringstream stream(io::read_file(folder + "/probes.bin"));
-  for (double *value :
-       {&energy_scale_, &reduction_, &deformed_step_, &steps_until_check_})
-    stream.read(reinterpret_cast<char *>(value), sizeof(*value));
+  for (double *value : {&reduction_, &deformed_step_, &steps_until_check_})
+    io::read_binary(stream, *value);
+  audit_.load(stream, body_.mesh().tissues.size());
   probes_.load(stream);
   if (!stream)
     throw InputError("Checkpoint file " + folder +

@@ -8,6 +8,7 @@ import csv
 import json
 import os
 import re
+import statistics
 
 import report_reader
 from report_reader import require_same
@@ -109,6 +110,13 @@ class Files:
         self.coarser.update({
             name: value
             for value, name in of_skin(skin, self.side).values()})
+
+    def limit(self, stage, entry):
+        """A number that a stage was given by an entry of one place."""
+        with open(os.path.join(self.output, stage, "parameters.prm"),
+                  encoding="utf-8") as file:
+            return float(re.search(rf"set {entry} *= *(\S+)",
+                                   file.read())[1])
 
     def peak(self, place):
         return self.places[place]["peak"]
@@ -390,11 +398,12 @@ def _afterburn(files):
 def _energy(files):
     """Missing energy above its limit, hourglass energy above 5 %."""
     known = values_of(files.summary["biomechanics"], "checks")
+    most = files.limit("biomechanics", "Largest hourglass part")
     number, wanted = report_reader.NUMBER, []
     for name, noted, limit, words in (
             ("energy_residual", 0.01, 0.01, "of the body's energy is missing"),
-            ("hourglass_part", 0.05, 0.1,
-             "of the internal energy is hourglass energy")):
+            ("hourglass_part", 0.05, most,
+             "of the largest internal energy was stored in hourglass modes")):
         if abs(known.get(name, 0.)) > noted:
             wanted += [(rf"({number} %) {words}", abs(known[name])),
                        (rf"{words} \(.*?limit ({number} %)\)", limit)]
@@ -432,6 +441,34 @@ def check_gauges(page, files):
             require_same(_with_unit(header, row[header]), value,
                          f"{row['place']}, {header}")
         count += len(known)
+    return count + _check_gauge_errors(rows, files)
+
+
+def _gauge_errors(files, name):
+    """Of a measure at each place, of order 0.7; at least their median and 2 %."""
+    factor = 1. / (2. ** 0.7 - 1.)
+    errors = {place: factor * abs(files.coarser_places[place][name]
+                                  / measures[name] - 1.)
+              for place, measures in files.places.items()
+              if measures[name] > 0. and place in files.coarser_places}
+    least = max(0.02, statistics.median(errors.values())) if errors else 0.
+    return {place: max(error, least) for place, error in errors.items()}
+
+
+def _check_gauge_errors(rows, files):
+    count = 0
+    for header, name in (("error of peak", "peak"),
+                         ("error of impulse", "impulse"),
+                         ("error of phase", "positive phase")):
+        errors = _gauge_errors(files, name)
+        for row in rows:
+            told, error = row[header], errors.get(row["place"])
+            if error is None or error > 1.:
+                require(told == ("unknown" if error is None
+                                 else "± more than 100 %"), f"{row}")
+            else:
+                require_same(told.lstrip("± "), error, f"{row}")
+            count += 1
     return count
 
 
@@ -522,6 +559,7 @@ def check_energy(page, files):
              "lost by relaxation": "relaxation_energy",
              "lost by bulk viscosity": "bulk_viscosity_energy",
              "hourglass energy": "hourglass_energy",
+             "lost by hourglass damping": "hourglass_damping_energy",
              "missing energy": "energy_residual"}
     rows = page.table("Energy of the body").records()
     require(len(rows) >= 5, "energies are missing")

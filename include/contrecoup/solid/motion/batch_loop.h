@@ -78,7 +78,7 @@ void SolidOperator<Real>::add_batches(const Range &range,
     }
     losses.bulk_viscosity += sum_of<Real>(sum.bulk_viscosity);
     losses.relaxation += sum_of<Real>(sum.relaxation);
-    losses.hourglass += sum_of<Real>(sum.hourglass);
+    losses.hourglass_damping += sum_of<Real>(sum.hourglass);
   }
   least_dilatations_[range.tissue] =
     std::min(least_dilatations_[range.tissue], least_of<Real>(least));

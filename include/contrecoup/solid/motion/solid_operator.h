@@ -14,15 +14,15 @@ namespace contrecoup::solid
 struct TissueEnergies
 {
   double kinetic = 0.;
-  double stored = 0.; ///< elastic strain energy
-  /// stored in hourglass modes, or dissipated by their damping
-  double hourglass = 0.;
+  double stored = 0.;    ///< elastic strain energy
+  double hourglass = 0.; ///< stored in hourglass modes
   double bulk_viscosity = 0.;
-  double relaxation = 0.; ///< dissipated in Prony branches
+  double relaxation = 0.;        ///< dissipated in Prony branches
+  double hourglass_damping = 0.; ///< dissipated in hourglass modes
 
   double internal() const
   {
-    return stored + hourglass + bulk_viscosity + relaxation;
+    return stored + hourglass + bulk_viscosity + relaxation + hourglass_damping;
   }
 };
 

@@ -11,6 +11,7 @@
 #include <contrecoup/solid/record/displacement_field.h>
 #include <contrecoup/solid/record/peak_fields.h>
 #include <contrecoup/solid/record/solid_probes.h>
+#include <contrecoup/solid/run/energy_audit.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -82,8 +83,7 @@ private:
   PeakFields<Real> peaks_;
   double safety_ = 0.9;
   double smallest_step_ = 0.; ///< of an element, for mass scaling [s]
-  double largest_residual_ = 0.01;
-  double largest_hourglass_ = 0.1;
+  EnergyAudit audit_;
   double end_time_ = 0.;
 
   SolidBody<Real> body_;
@@ -93,6 +93,5 @@ private:
   double deformed_step_ = std::numeric_limits<double>::infinity();
   /// until the next check of deformed elements
   double steps_until_check_ = 0.;
-  double energy_scale_ = 0.; ///< largest energy so far [J]
 };
 } // namespace contrecoup::solid

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/run/simulation.h>
+#include <contrecoup/solid/motion/solid_body.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <iosfwd>
+
+namespace contrecoup::solid
+{
+/**
+ * The energy balance of a run and its gates, subsection "Energy audit": missing
+ * energy, and energy stored in hourglass modes, the largest one over the run
+ * against the largest internal energy over the run, for the whole body and by
+ * tissue. Energies are seen when record() is called.
+ */
+class EnergyAudit
+{
+public:
+  static void declare_parameters(dealii::ParameterHandler &prm);
+  void parse_parameters(dealii::ParameterHandler &prm);
+
+  /// Takes note of the present energies.
+  void record(const EnergyLedger &ledger);
+
+  /// Largest energy so far [J].
+  double scale() const
+  {
+    return scale_;
+  }
+
+  /// Residual and difference of nodal work over the largest energy [-], parts
+  /// of hourglass energy and of the heat of hourglass damping [-].
+  std::vector<NamedValue> checks(const EnergyLedger &ledger,
+                                 const std::vector<Tissue> &tissues) const;
+
+  /// Logs the balance, and warnings. @throws NumericsError if a gate is
+  /// exceeded
+  void judge(const EnergyLedger &ledger,
+             const std::vector<Tissue> &tissues) const;
+
+  /// For checkpoints.
+  void save(std::ostream &out) const;
+  void load(std::istream &in, std::size_t n_tissues);
+
+private:
+  /// Largest energies of a tissue, or of the body, over time [J].
+  struct Largest
+  {
+    double internal = 0.;
+    double hourglass = 0.;
+  };
+
+  /// Largest stored hourglass energy over the largest internal energy [-];
+  /// energies below a thousandth of the largest energy of the run do not count.
+  double hourglass_part(const Largest &largest) const;
+  double residual(const EnergyLedger &ledger) const;
+  void judge_residual(const EnergyLedger &ledger) const;
+  void judge_hourglass(const std::vector<Tissue> &tissues) const;
+
+  double largest_residual_ = 0.01;
+  double largest_hourglass_ = 0.1;
+  double scale_ = 0.;
+  Largest body_;
+  std::vector<Largest> tissues_;
+};
+} // namespace contrecoup::solid

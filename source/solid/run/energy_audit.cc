@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/log.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/io/file/binary_records.h>
+#include <contrecoup/solid/body/tissue_measures.h>
+#include <contrecoup/solid/run/energy_audit.h>
+
+namespace contrecoup::solid
+{
+namespace
+{
+  /// Hourglass part above which a warning is given.
+  constexpr double notable_hourglass = 0.05;
+
+  /// Fraction of the largest energy of the run below which the internal energy
+  /// of the body or a tissue is not judged.
+  constexpr double judged_fraction = 1e-3;
+
+  constexpr const char *section_name = "Energy audit";
+} // namespace
+
+
+void EnergyAudit::declare_parameters(dealii::ParameterHandler &prm)
+{
+  const Section section(prm, section_name);
+  declare_double(prm,
+                 "Largest residual",
+                 "0.01",
+                 0.,
+                 1e6,
+                 "-",
+                 "The run fails if the energy balance of elements and nodes "
+                 "against the work of loads misses more than this fraction "
+                 "at the end.");
+  declare_double(prm,
+                 "Largest hourglass part",
+                 "0.1",
+                 0.,
+                 1e6,
+                 "-",
+                 "The run fails if the largest energy stored in hourglass "
+                 "modes over time exceeds this fraction of the largest "
+                 "internal energy over time; 0.05 is a warning, and so is "
+                 "this fraction in a tissue.");
+}
+
+
+void EnergyAudit::parse_parameters(dealii::ParameterHandler &prm)
+{
+  const Section section(prm, section_name);
+  largest_residual_ = read_double(prm, "Largest residual");
+  largest_hourglass_ = read_double(prm, "Largest hourglass part");
+}
+
+
+void EnergyAudit::record(const EnergyLedger &ledger)
+{
+  scale_ = std::max({scale_,
+                     ledger.initial,
+                     std::abs(ledger.external_work),
+                     ledger.sum.kinetic + std::abs(ledger.sum.internal())});
+  const auto add = [](Largest &largest, const TissueEnergies &energies) {
+    largest.internal = std::max(largest.internal, energies.internal());
+    largest.hourglass = std::max(largest.hourglass, energies.hourglass);
+  };
+  add(body_, ledger.sum);
+  tissues_.resize(ledger.tissues.size());
+  for (std::size_t i = 0; i < tissues_.size(); ++i)
+    add(tissues_[i], ledger.tissues[i]);
+}
+
+
+double EnergyAudit::hourglass_part(const Largest &largest) const
+{
+  return largest.hourglass /
+         std::max({largest.internal, judged_fraction * scale_, 1e-300});
+}
+
+
+double EnergyAudit::residual(const EnergyLedger &ledger) const
+{
+  return ledger.residual() / std::max(scale_, 1e-300);
+}
+
+
+std::vector<NamedValue>
+EnergyAudit::checks(const EnergyLedger &ledger,
+                    const std::vector<Tissue> &tissues) const
+{
+  const double internal =
+    std::max({body_.internal, judged_fraction * scale_, 1e-300});
+  std::vector<NamedValue> values{
+    {"energy_residual", "-", residual(ledger)},
+    {"nodal_work_difference",
+     "-",
+     (ledger.nodal_internal_work + ledger.initial - ledger.sum.internal()) /
+       std::max(scale_, 1e-300)},
+    {"hourglass_part", "-", hourglass_part(body_)},
+    {"hourglass_damping_part", "-", ledger.sum.hourglass_damping / internal}};
+  if (tissues.size() > 1)
+    for (std::size_t i = 0; i < tissues_.size(); ++i)
+      values.push_back({tissue_column("hourglass_part", tissues[i]),
+                        "-",
+                        hourglass_part(tissues_[i])});
+  return values;
+}
+
+
+void EnergyAudit::judge_residual(const EnergyLedger &ledger) const
+{
+  const double missing = std::abs(residual(ledger));
+  log_line("energy: " + brief(ledger.sum.kinetic) + " J kinetic, " +
+           brief(ledger.sum.internal()) + " J internal, work of loads " +
+           brief(ledger.external_work) + " J, missing " +
+           brief(100. * missing, 3) + " %");
+  if (!(missing <= largest_residual_))
+    throw NumericsError(
+      "energy audit: " + brief(100. * missing) +
+      " % of the energy is missing; Energy audit/Largest residual allows " +
+      brief(100. * largest_residual_) + " %");
+}
+
+
+void EnergyAudit::judge_hourglass(const std::vector<Tissue> &tissues) const
+{
+  const double part = hourglass_part(body_);
+  if (part > largest_hourglass_)
+    throw NumericsError("energy audit: hourglass modes store " +
+                        brief(100. * part) +
+                        " % of the largest internal energy; Energy "
+                        "audit/Largest hourglass part allows " +
+                        brief(100. * largest_hourglass_) + " %");
+  if (part > notable_hourglass)
+    log_line("WARNING: hourglass modes store " + brief(100. * part) +
+             " % of the largest internal energy");
+  if (tissues.size() > 1)
+    for (std::size_t i = 0; i < tissues_.size(); ++i)
+      if (const double here = hourglass_part(tissues_[i]);
+          here > largest_hourglass_)
+        log_line("WARNING: hourglass modes store " + brief(100. * here, 3) +
+                 " % of the largest internal energy of " + name_of(tissues[i]));
+}
+
+
+void EnergyAudit::judge(const EnergyLedger &ledger,
+                        const std::vector<Tissue> &tissues) const
+{
+  if (scale_ == 0.)
+    return;
+  judge_residual(ledger);
+  judge_hourglass(tissues);
+}
+
+
+void EnergyAudit::save(std::ostream &out) const
+{
+  io::write_binary(out, scale_);
+  io::write_binary(out, body_);
+  for (const Largest &one : tissues_)
+    io::write_binary(out, one);
+}
+
+
+void EnergyAudit::load(std::istream &in, const std::size_t n_tissues)
+{
+  io::read_binary(in, scale_);
+  io::read_binary(in, body_);
+  tissues_.resize(n_tissues);
+  for (Largest &one : tissues_)
+    io::read_binary(in, one);
+}
+} // namespace contrecoup::solid
