@@ -368,6 +368,11 @@ class ReportTest(unittest.TestCase):
         self.expect(self.text, "could change one of six verdicts: mean chest "
                     "wall velocity.")
 
+    def test_probability(self):
+        """Of a verdict, with the interval of the numerical error."""
+        self.expect(self.text, "head injury of AIS 2 or worse: 44 % (44 % to "
+                    "44 %)")
+
     def test_items_of_the_answer(self):
         """What could change it, in plain words."""
         self.expect(

@@ -34,6 +34,7 @@ QUANTITIES = (["displacement_" + axis + " [m]" for axis in "xyz"]
 INJURY = {"injury_intracranial_pressure_peak": (1.0425e6, "Pa"),
           "injury_intracranial_pressure_lowest": (-8.1e5, "Pa"),
           "injury_strain_95": (0.0542, "-"), "injury_hic15": (931., "-"),
+          "injury_hic15_ais2": (0.4403, "-"),
           "injury_pressure_roughness": (0.515, "-")}
 
 # Rows of the audit as scene writes them; no limit judges the last one.

@@ -41,6 +41,9 @@ class Judged:
         self.coarser, self.error, self.error_of = coarser, error, error_of
         self.has_verdict = bool(self.thresholds) \
             and name not in injury_thresholds.EXPOSURES
+        # Events by this measure, probabilities, and their absolute errors or
+        # None.
+        self.probabilities = []
 
     def short_title(self):
         """The abbreviation, or the title without its brackets."""
@@ -87,7 +90,23 @@ def judge(scene):
         judged.append(Judged(name, value, unit, known, error, of,
                              None if other is None else other[0]))
     _share_errors(judged)
+    add_probabilities(judged, scene.measures(),
+                      {} if scene.coarser is None else scene.coarser.measures(),
+                      error_estimate.factor(scene, "injury")[0])
     return judged
+
+
+def add_probabilities(judged, measures, coarser, times):
+    """The probabilities that biomechanics gives by the measures; errors are the
+    differences to the coarser run, several times."""
+    for entry in judged:
+        for name, event in injury_thresholds.CURVES.get(entry.name, ()):
+            if name not in measures:
+                continue
+            value = measures[name].value
+            error = times * abs(coarser[name].value - value) \
+                if name in coarser else None
+            entry.probabilities.append((event, value, error))
 
 
 def _share_errors(judged):
@@ -131,7 +150,7 @@ def _measures_of(run, side, with_air):
             if place == "probe 1" and name is not None:
                 add(name, one.value, one.unit, KNOWN[name])
     for name, measure in run.measures().items():
-        if name in NO_INJURY:
+        if name in NO_INJURY or name in injury_thresholds.OF_CURVES:
             continue
         title, thresholds, source, limits = KNOWN.get(
             name, (injury_thresholds.title(name), [], measure.threshold, ""))
@@ -246,4 +265,16 @@ def _verdict(entry):
     certain = entry.is_certain()
     note = "" if certain is None else "; the error does not change this" \
         if certain else "; a threshold lies within the error"
-    return page.Html(page.tag("span", word, kind=kind) + page.escape(note))
+    return page.Html(page.tag("span", word, kind=kind) + page.escape(note)
+                     + "".join(page.tag("small", "; " + words)
+                               for words in _chances(entry)))
+
+
+def _chances(entry):
+    """Probabilities in words, with their interval."""
+    for event, value, error in entry.probabilities:
+        text = f"{event}: {page.percent(value)}"
+        if error is not None:
+            low, high = max(0., value - error), min(1., value + error)
+            text += f" ({page.percent(low)} to {page.percent(high)})"
+        yield text

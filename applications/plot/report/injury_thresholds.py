@@ -46,6 +46,12 @@ KNOWN = {name: (measure["title"], _thresholds(measure),
 # give no verdict on injury.
 EXPOSURES = frozenset(name for name, measure in _KNOWN["measures"].items()
                       if measure.get("is_exposure"))
+# By measure: what biomechanics calls its probabilities, and of which event.
+CURVES = {name: [("injury_" + curve, _KNOWN["curves"][curve]["event"])
+                 for curve in measure["curves"]]
+          for name, measure in _KNOWN["measures"].items()
+          if "curves" in measure}
+OF_CURVES = frozenset(row for rows in CURVES.values() for row, _ in rows)
 PROBABILITIES = frozenset(name for name, measure in _KNOWN["measures"].items()
                           if measure.get("is_probability"))
 

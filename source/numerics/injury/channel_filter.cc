@@ -90,6 +90,10 @@ VectorHistory channel_class_filter(const VectorHistory &history,
   const std::vector<double> &times = history.times;
   const double span = times.back() - times.front();
   const double longest = 0.1 / channel_class;
+  // Of a history over hours the filter would change nothing but the memory
+  // that it takes.
+  if (span > 1e7 * longest)
+    return history;
   const std::size_t n = std::max(
     times.size(), static_cast<std::size_t>(std::ceil(span / longest)) + 1);
   const double interval = span / double(n - 1);

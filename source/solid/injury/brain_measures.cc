@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/system/text.h>
+#include <contrecoup/numerics/injury/channel_filter.h>
 #include <contrecoup/numerics/injury/head_injury.h>
 #include <contrecoup/solid/body/tissue_measures.h>
 #include <contrecoup/solid/injury/brain_measures.h>
@@ -96,34 +97,47 @@ brain_measures(const std::vector<BrainSample> &samples,
 }
 
 
-InjuryMeasure
-head_motion_measure(const std::vector<double> &times,
-                    const std::vector<std::array<double, 3>> &velocities,
-                    const std::string &motion)
+void HeadMotion::add(const double time,
+                     const dealii::Tensor<1, 3> &velocity,
+                     const dealii::Tensor<1, 3> &angular_velocity)
 {
-  InjuryMeasure measure = known_measure(
-    "injury_hic15", "-", head_injury_criterion(times, velocities, 0.015).value);
-  measure.limits = "of " + motion + "; " + measure.limits;
-  return measure;
+  times.push_back(time);
+  velocities.push_back({{velocity[0], velocity[1], velocity[2]}});
+  angular_velocities.push_back(
+    {{angular_velocity[0], angular_velocity[1], angular_velocity[2]}});
 }
 
 
-void update_largest_angular_velocity(
-  std::array<double, 3> &largest,
-  const dealii::Tensor<1, 3> &angular_velocity)
+std::vector<InjuryMeasure> head_motion_measures(const HeadMotion &motion,
+                                                const std::string &moving)
 {
-  for (unsigned int d = 0; d < 3; ++d)
-    largest[d] = std::max(largest[d], std::abs(angular_velocity[d]));
-}
-
-
-InjuryMeasure head_rotation_measure(const std::array<double, 3> &largest,
-                                    const std::string &motion)
-{
-  InjuryMeasure measure =
-    known_measure("injury_bric", "-", brain_injury_criterion(largest));
-  measure.limits = "of " + motion + "; " + measure.limits;
-  return measure;
+  if (motion.times.size() < 2)
+    return {};
+  const VectorHistory velocities = channel_class_filter(
+                        {motion.times, motion.velocities}, head_channel_class),
+                      turning = channel_class_filter(
+                        {motion.times, motion.angular_velocities},
+                        head_channel_class);
+  std::array<double, 3> largest{};
+  for (const std::array<double, 3> &value : turning.values)
+    for (unsigned int d = 0; d < 3; ++d)
+      largest[d] = std::max(largest[d], std::abs(value[d]));
+  std::vector<InjuryMeasure> list;
+  for (InjuryMeasure measure :
+       {known_measure(
+          "injury_hic15",
+          "-",
+          head_injury_criterion(velocities.times, velocities.values, 0.015)
+            .value),
+        known_measure("injury_bric", "-", brain_injury_criterion(largest))})
+  {
+    measure.limits =
+      "of " + moving + ", filtered by CFC 1000; " + measure.limits;
+    list.push_back(measure);
+    for (const InjuryMeasure &probability : probabilities_of(measure))
+      list.push_back(probability);
+  }
+  return list;
 }
 
 

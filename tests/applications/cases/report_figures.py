@@ -59,7 +59,9 @@ WORDS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight",
          "nine", "ten", "eleven", "twelve")
 PRESSURES = ("injury_intracranial_pressure_peak",
              "injury_intracranial_pressure_lowest")
-CHECKED = ("injury_pressure_roughness",)
+CHECKED = ("injury_pressure_roughness",
+           *(f"injury_{name}_ais{degree}" for name in ("hic15", "bric")
+             for degree in (2, 3, 4)))
 
 
 def require(holds, reason):

@@ -39,7 +39,8 @@ struct VectorHistory
 /**
  * The same of a history, each component by itself. It is first interpolated
  * linearly to equal intervals: their mean, or a tenth of 1 / channel_class
- * where that is longer.
+ * where that is longer; one of more than 1e7 such intervals is returned as it
+ * is.
  * @throws InputError for times that do not increase, less than two, or when
  * numbers of times and values differ
  */
