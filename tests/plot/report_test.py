@@ -32,8 +32,10 @@ from plot import command_line  # noqa: E402 (after the path of the package)
 from plot.analysis import signals  # noqa: E402
 from plot.figures import (body_loads, body_views, plane_cuts,  # noqa: E402
                           style)
+from plot.readers import tables  # noqa: E402
 from plot.readers.scene import Scene  # noqa: E402
-from plot.report import page as html_page  # noqa: E402
+from plot.report import (error_estimate,  # noqa: E402
+                         page as html_page)
 
 
 class Made:
@@ -346,6 +348,27 @@ class ReportTest(unittest.TestCase):
                     "persons die. The chest load is 0.26 of it.",
                     "free-field load over the 50 % lethality load",
                     "probability of death by lung injury < 0.001")
+
+    def test_pressure_of_a_place(self):
+        """Averaged over the tissue; of the element in older runs."""
+        table = {"probe_1_pressure": 1., "probe_1_averaged_pressure": 2.,
+                 "probe_2_pressure": 3.}
+        self.assertEqual([tables.tissue_pressure(table, f"probe_{number}_")
+                          for number in (1, 2)], [2., 3.])
+
+    def test_errors_of_gauges(self):
+        """No error is below the median of its measure or two per cent, and
+        what one of both runs lacks has none."""
+        fine = {"a": {"peak": 1., "impulse": 1.}, "b": {"peak": 1.},
+                "c": {"peak": 1.}, "d": {"peak": 0.}}
+        coarse = {"a": {"peak": 0.9, "impulse": 0.999}, "b": {"peak": 1.},
+                  "c": {"peak": 0.95}, "d": {"peak": 1.}}
+        errors = error_estimate.of_gauges(fine, coarse, 2.)
+        times = 1. / (2. ** 0.7 - 1.)
+        for gauge, error in (("a", 0.1), ("b", 0.05), ("c", 0.05)):
+            self.assertAlmostEqual(errors[gauge]["peak"], times * error)
+        self.assertEqual(errors["a"]["impulse"], 0.02)
+        self.assertEqual(errors["d"], {})
 
     def test_brain_of_the_answer(self):
         """Both pressures and the strain, each with its own unit."""

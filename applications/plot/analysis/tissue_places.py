@@ -4,7 +4,7 @@
 
 import numpy as np
 
-from plot.readers import files
+from plot.readers import files, tables
 
 SOFT, SKIN, SKELETON, BRAIN, CORD, FLUID, LUNG, HEART, LIVER = range(1, 10)
 NAMES = {SOFT: "soft tissue", SKIN: "skin", SKELETON: "skeleton",
@@ -28,6 +28,10 @@ class Place:
         self.point, self.tissue = point, tissue
         self.name = NAMES.get(tissue, "body")
         self.remark = ""  # on what is there instead
+
+    def pressure(self, probes):
+        """Over time, of probes.csv of biomechanics [Pa]."""
+        return tables.tissue_pressure(probes, self.column)
 
     def title(self):
         """The name, and what the mesh has there if it is something else."""

@@ -50,18 +50,25 @@ def open_table(folder, name):
         return Table(path)
 
 
+def tissue_pressure(table, probe):
+    """Pressure at a probe of biomechanics, as "probe_1_", averaged over the
+    tissue around it; that of its element in runs without the average."""
+    averaged = probe + "averaged_pressure"
+    return table[averaged if averaged in table else probe + "pressure"]
+
+
 def probe_pressures(folder, names):
-    """Time [s], and pressures [Pa] of as many probes by these names."""
+    """Time [s], and tissue_pressure() [Pa] of as many probes by these names."""
     table = open_table(folder, "probes.csv")
     if table is None:
         raise files.BrokenInput(f"{folder} has no probes.csv")
-    columns = [f"probe_{number}_pressure" for number in
-               range(1, len(names) + 1)]
-    for column in columns:
-        if column not in table:
-            raise files.BrokenInput(f"{folder}/probes.csv has no {column}")
-    return table["time"], {name: table[column]
-                           for name, column in zip(names, columns)}
+    probes = [f"probe_{number}_" for number in range(1, len(names) + 1)]
+    for probe in probes:
+        if probe + "pressure" not in table:
+            raise files.BrokenInput(
+                f"{folder}/probes.csv has no {probe}pressure")
+    return table["time"], {name: tissue_pressure(table, probe)
+                           for name, probe in zip(names, probes)}
 
 
 def open_references(folder):

@@ -199,12 +199,12 @@ def histories(scene):
         f"{len(places)} places, charts for: "
         + ", ".join(title.lower() for title, _ in groups)
         + "; the extremes are in the table below.",
-        "Pressure in single elements over time; compression is positive. Coup "
-        "is the side of the brain towards the charge, contrecoup the opposite "
-        "side.", "svg")]
+        "Pressure over time, averaged over the tissue around each place; "
+        "compression is positive. Coup is the side of the brain towards the "
+        "charge, contrecoup the opposite side.", "svg")]
     rows = []
     for place in places:
-        pressure = probes[place.column + "pressure"]
+        pressure = place.pressure(probes)
         strain = probes[place.column + "principal_strain"]
         shift = np.sqrt(sum(probes[f"{place.column}displacement_{axis}"] ** 2
                             for axis in "xyz"))
@@ -220,21 +220,23 @@ def histories(scene):
         ("place", "x, y, z [m]", "maximum pressure [kPa]",
          "minimum pressure [kPa]", "von Mises stress [kPa]",
          "largest strain [%]", "displacement [mm]"), rows,
-        "Extremes over the run, in single elements.", numbers=range(1, 7)))
+        "Extremes over the run. Pressures are averaged over the elements of "
+        "the same tissue around each place; stress and strain are of single "
+        "elements.", numbers=range(1, 7)))
     return parts
 
 
 def _draw_first(probes, places):
     """The first waves, before echoes of echoes."""
     time = probes["time"]
-    begins = [signals.arrival(time, probes[place.column + "pressure"])
+    begins = [signals.arrival(time, place.pressure(probes))
               for place in places]
     begin = min((x for x in begins if x is not None), default=0.)
     part = (time >= begin - 1e-4) & (time <= begin + 2.5e-3)
     figure, axis = plt.subplots(figsize=(9., 3.3))
     for place in places:
         axis.plot(1e3 * time[part],
-                  1e-3 * probes[place.column + "pressure"][part],
+                  1e-3 * place.pressure(probes)[part],
                   label=place.title(), linewidth=1.2)
     axis.axhline(-100., color=style.GREY, linewidth=0.8, linestyle=":")
     axis.set_xlabel("time [ms]")
@@ -247,16 +249,16 @@ def _draw_histories(probes, groups):
     time = 1e3 * probes["time"]
     figure, axes = plt.subplots(len(groups), 1, sharex=True, squeeze=False,
                                 figsize=(9., 2.5 * len(groups) + 0.6))
-    size = [np.abs(probes[place.column + "pressure"])
+    size = [np.abs(place.pressure(probes))
             for _, places in groups for place in places]
     struck = np.max(size, axis=0) > 0.01 * np.max(size)
     begin = time[np.argmax(struck)]
     for axis, (title, places) in zip(axes.flat, groups):
-        largest = max(np.abs(probes[place.column + "pressure"]).max()
+        largest = max(np.abs(place.pressure(probes)).max()
                       for place in places)
         factor, unit = style.scale_unit("Pa", largest)
         for place in places:
-            axis.plot(time, factor * probes[place.column + "pressure"],
+            axis.plot(time, factor * place.pressure(probes),
                       linewidth=0.9, label=place.title())
         if places[0].tissue == tissue_places.BRAIN:
             axis.axhline(-1e5 * factor, color=style.GREY, linewidth=0.8,

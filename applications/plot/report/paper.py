@@ -299,11 +299,11 @@ def _body(scene, probes):
     found += _first_struck(places, probes)
     coup = tissue_places.named(places, ", coup")
     begin = None if coup is None else signals.arrival(
-        probes["time"], probes[coup.column + "pressure"])
+        probes["time"], coup.pressure(probes))
     if begin is not None:
         first = probes["time"] <= begin + FIRST_WAVES
         top = int(np.argmax(np.abs(
-            probes[coup.column + "pressure"][first])))
+            coup.pressure(probes)[first])))
         shift = max(np.sqrt(sum(
             probes[f"{place.column}displacement_{axis}"][top] ** 2
             for axis in "xyz")) for place in places)
@@ -355,7 +355,7 @@ def _first_struck(places, probes):
     begins = {}
     for place in places:
         begin = signals.arrival(probes["time"],
-                                probes[place.column + "pressure"])
+                                place.pressure(probes))
         if begin is not None:
             begins[place.name] = begin
     coup = begins.get("brain, coup")
@@ -381,8 +381,8 @@ def _brain(scene, probes):
     if near is None or far is None:
         return []
     time = probes["time"]
-    coup = probes[near.column + "pressure"]
-    counter = probes[far.column + "pressure"]
+    coup = near.pressure(probes)
+    counter = far.pressure(probes)
     begin = signals.arrival(time, coup)
     if begin is None:
         return []

@@ -225,7 +225,7 @@ def _tissue_events(scene):
         return found
     time = probes["time"] + _offset(scene)
     for place in tissue_places.find_places(scene):
-        values = probes[place.column + "pressure"]
+        values = place.pressure(probes)
         begin = signals.arrival(time, values)
         if begin is None:
             continue

@@ -8,7 +8,6 @@
 #include <contrecoup/gas/run/gas_output.h>
 #include <contrecoup/gas/state/leaf_sampling.h>
 #include <contrecoup/gas/state/point_sampler.h>
-#include <contrecoup/io/file/plane_file.h>
 #include <contrecoup/io/output/field_output.h>
 
 #include <deal.II/base/geometry_info.h>
@@ -224,11 +223,24 @@ std::vector<FieldFile> GasOutput<dim>::write(const GasSnapshot<dim> &gas,
                                              const BlastMaps<dim> &maps,
                                              const Target &target) const
 {
-  std::vector<FieldFile> files;
+  // Collective, hence before the first rank writes files, which may fail.
+  std::vector<PlaneFiles> planes;
   for (const Plane &plane : planes_)
-    files.push_back(write_plane(plane, gas, maps, target));
+    planes.push_back(sample_plane(plane, gas, maps, target));
+  std::vector<FieldFile> files;
   if (wants_volume_)
-    files.insert(files.begin(), {"gas", write_leaves(gas, maps, target)});
+    files.push_back({"gas", write_leaves(gas, maps, target)});
+  const bool writes =
+    dealii::Utilities::MPI::this_mpi_process(gas.mesh.communicator()) == 0;
+  for (const PlaneFiles &plane : planes)
+  {
+    files.push_back(plane.file);
+    if (writes)
+      io::write_plane(target.folder + "/" + plane.file.file, plane.gas);
+    if (writes && !plane.maps.fields.empty())
+      io::write_plane(target.folder + "/" + plane.stem + "_maps.vti",
+                      plane.maps);
+  }
   return files;
 }
 
@@ -314,10 +326,11 @@ std::string GasOutput<dim>::write_leaves(const GasSnapshot<dim> &gas,
 
 
 template <int dim>
-FieldFile GasOutput<dim>::write_plane(const Plane &plane,
-                                      const GasSnapshot<dim> &gas,
-                                      const BlastMaps<dim> &maps,
-                                      const Target &target) const
+typename GasOutput<dim>::PlaneFiles
+GasOutput<dim>::sample_plane(const Plane &plane,
+                             const GasSnapshot<dim> &gas,
+                             const BlastMaps<dim> &maps,
+                             const Target &target) const
 {
   if constexpr (dim > 1)
   {
@@ -341,31 +354,35 @@ FieldFile GasOutput<dim>::write_plane(const Plane &plane,
       dim == 2
         ? "plane"
         : "plane_" + axis + "_" + std::to_string(&plane - planes_.data());
-    const FieldFile result = {
+    PlaneFiles result;
+    result.stem = stem;
+    result.file = {
       dim == 2 ? "plane" : "plane " + axis + " = " + brief(plane.position),
       stem + "_" + dealii::Utilities::int_to_string(target.index, 4) + ".vti"};
     if (dealii::Utilities::MPI::this_mpi_process(gas.mesh.communicator()) != 0)
       return result;
     raster.samples.time = gas.time;
-    const auto add = [&](const std::string &name,
+    result.gas = result.maps = raster.samples;
+    const auto add = [&](io::PlaneSamples &samples,
+                         const std::string &name,
                          const std::string &unit,
                          const std::function<double(std::size_t)> &value) {
       std::vector<double> values;
       for (std::size_t i = 0; i < states.size(); ++i)
         values.push_back(open[i] > 0. ? value(i) : no_gas);
-      raster.samples.fields.push_back({name, unit, std::move(values)});
+      samples.fields.push_back({name, unit, std::move(values)});
     };
-    add("pressure", "Pa", [&](const auto i) { return states[i].pressure; });
-    add("density", "kg/m^3", [&](const auto i) { return states[i].density; });
-    io::write_plane(target.folder + "/" + result.file, raster.samples);
-    if (n_maps == 0)
-      return result;
-    raster.samples.fields.clear();
+    add(result.gas, "pressure", "Pa", [&](const auto i) {
+      return states[i].pressure;
+    });
+    add(result.gas, "density", "kg/m^3", [&](const auto i) {
+      return states[i].density;
+    });
     for (unsigned int k = 0; k < n_maps; ++k)
-      add(map_quantities[k].first, map_quantities[k].second, [&](const auto i) {
-        return records[i * n_maps + k];
-      });
-    io::write_plane(target.folder + "/" + stem + "_maps.vti", raster.samples);
+      add(result.maps,
+          map_quantities[k].first,
+          map_quantities[k].second,
+          [&](const auto i) { return records[i * n_maps + k]; });
     return result;
   }
   else

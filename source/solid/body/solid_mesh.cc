@@ -251,4 +251,14 @@ SolidMesh distribute(const HexMesh &mesh, const MPI_Comm communicator)
 {
   return Distribution(mesh, communicator).build();
 }
+
+
+double cell_volume(const SolidMesh &mesh, const std::uint32_t cell)
+{
+  HexVectors<double> x;
+  for (unsigned int c = 0; c < 8; ++c)
+    for (unsigned int d = 0; d < 3; ++d)
+      x[c][d] = mesh.nodes[mesh.elements[cell][c]][d];
+  return hex_geometry(to_modes(x)).volume;
+}
 } // namespace contrecoup::solid

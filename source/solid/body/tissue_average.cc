@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/numerics/element/hex8_geometry.h>
 #include <contrecoup/solid/body/tissue_average.h>
 
 namespace contrecoup::solid
@@ -18,11 +17,7 @@ void TissueAverage::reinit(const SolidMesh &mesh,
     if (mesh.tissue[i] != tissue)
       continue;
     elements_.push_back(i);
-    HexVectors<double> x;
-    for (unsigned int c = 0; c < 8; ++c)
-      for (unsigned int d = 0; d < 3; ++d)
-        x[c][d] = mesh.nodes[mesh.elements[i][c]][d];
-    volumes.push_back(hex_geometry(to_modes(x)).volume);
+    volumes.push_back(cell_volume(mesh, i));
     corners.push_back(mesh.elements[i]);
   }
   NodalAverage::AddRanks add_ranks;

@@ -9,6 +9,7 @@
 #include <contrecoup/solid/body/stress_invariants.h>
 #include <contrecoup/solid/record/solid_probes.h>
 
+#include <algorithm>
 #include <istream>
 #include <limits>
 #include <ostream>
@@ -50,21 +51,23 @@ namespace
 
 const std::vector<ProbeQuantity> &probe_quantities()
 {
-  static const std::vector<ProbeQuantity> quantities{{"displacement_x", "m"},
-                                                     {"displacement_y", "m"},
-                                                     {"displacement_z", "m"},
-                                                     {"velocity_x", "m/s"},
-                                                     {"velocity_y", "m/s"},
-                                                     {"velocity_z", "m/s"},
-                                                     {"pressure", "Pa"},
-                                                     {"von_mises_stress", "Pa"},
-                                                     {"principal_strain", "-"},
-                                                     {"stress_xx", "Pa"},
-                                                     {"stress_yy", "Pa"},
-                                                     {"stress_zz", "Pa"},
-                                                     {"stress_xy", "Pa"},
-                                                     {"stress_yz", "Pa"},
-                                                     {"stress_zx", "Pa"}};
+  static const std::vector<ProbeQuantity> quantities{
+    {"displacement_x", "m"},
+    {"displacement_y", "m"},
+    {"displacement_z", "m"},
+    {"velocity_x", "m/s"},
+    {"velocity_y", "m/s"},
+    {"velocity_z", "m/s"},
+    {"pressure", "Pa"},
+    {"von_mises_stress", "Pa"},
+    {"principal_strain", "-"},
+    {"stress_xx", "Pa"},
+    {"stress_yy", "Pa"},
+    {"stress_zz", "Pa"},
+    {"stress_xy", "Pa"},
+    {"stress_yz", "Pa"},
+    {"stress_zx", "Pa"},
+    {"averaged_pressure", "Pa"}};
   return quantities;
 }
 
@@ -80,7 +83,9 @@ void SolidProbes::declare_parameters(ParameterHandler &prm)
                    "Probe positions in the undeformed body; displacement "
                    "and velocity are those of the nearest node, stresses "
                    "and strains those of the element with the nearest "
-                   "centre.");
+                   "centre, and the averaged pressure is the mean over that "
+                   "element's corners of the pressure in the elements of its "
+                   "tissue around each.");
   }
   const Section section(prm, "Measures");
   const Section measure(prm, "Measure *");
@@ -188,6 +193,50 @@ void SolidProbes::reinit(const SolidMesh &mesh, const MPI_Comm communicator)
       }
     }
     location.has_element = is_nearest(least, communicator);
+    find_averaged(mesh, location, communicator);
+  }
+}
+
+
+void SolidProbes::find_averaged(const SolidMesh &mesh,
+                                ProbeLocation &location,
+                                const MPI_Comm communicator)
+{
+  // Tissue and corners of the nearest element, known to all ranks.
+  std::vector<std::uint64_t> known(9, 0);
+  if (location.has_element)
+  {
+    known[0] = mesh.tissue[location.element];
+    for (unsigned int i = 0; i < 8; ++i)
+      known[1 + i] = mesh.global_node[mesh.elements[location.element][i]];
+  }
+  dealii::Utilities::MPI::sum(known, communicator, known);
+  std::vector<double> volumes(8, 0.); // around each corner
+  std::vector<std::pair<std::uint32_t, std::array<double, 8>>> parts;
+  for (std::uint32_t i = 0; i < mesh.elements.size(); ++i)
+  {
+    if (mesh.tissue[i] != known[0])
+      continue;
+    std::array<double, 8> part{};
+    for (const std::uint32_t node : mesh.elements[i])
+      for (unsigned int corner = 0; corner < 8; ++corner)
+        if (mesh.global_node[node] == known[1 + corner])
+          part[corner] = cell_volume(mesh, i);
+    if (std::any_of(part.begin(), part.end(), [](const double volume) {
+          return volume > 0.;
+        }))
+      parts.emplace_back(i, part);
+    for (unsigned int corner = 0; corner < 8; ++corner)
+      volumes[corner] += part[corner];
+  }
+  dealii::Utilities::MPI::sum(volumes, communicator, volumes);
+  location.averaged.clear();
+  for (const auto &[element, part] : parts)
+  {
+    double weight = 0.;
+    for (unsigned int corner = 0; corner < 8; ++corner)
+      weight += part[corner] / volumes[corner] / 8.;
+    location.averaged.emplace_back(element, weight);
   }
 }
 
@@ -215,6 +264,11 @@ void SolidProbes::read(const SolidBody<Real> &body)
       for (unsigned int k = 0; k < 6; ++k)
         value[9 + k] = element.stress[k];
     }
+    for (const auto &[element, weight] : location.averaged)
+      value[15] +=
+        weight *
+        pressure_of(
+          body.elements().values(body.nodes(), body.times(), element).stress);
     value += probe_quantities().size();
   }
   dealii::Utilities::MPI::sum(values_, body.communicator(), values_);

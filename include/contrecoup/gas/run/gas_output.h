@@ -5,6 +5,7 @@
 
 #include <contrecoup/base/run/simulation.h>
 #include <contrecoup/gas/record/blast_maps.h>
+#include <contrecoup/io/file/plane_file.h>
 #include <contrecoup/io/output/field_output.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -54,15 +55,26 @@ private:
     double position; ///< [m]
   };
 
+  /// Name of a plane, and the samples of its files; without maps, maps has no
+  /// fields.
+  struct PlaneFiles
+  {
+    FieldFile file;
+    std::string stem;
+    io::PlaneSamples gas;
+    io::PlaneSamples maps;
+  };
+
   std::vector<io::FieldName> field_names(const GasSnapshot<dim> &gas,
                                          const bool has_maps) const;
   std::string write_leaves(const GasSnapshot<dim> &gas,
                            const BlastMaps<dim> &maps,
                            const Target &target) const;
-  FieldFile write_plane(const Plane &plane,
-                        const GasSnapshot<dim> &gas,
-                        const BlastMaps<dim> &maps,
-                        const Target &target) const;
+  /// What a plane's files hold, on the first rank. Collective.
+  PlaneFiles sample_plane(const Plane &plane,
+                          const GasSnapshot<dim> &gas,
+                          const BlastMaps<dim> &maps,
+                          const Target &target) const;
 
   bool wants_volume_ = true;
   std::vector<Plane> planes_;

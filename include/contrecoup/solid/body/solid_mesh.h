@@ -52,4 +52,7 @@ struct SolidMesh
  * @throws InputError for an inverted cell, naming it
  */
 SolidMesh distribute(const HexMesh &mesh, MPI_Comm communicator);
+
+/// Undeformed volume of a local cell [m^3].
+double cell_volume(const SolidMesh &mesh, const std::uint32_t cell);
 } // namespace contrecoup::solid

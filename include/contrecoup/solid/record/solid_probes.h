@@ -21,7 +21,8 @@ struct ProbeQuantity
 
 /// The columns: displacement and velocity of the nearest node; pressure, von
 /// Mises stress, largest principal strain and the six stress components of the
-/// nearest element.
+/// nearest element; and the pressure of that element, averaged as by
+/// TissueAverage over its neighbours in the same tissue.
 const std::vector<ProbeQuantity> &probe_quantities();
 
 /// Probes in the body, subsection "Probes", and statistics of their signals
@@ -72,7 +73,14 @@ private:
     std::uint32_t node = 0;
     bool has_element = false;
     std::uint32_t element = 0;
+    /// This rank's elements in the averaged pressure, with their weights.
+    std::vector<std::pair<std::uint32_t, double>> averaged;
   };
+
+  /// Fills ProbeLocation::averaged. Collective.
+  static void find_averaged(const SolidMesh &mesh,
+                            ProbeLocation &location,
+                            MPI_Comm communicator);
 
   struct Measure
   {

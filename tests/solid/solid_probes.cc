@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/parameters/parameter_tree.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/solid/body/stress_invariants.h>
+#include <contrecoup/solid/body/tissue_average.h>
+#include <contrecoup/solid/record/solid_probes.h>
+
+#include "bone_and_brain.h"
+#include <gtest/gtest.h>
+
+using namespace contrecoup;
+using dealii::Point;
+
+namespace
+{
+/// Averages of the elements' pressures in the tissue, as the fields have them.
+std::vector<double> averages_of(const solid::SolidBody<double> &body,
+                                const solid::TissueAverage &average)
+{
+  std::vector<double> pressures;
+  for (const std::uint32_t cell : average.elements())
+    pressures.push_back(solid::pressure_of(
+      body.elements().values(body.nodes(), body.times(), cell).stress));
+  return average.average(pressures);
+}
+
+/// Value of a column of all probes.
+double value_of(const solid::SolidProbes &probes, const std::string &name)
+{
+  for (const NamedValue &value : probes.values())
+    if (value.name == name)
+      return value.value;
+  ADD_FAILURE() << "no column " << name;
+  return 0.;
+}
+} // namespace
+
+
+TEST(SolidProbes, AveragedPressureIsThatOfTheTissueAverage)
+{
+  solid::SolidBody<double> body;
+  body.reinit(half_brain(false),
+              materials_of("paper"),
+              {},
+              solid::Supports(),
+              solid::SurfaceLoads(),
+              MPI_COMM_WORLD);
+  for (std::size_t i = 0; i < body.mesh().nodes.size(); ++i)
+  {
+    const Point<3> &x = body.mesh().nodes[i];
+    body.nodes().displacement_of(i)[0] =
+      1e-5 * std::sin(400. * x[0] + 500. * x[1] * x[1] / 0.01);
+    body.nodes().displacement_of(i)[2] = 1e-5 * std::cos(450. * x[2]);
+  }
+  body.start(0.);
+
+  for (unsigned int tissue = 0; tissue < body.mesh().tissues.size(); ++tissue)
+  {
+    solid::TissueAverage average;
+    average.reinit(body.mesh(), body.exchange(), tissue);
+    const std::vector<double> expected = averages_of(body, average);
+    const std::size_t n_here = average.elements().size();
+    const std::vector<std::size_t> on_ranks =
+      dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, n_here);
+    for (unsigned int rank = 0; rank < on_ranks.size(); ++rank)
+      for (const std::size_t i : {std::size_t(0), on_ranks[rank] / 2})
+      {
+        if (on_ranks[rank] == 0)
+          continue;
+        // Middle of the element and its average, from the rank that has it.
+        std::vector<double> known(4, 0.);
+        if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == rank)
+        {
+          for (const std::uint32_t node :
+               body.mesh().elements[average.elements()[i]])
+            for (unsigned int d = 0; d < 3; ++d)
+              known[d] += body.mesh().nodes[node][d] / 8.;
+          known[3] = expected[i];
+        }
+        dealii::Utilities::MPI::sum(known, MPI_COMM_WORLD, known);
+        dealii::ParameterHandler prm;
+        solid::SolidProbes::declare_parameters(prm);
+        prm.enter_subsection("Probes");
+        prm.set("Points",
+                exact(known[0]) + ", " + exact(known[1]) + ", " +
+                  exact(known[2]));
+        prm.leave_subsection();
+        solid::SolidProbes probes;
+        probes.parse_parameters(prm);
+        probes.reinit(body.mesh(), MPI_COMM_WORLD);
+        probes.read(body);
+        EXPECT_NEAR(value_of(probes, "probe_1_averaged_pressure"),
+                    known[3],
+                    1e-10 * std::abs(known[3]));
+        EXPECT_GT(std::abs(value_of(probes, "probe_1_pressure") - known[3]),
+                  1e-3 * std::abs(known[3]));
+      }
+  }
+}
