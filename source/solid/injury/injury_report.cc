@@ -4,7 +4,6 @@
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/io/file/binary_records.h>
 #include <contrecoup/io/file/checked_file.h>
-#include <contrecoup/numerics/element/hex8_geometry.h>
 #include <contrecoup/solid/body/stress_invariants.h>
 #include <contrecoup/solid/body/tissue_measures.h>
 #include <contrecoup/solid/injury/injury_report.h>
@@ -43,16 +42,6 @@ namespace
   std::string file_of(const std::string &folder, const unsigned int rank)
   {
     return folder + "/injury." + std::to_string(rank) + ".bin";
-  }
-
-
-  double volume_of(const SolidMesh &mesh, const std::uint32_t element)
-  {
-    HexVectors<double> corners;
-    for (unsigned int c = 0; c < 8; ++c)
-      for (unsigned int d = 0; d < 3; ++d)
-        corners[c][d] = mesh.nodes[mesh.elements[element][c]][d];
-    return hex_geometry(to_modes(corners)).volume;
   }
 } // namespace
 
@@ -197,7 +186,7 @@ void InjuryReport<Real>::find_skull(const SolidBody<Real> &body)
     for (unsigned int d = 0; d < 3; ++d)
       is_near = is_near && place[d] >= low[d] && place[d] <= high[d];
     if (is_near)
-      skull_.emplace_back(i, volume_of(mesh, i));
+      skull_.emplace_back(i, cell_volume(mesh, i));
   }
   has_skull_ = mpi::sum(skull_.size(), body.communicator()) > 0;
 }
