@@ -16,6 +16,7 @@ import re
 import shutil
 import sys
 import tempfile
+import types
 import unittest
 import unittest.mock
 
@@ -35,7 +36,7 @@ from plot.figures import (body_loads, body_views, plane_cuts,  # noqa: E402
 from plot.readers import tables  # noqa: E402
 from plot.readers.scene import Scene  # noqa: E402
 from plot.report import (error_estimate,  # noqa: E402
-                         page as html_page)
+                         page as html_page, reflections)
 
 
 class Made:
@@ -412,6 +413,18 @@ class ReportTest(unittest.TestCase):
         answer = re.search('<div class="answer">(.*?)</div>', self.page)[1]
         for word in ("duration", "is missing (limit", "The run ends before"):
             self.assertFalse(word in answer, word)
+
+    def test_ground_far_below(self):
+        """Its reflection comes after the positive phase: the body alone adds
+        to that."""
+        for height, words in ((1.27, "ground and body"), (10., "the body")):
+            results = {"probe_1_arrival": 2e-3, "probe_1_duration": 2e-3}
+            scene = types.SimpleNamespace(
+                charge_place=lambda: np.array([2.3, 0., height]),
+                probe_place=lambda _: np.array([0., 0., height]),
+                blast=types.SimpleNamespace(
+                    found=lambda _, name: results[name]))
+            self.assertEqual(reflections.reflectors(scene), words)
 
     def test_peak_that_the_ground_raises(self):
         """Near the ground a peak above measurements in free air is no error,

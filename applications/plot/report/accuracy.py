@@ -8,7 +8,8 @@ import math
 import os
 
 from plot.readers import files
-from plot.report import error_estimate, injury_thresholds, page
+from plot.report import (error_estimate, injury_thresholds, page,
+                         reflections)
 
 KNOWN = os.path.join(os.path.dirname(os.path.abspath(__file__)),
                      "known_differences.csv")
@@ -177,8 +178,9 @@ def _free_air(scene):
         rows,
         "The reference is a spherical charge in free air (C. N. Kingery, G. "
         "Bulmash, ARBRL-TR-02555, 1984). Peak and arrival at the probe are "
-        "those of the incident wave; reflections by ground and body add to "
-        "impulse and duration.", numbers=(2, 3, 4))
+        "those of the incident wave; reflections by "
+        f"{reflections.reflectors(scene)} add to impulse and duration.",
+        numbers=(2, 3, 4))
 
 
 def _probe_place(scene, number):

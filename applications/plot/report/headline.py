@@ -6,7 +6,7 @@ import math
 import re
 
 from plot.analysis import signals
-from plot.report import injury_table, page
+from plot.report import injury_table, page, reflections
 
 MERGING = 40.  # degrees of incidence, from which reflections may merge
 LARGE_DIFFERENCE = 0.1  # to Kingery and Bulmash
@@ -212,8 +212,8 @@ def _free_air(scene):
                         else "this difference."))
     if added:
         parts.append("Beside the body, " + page.joined(added) + " Kingery and "
-                     "Bulmash; reflections by ground and body contribute to "
-                     "this.")
+                     f"Bulmash; reflections by {reflections.reflectors(scene)} "
+                     "contribute to this.")
     return parts
 
 
