@@ -73,7 +73,7 @@ class Judged:
 def judge(scene):
     """All measures, those of the skin first."""
     side = loaded_side(scene)
-    with_air = has_probe_at_body(scene)
+    with_air = has_chest(scene) and has_probe_at_body(scene)
     coarser = {} if scene.coarser is None else _measures_of(
         scene.coarser, side, with_air)
     # Errors of peak and duration can cancel in what follows from both.
@@ -124,6 +124,12 @@ def loaded_side(scene):
     found = [side for side in SIDES if ("lung_exposure", side) in injury]
     return max(found, default=SIDES[0],
                key=lambda side: injury["lung_exposure", side].value)
+
+
+def has_chest(scene):
+    """Whether the body is more than a head."""
+    return "injury_lung_exposure" in scene.measures() or any(
+        ("lung_exposure", side) in scene.gauge_injury() for side in SIDES)
 
 
 def has_probe_at_body(scene):

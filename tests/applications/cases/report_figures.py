@@ -171,6 +171,8 @@ def of_skin(skin, side):
         if measure == "eardrum_rupture" and place.endswith("ear"):
             rows[f"rupture probability of the {place}drum"] = value, place
         name = OF_SKIN.get((measure, place))
+        if name in OF_AIR and ("lung_exposure", "chest") not in skin:
+            continue
         if name and place in (side, "chest and back", "probe 1"):
             rows[SKIN_TITLES[name]] = value, name
     return rows
@@ -296,7 +298,7 @@ def check_headline(page, files):
              files.skin["lung_exposure", files.side]),
             (r"of the (50 %) lethality", 0.5)]
     death = files.skin.get(("lung_lethality", "probe 1"))
-    if death is not None:
+    if death is not None and files.places.get("chest"):
         wanted += [(rf"beside the body is ({number}) of the",
                     files.skin["lung_exposure", "probe 1"]),
                    (r"by which less than (0.1 %) of", 0.001)
