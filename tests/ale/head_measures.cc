@@ -156,16 +156,17 @@ TEST(HeadMeasures, AreThoseOfABodyThatTurns)
   EXPECT_NEAR(found.at("injury_bric"),
               std::sqrt(std::pow(30. / 66.25, 2) + std::pow(20. / 56.45, 2) +
                         std::pow(10. / 42.87, 2)),
-              1e-12);
+              1e-9);
   EXPECT_LT(found.at("injury_strain_95"), 1e-14);
   EXPECT_EQ(found.at("injury_csdm_15"), 0.);
   EXPECT_LT(found.at("injury_intracranial_pressure_peak"), 1e-4);
   EXPECT_GT(found.at("injury_intracranial_pressure_lowest"), -1e-4);
-  // The velocity of the skull's centre goes around, in chords.
-  const Vector speed = cross_product_3d(spin, Vector({0.06, 0.02, 0.01}));
+  // The skull's velocity at the centre of the head goes around, in chords that
+  // the filter rounds off.
+  const Vector speed = cross_product_3d(spin, Vector({0.04, 0.02, 0.01}));
   const double chord = 2. * speed.norm() * std::sin(0.5e-3 * spin.norm());
   const double expected = 0.01 * std::pow(chord / 1e-3 / gravity, 2.5);
-  EXPECT_NEAR(found.at("injury_hic15"), expected, 1e-9 * expected);
+  EXPECT_NEAR(found.at("injury_hic15"), expected, 2e-3 * expected);
 }
 
 // Of 40 ms of 100 g the criterion counts 15, of what does not turn.
@@ -177,7 +178,7 @@ TEST(HeadMeasures, AreThoseOfABodyThatIsStopped)
       return Vector({0.6, 0., -0.8}) * (0.1 * i * gravity);
     });
   const auto found = head.found();
-  EXPECT_NEAR(found.at("injury_hic15"), 0.015 * std::pow(100., 2.5), 1e-8);
+  EXPECT_NEAR(found.at("injury_hic15"), 0.015 * std::pow(100., 2.5), 0.1);
   EXPECT_NEAR(found.at("injury_bric"), 0., 1e-11);
 }
 
@@ -239,7 +240,7 @@ TEST(HeadMeasures, OfAHalfAreThoseOfTheWhole)
         return v;
       });
   EXPECT_NEAR(half.found().at("injury_bric"), 20. / 66.25, 1e-12);
-  EXPECT_NEAR(half.found().at("injury_hic15"), 1e-3 * std::pow(50., 2.5), 1e-9);
+  EXPECT_NEAR(half.found().at("injury_hic15"), 1e-3 * std::pow(50., 2.5), 0.02);
   EXPECT_EQ(quarter.found().at("injury_bric"), 0.);
 }
 
@@ -251,8 +252,7 @@ TEST(HeadMeasures, OfABrainAloneAreThoseOfItsMotion)
     head.follow(1e-3 * i, at_rest, [&](const Point &) {
       return Vector({0.1 * gravity * i, 0., 0.});
     });
-  EXPECT_NEAR(
-    head.found().at("injury_hic15"), 1e-3 * std::pow(100., 2.5), 1e-9);
+  EXPECT_NEAR(head.found().at("injury_hic15"), 1e-3 * std::pow(100., 2.5), 0.1);
 }
 
 TEST(HeadMeasures, GoOnFromACheckpoint)

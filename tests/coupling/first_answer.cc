@@ -52,12 +52,18 @@ TEST(FirstAnswer, HasTheWaveOfTheTablesAndWhatItDoes)
   EXPECT_NEAR(peak, 200., 15.);
   EXPECT_NEAR(number_after(lines, "wall there: peak"), 590., 60.);
   EXPECT_NEAR(number_after(lines, "arrival"), 2.1, 0.3);
-  // Richmond: half at 104 kPa, nearly all at 400 kPa.
+  // Half at 104 kPa, nearly all at 400 kPa.
   const double incident = number_after(lines, "incident peak: eardrum rupture");
   EXPECT_GT(incident, 70.);
   EXPECT_LT(incident, 95.);
   EXPECT_GE(number_after(lines, "reflected peak: eardrum rupture more than"),
             99.);
+  // 3.3 ms or less of 200 kPa and 110 kPa of dynamic pressure.
+  const double exposure =
+    number_after(lines, "in the open loads the lung with");
+  EXPECT_GT(exposure, 0.15);
+  EXPECT_LT(exposure, 0.3);
+  EXPECT_EQ(number_after(lines, "by lung injury: less than"), 0.1);
 }
 
 

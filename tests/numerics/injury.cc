@@ -3,8 +3,10 @@
 
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/numerics/injury/blast_injury.h>
+#include <contrecoup/numerics/injury/channel_filter.h>
 #include <contrecoup/numerics/injury/chest_wall.h>
 #include <contrecoup/numerics/injury/head_injury.h>
+#include <contrecoup/numerics/injury/injury_criteria.h>
 #include <contrecoup/numerics/injury/load_injury.h>
 
 #include <gtest/gtest.h>
@@ -16,6 +18,7 @@ using namespace contrecoup;
 namespace
 {
 const double ambient = 101325.;
+const double psi = 6894.757; // Pa
 
 /// Friedlander's wave of decay 1, and the time after it.
 ChestWallResponse under_blast(const double peak, const double duration)
@@ -78,14 +81,79 @@ TEST(ChestWall, StandsLoadsBeyondAllReason)
   EXPECT_TRUE(std::isfinite(response.lung_pressure));
 }
 
-TEST(ChestWall, NamesTheBandOfInjury)
+// Axelsson and Yelverton give the levels by velocity and by index, with one
+// digit behind the point: each velocity gives the index of its level.
+TEST(ChestWall, IndexOfEachLevelIsThatOfTheSource)
 {
-  EXPECT_EQ(thorax_injury_band(3.5), "none");
-  EXPECT_EQ(thorax_injury_band(3.6), "trace");
-  EXPECT_EQ(thorax_injury_band(17.), "lethal to most");
-  // One where slight injury begins.
+  const std::pair<double, double> levels[] = {
+    {3.6, 0.2}, {7.5, 1.}, {4.3, 0.3}, {9.8, 1.9}, {12.8, 3.6}, {16.9, 7.1}};
+  for (const auto &[velocity, index] : levels)
+    EXPECT_NEAR(thorax_injury_index(velocity), index, 0.051) << velocity;
   EXPECT_NEAR(thorax_injury_index(0.876 / 0.117), 1., 1e-12);
-  EXPECT_NEAR(thorax_injury_index(7.5), 1., 0.01);
+}
+
+TEST(InjuryCriteria, LevelsOfTheChestOverlap)
+{
+  const InjuryCriterion &chest = injury_criterion("chest_wall_mean");
+  EXPECT_EQ(chest.meaning(3.5), "none");
+  EXPECT_EQ(chest.meaning(4.), "trace to slight");
+  EXPECT_EQ(chest.meaning(5.), "trace to slight or slight to moderate");
+  EXPECT_EQ(chest.meaning(8.), "slight to moderate or moderate to extensive");
+  EXPECT_EQ(chest.meaning(11.), "moderate to extensive");
+  EXPECT_EQ(chest.meaning(13.),
+            "moderate to extensive or lethality above 50 %");
+  EXPECT_EQ(chest.meaning(20.), "lethality above 50 %");
+  EXPECT_EQ(chest.thresholds.size(), 6U);
+  // One side has none.
+  EXPECT_TRUE(injury_criterion("chest_wall_front").thresholds.empty());
+  EXPECT_THROW(injury_criterion("chest_wall"), InputError);
+}
+
+// NHTSA: 31 % for injuries of AIS 2 at a HIC of 700, 47 % at 1000.
+TEST(InjuryCurves, OfTheHeadAreThoseOfNhtsa)
+{
+  const InjuryCurve &slight = injury_curve("hic15_ais2");
+  EXPECT_NEAR(slight.probability(700.), 0.31, 0.005);
+  EXPECT_NEAR(slight.probability(1000.), 0.474, 0.005);
+  EXPECT_NEAR(
+    injury_curve("hic15_ais3").probability(std::exp(7.45231)), 0.5, 1e-12);
+  for (const double hic : {100., 300., 1000., 3000.})
+  {
+    EXPECT_GT(slight.probability(hic),
+              injury_curve("hic15_ais3").probability(hic));
+    EXPECT_GT(injury_curve("hic15_ais3").probability(hic),
+              injury_curve("hic15_ais4").probability(hic));
+  }
+  EXPECT_EQ(slight.probability(0.), 0.);
+  EXPECT_EQ(slight.probability(-1.), 0.);
+  EXPECT_THROW(injury_curve("hic15"), InputError);
+  EXPECT_THROW(injury_curve("lung_median_lethal_load").probability(1.),
+               InputError);
+}
+
+// 1 - 1/e at the scale of each curve; the thresholds are the medians.
+TEST(InjuryCurves, OfTheBrainHaveTheirMediansAsThresholds)
+{
+  EXPECT_NEAR(injury_curve("bric_ais2").probability(0.602), 0.6321, 1e-4);
+  const InjuryCriterion &bric = injury_criterion("injury_bric");
+  ASSERT_EQ(bric.curves.size(), bric.thresholds.size());
+  for (std::size_t i = 0; i < bric.curves.size(); ++i)
+    EXPECT_NEAR(
+      injury_curve(bric.curves[i]).probability(bric.thresholds[i].first),
+      0.5,
+      1e-3);
+}
+
+TEST(InjuryCriteria, AreToldInWords)
+{
+  const InjuryCriterion &lowest =
+    injury_criterion("injury_intracranial_pressure_lowest");
+  EXPECT_EQ(lowest.meaning(-99e3), "none");
+  EXPECT_EQ(lowest.meaning(-101e3), "fluid may cavitate");
+  EXPECT_EQ(lowest.in_words("Pa").substr(0, 32),
+            "-100000 Pa: fluid may cavitate (");
+  EXPECT_EQ(injury_criterion("injury_cavitation_dose").in_words("s"),
+            "no threshold (none is published)");
 }
 
 TEST(BlastInjury, FollowsBowensCurve)
@@ -107,8 +175,45 @@ TEST(BlastInjury, FollowsBowensCurve)
               1e-12);
 }
 
+// UFC 3-340-02 (2008), table 1-1, for 3 to 5 ms: half die at 130 to 180 psi,
+// lungs are damaged from 30 to 40 psi on.
+TEST(BlastInjury, AgreesWithTheTableOfTolerances)
+{
+  const double median = lung_median_lethal_overpressure(4e-3, 70., ambient);
+  EXPECT_GT(median, 130. * psi);
+  EXPECT_LT(median, 180. * psi);
+  const double threshold = lung_threshold_overpressure(4e-3, 70., ambient);
+  EXPECT_GT(threshold, 30. * psi);
+  EXPECT_LT(threshold, 40. * psi);
+}
+
+TEST(BlastInjury, LethalityFollowsTheExposure)
+{
+  EXPECT_DOUBLE_EQ(lung_lethality_probability(1.), 0.5);
+  EXPECT_NEAR(lung_lethality_probability(0.66), 0.01, 2e-4);
+  EXPECT_NEAR(lung_lethality_probability(1. / 0.66), 0.99, 2e-4);
+  EXPECT_EQ(lung_lethality_probability(0.), 0.);
+  EXPECT_LT(lung_lethality_probability(0.2), 1e-12);
+}
+
+// S. Glasstone, P. J. Dolan, The Effects of Nuclear Weapons (1977), table 3.07.
+TEST(BlastInjury, DynamicPressureIsThatOfTheTable)
+{
+  const std::pair<double, double> table[] = {
+    {100., 123.}, {50., 41.}, {30., 17.}, {20., 8.1}, {10., 2.2}};
+  for (const auto &[overpressure, dynamic] : table)
+    EXPECT_NEAR(
+      dynamic_pressure(overpressure * psi, ambient) / psi / dynamic, 1., 0.02)
+      << overpressure;
+  EXPECT_DOUBLE_EQ(standing_load(2e5, ambient),
+                   2e5 + dynamic_pressure(2e5, ambient));
+}
+
+// NASA-STD-8719.12A, table E-1: 50 % at 15.0 psi, 99 % at 74.4 psi.
 TEST(BlastInjury, BreaksHalfOfTheEardrumsAt104Kilopascal)
 {
+  EXPECT_NEAR(eardrum_rupture_probability(15. * psi), 0.5, 5e-3);
+  EXPECT_NEAR(eardrum_rupture_probability(74.4 * psi), 0.99, 3e-3);
   EXPECT_NEAR(eardrum_rupture_probability(103.7e3), 0.5, 1e-3);
   EXPECT_LT(eardrum_rupture_probability(34.5e3), 0.05);
   EXPECT_GT(eardrum_rupture_probability(400e3), 0.97);
@@ -220,6 +325,91 @@ TEST(HeadInjury, OfHalfASineIsKnown)
     criterion.value / (best * length * std::pow(peak, 2.5)), 1., 1e-5);
   const std::vector<double> one(1, 0.);
   EXPECT_THROW(head_injury_criterion(one, one, 1.), InputError);
+}
+
+namespace
+{
+/// Gain [dB] of the filter of CFC 1000 for a long sine of a frequency [Hz].
+double gain_of_head_filter(const double frequency, const double interval)
+{
+  std::vector<double> values;
+  for (double time = 0.; time < 0.1; time += interval)
+    values.push_back(std::sin(2. * M_PI * frequency * time));
+  const std::vector<double> filtered =
+    channel_class_filter(values, interval, head_channel_class);
+  double before = 0., after = 0.;
+  // Far from the ends.
+  for (std::size_t i = values.size() / 4; i < values.size() * 3 / 4; ++i)
+  {
+    before += values[i] * values[i];
+    after += filtered[i] * filtered[i];
+  }
+  return 10. * std::log10(after / before);
+}
+} // namespace
+
+// SAE J211/1 and ISO 6487 for CFC 1000: +0.5 to -1 dB at 1000 Hz, +0.5 to -4 dB
+// at 1650 Hz; the pair of filters halves the power at 5/3 of the class.
+TEST(ChannelFilter, KeepsTheCorridorOfTheNorm)
+{
+  for (const double interval : {1e-5, 4e-5})
+  {
+    EXPECT_NEAR(gain_of_head_filter(100., interval), 0., 0.01);
+    const double at_class = gain_of_head_filter(1000., interval);
+    EXPECT_LT(at_class, 0.5);
+    EXPECT_GT(at_class, -1.);
+    const double at_corner = gain_of_head_filter(1650., interval);
+    EXPECT_LT(at_corner, 0.5);
+    EXPECT_GT(at_corner, -4.);
+  }
+  EXPECT_NEAR(gain_of_head_filter(1000., 5e-6), -0.454, 0.01);
+  EXPECT_NEAR(gain_of_head_filter(1650., 5e-6), -2.909, 0.02);
+  EXPECT_NEAR(gain_of_head_filter(1666.66, 5e-6), -3.010, 0.02);
+  EXPECT_LT(gain_of_head_filter(10000., 5e-6), -50.);
+}
+
+// Straight lines pass unchanged up to both ends, and nothing is shifted.
+TEST(ChannelFilter, ShiftsNothing)
+{
+  std::vector<double> line, pulse;
+  for (unsigned int i = 0; i <= 2000; ++i)
+  {
+    line.push_back(3. + 0.5 * i);
+    pulse.push_back(std::exp(-std::pow((i - 800.) / 30., 2)));
+  }
+  const std::vector<double> same = channel_class_filter(line, 1e-5, 1000.);
+  for (unsigned int i = 0; i <= 2000; i += 100)
+    EXPECT_NEAR(same[i], line[i], 1e-6) << i;
+  const std::vector<double> wider = channel_class_filter(pulse, 1e-5, 1000.);
+  for (unsigned int i = 1; i < 100; ++i)
+    EXPECT_NEAR(wider[800 - i], wider[800 + i], 1e-9);
+  EXPECT_LT(wider[800], pulse[800]);
+  EXPECT_THROW(channel_class_filter(line, 2.1e-4, 1000.), InputError);
+}
+
+// Of unequal times, and of few.
+TEST(ChannelFilter, TakesHistories)
+{
+  VectorHistory history;
+  for (unsigned int i = 0; i <= 1000; ++i)
+  {
+    const double time = 1e-5 * (i + 0.3 * (i % 2));
+    history.times.push_back(time);
+    history.values.push_back({{2. * time, 0., -time}});
+  }
+  const VectorHistory same = channel_class_filter(history, 1000.);
+  ASSERT_EQ(same.times.size(), 1001U);
+  for (unsigned int i = 0; i <= 1000; i += 50)
+  {
+    EXPECT_NEAR(same.values[i][0], 2. * same.times[i], 1e-8);
+    EXPECT_NEAR(same.values[i][2], -same.times[i], 1e-8);
+  }
+  const VectorHistory few =
+    channel_class_filter({{0., 0.01}, {{{0., 0., 0.}}, {{1., 0., 0.}}}}, 1000.);
+  EXPECT_EQ(few.times.size(), 101U);
+  EXPECT_NEAR(few.values[50][0], 0.5, 1e-8);
+  EXPECT_THROW(channel_class_filter({{0.}, {{}}}, 1000.), InputError);
+  EXPECT_THROW(channel_class_filter({{0., 0.}, {{}, {}}}, 1000.), InputError);
 }
 
 TEST(HeadInjury, BrainCriterionIsOneAtEachCriticalVelocity)

@@ -38,6 +38,7 @@ TABLES = {
         lambda scene: scene.blast.table("load_gauges.csv"),
     "blast/gauge_measures.csv": lambda scene: scene.gauge_measures(),
     "blast/gauge_injury.csv": lambda scene: scene.gauge_injury(),
+    "blast/probe_injury.csv": lambda scene: scene.air_injury(),
     "biomechanics/history.csv":
         lambda scene: scene.biomechanics.table("history.csv"),
     "biomechanics/probes.csv":

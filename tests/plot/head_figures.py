@@ -9,6 +9,8 @@ import json
 import os
 import re
 
+import numpy as np
+
 import report_figures
 import report_reader
 from report_figures import require
@@ -37,8 +39,8 @@ class Files:
             parameters = file.read()
         mesh = parameters[parameters.index("subsection Mesh"):]
         self.is_file = re.search(r"set Kind += (.*)", mesh)[1] == "file"
-        self.criterion = head_injury_criterion(
-            self.history["time"], self.history["velocity_z_skull"], 0.015)
+        self.criterion = head_injury_criterion(*filtered(
+            self.history["time"], self.history["velocity_z_skull"]), 0.015)
 
 
 def _columns(*names):
@@ -55,6 +57,32 @@ def crossing(time, values):
             part = values[i] / (values[i] - values[i + 1])
             return time[i] + part * (time[i + 1] - time[i])
     return None
+
+
+def filtered(time, values):
+    """Times and values after the filter of SAE J211/1, appendix C, for channel
+    frequency class 1000, at equal intervals; the record goes on beyond its ends
+    as its point reflection."""
+    count = max(len(time), int(np.ceil((time[-1] - time[0]) / 1e-4)) + 1)
+    times = np.linspace(time[0], time[-1], count)
+    at = np.interp(times, time, values)
+    reach = min(count - 1, int(np.ceil(0.01 / (times[1] - times[0]))))
+    longer = np.concatenate((2. * at[0] - at[reach:0:-1], at,
+                             2. * at[-1] - at[-2:-reach - 2:-1]))
+    corner = np.tan(2.0775e3 * np.pi * (times[1] - times[0]))
+    scale = 1. + np.sqrt(2.) * corner + corner ** 2
+    for _ in range(2):
+        out = np.full(len(longer), longer[0])
+        for i, value in enumerate(longer):
+            x = longer[max(i - 1, 0)], longer[max(i - 2, 0)]
+            y = (out[i - 1], out[i - 2]) if i > 1 else (
+                out[max(i - 1, 0)], longer[0])
+            out[i] = (corner ** 2 * (value + 2. * x[0] + x[1])
+                      + 2. * (1. - corner ** 2) * y[0]
+                      - (1. - np.sqrt(2.) * corner + corner ** 2) * y[1]
+                      ) / scale
+        longer = out[::-1]
+    return times, longer[reach:reach + count]
 
 
 def head_injury_criterion(time, velocity, longest):
@@ -193,9 +221,11 @@ def check_injury(page, files):
     titles = dict(report_figures.TITLES, injury_pressure_roughness=(
         "oscillation of the brain pressure between neighbouring elements over "
         "its averages"))
-    require(sorted(rows) == sorted(titles[name] for name in files.injury),
+    listed = {name: value for name, value in files.injury.items()
+              if "_ais" not in name}
+    require(sorted(rows) == sorted(titles[name] for name in listed),
             f"the injury table has {list(rows)}")
-    for name, value in files.injury.items():
+    for name, value in listed.items():
         shown = rows[titles[name]]["value and its estimated error"]
         require_same(shown.split("\n")[0], value, name)
     history = files.history
@@ -212,7 +242,7 @@ def check_injury(page, files):
     strain = files.injury["injury_strain_95"]
     require(0. < strain < max(history["largest_shear_strain_brain"]),
             f"strain {strain}")
-    return len(files.injury) + 4
+    return len(listed) + 4
 
 
 def check_paper(page, files):

@@ -35,7 +35,7 @@ from plot.figures import (body_loads, body_views, plane_cuts,  # noqa: E402
                           style)
 from plot.readers import tables  # noqa: E402
 from plot.readers.scene import Scene  # noqa: E402
-from plot.report import (error_estimate, headline,  # noqa: E402
+from plot.report import (error_estimate,  # noqa: E402
                          page as html_page, reflections)
 
 
@@ -302,20 +302,53 @@ class ReportTest(unittest.TestCase):
     def test_injury_of_the_skin(self):
         """Values of blast are shown with their digits."""
         mean = tiny_scene.HARM["chest_wall_velocity", "chest and back"][0]
-        self.expect(self.text, "10.8 m/s in front",
-                    f"{html_page.number(mean)} m/s as the",
-                    "the chest load is 0.26 of the 50 % lethality load",
+        self.expect(self.text, "The expected lung injury is trace to slight or "
+                    "slight to moderate by the mean chest wall velocity of "
+                    f"front and back, {html_page.number(mean)} m/s; in front "
+                    "it is 10.8 m/s.",
+                    "The chest load is 0.26 of the 50 % lethality load.",
                     "a probability of 79 %", "0.788", "peak 175 kPa", "0.264")
+        # The probe in the air is not where the body is.
+        self.assertNotIn("free-field load", self.text)
 
     def test_load_on_the_back(self):
-        """A charge behind the person loads the back, and the chest's measures
-        say too little; before the person, nothing is said."""
-        self.assertNotIn("understate", self.text)
-        scene = types.SimpleNamespace(gauge_measures=lambda: {
-            "chest": {"peak": 6.1e4}, "back": {"peak": 2.26e5}})
-        self.assertIn("The peak on the back, 226 kPa, exceeds that on the "
-                      "chest, 61.0 kPa: the chest load",
-                      headline._rear_load(scene).replace("\xa0", " "))
+        """With the charge behind the person, the back's load and velocity are
+        shown, in both runs."""
+        self.assertNotIn("back chest wall velocity", self.text)
+        folder = self.copy_without("biomechanics/fields.pvd", "blast/fields")
+        for stage in ("blast", "coarser_blast"):
+            path = os.path.join(folder, stage, "gauge_injury.csv")
+            with open(path, encoding="utf-8") as file:
+                found = file.read()
+            tiny_scene.write(path, re.sub(
+                "chest,|back,", lambda match: "back," if match[0] == "chest,"
+                else "chest,", found).replace("chest and chest", "chest and "
+                                              "back"))
+        made = Made(folder)
+        self.assertEqual(made.code, 0, made.errors)
+        words = text_of(made.page)
+        self.expect(words, "at the back it is 10.8 m/s.",
+                    "The back load is 0.26 of the 50 % lethality load.",
+                    "back load over the 50 % lethality load",
+                    "back chest wall velocity")
+        self.assertNotIn("in front it is", words)
+
+    def test_load_in_the_air(self):
+        """At a probe as far from the charge as the body, Bowen's definition
+        gives the exposure and the probability of death."""
+        folder = self.copy_without("biomechanics/fields.pvd", "blast/fields")
+        path = os.path.join(folder, "blast", "parameters.prm")
+        with open(path, encoding="utf-8") as file:
+            found = file.read()
+        tiny_scene.write(path, found.replace("0.008, 2.337", "0.2, 0.65"))
+        made = Made(folder)
+        self.assertEqual(made.code, 0, made.errors)
+        self.expect(text_of(made.page),
+                    "The wave beside the body is 0.43 of the 50 % lethality "
+                    "load of the lung, by which less than 0.1 % of standing "
+                    "persons die. The chest load is 0.26 of it.",
+                    "free-field load over the 50 % lethality load",
+                    "probability of death by lung injury < 0.001")
 
     def test_pressure_of_a_place(self):
         """Averaged over the tissue; of the element in older runs."""
@@ -354,9 +387,15 @@ class ReportTest(unittest.TestCase):
         self.expect(row, 'class="none">exposure, no verdict', "235")
         for word in ('class="bad"', 'class="good"', 'class="mid"', "above"):
             self.assertFalse(word in row, row)
-        # The other eight have thresholds, seven of them a verdict.
-        self.expect(self.text, "could change two of seven verdicts: front "
-                    "chest wall velocity and mean chest wall velocity.")
+        # The other seven have thresholds, six of them a verdict: the velocity
+        # of one side has none.
+        self.expect(self.text, "could change one of six verdicts: mean chest "
+                    "wall velocity.")
+
+    def test_probability(self):
+        """Of a verdict, with the interval of the numerical error."""
+        self.expect(self.text, "head injury of AIS 2 or worse: 44 % (44 % to "
+                    "44 %)")
 
     def test_items_of_the_answer(self):
         """What could change it, in plain words."""
@@ -518,7 +557,7 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(made.code, 0, made.errors)
         self.assertFalse("published simulation" in made.page)
         self.expect(text_of(made.page), "Missing: fields of biomechanics.",
-                    "5.500 kg of C-4", "3.25 m/s in front",
+                    "5.500 kg of C-4", "in front it is 3.25 m/s",
                     "a probability of 13 %")
 
     def test_head_alone(self):
@@ -555,7 +594,7 @@ class ReportTest(unittest.TestCase):
 
     def test_missing_stages(self):
         for names, words in (
-                (("biomechanics", "blast/loads.h5"), "m/s in front"),
+                (("biomechanics", "blast/loads.h5"), "in front it is"),
                 (("blast", "anatomy", "scene.json"),
                  "Missing: load_gauges.csv of the blast.")):
             made = Made(self.copy_without(*names))

@@ -19,9 +19,14 @@ HARM = {("chest_wall_velocity", "chest"): (10.842, "m/s"),
         ("chest_wall_velocity", "back"): (2.4220, "m/s"),
         ("chest_wall_velocity", "chest and back"): (6.632, "m/s"),
         ("lung_exposure", "chest"): (0.26398, "-"),
+        ("lung_exposure", "back"): (0.05866, "-"),
         ("eardrum_rupture", "left ear"): (0.78773, "-")}
 PROBES = {"coup": (0.07, 0., 1.66), "contrecoup": (-0.07, 0., 1.66),
           "lung left": (0., 0.09, 1.28)}
+# To a person at the probe in the air.
+AIR_HARM = {("lung_exposure", "probe 1"): (0.4321, "-"),
+            ("lung_lethality", "probe 1"): (1.35e-6, "-"),
+            ("eardrum_rupture", "probe 1"): (0.925, "-")}
 QUANTITIES = (["displacement_" + axis + " [m]" for axis in "xyz"]
               + ["velocity_" + axis + " [m/s]" for axis in "xyz"]
               + ["pressure [Pa]", "von_mises_stress [Pa]",
@@ -29,6 +34,7 @@ QUANTITIES = (["displacement_" + axis + " [m]" for axis in "xyz"]
 INJURY = {"injury_intracranial_pressure_peak": (1.0425e6, "Pa"),
           "injury_intracranial_pressure_lowest": (-8.1e5, "Pa"),
           "injury_strain_95": (0.0542, "-"), "injury_hic15": (931., "-"),
+          "injury_hic15_ais2": (0.4403, "-"),
           "injury_pressure_roughness": (0.515, "-")}
 
 # Rows of the audit as scene writes them; no limit judges the last one.
@@ -163,11 +169,13 @@ def write_measures(folder, gauges, factor=1., slowness=0.):
 
 
 def write_harm(folder, factor=1.):
-    """HARM times a factor."""
-    write(os.path.join(folder, "gauge_injury.csv"),
-          "measure,place,value,unit,definition\n" + "".join(
-              f'{measure},{place},{factor * value!r},{unit},"of a model"\n'
-              for (measure, place), (value, unit) in HARM.items()))
+    """HARM and AIR_HARM times a factor."""
+    for name, harm in (("gauge_injury.csv", HARM),
+                       ("probe_injury.csv", AIR_HARM)):
+        write(os.path.join(folder, name),
+              "measure,place,value,unit,definition\n" + "".join(
+                  f'{measure},{place},{factor * value!r},{unit},"by a model of it"\n'
+                  for (measure, place), (value, unit) in harm.items()))
 
 
 def write_loads(path, gauges=GAUGES):

@@ -157,6 +157,11 @@ class Scene:
         """Injuries by the loads at gauges: Measure by (measure, gauge)."""
         return read_gauge_injury(self.blast)
 
+    def air_injury(self):
+        """Injuries to a person at the probes in the air: Measure by (measure,
+        probe)."""
+        return read_gauge_injury(self.blast, "probe_injury.csv")
+
     def measures(self):
         """Measures of injury by name."""
         return read_measures(self.biomechanics.path("injury.csv"))
@@ -175,6 +180,10 @@ class CoarserRun:
     def gauge_injury(self):
         """As Scene.gauge_injury()."""
         return read_gauge_injury(self.blast)
+
+    def air_injury(self):
+        """As Scene.air_injury()."""
+        return read_gauge_injury(self.blast, "probe_injury.csv")
 
     def measures(self):
         """As Scene.measures()."""
@@ -199,9 +208,10 @@ def read_gauge_measures(blast):
     return found
 
 
-def read_gauge_injury(blast):
-    """gauge_injury.csv: Measure by (measure, gauge), {} without the file."""
-    path = blast.path("gauge_injury.csv")
+def read_gauge_injury(blast, name="gauge_injury.csv"):
+    """gauge_injury.csv, or probe_injury.csv of the same shape: Measure by
+    (measure, place), {} without the file."""
+    path = blast.path(name)
     if not os.path.exists(path):
         return {}
     found = {}

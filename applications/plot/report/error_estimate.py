@@ -95,6 +95,7 @@ def section(scene, judged):
             "of 5/3 of the size. The estimated error is the difference of both "
             "runs over r", page.tag("sup", ORDER), " − 1 with the ratio r of "
             "the sizes. For chest wall and lungs it is at least the difference "
-            "of the peak on the chest; maximum and minimum brain pressure both "
-            "take the larger of their errors."),
+            "of the peak on the chest, or on the back where that is shown; "
+            "maximum and minimum brain pressure both take the larger of their "
+            "errors."),
         numbers=(1, 2, 3))

@@ -402,13 +402,16 @@ def energy(run, folder):
 
 def judge(run):
     """Measures of injury.csv beside their thresholds."""
-    judged = []
-    for name, measure in measures(run).items():
+    judged, found = [], measures(run)
+    for name, measure in found.items():
+        if name in injury_thresholds.OF_CURVES:
+            continue
         title, thresholds, source, _ = injury_thresholds.KNOWN.get(
             name, (injury_thresholds.title(name), [], measure.threshold, ""))
         judged.append(injury_table.Judged(
             name, measure.value, measure.unit,
             (title, thresholds, source, measure.limits), None, ""))
+    injury_table.add_probabilities(judged, found, {}, 0.)
     return judged
 
 

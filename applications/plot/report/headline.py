@@ -24,8 +24,8 @@ LARGEST_RESIDUAL, LARGEST_HOURGLASS, NOTED_HOURGLASS = 0.01, 0.1, 0.05
 def answer(scene, judged):
     """What this blast does to this person, and how sure that is."""
     sentences = [_opening(scene)]
-    sentences += [words for words in (_lung(judged), _rear_load(scene),
-                                      _ears(judged), _brain(judged)) if words]
+    sentences += [words for words in (_lung(judged), _ears(judged),
+                                      _brain(judged)) if words]
     if len(sentences) == 1:
         sentences.append("The injury is unknown: the scene has neither gauges "
                          "at chest and ears nor measures of injury.")
@@ -54,38 +54,56 @@ def _opening(scene):
 
 
 def _lung(judged):
+    """The chest wall's velocity, as the mean over front and back and at the
+    side with the larger load, and the lung's exposure by Bowen."""
+    wall, lung = _wall(judged), _exposure(judged)
+    return " ".join(words for words in (wall, lung) if words)
+
+
+def _wall(judged):
     mean = injury_table.find(judged, "chest_wall_mean")
-    front = injury_table.find(judged, "chest_wall_front") \
-        or injury_table.find(judged, "injury_chest_wall_velocity")
-    if front is None:
+    for name, where in (("chest_wall_front", "in front"),
+                        ("chest_wall_back", "at the back"),
+                        ("injury_chest_wall_velocity", "in front")):
+        side = injury_table.find(judged, name)
+        if side is not None:
+            break
+    else:
         return ""
-    bowen = injury_table.find(judged, "lung_exposure") \
-        or injury_table.find(judged, "injury_lung_exposure")
-    worst = front.meaning() or "none"
-    best = mean.meaning() or "none" if mean else worst
-    words = worst if worst == best else f"{best} by the mean chest wall " \
-        f"velocity and {worst} by the front one"
-    text = (f"The expected lung injury is {words}: the chest wall velocity is "
-            f"{page.quantity(front.value, 'm/s')} in front")
-    text += f" and {page.quantity(mean.value, 'm/s')} as the mean of front " \
-        "and back" if mean else ""
-    if bowen is not None:
-        text += (f"; the chest load is {page.number(bowen.value, 2)} of the "
-                 "50 % lethality load")
-    return text + "."
+    if mean is None:
+        return (f"The chest wall velocity {where} is "
+                f"{page.quantity(side.value, 'm/s')}; levels of injury are of "
+                "the mean over the sides alone.")
+    return (f"The expected lung injury is {mean.meaning() or 'none'} by the "
+            "mean chest wall velocity of front and back, "
+            f"{page.quantity(mean.value, 'm/s')}; {where} it is "
+            f"{page.quantity(side.value, 'm/s')}.")
 
 
-def _rear_load(scene):
-    """Warning that the back bears the larger load, "" if the chest does."""
-    gauges = scene.gauge_measures()
-    if not {"chest", "back"} <= set(gauges):
-        return ""
-    chest, back = (gauges[place]["peak"] for place in ("chest", "back"))
-    if back <= chest:
-        return ""
-    return (f"The peak on the back, {page.quantity(back, 'Pa')}, exceeds that "
-            f"on the chest, {page.quantity(chest, 'Pa')}: the chest load and "
-            "the front chest wall velocity understate the lung injury.")
+def _exposure(judged):
+    """Bowen's exposure in the free field, or that of the skin."""
+    text = ""
+    air = injury_table.find(judged, "lung_exposure_air")
+    death = injury_table.find(judged, "lung_lethality")
+    if air is not None and death is not None:
+        text = (f"The wave beside the body is {page.number(air.value, 2)} of "
+                "the 50 % lethality load of the lung, by which "
+                f"{_in_words(death.value)} of standing persons die. ")
+    for name, side in (("lung_exposure_back", "back"),
+                       ("lung_exposure", "chest"),
+                       ("injury_lung_exposure", "chest")):
+        skin = injury_table.find(judged, name)
+        if skin is not None:
+            return (f"{text}The {side} load is {page.number(skin.value, 2)} "
+                    "of " + ("it." if text else "the 50 % lethality load."))
+    return text.strip()
+
+
+def _in_words(part):
+    """A probability, without digits that mean nothing."""
+    if part > 0.99:
+        return "more than 99 %"
+    return page.percent(part) if part >= 0.001 else "less than 0.1 %"
 
 
 def _ears(judged):
@@ -93,8 +111,8 @@ def _ears(judged):
     if not ears:
         return ""
     worst = max(entry.value for entry in ears)
-    part = "more than 99 %" if worst > 0.99 else page.percent(worst)
-    return f"Unprotected eardrums rupture with a probability of {part}."
+    return "Unprotected eardrums rupture with a probability of " \
+        f"{_in_words(worst)}."
 
 
 def _brain(judged):

@@ -2,15 +2,25 @@
 # Copyright (C) 2026 by the Contrecoup authors
 """Measures of injury with their errors, thresholds and verdicts."""
 
+import math
 import re
 
 from plot.report import error_estimate, injury_thresholds, page
 from plot.report.injury_thresholds import KNOWN
 
-# Names of the measures of gauge_injury.csv.
-SKIN_NAMES = {("chest_wall_velocity", "chest"): "chest_wall_front",
-              ("chest_wall_velocity", "chest and back"): "chest_wall_mean",
-              ("lung_exposure", "chest"): "lung_exposure"}
+# Names of the measures of gauge_injury.csv; of chest and back, the side with
+# the larger load is shown.
+SIDES = ("chest", "back")
+SKIN_NAMES = {("chest_wall_velocity", "chest and back"): "chest_wall_mean",
+              ("chest_wall_velocity", "chest"): "chest_wall_front",
+              ("chest_wall_velocity", "back"): "chest_wall_back",
+              ("lung_exposure", "chest"): "lung_exposure",
+              ("lung_exposure", "back"): "lung_exposure_back"}
+# Of those of probe_injury.csv that are shown, at a probe as far from the charge
+# as the body.
+AIR_NAMES = {"lung_exposure": "lung_exposure_air",
+             "lung_lethality": "lung_lethality"}
+AS_FAR = 0.05  # relative difference
 # Told with the checks of the run.
 NO_INJURY = ("injury_pressure_roughness",)
 PRESSURES = ("injury_intracranial_pressure_peak",
@@ -31,6 +41,9 @@ class Judged:
         self.coarser, self.error, self.error_of = coarser, error, error_of
         self.has_verdict = bool(self.thresholds) \
             and name not in injury_thresholds.EXPOSURES
+        # Events by this measure, probabilities, and their absolute errors or
+        # None.
+        self.probabilities = []
 
     def short_title(self):
         """The abbreviation, or the title without its brackets."""
@@ -59,20 +72,41 @@ class Judged:
 
 def judge(scene):
     """All measures, those of the skin first."""
-    coarser = {} if scene.coarser is None else _measures_of(scene.coarser)
+    side = loaded_side(scene)
+    with_air = has_chest(scene) and has_probe_at_body(scene)
+    coarser = {} if scene.coarser is None else _measures_of(
+        scene.coarser, side, with_air)
     # Errors of peak and duration can cancel in what follows from both.
-    peak_change = error_estimate.peak_change(scene, "chest")
+    peak_change = error_estimate.peak_change(scene, side)
     judged = []
-    for name, (value, unit, known) in _measures_of(scene).items():
+    for name, (value, unit, known) in _measures_of(
+            scene, side, with_air).items():
         other = coarser.get(name)
         error, of = (None, "") if other is None else error_estimate.of(
             scene, name, value, other[0])
-        if error is not None and name.startswith(("chest_wall_", "lung_")):
+        if error is not None and name.startswith(("chest_wall_", "lung_")) \
+                and name not in AIR_NAMES.values():
             error = max(error, peak_change)
         judged.append(Judged(name, value, unit, known, error, of,
                              None if other is None else other[0]))
     _share_errors(judged)
+    add_probabilities(judged, scene.measures(),
+                      {} if scene.coarser is None else scene.coarser.measures(),
+                      error_estimate.factor(scene, "injury")[0])
     return judged
+
+
+def add_probabilities(judged, measures, coarser, times):
+    """The probabilities that biomechanics gives by the measures; errors are the
+    differences to the coarser run, several times."""
+    for entry in judged:
+        for name, event in injury_thresholds.CURVES.get(entry.name, ()):
+            if name not in measures:
+                continue
+            value = measures[name].value
+            error = times * abs(coarser[name].value - value) \
+                if name in coarser else None
+            entry.probabilities.append((event, value, error))
 
 
 def _share_errors(judged):
@@ -84,7 +118,30 @@ def _share_errors(judged):
         entry.error = max(other.error for other in entries)
 
 
-def _measures_of(run):
+def loaded_side(scene):
+    """The one of SIDES with the larger exposure of the lung."""
+    injury = scene.gauge_injury()
+    found = [side for side in SIDES if ("lung_exposure", side) in injury]
+    return max(found, default=SIDES[0],
+               key=lambda side: injury["lung_exposure", side].value)
+
+
+def has_chest(scene):
+    """Whether the body is more than a head."""
+    return "injury_lung_exposure" in scene.measures() or any(
+        ("lung_exposure", side) in scene.gauge_injury() for side in SIDES)
+
+
+def has_probe_at_body(scene):
+    """Whether the first probe in the air is as far from the charge as the
+    body."""
+    charge, probe = scene.charge_place(), scene.probe_place(1)
+    distance = scene.fact("distance")
+    return charge is not None and probe is not None and bool(distance) \
+        and abs(math.dist(charge, probe) / distance - 1.) < AS_FAR
+
+
+def _measures_of(run, side, with_air):
     """Value, unit, and what is known of each measure, by name; @p run: a
     Scene or its CoarserRun."""
     found = {}
@@ -92,19 +149,25 @@ def _measures_of(run):
     def add(name, value, unit, known):
         found[name] = value, unit, known
 
-    _add_skin(run, add)
+    _add_skin(run, side, add)
+    if with_air:
+        for (measure, place), one in run.air_injury().items():
+            name = AIR_NAMES.get(measure)
+            if place == "probe 1" and name is not None:
+                add(name, one.value, one.unit, KNOWN[name])
     for name, measure in run.measures().items():
-        if name in NO_INJURY:
+        if name in NO_INJURY or name in injury_thresholds.OF_CURVES:
             continue
+        title, thresholds, source, limits = KNOWN.get(
+            name, (injury_thresholds.title(name), [], measure.threshold, ""))
         add(name, measure.value, measure.unit,
-            KNOWN.get(name) or (injury_thresholds.title(name), [],
-                                measure.threshold, measure.limits))
+            (title, thresholds, source, measure.limits or limits))
     return found
 
 
-def _add_skin(run, add):
-    """Measures of the recorded loads alone, eardrums first, as in the
-    table."""
+def _add_skin(run, side, add):
+    """Measures of the recorded loads alone, eardrums first, as in the table;
+    of chest and back those of a side, and their mean."""
     gauges = run.gauge_measures()
     for (measure, place), found in sorted(
             run.gauge_injury().items(),
@@ -117,7 +180,7 @@ def _add_skin(run, add):
                 (words.replace("an eardrum", f"the {place}drum"), thresholds,
                  source, limits if peak is None else
                  f"peak {page.quantity(peak, 'Pa')}; {limits}"))
-        elif name is not None:
+        elif name is not None and place in (side, "chest and back"):
             add(name, found.value, found.unit, KNOWN[name])
 
 
@@ -167,7 +230,7 @@ def _row(entry):
     lines = [page.escape(f"{page.plain(limit, entry.unit)}: {meaning}")
              for limit, meaning in entry.thresholds]
     lines.append(page.tag("small", entry.source))
-    value = [page.tag("b", _shown(entry.value, entry.unit))]
+    value = [page.tag("b", _shown(entry))]
     if entry.error is not None:
         value += [page.escape(page.error(entry.error)),
                   page.tag("small", f"due to {entry.error_of}")]
@@ -186,10 +249,12 @@ def _data_row(entry):
             entry.source, _verdict(entry), entry.limits)
 
 
-def _shown(value, unit):
-    if unit == "-" and abs(value) >= 0.9995 and abs(value) < 1.:
+def _shown(entry):
+    if entry.unit == "-" and 0.9995 <= abs(entry.value) < 1.:
         return ">\u00a00.999"
-    return page.quantity(value, unit)
+    if injury_thresholds.is_probability(entry.name) and entry.value < 5e-4:
+        return "<\u00a00.001"
+    return page.quantity(entry.value, entry.unit)
 
 
 def _verdict(entry):
@@ -206,4 +271,16 @@ def _verdict(entry):
     certain = entry.is_certain()
     note = "" if certain is None else "; the error does not change this" \
         if certain else "; a threshold lies within the error"
-    return page.Html(page.tag("span", word, kind=kind) + page.escape(note))
+    return page.Html(page.tag("span", word, kind=kind) + page.escape(note)
+                     + "".join(page.tag("small", "; " + words)
+                               for words in _chances(entry)))
+
+
+def _chances(entry):
+    """Probabilities in words, with their interval."""
+    for event, value, error in entry.probabilities:
+        text = f"{event}: {page.percent(value)}"
+        if error is not None:
+            low, high = max(0., value - error), min(1., value + error)
+            text += f" ({page.percent(low)} to {page.percent(high)})"
+        yield text

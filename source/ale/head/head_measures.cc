@@ -160,26 +160,27 @@ void HeadMeasures::follow_brain(const LagrangeStep &lagrange,
 void HeadMeasures::follow_motion(const HexSpace &space, const AleState &state)
 {
   // Each cell is a point mass at its centre.
-  solid::MeanMotion motion;
+  solid::MeanMotion moving, head;
   for (std::size_t c = 0; c < space.n_locally_owned_cells(); ++c)
-    if (space.region(c) == moving_region())
-    {
-      dealii::Tensor<1, 3> place, velocity;
-      for (const std::uint32_t node : space.cell(c))
-        for (unsigned int d = 0; d < 3; ++d)
-        {
-          place[d] += 0.125 * state.position[width * node + d];
-          velocity[d] += 0.125 * state.velocity[width * node + d];
-        }
-      motion.add(state.mass[c], place, velocity);
-    }
-  motion.find(space.communicator(), is_mirrored_);
-  record_.times.push_back(state.time);
-  record_.speeds.emplace_back();
-  for (unsigned int d = 0; d < 3; ++d)
-    record_.speeds.back()[d] = motion.velocity()[d];
-  solid::update_largest_angular_velocity(record_.largest_angular_velocity,
-                                         motion.angular_velocity());
+  {
+    const unsigned int region = space.region(c);
+    if (region != moving_region() && region != brain_)
+      continue;
+    dealii::Tensor<1, 3> place, velocity;
+    for (const std::uint32_t node : space.cell(c))
+      for (unsigned int d = 0; d < 3; ++d)
+      {
+        place[d] += 0.125 * state.position[width * node + d];
+        velocity[d] += 0.125 * state.velocity[width * node + d];
+      }
+    head.add(state.mass[c], place, velocity);
+    if (region == moving_region())
+      moving.add(state.mass[c], place, velocity);
+  }
+  head.find(space.communicator(), is_mirrored_);
+  moving.find(space.communicator(), is_mirrored_);
+  record_.motion.add(
+    state.time, moving.velocity_at(head.centre()), moving.angular_velocity());
 }
 
 
@@ -192,16 +193,13 @@ HeadMeasures::measures(const MPI_Comm communicator) const
     for (solid::InjuryMeasure &measure : list)
       if (measure.value.unit == "Pa")
         measure.limits += "; of single cells";
-  if (record_.times.size() < 2)
-    return list;
-  const std::string who = skull_ != none ? "the skull" : "the brain";
-  list.push_back(solid::head_motion_measure(record_.times,
-                                            record_.speeds,
-                                            "the mean motion of " + who +
-                                              ", until the end of the run"));
-  list.push_back(solid::head_rotation_measure(record_.largest_angular_velocity,
-                                              "the mean turning of " + who +
-                                                ", until the end of the run"));
+  const std::string moving = skull_ == none ? "the mean motion of the brain"
+                             : brain_ == none
+                               ? "the mean motion of the skull"
+                               : "the skull, at the centre of brain and skull";
+  for (const solid::InjuryMeasure &measure : solid::head_motion_measures(
+         record_.motion, moving + ", until the end of the run"))
+    list.push_back(measure);
   return list;
 }
 

@@ -68,7 +68,8 @@ namespace
                             "loads.xdmf",
                             "load_gauges.csv",
                             "gauge_measures.csv",
-                            "gauge_injury.csv"},
+                            "gauge_injury.csv",
+                            "probe_injury.csv"},
                            {}};
     const std::string profile = prm.get({"Output"}, "Profile file");
     if (!profile.empty())

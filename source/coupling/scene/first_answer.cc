@@ -23,7 +23,9 @@ namespace
 
   std::string percent(const double part)
   {
-    return part > 0.99 ? "more than 99 %" : brief(100. * part, 2) + " %";
+    return part > 0.99    ? "more than 99 %"
+           : part < 0.001 ? "less than 0.1 %"
+                          : brief(100. * part, 2) + " %";
   }
 
 
@@ -39,18 +41,22 @@ namespace
   }
 
 
-  /// Line about a peak overpressure [Pa] that lasts for @p duration [s].
+  /// Line about a peak overpressure [Pa] that bursts eardrums, and the load
+  /// [Pa] of the lung that comes with it for @p duration [s].
   std::string injury_line(const std::string &peak,
                           const double overpressure,
+                          const std::string &place,
+                          const double load,
                           const double duration,
                           const double body_mass)
   {
+    const double exposure =
+      load / lung_median_lethal_overpressure(duration, body_mass, sea_level);
     return "  under the " + peak + " peak: eardrum rupture " +
-           percent(eardrum_rupture_probability(overpressure)) + ", " +
-           brief(overpressure / lung_median_lethal_overpressure(
-                                  duration, body_mass, sea_level),
-                 2) +
-           " of the overpressure that kills half by lung injury";
+           percent(eardrum_rupture_probability(overpressure)) + "; " + place +
+           " loads the lung with " + brief(exposure, 2) +
+           " of what kills half, death by lung injury: " +
+           percent(lung_lethality_probability(exposure));
   }
 } // namespace
 
@@ -75,6 +81,10 @@ std::vector<std::string> first_answer(const SceneParameters &scene,
         brief(scene.mass) + " kg of " + scene.explosive + " at " +
         brief(distance) + " m"};
   const double duration = impulses.value(BlastQuantity::duration, distance);
+  const double incident =
+    pressures.value(BlastQuantity::overpressure, distance);
+  const double reflected =
+    pressures.value(BlastQuantity::reflected_overpressure, distance);
   return {
     "first answer, by tables and without a run: " + brief(scene.mass) +
       " kg of " + scene.explosive + equivalence(scene) + " at " +
@@ -89,14 +99,17 @@ std::vector<std::string> first_answer(const SceneParameters &scene,
     "  reflected by a wall there: peak " +
       kilopascal(pressures, BlastQuantity::reflected_overpressure, distance),
     injury_line("incident",
-                pressures.value(BlastQuantity::overpressure, distance),
+                incident,
+                "standing in the open",
+                standing_load(incident, sea_level),
                 duration,
                 body_mass),
-    injury_line(
-      "reflected",
-      pressures.value(BlastQuantity::reflected_overpressure, distance),
-      duration,
-      body_mass),
+    injury_line("reflected",
+                reflected,
+                "standing before a wall",
+                reflected,
+                duration,
+                body_mass),
     "  left out: reflection by the ground, afterburn, shape and tissues of the "
     "body; a run has them"};
 }

@@ -3,15 +3,24 @@
 
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/record/gauge_tables.h>
+#include <contrecoup/numerics/injury/blast_injury.h>
+#include <contrecoup/numerics/injury/chest_wall.h>
+#include <contrecoup/numerics/injury/injury_criteria.h>
 #include <contrecoup/numerics/injury/load_injury.h>
 
 #include <map>
+#include <optional>
 
 namespace contrecoup::gas
 {
 namespace
 {
   const std::string chest = "chest", back = "back";
+  const std::string device = "device ";
+  const std::string header = "measure,place,value,unit,definition\n";
+
+  /// Ambient pressures that people live at [Pa].
+  constexpr double lowest_ambient = 45e3, highest_ambient = 115e3;
 
   std::string row(const std::string &measure,
                   const std::string &place,
@@ -62,6 +71,66 @@ namespace
                   "mean of the velocities at chest and back");
     return text;
   }
+
+
+  /// Rows of a blast test device.
+  std::string device_rows(const std::map<std::string, LoadInjury> &injuries)
+  {
+    const auto found = [&](const std::string &side) {
+      const auto entry = injuries.find(device + side);
+      return entry == injuries.end()
+               ? std::nullopt
+               : std::optional<double>(entry->second.chest_wall_velocity);
+    };
+    const auto front = found("front"), rear = found("back"),
+               left = found("left"), right = found("right");
+    if (!front || !rear || (!left && !right))
+      return "";
+    const double velocity =
+      (*front + *rear + left.value_or(right.value_or(0.)) +
+       right.value_or(left.value_or(0.))) /
+      4.;
+    return row("chest_wall_velocity",
+               "device",
+               velocity,
+               "m/s",
+               "mean over the four gauges of a blast test device (Axelsson "
+               "and Yelverton 1996)") +
+           row("thorax_injury_index",
+               "device",
+               thorax_injury_index(velocity),
+               "-",
+               "adjusted severity of injury index of that mean (Axelsson and "
+               "Yelverton 1996): " +
+                 injury_criterion("chest_wall_mean").meaning(velocity));
+  }
+
+
+  std::string
+  lung_exposure_rows(const std::map<std::string, LoadInjury> &injuries)
+  {
+    std::string text;
+    for (const std::string &place : {chest, back})
+    {
+      const auto found = injuries.find(place);
+      if (found != injuries.end() && found->second.pulse.duration > 0.)
+        text += row("lung_exposure",
+                    place,
+                    found->second.lung_exposure,
+                    "-",
+                    "peak overpressure on the skin over the free-field load "
+                    "that half survive for this positive phase and body mass "
+                    "(Bowen et al. 1968)");
+    }
+    return text;
+  }
+
+
+  bool is_habitable(const AirBlast &air)
+  {
+    return air.blast.peak > 0. && air.blast.duration > 0. &&
+           air.ambient > lowest_ambient && air.ambient < highest_ambient;
+  }
 } // namespace
 
 
@@ -90,7 +159,8 @@ std::string gauge_injury_table(const std::vector<GaugeBlast> &gauges,
   std::string ears;
   for (const GaugeBlast &gauge : gauges)
   {
-    if (gauge.place != chest && gauge.place != back && !is_ear(gauge.place))
+    if (gauge.place != chest && gauge.place != back && !is_ear(gauge.place) &&
+        gauge.place.rfind(device, 0) != 0)
       continue;
     const LoadInjury injury =
       load_injury(times,
@@ -103,19 +173,46 @@ std::string gauge_injury_table(const std::vector<GaugeBlast> &gauges,
                   gauge.place,
                   injury.eardrum_rupture,
                   "-",
-                  "probability by the peak overpressure at this ear (Richmond "
-                  "et al. 1989)");
+                  "probability by the peak overpressure at this ear (TNO CPR "
+                  "16E, 1992)");
   }
-  std::string lung;
-  const auto front = injuries.find(chest);
-  if (front != injuries.end() && front->second.pulse.duration > 0.)
-    lung = row("lung_exposure",
-               chest,
-               front->second.lung_exposure,
-               "-",
-               "peak overpressure over the one that half survive for this "
-               "positive phase and body mass (Bowen et al. 1968)");
-  const std::string rows = chest_wall_rows(injuries) + lung + ears;
-  return rows.empty() ? "" : "measure,place,value,unit,definition\n" + rows;
+  const std::string rows = chest_wall_rows(injuries) + device_rows(injuries) +
+                           lung_exposure_rows(injuries) + ears;
+  return rows.empty() ? "" : header + rows;
+}
+
+
+std::string air_injury_table(const std::vector<AirBlast> &places,
+                             const double body_mass)
+{
+  std::string rows;
+  for (const AirBlast &air : places)
+  {
+    if (!is_habitable(air))
+      continue;
+    const double exposure = standing_load(air.blast.peak, air.ambient) /
+                            lung_median_lethal_overpressure(
+                              air.blast.duration, body_mass, air.ambient);
+    rows += row("lung_exposure",
+                air.place,
+                exposure,
+                "-",
+                "side-on plus dynamic pressure over the load that half "
+                "survive for this positive phase and body mass (Bowen et al. "
+                "1968)");
+    rows += row("lung_lethality",
+                air.place,
+                lung_lethality_probability(exposure),
+                "-",
+                "probability of death within 24 h by lung injury of a person "
+                "who stands in the open (Bowen et al. 1968)");
+    rows += row("eardrum_rupture",
+                air.place,
+                eardrum_rupture_probability(air.blast.peak),
+                "-",
+                "probability by the side-on peak overpressure (TNO CPR 16E, "
+                "1992)");
+  }
+  return rows.empty() ? "" : header + rows;
 }
 } // namespace contrecoup::gas

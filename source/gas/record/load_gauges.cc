@@ -105,8 +105,8 @@ void LoadGauges::declare_parameters(dealii::ParameterHandler &prm)
                  1.,
                  500.,
                  "kg",
-                 "Body mass for the lung exposure in gauge_injury.csv; lighter "
-                 "persons are more vulnerable.");
+                 "Body mass for the lung exposure in gauge_injury.csv and "
+                 "probe_injury.csv; lighter persons are more vulnerable.");
 }
 
 

@@ -5,7 +5,9 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/record/blast_maps.h>
+#include <contrecoup/gas/record/gauge_tables.h>
 #include <contrecoup/gas/record/probe_set.h>
+#include <contrecoup/io/file/checked_file.h>
 
 #include <iomanip>
 #include <sstream>
@@ -38,6 +40,10 @@ template <int dim>
 void ProbeSet<dim>::parse_parameters(ParameterHandler &prm,
                                      const GasScene<dim> &scene)
 {
+  {
+    const Section loads(prm, "Loads");
+    body_mass_ = read_double(prm, "Body mass");
+  }
   const Section section(prm, "Probes");
   gauges_.place(
     read_points<dim>(prm, "Points"), scene, "Probes/Points: the point");
@@ -183,6 +189,24 @@ ProbeSet<dim>::report(const GasSnapshot<dim> &gas) const
     lines.push_back(line.str());
   }
   return lines;
+}
+
+
+template <int dim>
+void ProbeSet<dim>::finish()
+{
+  if (folder_.empty() ||
+      dealii::Utilities::MPI::this_mpi_process(communicator_) != 0)
+    return;
+  std::vector<AirBlast> air;
+  const auto found = blasts();
+  for (std::size_t i = 0; i < found.size(); ++i)
+    air.push_back(
+      {"probe " + std::to_string(i + 1), found[i], gauges_.ambient()[i]});
+  const std::string table = air_injury_table(air, body_mass_);
+  if (!table.empty())
+    io::write_file(folder_ + "/probe_injury.csv",
+                   [&](std::ostream &out) { out << table; });
 }
 
 

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/numerics/injury/blast_injury.h>
+#include <contrecoup/numerics/injury/injury_criteria.h>
 
 #include <cmath>
 
@@ -16,7 +17,11 @@ double lung_median_lethal_overpressure(const double duration,
   // In milliseconds, scaled to a body of 70 kg at sea level.
   const double scaled = 1e3 * duration * std::cbrt(70. / mass) *
                         std::sqrt(ambient_pressure / sea_level);
-  return 61.5 * psi * (1. + 6.76 * std::pow(scaled, -1.064)) *
+  const auto constant = [](const char *const name) {
+    return injury_curve_constant("lung_median_lethal_load", name);
+  };
+  return constant("asymptote_psi") * psi *
+         (1. + constant("factor") * std::pow(scaled, constant("exponent"))) *
          (ambient_pressure / sea_level);
 }
 
@@ -29,12 +34,26 @@ double lung_threshold_overpressure(const double duration,
 }
 
 
+double lung_lethality_probability(const double exposure)
+{
+  return injury_curve("lung_lethality").probability(exposure);
+}
+
+
+double dynamic_pressure(const double overpressure, const double ambient)
+{
+  return 2.5 * overpressure * overpressure / (7. * ambient + overpressure);
+}
+
+
+double standing_load(const double overpressure, const double ambient)
+{
+  return overpressure + dynamic_pressure(overpressure, ambient);
+}
+
+
 double eardrum_rupture_probability(const double overpressure)
 {
-  if (!(overpressure > 0.))
-    return 0.;
-  const double probit = -12.6 + 1.524 * std::log(overpressure);
-  // A probit of 5 is the median.
-  return 0.5 * std::erfc((5. - probit) / std::sqrt(2.));
+  return injury_curve("eardrum_rupture").probability(overpressure);
 }
 } // namespace contrecoup

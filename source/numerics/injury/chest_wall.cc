@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 namespace contrecoup
 {
@@ -77,19 +76,5 @@ ChestWallResponse chest_wall_response(const std::vector<double> &times,
 double thorax_injury_index(const double chest_wall_velocity)
 {
   return std::pow(0.124 + 0.117 * chest_wall_velocity, 2.63);
-}
-
-
-std::string thorax_injury_band(const double chest_wall_velocity)
-{
-  const std::pair<double, const char *> bands[] = {{3.6, "none"},
-                                                   {7.5, "trace"},
-                                                   {9.8, "slight"},
-                                                   {12.8, "moderate"},
-                                                   {16.9, "extensive"}};
-  for (const auto &[end, name] : bands)
-    if (chest_wall_velocity < end)
-      return name;
-  return "lethal to most";
 }
 } // namespace contrecoup

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/system/text.h>
+#include <contrecoup/numerics/injury/channel_filter.h>
 #include <contrecoup/numerics/injury/head_injury.h>
 #include <contrecoup/solid/body/tissue_measures.h>
 #include <contrecoup/solid/injury/brain_measures.h>
@@ -14,19 +15,6 @@ namespace
 {
   namespace mpi = dealii::Utilities::MPI;
 
-  void add_pressures(const double peak,
-                     const double lowest,
-                     std::vector<InjuryMeasure> &list)
-  {
-    list.push_back(
-      {{"injury_intracranial_pressure_peak", "Pa", peak},
-       "173 kPa minor, 235 kPa serious (Ward et al. 1980, recalled)",
-       "of impacts; blasts that are survived exceed it"});
-    list.push_back({{"injury_intracranial_pressure_lowest", "Pa", lowest},
-                    "-100 kPa: cavitation",
-                    "elements do not cavitate: tension goes on"});
-  }
-
   /// @param sums volumes: of all, with more than 15 % and 25 % strain, and
   /// cavitated; then the members of BrainSums
   void add_parts(const std::vector<double> &sums,
@@ -34,30 +22,16 @@ namespace
                  std::vector<InjuryMeasure> &list)
   {
     const double volume = sums[0];
-    const std::string model =
-      "thresholds were found with other models of the head";
-    list.push_back({{"injury_cavitating_fraction", "-", sums[3] / volume},
-                    "0.072 (DDM, recalled)",
-                    "part of the brain that was ever below -100 kPa"});
-    list.push_back({{"injury_cavitation_dose", "s", sums[4] / volume},
-                    "none published",
-                    "mean time below -100 kPa"});
+    list.push_back(
+      known_measure("injury_cavitating_fraction", "-", sums[3] / volume));
+    list.push_back(
+      known_measure("injury_cavitation_dose", "s", sums[4] / volume));
     if (sums[6] > 0.)
-      list.push_back(
-        {{"injury_pressure_roughness", "-", std::sqrt(sums[5] / sums[6])},
-         "well below 1",
-         "pressures of elements less their averages, over the "
-         "averages: what alternates and is no pressure"});
-    list.push_back({{"injury_strain_95", "-", strain},
-                    "0.19: half of mild injuries (Zhang et al. 2004, "
-                    "recalled)",
-                    model});
-    list.push_back({{"injury_csdm_15", "-", sums[1] / volume},
-                    "0.55 (SIMon 2003, recalled)",
-                    model});
-    list.push_back({{"injury_csdm_25", "-", sums[2] / volume},
-                    "0.54 (SIMon 2008, recalled)",
-                    model});
+      list.push_back(known_measure(
+        "injury_pressure_roughness", "-", std::sqrt(sums[5] / sums[6])));
+    list.push_back(known_measure("injury_strain_95", "-", strain));
+    list.push_back(known_measure("injury_csdm_15", "-", sums[1] / volume));
+    list.push_back(known_measure("injury_csdm_25", "-", sums[2] / volume));
   }
 } // namespace
 
@@ -113,41 +87,57 @@ brain_measures(const std::vector<BrainSample> &samples,
   std::vector<InjuryMeasure> list;
   if (!(sums[0] > 0.))
     return list;
-  add_pressures(
-    mpi::max(peak, communicator), mpi::min(lowest, communicator), list);
+  list.push_back(known_measure(
+    "injury_intracranial_pressure_peak", "Pa", mpi::max(peak, communicator)));
+  list.push_back(known_measure("injury_intracranial_pressure_lowest",
+                               "Pa",
+                               mpi::min(lowest, communicator)));
   add_parts(sums, percentile(strains, volumes, 0.95, communicator), list);
   return list;
 }
 
 
-InjuryMeasure
-head_motion_measure(const std::vector<double> &times,
-                    const std::vector<std::array<double, 3>> &velocities,
-                    const std::string &motion)
+void HeadMotion::add(const double time,
+                     const dealii::Tensor<1, 3> &velocity,
+                     const dealii::Tensor<1, 3> &angular_velocity)
 {
-  return {{"injury_hic15",
-           "-",
-           head_injury_criterion(times, velocities, 0.015).value},
-          "700 (road traffic), 250 (NATO AEP-55)",
-          "of " + motion};
+  times.push_back(time);
+  velocities.push_back({{velocity[0], velocity[1], velocity[2]}});
+  angular_velocities.push_back(
+    {{angular_velocity[0], angular_velocity[1], angular_velocity[2]}});
 }
 
 
-void update_largest_angular_velocity(
-  std::array<double, 3> &largest,
-  const dealii::Tensor<1, 3> &angular_velocity)
+std::vector<InjuryMeasure> head_motion_measures(const HeadMotion &motion,
+                                                const std::string &moving)
 {
-  for (unsigned int d = 0; d < 3; ++d)
-    largest[d] = std::max(largest[d], std::abs(angular_velocity[d]));
-}
-
-
-InjuryMeasure head_rotation_measure(const std::array<double, 3> &largest,
-                                    const std::string &motion)
-{
-  return {{"injury_bric", "-", brain_injury_criterion(largest)},
-          "1.0: half of injuries of degree 4 (Takhounts et al. 2013)",
-          "of " + motion};
+  if (motion.times.size() < 2)
+    return {};
+  const VectorHistory velocities = channel_class_filter(
+                        {motion.times, motion.velocities}, head_channel_class),
+                      turning = channel_class_filter(
+                        {motion.times, motion.angular_velocities},
+                        head_channel_class);
+  std::array<double, 3> largest{};
+  for (const std::array<double, 3> &value : turning.values)
+    for (unsigned int d = 0; d < 3; ++d)
+      largest[d] = std::max(largest[d], std::abs(value[d]));
+  std::vector<InjuryMeasure> list;
+  for (InjuryMeasure measure :
+       {known_measure(
+          "injury_hic15",
+          "-",
+          head_injury_criterion(velocities.times, velocities.values, 0.015)
+            .value),
+        known_measure("injury_bric", "-", brain_injury_criterion(largest))})
+  {
+    measure.limits =
+      "of " + moving + ", filtered by CFC 1000; " + measure.limits;
+    list.push_back(measure);
+    for (const InjuryMeasure &probability : probabilities_of(measure))
+      list.push_back(probability);
+  }
+  return list;
 }
 
 

@@ -18,13 +18,11 @@ void BrainRecord::save(std::ostream &out) const
                                    last_time,
                                    sums.cavitation_dose,
                                    sums.fluctuation_square,
-                                   sums.average_square,
-                                   largest_angular_velocity[0],
-                                   largest_angular_velocity[1],
-                                   largest_angular_velocity[2]});
+                                   sums.average_square});
   io::put_list(out, samples);
-  io::put_list(out, times);
-  io::put_list(out, speeds);
+  io::put_list(out, motion.times);
+  io::put_list(out, motion.velocities);
+  io::put_list(out, motion.angular_velocities);
 }
 
 
@@ -37,9 +35,11 @@ void BrainRecord::restore(std::istream &in,
   std::vector<BrainSample> saved;
   io::take_list(in, file, numbers);
   io::take_list(in, file, saved);
-  io::take_list(in, file, times);
-  io::take_list(in, file, speeds);
-  if (numbers.size() != 8 || times.size() != speeds.size())
+  io::take_list(in, file, motion.times);
+  io::take_list(in, file, motion.velocities);
+  io::take_list(in, file, motion.angular_velocities);
+  if (numbers.size() != 5 || motion.times.size() != motion.velocities.size() ||
+      motion.times.size() != motion.angular_velocities.size())
     throw InputError("Checkpoint file " + file + " belongs to another scene");
   n_steps = static_cast<std::uint64_t>(numbers[0]);
   last_time = numbers[1];
@@ -52,7 +52,6 @@ void BrainRecord::restore(std::istream &in,
     sums.fluctuation_square += numbers[3];
     sums.average_square += numbers[4];
   }
-  largest_angular_velocity = {{numbers[5], numbers[6], numbers[7]}};
   std::unordered_map<std::uint32_t, std::size_t> here;
   for (std::size_t i = 0; i < samples.size(); ++i)
     here[samples[i].cell] = i;

@@ -69,13 +69,10 @@ std::vector<InjuryMeasure> ChestInjury::measures() const
 {
   if (times_.size() < 2)
     return {};
-  std::vector<InjuryMeasure> list{
-    {{"injury_chest_wall_velocity_mesh",
-      "m/s",
-      *std::max_element(wall_velocities_.begin(), wall_velocities_.end())},
-     "none of its own: those of the model are of the model's velocity",
-     "of the skin before the chest in this mesh, a mean over its "
-     "neighbourhood; bars of ribs coarser than 5 mm are too stiff or broken"}};
+  std::vector<InjuryMeasure> list{known_measure(
+    "injury_chest_wall_velocity_mesh",
+    "m/s",
+    *std::max_element(wall_velocities_.begin(), wall_velocities_.end()))};
   if (reports_load_)
     add_load(list);
   return list;
@@ -86,24 +83,14 @@ void ChestInjury::add_load(std::vector<InjuryMeasure> &list) const
 {
   const LoadInjury injury = load_injury(times_, pressures_, mass_);
   const double velocity = injury.chest_wall_velocity;
-  list.push_back({{"injury_chest_pressure_peak", "Pa", injury.pulse.peak},
-                  "none of its own",
-                  "as loaded, on the facet nearest to the place of the chest"});
   list.push_back(
-    {{"injury_chest_wall_velocity", "m/s", velocity},
-     "3.6: slight, 7.5: moderate, 12.8: lethal for half (Axelsson and "
-     "Yelverton 1996)",
-     "model of one mass"});
-  list.push_back(
-    {{"injury_adjusted_severity", "-", thorax_injury_index(velocity)},
-     "0.2 to 1: slight (recalled)",
-     "of that velocity"});
+    known_measure("injury_chest_pressure_peak", "Pa", injury.pulse.peak));
+  list.push_back(known_measure("injury_chest_wall_velocity", "m/s", velocity));
+  list.push_back(known_measure(
+    "injury_adjusted_severity", "-", thorax_injury_index(velocity)));
   if (injury.pulse.duration > 0.)
     list.push_back(
-      {{"injury_lung_exposure", "-", injury.lung_exposure},
-       "0.2: lung injury begins, 1: half die (Bowen et al. 1968, recalled)",
-       "for long bodies near no wall; takes the first positive phase of the "
-       "pressure on the chest"});
+      known_measure("injury_lung_exposure", "-", injury.lung_exposure));
 }
 
 

@@ -10,6 +10,7 @@
 #include <contrecoup/solid/motion/mean_motion.h>
 
 #include <filesystem>
+#include <limits>
 #include <sstream>
 
 namespace contrecoup::solid
@@ -19,6 +20,24 @@ namespace
   using dealii::Tensor;
 
   constexpr std::uint32_t none = -1;
+
+  /// Bone whose centre is that near to the box around the brain counts as skull
+  /// [m]: fluid and bone around a brain are thinner.
+  constexpr double skull_reach = 0.015;
+
+
+  /// Mean over the corners of an element.
+  template <typename Value>
+  Tensor<1, 3> mean_of(const SolidMesh &mesh,
+                       const std::uint32_t element,
+                       const Value &value)
+  {
+    Tensor<1, 3> mean;
+    for (const std::uint32_t node : mesh.elements[element])
+      for (unsigned int d = 0; d < 3; ++d)
+        mean[d] += value(node, d) / 8.;
+    return mean;
+  }
 
   std::string file_of(const std::string &folder, const unsigned int rank)
   {
@@ -84,6 +103,7 @@ void InjuryReport<Real>::reinit(const SolidBody<Real> &body)
     sample.volume = average_.volumes()[record_.samples.size()];
     record_.samples.push_back(sample);
   }
+  find_skull(body);
   chest_wall_.reinit(
     mesh, chest_.place(), chest_.radius(), body.communicator());
   record_.last_time = body.time();
@@ -129,31 +149,81 @@ void InjuryReport<Real>::follow_brain(const SolidBody<Real> &body,
 
 
 template <typename Real>
+void InjuryReport<Real>::find_skull(const SolidBody<Real> &body)
+{
+  namespace mpi = dealii::Utilities::MPI;
+  const SolidMesh &mesh = body.mesh();
+  const auto centre = [&](const std::uint32_t element) {
+    return mean_of(
+      mesh, element, [&](const std::uint32_t node, const unsigned int d) {
+        return mesh.nodes[node][d];
+      });
+  };
+  Tensor<1, 3> low, high;
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    low[d] = std::numeric_limits<double>::max();
+    high[d] = -low[d];
+  }
+  for (const std::uint32_t element : average_.elements())
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      low[d] = std::min(low[d], centre(element)[d]);
+      high[d] = std::max(high[d], centre(element)[d]);
+    }
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    low[d] = mpi::min(low[d], body.communicator()) - skull_reach;
+    high[d] = mpi::max(high[d], body.communicator()) + skull_reach;
+  }
+  skull_.clear();
+  for (std::uint32_t i = 0; i < mesh.elements.size(); ++i)
+  {
+    if (mesh.tissues[mesh.tissue[i]] != Tissue::skeleton)
+      continue;
+    const Tensor<1, 3> place = centre(i);
+    bool is_near = true;
+    for (unsigned int d = 0; d < 3; ++d)
+      is_near = is_near && place[d] >= low[d] && place[d] <= high[d];
+    if (is_near)
+      skull_.emplace_back(i, cell_volume(mesh, i));
+  }
+  has_skull_ = mpi::sum(skull_.size(), body.communicator()) > 0;
+}
+
+
+template <typename Real>
 void InjuryReport<Real>::follow_head(const SolidBody<Real> &body)
 {
-  // Each element of the brain is a point mass at its centre.
-  MeanMotion motion;
+  // Each element is a point mass at its centre.
+  MeanMotion moving, head;
   const SolidMesh &mesh = body.mesh();
+  const auto add =
+    [&](const std::uint32_t element, const double volume, const bool moves) {
+      const Tensor<1, 3> place = mean_of(
+        mesh, element, [&](const std::uint32_t node, const unsigned int d) {
+          return mesh.nodes[node][d] +
+                 double(body.nodes().displacement_of(node)[d]);
+        });
+      const Tensor<1, 3> velocity = mean_of(
+        mesh, element, [&](const std::uint32_t node, const unsigned int d) {
+          return double(body.nodes().velocity_of(node)[d]);
+        });
+      head.add(volume, place, velocity);
+      if (moves)
+        moving.add(volume, place, velocity);
+    };
   for (std::size_t i = 0; i < record_.samples.size(); ++i)
-  {
-    Tensor<1, 3> place, velocity;
-    for (const std::uint32_t node : mesh.elements[average_.elements()[i]])
-      for (unsigned int d = 0; d < 3; ++d)
-      {
-        place[d] += (mesh.nodes[node][d] +
-                     double(body.nodes().displacement_of(node)[d])) /
-                    8.;
-        velocity[d] += double(body.nodes().velocity_of(node)[d]) / 8.;
-      }
-    motion.add(record_.samples[i].volume, place, velocity);
-  }
-  if (!motion.find(body.communicator()))
+    add(average_.elements()[i], record_.samples[i].volume, !has_skull_);
+  for (const auto &[element, volume] : skull_)
+    add(element, volume, true);
+  // Both are collective.
+  const bool has_head = head.find(body.communicator()),
+             has_motion = moving.find(body.communicator());
+  if (!has_head || !has_motion)
     return;
-  update_largest_angular_velocity(record_.largest_angular_velocity,
-                                  motion.angular_velocity());
-  const Tensor<1, 3> &velocity = motion.velocity();
-  record_.times.push_back(body.time());
-  record_.speeds.push_back({{velocity[0], velocity[1], velocity[2]}});
+  record_.motion.add(
+    body.time(), moving.velocity_at(head.centre()), moving.angular_velocity());
 }
 
 
@@ -185,15 +255,11 @@ void InjuryReport<Real>::add_brain(const SolidBody<Real> &body,
 template <typename Real>
 void InjuryReport<Real>::add_head(std::vector<InjuryMeasure> &list) const
 {
-  if (record_.times.size() < 2)
-    return;
-  list.push_back(
-    head_motion_measure(record_.times,
-                        record_.speeds,
-                        "the mean motion of the brain; made for impacts, not "
-                        "blasts"));
-  list.push_back(head_rotation_measure(record_.largest_angular_velocity,
-                                       "the mean turning of the brain"));
+  for (const InjuryMeasure &measure : head_motion_measures(
+         record_.motion,
+         has_skull_ ? "the skull, at the centre of brain and skull"
+                    : "the mean motion of the brain"))
+    list.push_back(measure);
 }
 
 

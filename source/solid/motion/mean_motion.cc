@@ -35,6 +35,7 @@ bool MeanMotion::find(const MPI_Comm communicator,
   for (unsigned int i = 1; i < sums_.size(); ++i)
     sums_[i] /= sums_[0];
   const Vector centre({sums_[1], sums_[2], sums_[3]});
+  centre_ = centre;
   velocity_ = Vector({sums_[4], sums_[5], sums_[6]});
   Vector angular_momentum = Vector({sums_[7], sums_[8], sums_[9]}) -
                             cross_product_3d(centre, velocity_);

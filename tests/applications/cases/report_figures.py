@@ -36,20 +36,32 @@ TITLES = {
     "injury_chest_wall_velocity_mesh": "chest skin velocity in the mesh"}
 # Measures with thresholds that give no verdict.
 EXPOSURES = ("maximum brain pressure",)
-# Names of the measures of gauge_injury.csv in the report.
+# Names of the measures of gauge_injury.csv and, of the first probe,
+# probe_injury.csv in the report.
 OF_SKIN = {("chest_wall_velocity", "chest"): "chest_wall_front",
+           ("chest_wall_velocity", "back"): "chest_wall_back",
            ("chest_wall_velocity", "chest and back"): "chest_wall_mean",
-           ("lung_exposure", "chest"): "lung_exposure"}
+           ("lung_exposure", "chest"): "lung_exposure",
+           ("lung_exposure", "back"): "lung_exposure_back",
+           ("lung_exposure", "probe 1"): "lung_exposure_air",
+           ("lung_lethality", "probe 1"): "lung_lethality"}
+OF_AIR = ("lung_exposure_air", "lung_lethality")
 SKIN_TITLES = {
     "chest_wall_front": "front chest wall velocity",
+    "chest_wall_back": "back chest wall velocity",
     "chest_wall_mean": "mean chest wall velocity (front and back)",
     "lung_exposure": "chest load over the 50 % lethality load",
+    "lung_exposure_back": "back load over the 50 % lethality load",
+    "lung_exposure_air": "free-field load over the 50 % lethality load",
+    "lung_lethality": "probability of death by lung injury",
     "ear_rupture": "rupture probability of an eardrum"}
 WORDS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight",
          "nine", "ten", "eleven", "twelve")
 PRESSURES = ("injury_intracranial_pressure_peak",
              "injury_intracranial_pressure_lowest")
-CHECKED = ("injury_pressure_roughness",)
+CHECKED = ("injury_pressure_roughness",
+           *(f"injury_{name}_ais{degree}" for name in ("hic15", "bric")
+             for degree in (2, 3, 4)))
 
 
 def require(holds, reason):
@@ -81,6 +93,10 @@ class Files:
         self.units = {row["measure"]: row["unit"] for row in
                       read_rows(output, "biomechanics", "injury.csv")}
         self.places, self.skin = gauges_of(output, "blast")
+        self.side = max((side for side in ("chest", "back")
+                         if ("lung_exposure", side) in self.skin),
+                        key=lambda side: self.skin["lung_exposure", side],
+                        default="chest")
         self.gauges = {}
         if os.path.exists(os.path.join(output, "blast", "load_gauges.csv")):
             rows = read_rows(output, "blast", "load_gauges.csv")
@@ -93,8 +109,9 @@ class Files:
         self.coarser = {row["measure"]: float(row["value"]) for row in
                         read_rows(output, COARSER[1], "injury.csv")}
         self.coarser_places, skin = gauges_of(output, COARSER[0])
-        self.coarser.update({name: value
-                             for value, name in of_skin(skin).values()})
+        self.coarser.update({
+            name: value
+            for value, name in of_skin(skin, self.side).values()})
 
     def limit(self, stage, entry):
         """A number that a stage was given by an entry of one place."""
@@ -139,27 +156,31 @@ def gauges_of(output, stage):
             place = row.pop("place")
             places[place] = {key.split(" [")[0]: float(value)
                              for key, value in row.items()}
-    if os.path.exists(os.path.join(output, stage, "gauge_injury.csv")):
-        for row in read_rows(output, stage, "gauge_injury.csv"):
-            skin[row["measure"], row["place"]] = float(row["value"])
+    for name in ("gauge_injury.csv", "probe_injury.csv"):
+        if os.path.exists(os.path.join(output, stage, name)):
+            for row in read_rows(output, stage, name):
+                skin[row["measure"], row["place"]] = float(row["value"])
     return places, skin
 
 
-def of_skin(skin):
-    """By title: the value of an injury at the gauges, and its name."""
+def of_skin(skin, side):
+    """By title: the value of an injury at the gauges, of chest and back at one
+    side, or at the probe beside the body, and its name."""
     rows = {}
     for (measure, place), value in skin.items():
-        if measure == "eardrum_rupture":
+        if measure == "eardrum_rupture" and place.endswith("ear"):
             rows[f"rupture probability of the {place}drum"] = value, place
         name = OF_SKIN.get((measure, place))
-        if name:
+        if name in OF_AIR and ("lung_exposure", "chest") not in skin:
+            continue
+        if name and place in (side, "chest and back", "probe 1"):
             rows[SKIN_TITLES[name]] = value, name
     return rows
 
 
 def expected_injuries(files):
     """By title: the value, and its name in Files.coarser."""
-    rows = of_skin(files.skin)
+    rows = of_skin(files.skin, files.side)
     for name, value in files.injury.items():
         if name not in CHECKED:
             rows[TITLES[name]] = value, name
@@ -180,6 +201,8 @@ def check_injury(page, files):
         lines = row["value and its estimated error"].split("\n")
         if lines[0].startswith(">"):
             require(0.9995 <= value < 1., f"{title} is {value}")
+        elif lines[0].startswith("<"):
+            require(value < 5e-4, f"{title} is {value}")
         else:
             require_same(lines[0], value, title)
         error = _error(name, value, files)
@@ -206,8 +229,8 @@ def _error(name, value, files):
     is_of_body = name in files.injury
     times = 1. / ((5. / 3. if is_of_body else 2.) ** 0.7 - 1.)
     error = times * abs(files.coarser[name] / value - 1.)
-    if name.startswith(("chest_", "lung_")):
-        peaks = [places["chest"]["peak"] for places in
+    if name.startswith(("chest_", "lung_")) and name not in OF_AIR:
+        peaks = [places[files.side]["peak"] for places in
                  (files.coarser_places, files.places)]
         error = max(error, abs(peaks[0] / peaks[1] - 1.))
     if name in PRESSURES:
@@ -265,16 +288,26 @@ def check_headline(page, files):
         (rf", ({number} m) above the ground", files.scene["height"])]
     if files.places.get("chest"):
         rows = expected_injuries(files)
+        where = {"chest": "in front", "back": "at the back"}[files.side]
         wanted += [
-            (rf"wall velocity is ({number} m/s) in front",
-             rows["front chest wall velocity"][0]),
-            (rf" ({number} m/s) as the mean",
+            (rf"of front and back, ({number} m/s);",
              rows["mean chest wall velocity (front and back)"][0]),
-            (rf"the chest load is ({number}) of the 50",
-             files.skin["lung_exposure", "chest"]),
+            (rf"; {where} it is ({number} m/s)",
+             files.skin["chest_wall_velocity", files.side]),
+            (rf"The {files.side} load is ({number}) of ",
+             files.skin["lung_exposure", files.side]),
             (r"of the (50 %) lethality", 0.5)]
-    ears = [value for (measure, _), value in files.skin.items()
-            if measure == "eardrum_rupture"]
+    death = files.skin.get(("lung_lethality", "probe 1"))
+    if death is not None and files.places.get("chest"):
+        wanted += [(rf"beside the body is ({number}) of the",
+                    files.skin["lung_exposure", "probe 1"]),
+                   (r"by which less than (0.1 %) of", 0.001)
+                   if death < 0.001 else
+                   (r"by which more than (99 %) of", 0.99)
+                   if death > 0.99 else
+                   (rf"by which ({number} %) of", death)]
+    ears = [value for (measure, place), value in files.skin.items()
+            if measure == "eardrum_rupture" and place.endswith("ear")]
     if ears:
         wanted.append((r"more than (99 %)", 0.99) if max(ears) > 0.99 else
                       (rf"with a probability of ({number} %)", max(ears)))

@@ -5,6 +5,7 @@
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
+#include <contrecoup/gas/record/gauge_tables.h>
 #include <contrecoup/gas/record/load_gauges.h>
 
 #include <gtest/gtest.h>
@@ -50,14 +51,20 @@ LoadGauges make_gauges(const std::vector<std::string> &lines)
 
 
 /// Text between the commas of each line.
-std::vector<std::vector<std::string>> read_rows(const std::string &path)
+std::vector<std::vector<std::string>> rows_of(std::istream &file)
 {
   std::vector<std::vector<std::string>> rows;
-  std::ifstream file(path);
   std::string line;
   while (std::getline(file, line))
     rows.push_back(split(line, ','));
   return rows;
+}
+
+
+std::vector<std::vector<std::string>> read_rows(const std::string &path)
+{
+  std::ifstream file(path);
+  return rows_of(file);
 }
 
 
@@ -241,6 +248,93 @@ TEST(LoadGauges, WriteWhatTheLoadsWouldDoToAPerson)
   EXPECT_NEAR(std::stod(injuries[2][2]), 200. / 941., 3e-3);
   EXPECT_EQ(injuries[3][0] + " " + injuries[3][1], "eardrum_rupture left ear");
   EXPECT_NEAR(std::stod(injuries[3][2]), 0.84, 0.01);
+}
+
+
+// A back that bears three times the load of the chest.
+TEST(GaugeTables, HaveChestAndBack)
+{
+  GaugeBlast front{"chest", {200e3, 400., 5e-6, 5e-3}, 5e-6, {}};
+  GaugeBlast rear{"back", {600e3, 1200., 5e-6, 5e-3}, 5e-6, {}};
+  std::vector<double> times;
+  for (unsigned int i = 0; i <= 1000; ++i)
+  {
+    const double x = i / 1000.;
+    times.push_back(5e-3 * x);
+    front.overpressures.push_back(200e3 * (1. - x) * std::exp(-x));
+    rear.overpressures.push_back(3. * front.overpressures.back());
+  }
+  std::istringstream table(gauge_injury_table({rear, front}, times, 70.));
+  const std::vector<std::vector<std::string>> rows = rows_of(table);
+  ASSERT_EQ(rows.size(), 6U);
+  EXPECT_EQ(rows[1][0] + " " + rows[1][1], "chest_wall_velocity chest");
+  EXPECT_NEAR(std::stod(rows[1][2]), 6.020, 1e-3);
+  EXPECT_EQ(rows[2][0] + " " + rows[2][1], "chest_wall_velocity back");
+  EXPECT_EQ(rows[3][0] + " " + rows[3][1],
+            "chest_wall_velocity chest and back");
+  EXPECT_DOUBLE_EQ(std::stod(rows[3][2]),
+                   0.5 * (std::stod(rows[1][2]) + std::stod(rows[2][2])));
+  EXPECT_EQ(rows[4][0] + " " + rows[4][1], "lung_exposure chest");
+  EXPECT_NEAR(std::stod(rows[4][2]), 200. / 941., 1e-3);
+  EXPECT_EQ(rows[5][0] + " " + rows[5][1], "lung_exposure back");
+  EXPECT_NEAR(std::stod(rows[5][2]), 600. / 941., 1e-3);
+}
+
+
+// A blast test device whose gauges see 2, 1, 1 and 0.5 times the same wave;
+// half of it has one side for both.
+TEST(GaugeTables, TakeTheMeanOfABlastTestDevice)
+{
+  std::vector<double> times;
+  for (unsigned int i = 0; i <= 1000; ++i)
+    times.push_back(5e-6 * i);
+  const auto gauge = [&](const std::string &side, const double part) {
+    GaugeBlast found{
+      "device " + side, {part * 200e3, 400., 5e-6, 5e-3}, 5e-6, {}};
+    for (const double time : times)
+      found.overpressures.push_back(part * 200e3 * (1. - time / 5e-3) *
+                                    std::exp(-time / 5e-3));
+    return found;
+  };
+  const std::vector<GaugeBlast> half = {
+    gauge("front", 2.), gauge("left", 1.), gauge("back", 0.5)};
+  std::vector<GaugeBlast> whole = half;
+  whole.push_back(gauge("right", 1.));
+  const std::string text = gauge_injury_table(half, times, 70.);
+  EXPECT_EQ(gauge_injury_table(whole, times, 70.), text);
+  std::istringstream table(text);
+  const std::vector<std::vector<std::string>> rows = rows_of(table);
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[1][0] + " " + rows[1][1], "chest_wall_velocity device");
+  // 11.547, twice 6.020 and 3.04 m/s; tests/numerics has the first two.
+  const double velocity = std::stod(rows[1][2]);
+  EXPECT_GT(velocity, (11.547 + 2. * 6.020 + 2.9) / 4.);
+  EXPECT_LT(velocity, (11.547 + 2. * 6.020 + 3.1) / 4.);
+  EXPECT_EQ(rows[2][0] + " " + rows[2][1], "thorax_injury_index device");
+  EXPECT_NEAR(
+    std::stod(rows[2][2]), std::pow(0.124 + 0.117 * velocity, 2.63), 1e-12);
+  EXPECT_EQ(gauge_injury_table({half[0], half[2]}, times, 70.), "");
+}
+
+
+// 200 kPa of 5 ms: 310 kPa with the dynamic pressure, where 941 kPa kill half.
+TEST(GaugeTables, TellWhatAWaveDoesToAPersonInTheAir)
+{
+  const BlastMeasures wave{200e3, 400., 1e-3, 5e-3};
+  std::istringstream table(air_injury_table({{"probe 1", wave, 101325.},
+                                             {"probe 2", {}, 101325.},
+                                             {"probe 3", wave, 1.}},
+                                            70.));
+  const std::vector<std::vector<std::string>> rows = rows_of(table);
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_EQ(join(rows[0], ","), "measure,place,value,unit,definition");
+  EXPECT_EQ(rows[1][0] + " " + rows[1][1], "lung_exposure probe 1");
+  EXPECT_NEAR(std::stod(rows[1][2]), 310. / 941., 1e-3);
+  EXPECT_EQ(rows[2][0] + " " + rows[2][1], "lung_lethality probe 1");
+  EXPECT_LT(std::stod(rows[2][2]), 1e-8);
+  EXPECT_EQ(rows[3][0] + " " + rows[3][1], "eardrum_rupture probe 1");
+  EXPECT_NEAR(std::stod(rows[3][2]), 0.84, 0.01);
+  EXPECT_EQ(air_injury_table({{"probe 2", {}, 101325.}}, 70.), "");
 }
 
 

@@ -27,6 +27,11 @@ public:
   {
     return places_;
   }
+  /// Initial pressure at each probe [Pa].
+  const std::vector<double> &ambient() const
+  {
+    return ambient_;
+  }
   std::size_t size() const
   {
     return places_.size();

@@ -26,8 +26,13 @@ std::string gauge_measures_table(const std::vector<GaugeBlast> &gauges);
 /**
  * CSV table of injuries that the loads at the gauges would cause, one row per
  * measure and place, with unit and definition: chest wall velocity at "chest"
- * and "back" and the mean of both, lung exposure at "chest", eardrum rupture
- * at gauges whose name ends with "ear"; see load_injury(). Empty without such
+ * and "back" and the mean of both, lung exposure at "chest" and "back", eardrum
+ * rupture at gauges whose name ends with "ear"; see load_injury(). Of a blast
+ * test device, a cylinder of 0.305 m diameter and 0.762 m height (NATO AEP-55,
+ * vol. 3, 2011) with the gauges "device front", "device back", "device left"
+ * and "device right" at half its height, the chest wall velocity that Axelsson
+ * and Yelverton (1996) define, the mean of the four, and their index of injury;
+ * half a device has one of its sides, which counts twice. Empty without such
  * gauges.
  *
  * @param times of the samples, increasing [s]
@@ -36,4 +41,24 @@ std::string gauge_measures_table(const std::vector<GaugeBlast> &gauges);
 std::string gauge_injury_table(const std::vector<GaugeBlast> &gauges,
                                const std::vector<double> &times,
                                const double body_mass);
+
+/// Blast wave at a place in the air.
+struct AirBlast
+{
+  std::string place;
+  BlastMeasures blast;
+  double ambient = 0.; ///< pressure [Pa]
+};
+
+/**
+ * CSV table, as gauge_injury_table(), of injuries to a person who stands
+ * upright in the open at each place: lung exposure by standing_load(), the
+ * probability of death that follows, and eardrum rupture by the incident peak.
+ * Places that no blast has reached, or whose ambient pressure is none that
+ * people live at, are left out; empty without others.
+ *
+ * @param body_mass [kg]
+ */
+std::string air_injury_table(const std::vector<AirBlast> &places,
+                             const double body_mass);
 } // namespace contrecoup::gas

@@ -9,7 +9,9 @@ namespace contrecoup::gas
 {
 /**
  * Probes at fixed positions, known to every rank: the current state, and peak
- * overpressure, impulse, arrival and duration of the blast so far at each.
+ * overpressure, impulse, arrival and duration of the blast so far at each. What
+ * the blast would do to a person at each probe goes to probe_injury.csv at the
+ * end of the run, see air_injury_table().
  */
 template <int dim>
 class ProbeSet : public Recorder<dim>
@@ -22,8 +24,14 @@ public:
   void parse_parameters(dealii::ParameterHandler &prm,
                         const GasScene<dim> &scene) override;
 
+  void set_output_folder(const std::string &folder) override
+  {
+    folder_ = folder;
+  }
+
   void mesh_changed(const GasSnapshot<dim> &gas) override
   {
+    communicator_ = gas.mesh.communicator();
     gauges_.mesh_changed(gas);
   }
   void begin(const GasSnapshot<dim> &gas) override
@@ -69,12 +77,17 @@ public:
   /// a reference.
   std::vector<std::string> report(const GasSnapshot<dim> &gas) const override;
 
+  void finish() override;
+
   void save(std::ostream &stream, const std::string &folder) const override;
   void load(std::istream &stream, const std::string &folder) override;
 
 private:
   BlastProbes<dim> gauges_;
-  double last_time_ = 0.; ///< [s]
+  MPI_Comm communicator_ = MPI_COMM_SELF;
+  std::string folder_;      ///< of the results; empty in trial runs
+  double body_mass_ = 78.5; ///< [kg]
+  double last_time_ = 0.;   ///< [s]
   std::vector<GasState<dim>> states_;
 };
 } // namespace contrecoup::gas

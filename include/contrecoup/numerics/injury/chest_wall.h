@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include <string>
 #include <vector>
 
 namespace contrecoup
@@ -38,14 +37,11 @@ ChestWallResponse chest_wall_response(const std::vector<double> &times,
                                       const double ambient_pressure);
 
 /**
- * Adjusted severity of injury index of the thorax [-], (0.124 + 0.117 v)^2.63,
- * where v is the largest inward chest wall velocity, averaged over the sides
- * of a trunk [m/s] (Axelsson and Yelverton 1996; fitted to sheep).
+ * Adjusted severity of injury index (ASII) of the thorax [-], (0.124 + 0.117
+ * v)^2.63, where v is the largest inward chest wall velocity [m/s], the mean of
+ * the four gauges of a blast test device (Axelsson and Yelverton 1996; fitted
+ * to sheep). The levels of injury by v are the criterion "chest_wall_mean" of
+ * injury_criterion(); one gauge alone has none.
  */
 double thorax_injury_index(const double chest_wall_velocity);
-
-/// Injury level of a chest wall velocity according to Axelsson and Yelverton
-/// (1996): "none" below 3.6 m/s, "trace" below 7.5, "slight" below 9.8,
-/// "moderate" below 12.8, "extensive" below 16.9, else "lethal to most".
-std::string thorax_injury_band(const double chest_wall_velocity);
 } // namespace contrecoup

@@ -72,22 +72,26 @@ brain_measures(const std::vector<BrainSample> &samples,
                const BrainSums &sums,
                const MPI_Comm communicator);
 
-/// Head injury criterion (HIC) of a velocity history [m/s] at @p times [s].
-/// @param motion describes what moves, for the report
-InjuryMeasure
-head_motion_measure(const std::vector<double> &times,
-                    const std::vector<std::array<double, 3>> &velocities,
-                    const std::string &motion);
+/// Rigid motion of the head over time.
+struct HeadMotion
+{
+  std::vector<double> times;                     ///< [s]
+  std::vector<std::array<double, 3>> velocities; ///< of its centre [m/s]
+  std::vector<std::array<double, 3>> angular_velocities; ///< [rad/s]
 
-/// Updates the largest absolute angular velocities about each axis [rad/s].
-void update_largest_angular_velocity(
-  std::array<double, 3> &largest,
-  const dealii::Tensor<1, 3> &angular_velocity);
+  void add(const double time,
+           const dealii::Tensor<1, 3> &velocity,
+           const dealii::Tensor<1, 3> &angular_velocity);
+};
 
-/// Brain injury criterion (BrIC) of the largest angular velocities [rad/s].
-/// @param motion describes what turns, for the report
-InjuryMeasure head_rotation_measure(const std::array<double, 3> &largest,
-                                    const std::string &motion);
+/**
+ * Head injury criterion (HIC) and brain injury criterion (BrIC) of the motion
+ * after the filter of channel frequency class 1000 (SAE J211/1), each with the
+ * probabilities of injury that follow; empty for less than two times.
+ * @param moving describes what moves, for the report
+ */
+std::vector<InjuryMeasure> head_motion_measures(const HeadMotion &motion,
+                                                const std::string &moving);
 
 /// The measures as a table for injury.csv.
 std::string to_csv(const std::vector<InjuryMeasure> &measures);

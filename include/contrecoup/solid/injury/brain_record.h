@@ -16,13 +16,10 @@ namespace contrecoup::solid
 struct BrainRecord
 {
   std::uint64_t n_steps = 0;
-  double last_time = 0.; ///< of the last recording [s]
-  BrainSums sums;        ///< of this rank
-  std::array<double, 3>
-    largest_angular_velocity{};              ///< of the head, by axis [rad/s]
-  std::vector<BrainSample> samples;          ///< of this rank
-  std::vector<double> times;                 ///< of `speeds` [s]
-  std::vector<std::array<double, 3>> speeds; ///< velocity of the head [m/s]
+  double last_time = 0.;            ///< of the last recording [s]
+  BrainSums sums;                   ///< of this rank
+  std::vector<BrainSample> samples; ///< of this rank
+  HeadMotion motion;
 
   void save(std::ostream &out) const;
 

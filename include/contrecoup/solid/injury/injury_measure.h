@@ -6,6 +6,7 @@
 #include <contrecoup/base/run/simulation.h>
 
 #include <string>
+#include <vector>
 
 namespace contrecoup::solid
 {
@@ -16,4 +17,13 @@ struct InjuryMeasure
   std::string threshold; ///< including its source
   std::string limits;    ///< limits of its validity
 };
+
+/// A measure with what injury_criterion() knows of its name.
+InjuryMeasure known_measure(const std::string &name,
+                            const std::string &unit,
+                            const double value);
+
+/// The probabilities of injury_criterion() by a measure, as measures
+/// "injury_CURVE"; empty for most.
+std::vector<InjuryMeasure> probabilities_of(const InjuryMeasure &measure);
 } // namespace contrecoup::solid

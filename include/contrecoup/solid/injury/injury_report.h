@@ -52,6 +52,7 @@ public:
 private:
   void follow_brain(const SolidBody<Real> &body, const double span);
   void follow_head(const SolidBody<Real> &body);
+  void find_skull(const SolidBody<Real> &body);
   void add_brain(const SolidBody<Real> &body,
                  std::vector<InjuryMeasure> &list) const;
   void add_head(std::vector<InjuryMeasure> &list) const;
@@ -65,6 +66,9 @@ private:
   unsigned int brain_ = 0;
   TissueAverage average_; ///< of the brain
   std::vector<std::uint32_t> sample_of_element_;
+  /// Elements of bone at the brain, with their volumes [m^3].
+  std::vector<std::pair<std::uint32_t, double>> skull_;
+  bool has_skull_ = false; ///< on any rank
   BrainRecord record_;
 };
 } // namespace contrecoup::solid

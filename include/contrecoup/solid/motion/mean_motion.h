@@ -32,9 +32,19 @@ public:
   bool find(const MPI_Comm communicator,
             const std::array<bool, 3> &is_mirrored = {{false, false, false}});
 
-  const Vector &velocity() const ///< [m/s]
+  const Vector &velocity() const ///< of the centre of mass [m/s]
   {
     return velocity_;
+  }
+  /// Centre of mass, of the half if it is mirrored [m].
+  const Vector &centre() const
+  {
+    return centre_;
+  }
+  /// Velocity of the rigid motion at @p point [m/s].
+  Vector velocity_at(const Vector &point) const
+  {
+    return velocity_ + cross_product_3d(angular_velocity_, point - centre_);
   }
   /// Angular velocity [rad/s]; 0 for masses on a line.
   const Vector &angular_velocity() const
@@ -46,6 +56,6 @@ private:
   /// Mass, first moments, momentum, angular momentum, squares of coordinates,
   /// and products x y, y z, z x.
   std::vector<double> sums_ = std::vector<double>(16, 0.);
-  Vector velocity_, angular_velocity_;
+  Vector velocity_, angular_velocity_, centre_;
 };
 } // namespace contrecoup::solid

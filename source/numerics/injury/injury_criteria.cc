@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/numerics/injury/injury_criteria.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+namespace contrecoup
+{
+namespace
+{
+  using Json = nlohmann::json;
+
+  // The text of injury_criteria.json.
+  const char *const text =
+#include <contrecoup/numerics/injury/injury_criteria.inc>
+    ;
+
+  const Json &data()
+  {
+    static const Json parsed = Json::parse(text);
+    return parsed;
+  }
+
+
+  /// A range of a measure with its meaning; ranges may overlap.
+  struct Level
+  {
+    std::string meaning;
+    double begin, end;
+  };
+
+
+  std::vector<std::pair<double, std::string>>
+  thresholds_of(const std::vector<Level> &levels)
+  {
+    std::set<double> edges;
+    for (const Level &level : levels)
+      edges.insert({level.begin, level.end});
+    std::vector<std::pair<double, std::string>> thresholds;
+    for (const double edge : edges)
+    {
+      std::vector<std::string> meanings;
+      for (const Level &level : levels)
+        if (level.begin <= edge && edge < level.end)
+          meanings.push_back(level.meaning);
+      if (!meanings.empty())
+        thresholds.emplace_back(edge, join(meanings, " or "));
+    }
+    return thresholds;
+  }
+
+
+  InjuryCriterion criterion_of(const Json &measure)
+  {
+    InjuryCriterion criterion;
+    if (measure.contains("levels"))
+    {
+      std::vector<Level> levels;
+      for (const Json &level : measure["levels"])
+        levels.push_back({level[0],
+                          level[1],
+                          level[2].is_null()
+                            ? std::numeric_limits<double>::infinity()
+                            : level[2].get<double>()});
+      criterion.thresholds = thresholds_of(levels);
+    }
+    else
+      for (const Json &threshold : measure["thresholds"])
+        criterion.thresholds.emplace_back(threshold[0], threshold[1]);
+    criterion.source =
+      data()["sources"].at(measure["source"].get<std::string>());
+    criterion.limits = measure["limits"];
+    if (measure.contains("curves"))
+      criterion.curves = measure["curves"].get<std::vector<std::string>>();
+    return criterion;
+  }
+
+
+  /// Part of the standard normal distribution below @p deviation.
+  double normal_part_below(const double deviation)
+  {
+    return 0.5 * std::erfc(-deviation / std::sqrt(2.));
+  }
+
+
+  std::map<std::string, InjuryCurve> read_curves()
+  {
+    std::map<std::string, InjuryCurve> list;
+    for (const auto &[name, curve] : data()["curves"].items())
+      list[name] = {name,
+                    curve.value("event", ""),
+                    data()["sources"].at(curve["source"].get<std::string>()),
+                    curve["valid"]};
+    return list;
+  }
+} // namespace
+
+
+double InjuryCurve::probability(const double value) const
+{
+  if (!(value > 0.))
+    return 0.;
+  const std::string law = data()["curves"][name]["law"];
+  const auto constant = [&](const char *const of) {
+    return injury_curve_constant(name, of);
+  };
+  if (law == "lognormal")
+    return normal_part_below((std::log(value) - constant("mean")) /
+                             constant("deviation"));
+  if (law == "probit")
+    return normal_part_below(constant("intercept") +
+                             constant("slope") * std::log(value) - 5.);
+  if (law == "weibull")
+    return -std::expm1(
+      -std::pow(value / constant("scale"), constant("exponent")));
+  throw InputError("the curve \"" + name + "\" is no probability");
+}
+
+
+const InjuryCurve &injury_curve(const std::string &name)
+{
+  static const std::map<std::string, InjuryCurve> known = read_curves();
+  const auto found = known.find(name);
+  if (found == known.end())
+    throw InputError("there is no curve of injury \"" + name + "\"");
+  return found->second;
+}
+
+
+double injury_curve_constant(const std::string &curve, const std::string &name)
+{
+  injury_curve(curve);
+  return data()["curves"][curve].at(name);
+}
+
+
+std::string InjuryCriterion::meaning(const double value) const
+{
+  std::string worst = "none";
+  for (const auto &[limit, words] : thresholds)
+    if (limit < 0. ? value < limit : value > limit)
+      worst = words;
+  return worst;
+}
+
+
+std::string InjuryCriterion::in_words(const std::string &unit) const
+{
+  std::vector<std::string> words;
+  for (const auto &[limit, meaning] : thresholds)
+    words.push_back(brief(limit, 6) + (unit == "-" ? "" : " " + unit) + ": " +
+                    meaning);
+  return thresholds.empty() ? "no threshold (" + source + ")"
+                            : join(words, "; ") + " (" + source + ")";
+}
+
+
+const InjuryCriterion &injury_criterion(const std::string &name)
+{
+  static const std::map<std::string, InjuryCriterion> known = [] {
+    std::map<std::string, InjuryCriterion> list;
+    for (const auto &[key, measure] : data()["measures"].items())
+      list[key] = criterion_of(measure);
+    return list;
+  }();
+  const auto found = known.find(name);
+  if (found == known.end())
+    throw InputError("there is no measure of injury \"" + name + "\"");
+  return found->second;
+}
+} // namespace contrecoup

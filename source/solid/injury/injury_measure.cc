@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/numerics/injury/injury_criteria.h>
+#include <contrecoup/solid/injury/injury_measure.h>
+
+namespace contrecoup::solid
+{
+InjuryMeasure known_measure(const std::string &name,
+                            const std::string &unit,
+                            const double value)
+{
+  const InjuryCriterion &criterion = injury_criterion(name);
+  return {{name, unit, value}, criterion.in_words(unit), criterion.limits};
+}
+
+
+std::vector<InjuryMeasure> probabilities_of(const InjuryMeasure &measure)
+{
+  std::vector<InjuryMeasure> list;
+  for (const std::string &name : injury_criterion(measure.value.name).curves)
+  {
+    const InjuryCurve &curve = injury_curve(name);
+    list.push_back(
+      {{"injury_" + name, "-", curve.probability(measure.value.value)},
+       "probability of " + curve.event + " (" + curve.source + ")",
+       curve.valid});
+  }
+  return list;
+}
+} // namespace contrecoup::solid
