@@ -35,7 +35,7 @@ from plot.figures import (body_loads, body_views, plane_cuts,  # noqa: E402
                           style)
 from plot.readers import tables  # noqa: E402
 from plot.readers.scene import Scene  # noqa: E402
-from plot.report import (error_estimate,  # noqa: E402
+from plot.report import (error_estimate, headline,  # noqa: E402
                          page as html_page, reflections)
 
 
@@ -301,10 +301,10 @@ class ReportTest(unittest.TestCase):
 
     def test_injury_of_the_skin(self):
         """Values of blast are shown with their digits."""
-        mean = tiny_scene.HARM["chest_wall_velocity", "chest and back"][0]
+        mean = tiny_scene.HARM["chest_wall_velocity", "trunk"][0]
         self.expect(self.text, "The expected lung injury is trace to slight or "
-                    "slight to moderate by the mean chest wall velocity of "
-                    f"front and back, {html_page.number(mean)} m/s; in front "
+                    "slight to moderate by the mean chest wall velocity over "
+                    f"the trunk, {html_page.number(mean)} m/s; in front "
                     "it is 10.8 m/s.",
                     "The chest load is 0.26 of the 50 % lethality load.",
                     "a probability of 79 %", "0.788", "peak 175 kPa", "0.264")
@@ -413,6 +413,28 @@ class ReportTest(unittest.TestCase):
         answer = re.search('<div class="answer">(.*?)</div>', self.page)[1]
         for word in ("duration", "is missing (limit", "The run ends before"):
             self.assertFalse(word in answer, word)
+
+    def test_loads_on_other_surface(self):
+        """Impulses that differ by more than two per cent are named."""
+        for mapped, told in ((-118., ""), (-136., "get 115 % of the impulse")):
+            checks = {"loads_recorded_impulse_x": -118.4,
+                      "loads_mapped_impulse_x": mapped}
+            scene = types.SimpleNamespace(
+                biomechanics=types.SimpleNamespace(
+                    found=lambda _, name: checks[name]))
+            found = " ".join(headline._loads(scene)).replace("\xa0", " ")
+            self.assertEqual(bool(found), bool(told))
+            self.assertIn(told, found)
+
+    def test_no_afterburn(self):
+        """Of a balanced explosive: no sentence on effects of nothing."""
+        row = {"item": "afterburn", "decision": "left out, by explosive"}
+        rows = [row] + [{"item": f"afterburn_{name}", "estimate": "0"}
+                        for name in ("peak", "impulse")]
+        scene = types.SimpleNamespace(
+            list_of=lambda name: rows if name == "audit" else [])
+        self.assertEqual(headline._afterburn(scene), [
+            "The run has no afterburn: the explosive's own oxygen burns it."])
 
     def test_ground_far_below(self):
         """Its reflection comes after the positive phase: the body alone adds

@@ -17,7 +17,7 @@ GAUGES = {"forehead": (0.09, 0., 1.7, 5e5), "chest": (0.12, 0., 1.3, 9e5),
 # chest's), by measure and place: value, unit.
 HARM = {("chest_wall_velocity", "chest"): (10.842, "m/s"),
         ("chest_wall_velocity", "back"): (2.4220, "m/s"),
-        ("chest_wall_velocity", "chest and back"): (6.632, "m/s"),
+        ("chest_wall_velocity", "trunk"): (6.632, "m/s"),
         ("lung_exposure", "chest"): (0.26398, "-"),
         ("lung_exposure", "back"): (0.05866, "-"),
         ("eardrum_rupture", "left ear"): (0.78773, "-")}

@@ -10,6 +10,7 @@ from plot.report import injury_table, page, reflections
 
 MERGING = 40.  # degrees of incidence, from which reflections may merge
 LARGE_DIFFERENCE = 0.1  # to Kingery and Bulmash
+LARGE_LOAD_DIFFERENCE = 0.02  # of impulses on skin and elements
 LONG_ENOUGH = 0.01  # s, until the largest strains that a front causes
 # Of items of the audit, for readers who do not know the plan.
 WORDS = {"reflection": "arrival of a wave reflected by an open side of the "
@@ -45,16 +46,16 @@ def _opening(scene):
         f"{page.quantity(mass, 'kg')} of {scene.explosive_name()}")
     distance, height = scene.fact("distance"), scene.fact("height")
     where = f"in front of {body}" if distance is None else \
-        f"{page.quantity(distance, 'm')} from {body}"
+        f"{page.number(distance)} m from {body}"
     if height is None and place is not None:
         height = float(place[2])
     if height is not None:
-        where += f", {page.quantity(height, 'm')} above the ground"
+        where += f", {page.number(height)} m above the ground"
     return f"{charge} detonates {where}."
 
 
 def _lung(judged):
-    """The chest wall's velocity, as the mean over front and back and at the
+    """The chest wall's velocity, as the mean over the trunk and at the
     side with the larger load, and the lung's exposure by Bowen."""
     wall, lung = _wall(judged), _exposure(judged)
     return " ".join(words for words in (wall, lung) if words)
@@ -75,7 +76,7 @@ def _wall(judged):
                 f"{page.quantity(side.value, 'm/s')}; levels of injury are of "
                 "the mean over the sides alone.")
     return (f"The expected lung injury is {mean.meaning() or 'none'} by the "
-            "mean chest wall velocity of front and back, "
+            "mean chest wall velocity over the trunk, "
             f"{page.quantity(mean.value, 'm/s')}; {where} it is "
             f"{page.quantity(side.value, 'm/s')}.")
 
@@ -140,7 +141,8 @@ def _brain(judged):
 def _certainty(scene, judged):
     """How sure the answer is, a sentence each."""
     parts = _verdicts(judged) + _free_air(scene) + _afterburn(scene)
-    parts += _energy(scene) + _limits(scene) + _cut_phases(scene)
+    parts += _loads(scene) + _energy(scene) + _limits(scene)
+    parts += _cut_phases(scene)
     if any(entry.name == "injury_strain_95" for entry in judged):
         parts.append(
             "No limit of brain pressure or strain is agreed on for blast: the "
@@ -223,13 +225,16 @@ def _afterburn(scene):
             scene.list_of("plan") + scene.list_of("audit")}
     if "afterburn" not in rows:
         return []
+    known = [_fraction(rows.get(f"afterburn_{name}"))
+             for name in ("peak", "impulse")]
+    if known == [0., 0.]:
+        return ["The run has no afterburn: the explosive's own oxygen burns "
+                "it."]
     energy = re.match(r"[\d.e+-]+(?= of at most ([\d.e+-]+) MJ/kg)",
                       rows["afterburn"].get("decision") or "")
-    effects = [(_fraction(rows.get(f"afterburn_{name}")), word)
-               for name, word in (("peak", "incident peak"),
-                                  ("impulse", "incident impulse"))]
-    effects = page.joined(f"the {word} by at most {page.percent(rise)}"
-                          for rise, word in effects if rise is not None)
+    effects = page.joined(
+        f"the incident {word} by at most {page.percent(rise)}"
+        for rise, word in zip(known, ("peak", "impulse")) if rise is not None)
     text = "The run leaves out afterburn" if energy is None else (
         f"The run assumes {energy[0]} MJ/kg of afterburn "
         f"(at most {energy[1]} MJ/kg is possible)")
@@ -245,6 +250,18 @@ def _fraction(row):
         return float(row.get("estimate"))
     except (AttributeError, TypeError, ValueError):
         return None
+
+
+def _loads(scene):
+    """A large difference of the impulse on the elements to the recorded one."""
+    recorded, mapped = (
+        scene.biomechanics.found("checks", f"loads_{name}_impulse_x")
+        for name in ("recorded", "mapped"))
+    if not recorded or mapped is None \
+            or abs(mapped / recorded - 1.) <= LARGE_LOAD_DIFFERENCE:
+        return []
+    return [f"The elements get {page.percent(mapped / recorded)} of the "
+            "impulse that was recorded on the skin along x."]
 
 
 def _energy(scene):

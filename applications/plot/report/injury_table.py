@@ -11,7 +11,7 @@ from plot.report.injury_thresholds import KNOWN
 # Names of the measures of gauge_injury.csv; of chest and back, the side with
 # the larger load is shown.
 SIDES = ("chest", "back")
-SKIN_NAMES = {("chest_wall_velocity", "chest and back"): "chest_wall_mean",
+SKIN_NAMES = {("chest_wall_velocity", "trunk"): "chest_wall_mean",
               ("chest_wall_velocity", "chest"): "chest_wall_front",
               ("chest_wall_velocity", "back"): "chest_wall_back",
               ("lung_exposure", "chest"): "lung_exposure",
@@ -25,6 +25,7 @@ AS_FAR = 0.05  # relative difference
 NO_INJURY = ("injury_pressure_roughness",)
 PRESSURES = ("injury_intracranial_pressure_peak",
              "injury_intracranial_pressure_lowest")
+TENSIONS = ("injury_cavitating_fraction", "injury_cavitation_dose")
 GROUPS = (("Ears", ("ear_",)),
           ("Chest and lungs", ("chest_", "injury_chest", "injury_lung",
                                "lung_")),
@@ -111,11 +112,13 @@ def add_probabilities(judged, measures, coarser, times):
 
 def _share_errors(judged):
     """Both extremes of the brain's pressure have the larger relative error of
-    the two, since one of them may agree by chance."""
-    entries = [entry for entry in judged if entry.name in PRESSURES
-               and entry.error is not None]
-    for entry in entries:
-        entry.error = max(other.error for other in entries)
+    the two, since one of them may agree by chance; so have both measures of
+    tension."""
+    for names in (PRESSURES, TENSIONS):
+        entries = [entry for entry in judged if entry.name in names
+                   and entry.error is not None]
+        for entry in entries:
+            entry.error = max(other.error for other in entries)
 
 
 def loaded_side(scene):
@@ -180,7 +183,7 @@ def _add_skin(run, side, add):
                 (words.replace("an eardrum", f"the {place}drum"), thresholds,
                  source, limits if peak is None else
                  f"peak {page.quantity(peak, 'Pa')}; {limits}"))
-        elif name is not None and place in (side, "chest and back"):
+        elif name is not None and place in (side, "trunk"):
             add(name, found.value, found.unit, KNOWN[name])
 
 

@@ -8,7 +8,9 @@
 #include <contrecoup/numerics/injury/injury_criteria.h>
 #include <contrecoup/numerics/injury/load_injury.h>
 
+#include <algorithm>
 #include <map>
+#include <numeric>
 #include <optional>
 
 namespace contrecoup::gas
@@ -16,6 +18,7 @@ namespace contrecoup::gas
 namespace
 {
   const std::string chest = "chest", back = "back";
+  const std::vector<std::string> arms{"left upper arm", "right upper arm"};
   const std::string device = "device ";
   const std::string header = "measure,place,value,unit,definition\n";
 
@@ -43,32 +46,63 @@ namespace
   }
 
 
+  /// Velocities of the chest wall at places; each that has none is left out.
+  std::vector<double>
+  chest_wall_velocities(const std::map<std::string, LoadInjury> &injuries,
+                        const std::vector<std::string> &places)
+  {
+    std::vector<double> velocities;
+    for (const std::string &place : places)
+      if (const auto found = injuries.find(place); found != injuries.end())
+        velocities.push_back(found->second.chest_wall_velocity);
+    return velocities;
+  }
+
+
+  double mean_of(const std::vector<double> &values)
+  {
+    return std::accumulate(values.begin(), values.end(), 0.) / values.size();
+  }
+
+
+  /// Mean over front, back and both sides; before a plane of symmetry, one
+  /// side stands for both. Not known without front, back and a side.
+  std::optional<double>
+  mean_over_sides(const std::map<std::string, LoadInjury> &injuries,
+                  const std::vector<std::string> &front_and_back,
+                  const std::vector<std::string> &sides)
+  {
+    const auto first = chest_wall_velocities(injuries, front_and_back),
+               second = chest_wall_velocities(injuries, sides);
+    if (first.size() < 2 || second.empty())
+      return std::nullopt;
+    return 0.5 * (mean_of(first) + mean_of(second));
+  }
+
+
   std::string chest_wall_rows(const std::map<std::string, LoadInjury> &injuries)
   {
     std::string text;
-    double sum = 0.;
-    unsigned int n = 0;
-    for (const std::string &place : {chest, back})
-    {
-      const auto found = injuries.find(place);
-      if (found == injuries.end())
-        continue;
-      text += row("chest_wall_velocity",
-                  place,
-                  found->second.chest_wall_velocity,
-                  "m/s",
-                  "largest inward velocity of a mass on a spring before one "
-                  "lung under the overpressure at this place (Axelsson and "
-                  "Yelverton 1996)");
-      sum += found->second.chest_wall_velocity;
-      ++n;
-    }
-    if (n == 2)
-      text += row("chest_wall_velocity",
-                  chest + " and " + back,
-                  sum / n,
-                  "m/s",
-                  "mean of the velocities at chest and back");
+    const std::vector<std::string> all{chest, back, arms[0], arms[1]};
+    for (const std::string &place : all)
+      for (const double velocity : chest_wall_velocities(injuries, {place}))
+        text += row("chest_wall_velocity",
+                    place,
+                    velocity,
+                    "m/s",
+                    "largest inward velocity of a mass on a spring before one "
+                    "lung under the overpressure at this place (Axelsson and "
+                    "Yelverton 1996)");
+    const auto two = chest_wall_velocities(injuries, {chest, back});
+    const auto four = mean_over_sides(injuries, {chest, back}, arms);
+    if (two.size() == 2)
+      text +=
+        row("chest_wall_velocity",
+            "trunk",
+            four.value_or(mean_of(two)),
+            "m/s",
+            "mean of the velocities at chest" +
+              std::string(four ? ", back and both upper arms" : " and back"));
     return text;
   }
 
@@ -76,33 +110,24 @@ namespace
   /// Rows of a blast test device.
   std::string device_rows(const std::map<std::string, LoadInjury> &injuries)
   {
-    const auto found = [&](const std::string &side) {
-      const auto entry = injuries.find(device + side);
-      return entry == injuries.end()
-               ? std::nullopt
-               : std::optional<double>(entry->second.chest_wall_velocity);
-    };
-    const auto front = found("front"), rear = found("back"),
-               left = found("left"), right = found("right");
-    if (!front || !rear || (!left && !right))
+    const auto velocity = mean_over_sides(injuries,
+                                          {device + "front", device + "back"},
+                                          {device + "left", device + "right"});
+    if (!velocity)
       return "";
-    const double velocity =
-      (*front + *rear + left.value_or(right.value_or(0.)) +
-       right.value_or(left.value_or(0.))) /
-      4.;
     return row("chest_wall_velocity",
                "device",
-               velocity,
+               *velocity,
                "m/s",
                "mean over the four gauges of a blast test device (Axelsson "
                "and Yelverton 1996)") +
            row("thorax_injury_index",
                "device",
-               thorax_injury_index(velocity),
+               thorax_injury_index(*velocity),
                "-",
                "adjusted severity of injury index of that mean (Axelsson and "
                "Yelverton 1996): " +
-                 injury_criterion("chest_wall_mean").meaning(velocity));
+                 injury_criterion("chest_wall_mean").meaning(*velocity));
   }
 
 
@@ -159,8 +184,9 @@ std::string gauge_injury_table(const std::vector<GaugeBlast> &gauges,
   std::string ears;
   for (const GaugeBlast &gauge : gauges)
   {
-    if (gauge.place != chest && gauge.place != back && !is_ear(gauge.place) &&
-        gauge.place.rfind(device, 0) != 0)
+    if (gauge.place != chest && gauge.place != back &&
+        std::count(arms.begin(), arms.end(), gauge.place) == 0 &&
+        !is_ear(gauge.place) && gauge.place.rfind(device, 0) != 0)
       continue;
     const LoadInjury injury =
       load_injury(times,

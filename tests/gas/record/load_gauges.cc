@@ -270,14 +270,52 @@ TEST(GaugeTables, HaveChestAndBack)
   EXPECT_EQ(rows[1][0] + " " + rows[1][1], "chest_wall_velocity chest");
   EXPECT_NEAR(std::stod(rows[1][2]), 6.020, 1e-3);
   EXPECT_EQ(rows[2][0] + " " + rows[2][1], "chest_wall_velocity back");
-  EXPECT_EQ(rows[3][0] + " " + rows[3][1],
-            "chest_wall_velocity chest and back");
+  EXPECT_EQ(rows[3][0] + " " + rows[3][1], "chest_wall_velocity trunk");
   EXPECT_DOUBLE_EQ(std::stod(rows[3][2]),
                    0.5 * (std::stod(rows[1][2]) + std::stod(rows[2][2])));
   EXPECT_EQ(rows[4][0] + " " + rows[4][1], "lung_exposure chest");
   EXPECT_NEAR(std::stod(rows[4][2]), 200. / 941., 1e-3);
   EXPECT_EQ(rows[5][0] + " " + rows[5][1], "lung_exposure back");
   EXPECT_NEAR(std::stod(rows[5][2]), 600. / 941., 1e-3);
+}
+
+
+// One arm, as before a plane of symmetry, stands for both.
+TEST(GaugeTables, TakeTheMeanOverTheTrunk)
+{
+  std::vector<double> times;
+  for (unsigned int i = 0; i <= 1000; ++i)
+    times.push_back(5e-6 * i);
+  const auto gauge = [&](const std::string &place, const double part) {
+    GaugeBlast found{place, {part * 200e3, 400., 5e-6, 5e-3}, 5e-6, {}};
+    for (const double time : times)
+      found.overpressures.push_back(part * 200e3 * (1. - time / 5e-3) *
+                                    std::exp(-time / 5e-3));
+    return found;
+  };
+  const auto find = [&](const std::vector<GaugeBlast> &gauges) {
+    std::istringstream table(gauge_injury_table(gauges, times, 70.));
+    std::map<std::string, double> found;
+    for (const auto &row : rows_of(table))
+      if (row[0] == "chest_wall_velocity")
+        found[row[1]] = std::stod(row[2]);
+    return found;
+  };
+  const GaugeBlast front = gauge("chest", 1.), rear = gauge("back", 0.5),
+                   left = gauge("left upper arm", 2.),
+                   right = gauge("right upper arm", 0.7);
+  const auto half = find({front, rear, left});
+  EXPECT_NEAR(
+    half.at("trunk"),
+    (half.at("chest") + half.at("back") + 2. * half.at("left upper arm")) / 4.,
+    1e-12);
+  const auto whole = find({front, rear, left, right});
+  EXPECT_NEAR(whole.at("trunk"),
+              (whole.at("chest") + whole.at("back") +
+               whole.at("left upper arm") + whole.at("right upper arm")) /
+                4.,
+              1e-12);
+  EXPECT_GT(half.at("trunk"), whole.at("trunk"));
 }
 
 

@@ -25,8 +25,10 @@ std::string gauge_measures_table(const std::vector<GaugeBlast> &gauges);
 
 /**
  * CSV table of injuries that the loads at the gauges would cause, one row per
- * measure and place, with unit and definition: chest wall velocity at "chest"
- * and "back" and the mean of both, lung exposure at "chest" and "back", eardrum
+ * measure and place, with unit and definition: chest wall velocity at "chest",
+ * "back", "left upper arm" and "right upper arm" and the mean of these over the
+ * "trunk" (of chest and back where there are no arms; before a plane of
+ * symmetry one arm counts twice), lung exposure at "chest" and "back", eardrum
  * rupture at gauges whose name ends with "ear"; see load_injury(). Of a blast
  * test device, a cylinder of 0.305 m diameter and 0.762 m height (NATO AEP-55,
  * vol. 3, 2011) with the gauges "device front", "device back", "device left"
