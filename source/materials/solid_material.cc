@@ -5,6 +5,7 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/materials/solid_material.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace contrecoup
@@ -50,6 +51,16 @@ double SolidMaterial::stiffening(const double dilatation) const
 }
 
 
+double SolidMaterial::vapour_dilatation() const
+{
+  if (!cavitates())
+    return no_cavitation;
+  const double stress = largest_tension / bulk_modulus;
+  return gas.exists() ? std::min(no_cavitation, gas.dilatation_at(stress))
+                      : stress;
+}
+
+
 double SolidMaterial::dilatational_speed() const
 {
   return std::sqrt((bulk_modulus + 4. / 3. * instantaneous_shear) / density);
@@ -71,6 +82,9 @@ void SolidMaterial::check(const std::string &name) const
     refuse("density = " + brief(density) + " kg/m^3 must be above 0");
   if (!(bulk_modulus > 0.))
     refuse("bulk modulus = " + brief(bulk_modulus) + " Pa must be above 0");
+  if (!(largest_tension > 0.))
+    refuse("largest tension = " + brief(largest_tension) +
+           " Pa must be above 0");
   if (!(instantaneous_shear >= 0.))
     refuse("shear modulus = " + brief(instantaneous_shear) +
            " Pa must not be below 0");

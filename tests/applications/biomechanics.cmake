@@ -82,6 +82,11 @@ biomechanics_verifies(interface_brain interface
 biomechanics_verifies(hanging_nodes hanging_nodes
   "errors.passed < 1.36e-2;\
 results.returned_push < 4.3e3;results.returned_pull < 3.02e3")
+biomechanics_verifies(cavitation cavitation
+  "errors.tension < 1e-9;errors.rise < 2.34e-2;errors.collapse < 3.06e-2;\
+results.largest_vapour_volume_water > 7.13e-11;\
+results.largest_vapour_volume_water < 7.4667e-11;\
+checks.energy_residual < 1.78e-3")
 biomechanics_verifies(relaxation relaxation
   "errors.stress < 2.2e-8;checks.energy_residual < 3.4e-6")
 biomechanics_verifies(relaxation_long_term relaxation
@@ -252,6 +257,41 @@ contrecoup_add_application_test(layered_head bounds
     "results.injury_intracranial_pressure_peak > 1.4e5"
     "results.injury_intracranial_pressure_peak < 1.51e5"
   LABELS extremes)
+# Smoothing takes most of the alternating part, and its energy is booked.
+contrecoup_add_application_test(layered_head_smooth bounds
+  FILE biomechanics/extremes/layered_head.prm
+  SET "Output/Fields=false" "Elements/Pressure smoothing=0.95"
+  BOUNDS "status == finished" "checks.energy_residual < 6.8e-8"
+    "results.injury_pressure_roughness > 0.059"
+    "results.injury_pressure_roughness < 0.073"
+    "results.injury_intracranial_pressure_peak > 1.38e5"
+    "results.injury_intracranial_pressure_peak < 1.48e5"
+    "results.injury_strain_95 > 4.6e-4" "results.injury_strain_95 < 4.8e-4"
+  LABELS extremes)
+# The same with a fluid that cavitates, on coarser elements, which have a quarter
+# of the energy in hourglass modes.
+contrecoup_add_application_test(cavity_runs ranks,resume
+  FILE biomechanics/extremes/layered_head.prm
+  SET "Output/Fields=false" "Elements/Pressure smoothing=0.95"
+    "Materials/Cavitating tissues=cerebrospinal fluid"
+    "Materials/Least pressure=-20e3" "Mesh/Element size=0.01"
+    "Energy audit/Largest hourglass part=0.3"
+    "Time/End time=1e-3"
+  COMPARE history.csv injury.csv STOP_AFTER 100
+  TOLERANCE 1e-8 "energy_residual=1e-12 absolute"
+    "momentum_y=1e-12 absolute" "momentum_z=1e-12 absolute"
+  LABELS extremes)
+contrecoup_add_application_test(no_cavitating_tissue refusal
+  FILE ${_folder}/cavitation.prm
+  ARGUMENTS "--set" "Materials/Cavitating tissues=watr"
+  MESSAGE "Materials/Cavitating tissues: \"watr\" is not a tissue")
+biomechanics_endures(collapse_at_wall "errors.rise < 1.54e-2;\
+errors.collapse < 2.19e-2;checks.energy_residual < 1.22e-3;\
+results.largest_vapour_volume_water > 5.48e-11;\
+results.largest_vapour_volume_water < 5.6e-11")
+biomechanics_endures(cavitation_pulse "checks.energy_residual < 1.38e-3;\
+results.largest_vapour_volume_brain > 2.7e-9;\
+results.largest_vapour_volume_brain < 3.1e-9")
 biomechanics_endures(million_steps "checks.energy_residual < 6.4e-8")
 contrecoup_add_application_test(inverted_element refusal
   FILE biomechanics/quickstart.prm

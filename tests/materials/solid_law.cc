@@ -203,3 +203,53 @@ TEST(SolidLaw, InverseCubeRoot)
   for (const double x : {0.5, 0.9, 1., 1.1, 2.})
     EXPECT_NEAR(inverse_cube_root(x) * std::cbrt(x), 1., 1e-12);
 }
+
+
+// Tension is cut off, and the energy is the integral of the stress on both
+// branches, of linear and of gas-filled matter.
+TEST(SolidLaw, CavitatesAtTheLargestTension)
+{
+  SolidMaterial water;
+  water.bulk_modulus = 2.25e9;
+  water.largest_tension = 98.99e3;
+  SolidMaterial bubbles = water;
+  bubbles.gas = GasFilling(1e-3, 1.4, 100.);
+  bubbles.largest_tension = 0.5 * 2.25e9 * 1e-3 / 1.4;
+  for (const SolidMaterial &material : {water, bubbles})
+  {
+    material.check("matter");
+    ASSERT_TRUE(material.cavitates());
+    SolidLaw<double> law{};
+    law.bulk = material.bulk_modulus;
+    law.gas = material.gas;
+    law.largest_tension = material.largest_tension;
+    law.vapour_dilatation = material.vapour_dilatation();
+    const double opens = law.vapour_dilatation;
+    EXPECT_GT(opens, 0.);
+    EXPECT_NEAR(volumetric_stress(law, 0.9999999 * opens) / law.largest_tension,
+                1.,
+                1e-6);
+    EXPECT_LT(volumetric_stress(law, 0.9 * opens), law.largest_tension);
+    for (const double x : {1.1, 2., 1e3})
+      EXPECT_EQ(volumetric_stress(law, x * opens), law.largest_tension);
+    EXPECT_EQ(volumetric_energy(law, 0.), 0.);
+    for (const double x : {-3., -1., 0.5, 0.999, 1.001, 4., 900.})
+    {
+      const double d = 1e-4 * opens, at = x * opens;
+      const double slope =
+        (volumetric_energy(law, at + d) - volumetric_energy(law, at - d)) /
+        (2. * d);
+      EXPECT_NEAR(slope, volumetric_stress(law, at), 1e-4 * std::abs(slope));
+    }
+    EXPECT_NEAR(volumetric_energy(law, opens * (1. + 1e-9)),
+                volumetric_energy(law, opens * (1. - 1e-9)),
+                1e-6 * volumetric_energy(law, opens));
+  }
+  EXPECT_FALSE(SolidMaterial().cavitates());
+  SolidLaw<double> plain{};
+  plain.bulk = 2.25e9;
+  EXPECT_EQ(volumetric_stress(plain, 0.5), 0.5 * 2.25e9);
+  EXPECT_EQ(volumetric_energy(plain, 0.5), 0.125 * 2.25e9);
+  water.largest_tension = 0.;
+  EXPECT_THROW(water.check("water"), InputError);
+}

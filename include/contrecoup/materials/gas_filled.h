@@ -6,6 +6,7 @@
 #include <contrecoup/base/lanes/lane_math.h>
 
 #include <cmath>
+#include <limits>
 
 /**
  * @file
@@ -75,6 +76,15 @@ public:
              ? energy_at_limit_ +
                  excess * (stress_at_limit_ + 0.5 * max_stiffness_ * excess)
              : gas_energy(dilatation);
+  }
+
+  /// The dilatation at which stress() is @p stress, at least 0; infinite where
+  /// the gas never bears that much.
+  double dilatation_at(const double stress) const
+  {
+    const double rest = 1. - exponent_ / gas_fraction_ * stress;
+    return rest > 0. ? gas_fraction_ * std::expm1(-std::log(rest) / exponent_)
+                     : std::numeric_limits<double>::infinity();
   }
 
   /// -dp/dJ / K.

@@ -3,9 +3,9 @@
 
 #pragma once
 
-#include <contrecoup/materials/gas_filled.h>
 #include <contrecoup/materials/small_matrix.h>
 #include <contrecoup/materials/solid_material.h>
+#include <contrecoup/materials/volumetric_law.h>
 
 /**
  * @file
@@ -17,46 +17,6 @@
 
 namespace contrecoup
 {
-/// Material constants and the data of a time step.
-template <typename Number>
-struct SolidLaw
-{
-  Number bulk;           ///< K [Pa]
-  Number twice_shear;    ///< 2 G_0 [Pa]
-  Number twice_relaxing; ///< 2 G_1 [Pa]
-  Number decay_before{}; ///< exp(-dt / (2 tau)) of the last step
-  Number decay_after{};  ///< exp(-dt / (2 tau)) of the next step
-  /// Time over which the branch relaxes at the present strain, over tau.
-  Number dissipation_per_strain{};
-  /// Replaces the volumetric stress K (J - 1). Elements use the secant modulus
-  /// as K instead, which avoids library calls in their loops.
-  GasFilling gas;
-};
-
-/// -p at a dilatation J - 1 [Pa].
-template <typename Number>
-inline DEAL_II_ALWAYS_INLINE Number
-volumetric_stress(const SolidLaw<Number> &law, const Number &dilatation)
-{
-  if (!law.gas.exists())
-    return law.bulk * dilatation;
-  return law.bulk *
-         apply_to_lanes([&](const double x) { return law.gas.stress(x); },
-                        dilatation);
-}
-
-/// Energy of volumetric strain [J/m^3].
-template <typename Number>
-inline Number volumetric_energy(const SolidLaw<Number> &law,
-                                const Number &dilatation)
-{
-  if (!law.gas.exists())
-    return Number(0.5) * law.bulk * dilatation * dilatation;
-  return law.bulk *
-         apply_to_lanes([&](const double x) { return law.gas.energy(x); },
-                        dilatation);
-}
-
 /// Strain measures of the stress.
 template <typename Number>
 struct SolidStrain

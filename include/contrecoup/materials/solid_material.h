@@ -27,6 +27,9 @@ const std::vector<std::string> &solid_kinematics_names();
 /// @throws InputError that suggests the nearest name
 SolidKinematics find_solid_kinematics(const std::string &name);
 
+/// A tension that no matter reaches [Pa].
+inline constexpr double no_cavitation = 1e30;
+
 /// An isotropic solid: elastic in volume, viscoelastic in shear with one Prony
 /// branch, G(t) = G_0 - G_1 (1 - exp(-t / tau)).
 struct SolidMaterial
@@ -37,12 +40,23 @@ struct SolidMaterial
   double relaxing_shear = 0.;      ///< G_1 [Pa]; 0: elastic
   double relaxation_time = 1.;     ///< tau [s]
   GasFilling gas; ///< if any, K is the modulus at small strains
+  /// Tension at which cavities open [Pa]: -p is that at any larger volume.
+  double largest_tension = no_cavitation;
 
   /// Whether elements store relaxed strains.
   bool is_viscoelastic() const
   {
     return relaxing_shear > 0.;
   }
+
+  /// Whether the tension that the matter bears is bounded.
+  bool cavitates() const
+  {
+    return largest_tension < no_cavitation;
+  }
+
+  /// The dilatation at which cavities open; no_cavitation for never.
+  double vapour_dilatation() const;
 
   /// G(t) [Pa] at a time after a step in strain [s].
   double relaxation_modulus(double time) const;

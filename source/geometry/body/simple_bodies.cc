@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/tissue_list.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/geometry/body/simple_bodies.h>
@@ -61,23 +62,6 @@ namespace
     for (const Default &one : defaults())
       names.push_back(one.shape);
     return names;
-  }
-
-  std::vector<Tissue> parse_tissues(const std::string &text)
-  {
-    std::vector<Tissue> tissues;
-    for (const std::string &name : split(text, ','))
-      try
-      {
-        tissues.push_back(find_tissue(name));
-        if (tissues.back() == Tissue::none)
-          throw InputError("\"none\" is not a tissue of a layer");
-      }
-      catch (const InputError &error)
-      {
-        throw InputError("Body/Shape/Tissues: " + std::string(error.what()));
-      }
-    return tissues;
   }
 } // namespace
 
@@ -145,7 +129,7 @@ void SimpleBody::parse_parameters(dealii::ParameterHandler &prm)
   if (usual.layers.empty() && !layers_.empty())
     throw InputError("Body/Shape/Layers: a " + shape_ +
                      " has none; heads have");
-  tissues_ = parse_tissues(prm.get("Tissues"));
+  tissues_ = find_tissues(prm.get("Tissues"), "Body/Shape/Tissues");
   if (tissues_.empty())
     tissues_ = usual.tissues;
   if (tissues_.size() != layers_.size() + 1)

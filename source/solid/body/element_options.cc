@@ -13,6 +13,21 @@ namespace
   /// Names of the values of Integration, in the same order.
   const std::vector<std::string> integration_names{"one-point", "full"};
 
+  void declare_smoothing(ParameterHandler &prm)
+  {
+    declare_double(prm,
+                   "Pressure smoothing",
+                   "0",
+                   0.,
+                   1.,
+                   "-",
+                   "Part of an element's pressure that is replaced by the "
+                   "average over its corners, where the bulk modulus exceeds "
+                   "100 times the shear modulus, so that pressures do not "
+                   "alternate from element to element; not in matter with gas "
+                   "or cavities; 0: none.");
+  }
+
   void declare_viscosity(ParameterHandler &prm)
   {
     declare_double(prm,
@@ -22,7 +37,9 @@ namespace
                    2.,
                    "-",
                    "Fraction of the critical damping of compression in an "
-                   "element; reduces the stable step by the same fraction.");
+                   "element; reduces the stable step by the same fraction. "
+                   "It also resists the collapse of cavities; tissues that "
+                   "cavitate have at least 0.02.");
     declare_double(prm,
                    "Quadratic bulk viscosity",
                    "1.2",
@@ -78,6 +95,7 @@ void ElementOptions::declare_parameters(ParameterHandler &prm)
                  "in the brain. It removes motion with pressures that "
                  "alternate from element to element, and damps shear waves "
                  "of few elements.");
+  declare_smoothing(prm);
   declare_bool(prm,
                "Skip quiet",
                "true",
@@ -105,6 +123,7 @@ void ElementOptions::parse_parameters(ParameterHandler &prm)
   hourglass = find_hourglass(prm.get("Hourglass control"));
   hourglass_coefficient = read_double(prm, "Hourglass coefficient");
   hourglass_damping = read_double(prm, "Hourglass damping");
+  pressure_smoothing = read_double(prm, "Pressure smoothing");
   skip_quiet = prm.get_bool("Skip quiet");
   largest_retries = read_unsigned(prm, "Largest number of retries");
   linear_viscosity = read_double(prm, "Linear bulk viscosity");

@@ -22,6 +22,7 @@ template <typename Real>
 void HexBatches<Real>::reinit(const SolidMesh &mesh,
                               const std::vector<bool> &viscoelastic,
                               const std::vector<bool> &damped,
+                              const std::vector<bool> &smoothed,
                               const unsigned int n_points)
 {
   n_points_ = n_points;
@@ -29,6 +30,7 @@ void HexBatches<Real>::reinit(const SolidMesh &mesh,
   cells_.clear();
   slots_.assign(mesh.elements.size(), spare);
   unsigned int n_relaxed = 0, n_damping = 0;
+  bool any_smoothed = false;
   for (std::uint32_t first = 0; first < mesh.elements.size();)
   {
     std::uint32_t last = first;
@@ -49,7 +51,9 @@ void HexBatches<Real>::reinit(const SolidMesh &mesh,
                        viscoelastic[tissue],
                        n_relaxed,
                        damped[tissue],
-                       n_damping});
+                       n_damping,
+                       smoothed[tissue]});
+    any_smoothed = any_smoothed || smoothed[tissue];
     if (viscoelastic[tissue])
       n_relaxed += 6 * n_points * (end - begin);
     if (damped[tissue])
@@ -70,6 +74,8 @@ void HexBatches<Real>::reinit(const SolidMesh &mesh,
     }
   dilatation.resize(cells_.size() / n);
   viscous_pressure.resize(cells_.size() / n);
+  smoothing_pressure.resize(any_smoothed ? cells_.size() / n : 0);
+  smooth_dilatation.resize(smoothing_pressure.size());
   relaxed.resize(n_relaxed);
   damping.resize(n_damping);
   reset_state();
@@ -103,6 +109,8 @@ void HexBatches<Real>::reset_state()
 {
   dilatation.fill(Lane(Real()));
   viscous_pressure.fill(Lane(Real()));
+  smoothing_pressure.fill(Lane(Real()));
+  smooth_dilatation.fill(Lane(Real()));
   relaxed.fill(Lane(Real()));
   active_.assign(n_batches(), 0);
   n_active_ = 0;
@@ -134,7 +142,9 @@ double HexBatches<Real>::memory() const
 {
   return static_cast<double>(
     offsets_.memory_consumption() + dilatation.memory_consumption() +
-    viscous_pressure.memory_consumption() + relaxed.memory_consumption() +
+    viscous_pressure.memory_consumption() +
+    smoothing_pressure.memory_consumption() +
+    smooth_dilatation.memory_consumption() + relaxed.memory_consumption() +
     damping.memory_consumption() + 4 * (cells_.capacity() + slots_.capacity()));
 }
 

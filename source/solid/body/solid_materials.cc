@@ -3,9 +3,12 @@
 
 #include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/parameters/tissue_list.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/solid/body/solid_materials.h>
+
+#include <algorithm>
 
 namespace contrecoup::solid
 {
@@ -147,6 +150,22 @@ void SolidMaterials::declare_parameters(ParameterHandler &prm)
                     "sets have constant moduli. linear: all have constant "
                     "moduli; the lung then collapses under more than some "
                     "hundred kilopascals.");
+  declare_string(prm,
+                 "Cavitating tissues",
+                 "",
+                 "Tissues that bear no tension beyond Least pressure: names "
+                 "separated by commas. Cavities open there at constant "
+                 "pressure and collapse when the matter meets again. Empty: "
+                 "all bear any tension.");
+  declare_double(prm,
+                 "Least pressure",
+                 "-98.99e3",
+                 -1e12,
+                 -1e-6,
+                 "Pa",
+                 "Of cavitating tissues, above the ambient pressure; the "
+                 "default is the vapour pressure of water at 20 degrees "
+                 "Celsius, 2.34 kPa, less 101.325 kPa.");
   declare_custom(prm);
 }
 
@@ -158,6 +177,9 @@ void SolidMaterials::parse_parameters(ParameterHandler &prm)
     set_ = prm.get("Set");
     has_gas_ = prm.get("Bulk law") == bulk_laws[0];
     g1_is_long_term_ = prm.get("Reading of G1") == "long-term modulus";
+    cavitating_ = find_tissues(prm.get("Cavitating tissues"),
+                               "Materials/Cavitating tissues");
+    largest_tension_ = -read_double(prm, "Least pressure");
   }
   for (const std::string &name : item_names(prm, "Materials/Tissue"))
   {
@@ -183,13 +205,20 @@ void SolidMaterials::parse_parameters(ParameterHandler &prm)
 
 SolidMaterial SolidMaterials::find(const Tissue tissue) const
 {
+  SolidMaterial material;
   const auto custom = custom_.find(tissue);
   if (custom != custom_.end())
-    return custom->second;
-  SolidMaterial material = solid_material(find_tissue_properties(set_, tissue),
-                                          g1_is_long_term_ && set_ == "paper");
-  if (!has_gas_)
-    material.gas = GasFilling();
+    material = custom->second;
+  else
+  {
+    material = solid_material(find_tissue_properties(set_, tissue),
+                              g1_is_long_term_ && set_ == "paper");
+    if (!has_gas_)
+      material.gas = GasFilling();
+  }
+  if (std::find(cavitating_.begin(), cavitating_.end(), tissue) !=
+      cavitating_.end())
+    material.largest_tension = largest_tension_;
   return material;
 }
 

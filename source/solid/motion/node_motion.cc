@@ -49,10 +49,8 @@ double move_nodes(NodeFields<Real> &nodes,
   const Part<Real> zero = Real(0.);
   const Real half = Real(0.5 * (before + next));
   const Real work_before = Real(0.5 * before), work_next = Real(0.5 * next);
-  // The fourth entry beside the displacements is no displacement.
-  std::array<Part<Real>, n_parts> step;
-  step.fill(Part<Real>(Real(next)));
-  step.back()[width<Real> - 1] = Real(0.);
+  const Part<Real> step = Real(next);
+  constexpr std::size_t last_lane = width<Real> - 1;
   double work = 0.;
   for (std::size_t first = 0; first < counted.size(); first += block)
   {
@@ -67,13 +65,18 @@ double move_nodes(NodeFields<Real> &nodes,
       for (std::size_t k = 0; k < n_parts; ++k)
       {
         const std::size_t at = k * width<Real>;
-        const Part<Real> force = load(nodes.force_of(i) + at);
+        Part<Real> force = load(nodes.force_of(i) + at);
+        const Real share = force[last_lane];
+        // Beside the velocity is the inverse mass, which does not change.
+        if (k + 1 == n_parts)
+          force[last_lane] = Real();
         const Part<Real> old = load(nodes.velocity_of(i) + at);
-        // The fourth entry of a force is zero, so that masses are unchanged.
         const Part<Real> velocity =
           old + (half * nodes.inverse_mass_of(i)) * force;
-        const Part<Real> displacement =
-          load(nodes.displacement_of(i) + at) + step[k] * velocity;
+        Part<Real> displacement =
+          load(nodes.displacement_of(i) + at) + step * velocity;
+        if (k + 1 == n_parts)
+          displacement[last_lane] = share * nodes.inverse_weight_of(i);
         velocity.store(nodes.velocity_of(i) + at);
         displacement.store(nodes.displacement_of(i) + at);
         zero.store(nodes.force_of(i) + at);

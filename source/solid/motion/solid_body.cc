@@ -23,6 +23,7 @@ void SolidBody<Real>::reinit(
   operator_.reinit_nodes(nodes_);
   skips_inactive_ = options.skip_quiet;
   set_masses();
+  set_smoothing_weights();
   supports_ = supports;
   supports_.reinit(mesh_);
   loads_ = loads;
@@ -62,6 +63,24 @@ void SolidBody<Real>::set_masses()
 
 
 template <typename Real>
+void SolidBody<Real>::set_smoothing_weights()
+{
+  if (!operator_.smooths())
+    return;
+  std::vector<double> weights = operator_.smoothing_weights();
+  for (const HexMesh::HangingNode &one : mesh_.hanging_nodes)
+    for (std::size_t i = 0; i < one.masters.size(); ++i)
+      weights[one.masters[i]] += one.weights[i] * weights[one.node];
+  for (const HexMesh::HangingNode &one : mesh_.hanging_nodes)
+    weights[one.node] = 0.;
+  exchange_.add(weights.data(), 1, 1);
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    if (weights[i] > 0.)
+      nodes_.inverse_weight_of(i) = static_cast<Real>(1. / weights[i]);
+}
+
+
+template <typename Real>
 void SolidBody<Real>::gather_hanging(Real *values,
                                      const unsigned int width,
                                      const unsigned int stride)
@@ -96,6 +115,14 @@ void SolidBody<Real>::move_hanging()
       if (displacement != Real())
         nodes_.active[one.node / nodes_.block] = 1;
     }
+  for (const HexMesh::HangingNode &one : mesh_.hanging_nodes)
+  {
+    Real average{};
+    for (std::size_t i = 0; i < one.masters.size(); ++i)
+      average += static_cast<Real>(one.weights[i]) *
+                 nodes_.average_dilatation_of(one.masters[i]);
+    nodes_.average_dilatation_of(one.node) = average;
+  }
 }
 
 
@@ -111,8 +138,9 @@ void SolidBody<Real>::assemble()
   const TimerScope timer("loads");
   loads_.set_time(time_);
   loads_.add_forces(nodes_);
-  gather_hanging(nodes_.force.data(), 3, nodes_.width);
-  exchange_.add(nodes_.force.data(), 3, nodes_.width);
+  const unsigned int width = operator_.smooths() ? 4 : 3;
+  gather_hanging(nodes_.force.data(), width, nodes_.width);
+  exchange_.add(nodes_.force.data(), width, nodes_.width);
   surroundings_.add_forces(nodes_);
   supports_.reset_reactions();
 }
@@ -200,7 +228,8 @@ EnergyLedger SolidBody<Real>::energy_ledger() const
                     one.hourglass,
                     one.bulk_viscosity,
                     one.relaxation,
-                    one.hourglass_damping});
+                    one.hourglass_damping,
+                    one.pressure_smoothing});
   dealii::Utilities::MPI::sum(numbers, communicator_, numbers);
   ledger.external_work = numbers[0];
   ledger.contact = numbers[3];
@@ -210,14 +239,15 @@ EnergyLedger SolidBody<Real>::energy_ledger() const
   const double *next = &numbers[4];
   for (TissueEnergies &one : ledger.tissues)
   {
-    one = {next[0], next[1], next[2], next[3], next[4], next[5]};
-    next += 6;
+    one = {next[0], next[1], next[2], next[3], next[4], next[5], next[6]};
+    next += 7;
     ledger.sum.kinetic += one.kinetic;
     ledger.sum.stored += one.stored;
     ledger.sum.hourglass += one.hourglass;
     ledger.sum.bulk_viscosity += one.bulk_viscosity;
     ledger.sum.relaxation += one.relaxation;
     ledger.sum.hourglass_damping += one.hourglass_damping;
+    ledger.sum.pressure_smoothing += one.pressure_smoothing;
   }
   return ledger;
 }

@@ -44,27 +44,29 @@ namespace
     return folder + "/solid." + std::to_string(rank) + ".bin";
   }
 
-  /// Displacement, velocity, force, and the reaction part of the force.
+  /// Displacement, velocity, the four numbers of the force, and the reaction
+  /// part of the force.
   template <typename Real>
   struct NodeRecord
   {
     std::uint32_t node;
-    std::array<Real, 9> values;
+    std::array<Real, 10> values;
     std::array<double, 3> reaction;
   };
 
-  /// Dilatation, viscous pressure and relaxed strains at up to 8 points.
+  /// Dilatation, viscous pressure, both numbers of PressureSmoothing, and
+  /// relaxed strains at up to 8 points.
   template <typename Real>
   struct CellRecord
   {
     std::uint32_t cell;
-    std::array<Real, 50> values;
+    std::array<Real, 52> values;
 
     /// Number of bytes used with @p n_relaxed relaxed strain components.
     static std::streamsize size(const std::uint64_t n_relaxed)
     {
       return static_cast<std::streamsize>(offsetof(CellRecord, values) +
-                                          sizeof(Real) * (2 + n_relaxed));
+                                          sizeof(Real) * (4 + n_relaxed));
     }
   };
 
@@ -77,16 +79,17 @@ namespace
   };
 
   template <typename Real>
-  std::array<Real, 9> node_values(const NodeFields<Real> &nodes,
-                                  const std::size_t i)
+  std::array<Real, 10> node_values(const NodeFields<Real> &nodes,
+                                   const std::size_t i)
   {
-    std::array<Real, 9> values;
+    std::array<Real, 10> values;
     for (unsigned int d = 0; d < 3; ++d)
     {
       values[d] = nodes.displacement_of(i)[d];
       values[3 + d] = nodes.velocity_of(i)[d];
       values[6 + d] = nodes.force_of(i)[d];
     }
+    values[9] = nodes.force_of(i)[3];
     return values;
   }
 
@@ -100,10 +103,15 @@ namespace
     const unsigned int batch = slot / batches.n, lane = slot % batches.n;
     function(0, batches.dilatation[batch][lane]);
     function(1, batches.viscous_pressure[batch][lane]);
+    if (batches.smoothing_pressure.size() > 0)
+    {
+      function(2, batches.smoothing_pressure[batch][lane]);
+      function(3, batches.smooth_dilatation[batch][lane]);
+    }
     for (const auto &range : batches.ranges())
       if (range.viscoelastic && batch >= range.begin && batch < range.end)
         for (unsigned int k = 0; k < batches.n_relaxed(); ++k)
-          function(2 + k, batches.relaxed_of(range, batch)[k][lane]);
+          function(4 + k, batches.relaxed_of(range, batch)[k][lane]);
   }
 
   /// Calls @p function(index, lane) for the damping forces of an element, if
@@ -233,6 +241,7 @@ void SolidBody<Real>::restore(const std::string &folder)
         nodes_.force_of(found->second)[d] = record.values[6 + d];
         reactions[found->second][d] = record.reaction[d];
       }
+      nodes_.force_of(found->second)[3] = record.values[9];
     }
     for (std::uint64_t i = 0; i < header.n_cells; ++i)
     {
@@ -294,6 +303,7 @@ SolidBody<Real>::read_header(std::istream &in, const std::string &file)
     operator_.losses()[i].bulk_viscosity += losses[i].bulk_viscosity;
     operator_.losses()[i].relaxation += losses[i].relaxation;
     operator_.losses()[i].hourglass_damping += losses[i].hourglass_damping;
+    operator_.losses()[i].pressure_smoothing += losses[i].pressure_smoothing;
   }
   return header;
 }

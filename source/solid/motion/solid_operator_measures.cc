@@ -202,6 +202,16 @@ void SolidOperator<Real>::energies_of(const Range &range,
     const Lane *stored =
       range.viscoelastic ? batches_.relaxed_of(range, batch) : nullptr;
     const unsigned int n_filled = count_filled(batches_, batch);
+    if (range.smoothed)
+    {
+      // The elastic part of the smoothing's work, but for one step's change.
+      const double elastic =
+        sum_of<Real>(Real(0.5) * g.volume * batches_.dilatation[batch] *
+                       batches_.smoothing_pressure[batch],
+                     n_filled);
+      sum.stored -= elastic;
+      sum.pressure_smoothing += elastic;
+    }
     const auto add = [&](const SolidLaw<Lane> &law,
                          const Lane &volume,
                          const Matrix3<Lane> &gradient,
@@ -360,7 +370,9 @@ void SolidOperator<Real>::visit_batch(const Range &range,
     }
   else
     shear = shear_stress<kinematics>(model.law, h, stored);
-  const Lane volumetric = volumetric_stress(model.law, strain.dilatation);
+  Lane volumetric = volumetric_stress(model.law, strain.dilatation);
+  if (range.smoothed)
+    volumetric -= batches_.smoothing_pressure[batch];
   const auto piola = piola_stress<kinematics>(h, cofactors, volumetric, shear);
   const Symmetric3<Lane> stress =
     kinematics == SolidKinematics::small_strain

@@ -155,6 +155,7 @@ void SolidSimulation<Real>::build()
     injury_.reinit(body_);
   if (peaks_.active())
     peaks_.reinit(body_);
+  cavities_.reinit(body_);
 }
 
 
@@ -220,6 +221,8 @@ StepReport SolidSimulation<Real>::advance(const double largest_step)
     const TimerScope timer("peaks");
     peaks_.record(body_);
   }
+  if (cavities_.active())
+    cavities_.record(body_);
   if (probes_.measures())
     probes_.read(body_);
   return report;
@@ -282,6 +285,9 @@ std::vector<NamedValue> SolidSimulation<Real>::history()
     {"momentum_x", "N s", momentum[0]},
     {"momentum_y", "N s", momentum[1]},
     {"momentum_z", "N s", momentum[2]}};
+  if (options_.pressure_smoothing > 0.)
+    values.push_back(
+      {"pressure_smoothing_energy", "J", sum.pressure_smoothing});
   if (surroundings_.has_ground())
   {
     values.push_back({"contact_energy", "J", ledger.contact});
@@ -302,6 +308,8 @@ std::vector<NamedValue> SolidSimulation<Real>::history()
   if (injury_.active())
     for (const NamedValue &value : injury_.history(body_))
       values.push_back(value);
+  for (const NamedValue &value : cavities_.history(body_))
+    values.push_back(value);
   return values;
 }
 
@@ -346,6 +354,8 @@ std::vector<NamedValue> SolidSimulation<Real>::results()
   if (peaks_.active())
     for (const NamedValue &value : peaks_.measures(body_))
       values.push_back(value);
+  for (const NamedValue &value : cavities_.measures(body_))
+    values.push_back(value);
   return values;
 }
 
@@ -408,6 +418,8 @@ void SolidSimulation<Real>::save(const std::string &folder)
     injury_.save(body_, folder);
   if (peaks_.active())
     peaks_.save(body_, folder);
+  if (cavities_.active())
+    cavities_.save(body_, folder);
   if (dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
     io::write_file(folder + "/probes.bin", [&](std::ostream &out) {
       for (const double value :
@@ -428,6 +440,8 @@ void SolidSimulation<Real>::restore(const std::string &folder)
     injury_.restore(body_, folder);
   if (peaks_.active())
     peaks_.restore(body_, folder);
+  if (cavities_.active())
+    cavities_.restore(body_, folder);
   std::istringstream stream(io::read_file(folder + "/probes.bin"));
   for (double *value : {&reduction_, &deformed_step_, &steps_until_check_})
     io::read_binary(stream, *value);

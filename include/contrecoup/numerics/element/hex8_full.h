@@ -113,6 +113,8 @@ inline SolidLaw<Number> shear_law(SolidLaw<Number> law)
 {
   law.bulk = Number(0.);
   law.gas = GasFilling();
+  law.largest_tension = Number(no_cavitation);
+  law.vapour_dilatation = Number(no_cavitation);
   return law;
 }
 
@@ -135,14 +137,8 @@ full_forces(const HexModel<Number> &model,
 {
   const HexVectors<Number> x = to_modes(x_corners), u = to_modes(u_corners);
   const HexGeometry<Number> g = hex_geometry(x);
-  const Matrix3<Number> pressure =
-    update_stress<kinematics, false>(volume_law(model.law),
-                                     model.viscosity,
-                                     mean_gradient(g, u),
-                                     g.wave_length(),
-                                     state,
-                                     dissipation);
-  dissipation.bulk_viscosity *= g.volume;
+  const Matrix3<Number> pressure = update_stress<kinematics, false>(
+    model, volume_law(model.law), mean_gradient(g, u), g, state, dissipation);
   HexVectors<Number> force = mode_forces(g, pressure, {});
   for (unsigned int i = 0; i < 8; ++i)
   {

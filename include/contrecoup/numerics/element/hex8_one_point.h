@@ -4,8 +4,10 @@
 #pragma once
 
 #include <contrecoup/numerics/element/assumed_strain.h>
+#include <contrecoup/numerics/element/bulk_viscosity.h>
 #include <contrecoup/numerics/element/hex8_geometry.h>
 #include <contrecoup/numerics/element/hourglass.h>
+#include <contrecoup/numerics/element/pressure_smoothing.h>
 
 /**
  * @file
@@ -16,32 +18,17 @@
 
 namespace contrecoup
 {
-/// Artificial bulk viscosity in compression (von Neumann, Landshoff).
-template <typename Number>
-struct BulkViscosity
-{
-  Number linear;       ///< c_2 rho c [Pa s/m]
-  Number quadratic;    ///< c_1 rho [kg/m^3]
-  Number inverse_step; ///< inverse of the size of the last step [1/s]
-
-  /// Viscous pressure [Pa] for a change of dilatation in the last step, in an
-  /// element of this length [m].
-  DEAL_II_ALWAYS_INLINE Number pressure(const Number &change,
-                                        const Number &length) const
-  {
-    const Number speed =
-      length * inverse_step * select_less(change, Number(), change, Number());
-    return speed * (quadratic * speed - linear);
-  }
-};
-
 /// History variables of an element.
 template <typename Number>
 struct HexState
 {
-  Number dilatation;          ///< after the last step
-  Number viscous_pressure;    ///< of bulk viscosity, after the last step [Pa]
-  Symmetric3<Number> relaxed; ///< of the Prony branch, at the middle of a step
+  Number dilatation;           ///< after the last step
+  Number viscous_pressure;     ///< of bulk viscosity, after the last step [Pa]
+  Number smoothing_pressure{}; ///< q of PressureSmoothing, likewise [Pa]
+  Number smooth_dilatation{};  ///< S of PressureSmoothing, for the next step
+  Number nodal_average{};      ///< of S at the corners
+  Number nodal_share{};        ///< added to the sum at each corner [m^3]
+  Symmetric3<Number> relaxed;  ///< of the Prony branch, at the middle of a step
   /// Hourglass damping forces after the last step [N].
   std::array<Number, 12> damping;
 };
@@ -99,6 +86,7 @@ struct HexDissipation
   Number bulk_viscosity{};
   Number relaxation{};
   Number hourglass{};
+  Number pressure_smoothing{};
 };
 
 /**
@@ -135,16 +123,27 @@ update_shear(const SolidLaw<Number> &law,
   return shear;
 }
 
+/// Constants of all elements of one material.
+template <typename Number>
+struct HexModel
+{
+  SolidLaw<Number> law;
+  BulkViscosity<Number> viscosity;
+  Hourglass<Number> hourglass;
+  PressureSmoothing<Number> smoothing;
+  Number step{}; ///< size of the last step [s]
+};
+
 /**
  * First Piola-Kirchhoff stress of an element at the present [Pa]; advances @p
  * state from the last step to the present.
  */
 template <SolidKinematics kinematics, bool viscoelastic, typename Number>
 inline DEAL_II_ALWAYS_INLINE Matrix3<Number>
-update_stress(const SolidLaw<Number> &law,
-              const BulkViscosity<Number> &viscosity,
+update_stress(const HexModel<Number> &model,
+              const SolidLaw<Number> &law,
               const Matrix3<Number> &h,
-              const Number &length,
+              const HexGeometry<Number> &g,
               HexState<Number> &state,
               HexDissipation<Number> &dissipation)
 {
@@ -153,27 +152,33 @@ update_stress(const SolidLaw<Number> &law,
     cofactors = cofactor(h);
   const SolidStrain<Number> strain = solid_strain<kinematics>(h, cofactors);
   const Number change = strain.dilatation - state.dilatation;
-  const Number q = viscosity.pressure(change, length);
+  const Number length = g.wave_length();
+  Number q = model.viscosity.pressure(change, length);
   dissipation.bulk_viscosity =
-    Number(-0.5) * change * (q + state.viscous_pressure);
-  state.dilatation = strain.dilatation;
+    Number(-0.5) * g.volume * change * (q + state.viscous_pressure);
   state.viscous_pressure = q;
+  if (model.smoothing.active)
+  {
+    const Number rough =
+      model.smoothing.pressure(state.smooth_dilatation, state.nodal_average);
+    dissipation.pressure_smoothing =
+      Number(-0.5) * g.volume * change * (rough + state.smoothing_pressure);
+    state.smoothing_pressure = rough;
+    state.smooth_dilatation = PressureSmoothing<Number>::advance(
+      state.smooth_dilatation, strain.dilatation);
+    state.nodal_share = g.volume * state.smooth_dilatation;
+    q += rough;
+  }
+  state.dilatation = strain.dilatation;
 
   const Symmetric3<Number> shear = update_shear<viscoelastic>(
     law, strain, state.relaxed, dissipation.relaxation);
   return piola_stress<kinematics>(
-    h, cofactors, law.bulk * strain.dilatation - q, shear);
+    h,
+    cofactors,
+    bounded_tension(law, law.bulk * strain.dilatation) - q,
+    shear);
 }
-
-/// Constants of all elements of one material.
-template <typename Number>
-struct HexModel
-{
-  SolidLaw<Number> law;
-  BulkViscosity<Number> viscosity;
-  Hourglass<Number> hourglass;
-  Number step{}; ///< size of the last step [s]
-};
 
 /**
  * Internal forces on the corners of an element [N].
@@ -199,8 +204,7 @@ one_point_forces(const HexModel<Number> &model,
   const HexGeometry<Number> g = hex_geometry(x);
   const Matrix3<Number> h = mean_gradient(g, u);
   Matrix3<Number> stress = update_stress<kinematics, viscoelastic>(
-    model.law, model.viscosity, h, g.wave_length(), state, dissipation);
-  dissipation.bulk_viscosity *= g.volume;
+    model, model.law, h, g, state, dissipation);
   if constexpr (viscoelastic)
     dissipation.relaxation *= g.volume;
 

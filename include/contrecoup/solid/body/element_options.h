@@ -25,6 +25,7 @@ struct ElementOptions
   HourglassKind hourglass = HourglassKind::stiffness;
   double hourglass_coefficient = 1.;
   double hourglass_damping = 0.;
+  double pressure_smoothing = 0.;
   bool skip_quiet = true; ///< leave out elements whose nodes never moved
   double linear_viscosity = 0.06;
   double quadratic_viscosity = 1.2;

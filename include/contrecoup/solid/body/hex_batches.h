@@ -23,6 +23,8 @@ struct HexMemory
 {
   dealii::AlignedVector<Lane> dilatation;
   dealii::AlignedVector<Lane> viscous_pressure;
+  /// empty without smoothing
+  dealii::AlignedVector<Lane> smoothing_pressure, smooth_dilatation;
   dealii::AlignedVector<Lane> relaxed;
   dealii::AlignedVector<Lane> damping;
 };
@@ -39,6 +41,8 @@ public:
   using Lane = Lanes<Real>;
   using HexMemory<Lane>::dilatation;
   using HexMemory<Lane>::viscous_pressure;
+  using HexMemory<Lane>::smoothing_pressure;
+  using HexMemory<Lane>::smooth_dilatation;
   using HexMemory<Lane>::relaxed;
   using HexMemory<Lane>::damping;
   static constexpr unsigned int n = n_lanes<Real>;
@@ -53,14 +57,17 @@ public:
     unsigned int first_relaxed; ///< index of the first batch's relaxed strain
     bool damped;
     unsigned int first_damping; ///< index of the first batch's damping forces
+    bool smoothed;              ///< whether pressures are smoothed
   };
 
   /// @param viscoelastic whether a tissue stores relaxed strains, by tissue
   /// @param damped whether a tissue has hourglass damping, by tissue
+  /// @param smoothed whether pressures are smoothed, by tissue
   /// @param n_points number of integration points that store relaxed strains
   void reinit(const SolidMesh &mesh,
               const std::vector<bool> &viscoelastic,
               const std::vector<bool> &damped,
+              const std::vector<bool> &smoothed,
               const unsigned int n_points);
 
   /// Sets the coordinates of the mesh nodes and of the padding cube's nodes.
@@ -148,6 +155,11 @@ public:
   {
     state.dilatation = dilatation[batch];
     state.viscous_pressure = viscous_pressure[batch];
+    if (range.smoothed)
+    {
+      state.smoothing_pressure = smoothing_pressure[batch];
+      state.smooth_dilatation = smooth_dilatation[batch];
+    }
     if constexpr (viscoelastic)
       for (unsigned int k = 0; k < 6; ++k)
         state.relaxed[k] = relaxed_of(range, batch)[k];
@@ -164,6 +176,11 @@ public:
   {
     dilatation[batch] = state.dilatation;
     viscous_pressure[batch] = state.viscous_pressure;
+    if (range.smoothed)
+    {
+      smoothing_pressure[batch] = state.smoothing_pressure;
+      smooth_dilatation[batch] = state.smooth_dilatation;
+    }
     if constexpr (viscoelastic)
       for (unsigned int k = 0; k < 6; ++k)
         relaxed_of(range, batch)[k] = state.relaxed[k];
@@ -187,62 +204,4 @@ private:
   std::vector<std::uint32_t> cells_;
   std::vector<std::uint32_t> slots_;
 };
-
-/// Gathers positions @p x and displacements @p u of a batch's corners [m] from
-/// NodeFields::position_and_displacement.
-template <typename Real>
-inline DEAL_II_ALWAYS_INLINE void load_corners(const Real *coordinates,
-                                               const unsigned int *offsets,
-                                               HexVectors<Lanes<Real>> &x,
-                                               HexVectors<Lanes<Real>> &u)
-{
-  constexpr unsigned int n = n_lanes<Real>;
-  for (unsigned int corner = 0; corner < 8; ++corner)
-  {
-    unsigned int doubled[n];
-    for (unsigned int lane = 0; lane < n; ++lane)
-      doubled[lane] = 2 * offsets[n * corner + lane];
-    Lanes<Real> values[NodeFields<Real>::position_width];
-    dealii::vectorized_load_and_transpose(
-      NodeFields<Real>::position_width, coordinates, doubled, values);
-    for (unsigned int d = 0; d < 3; ++d)
-    {
-      x[corner][d] = values[d];
-      u[corner][d] = values[3 + d];
-    }
-  }
-}
-
-/// Gathers four numbers per corner from NodeFields::force or velocity.
-template <typename Real>
-inline DEAL_II_ALWAYS_INLINE void
-load_vectors(const Real *values,
-             const unsigned int *offsets,
-             std::array<std::array<Lanes<Real>, 4>, 8> &result)
-{
-  constexpr unsigned int n = n_lanes<Real>;
-  for (unsigned int corner = 0; corner < 8; ++corner)
-    dealii::vectorized_load_and_transpose(
-      4, values, offsets + n * corner, result[corner].data());
-}
-
-/// Subtracts the internal forces of a batch from its nodes' forces.
-template <typename Real>
-inline DEAL_II_ALWAYS_INLINE void
-subtract_forces(Real *force,
-                const unsigned int *offsets,
-                const HexVectors<Lanes<Real>> &internal)
-{
-  constexpr unsigned int n = n_lanes<Real>;
-  for (unsigned int corner = 0; corner < 8; ++corner)
-  {
-    Lanes<Real> values[4];
-    for (unsigned int d = 0; d < 3; ++d)
-      values[d] = -internal[corner][d];
-    values[3] = Real();
-    // One lane after the other, because lanes may share a node.
-    dealii::vectorized_transpose_and_store(
-      true, 4, values, offsets + n * corner, force);
-  }
-}
 } // namespace contrecoup::solid

@@ -24,7 +24,7 @@ public:
       Real *next = &numbers_[width * i];
       next = std::copy_n(nodes.displacement_of(i), 3, next);
       next = std::copy_n(nodes.velocity_of(i), 3, next);
-      std::copy_n(nodes.force_of(i), 3, next);
+      std::copy_n(nodes.force_of(i), 4, next);
     }
     active_ = nodes.active;
   }
@@ -37,7 +37,7 @@ public:
       const Real *from = &numbers_[width * i];
       std::copy_n(from, 3, nodes.displacement_of(i));
       std::copy_n(from + 3, 3, nodes.velocity_of(i));
-      std::copy_n(from + 6, 3, nodes.force_of(i));
+      std::copy_n(from + 6, 4, nodes.force_of(i));
     }
     nodes.active = active_;
   }
@@ -48,7 +48,7 @@ public:
   }
 
 private:
-  static constexpr unsigned int width = 9;
+  static constexpr unsigned int width = 10;
 
   std::vector<Real> numbers_;
   std::vector<unsigned char> active_;

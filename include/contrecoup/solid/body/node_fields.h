@@ -24,8 +24,10 @@ struct NodeFields
   static constexpr unsigned int width = 4;
 
   dealii::AlignedVector<Real>
-    position_and_displacement;       ///< x, y, z, u_x, u_y, u_z, 0, 0 [m]
-  dealii::AlignedVector<Real> force; ///< f_x, f_y, f_z, 0 [N]
+    position_and_displacement; ///< x, y, z, u_x, u_y, u_z [m], see below
+  /// f_x, f_y, f_z [N], and the sum of the elements' volumes times dilatations,
+  /// which move_nodes() makes an average
+  dealii::AlignedVector<Real> force;
   /// v_x, v_y, v_z [m/s], 1 / mass [1/kg]
   dealii::AlignedVector<Real> velocity;
 
@@ -68,6 +70,16 @@ struct NodeFields
   const Real *displacement_of(const std::size_t node) const
   {
     return &position_and_displacement[position_width * node + 3];
+  }
+  /// The average around a node of S of PressureSmoothing.
+  Real &average_dilatation_of(const std::size_t node)
+  {
+    return position_and_displacement[position_width * node + 6];
+  }
+  /// Factor from the sum of shares to average_dilatation_of() [1/m^3].
+  Real &inverse_weight_of(const std::size_t node)
+  {
+    return position_and_displacement[position_width * node + 7];
   }
   Real *force_of(const std::size_t node)
   {

@@ -32,6 +32,8 @@ private:
   std::string set_;
   bool has_gas_ = true; ///< whether the lung of a set contains air
   bool g1_is_long_term_ = false;
+  std::vector<Tissue> cavitating_;
+  double largest_tension_ = no_cavitation; ///< of cavitating tissues [Pa]
   std::map<Tissue, SolidMaterial> custom_;
 };
 } // namespace contrecoup::solid

@@ -63,22 +63,25 @@ void SolidOperator<Real>::add_batches(const Range &range,
         stiffened.law.bulk = secant_bulk(model.law, nodes, batch);
       const unsigned int *offsets = batches_.offsets(batch, 0);
       HexVectors<Lane> x, u;
-      load_corners(nodes.position_and_displacement.data(), offsets, x, u);
       HexState<Lane> state;
+      state.nodal_average =
+        load_corners(nodes.position_and_displacement.data(), offsets, x, u);
       batches_.template load_state<viscoelastic>(range, batch, state);
       HexDissipation<Lane> dissipation;
       const HexVectors<Lane> forces = find_forces(
         has_gas ? stiffened : model, batch, x, u, state, dissipation);
       batches_.template store_state<viscoelastic>(range, batch, state);
       least = std::min(least, state.dilatation);
-      subtract_forces(nodes.force.data(), offsets, forces);
+      subtract_forces(nodes.force.data(), offsets, forces, state.nodal_share);
       sum.bulk_viscosity += dissipation.bulk_viscosity;
       sum.relaxation += dissipation.relaxation;
       sum.hourglass += dissipation.hourglass;
+      sum.pressure_smoothing += dissipation.pressure_smoothing;
     }
     losses.bulk_viscosity += sum_of<Real>(sum.bulk_viscosity);
     losses.relaxation += sum_of<Real>(sum.relaxation);
     losses.hourglass_damping += sum_of<Real>(sum.hourglass);
+    losses.pressure_smoothing += sum_of<Real>(sum.pressure_smoothing);
   }
   least_dilatations_[range.tissue] =
     std::min(least_dilatations_[range.tissue], least_of<Real>(least));

@@ -206,6 +206,7 @@ private:
 
   CheckpointHeader read_header(std::istream &in, const std::string &file);
   void set_masses();
+  void set_smoothing_weights();
   void gather_hanging(Real *values, unsigned int width, unsigned int stride);
   void move_hanging();
   void assemble();

@@ -3,8 +3,8 @@
 
 #pragma once
 
+#include <contrecoup/solid/body/batch_corners.h>
 #include <contrecoup/solid/body/element_options.h>
-#include <contrecoup/solid/body/hex_batches.h>
 
 #include <functional>
 
@@ -19,10 +19,12 @@ struct TissueEnergies
   double bulk_viscosity = 0.;
   double relaxation = 0.;        ///< dissipated in Prony branches
   double hourglass_damping = 0.; ///< dissipated in hourglass modes
+  double pressure_smoothing = 0.;
 
   double internal() const
   {
-    return stored + hourglass + bulk_viscosity + relaxation + hourglass_damping;
+    return stored + hourglass + bulk_viscosity + relaxation +
+           hourglass_damping + pressure_smoothing;
   }
 };
 
@@ -62,6 +64,15 @@ public:
   /// mass.
   std::vector<double> nodal_masses() const;
 
+  /// Weights of the nodes in PressureSmoothing, of this rank's elements.
+  std::vector<double> smoothing_weights() const;
+
+  /// Whether pressures of any tissue are smoothed.
+  bool smooths() const
+  {
+    return largest_bulk_ > 0.;
+  }
+
   /// Adds internal forces to @p nodes and advances the history variables to
   /// the present.
   void add_forces(NodeFields<Real> &nodes, const StepTimes &times);
@@ -84,7 +95,8 @@ public:
   }
 
   /// Adds linear elastic forces for small displacements from rest, with
-  /// instantaneous moduli. Does not change history variables.
+  /// instantaneous moduli. Pressure smoothing counts by its
+  /// PressureSmoothing::stiffening(). Does not change history variables.
   void add_linear_forces(NodeFields<Real> &nodes);
 
   /// Energies by tissue, of this rank. Kinetic energy is half of v(t - dt / 2)
@@ -162,7 +174,9 @@ private:
   HexModel<Lane> model(const SolidMaterial &material,
                        const StepTimes &times) const;
 
-  /// The linear elastic model of a body at rest.
+  bool smooths(const SolidMaterial &material) const;
+
+  /// The model of add_linear_forces().
   HexModel<Lane> linear_model(const SolidMaterial &material) const;
 
   /// Loop over the active batches of a tissue: adds the forces that @p
@@ -228,6 +242,7 @@ private:
   const SolidMesh *mesh_ = nullptr;
   std::vector<SolidMaterial> materials_;
   ElementOptions options_;
+  double largest_bulk_ = 0.; ///< of smoothed tissues [Pa]; 0 without any
   HexBatches<Real> batches_;
   std::vector<TissueEnergies> losses_;    ///< by tissue
   std::vector<double> least_dilatations_; ///< by tissue

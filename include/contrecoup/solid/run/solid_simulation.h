@@ -8,6 +8,7 @@
 #include <contrecoup/solid/body/solid_materials.h>
 #include <contrecoup/solid/injury/injury_report.h>
 #include <contrecoup/solid/motion/solid_body.h>
+#include <contrecoup/solid/record/cavity_record.h>
 #include <contrecoup/solid/record/displacement_field.h>
 #include <contrecoup/solid/record/peak_fields.h>
 #include <contrecoup/solid/record/solid_probes.h>
@@ -81,6 +82,7 @@ private:
   SolidProbes probes_;
   InjuryReport<Real> injury_;
   PeakFields<Real> peaks_;
+  CavityRecord<Real> cavities_;
   double safety_ = 0.9;
   double smallest_step_ = 0.; ///< of an element, for mass scaling [s]
   EnergyAudit audit_;

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/base/parameters/tissues.h>
+
+namespace contrecoup
+{
+/// The tissues in a list of names, separated by commas.
+/// @param entry that holds the list, for errors
+/// @throws InputError for other names, and for "none"
+std::vector<Tissue> find_tissues(const std::string &text,
+                                 const std::string &entry);
+} // namespace contrecoup

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/gather.h>
+#include <contrecoup/io/file/binary_records.h>
+#include <contrecoup/io/file/checked_file.h>
+#include <contrecoup/solid/body/tissue_measures.h>
+#include <contrecoup/solid/record/cavity_record.h>
+
+#include <filesystem>
+#include <sstream>
+#include <unordered_map>
+
+namespace contrecoup::solid
+{
+namespace
+{
+  using io::read_binary;
+  using io::write_binary;
+
+  std::string file_of(const std::string &folder, const unsigned int rank)
+  {
+    return folder + "/cavities." + std::to_string(rank) + ".bin";
+  }
+
+  std::array<dealii::Point<3>, 8> corners_of(const SolidMesh &mesh,
+                                             const std::uint32_t cell)
+  {
+    std::array<dealii::Point<3>, 8> corners;
+    for (unsigned int c = 0; c < 8; ++c)
+      corners[c] = mesh.nodes[mesh.elements[cell][c]];
+    return corners;
+  }
+
+  double volume_of(const SolidMesh &mesh, const std::uint32_t cell)
+  {
+    const auto corners = corners_of(mesh, cell);
+    HexVectors<double> x;
+    for (unsigned int c = 0; c < 8; ++c)
+      for (unsigned int d = 0; d < 3; ++d)
+        x[c][d] = corners[c][d];
+    return hex_geometry(to_modes(x)).volume;
+  }
+
+  /// The volumetric part of a material.
+  SolidLaw<double> law_of(const SolidMaterial &material)
+  {
+    SolidLaw<double> law{};
+    law.bulk = material.bulk_modulus;
+    law.gas = material.gas;
+    law.largest_tension = material.largest_tension;
+    law.vapour_dilatation = material.vapour_dilatation();
+    return law;
+  }
+} // namespace
+
+
+template <typename Real>
+void CavityRecord<Real>::reinit(const SolidBody<Real> &body)
+{
+  tissues_.clear();
+  const SolidMesh &mesh = body.mesh();
+  for (unsigned int k = 0; k < mesh.tissues.size(); ++k)
+    if (body.elements().materials()[k].cavitates())
+    {
+      Cavities one;
+      one.tissue = k;
+      for (std::uint32_t cell = 0; cell < mesh.elements.size(); ++cell)
+        if (mesh.tissue[cell] == k)
+        {
+          one.elements.push_back(cell);
+          one.volumes.push_back(volume_of(mesh, cell));
+        }
+      one.collapses.resize(one.elements.size());
+      tissues_.push_back(one);
+    }
+}
+
+
+template <typename Real>
+void CavityRecord<Real>::record_elements(const SolidBody<Real> &body,
+                                         Cavities &one) const
+{
+  const SolidLaw<double> law = law_of(body.elements().materials()[one.tissue]);
+  const auto &smoothing = body.elements().batches().smoothing_pressure;
+  one.volume = 0.;
+  for (std::size_t i = 0; i < one.elements.size(); ++i)
+  {
+    const double dilatation = body.elements().dilatation(one.elements[i]);
+    Collapse &collapse = one.collapses[i];
+    if (dilatation > law.vapour_dilatation)
+    {
+      collapse.held = 1;
+      one.volume += one.volumes[i] * (dilatation - law.vapour_dilatation);
+    }
+    else if (collapse.held != 0)
+    {
+      const std::uint32_t slot =
+        body.elements().batches().slot(one.elements[i]);
+      constexpr unsigned int n = HexBatches<Real>::n;
+      const double smooth =
+        smoothing.size() > 0 ? double(smoothing[slot / n][slot % n]) : 0.;
+      const auto pressure =
+        static_cast<float>(smooth - volumetric_stress(law, dilatation));
+      if (pressure > collapse.highest)
+        collapse = {1, pressure, body.time()};
+    }
+  }
+}
+
+
+template <typename Real>
+void CavityRecord<Real>::record(const SolidBody<Real> &body)
+{
+  std::vector<double> volumes;
+  for (Cavities &one : tissues_)
+  {
+    record_elements(body, one);
+    volumes.push_back(one.volume);
+  }
+  dealii::Utilities::MPI::sum(volumes, body.communicator(), volumes);
+  for (std::size_t k = 0; k < tissues_.size(); ++k)
+  {
+    Cavities &one = tissues_[k];
+    one.volume = volumes[k];
+    if (one.volume > one.largest)
+    {
+      one.largest = one.volume;
+      one.time = body.time();
+    }
+  }
+}
+
+
+template <typename Real>
+std::vector<NamedValue>
+CavityRecord<Real>::history(const SolidBody<Real> &body) const
+{
+  std::vector<NamedValue> values;
+  for (const Cavities &one : tissues_)
+    values.push_back(
+      {tissue_column("vapour_volume", body.mesh().tissues[one.tissue]),
+       "m^3",
+       one.volume});
+  return values;
+}
+
+
+template <typename Real>
+std::vector<NamedValue>
+CavityRecord<Real>::measures(const SolidBody<Real> &body) const
+{
+  std::vector<NamedValue> list;
+  for (const Cavities &one : tissues_)
+  {
+    std::vector<double> highest(5, 0.); // pressure, time, place
+    for (std::size_t i = 0; i < one.elements.size(); ++i)
+      if (double(one.collapses[i].highest) > highest[0])
+      {
+        dealii::Point<3> centre;
+        for (const auto &corner : corners_of(body.mesh(), one.elements[i]))
+          centre += corner / 8.;
+        highest = {one.collapses[i].highest,
+                   one.collapses[i].time,
+                   centre[0],
+                   centre[1],
+                   centre[2]};
+      }
+    for (const auto &other : gather_arrays(body.communicator(), highest))
+      if (other[0] > highest[0])
+        highest = other;
+    const Tissue tissue = body.mesh().tissues[one.tissue];
+    const auto add = [&](const std::string &name,
+                         const std::string &unit,
+                         const double value) {
+      list.push_back({tissue_column(name, tissue), unit, value});
+    };
+    add("largest_vapour_volume", "m^3", one.largest);
+    add("largest_vapour_volume_time", "s", one.time);
+    add("collapse_pressure", "Pa", highest[0]);
+    add("collapse_time", "s", highest[1]);
+    add("collapse_x", "m", highest[2]);
+    add("collapse_y", "m", highest[3]);
+    add("collapse_z", "m", highest[4]);
+  }
+  return list;
+}
+
+
+template <typename Real>
+void CavityRecord<Real>::save(const SolidBody<Real> &body,
+                              const std::string &folder) const
+{
+  const unsigned int rank =
+    dealii::Utilities::MPI::this_mpi_process(body.communicator());
+  io::write_file(file_of(folder, rank), [&](std::ostream &out) {
+    for (const Cavities &one : tissues_)
+    {
+      for (const double value : {one.volume, one.largest, one.time})
+        write_binary(out, value);
+      const std::uint64_t size = one.elements.size();
+      write_binary(out, size);
+      for (std::size_t i = 0; i < size; ++i)
+      {
+        write_binary(out, body.mesh().global_element[one.elements[i]]);
+        write_binary(out, one.collapses[i]);
+      }
+    }
+  });
+}
+
+
+template <typename Real>
+void CavityRecord<Real>::restore(const SolidBody<Real> &body,
+                                 const std::string &folder)
+{
+  reinit(body);
+  for (unsigned int rank = 0; std::filesystem::exists(file_of(folder, rank));
+       ++rank)
+  {
+    std::istringstream in(io::read_file(file_of(folder, rank)));
+    for (Cavities &one : tissues_)
+    {
+      std::unordered_map<std::uint32_t, std::size_t> here;
+      for (std::size_t i = 0; i < one.elements.size(); ++i)
+        here[body.mesh().global_element[one.elements[i]]] = i;
+      for (double *value : {&one.volume, &one.largest, &one.time})
+        read_binary(in, *value);
+      std::uint64_t size = 0;
+      read_binary(in, size);
+      for (std::uint64_t i = 0; in && i < size; ++i)
+      {
+        std::uint32_t cell = 0;
+        Collapse collapse;
+        read_binary(in, cell);
+        read_binary(in, collapse);
+        const auto found = here.find(cell);
+        if (found != here.end())
+          one.collapses[found->second] = collapse;
+      }
+    }
+    if (!in)
+      throw InputError("Checkpoint file " + file_of(folder, rank) +
+                       " belongs to another scene");
+  }
+}
+
+
+template class CavityRecord<double>;
+template class CavityRecord<float>;
+} // namespace contrecoup::solid
