@@ -191,8 +191,8 @@ def histories(scene):
             "Curves of pressure over time, one for each of: "
             + "; ".join(place.title() for place in brain) + ".",
             "Brain pressure in the first 2.5 ms after the wave reaches the "
-            "brain. At −100 kPa (dotted) fluid may cavitate; the model has no "
-            "cavitation.", "svg"))
+            "brain. At −100 kPa (dotted) fluid may cavitate; "
+            + _cavitation(scene), "svg"))
     parts += [page.figure(
         _draw_histories(probes, groups),
         "Curves of pressure over the whole time at "
@@ -224,6 +224,14 @@ def histories(scene):
         "the same tissue around each place; stress and strain are of single "
         "elements.", numbers=range(1, 7)))
     return parts
+
+
+def _cavitation(scene):
+    """Which tissues of the model cavitate."""
+    tissues = scene.biomechanics.parameters.get(
+        "Materials/Cavitating tissues")
+    return "the model has no cavitation." if not tissues else (
+        f"{tissues} cavitate in the model, below Materials/Least pressure.")
 
 
 def _draw_first(probes, places):
