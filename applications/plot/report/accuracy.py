@@ -8,8 +8,8 @@ import math
 import os
 
 from plot.readers import files
-from plot.report import (error_estimate, injury_thresholds, page,
-                         reflections)
+from plot.report import (error_estimate, injury_thresholds, load_impulses,
+                         page, reflections)
 
 KNOWN = os.path.join(os.path.dirname(os.path.abspath(__file__)),
                      "known_differences.csv")
@@ -237,9 +237,9 @@ def _checks(scene):
             "recorded facet; the others are "
             f"{page.number(1e3 * mean)} mm from theirs on average, "
             f"{page.number(1e3 * largest)} mm at most.")
-    recorded = found("checks", "loads_recorded_impulse_x")
-    mapped = found("checks", "loads_mapped_impulse_x")
-    if recorded and mapped:
+    impulses = load_impulses.largest(scene)
+    if impulses is not None:
+        axis, recorded, mapped = impulses
         factor = found("checks", "loads_impulse_factor")
         mended = "" if factor is None else (
             "; pressures are as recorded, since the impulses differ by too "
@@ -247,7 +247,7 @@ def _checks(scene):
             ", after all pressures were multiplied by "
             f"{page.number(factor)} so that the impulses agree")
         items.append(
-            f"Impulse along x: {page.quantity(recorded, 'N s')} recorded on "
+            f"Impulse along {axis}: {page.quantity(recorded, 'N s')} recorded on "
             f"the whole body, {page.quantity(mapped, 'N s')} on the elements "
             f"({page.number(100. * (mapped / recorded - 1.), 2)} %){mended}.")
     loss = scene.blast.found("checks", "loads_sampled_peak_loss")

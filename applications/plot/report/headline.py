@@ -6,7 +6,7 @@ import math
 import re
 
 from plot.analysis import signals
-from plot.report import injury_table, page, reflections
+from plot.report import injury_table, load_impulses, page, reflections
 
 MERGING = 40.  # degrees of incidence, from which reflections may merge
 LARGE_DIFFERENCE = 0.1  # to Kingery and Bulmash
@@ -254,14 +254,14 @@ def _fraction(row):
 
 def _loads(scene):
     """A large difference of the impulse on the elements to the recorded one."""
-    recorded, mapped = (
-        scene.biomechanics.found("checks", f"loads_{name}_impulse_x")
-        for name in ("recorded", "mapped"))
-    if not recorded or mapped is None \
-            or abs(mapped / recorded - 1.) <= LARGE_LOAD_DIFFERENCE:
+    found = load_impulses.largest(scene)
+    if found is None:
         return []
-    return [f"The elements get {page.percent(mapped / recorded)} of the "
-            "impulse that was recorded on the skin along x."]
+    axis, recorded, mapped = found
+    if abs(mapped / recorded - 1.) <= LARGE_LOAD_DIFFERENCE:
+        return []
+    return [f"The elements get {page.percent(mapped / recorded, 3)} of the "
+            f"impulse that was recorded on the skin along {axis}."]
 
 
 def _energy(scene):
