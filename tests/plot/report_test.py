@@ -201,7 +201,7 @@ class ReportTest(unittest.TestCase):
         self.assertIn(["mass", "186.07", "kg", "145.11", "kg",
                        repr(100. * -0.22005)], rows)
         self.assertEqual(rows[0][-1], "change [%]")
-        rows = {row[0]: row for row in files["histories_on_the_skin.csv"]}
+        rows = {row[0]: row for row in files["histories_on_the_skin_1.csv"]}
         self.assertEqual(float(rows["chest"][2]),
                          1e-3 * tiny_scene.GAUGES["chest"][3])
         self.assertEqual(rows["place"][2], "peak [kPa]")
