@@ -33,16 +33,6 @@ namespace
     return corners;
   }
 
-  double volume_of(const SolidMesh &mesh, const std::uint32_t cell)
-  {
-    const auto corners = corners_of(mesh, cell);
-    HexVectors<double> x;
-    for (unsigned int c = 0; c < 8; ++c)
-      for (unsigned int d = 0; d < 3; ++d)
-        x[c][d] = corners[c][d];
-    return hex_geometry(to_modes(x)).volume;
-  }
-
   /// The volumetric part of a material.
   SolidLaw<double> law_of(const SolidMaterial &material)
   {
@@ -70,7 +60,7 @@ void CavityRecord<Real>::reinit(const SolidBody<Real> &body)
         if (mesh.tissue[cell] == k)
         {
           one.elements.push_back(cell);
-          one.volumes.push_back(volume_of(mesh, cell));
+          one.volumes.push_back(cell_volume(mesh, cell));
         }
       one.collapses.resize(one.elements.size());
       tissues_.push_back(one);

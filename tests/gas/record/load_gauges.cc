@@ -280,6 +280,22 @@ TEST(GaugeTables, HaveChestAndBack)
 }
 
 
+namespace
+{
+/// A gauge that sees a wave of 200 kPa and 5 ms, times @p part.
+GaugeBlast scaled_wave(const std::string &place,
+                       const double part,
+                       const std::vector<double> &times)
+{
+  GaugeBlast found{place, {part * 200e3, 400., 5e-6, 5e-3}, 5e-6, {}};
+  for (const double time : times)
+    found.overpressures.push_back(part * 200e3 * (1. - time / 5e-3) *
+                                  std::exp(-time / 5e-3));
+  return found;
+}
+} // namespace
+
+
 // One arm, as before a plane of symmetry, stands for both.
 TEST(GaugeTables, TakeTheMeanOverTheTrunk)
 {
@@ -287,11 +303,7 @@ TEST(GaugeTables, TakeTheMeanOverTheTrunk)
   for (unsigned int i = 0; i <= 1000; ++i)
     times.push_back(5e-6 * i);
   const auto gauge = [&](const std::string &place, const double part) {
-    GaugeBlast found{place, {part * 200e3, 400., 5e-6, 5e-3}, 5e-6, {}};
-    for (const double time : times)
-      found.overpressures.push_back(part * 200e3 * (1. - time / 5e-3) *
-                                    std::exp(-time / 5e-3));
-    return found;
+    return scaled_wave(place, part, times);
   };
   const auto find = [&](const std::vector<GaugeBlast> &gauges) {
     std::istringstream table(gauge_injury_table(gauges, times, 70.));
@@ -327,12 +339,7 @@ TEST(GaugeTables, TakeTheMeanOfABlastTestDevice)
   for (unsigned int i = 0; i <= 1000; ++i)
     times.push_back(5e-6 * i);
   const auto gauge = [&](const std::string &side, const double part) {
-    GaugeBlast found{
-      "device " + side, {part * 200e3, 400., 5e-6, 5e-3}, 5e-6, {}};
-    for (const double time : times)
-      found.overpressures.push_back(part * 200e3 * (1. - time / 5e-3) *
-                                    std::exp(-time / 5e-3));
-    return found;
+    return scaled_wave("device " + side, part, times);
   };
   const std::vector<GaugeBlast> half = {
     gauge("front", 2.), gauge("left", 1.), gauge("back", 0.5)};

@@ -10,7 +10,7 @@ namespace contrecoup
  * survive for 24 h [Pa]: 61.5 psi (1 + 6.76 T^-1.064), with the duration T in
  * ms scaled to 70 kg and sea level (I. G. Bowen, E. R. Fletcher, D. R.
  * Richmond, DASA-2113, 1968, as given by McMichael, LLNL-TR-468242, 2011; for
- * 3 to 5 ms UFC 3-340-02, 2008, table 1-1, has 130 to 180 psi). The curve
+ * 3 to 5 ms UFC 3-340-02, table 1-1, has 130 to 180 psi, recalled). The curve
  * is defined by the free field, not by the pressure on the skin: see
  * standing_load() and, near a wall, reflected_overpressure(). Not valid for
  * complex waves; use chest_wall_response() for those.
@@ -25,7 +25,7 @@ double lung_median_lethal_overpressure(const double duration,
 
 /// Threshold of lung injury [Pa]: a fifth of
 /// lung_median_lethal_overpressure(). For 3 to 5 ms this is 27 to 38 psi, where
-/// UFC 3-340-02 (2008), table 1-1, has 30 to 40 psi.
+/// UFC 3-340-02, table 1-1, has 30 to 40 psi (recalled).
 double lung_threshold_overpressure(const double duration,
                                    const double mass,
                                    const double ambient_pressure);
