@@ -23,6 +23,7 @@ SceneParameters scene_with(const double distance, const double height)
 {
   SceneParameters scene;
   scene.accuracy = SceneParameters::accuracies.back();
+  scene.element_size = scene.accuracy.element_size;
   scene.end_time = 0.05;
   scene.symmetry = "auto";
   scene.explosive = "c-4";
@@ -139,10 +140,26 @@ TEST(SceneFiles, HandOnMassesPlacesAndTimesOfTheScene)
   const auto body =
     values_of(biomechanics_entries(scene, layout, standing_body(), {}, 78.5));
   EXPECT_EQ(body.at("Materials/Set"), "physiological");
-  EXPECT_EQ(std::stod(body.at("Mesh/Element size")),
-            scene.accuracy.element_size);
+  EXPECT_EQ(std::stod(body.at("Mesh/Element size")), scene.element_size);
   EXPECT_EQ(std::stod(body.at("Injury/Body mass")), 78.5);
   EXPECT_EQ(std::stod(body.at("Time/End time")), 0.05);
+}
+
+
+TEST(SceneFiles, FitElementsToTheBodyUnlessAnEntryGivesTheirSize)
+{
+  const auto size_for = [](const double height, const double given) {
+    SceneParameters scene = scene_with(2.337, 1.27);
+    scene.accuracy = SceneParameters::accuracies[1];
+    scene.element_size = given;
+    scene.fit_elements({{Point<3>(0., -0.1, 0.), Point<3>(0.2, 0.1, height)}});
+    return scene.element_size;
+  };
+  EXPECT_EQ(size_for(1.76, 0.), 0.01);
+  EXPECT_NEAR(size_for(0.255, 0.), 0.0042, 1e-12);
+  EXPECT_EQ(size_for(0.255, 0.01), 0.01);
+  // The longest side need not be the height.
+  EXPECT_NEAR(size_for(0.1, 0.), 0.0033, 1e-12);
 }
 
 

@@ -21,6 +21,7 @@ PlannedScene::PlannedScene(dealii::ParameterHandler &prm)
   }
   body_ = description_.create();
   layout_.emplace(parameters_, *body_->surface());
+  parameters_.fit_elements(layout_->body);
   find_body();
   plan_ = scene_plan(parameters_, *layout_, body_mass_);
 }
@@ -28,7 +29,7 @@ PlannedScene::PlannedScene(dealii::ParameterHandler &prm)
 
 void PlannedScene::find_body()
 {
-  const double element_size = parameters_.accuracy.element_size;
+  const double element_size = parameters_.element_size;
   try
   {
     body_mass_ = body_kind() == "phantom" ? description_.reference_mass()
@@ -52,8 +53,7 @@ void PlannedScene::print() const
            ", " + brief(layout_->charge[2]) + " m above the ground; cells of " +
            brief(1e3 * layout_->cell_size()) + " mm at the skin" +
            (parameters_.wants_injury()
-              ? ", elements of " +
-                  brief(1e3 * parameters_.accuracy.element_size) + " mm"
+              ? ", elements of " + brief(1e3 * parameters_.element_size) + " mm"
               : ""));
   log_line(layout_->is_far(parameters_)
              ? "  expected in free air: the front reaches the body at " +

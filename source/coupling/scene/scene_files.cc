@@ -304,8 +304,7 @@ namespace
 std::vector<Assignment> anatomy_entries(const SceneParameters &scene)
 {
   Entries entries;
-  entries.set(
-    "Mesh/Element size", scene.accuracy.element_size, "Scene/Element size");
+  entries.set("Mesh/Element size", scene.element_size, "Scene/Element size");
   entries.set("Tissues/Set", scene.tissues, "Tissues/Set");
   return entries.take();
 }
@@ -346,12 +345,11 @@ biomechanics_entries(const SceneParameters &scene,
 {
   Entries entries;
   entries.set("Mesh/Kind", "body", "Body/Kind");
-  entries.set(
-    "Mesh/Element size", scene.accuracy.element_size, "Scene/Element size");
+  entries.set("Mesh/Element size", scene.element_size, "Scene/Element size");
   entries.set("Materials/Set", scene.tissues, "Tissues/Set");
   entries.set("Elements/Kinematics", "finite rotation");
   entries.set("Elements/Precision", "single");
-  if (scene.accuracy.element_size > largest_thin_element)
+  if (scene.element_size > largest_thin_element)
     entries.set("Energy audit/Largest hourglass part",
                 coarse_hourglass,
                 "Scene/Element size");

@@ -18,6 +18,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace contrecoup::coupling
@@ -70,7 +71,8 @@ namespace
                    0.,
                    1.,
                    "m",
-                   "Edge of the body's elements; 0: that of the accuracy.");
+                   "Edge of the body's elements; 0: that of the accuracy, but "
+                   "at most a sixtieth of the body's longest side.");
   }
 
 
@@ -117,6 +119,9 @@ namespace
 
 
   constexpr double smallest_cell = 0.16 / 1024.; // [m]
+  /// Of the preset's elements along the body's longest side. With 25, as of
+  /// 10 mm in a head of 250 mm, hourglass modes store 38 % of the energy.
+  constexpr double least_elements = 60.;
   const std::string usual_afterburn = "by explosive";
 
   /// The usual energy of each explosive, as text.
@@ -233,9 +238,7 @@ void SceneParameters::parse_parameters(ParameterHandler &prm)
     accuracy = *std::find_if(accuracies.begin(),
                              accuracies.end(),
                              [&](const Accuracy &a) { return a.name == name; });
-    const double element_size = read_double(prm, "Element size");
-    if (element_size > 0.)
-      accuracy.element_size = element_size;
+    element_size = read_double(prm, "Element size");
     cell_size = read_double(prm, "Cell size");
     if (cell_size > 0. && cell_size < smallest_cell)
       throw InputError("Scene/Cell size cannot be " + brief(cell_size) +
@@ -267,5 +270,17 @@ void SceneParameters::parse_parameters(ParameterHandler &prm)
   }
   const Section section(prm, "Tissues");
   tissues = prm.get("Set");
+}
+
+
+void SceneParameters::fit_elements(const dealii::BoundingBox<3> &body)
+{
+  if (element_size > 0.)
+    return;
+  const double longest =
+    std::max({body.side_length(0), body.side_length(1), body.side_length(2)});
+  // To a tenth of a millimetre, downwards.
+  const double fitting = 1e-4 * std::floor(1e4 * longest / least_elements);
+  element_size = std::min(accuracy.element_size, std::max(1e-4, fitting));
 }
 } // namespace contrecoup::coupling

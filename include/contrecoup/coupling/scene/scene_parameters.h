@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <deal.II/base/bounding_box.h>
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/point.h>
 
@@ -23,7 +24,7 @@ struct SceneParameters
     unsigned int levels;       ///< refinement level at the skin
     unsigned int front_levels; ///< refinement level of fronts near the body
     double cells_per_phase;    ///< least for the positive phase at the body
-    double element_size;       ///< edge of the body's elements [m]
+    double element_size;       ///< largest edge of the body's elements [m]
     std::string cost; ///< cost for the reference scene of a man, as text
   };
   /// All presets, finest last.
@@ -38,6 +39,12 @@ struct SceneParameters
   /// @throws InputError for a charge without a position.
   void parse_parameters(dealii::ParameterHandler &prm);
 
+  /// Sets the edge of the elements unless an entry gives it: that of the
+  /// preset, but at most a sixtieth of the body's longest side, so that a head
+  /// alone has several elements through scalp and skull.
+  /// @param body bounding box of the body [m]
+  void fit_elements(const dealii::BoundingBox<3> &body);
+
   bool wants_injury() const
   {
     return question == "injury";
@@ -48,6 +55,8 @@ struct SceneParameters
   Accuracy accuracy;
   /// Largest edge of cells at the skin [m]; 0: by accuracy
   double cell_size = 0.;
+  /// Edge of the body's elements [m]; see fit_elements()
+  double element_size = 0.;
   double end_time = 0.;     ///< [s]
   std::string symmetry;     ///< auto, none, y
   bool has_forecast = true; ///< whether to predict the costs of tasks
