@@ -74,6 +74,7 @@ void read_results(const std::string &path)
   scene.question = "injury";
   scene.symmetry = "auto";
   scene.explosive = "tnt";
+  scene.tissues = "physiological";
   scene.mass = 1.;
   scene.end_time = 0.01;
   scene.place = dealii::Point<3>(2., 0., 1.);
@@ -81,7 +82,7 @@ void read_results(const std::string &path)
     dealii::Point<3>(0., 0., 0.88), dealii::Point<3>(0.15, 0.25, 0.88), 0.05);
   static const coupling::SceneLayout layout(scene, body);
   coupling::scene_audit(
-    scene, layout, std::filesystem::path(folder_of(path)).parent_path());
+    scene, layout, true, std::filesystem::path(folder_of(path)).parent_path());
 }
 } // namespace
 

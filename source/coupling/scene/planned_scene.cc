@@ -10,6 +10,8 @@
 #include <contrecoup/coupling/scene/scene_plan.h>
 #include <contrecoup/io/run/plan_table.h>
 
+#include <algorithm>
+
 namespace contrecoup::coupling
 {
 PlannedScene::PlannedScene(dealii::ParameterHandler &prm)
@@ -23,7 +25,16 @@ PlannedScene::PlannedScene(dealii::ParameterHandler &prm)
   layout_.emplace(parameters_, *body_->surface());
   parameters_.fit_elements(layout_->body);
   find_body();
-  plan_ = scene_plan(parameters_, *layout_, body_mass_);
+  plan_ = scene_plan(parameters_, *layout_, body_mass_, has_lung());
+}
+
+
+bool PlannedScene::has_lung() const
+{
+  const auto &parts = body_->parts();
+  return std::any_of(parts.begin(), parts.end(), [](const BodyPart &part) {
+    return part.tissue == Tissue::lung;
+  });
 }
 
 

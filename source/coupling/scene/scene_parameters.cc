@@ -221,8 +221,13 @@ void SceneParameters::declare_parameters(ParameterHandler &prm)
   }
   {
     const Section section(prm, "Tissues");
-    declare_selection(
-      prm, "Set", "paper", tissue_set_names(), "Set of the tissue library.");
+    declare_selection(prm,
+                      "Set",
+                      "physiological",
+                      tissue_set_names(),
+                      "Set of the tissue library. The lung of the paper has a "
+                      "constant bulk modulus of 42 kPa, which blasts that "
+                      "injure crush.");
   }
   declare_tasks(prm);
 }

@@ -6,6 +6,7 @@
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/output/history_reader.h>
 #include <contrecoup/materials/explosives.h>
+#include <contrecoup/materials/tissue_library.h>
 #include <contrecoup/numerics/injury/kingery_bulmash.h>
 
 #include <nlohmann/json.hpp>
@@ -147,6 +148,26 @@ namespace
             "Charge/Afterburn energy"};
   }
 
+  /// Item about the lung's law under the blast wave: the pressure of air that
+  /// is compressed grows beyond all bounds, that of a constant bulk modulus
+  /// does not, so that the load crushes elements.
+  Assumption lung(const SceneParameters &scene, const SceneLayout &layout)
+  {
+    const TissueProperties &tissue =
+      find_tissue_properties(scene.tissues, Tissue::lung);
+    const bool has_air = tissue.gas.exists();
+    return {"lung",
+            scene.tissues + " tissues, lung of " +
+              (has_air ? "air that stiffens" : "constant bulk modulus"),
+            "reflected peak over the bulk modulus of the lung",
+            "-",
+            measured(scene, layout, BlastQuantity::reflected_overpressure) /
+              tissue.bulk_modulus,
+            has_air ? unknown : 1.,
+            false,
+            "Tissues/Set"};
+  }
+
   /// Item about the cells of the gas for the blast wave at the body.
   Assumption resolution(const SceneLayout &layout)
   {
@@ -274,7 +295,8 @@ namespace
 
 std::vector<Assumption> scene_plan(const SceneParameters &scene,
                                    const SceneLayout &layout,
-                                   const double body_mass)
+                                   const double body_mass,
+                                   const bool has_lung)
 {
   // The loaded area is three fifths of the cross-section of the body's box.
   const double front =
@@ -291,6 +313,8 @@ std::vector<Assumption> scene_plan(const SceneParameters &scene,
   if (!scene.wants_injury())
     return items;
   items.push_back(strain(unknown));
+  if (has_lung)
+    items.push_back(lung(scene, layout));
   items.push_back(gravity_of_body(scene.end_time, speed));
   return items;
 }
@@ -298,6 +322,7 @@ std::vector<Assumption> scene_plan(const SceneParameters &scene,
 
 std::vector<Assumption> scene_audit(const SceneParameters &scene,
                                     const SceneLayout &layout,
+                                    const bool has_lung,
                                     const std::string &folder)
 {
   const std::string solid = folder + "/biomechanics";
@@ -309,6 +334,8 @@ std::vector<Assumption> scene_audit(const SceneParameters &scene,
     const Json summary = read_summary(solid);
     items.push_back(strain(
       number_or_unknown(result_of(summary, "injury_strain_95"), "value")));
+    if (has_lung)
+      items.push_back(lung(scene, layout));
     items.push_back(
       gravity_of_body(scene.end_time, largest_vector(solid, "velocity")));
   }

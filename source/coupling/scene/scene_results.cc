@@ -152,9 +152,10 @@ namespace
 
 void print_audit(const PlannedScene &scene, const std::string &folder)
 {
-  for (const std::string &line :
-       io::audit_lines(whole_plan(scene, folder),
-                       scene_audit(scene.parameters(), scene.layout(), folder)))
+  for (const std::string &line : io::audit_lines(
+         whole_plan(scene, folder),
+         scene_audit(
+           scene.parameters(), scene.layout(), scene.has_lung(), folder)))
     log_line(line);
 }
 
@@ -168,7 +169,9 @@ void write_scene(const PlannedScene &scene,
   const SceneLayout &layout = scene.layout();
   const auto plan = named(whole_plan(scene, command.output_folder), tasks);
   const auto audit = named(
-    scene_audit(scene.parameters(), layout, command.output_folder), tasks);
+    scene_audit(
+      scene.parameters(), layout, scene.has_lung(), command.output_folder),
+    tasks);
   const Json json = {{"application", "scene"},
                      {"version", version()},
                      {"git_revision", git_revision()},

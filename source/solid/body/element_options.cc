@@ -17,7 +17,7 @@ namespace
   {
     declare_double(prm,
                    "Pressure smoothing",
-                   "0",
+                   "0.95",
                    0.,
                    1.,
                    "-",

@@ -36,6 +36,9 @@ public:
     return *body_;
   }
 
+  /// Whether a part of the body is lung.
+  bool has_lung() const;
+
   /// Mass of the body [kg].
   double body_mass() const
   {
