@@ -50,8 +50,16 @@ def section(scene):
     return [
         page.paragraph(
             f"This is the scene of {SOURCE}. "
-            f"{counted(statements, 'sections 3.2 and 3.3')}"),
+            f"{counted(statements, 'sections 3.2 and 3.3')}{_tissues(scene)}"),
         table(statements)]
+
+
+def _tissues(scene):
+    """A sentence on tissues that are not those of the publication's table 1."""
+    name = scene.biomechanics.parameters.get("Materials/Set", "paper")
+    return "" if name == "paper" else (
+        f" Its tissues are of the {name} set, not those of table 1 there, "
+        "which is a further reason for differences in the body.")
 
 
 def counted(statements, where):
