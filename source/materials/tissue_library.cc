@@ -5,6 +5,7 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/materials/tissue_library.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace contrecoup
@@ -193,6 +194,15 @@ namespace
       set.push_back(one);
     return set;
   }
+
+  std::vector<TissueProperties> aerated_set()
+  {
+    std::vector<TissueProperties> set = paper_set();
+    for (TissueProperties &one : set)
+      if (one.tissue == Tissue::lung)
+        one = physiological_lung();
+    return set;
+  }
 } // namespace
 
 double TissueProperties::dilatational_speed() const
@@ -207,20 +217,22 @@ double TissueProperties::shear_speed() const
 
 const std::vector<std::string> &tissue_set_names()
 {
-  static const std::vector<std::string> names{"paper", "physiological"};
+  static const std::vector<std::string> names{
+    "paper", "physiological", "paper with aerated lung"};
   return names;
 }
 
 const TissueProperties &find_tissue_properties(const std::string &set,
                                                const Tissue tissue)
 {
-  static const std::vector<TissueProperties> first = paper_set();
-  static const std::vector<TissueProperties> second = physiological_set();
+  static const std::vector<std::vector<TissueProperties>> sets{
+    paper_set(), physiological_set(), aerated_set()};
   const std::vector<std::string> &names = tissue_set_names();
-  if (set != names[0] && set != names[1])
+  const auto name = std::find(names.begin(), names.end(), set);
+  if (name == names.end())
     throw InputError("\"" + set + "\" is not a set of tissues" +
                      suggestion(set, names));
-  for (const TissueProperties &one : set == names[0] ? first : second)
+  for (const TissueProperties &one : sets[name - names.begin()])
     if (one.tissue == tissue)
       return one;
   throw InputError("the set of tissues \"" + set +

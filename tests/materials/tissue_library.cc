@@ -45,6 +45,25 @@ TEST(TissueLibrary, EverySetHasEveryTissueAndItsSource)
 }
 
 
+TEST(TissueLibrary, AeratedLungIsAllThatDiffersFromThePaper)
+{
+  for (std::size_t i = 1; i < tissue_names().size(); ++i)
+  {
+    const Tissue tissue = static_cast<Tissue>(i);
+    const bool is_lung = tissue == Tissue::lung;
+    const TissueProperties &one =
+      find_tissue_properties("paper with aerated lung", tissue);
+    const TissueProperties &other =
+      find_tissue_properties(is_lung ? "physiological" : "paper", tissue);
+    EXPECT_EQ(one.gas.exists(), is_lung);
+    EXPECT_EQ(one.density, other.density);
+    EXPECT_EQ(one.bulk_modulus, other.bulk_modulus);
+    EXPECT_EQ(one.instantaneous_shear, other.instantaneous_shear);
+    EXPECT_EQ(one.source, other.source);
+  }
+}
+
+
 // Sound is 1480 to 1620 m/s fast in tissue that is mostly water.
 TEST(TissueLibrary, PhysiologicalSoundSpeeds)
 {

@@ -58,8 +58,8 @@ def _tissues(scene):
     """A sentence on tissues that are not those of the publication's table 1."""
     name = scene.biomechanics.parameters.get("Materials/Set", "paper")
     return "" if name == "paper" else (
-        f" Its tissues are of the {name} set, not those of table 1 there, "
-        "which is a further reason for differences in the body.")
+        f" Its tissues are those of the set “{name}”, not of table 1 there, "
+        "a further reason for differences in the body.")
 
 
 def counted(statements, where):

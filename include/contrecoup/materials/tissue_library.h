@@ -25,7 +25,7 @@ struct TissueProperties
   double long_term_shear;     ///< G_inf [Pa]
   double relaxation_time;     ///< tau [s]; 0 for elastic tissues
   std::string source;
-  GasFilling gas = {}; ///< in the lung of the physiological set
+  GasFilling gas = {}; ///< in lungs, but not in the paper's
 
   /// P-wave speed sqrt((K + 4/3 G_0) / rho) [m/s].
   double dilatational_speed() const;
@@ -36,8 +36,10 @@ struct TissueProperties
 
 /// Names of the property sets: "paper" is table 1 of Tan, Saunders and Bagchi
 /// (COUPLED PROBLEMS 2017); "physiological" has wave speeds measured on
-/// tissue. Values of the second set are recalled, without access to the
-/// originals; each source says so.
+/// tissue, recalled without access to the originals, as each source says;
+/// "paper with aerated lung" is the first with the lung of the second, whose
+/// air resists compression: a lung of the paper's constant bulk modulus, 42
+/// kPa, is crushed by blasts that injure.
 const std::vector<std::string> &tissue_set_names();
 
 /**

@@ -223,11 +223,11 @@ void SceneParameters::declare_parameters(ParameterHandler &prm)
     const Section section(prm, "Tissues");
     declare_selection(prm,
                       "Set",
-                      "physiological",
+                      "paper with aerated lung",
                       tissue_set_names(),
-                      "Set of the tissue library. The lung of the paper has a "
-                      "constant bulk modulus of 42 kPa, which blasts that "
-                      "injure crush.");
+                      "Set of the tissue library. The paper's own lung has a "
+                      "constant bulk modulus of 42 kPa and is crushed by "
+                      "blasts that injure.");
   }
   declare_tasks(prm);
 }

@@ -156,16 +156,17 @@ namespace
     const TissueProperties &tissue =
       find_tissue_properties(scene.tissues, Tissue::lung);
     const bool has_air = tissue.gas.exists();
-    return {"lung",
-            scene.tissues + " tissues, lung of " +
-              (has_air ? "air that stiffens" : "constant bulk modulus"),
-            "reflected peak over the bulk modulus of the lung",
-            "-",
-            measured(scene, layout, BlastQuantity::reflected_overpressure) /
-              tissue.bulk_modulus,
-            has_air ? unknown : 1.,
-            false,
-            "Tissues/Set"};
+    return {
+      "lung",
+      std::string(has_air ? "air that stiffens" : "of constant bulk modulus") +
+        ", set " + scene.tissues,
+      "reflected peak over the bulk modulus of the lung",
+      "-",
+      measured(scene, layout, BlastQuantity::reflected_overpressure) /
+        tissue.bulk_modulus,
+      has_air ? unknown : 1.,
+      false,
+      "Tissues/Set"};
   }
 
   /// Item about the cells of the gas for the blast wave at the body.

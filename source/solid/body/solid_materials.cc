@@ -131,8 +131,9 @@ void SolidMaterials::declare_parameters(ParameterHandler &prm)
                     "Set",
                     "paper",
                     tissue_set_names(),
-                    "Tissue properties: table 1 of the paper, or measured "
-                    "wave speeds of tissue.");
+                    "Tissue properties: table 1 of the paper, measured wave "
+                    "speeds of tissue, or the paper's with the lung of the "
+                    "latter.");
   declare_selection(prm,
                     "Reading of G1",
                     "relaxing branch",
@@ -145,7 +146,7 @@ void SolidMaterials::declare_parameters(ParameterHandler &prm)
                     bulk_laws[0],
                     bulk_laws,
                     "Pressure as a function of volume. of the tissue: the "
-                    "air in the physiological lung stiffens under "
+                    "air in an aerated lung stiffens under "
                     "compression (p v^1.4 = const), other tissues of the "
                     "sets have constant moduli. linear: all have constant "
                     "moduli; the lung then collapses under more than some "
