@@ -73,6 +73,16 @@ class RatingTest(unittest.TestCase):
         self.assertAlmostEqual(rating.rate(level, 1.2 * level).magnitude, 0.6,
                                1)
 
+    def test_slope_means(self):
+        """Differences over two points, then means over nine: of a
+        saw with a period of three points nothing is left."""
+        values = np.arange(60) % 3.
+        raw, means = np.gradient(values), rating.slopes(values)
+        self.assertEqual(means[0], raw[0])
+        self.assertAlmostEqual(means[2], raw[:5].mean(), 12)
+        self.assertAlmostEqual(means[30], raw[26:35].mean(), 12)
+        self.assertLess(np.abs(means[5:-5]).max(), 1e-12)
+
     def test_unlike(self):
         found = rating.rate(pulse(), -pulse())
         self.assertLess(found.total, 0.58)
