@@ -5,68 +5,88 @@ saw."""
 
 import numpy as np
 
+from plot.analysis import signals
+
+BANDWIDTH = 20e3  # Hz; no source gives that of the experiment's gauges
 CAVITATION = -100e3  # Pa
-SMOOTHED = 1e-4  # s, for what counts as a peak
-PROMINENT = 20e3  # Pa
+ONSET = 5e3  # Pa
+PROMINENT = 20e3  # Pa, for a pressure that has a sign
+PEAK = 0.25  # of the highest peak, for what counts as one
+REACHED = 0.95  # of the least pressure of a cavitating fluid
 
 
-def first_time(time, values, part):
-    """When the values first have that part of their largest one."""
-    return np.argmax(np.abs(values) > part * np.abs(values).max())
+def required_dip(least_pressure):
+    """Pressure [Pa] that a dip must fall below. A fluid that cavitates falls no
+    further than its least pressure, None if there is none: if that is above the
+    cavitation limit, a dip has to reach it."""
+    if least_pressure is None or least_pressure < CAVITATION:
+        return CAVITATION
+    return REACHED * least_pressure
 
 
-def mean_over(time, values, span):
-    """Running means."""
-    grid = np.linspace(time[0], time[-1], 4 * len(time))
-    width = max(1, int(span / (grid[1] - grid[0])))
-    even = np.interp(grid, time, values)
-    return grid, np.convolve(np.pad(even, width // 2, mode="edge"),
-                             np.ones(width) / width, mode="same")[
-                                 width // 2:width // 2 + len(grid)]
+def first_time(values, threshold):
+    """Number of the first value of that size; None without one."""
+    beyond = np.abs(values) > threshold
+    return int(np.argmax(beyond)) if beyond.any() else None
 
 
-def turning_points(values):
-    """Numbers of maxima and minima, in turn, that differ by PROMINENT."""
-    found, best, rising = [], 0, True
-    for i, value in enumerate(values):
-        ahead = value - values[best] if rising else values[best] - value
-        if ahead >= 0.:
-            best = i
-        elif ahead < -PROMINENT:
-            found.append((best, rising))
-            best, rising = i, not rising
+def swings(values):
+    """Numbers of the highest and lowest values, in turn: a swing begins where
+    the pressure first has its sign by PROMINENT, and ends where the next
+    begins."""
+    found, sign = [], 0
+    for i in np.flatnonzero(np.abs(values) > PROMINENT):
+        if np.sign(values[i]) != sign:
+            sign = np.sign(values[i])
+            found.append(i)
+        elif sign * values[i] > sign * values[found[-1]]:
+            found[-1] = i
     return found
 
 
-def judge(time, coup, contrecoup):
-    """What the experiments saw, what these pressures [Pa] have, and whether it
-    agrees: rows of two texts and a truth value."""
-    begins = [time[first_time(time, p, 0.05)] for p in (coup, contrecoup)]
-    first = contrecoup[first_time(time, contrecoup, 0.25)]
-    grid, smooth = mean_over(time, contrecoup, SMOOTHED)
-    turns = turning_points(smooth)
-    peaks = [smooth[i] for i, rising in turns
-             if rising and smooth[i] > PROMINENT]
-    dips = [smooth[i] for i, rising in turns if not rising]
-    # A dip lies between prominent maxima.
-    parts = np.split(grid, [i for i, rising in turns if rising])
-    n_below = sum(np.interp(part, time, contrecoup).min() < CAVITATION
-                  for part in parts if len(part))
+def peaks_and_dips(values):
+    """Peaks of PEAK of the highest one at least, and the lowest values before,
+    between and after them, as far as they are negative by PROMINENT."""
+    highest = max(PEAK * values.max(), PROMINENT)
+    tops = [i for i in swings(values) if values[i] >= highest]
+    lows = [part.min() for part in np.split(values, tops) if len(part)]
+    return values[tops], np.array([low for low in lows if low < -PROMINENT])
 
-    def listed(values):
-        return ", ".join(f"{1e-3 * value:.0f}" for value in values)
 
-    delay = 1e3 * (begins[1] - begins[0])
+def listed(values):
+    return ", ".join(f"{1e-3 * value:.0f}" for value in values) or "none"
+
+
+def judge(coup, contrecoup, step, dip=CAVITATION):
+    """What the experiments saw, what these pressures [Pa] at equal @p step [s]
+    have, and whether it agrees: rows of two texts and a truth value. @p dip is
+    required_dip()."""
+    begins = [first_time(p, ONSET) for p in (coup, contrecoup)]
+    delay = None if None in begins else 1e3 * step * (begins[1] - begins[0])
+    first = [contrecoup[i] for i in swings(contrecoup)[:1]]
+    peaks, dips = peaks_and_dips(contrecoup)
+    n_below = int(np.sum(dips < dip))
+    limit = "" if dip == CAVITATION else f" {1e-3 * dip:.0f} kPa (cut-off)"
     return [
-        ("contrecoup later by some 0.1 ms", f"{delay:.3f} ms",
-         0.05 < delay < 0.2),
-        ("contrecoup begins negative", f"{1e-3 * first:.0f} kPa at first",
-         first < 0.),
+        ("contrecoup later by some 0.1 ms",
+         "no onset" if delay is None else f"{delay:.3f} ms",
+         delay is not None and 0.05 < delay < 0.2),
+        ("contrecoup begins negative", f"first swing {listed(first)} kPa",
+         bool(first) and first[0] < 0.),
         ("higher positive peak at the contrecoup",
          f"{1e-3 * contrecoup.max():.0f} kPa, coup "
          f"{1e-3 * coup.max():.0f} kPa", contrecoup.max() > coup.max()),
-        ("three positive peaks that fade there", listed(peaks[:3]) + " kPa",
+        ("three positive peaks that fade there", listed(peaks) + " kPa",
          len(peaks) >= 3 and peaks[0] > peaks[1] > peaks[2]),
         ("three dips below -100 kPa there",
-         f"{n_below}; lowest {1e-3 * contrecoup.min():.0f} kPa; means over "
-         f"0.1 ms " + listed(dips[:3]), n_below >= 3)]
+         f"{n_below}{' below' + limit if limit else ''}; dips "
+         f"{listed(dips)} kPa", n_below >= 3)]
+
+
+def filtered(time, pressures, bandwidth=BANDWIDTH):
+    """Time at equal steps, and pressures by name below @p bandwidth [Hz]."""
+    grid = time
+    result = {}
+    for name, values in pressures.items():
+        grid, result[name] = signals.low_pass(time, values, bandwidth)
+    return grid, result

@@ -67,6 +67,25 @@ def smooth(time, values, span):
     return np.convolve(padded, kernel, mode="valid")
 
 
+def low_pass(time, values, bandwidth):
+    """The history at equal steps of time, and below @p bandwidth [Hz], where
+    half of the power is left: a Butterworth filter of second order, forwards
+    and backwards, which shifts no phase. Before and after the history its first
+    and last value are assumed."""
+    grid = np.linspace(time[0], time[-1], 2 * len(time))
+    even = np.interp(grid, time, values)
+    step = grid[1] - grid[0]
+    width = int(2. / (bandwidth * step)) + 1
+    # The end returns to the beginning, as the transform is periodic.
+    whole = np.concatenate([
+        np.full(width, even[0]), even, np.full(width, even[-1]),
+        np.linspace(even[-1], even[0], 2 * width)])
+    ratio = np.fft.rfftfreq(len(whole), step) / bandwidth
+    gain = 1. / (1. + (np.sqrt(2.) - 1.) * ratio**4)
+    filtered = np.fft.irfft(gain * np.fft.rfft(whole), len(whole))
+    return grid, filtered[width:width + len(even)]
+
+
 def find_peaks(time, over):
     """Indices of the first peak and of the second one: the top of the largest
     rise after the first peak, if that is a tenth of the peak at least."""

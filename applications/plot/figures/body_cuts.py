@@ -64,9 +64,11 @@ def draw_energies(folder, path):
 
 
 def draw_probes(folder, time, pressures, references, path):
-    """Pressures by name over time, with measured extremes [kPa] by name."""
+    """Pressures by name over time, with measured extremes [kPa] by name, and
+    cuts if the run has fields."""
     figure = plt.figure(figsize=(9., 6.))
-    outputs = fields.open_fields(folder)
+    has_fields = os.path.exists(os.path.join(folder, "fields.pvd"))
+    outputs = fields.open_fields(folder) if has_fields else []
     grid = figure.add_gridspec(2, max(1, len(outputs)), height_ratios=[2, 1])
     axis = figure.add_subplot(grid[0, :])
     for name, values in pressures.items():

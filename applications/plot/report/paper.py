@@ -6,7 +6,7 @@ A. Bagchi, COUPLED PROBLEMS 2017, sections 3.2 and 3.3."""
 
 import numpy as np
 
-from plot.analysis import signals, tissue_places
+from plot.analysis import coup as coup_facts, signals, tissue_places
 from plot.report import blast_sections, body_sections, page
 
 SOURCE = ("X. G. Tan, R. N. Saunders, A. Bagchi: Coupled modeling for "
@@ -388,18 +388,21 @@ def _brain(scene, probes):
     far = tissue_places.named(places, "contrecoup")
     if near is None or far is None:
         return []
-    time = probes["time"]
-    coup = near.pressure(probes)
-    counter = far.pressure(probes)
-    begin = signals.arrival(time, coup)
+    if len(probes["time"]) < 2 or probes["time"][-1] <= probes["time"][0]:
+        return []
+    # All five on the same histories, as by plot.py coup.
+    time, found = coup_facts.filtered(probes["time"], {
+        "coup": near.pressure(probes), "contrecoup": far.pressure(probes)})
+    begin = signals.arrival(time, found["coup"])
     if begin is None:
         return []
     part = (time >= begin - 1e-4) & (time <= begin + FIRST_WAVES)
-    time, coup, counter = time[part], coup[part], counter[part]
-    delay = signals.arrival(time, counter) - signals.arrival(time, coup)
-    # What matters is slower than the transit of a few elements.
-    coup, counter = (signals.smooth(time, values, 2e-5)
-                     for values in (coup, counter))
+    time, coup, counter = (values[part] for values in (
+        time, found["coup"], found["contrecoup"]))
+    begins = [signals.arrival(time, values) for values in (coup, counter)]
+    if None in begins:
+        return []
+    delay = begins[1] - begins[0]
     size = max(np.abs(counter).max(), 1.)
     tops, dips = signals.extrema(time, counter, 0.15 * size)
     found = [_delay(delay, near, far), _sign(time, counter, size, tops, dips),
