@@ -67,7 +67,8 @@ struct Column
     reflected = transmitted - 1.;
   }
 
-  Entries entries() const
+  /// @param smoothing part of the pressure that is averaged over corners
+  Entries entries(const double smoothing) const
   {
     const double begin = -edge * n_left;
     const std::string probes =
@@ -81,6 +82,7 @@ struct Column
       {"Mesh/Tissue", name_of(left.tissue)},
       {"Mesh/Region far/Tissue", name_of(right.tissue)},
       {"Mesh/Region far/Where", "x > 0"},
+      {"Elements/Pressure smoothing", text(smoothing)},
       {"Elements/Linear bulk viscosity", "0"},
       {"Elements/Quadratic bulk viscosity", "0"},
       {"Supports/Support sides/Where", "1"},
@@ -131,25 +133,32 @@ const std::vector<Tissue> tissues{Tissue::skeleton,
 } // namespace
 
 
-class Interfaces : public testing::TestWithParam<std::tuple<Tissue, Tissue>>
+class Interfaces
+  : public testing::TestWithParam<std::tuple<Tissue, Tissue, double>>
 {};
 
+// Averages over corners act in the brain alone. There they take up to 0.8 % of
+// the peak of a pulse of 32 elements on its way.
 TEST_P(Interfaces, TransmitAndReflectAsImpedancesSay)
 {
-  const auto [from, to] = GetParam();
-  if (from == to)
+  const auto [from, to, smoothing] = GetParam();
+  const bool is_averaged =
+    smoothing > 0. && (from == Tissue::brain || to == Tissue::brain);
+  if (from == to || (smoothing > 0. && !is_averaged))
     return;
-  const auto errors = run(Column(from, to).entries());
+  const double bound = is_averaged ? 0.0092 : 0.0054;
+  const auto errors = run(Column(from, to).entries(smoothing));
   ASSERT_EQ(errors.size(), 2U);
   for (const NamedValue &error : errors)
   {
     std::cout << name_of(from) << " onto " << name_of(to) << ": " << error.name
               << " " << error.value << std::endl;
-    EXPECT_LT(std::abs(error.value), 0.0054) << error.name;
+    EXPECT_LT(std::abs(error.value), bound) << error.name;
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(OfTheTable,
                          Interfaces,
                          testing::Combine(testing::ValuesIn(tissues),
-                                          testing::ValuesIn(tissues)));
+                                          testing::ValuesIn(tissues),
+                                          testing::Values(0., 0.95)));
