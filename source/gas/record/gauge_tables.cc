@@ -150,7 +150,7 @@ namespace
 
 
   /// What each of air_injury_quantities is.
-  const std::array<std::string, 4> air_injury_definitions{
+  const std::array<std::string, 5> air_injury_definitions{
     {"side-on plus dynamic pressure over the load that half survive for this "
      "positive phase and body mass (Bowen et al. 1968)",
      "probability of death within 24 h by lung injury of a person who stands in "
@@ -159,7 +159,9 @@ namespace
      "largest inward velocity of a mass on a spring before one lung under the "
      "side-on overpressure alone (equation of Axelsson and Yelverton 1996); not "
      "the mean over the four gauges of a blast test device, so that its levels "
-     "of injury do not hold"}};
+     "of injury do not hold",
+     "part of the positive impulse that the first positive phase has: 1 in a "
+     "simple wave, for which alone the lung exposure is defined"}};
 
 
   std::string
@@ -167,7 +169,7 @@ namespace
   {
     std::string rows;
     const auto values = air_injury_values(air, body_mass);
-    const std::size_t n_values = values.size() - (with_chest ? 0 : 1);
+    const std::size_t n_values = values.size() - (with_chest ? 0 : 2);
     for (std::size_t k = 0; k < n_values; ++k)
       if (!std::isnan(values[k]))
         rows += row(air_injury_quantities[k].first,
@@ -192,20 +194,23 @@ const std::vector<std::pair<std::string, std::string>> air_injury_quantities = {
   {"lung_exposure", "-"},
   {"lung_lethality", "-"},
   {"eardrum_rupture", "-"},
-  {"chest_wall_velocity", "m/s"}};
+  {"chest_wall_velocity", "m/s"},
+  {"first_phase_fraction", "-"}};
 
 
-std::array<double, 4> air_injury_values(const AirBlast &air,
+std::array<double, 5> air_injury_values(const AirBlast &air,
                                         const double body_mass)
 {
   const AirInjury injury = air_injury({air.blast.peak, air.blast.duration},
                                       air.exposure.load,
                                       air.ambient,
                                       body_mass);
-  return {{injury.lung_exposure,
-           injury.lung_lethality,
-           injury.eardrum_rupture,
-           air.exposure.chest.largest_velocity}};
+  return {
+    {injury.lung_exposure,
+     injury.lung_lethality,
+     injury.eardrum_rupture,
+     air.exposure.chest.largest_velocity,
+     air.total_impulse > 0. ? air.blast.impulse / air.total_impulse : 1.}};
 }
 
 

@@ -294,9 +294,12 @@ std::vector<double> ProbeRasters<dim>::values(const std::size_t i,
   const auto measures = map_values(blast);
   std::vector<double> result(measures.begin(), measures.end());
   if (has_injuries())
-    for (const double value : air_injury_values(
-           {"", blast, gauges_.ambient()[i], gauges_.exposures()[i]},
-           body_mass_))
+    for (const double value : air_injury_values({"",
+                                                 blast,
+                                                 gauges_.ambient()[i],
+                                                 gauges_.exposures()[i],
+                                                 gauges_.records()[i].running},
+                                                body_mass_))
       result.push_back(value);
   return result;
 }

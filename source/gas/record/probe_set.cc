@@ -214,7 +214,8 @@ void ProbeSet<dim>::finish()
     air.push_back({"probe " + std::to_string(i + 1),
                    found[i],
                    gauges_.ambient()[i],
-                   gauges_.exposures()[i]});
+                   gauges_.exposures()[i],
+                   gauges_.records()[i].running});
   const std::string table = air_injury_table(
     air, body_mass_, gauges_.exposure() == Exposure::load_and_chest);
   if (!table.empty())

@@ -265,9 +265,10 @@ TEST(ProbeRasters, ChestsAreUnknownWhereAnEarlierStageHadTheBlast)
     EXPECT_EQ(text,
               "x [m],y [m],peak_overpressure [Pa],impulse [Pa s],arrival [s],"
               "duration [s],lung_exposure [-],lung_lethality [-],"
-              "eardrum_rupture [-],chest_wall_velocity [m/s]");
+              "eardrum_rupture [-],chest_wall_velocity [m/s],"
+              "first_phase_fraction [-]");
     std::getline(line, text);
-    EXPECT_EQ(text.substr(text.rfind(',')), ",nan");
+    EXPECT_EQ(text.substr(text.size() - 6), ",nan,1");
     std::vector<double> row;
     std::stringstream words(text);
     for (std::string word; std::getline(words, word, ',');)
@@ -278,7 +279,7 @@ TEST(ProbeRasters, ChestsAreUnknownWhereAnEarlierStageHadTheBlast)
                   lung_median_lethal_overpressure(2e-3, 78.5, 101325.),
                 1e-6);
     std::getline(line, text);
-    EXPECT_EQ(text, "0.9,0.5,0,0,0,0,0,0,0,0");
+    EXPECT_EQ(text, "0.9,0.5,0,0,0,0,0,0,0,0,1");
   }
   std::filesystem::remove_all(folder);
 }

@@ -54,6 +54,7 @@ struct AirBlast
   BlastMeasures blast;
   double ambient = 0.; ///< pressure [Pa]
   ExposureRecord exposure;
+  double total_impulse = 0.; ///< of all positive phases so far [Pa s]
 };
 
 /// Names and units of the measures of injury in the air, in the order of
@@ -63,12 +64,14 @@ extern const std::vector<std::pair<std::string, std::string>>
 
 /**
  * Measures of injury to a person who stands upright at a place in the air, as
- * if nobody were there: air_injury(), and the largest velocity of the chest
- * wall under the overpressure at the place, not a number if unknown.
+ * if nobody were there: air_injury(); the largest velocity of the chest wall
+ * under the overpressure at the place, not a number if unknown; and the part of
+ * the positive impulse that the first positive phase has, 1 in a simple wave,
+ * for which alone the lung exposure is defined.
  *
  * @param body_mass for the lung exposure [kg]
  */
-std::array<double, 4> air_injury_values(const AirBlast &air,
+std::array<double, 5> air_injury_values(const AirBlast &air,
                                         const double body_mass);
 
 /**
