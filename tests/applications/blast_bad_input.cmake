@@ -36,6 +36,10 @@ blast_refuses(huge_mesh "of memory" FILE ${_sod}
   SET "Domain/Coarse leaves=1000000000")
 blast_refuses(huge_octree "of memory" FILE blast/showcase/hot_ball.prm
   SET "Domain/Initial refinement=9")
+blast_refuses(injury_without_probes "set Points, Lines or Gauge planes"
+  FILE ${_sod} SET "Probes/Injury=true")
+blast_refuses(injury_where_nobody_lives "people live at 45 to 115 kPa"
+  FILE ${_sod} SET "Probes/Injury=true" "Probes/Points=0.5")
 blast_refuses(probe_outside "Probes/Points" FILE ${_sod}
   SET "Probes/Points=7")
 blast_refuses(missing_reference "Reference" FILE ${_sod}

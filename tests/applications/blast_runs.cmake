@@ -29,6 +29,15 @@ contrecoup_add_application_test(hot_ball_single
   ranks,resume,parallel_resume,parallel_sigkill ${_hot_ball}
   SET ${_short} "Method/Precision=single" ${_gauges} ${_all} RANKS 2 7 3
   TOLERANCE 1e-7 "momentum*=1e-9 absolute" STOP_AFTER 7)
+# So with what the blast would do to people, whose chests move on with the run.
+contrecoup_add_application_test(people regression,ranks,resume
+  FILE blast/showcase/people.prm SET "Adaptation/Largest level=2"
+  "Adaptation/Limit far/Largest level=2" "Time/Largest number of steps=160"
+  "Output/History every steps=10" "Output/Pictures=false"
+  "Probes/Points=0.5, 0.2" "Probes/Lines=0,0 : 1,0 : 11"
+  "Probes/Gauge planes=0,0 : 1,0.5 : 5, 3" COMPARE history.csv probe_injury.csv
+  fields/gauges_line_1.csv fields/gauges_plane_1.vti
+  TOLERANCE 1e-7 "momentum*=1e-6 absolute" CORES 1 STOP_AFTER 120)
 contrecoup_add_application_test(ranks_sedov_2d ranks
   FILE blast/verification/sedov_2d.prm
   SET "Time/Largest number of steps=40" TOLERANCE 1e-10)

@@ -65,6 +65,38 @@ TEST(ChestWall, ComesToRestWhereTheLungHoldsTheLoad)
   EXPECT_GE(0.082 * response.lung_pressure + 989. * x, 0.082 * load * 0.999);
 }
 
+// Followed in steps of any length, the motion is that under the whole history.
+TEST(ChestWall, FollowedStepByStepIsThatOfTheHistory)
+{
+  std::vector<double> times{0.}, overpressures{0.};
+  for (unsigned int i = 0; i < 900; ++i)
+  {
+    times.push_back(times.back() + (i % 3 == 0 ? 2e-6 : 1.3e-5));
+    const double s = times.back() / 4e-3;
+    overpressures.push_back(250e3 * (1. - s) * std::exp(-s));
+  }
+  ChestWall wall;
+  for (std::size_t i = 0; i + 1 < times.size(); ++i)
+    wall.advance(
+      overpressures[i], overpressures[i + 1], times[i + 1] - times[i], ambient);
+  const auto whole = chest_wall_response(times, overpressures, ambient);
+  EXPECT_DOUBLE_EQ(wall.largest_velocity, whole.velocity);
+  EXPECT_DOUBLE_EQ(wall.largest_displacement, whole.displacement);
+  // The same samples in steps of a twentieth.
+  ChestWall fine;
+  for (std::size_t i = 0; i + 1 < times.size(); ++i)
+    for (unsigned int k = 0; k < 20; ++k)
+    {
+      const auto at = [&](const unsigned int part) {
+        return overpressures[i] +
+               part / 20. * (overpressures[i + 1] - overpressures[i]);
+      };
+      fine.advance(at(k), at(k + 1), (times[i + 1] - times[i]) / 20., ambient);
+    }
+  EXPECT_NEAR(fine.displacement, wall.displacement, 1e-9 * 0.01);
+  EXPECT_NEAR(fine.largest_velocity, whole.velocity, 1e-6 * whole.velocity);
+}
+
 TEST(ChestWall, RefusesTimesThatDoNotIncrease)
 {
   EXPECT_THROW(chest_wall_response({0., 0.}, {1., 1.}, ambient), InputError);
@@ -207,6 +239,33 @@ TEST(BlastInjury, DynamicPressureIsThatOfTheTable)
       << overpressure;
   EXPECT_DOUBLE_EQ(standing_load(2e5, ambient),
                    2e5 + dynamic_pressure(2e5, ambient));
+}
+
+TEST(BlastInjury, LoadInFlowIsTheShockAtMost)
+{
+  const double shock = dynamic_pressure(2e5, ambient);
+  EXPECT_DOUBLE_EQ(load_in_flow(2e5, shock, ambient),
+                   standing_load(2e5, ambient));
+  // Before a wall the gas rests; products carry more than a shock.
+  EXPECT_DOUBLE_EQ(load_in_flow(2e5, 0., ambient), 2e5);
+  EXPECT_DOUBLE_EQ(load_in_flow(2e5, 10. * shock, ambient), 2e5 + shock);
+  EXPECT_EQ(load_in_flow(-1e4, 1e5, ambient), 0.);
+  EXPECT_TRUE(is_habitable(ambient));
+  EXPECT_FALSE(is_habitable(20e3));
+  EXPECT_FALSE(is_habitable(1e6));
+}
+
+// 941 kPa of 5 ms kill half of men of 70 kg (Bowen et al. 1968).
+TEST(BlastInjury, InTheAirFollowsFromPeakLoadAndPhase)
+{
+  const AirInjury half = air_injury({6e5, 5e-3}, 941e3, ambient, 70.);
+  EXPECT_NEAR(half.lung_exposure, 1., 1e-3);
+  EXPECT_NEAR(half.lung_lethality, 0.5, 3e-3);
+  EXPECT_DOUBLE_EQ(half.eardrum_rupture, eardrum_rupture_probability(6e5));
+  const AirInjury none = air_injury({6e5, 0.}, 941e3, ambient, 70.);
+  EXPECT_EQ(none.lung_exposure, 0.);
+  EXPECT_EQ(none.lung_lethality, 0.);
+  EXPECT_EQ(none.eardrum_rupture, 0.);
 }
 
 // NASA-STD-8719.12A, table E-1: 50 % at 15.0 psi, 99 % at 74.4 psi.

@@ -74,6 +74,50 @@ TEST(AnalyticBlast, FacetsHaveTheImpulsesOfTheTables)
 }
 
 
+// A plate of two facets before the charge, at x = 1, hides the first of two
+// facets behind it, which then bears the incident wave alone.
+TEST(AnalyticBlast, HiddenFacetsBearTheIncidentWave)
+{
+  const double h = 0.05;
+  const auto square = [&](const double x, const double y) {
+    return std::array<Point<3>, 4>{
+      {{x, y - h, -h}, {x, y + h, -h}, {x, y + h, h}, {x, y - h, h}}};
+  };
+  const auto load =
+    blast("kingery bulmash", {{"Mass", "1"}, {"Centre", "2, 0, 0"}});
+  const std::vector<Point<3>> middles{
+    {0., 0., 0.}, {0., 0.3, 0.}, {1., 0., 0.}, {0., 0., 0.}};
+  const double area = 4. * h * h;
+  const std::vector<Tensor<1, 3>> areas{Point<3>(area, 0., 0.),
+                                        Point<3>(area, 0., 0.),
+                                        Point<3>(area, 0., 0.),
+                                        Point<3>(-area, 0., 0.)};
+  load->set_surface({square(1., 0.), square(0., 0.), square(0., 0.3)},
+                    MPI_COMM_SELF);
+  load->reinit(middles, areas, MPI_COMM_SELF);
+  const std::vector<double> found = impulses(*load, 4);
+  const KingeryBulmash tables("spherical", 1.);
+  const double passing = tables.value(BlastQuantity::impulse, 2.);
+  EXPECT_NEAR(found[0], passing, 2e-3 * passing);
+  EXPECT_NEAR(found[3], passing, 2e-3 * passing);
+  // The second is not hidden, nor is the plate itself.
+  const double far = std::hypot(2., 0.3), cosine = 2. / far;
+  const double expected =
+    pressure_at_angle(tables.value(BlastQuantity::impulse, far),
+                      tables.value(BlastQuantity::reflected_impulse, far),
+                      cosine);
+  EXPECT_NEAR(found[1], expected, 2e-3 * expected);
+  EXPECT_NEAR(found[2],
+              tables.value(BlastQuantity::reflected_impulse, 1.),
+              3e-3 * found[2]);
+
+  // Without the plate it sees the charge.
+  load->set_surface({square(0., 0.)}, MPI_COMM_SELF);
+  load->reinit(middles, areas, MPI_COMM_SELF);
+  EXPECT_GT(impulses(*load, 1)[0], 1.5 * passing);
+}
+
+
 TEST(AnalyticBlast, RunsMayBeginAfterTheDetonation)
 {
   const auto whole =

@@ -4,16 +4,16 @@
 
 Writes PNG files into OUTPUT_FOLDER/pictures and prints their paths: the
 history, the pressure at the probes, plane cuts through fields, values along
-their lowest row of samples, maps of what the blast did, lines of gauges,
-loads on a body from four sides and at its named places, and profiles of
+their lowest row of samples, maps of what the blast did and would do to people,
+lines of gauges, loads on a body from four sides and at its named places, and profiles of
 one-dimensional runs.
 """
 
 import os
 
 from plot.readers import files, planes, profiles, tables
-from plot.figures import (blast_maps, body_loads, histories, line_profiles,
-                          plane_cuts, style)
+from plot.figures import (blast_maps, body_loads, histories, injury_maps,
+                          line_profiles, plane_cuts, style)
 
 
 def main(output_folder):
@@ -30,6 +30,9 @@ def main(output_folder):
     found = planes.open_planes(output_folder)
     for name, group in sorted(blast_maps.take_maps(found).items()):
         blast_maps.draw_maps(group, os.path.join(pictures, name + "_maps.png"))
+        if injury_maps.are_in(group):
+            injury_maps.draw(group,
+                             os.path.join(pictures, name + "_injury.png"))
     blast_maps.draw_gauge_lines(output_folder, pictures)
     for name, cuts in sorted(found.items()):
         stem = os.path.join(pictures, name)

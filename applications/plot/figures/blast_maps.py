@@ -12,18 +12,19 @@ from matplotlib.colors import LogNorm, Normalize
 from matplotlib.ticker import MaxNLocator
 
 from plot.readers import tables
-from plot.figures import style
+from plot.figures import injury_maps, style
 
 QUANTITIES = ("peak_overpressure", "impulse", "arrival", "duration")
 
 
 def take_maps(found):
     """Moves the maps out of what planes.open_planes() gave: by the common
-    beginning of their names, a dictionary by quantity."""
+    beginning of their names, a dictionary by quantity, injuries among them."""
     maps = {}
     for name in list(found):
         quantity = found[name][0].quantity
-        if quantity in QUANTITIES and name.endswith("_" + quantity):
+        if quantity in QUANTITIES + injury_maps.INJURIES \
+                and name.endswith("_" + quantity):
             stem = name[:-len(quantity) - 1]
             maps.setdefault(stem, {})[quantity] = found.pop(name)[0]
     return maps

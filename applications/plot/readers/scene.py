@@ -130,6 +130,18 @@ class Scene:
         return {name: cuts for name, cuts in found.items()
                 if cuts[0].quantity == "pressure"}
 
+    def gauge_planes(self):
+        """What the blast did in planes of gauges: for each plane, one Plane by
+        quantity."""
+        with files.reading(self.blast.path("fields")):
+            found = planes.open_planes(self.blast.folder)
+        groups = {}
+        for name, cuts in sorted(found.items()):
+            if name.startswith("gauges_plane_"):
+                quantity = cuts[0].quantity
+                groups.setdefault(name[:-len(quantity)], {})[quantity] = cuts[0]
+        return list(groups.values())
+
     def field_list(self):
         """Times and files of what biomechanics wrote; [] without."""
         path = self.biomechanics.path("fields.pvd")

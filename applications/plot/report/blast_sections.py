@@ -8,8 +8,10 @@ import numpy as np
 
 from plot.readers import files, loads
 from plot.analysis import signals
-from plot.figures import body_loads, body_views, plane_cuts, style
+from plot.figures import (body_loads, body_views, injury_maps, plane_cuts,
+                          style)
 from plot.report import error_estimate, page
+from plot.report.injury_thresholds import KNOWN
 
 
 def air(scene):
@@ -33,6 +35,36 @@ def air(scene):
             "one colour scale for all times: red above, blue below the ambient "
             "pressure. Colours follow the square root of the overpressure, "
             "which shows weak waves as well. The body is grey."))
+    return parts
+
+
+def people(scene):
+    """What the blast would do to people in planes of gauges; nothing where no
+    such plane was asked for."""
+    parts = []
+    for maps in filter(injury_maps.are_in, scene.gauge_planes()):
+        words = []
+        for name, level, what in (
+                ("lung_lethality", 0.5, "half of the people would die"),
+                ("eardrum_rupture", 0.5, "half of the eardrums would rupture"),
+                ("peak_overpressure", 4. * injury_maps.PSI,
+                 "4 psi are exceeded")):
+            area = injury_maps.area_above(maps, name, level)
+            words.append(f"{what} on {page.number(area)} m²")
+        parts.append(page.figure(
+            page.drawn(injury_maps.draw, maps),
+            "Maps of the probability that an eardrum ruptures, the probability "
+            "of death by lung injury, the chest wall velocity and the peak "
+            "overpressure.",
+            "What the blast would do to people who stand in a plane of gauges, "
+            "as if nobody were there: " + "; ".join(words) + " of it. Grey: the "
+            "blast has not arrived, the figure is not known, or, of lungs, the "
+            "wave is not simple, as among the products of the explosive, where "
+            "no curve holds and nobody is safe. Lungs by side-on plus dynamic "
+            f"pressure and positive phase ({KNOWN['lung_lethality'][2]}), "
+            f"eardrums by the peak ({KNOWN['ear_rupture'][2]}); 4 psi: "
+            f"{KNOWN['peak_overpressure'][2]}. The chest wall velocity: "
+            f"{KNOWN['chest_wall_velocity_air'][3]}."))
     return parts
 
 

@@ -16,6 +16,9 @@ def build(scene):
     parts.section("The scene", *scene_sections.section(scene))
     parts.section("Events over time", *scene_sections.timeline(scene))
     parts.section("Pressure in the air", *blast_sections.air(scene))
+    people = blast_sections.people(scene)
+    if people:
+        parts.section("People in the air", *people)
     parts.section("Pressure on the skin", *blast_sections.skin(scene))
     parts.section("Histories on the skin", *blast_sections.histories(scene))
     # What was not asked for is not missing.

@@ -78,6 +78,7 @@ namespace
            io::picture_files({"history.png",
                               "probes.png",
                               "*_maps.png",
+                              "*_injury.png",
                               "plane*.png",
                               "profiles.png",
                               "body_pressure.png",

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/record/blast_probes.h>
 
 #include <istream>
@@ -8,35 +10,86 @@
 
 namespace contrecoup::gas
 {
+namespace
+{
+  template <typename Record>
+  void write(std::ostream &stream, const std::vector<Record> &records)
+  {
+    stream.write(reinterpret_cast<const char *>(records.data()),
+                 records.size() * sizeof(Record));
+  }
+
+  template <typename Record>
+  void read(std::istream &stream, std::vector<Record> &records)
+  {
+    stream.read(reinterpret_cast<char *>(records.data()),
+                records.size() * sizeof(Record));
+  }
+} // namespace
+
+
 template <int dim>
 void BlastProbes<dim>::place(std::vector<dealii::Point<dim>> places,
                              const GasScene<dim> &scene,
-                             const std::string &what)
+                             const std::string &what,
+                             const Exposure exposure)
 {
   places_ = std::move(places);
   records_.assign(places_.size(), {});
+  exposure_ = exposure;
+  exposures_.assign(exposure == Exposure::none ? 0 : places_.size(), {});
   ambient_.clear();
   for (const auto &place : places_)
   {
     scene.require_inside(place, what);
     ambient_.push_back(scene.initial_state.ambient_pressure(place));
+    if (exposure == Exposure::load_and_chest && !is_habitable(ambient_.back()))
+      throw InputError("Probes/Injury: the ambient pressure is " +
+                       brief(1e-3 * ambient_.back()) +
+                       " kPa at a probe; people live at 45 to 115 kPa");
   }
+}
+
+
+template <int dim>
+void BlastProbes<dim>::add(const std::size_t i,
+                           const GasState<dim> &state,
+                           const double time,
+                           const double step)
+{
+  const double ambient = ambient_[i], overpressure = state.pressure - ambient;
+  records_[i].add(overpressure, time, step, Record::threshold * ambient);
+  if (exposures_.empty() || records_[i].peak == 0.)
+    return;
+  exposures_[i].add_load(
+    overpressure, 0.5 * state.density * state.velocity.norm_square(), ambient);
+  if (exposure_ == Exposure::load_and_chest)
+    exposures_[i].add_chest(overpressure, step, ambient);
+}
+
+
+template <int dim>
+void BlastProbes<dim>::inherit(const std::size_t i, const Record &record)
+{
+  records_[i] = record;
+  if (!exposures_.empty() && record.peak > 0.)
+    exposures_[i].continue_after(record.peak, ambient_[i]);
 }
 
 
 template <int dim>
 void BlastProbes<dim>::save(std::ostream &stream) const
 {
-  stream.write(reinterpret_cast<const char *>(records_.data()),
-               records_.size() * sizeof(Record));
+  write(stream, records_);
+  write(stream, exposures_);
 }
 
 
 template <int dim>
 void BlastProbes<dim>::load(std::istream &stream)
 {
-  stream.read(reinterpret_cast<char *>(records_.data()),
-              records_.size() * sizeof(Record));
+  read(stream, records_);
+  read(stream, exposures_);
 }
 
 

@@ -9,6 +9,7 @@
 #include <contrecoup/numerics/injury/load_injury.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -21,9 +22,6 @@ namespace
   const std::vector<std::string> arms{"left upper arm", "right upper arm"};
   const std::string device = "device ";
   const std::string header = "measure,place,value,unit,definition\n";
-
-  /// Ambient pressures that people live at [Pa].
-  constexpr double lowest_ambient = 45e3, highest_ambient = 115e3;
 
   std::string row(const std::string &measure,
                   const std::string &place,
@@ -151,12 +149,69 @@ namespace
   }
 
 
-  bool is_habitable(const AirBlast &air)
+  /// What each of air_injury_quantities is.
+  const std::array<std::string, 5> air_injury_definitions{
+    {"side-on plus dynamic pressure over the load that half survive for this "
+     "positive phase and body mass (Bowen et al. 1968)",
+     "probability of death within 24 h by lung injury of a person who stands in "
+     "the open (Bowen et al. 1968)",
+     "probability by the side-on peak overpressure (TNO CPR 16E, 1992)",
+     "largest inward velocity of a mass on a spring before one lung under the "
+     "side-on overpressure alone (equation of Axelsson and Yelverton 1996); not "
+     "the mean over the four gauges of a blast test device, so that its levels "
+     "of injury do not hold",
+     "part of the positive impulse that the first positive phase has: 1 in a "
+     "simple wave, for which alone the lung exposure is defined"}};
+
+
+  std::string
+  air_rows(const AirBlast &air, const double body_mass, const bool with_chest)
   {
-    return air.blast.peak > 0. && air.blast.duration > 0. &&
-           air.ambient > lowest_ambient && air.ambient < highest_ambient;
+    std::string rows;
+    const auto values = air_injury_values(air, body_mass);
+    const std::size_t n_values = values.size() - (with_chest ? 0 : 2);
+    for (std::size_t k = 0; k < n_values; ++k)
+      if (!std::isnan(values[k]))
+        rows += row(air_injury_quantities[k].first,
+                    air.place,
+                    values[k],
+                    air_injury_quantities[k].second,
+                    air_injury_definitions[k]);
+    if (with_chest)
+      rows +=
+        row("peak_overpressure",
+            air.place,
+            air.blast.peak,
+            "Pa",
+            "side-on peak; limit exceeded: " +
+              injury_criterion("peak_overpressure").meaning(air.blast.peak));
+    return rows;
   }
 } // namespace
+
+
+const std::vector<std::pair<std::string, std::string>> air_injury_quantities = {
+  {"lung_exposure", "-"},
+  {"lung_lethality", "-"},
+  {"eardrum_rupture", "-"},
+  {"chest_wall_velocity", "m/s"},
+  {"first_phase_fraction", "-"}};
+
+
+std::array<double, 5> air_injury_values(const AirBlast &air,
+                                        const double body_mass)
+{
+  const AirInjury injury = air_injury({air.blast.peak, air.blast.duration},
+                                      air.exposure.load,
+                                      air.ambient,
+                                      body_mass);
+  return {
+    {injury.lung_exposure,
+     injury.lung_lethality,
+     injury.eardrum_rupture,
+     air.exposure.chest.largest_velocity,
+     air.total_impulse > 0. ? air.blast.impulse / air.total_impulse : 1.}};
+}
 
 
 std::string gauge_measures_table(const std::vector<GaugeBlast> &gauges)
@@ -209,36 +264,14 @@ std::string gauge_injury_table(const std::vector<GaugeBlast> &gauges,
 
 
 std::string air_injury_table(const std::vector<AirBlast> &places,
-                             const double body_mass)
+                             const double body_mass,
+                             const bool with_chest)
 {
   std::string rows;
   for (const AirBlast &air : places)
-  {
-    if (!is_habitable(air))
-      continue;
-    const double exposure = standing_load(air.blast.peak, air.ambient) /
-                            lung_median_lethal_overpressure(
-                              air.blast.duration, body_mass, air.ambient);
-    rows += row("lung_exposure",
-                air.place,
-                exposure,
-                "-",
-                "side-on plus dynamic pressure over the load that half "
-                "survive for this positive phase and body mass (Bowen et al. "
-                "1968)");
-    rows += row("lung_lethality",
-                air.place,
-                lung_lethality_probability(exposure),
-                "-",
-                "probability of death within 24 h by lung injury of a person "
-                "who stands in the open (Bowen et al. 1968)");
-    rows += row("eardrum_rupture",
-                air.place,
-                eardrum_rupture_probability(air.blast.peak),
-                "-",
-                "probability by the side-on peak overpressure (TNO CPR 16E, "
-                "1992)");
-  }
+    if (air.blast.peak > 0. && air.blast.duration > 0. &&
+        is_habitable(air.ambient))
+      rows += air_rows(air, body_mass, with_chest);
   return rows.empty() ? "" : header + rows;
 }
 } // namespace contrecoup::gas

@@ -5,12 +5,14 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/gas/record/blast_maps.h>
+#include <contrecoup/gas/record/gauge_tables.h>
 #include <contrecoup/gas/record/probe_rasters.h>
 #include <contrecoup/io/file/checked_file.h>
 #include <contrecoup/io/file/plane_file.h>
 
 #include <deal.II/base/mpi.h>
 
+#include <cmath>
 #include <sstream>
 
 namespace contrecoup::gas
@@ -46,6 +48,27 @@ namespace
     std::copy(values.begin(), values.end(), result.begin_raw());
     return result;
   }
+
+  /// Lets every rank have all records of type @p Record, which consists of
+  /// n_values numbers: those of the places in @p local are known here.
+  template <typename Record>
+  void share(std::vector<Record> &records,
+             const std::vector<unsigned int> &local,
+             const MPI_Comm communicator)
+  {
+    static_assert(sizeof(Record) == Record::n_values * sizeof(double));
+    std::vector<Record> mine(records.size());
+    for (const unsigned int i : local)
+      mine[i] = records[i];
+    const dealii::ArrayView<double> target(
+      reinterpret_cast<double *>(records.data()),
+      records.size() * Record::n_values);
+    dealii::Utilities::MPI::sum(
+      dealii::ArrayView<const double>(
+        reinterpret_cast<const double *>(mine.data()), target.size()),
+      communicator,
+      target);
+  }
 } // namespace
 
 
@@ -73,12 +96,23 @@ void ProbeRasters<dim>::parse_parameters(ParameterHandler &prm,
                                          const GasScene<dim> &scene)
 {
   rasters_.clear();
+  {
+    const Section loads(prm, "Loads");
+    body_mass_ = read_double(prm, "Body mass");
+  }
   std::vector<dealii::Point<dim>> places;
   const Section section(prm, "Probes");
   parse_list("Lines", prm.get("Lines"), 1, places);
   if (dim > 1 || !prm.get("Gauge planes").empty())
     parse_list("Gauge planes", prm.get("Gauge planes"), 2, places);
-  gauges_.place(places, scene, "Probes/Lines and Gauge planes: the gauge");
+  const bool wanted = prm.get_bool("Injury");
+  if (wanted && places.empty() && prm.get("Points").empty())
+    throw InputError("Probes/Injury: there are no probes to show injuries at; "
+                     "set Points, Lines or Gauge planes");
+  gauges_.place(places,
+                scene,
+                "Probes/Lines and Gauge planes: the gauge",
+                wanted ? Exposure::load_and_chest : Exposure::none);
   is_shared_ = true;
 }
 
@@ -171,7 +205,7 @@ void ProbeRasters<dim>::inherit(const KnownRecord<dim> &record,
 {
   for (std::size_t i = 0; i < gauges_.size(); ++i)
     if (const auto known = record(gauges_.places()[i]))
-      gauges_.records()[i] = *known;
+      gauges_.inherit(i, *known);
 }
 
 
@@ -184,7 +218,7 @@ void ProbeRasters<dim>::add_step(const GasSnapshot<dim> &gas)
     gas.field,
     gas.scene.material,
     [&](const unsigned int i, const GasState<dim> &state) {
-      gauges_.add(i, state.pressure, gas.time, gas.step);
+      gauges_.add(i, state, gas.time, gas.step);
     });
   is_shared_ = false;
 }
@@ -195,20 +229,10 @@ void ProbeRasters<dim>::reduce_over_ranks()
 {
   if (is_shared_)
     return;
-  using Record = BlastRecord<double>;
-  std::vector<Record> &records = gauges_.records();
-  std::vector<Record> mine(records.size());
-  for (const unsigned int i : gauges_.sampler().local_places())
-    mine[i] = records[i];
-  static_assert(sizeof(Record) == Record::n_values * sizeof(double));
-  const dealii::ArrayView<double> target(
-    reinterpret_cast<double *>(records.data()),
-    records.size() * Record::n_values);
-  dealii::Utilities::MPI::sum(
-    dealii::ArrayView<const double>(
-      reinterpret_cast<const double *>(mine.data()), target.size()),
-    communicator_,
-    target);
+  const std::vector<unsigned int> local = gauges_.sampler().local_places();
+  share(gauges_.records(), local, communicator_);
+  if (has_injuries())
+    share(gauges_.exposures(), local, communicator_);
   is_shared_ = true;
 }
 
@@ -251,25 +275,56 @@ void ProbeRasters<dim>::write(const GasSnapshot<dim> &gas,
 
 
 template <int dim>
+std::vector<std::pair<std::string, std::string>>
+ProbeRasters<dim>::quantities() const
+{
+  auto result = map_quantities;
+  if (has_injuries())
+    result.insert(
+      result.end(), air_injury_quantities.begin(), air_injury_quantities.end());
+  return result;
+}
+
+
+template <int dim>
+std::vector<double> ProbeRasters<dim>::values(const std::size_t i,
+                                              const double time) const
+{
+  const BlastMeasures blast = gauges_.records()[i].measures(time);
+  const auto measures = map_values(blast);
+  std::vector<double> result(measures.begin(), measures.end());
+  if (has_injuries())
+    for (const double value : air_injury_values({"",
+                                                 blast,
+                                                 gauges_.ambient()[i],
+                                                 gauges_.exposures()[i],
+                                                 gauges_.records()[i].running},
+                                                body_mass_))
+      result.push_back(value);
+  return result;
+}
+
+
+template <int dim>
 void ProbeRasters<dim>::write_line(const std::string &file,
                                    const Raster &raster,
                                    const double time) const
 {
   io::write_file(file, [&](std::ostream &out) {
+    std::vector<std::string> words;
     for (unsigned int d = 0; d < dim; ++d)
-      out << axis_names[d] << " [m],";
-    for (std::size_t k = 0; k < map_quantities.size(); ++k)
-      out << (k == 0 ? "" : ",") << map_quantities[k].first << " ["
-          << map_quantities[k].second << "]";
-    out << '\n';
+      words.push_back(std::string(1, axis_names[d]) + " [m]");
+    for (const auto &[name, unit] : quantities())
+      words.push_back(name + " [" + unit + "]");
+    out << join(words, ",") << '\n';
     for (std::size_t i = raster.first; i < raster.first + raster.counts[0]; ++i)
     {
+      words.clear();
       for (unsigned int d = 0; d < dim; ++d)
-        out << brief(gauges_.places()[i][d], 9) << ",";
-      const auto values = map_values(gauges_.records()[i].measures(time));
-      for (std::size_t k = 0; k < values.size(); ++k)
-        out << (k == 0 ? "" : ",") << brief(values[k], 9);
-      out << '\n';
+        words.push_back(brief(gauges_.places()[i][d], 9));
+      for (const double value : values(i, time))
+        words.push_back(std::isnan(value) ? "nan" : brief(value, 9));
+      out << join(words, ",") << '\n';
     }
   });
 }
@@ -290,13 +345,13 @@ void ProbeRasters<dim>::write_plane(const std::string &file,
   }
   for (unsigned int i = 0; i < 2; ++i)
     samples.n_points[i] = raster.counts[i];
-  for (std::size_t k = 0; k < map_quantities.size(); ++k)
+  for (const auto &[name, unit] : quantities())
+    samples.fields.push_back({name, unit, {}});
+  for (std::size_t i = 0; i < samples.n_samples(); ++i)
   {
-    samples.fields.push_back(
-      {map_quantities[k].first, map_quantities[k].second, {}});
-    for (std::size_t i = 0; i < samples.n_samples(); ++i)
-      samples.fields.back().values.push_back(
-        map_values(gauges_.records()[raster.first + i].measures(time))[k]);
+    const std::vector<double> found = values(raster.first + i, time);
+    for (std::size_t k = 0; k < found.size(); ++k)
+      samples.fields[k].values.push_back(found[k]);
   }
   io::write_plane(file, samples);
 }

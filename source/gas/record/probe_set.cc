@@ -33,6 +33,13 @@ void ProbeSet<dim>::declare_parameters(ParameterHandler &prm)
                  "m",
                  "Positions at which pressure, density and velocity are "
                  "recorded in every step.");
+  declare_bool(prm,
+               "Injury",
+               "false",
+               "Whether lines and planes of probes also show what the blast "
+               "would do to people who stand there, as if nobody were there: "
+               "eardrum rupture, death by lung injury and the velocity of the "
+               "chest wall, which probe_injury.csv then has as well.");
 }
 
 
@@ -45,8 +52,11 @@ void ProbeSet<dim>::parse_parameters(ParameterHandler &prm,
     body_mass_ = read_double(prm, "Body mass");
   }
   const Section section(prm, "Probes");
-  gauges_.place(
-    read_points<dim>(prm, "Points"), scene, "Probes/Points: the point");
+  gauges_.place(read_points<dim>(prm, "Points"),
+                scene,
+                "Probes/Points: the point",
+                prm.get_bool("Injury") ? Exposure::load_and_chest
+                                       : Exposure::load);
   for (const auto &place : places())
     if (!scene.body.empty() && scene.body.value(place) < -1e-9)
     {
@@ -72,7 +82,7 @@ void ProbeSet<dim>::take(const std::vector<GasState<dim>> &states,
 {
   states_ = states;
   for (std::size_t i = 0; i < states_.size(); ++i)
-    gauges_.add(i, states_[i].pressure, time, time - last_time_);
+    gauges_.add(i, states_[i], time, time - last_time_);
   last_time_ = time;
 }
 
@@ -201,9 +211,13 @@ void ProbeSet<dim>::finish()
   std::vector<AirBlast> air;
   const auto found = blasts();
   for (std::size_t i = 0; i < found.size(); ++i)
-    air.push_back(
-      {"probe " + std::to_string(i + 1), found[i], gauges_.ambient()[i]});
-  const std::string table = air_injury_table(air, body_mass_);
+    air.push_back({"probe " + std::to_string(i + 1),
+                   found[i],
+                   gauges_.ambient()[i],
+                   gauges_.exposures()[i],
+                   gauges_.records()[i].running});
+  const std::string table = air_injury_table(
+    air, body_mass_, gauges_.exposure() == Exposure::load_and_chest);
   if (!table.empty())
     io::write_file(folder_ + "/probe_injury.csv",
                    [&](std::ostream &out) { out << table; });

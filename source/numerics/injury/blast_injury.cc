@@ -4,6 +4,7 @@
 #include <contrecoup/numerics/injury/blast_injury.h>
 #include <contrecoup/numerics/injury/injury_criteria.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace contrecoup
@@ -49,6 +50,23 @@ double dynamic_pressure(const double overpressure, const double ambient)
 double standing_load(const double overpressure, const double ambient)
 {
   return overpressure + dynamic_pressure(overpressure, ambient);
+}
+
+
+double load_in_flow(const double overpressure,
+                    const double dynamic,
+                    const double ambient)
+{
+  if (!(overpressure > 0.))
+    return 0.;
+  return overpressure +
+         std::min(dynamic, dynamic_pressure(overpressure, ambient));
+}
+
+
+bool is_habitable(const double ambient)
+{
+  return ambient > 45e3 && ambient < 115e3;
 }
 
 

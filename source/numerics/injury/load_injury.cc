@@ -26,6 +26,21 @@ namespace
 } // namespace
 
 
+AirInjury air_injury(const PressurePulse &pulse,
+                     const double load,
+                     const double ambient,
+                     const double body_mass)
+{
+  if (!(pulse.peak > 0.) || !(pulse.duration > 0.))
+    return {};
+  const double exposure =
+    load / lung_median_lethal_overpressure(pulse.duration, body_mass, ambient);
+  return {exposure,
+          lung_lethality_probability(exposure),
+          eardrum_rupture_probability(pulse.peak)};
+}
+
+
 double first_positive_phase(const std::vector<double> &times,
                             const std::vector<double> &overpressures)
 {

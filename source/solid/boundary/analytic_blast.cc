@@ -3,9 +3,12 @@
 
 #include <contrecoup/base/parameters/parameters.h>
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/gather.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/numerics/injury/kingery_bulmash.h>
 #include <contrecoup/solid/boundary/analytic_blast.h>
+
+#include <cmath>
 
 namespace contrecoup::solid
 {
@@ -189,6 +192,41 @@ AnalyticBlast::Waves AnalyticBlast::waves(const double distance) const
 }
 
 
+void AnalyticBlast::set_surface(
+  const std::vector<std::array<Point<3>, 4>> &facets,
+  const MPI_Comm communicator)
+{
+  std::vector<double> mine;
+  for (const auto &corners : facets)
+    for (const Point<3> &corner : corners)
+      for (unsigned int d = 0; d < 3; ++d)
+        mine.push_back(corner[d]);
+  std::vector<LineOfSight::Triangle> triangles;
+  for (const auto &numbers : gather_arrays<double>(communicator, mine))
+    for (std::size_t i = 0; i + 12 <= numbers.size(); i += 12)
+    {
+      std::array<Point<3>, 4> x;
+      for (unsigned int v = 0; v < 4; ++v)
+        for (unsigned int d = 0; d < 3; ++d)
+          x[v][d] = numbers[i + 3 * v + d];
+      triangles.push_back({{x[0], x[1], x[2]}});
+      triangles.push_back({{x[0], x[2], x[3]}});
+    }
+  sight_.emplace(std::move(triangles));
+}
+
+
+bool AnalyticBlast::sees_charge(const Point<3> &middle, const double size) const
+{
+  // Facets are warped: a tenth of their size before them, none is in its own
+  // way.
+  const Tensor<1, 3> way = centre_ - middle;
+  const double distance = way.norm();
+  return !sight_ || distance <= 0.1 * size ||
+         !sight_->is_blocked(middle + 0.1 * size / distance * way, centre_);
+}
+
+
 void AnalyticBlast::reinit(const std::vector<Point<3>> &middles,
                            const std::vector<Tensor<1, 3>> &areas,
                            const MPI_Comm)
@@ -198,8 +236,10 @@ void AnalyticBlast::reinit(const std::vector<Point<3>> &middles,
   {
     const Tensor<1, 3> way = centre_ - middles[i];
     const double distance = way.norm();
-    const double size = std::max(distance * areas[i].norm(), 1e-300);
-    facets_.push_back({waves(distance), way * areas[i] / size});
+    const double area = areas[i].norm();
+    const double cosine = way * areas[i] / std::max(distance * area, 1e-300);
+    const bool is_lit = cosine > 0. && sees_charge(middles[i], std::sqrt(area));
+    facets_.push_back({waves(distance), is_lit ? cosine : 0.});
   }
 }
 

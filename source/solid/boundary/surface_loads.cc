@@ -126,6 +126,9 @@ void SurfaceLoads::reinit(const SolidMesh &mesh, const MPI_Comm communicator)
   facets_.clear();
   nodes_.clear();
   entry_of_node_.assign(mesh.nodes.size(), none);
+  std::vector<std::array<Point<3>, 4>> surface;
+  for (const auto &facet : mesh.boundary)
+    surface.push_back(corners_of(mesh, facet));
   for (unsigned int load = 0; load < loads_.size(); ++load)
   {
     const std::size_t first = facets_.size();
@@ -142,6 +145,7 @@ void SurfaceLoads::reinit(const SolidMesh &mesh, const MPI_Comm communicator)
         area += one;
       areas.push_back(area);
     }
+    loads_[load].history->set_surface(surface, communicator);
     loads_[load].history->reinit(middles, areas, communicator);
   }
   forces_.assign(nodes_.size(), Tensor<1, 3>());

@@ -366,10 +366,15 @@ TEST(GaugeTables, TakeTheMeanOfABlastTestDevice)
 TEST(GaugeTables, TellWhatAWaveDoesToAPersonInTheAir)
 {
   const BlastMeasures wave{200e3, 400., 1e-3, 5e-3};
-  std::istringstream table(air_injury_table({{"probe 1", wave, 101325.},
-                                             {"probe 2", {}, 101325.},
-                                             {"probe 3", wave, 1.}},
-                                            70.));
+  ExposureRecord exposure;
+  exposure.load = standing_load(200e3, 101325.);
+  exposure.chest.largest_velocity = 6.;
+  std::istringstream table(
+    air_injury_table({{"probe 1", wave, 101325., exposure, 500.},
+                      {"probe 2", {}, 101325., {}, 0.},
+                      {"probe 3", wave, 1., exposure, 500.}},
+                     70.,
+                     false));
   const std::vector<std::vector<std::string>> rows = rows_of(table);
   ASSERT_EQ(rows.size(), 4U);
   EXPECT_EQ(join(rows[0], ","), "measure,place,value,unit,definition");
@@ -379,7 +384,28 @@ TEST(GaugeTables, TellWhatAWaveDoesToAPersonInTheAir)
   EXPECT_LT(std::stod(rows[2][2]), 1e-8);
   EXPECT_EQ(rows[3][0] + " " + rows[3][1], "eardrum_rupture probe 1");
   EXPECT_NEAR(std::stod(rows[3][2]), 0.84, 0.01);
-  EXPECT_EQ(air_injury_table({{"probe 2", {}, 101325.}}, 70.), "");
+  EXPECT_EQ(air_injury_table({{"probe 2", {}, 101325., {}, 0.}}, 70., true),
+            "");
+
+  // The motion of the chest and the 4 psi of training where they are asked for.
+  ExposureRecord unknown;
+  unknown.continue_after(20e3, 101325.);
+  std::istringstream more(air_injury_table(
+    {{"probe 1", wave, 101325., exposure, 500.},
+     {"probe 2", {20e3, 40., 1e-3, 5e-3}, 101325., unknown, 40.}},
+    70.,
+    true));
+  const std::vector<std::vector<std::string>> all = rows_of(more);
+  ASSERT_EQ(all.size(), 12U);
+  EXPECT_EQ(all[4][0] + " " + all[4][1], "chest_wall_velocity probe 1");
+  EXPECT_EQ(std::stod(all[4][2]), 6.);
+  EXPECT_EQ(all[5][0] + " " + all[5][1], "first_phase_fraction probe 1");
+  EXPECT_EQ(std::stod(all[5][2]), 0.8);
+  EXPECT_EQ(all[6][0] + " " + all[6][1], "peak_overpressure probe 1");
+  EXPECT_NE(all[6][4].find("above 4 psi"), std::string::npos);
+  EXPECT_EQ(all[9][0] + " " + all[9][1], "eardrum_rupture probe 2");
+  EXPECT_EQ(all[11][0] + " " + all[11][1], "peak_overpressure probe 2");
+  EXPECT_EQ(all[11][4].find("above 4 psi"), std::string::npos);
 }
 
 

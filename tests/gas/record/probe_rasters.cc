@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/gas/record/probe_rasters.h>
+#include <contrecoup/gas/record/recorders.h>
 #include <contrecoup/io/file/vtk_input.h>
+#include <contrecoup/numerics/injury/load_injury.h>
 
 #include "gas_run.h"
 #include <gtest/gtest.h>
@@ -31,7 +32,7 @@ public:
           communicator)
   {
     dealii::ParameterHandler prm;
-    ProbeRasters<dim>::declare_parameters(prm);
+    Recorders<dim>::declare_parameters(prm);
     std::vector<Assignment> assignments;
     for (const std::string &line : lines)
       assignments.push_back(parse_override(line));
@@ -53,11 +54,14 @@ public:
 };
 
 
-std::string refusal(const std::string &line)
+std::string refusal(const std::string &line,
+                    const std::vector<std::string> &others = {})
 {
+  std::vector<std::string> lines = others;
+  lines.push_back(line);
   try
   {
-    Gauges<2> gauges({line});
+    Gauges<2> gauges(lines);
   }
   catch (const InputError &error)
   {
@@ -74,6 +78,60 @@ std::string make_folder()
                     ("contrecoup_gauges_" + std::to_string(getpid()));
   std::filesystem::create_directory(path);
   return path.string();
+}
+
+/// A load and what it is, by the whole history.
+struct History
+{
+  std::vector<double> times, overpressures;
+  double load = 0.;
+};
+
+
+/// Lets gauges record gas in which every place sees Friedlander's wave [Pa, s],
+/// with a wind that later exceeds that of a shock.
+History record_wave(Gauges<2> &scene,
+                    const double peak,
+                    const double duration,
+                    const double step)
+{
+  const double ambient = 101325.;
+  History history{{0.}, {0.}, 0.};
+  for (unsigned int i = 0; i < 800; ++i)
+  {
+    const double s = i * step / duration;
+    const double overpressure = peak * (1. - s) * std::exp(-s);
+    const double dynamic = i < 100 ? 0.3 * overpressure : 200e3;
+    scene.run.set_state([&](const Point<2> &) {
+      GasState<2> state;
+      state.density = 1.2;
+      state.pressure = ambient + overpressure;
+      state.velocity[0] = std::sqrt(2. * dynamic / state.density);
+      return state;
+    });
+    scene.run.time = (i + 1) * step;
+    if (i == 0)
+      scene.gauges.mesh_changed(scene.run.snapshot());
+    scene.gauges.add_step(scene.run.snapshot(step));
+    history.times.push_back(scene.run.time);
+    history.overpressures.push_back(overpressure);
+    if (overpressure > 0.)
+      history.load =
+        std::max(history.load,
+                 overpressure +
+                   std::min(dynamic, dynamic_pressure(overpressure, ambient)));
+  }
+  return history;
+}
+
+
+/// A field of a plane that is the same everywhere.
+double uniform(const io::VtkInput &plane, const std::string &name)
+{
+  const auto values = plane.numbers(name);
+  for (const double one : values)
+    EXPECT_NEAR(one, values[0], 1e-9 * std::abs(values[0])) << name;
+  return values[0];
 }
 } // namespace
 
@@ -138,9 +196,99 @@ TEST(ProbeRasters, WriteLinesAndPlanes)
 }
 
 
+// Injuries that were accumulated step by step are those of the whole history.
+TEST(ProbeRasters, InjuriesAreThoseOfTheHistory)
+{
+  const double peak = 300e3, step = 1e-5;
+  Gauges<2> scene({"Probes/Gauge planes=0.2,0.1 : 0.8,0.9 : 2, 3",
+                   "Probes/Injury=true",
+                   "Loads/Body mass=70"},
+                  MPI_COMM_SELF);
+  const History history = record_wave(scene, peak, 4.005e-3, step);
+  EXPECT_GT(history.load, 1.3 * peak * (1. - 1e-9));
+  const std::string folder = make_folder();
+  scene.gauges.write(scene.run.snapshot(), folder);
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+  {
+    const io::VtkInput plane(folder + "/gauges_plane_1.vti");
+    const double phase =
+      first_positive_phase(history.times, history.overpressures);
+    const LoadInjury whole =
+      load_injury(history.times, history.overpressures, {peak, phase}, 70.);
+    EXPECT_NEAR(uniform(plane, "eardrum_rupture"), whole.eardrum_rupture, 1e-9);
+    EXPECT_GT(whole.chest_wall_velocity, 7.);
+    EXPECT_NEAR(uniform(plane, "chest_wall_velocity"),
+                whole.chest_wall_velocity,
+                1e-6 * whole.chest_wall_velocity);
+    // The middles of the first and the last step bound the positive phase.
+    const double duration = uniform(plane, "duration");
+    EXPECT_NEAR(duration, phase, 1.01 * step);
+    const double exposure =
+      history.load / lung_median_lethal_overpressure(duration, 70., 101325.);
+    EXPECT_NEAR(uniform(plane, "lung_exposure"), exposure, 1e-6 * exposure);
+    EXPECT_NEAR(uniform(plane, "lung_exposure"),
+                whole.lung_exposure * history.load / peak,
+                3e-3 * exposure);
+    EXPECT_NEAR(uniform(plane, "lung_lethality"),
+                lung_lethality_probability(exposure),
+                1e-6);
+  }
+  std::filesystem::remove_all(folder);
+}
+
+
+// What a first stage recorded says nothing of the motion of a chest.
+TEST(ProbeRasters, ChestsAreUnknownWhereAnEarlierStageHadTheBlast)
+{
+  Gauges<2> scene({"Probes/Lines=0.1,0.5 : 0.9,0.5 : 2", "Probes/Injury=true"},
+                  MPI_COMM_SELF);
+  BlastRecord<double> known;
+  known.peak = 100e3;
+  known.arrival = 1e-3;
+  known.impulse = known.running = 100.;
+  known.end = 3e-3;
+  scene.run.time = 4e-3;
+  scene.gauges.inherit(
+    [&](const Point<2> &place) -> std::optional<BlastRecord<double>> {
+      if (place[0] < 0.5)
+        return known;
+      return std::nullopt;
+    },
+    scene.run.snapshot());
+  const std::string folder = make_folder();
+  scene.gauges.write(scene.run.snapshot(), folder);
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+  {
+    std::ifstream line(folder + "/gauges_line_1.csv");
+    std::string text;
+    std::getline(line, text);
+    EXPECT_EQ(text,
+              "x [m],y [m],peak_overpressure [Pa],impulse [Pa s],arrival [s],"
+              "duration [s],lung_exposure [-],lung_lethality [-],"
+              "eardrum_rupture [-],chest_wall_velocity [m/s],"
+              "first_phase_fraction [-]");
+    std::getline(line, text);
+    EXPECT_EQ(text.substr(text.size() - 6), ",nan,1");
+    std::vector<double> row;
+    std::stringstream words(text);
+    for (std::string word; std::getline(words, word, ',');)
+      row.push_back(std::stod(word));
+    // 78.5 kg are the default.
+    EXPECT_NEAR(row[6],
+                standing_load(100e3, 101325.) /
+                  lung_median_lethal_overpressure(2e-3, 78.5, 101325.),
+                1e-6);
+    std::getline(line, text);
+    EXPECT_EQ(text, "0.9,0.5,0,0,0,0,0,0,0,0,1");
+  }
+  std::filesystem::remove_all(folder);
+}
+
+
 TEST(ProbeRasters, RanksAndCheckpointsDoNotChangeABit)
 {
   const std::vector<std::string> lines = {
+    "Probes/Injury=true",
     "Probes/Lines=0,0 : 1,1 : 23; 0.5,0 : 0.5,1 : 17",
     "Probes/Gauge planes=0,0 : 1,1 : 6, 7"};
   const auto start = [&](const MPI_Comm communicator) {
@@ -196,4 +344,8 @@ TEST(ProbeRasters, RefuseWhatCannotBeRead)
   EXPECT_EQ(refusal("Probes/Gauge planes=0,0 : 1,1 : 3, 4"), "");
   EXPECT_NE(refusal("Probes/Gauge planes=0,0 : 1,1 : 3"), "");
   EXPECT_NE(refusal("Probes/Gauge planes=0,0 : 0,1 : 3, 4"), "");
+  EXPECT_EQ(refusal("Probes/Injury=true", {"Probes/Lines=0,0 : 1,1 : 3"}), "");
+  EXPECT_EQ(refusal("Probes/Injury=true", {"Probes/Points=0.5, 0.5"}), "");
+  EXPECT_NE(refusal("Probes/Injury=true").find("there are no probes"),
+            std::string::npos);
 }

@@ -4,12 +4,22 @@
 #pragma once
 
 #include <contrecoup/gas/record/recorder.h>
+#include <contrecoup/gas/state/exposure_record.h>
 #include <contrecoup/gas/state/point_sampler.h>
 
 namespace contrecoup::gas
 {
+/// What probes record of the exposure of people, see ExposureRecord.
+enum class Exposure
+{
+  none,
+  load,          ///< alone
+  load_and_chest ///< the motion of the chest wall as well
+};
+
+
 /// Probes at fixed positions, independent of mesh adaptation: for each, its
-/// position, the initial pressure and the BlastRecord so far.
+/// position, the initial pressure and the records so far.
 template <int dim>
 class BlastProbes
 {
@@ -18,10 +28,12 @@ public:
 
   /// Sets up probes at @p places [m] that no blast has reached.
   /// @throws InputError for a position outside of the domain, see
-  /// GasScene::require_inside()
+  /// GasScene::require_inside(), and where the chest is to be followed at an
+  /// ambient pressure that nobody lives at
   void place(std::vector<dealii::Point<dim>> places,
              const GasScene<dim> &scene,
-             const std::string &what);
+             const std::string &what,
+             const Exposure exposure = Exposure::none);
 
   const std::vector<dealii::Point<dim>> &places() const
   {
@@ -49,14 +61,27 @@ public:
     return sampler_;
   }
 
-  /// Adds the pressure [Pa] at probe @p i at the end @p time of a step [s].
+  /// Adds the state at probe @p i at the end @p time of a step [s].
   void add(const std::size_t i,
-           const double pressure,
+           const GasState<dim> &state,
            const double time,
-           const double step)
+           const double step);
+
+  /// Continues the record of an earlier stage at probe @p i.
+  void inherit(const std::size_t i, const Record &record);
+
+  Exposure exposure() const
   {
-    records_[i].add(
-      pressure - ambient_[i], time, step, Record::threshold * ambient_[i]);
+    return exposure_;
+  }
+  /// Exposure at each probe; empty if none is recorded.
+  std::vector<ExposureRecord> &exposures()
+  {
+    return exposures_;
+  }
+  const std::vector<ExposureRecord> &exposures() const
+  {
+    return exposures_;
   }
 
   std::vector<Record> &records()
@@ -76,6 +101,8 @@ private:
   std::vector<dealii::Point<dim>> places_;
   std::vector<double> ambient_; ///< [Pa]
   std::vector<Record> records_;
+  Exposure exposure_ = Exposure::none;
+  std::vector<ExposureRecord> exposures_;
   PointSampler<dim> sampler_;
 };
 } // namespace contrecoup::gas

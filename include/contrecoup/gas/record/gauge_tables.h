@@ -4,8 +4,11 @@
 #pragma once
 
 #include <contrecoup/gas/state/blast_record.h>
+#include <contrecoup/gas/state/exposure_record.h>
 
+#include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace contrecoup::gas
@@ -44,23 +47,44 @@ std::string gauge_injury_table(const std::vector<GaugeBlast> &gauges,
                                const std::vector<double> &times,
                                const double body_mass);
 
-/// Blast wave at a place in the air.
+/// Blast wave at a place in the air, with what people there are exposed to.
 struct AirBlast
 {
   std::string place;
   BlastMeasures blast;
   double ambient = 0.; ///< pressure [Pa]
+  ExposureRecord exposure;
+  double total_impulse = 0.; ///< of all positive phases so far [Pa s]
 };
 
+/// Names and units of the measures of injury in the air, in the order of
+/// air_injury_values().
+extern const std::vector<std::pair<std::string, std::string>>
+  air_injury_quantities;
+
 /**
- * CSV table, as gauge_injury_table(), of injuries to a person who stands
- * upright in the open at each place: lung exposure by standing_load(), the
- * probability of death that follows, and eardrum rupture by the incident peak.
+ * Measures of injury to a person who stands upright at a place in the air, as
+ * if nobody were there: air_injury(); the largest velocity of the chest wall
+ * under the overpressure at the place, not a number if unknown; and the part of
+ * the positive impulse that the first positive phase has, 1 in a simple wave,
+ * for which alone the lung exposure is defined.
+ *
+ * @param body_mass for the lung exposure [kg]
+ */
+std::array<double, 5> air_injury_values(const AirBlast &air,
+                                        const double body_mass);
+
+/**
+ * CSV table, as gauge_injury_table(), of air_injury_values() at each place.
  * Places that no blast has reached, or whose ambient pressure is none that
  * people live at, are left out; empty without others.
  *
+ * @param with_chest whether the motion of the chest was recorded; then the
+ * table has the chest wall velocity where it is known, and the peak
+ * overpressure, by which limits of training are given
  * @param body_mass [kg]
  */
 std::string air_injury_table(const std::vector<AirBlast> &places,
-                             const double body_mass);
+                             const double body_mass,
+                             const bool with_chest);
 } // namespace contrecoup::gas

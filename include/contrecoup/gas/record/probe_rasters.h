@@ -10,8 +10,9 @@ namespace contrecoup::gas
 /**
  * Probes on lines and planes at fixed positions, independent of mesh
  * adaptation: peak overpressure, impulse, arrival and duration at each, see
- * BlastRecord. Reading them in every step needs no communication. The result
- * does not depend on the number of ranks.
+ * BlastRecord, and where "Probes/Injury" asks for them the injuries of people
+ * there, see air_injury_values(). Reading them in every step needs no
+ * communication. The result does not depend on the number of ranks.
  */
 template <int dim>
 class ProbeRasters : public Recorder<dim>
@@ -20,8 +21,8 @@ public:
   /// Declares entries of subsection "Probes".
   static void declare_parameters(dealii::ParameterHandler &prm);
 
-  /// @throws InputError for text that cannot be parsed and for probes outside
-  /// of the domain.
+  /// @throws InputError for text that cannot be parsed, for probes outside of
+  /// the domain, and for injuries that are asked for without probes.
   void parse_parameters(dealii::ParameterHandler &prm,
                         const GasScene<dim> &scene) override;
 
@@ -54,6 +55,14 @@ private:
                   const std::string &text,
                   const unsigned int n_counts,
                   std::vector<dealii::Point<dim>> &places);
+  bool has_injuries() const
+  {
+    return gauges_.exposure() != Exposure::none;
+  }
+  /// Names and units of values().
+  std::vector<std::pair<std::string, std::string>> quantities() const;
+  /// What is known of probe @p i at @p time [s].
+  std::vector<double> values(const std::size_t i, const double time) const;
   void write_line(const std::string &file,
                   const Raster &raster,
                   const double time) const;
@@ -61,6 +70,7 @@ private:
                    const Raster &raster,
                    const double time) const;
 
+  double body_mass_ = 78.5; ///< [kg]
   std::vector<Raster> rasters_;
   BlastProbes<dim> gauges_;
   MPI_Comm communicator_ = MPI_COMM_SELF;

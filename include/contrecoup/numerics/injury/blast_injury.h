@@ -48,6 +48,21 @@ double dynamic_pressure(const double overpressure, const double ambient);
 double standing_load(const double overpressure, const double ambient);
 
 /**
+ * Bowen's load where the gas moves as it does at one place and instant [Pa]:
+ * @p overpressure and the @p dynamic pressure rho v^2 / 2 [Pa], of which no
+ * more counts than dynamic_pressure(), that of a shock, because the denser
+ * products of an explosive carry more. In a free wave this is standing_load(),
+ * before a wall, where the gas rests, the reflected overpressure, which Bowen
+ * takes there. 0 below the ambient pressure.
+ */
+double load_in_flow(const double overpressure,
+                    const double dynamic,
+                    const double ambient);
+
+/// Whether people live at that ambient pressure [Pa]: 45 to 115 kPa.
+bool is_habitable(const double ambient);
+
+/**
  * Probability of eardrum rupture [-] at a peak overpressure [Pa] at the ear:
  * normal distribution of ln p, probit -12.6 + 1.524 ln p with p in Pa (TNO,
  * Methods for the Determination of Possible Damage, CPR 16E, 1992). 50 % at

@@ -7,6 +7,28 @@
 
 namespace contrecoup
 {
+/**
+ * Motion of the chest wall of chest_wall_response(), followed in time. Held by
+ * the records of many places, and so without anything that it can do without.
+ */
+struct ChestWall
+{
+  double displacement = 0.;         ///< inward [m]
+  double velocity = 0.;             ///< inward [m/s]
+  double largest_displacement = 0.; ///< so far [m]
+  double largest_velocity = 0.;     ///< so far [m/s]
+
+  /**
+   * Advances by @p duration [s] under an overpressure that changes linearly
+   * from @p first to @p last [Pa], in steps of the classical Runge-Kutta method
+   * of at most 1e-5 s, smaller where the lung is stiff.
+   */
+  void advance(const double first,
+               const double last,
+               const double duration,
+               const double ambient_pressure);
+};
+
 /// Largest motion and pressure of a chest under a blast.
 struct ChestWallResponse
 {

@@ -23,6 +23,29 @@ struct LoadInjury
   double eardrum_rupture = 0.;     ///< probability [-]
 };
 
+/// What a wave does to a person who stands in the air that it passes.
+struct AirInjury
+{
+  double lung_exposure = 0.;   ///< load over median lethal load [-]
+  double lung_lethality = 0.;  ///< probability [-]
+  double eardrum_rupture = 0.; ///< probability [-]
+};
+
+/**
+ * The same at a place in the air, as if nobody were there, by
+ * lung_median_lethal_overpressure(), lung_lethality_probability() and
+ * eardrum_rupture_probability(). Zero where there is no positive phase.
+ *
+ * @param pulse peak overpressure and positive phase
+ * @param load largest load_in_flow() [Pa]
+ * @param ambient pressure [Pa]
+ * @param body_mass [kg]
+ */
+AirInjury air_injury(const PressurePulse &pulse,
+                     const double load,
+                     const double ambient,
+                     const double body_mass);
+
 /**
  * Duration of the first positive phase of an overpressure history [s]: from
  * reaching 5 % of its peak until its first return to zero, or until the end; 0

@@ -3,22 +3,25 @@
 
 #pragma once
 
+#include <contrecoup/geometry/shape/line_of_sight.h>
 #include <contrecoup/numerics/injury/friedlander.h>
 #include <contrecoup/solid/boundary/pressure_history.h>
 
 #include <deal.II/base/parameter_handler.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace contrecoup::solid
 {
 /**
- * Blast loads from formulas. A facet facing the charge combines incident and
- * reflected pressure with the square of the cosine (pressure_at_angle());
- * other facets get the incident pressure. There is no shielding, and no flow
- * around the body.
+ * Blast loads from formulas. A facet that sees the charge combines incident and
+ * reflected pressure with the square of the cosine (pressure_at_angle()). One
+ * that faces away, or that another part of the body hides, gets the incident
+ * pressure, at the arrival by the straight way: there is no flow around the
+ * body, so that it gets too much and too early rather than too little.
  */
 class AnalyticBlast : public PressureHistory
 {
@@ -36,6 +39,8 @@ public:
                    const std::string &kind,
                    const std::string &path);
 
+  void set_surface(const std::vector<std::array<dealii::Point<3>, 4>> &facets,
+                   MPI_Comm communicator) override;
   /// @throws InputError outside the range of the tables
   void reinit(const std::vector<dealii::Point<3>> &middles,
               const std::vector<dealii::Tensor<1, 3>> &areas,
@@ -61,8 +66,11 @@ private:
   struct Facet
   {
     Waves waves;
-    double cosine;
+    double cosine; ///< 0 where the facet does not see the charge
   };
+
+  /// Whether a facet of that size [m] sees the charge past the body's surface.
+  bool sees_charge(const dealii::Point<3> &middle, const double size) const;
 
   void parse_friedlander(dealii::ParameterHandler &prm);
   void parse_tables(dealii::ParameterHandler &prm);
@@ -84,6 +92,7 @@ private:
   double ambient_ = 0.;        ///< [Pa]; 0: no reflection
   bool negative_phase_ = false;
 
+  std::optional<LineOfSight> sight_; ///< past the surface of the body
   std::vector<Facet> facets_;
 };
 } // namespace contrecoup::solid

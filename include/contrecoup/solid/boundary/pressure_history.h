@@ -7,6 +7,7 @@
 
 #include <deal.II/base/point.h>
 
+#include <array>
 #include <vector>
 
 namespace contrecoup::solid
@@ -16,6 +17,13 @@ class PressureHistory
 {
 public:
   virtual ~PressureHistory() = default;
+
+  /// Tells of the whole surface of the body on this rank, corners of its facets
+  /// in order [m]. Called before reinit(). Collective.
+  virtual void
+  set_surface(const std::vector<std::array<dealii::Point<3>, 4>> & /*facets*/,
+              const MPI_Comm /*communicator*/)
+  {}
 
   /// Sets the facets of this rank: centres [m] and outward area vectors [m^2].
   /// Collective.

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""Maps of what a blast would do to people who stand in a plane of gauges: lines
+of equal probability, and the limit of training."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.colors import LogNorm, Normalize
+from matplotlib.patheffects import withStroke
+
+from plot.figures import style
+
+PSI = 6894.757  # Pa
+# Least part of the positive impulse in the first positive phase of a wave that
+# counts as simple, for which the curves of lungs are made: of the waves in free
+# air beyond the products of the explosive 1, among these 0.55 to 0.65.
+SIMPLE = 0.75
+PERCENT = {0.01: "1 %", 0.5: "50 %", 0.99: "99 %"}
+# Title and named levels of each panel.
+PANELS = {
+    "eardrum_rupture": ("rupture of an eardrum", PERCENT),
+    "lung_lethality": ("death by lung injury", PERCENT),
+    "chest_wall_velocity": ("chest wall under side-on pressure",
+                            {level: f"{level:g} m/s"
+                             for level in (1., 2., 4., 8., 16.)}),
+    "peak_overpressure": ("peak overpressure", {4. * PSI: "4 psi"})}
+# Names of the fields that planes with injuries have, others do not.
+INJURIES = ("eardrum_rupture", "lung_exposure", "lung_lethality",
+            "chest_wall_velocity", "first_phase_fraction")
+
+
+def are_in(maps):
+    """Whether the planes of a group, by quantity, have injuries."""
+    return all(name in maps for name in (*PANELS, *INJURIES))
+
+
+def simple(maps):
+    """Where the wave is simple, see SIMPLE."""
+    return maps["first_phase_fraction"].values > SIMPLE
+
+
+def area_above(maps, name, level):
+    """Area of the plane [m^2] where a quantity exceeds a level, by the gauges
+    that do; in axisymmetric cells of the half plane."""
+    plane = maps[name]
+    cell = np.prod([(high - low) / max(points - 1, 1) for low, high, points in
+                    zip(plane.lower, plane.upper, plane.values.shape[::-1])])
+    return float(cell * np.sum(np.nan_to_num(plane.values) > level))
+
+
+def draw(maps, path):
+    """A panel for each measure; grey where the blast has not arrived or the
+    measure is not known, that of lungs also where the wave is not simple."""
+    first = maps["peak_overpressure"]
+    left, right, bottom, top = first.extent()
+    side = 4.6
+    panel = np.clip((side - 1.) * (top - bottom) / (right - left), 1., 8.)
+    figure, axes = plt.subplots(2, 2, sharex=True, sharey=True,
+                                figsize=(2. * side, 2. * (panel + 0.7)))
+    arrived = maps["arrival"].values > 0. if "arrival" in maps else True
+    for axis, name in zip(axes.flat, PANELS):
+        _draw_panel(figure, axis, maps[name],
+                    arrived & simple(maps) if name == "lung_lethality"
+                    else arrived)
+    for axis in axes[:, 0]:
+        axis.set_ylabel(style.label(first.axes[1], "m"))
+    for axis in axes[-1, :]:
+        axis.set_xlabel(style.label(first.axes[0], "m"))
+    style.save(figure, path)
+
+
+def _draw_panel(figure, axis, plane, arrived):
+    title, levels = PANELS[plane.quantity]
+    values = np.where(arrived, plane.values, np.nan)
+    axis.set_facecolor("#cccccc")
+    axis.set_title(title)
+    axis.grid(False)
+    if not np.any(np.isfinite(values)):
+        return
+    high = float(np.nanpercentile(values, 99.))
+    factor, unit = style.scale_unit(plane.unit, high)
+    if plane.unit == "-":
+        factor, unit, norm = 100., "%", Normalize(0., 100.)
+    elif plane.quantity == "peak_overpressure" and high > 0.:
+        norm = LogNorm(max(high / 200., 1e3) * factor,
+                       max(high, 2e3) * factor)
+    else:
+        norm = Normalize(0., max(high, 1e-3) * factor)
+    image = axis.imshow(values * factor, extent=plane.extent(), norm=norm,
+                        cmap=style.SEQUENTIAL, interpolation="nearest")
+    bar = figure.colorbar(image, ax=axis, pad=0.02, fraction=0.05)
+    bar.set_label(unit, fontsize=9)
+    bar.outline.set_visible(False)
+    _draw_levels(axis, plane, values, levels)
+
+
+def _draw_levels(axis, plane, values, levels):
+    inside = [level for level in levels
+              if np.nanmin(values) < level < np.nanmax(values)]
+    if not inside or min(values.shape) < 2:
+        return
+    x = np.linspace(plane.lower[0], plane.upper[0], values.shape[1])
+    y = np.linspace(plane.lower[1], plane.upper[1], values.shape[0])
+    lines = axis.contour(x, y, values, inside, colors="white", linewidths=1.)
+    words = axis.clabel(lines, fontsize=8, fmt=levels)
+    # A dark rim shows on any colour.
+    plt.setp([*lines.collections, *words],
+             path_effects=[withStroke(linewidth=2., foreground="black")])

@@ -1,0 +1,124 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 by the Contrecoup authors
+"""Maps of injuries in planes of gauges: what is drawn, and what is hidden."""
+
+import os
+import sys
+import tempfile
+import unittest
+import unittest.mock
+
+import numpy as np
+
+import tiny_files
+import tiny_scene
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(
+    os.path.dirname(os.path.abspath(__file__)))), "applications"))
+
+from plot.figures import blast_maps, injury_maps, style  # noqa: E402
+from plot.readers import planes  # noqa: E402
+from plot.readers.scene import Scene  # noqa: E402
+from plot.report import blast_sections  # noqa: E402
+
+# 5 by 3 gauges, 0.5 m apart: measures fall along x; the wave is not simple at
+# the first, and has not reached the last.
+ALONG = np.array([1., 0.99, 0.6, 0.1, 0.])
+
+
+def fields():
+    def grid(values):
+        return np.tile(np.asarray(values, float), (3, 1))
+    return {"peak_overpressure": (grid(2e5 * ALONG), "Pa"),
+            "impulse": (grid(100. * ALONG), "Pa s"),
+            "arrival": (grid([1e-3, 2e-3, 3e-3, 4e-3, 0.]), "s"),
+            "duration": (grid(2e-3 * np.ones(5)), "s"),
+            "eardrum_rupture": (grid(ALONG), "-"),
+            "lung_exposure": (grid(2. * ALONG), "-"),
+            "lung_lethality": (grid(ALONG), "-"),
+            "chest_wall_velocity": (grid([np.nan, 9., 5., 1., 0.]), "m/s"),
+            "first_phase_fraction": (grid([0.6, 1., 1., 1., 1.]), "-")}
+
+
+class InjuryMapsTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def write(self, found, folder=None):
+        tiny_files.write_plane(
+            os.path.join(folder or self.folder, "fields",
+                         "gauges_plane_1.vti"), found, [0., 0.], [2., 1.], 5e-3)
+
+    def maps(self, found):
+        self.write(found)
+        return blast_maps.take_maps(planes.open_planes(self.folder))
+
+    def test_groups(self):
+        """Injuries stand beside the maps of the blast, where there are any."""
+        groups = self.maps(fields())
+        self.assertEqual(set(groups["gauges_plane_1"]), set(fields()))
+        self.assertTrue(injury_maps.are_in(groups["gauges_plane_1"]))
+        plain = {name: values for name, values in fields().items()
+                 if name in blast_maps.QUANTITIES}
+        self.assertFalse(
+            injury_maps.are_in(self.maps(plain)["gauges_plane_1"]))
+
+    def test_area(self):
+        """Each gauge stands for the cell between it and the next ones."""
+        maps = self.maps(fields())["gauges_plane_1"]
+        self.assertAlmostEqual(
+            injury_maps.area_above(maps, "eardrum_rupture", 0.5),
+            9 * 0.5 * 0.5)
+        self.assertAlmostEqual(
+            injury_maps.area_above(maps, "chest_wall_velocity", 6.), 0.75)
+
+    def drawn(self, found):
+        style.set_up()
+        figures = []
+        with unittest.mock.patch.object(
+                style, "save", lambda figure, _: figures.append(figure)):
+            injury_maps.draw(self.maps(found)["gauges_plane_1"], None)
+        self.addCleanup(style.plt.close, figures[0])
+        axes = [axis for axis in figures[0].axes if axis.images]
+        return {axis.get_title(loc="left"): axis for axis in axes}
+
+    def test_hides_what_is_not_known(self):
+        panels = self.drawn(fields())
+        self.assertEqual(list(panels),
+                         [title for title, _ in injury_maps.PANELS.values()])
+
+        def shown(title):
+            values = np.ma.filled(panels[title].images[0].get_array(), np.nan)
+            return np.isfinite(values[0]).tolist()
+
+        self.assertEqual(shown("rupture of an eardrum"), [True] * 4 + [False])
+        self.assertEqual(shown("death by lung injury"),
+                         [False] + [True] * 3 + [False])
+        self.assertEqual(shown("chest wall under side-on pressure"),
+                         [False] + [True] * 3 + [False])
+
+    def test_names_levels(self):
+        """Lines of 1, 50 and 99 %, and of 4 psi."""
+        panels = self.drawn(fields())
+        words = {title: {text.get_text() for text in axis.texts}
+                 for title, axis in panels.items()}
+        self.assertLessEqual(words["death by lung injury"],
+                             {"1 %", "50 %", "99 %"})
+        self.assertIn("50 %", words["death by lung injury"])
+        self.assertEqual(words["peak overpressure"], {"4 psi"})
+
+    def test_report(self):
+        """The section is there where it was asked for."""
+        tiny_scene.write_all(self.folder)
+        self.assertEqual(blast_sections.people(Scene(self.folder)), [])
+        self.write(fields(), os.path.join(self.folder, "blast"))
+        text = "".join(map(str, blast_sections.people(Scene(self.folder))))
+        self.assertIn("half of the eardrums would rupture on 2.25 m²", text)
+        self.assertIn("9 August 2024", text)
+
+
+if __name__ == "__main__":
+    unittest.main()
