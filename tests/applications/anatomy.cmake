@@ -65,6 +65,13 @@ contrecoup_add_application_test(needle bounds
 contrecoup_add_application_test(refuses_large_holes refusal
   FILE anatomy/extremes/flawed_box.prm SET "Body/Surface/Largest holes=0.01"
   MESSAGE "Body/Surface/Largest holes allows 1 %")
+contrecoup_add_application_test(refuses_organs_in_a_box refusal
+  FILE anatomy/extremes/flawed_box.prm SET "Body/Surface/Organs=phantom"
+    "Body/Scale=4"
+  MESSAGE "the surface must be that of one adult from the soles to the vertex")
+contrecoup_add_application_test(refuses_unknown_facing refusal
+  FILE anatomy/extremes/flawed_box.prm SET "Body/Surface/Facing=north"
+  MESSAGE "allowed: found, or a number from -360 to 360")
 contrecoup_add_application_test(refuses_missing_surface refusal
   FILE anatomy/quickstart.prm
   SET "Body/Kind=surface" "Body/Surface/File=/nowhere/body.stl"

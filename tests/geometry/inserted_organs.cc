@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/geometry/body/inserted_organs.h>
+#include <contrecoup/geometry/body/person_posture.h>
 #include <contrecoup/geometry/body/phantom.h>
 #include <contrecoup/geometry/shape/composed_shapes.h>
 #include <contrecoup/geometry/shape/primitive_shapes.h>
@@ -16,10 +17,13 @@ using dealii::Point;
 
 namespace
 {
-BodyPointer make_man()
+BodyPointer make_man(const std::string &stature = "1.756",
+                     const std::string &mass = "78.5")
 {
   dealii::ParameterHandler prm;
   Phantom::declare_parameters(prm);
+  prm.set("Stature", stature);
+  prm.set("Mass", mass);
   Phantom description;
   description.parse_parameters(prm);
   return description.create();
@@ -42,39 +46,225 @@ ShapeBody filled(const ShapePointer &surface)
 {
   return ShapeBody(surface, {{{"flesh", Tissue::soft_tissue}, surface}});
 }
+
+const ShapeBody &donor()
+{
+  static const auto man =
+    std::dynamic_pointer_cast<const ShapeBody>(make_man());
+  return *man;
+}
+
+
+ShapePointer turned(const ShapePointer &shape,
+                    double x,
+                    double y,
+                    double z,
+                    double shift = 0.)
+{
+  const double degree = dealii::numbers::PI / 180.;
+  return std::make_shared<PlacedShape>(
+    shape,
+    Placement(1., degree * Point<3>(x, y, z), Point<3>(shift, -shift, shift)));
+}
+
+
+/// Part of a shape within a box.
+ShapePointer
+cut(const ShapePointer &shape, const Point<3> &lower, const Point<3> &upper)
+{
+  return std::make_shared<Intersection>(
+    shape,
+    std::make_shared<RoundedBox>(Point<3>(0.5 * (lower + upper)),
+                                 0.5 * (upper - lower)));
+}
+
+
+OrganInsertion allowing(const double largest_loss)
+{
+  OrganInsertion insertion;
+  insertion.largest_loss = largest_loss;
+  return insertion;
+}
+
+
+std::string refusal(const ShapePointer &surface)
+{
+  try
+  {
+    insert_organs(filled(surface), donor(), allowing(1.));
+  }
+  catch (const InputError &error)
+  {
+    return error.what();
+  }
+  return "";
+}
 } // namespace
+
+
+TEST(InsertedOrgans, OfTheOwnSkinStayAsTheyAre)
+{
+  const BodyPointer person =
+    insert_organs(filled(donor().surface()), donor(), allowing(0.01));
+  const auto before = volumes(donor(), 0.006), after = volumes(*person, 0.006);
+  for (const auto &[name, volume] : before)
+    if (name != "soft tissue")
+    {
+      EXPECT_NEAR(after.at(name), volume, 0.01 * volume) << name;
+    }
+  ASSERT_TRUE(person->organ_fit());
+  EXPECT_GT(person->organ_fit()->inside, 0.999);
+  EXPECT_TRUE(person->organ_fit()->holds());
+}
 
 
 TEST(InsertedOrgans, GrowWithThePersonAndStayInPlace)
 {
-  const BodyPointer man = make_man();
-  const auto donor = std::dynamic_pointer_cast<const ShapeBody>(man);
-  ASSERT_TRUE(donor);
   const dealii::Tensor<1, 3> shift({2., -1., 0.});
   const auto larger = std::make_shared<PlacedShape>(
-    man->surface(), Placement(1.1, dealii::Tensor<1, 3>(), shift));
-  const BodyPointer person = insert_organs(filled(larger), *donor, 0.01);
-  const auto before = volumes(*man, 0.01), after = volumes(*person, 0.011);
+    donor().surface(), Placement(1.1, dealii::Tensor<1, 3>(), shift));
+  const BodyPointer person =
+    insert_organs(filled(larger), donor(), allowing(0.01));
+  const auto before = volumes(donor(), 0.01), after = volumes(*person, 0.011);
   for (const std::string name : {"brain", "lungs", "liver", "pelvis"})
     EXPECT_NEAR(
       after.at(name), std::pow(1.1, 3) * before.at(name), 0.02 * after.at(name))
       << name;
-  ASSERT_EQ(person->landmarks().size(), man->landmarks().size());
-  for (std::size_t i = 0; i < man->landmarks().size(); ++i)
+  ASSERT_EQ(person->landmarks().size(), donor().landmarks().size());
+  for (std::size_t i = 0; i < donor().landmarks().size(); ++i)
     EXPECT_LT(person->landmarks()[i].place.distance(
-                1.1 * man->landmarks()[i].place + shift),
+                1.1 * donor().landmarks()[i].place + shift),
               1e-3);
-  ASSERT_EQ(person->remarks().size(), 1U);
-  EXPECT_NE(person->remarks()[0].find("not this person's"), std::string::npos);
+  ASSERT_EQ(person->remarks().size(), 4U);
+  EXPECT_NE(person->remarks()[0].find("faces +x, 0 degrees"),
+            std::string::npos);
+  EXPECT_NE(person->remarks()[1].find("not this person's"), std::string::npos);
 }
 
 
-TEST(InsertedOrgans, ThatDoNotFitAreRefused)
+TEST(InsertedOrgans, FitOtherBuildsInAnyDirection)
 {
-  const auto donor = std::dynamic_pointer_cast<const ShapeBody>(make_man());
-  const auto ball = std::make_shared<Sphere>(Point<3>(0., 0., 1.), 0.9);
-  EXPECT_NO_THROW(insert_organs(filled(ball), *donor, 1.));
-  const auto needle =
-    std::make_shared<Ellipsoid>(Point<3>(0., 0., 1.), Point<3>(0.1, 0.1, 0.9));
-  EXPECT_THROW(insert_organs(filled(needle), *donor, 0.1), InputError);
+  struct Case
+  {
+    std::string stature, mass;
+    double angle;
+  };
+  for (const Case &build : {Case{"1.55", "44", 30.},
+                            Case{"1.6", "82", -75.},
+                            Case{"2.0", "72", 200.}})
+  {
+    const BodyPointer man = make_man(build.stature, build.mass);
+    const BodyPointer person = insert_organs(
+      filled(turned(man->surface(), 0., 0., build.angle, 0.3)), donor(), {});
+    const OrganFit &fit = *person->organ_fit();
+    EXPECT_TRUE(fit.holds())
+      << build.stature << " m, inside " << fit.inside << ", brain "
+      << fit.brain_cover << ", lungs " << fit.lung_cover;
+    const auto organs = volumes(*person, 0.008);
+    EXPECT_GT(organs.at("lungs"), 1.2e-3);
+    EXPECT_GT(organs.at("brain"), 0.8e-3);
+  }
+}
+
+
+TEST(InsertedOrgans, FollowAPersonWhoLiesOrStandUp)
+{
+  // On the back, the head to -y.
+  const ShapePointer lying = turned(donor().surface(), 90., 0., 90.);
+  OrganInsertion insertion;
+  const BodyPointer standing = insert_organs(filled(lying), donor(), insertion);
+  EXPECT_NEAR(standing->surface()->bounding_box().side_length(2), 1.756, 0.01);
+  EXPECT_NE(standing->remarks()[0].find("Body/Surface/Posture = as given"),
+            std::string::npos);
+  insertion.stands_up = false;
+  const BodyPointer person = insert_organs(filled(lying), donor(), insertion);
+  EXPECT_LT(person->surface()->bounding_box().side_length(2), 0.8);
+  const Posture posture = find_posture(*lying, {}).posture;
+  const auto brain =
+    std::find_if(donor().parts().begin(),
+                 donor().parts().end(),
+                 [](const BodyPart &part) { return part.name == "brain"; });
+  const Point<3> middle(0., 0., 1.756 - 0.0745);
+  EXPECT_EQ(person->part_at(posture.from_standing().apply(middle)),
+            brain - donor().parts().begin());
+  EXPECT_TRUE(person->organ_fit()->holds());
+}
+
+
+TEST(InsertedOrgans, RequireOneWholeAdult)
+{
+  const ShapePointer man = donor().surface();
+  const double far = 3.;
+  EXPECT_NE(refusal(cut(man, {-far, -far, 0.95}, {far, far, far}))
+              .find("no ankles were found"),
+            std::string::npos);
+  EXPECT_NE(refusal(cut(man, {-far, -far, 0.}, {far, far, 1.2}))
+              .find("legs do not join below 58 % of its height"),
+            std::string::npos);
+  EXPECT_NE(refusal(cut(man, {-far, 0., 0.}, {far, far, far}))
+              .find("1 ankle(s) were found"),
+            std::string::npos);
+  const auto two = std::make_shared<Union>(
+    std::vector<ShapePointer>{man, turned(man, 0., 0., 0., 1.)});
+  EXPECT_NE(refusal(two).find("it must be one person"), std::string::npos);
+  EXPECT_NE(
+    refusal(std::make_shared<Sphere>(Point<3>(0., 0., 1.), 0.9)).find("adult"),
+    std::string::npos);
+  EXPECT_NE(refusal(std::make_shared<Ellipsoid>(Point<3>(0., 0., 1.),
+                                                Point<3>(0.1, 0.1, 0.9)))
+              .find("adult"),
+            std::string::npos);
+  // Where everything fits but the limit.
+  OrganInsertion insertion;
+  insertion.largest_loss = 0.;
+  const BodyPointer thin = make_man("1.55", "42");
+  EXPECT_THROW(insert_organs(filled(thin->surface()), donor(), insertion),
+               InputError);
+}
+
+
+TEST(PersonPosture, FacingIsFoundInEightDirections)
+{
+  for (int i = 0; i < 8; ++i)
+  {
+    const double angle = 45. * i + 7.;
+    const Posture posture =
+      find_posture(*turned(donor().surface(), 0., 0., angle, 0.5), {}).posture;
+    EXPECT_TRUE(posture.is_standing);
+    EXPECT_TRUE(posture.face_agrees);
+    EXPECT_NEAR(std::remainder(posture.facing() - angle, 360.), 0., 1.5);
+  }
+  const Posture given = find_posture(*donor().surface(), 90.).posture;
+  EXPECT_NEAR(given.facing(), 90., 1e-9);
+  EXPECT_FALSE(given.face_agrees && given.forward[0] > 0.5);
+}
+
+
+TEST(PersonPosture, LyingAndUpsideDownAreTurnedUp)
+{
+  struct Case
+  {
+    Point<3> angles; ///< that lay the man down [degrees]
+    Point<3> up, forward;
+  };
+  for (const Case &pose : {Case{{0., 90., 0.}, {1., 0., 0.}, {0., 0., -1.}},
+                           Case{{0., -90., 0.}, {-1., 0., 0.}, {0., 0., 1.}},
+                           Case{{90., 0., 0.}, {0., -1., 0.}, {1., 0., 0.}},
+                           Case{{90., 0., 90.}, {1., 0., 0.}, {0., 1., 0.}},
+                           Case{{180., 0., 0.}, {0., 0., -1.}, {1., 0., 0.}}})
+  {
+    const Posture posture = find_posture(*turned(donor().surface(),
+                                                 pose.angles[0],
+                                                 pose.angles[1],
+                                                 pose.angles[2]),
+                                         {})
+                              .posture;
+    EXPECT_FALSE(posture.is_standing);
+    EXPECT_LT((posture.up - pose.up).norm(), 1e-9);
+    EXPECT_LT((posture.forward - pose.forward).norm(), 0.02);
+    const Point<3> head = posture.to_standing().apply(Point<3>(pose.up));
+    EXPECT_LT(head.distance(Point<3>(0., 0., 1.)), 1e-9);
+    EXPECT_LT(posture.from_standing().apply(head).distance(Point<3>(pose.up)),
+              1e-12);
+  }
 }

@@ -233,7 +233,7 @@ namespace coupling
         }
         if (!report.checks.empty())
           errors["mass"] = body.mass / parameters_.body.reference_mass() - 1.;
-        const Json summary = {
+        Json summary = {
           {"application", "anatomy"},
           {"version", version()},
           {"git_revision", git_revision()},
@@ -262,6 +262,9 @@ namespace coupling
           {"performance",
            {{"wall_seconds", seconds()},
             {"peak_memory_bytes", peak_memory(MPI_COMM_SELF)}}}};
+        const auto fit = organ_fit_figures(*body_);
+        if (!fit.empty())
+          summary["organ_fit"] = fit;
         write_text("summary.json", summary.dump(2) + "\n");
       }
 

@@ -147,6 +147,19 @@ namespace coupling
   }
 
 
+  std::map<std::string, double> organ_fit_figures(const Body &body)
+  {
+    if (!body.organ_fit())
+      return {};
+    const OrganFit &fit = *body.organ_fit();
+    return {{"inside", fit.inside},
+            {"inside_at_least", OrganFit::least_inside},
+            {"brain_cover", fit.brain_cover},
+            {"lung_cover", fit.lung_cover},
+            {"cover_at_least", OrganFit::least_cover},
+            {"checks_held", fit.holds() ? 1. : 0.}};
+  }
+
   std::vector<std::string> to_lines(const BodyReport &report)
   {
     std::vector<std::string> lines{

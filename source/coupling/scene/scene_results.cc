@@ -4,6 +4,7 @@
 #include <contrecoup/base/system/log.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/base/system/version.h>
+#include <contrecoup/coupling/application/body_report.h>
 #include <contrecoup/coupling/scene/coarser_run.h>
 #include <contrecoup/coupling/scene/scene_plan.h>
 #include <contrecoup/coupling/scene/scene_results.h>
@@ -172,36 +173,39 @@ void write_scene(const PlannedScene &scene,
     scene_audit(
       scene.parameters(), layout, scene.has_lung(), command.output_folder),
     tasks);
-  const Json json = {{"application", "scene"},
-                     {"version", version()},
-                     {"git_revision", git_revision()},
-                     {"title", scene.parameters().title},
-                     {"question", scene.parameters().question},
-                     {"accuracy", scene.parameters().accuracy.name},
-                     {"explosive", scene.parameters().explosive},
-                     {"charge_mass", scene.parameters().mass},
-                     {"charge_place", list(layout.charge)},
-                     {"distance", layout.distance},
-                     {"height", layout.charge[2]},
-                     {"body", scene.body_kind()},
-                     {"body_box",
-                      {list(layout.body.get_boundary_points().first),
-                       list(layout.body.get_boundary_points().second)}},
-                     {"domain", {list(layout.lower), list(layout.upper)}},
-                     {"symmetry", layout.is_half ? "y" : "none"},
-                     {"end_time", scene.parameters().end_time},
-                     {"cell_size_at_body", layout.cell_size()},
-                     {"element_size", scene.parameters().element_size},
-                     {"tissue_places", place_rows(scene.tissue_places())},
-                     {"coarser_run",
-                      {{"cell_ratio", CoarserRun::cell_ratio},
-                       {"element_ratio", CoarserRun::element_ratio}}},
-                     {"command", call_of(command)},
-                     {"ranks", n_ranks},
-                     {"stages", task_rows(tasks, reused)},
-                     {"plan", plan_rows(plan)},
-                     {"audit", audit_rows(plan, audit)},
-                     {"remarks", scene.body().remarks()}};
+  Json json = {{"application", "scene"},
+               {"version", version()},
+               {"git_revision", git_revision()},
+               {"title", scene.parameters().title},
+               {"question", scene.parameters().question},
+               {"accuracy", scene.parameters().accuracy.name},
+               {"explosive", scene.parameters().explosive},
+               {"charge_mass", scene.parameters().mass},
+               {"charge_place", list(layout.charge)},
+               {"distance", layout.distance},
+               {"height", layout.charge[2]},
+               {"body", scene.body_kind()},
+               {"body_box",
+                {list(layout.body.get_boundary_points().first),
+                 list(layout.body.get_boundary_points().second)}},
+               {"domain", {list(layout.lower), list(layout.upper)}},
+               {"symmetry", layout.is_half ? "y" : "none"},
+               {"end_time", scene.parameters().end_time},
+               {"cell_size_at_body", layout.cell_size()},
+               {"element_size", scene.parameters().element_size},
+               {"tissue_places", place_rows(scene.tissue_places())},
+               {"coarser_run",
+                {{"cell_ratio", CoarserRun::cell_ratio},
+                 {"element_ratio", CoarserRun::element_ratio}}},
+               {"command", call_of(command)},
+               {"ranks", n_ranks},
+               {"stages", task_rows(tasks, reused)},
+               {"plan", plan_rows(plan)},
+               {"audit", audit_rows(plan, audit)},
+               {"remarks", scene.body().remarks()}};
+  const auto fit = organ_fit_figures(scene.body());
+  if (!fit.empty())
+    json["organ_fit"] = fit;
   io::write_file(command.output_folder + "/scene.json",
                  [&](std::ostream &out) { out << json.dump(2) << "\n"; });
 }

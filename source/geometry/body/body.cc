@@ -3,6 +3,7 @@
 
 #include <contrecoup/geometry/body/body.h>
 #include <contrecoup/geometry/shape/composed_shapes.h>
+#include <contrecoup/geometry/shape/primitive_shapes.h>
 
 namespace contrecoup
 {
@@ -43,6 +44,13 @@ BodyPointer ShapeBody::placed(const Placement &placement) const
   for (Landmark &landmark : moved)
     landmark.place = placement.apply(landmark.place);
   body->set_landmarks(moved);
+  std::optional<OrganFit> fit = organ_fit();
+  if (fit)
+  {
+    fit->brain_cover *= placement.scale();
+    fit->lung_cover *= placement.scale();
+  }
+  body->set_organ_fit(fit);
   return body;
 }
 
@@ -137,5 +145,19 @@ void ShapeBody::fill_block(LabelGrid &grid, const Block &block) const
       child.begin[d] = block.begin[d] + ((c >> d) & 1) * child.width;
     fill_block(grid, child);
   }
+}
+
+LabelGrid fill_shape(const Shape &shape, const double spacing)
+{
+  const auto box = shape.bounding_box();
+  LabelGrid grid = make_grid(box, spacing);
+  // A part that contains everything is evaluated faster than the shape.
+  const double far = 10. * box.get_boundary_points().first.distance(
+                             box.get_boundary_points().second);
+  const auto all =
+    std::make_shared<RoundedBox>(box.center(), Point<3>(far, far, far));
+  const ShapePointer unowned(ShapePointer(), &shape);
+  ShapeBody(unowned, {{{"", Tissue::none}, all}}).fill(grid);
+  return grid;
 }
 } // namespace contrecoup

@@ -135,7 +135,8 @@ BodyPointer BodyDescription::create_unplaced() const
       return body;
     const auto donor =
       std::dynamic_pointer_cast<const ShapeBody>(phantom_.create());
-    return insert_organs(*body, *donor, from_surface_.largest_loss());
+    return insert_organs(
+      *body, *donor, from_surface_.insertion(placement_.scale()));
   }
   if (kind_ == "image")
     return from_image_.create();

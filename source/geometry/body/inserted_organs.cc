@@ -4,8 +4,11 @@
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/geometry/body/inserted_organs.h>
-
-#include <random>
+#include <contrecoup/geometry/body/organ_fit.h>
+#include <contrecoup/geometry/body/person_posture.h>
+#include <contrecoup/geometry/body/person_sections.h>
+#include <contrecoup/geometry/shape/composed_shapes.h>
+#include <contrecoup/geometry/shape/primitive_shapes.h>
 
 namespace contrecoup
 {
@@ -13,71 +16,283 @@ using dealii::Point;
 
 namespace
 {
+  using PartShape = ShapeBody::PartShape;
+  using Warps = std::array<SectionWarp, n_regions>;
+
   bool is_organ(const BodyPart &part)
   {
     return part.tissue != Tissue::skin && part.tissue != Tissue::soft_tissue;
   }
 
 
-  /// Fraction of the organs' volume outside of a surface, by sampling.
-  double part_outside(const ShapeBody &organs, const Shape &surface)
+  PosedPerson find_person(const Shape &skin, const OrganInsertion &insertion)
   {
-    const unsigned int n_samples = 200000;
-    const auto box = organs.surface()->bounding_box();
-    std::mt19937 random(1);
-    std::uniform_real_distribution<double> place(0., 1.);
-    double n_all = 0., n_outside = 0.;
-    for (unsigned int i = 0; i < n_samples; ++i)
+    try
     {
-      Point<3> point;
-      for (unsigned int d = 0; d < 3; ++d)
-        point[d] = box.lower_bound(d) + place(random) * box.side_length(d);
-      const unsigned char part = organs.part_at(point);
-      if (part == LabelGrid::outside || !is_organ(organs.parts()[part]))
-        continue;
-      n_all += 1.;
-      n_outside += surface.value(point) > 0. ? 1. : 0.;
+      return find_posture(skin, insertion.facing);
     }
-    return n_all > 0. ? n_outside / n_all : 0.;
+    catch (const InputError &error)
+    {
+      throw InputError(
+        "Body/Surface/Organs = phantom: the surface must be that "
+        "of one adult from the soles to the vertex, but " +
+        std::string(error.what()));
+    }
+  }
+
+
+  /// A number to one decimal, without a sign of zero.
+  std::string tenths(const double value)
+  {
+    return brief(std::round(10. * value) / 10. + 0.);
+  }
+
+
+  std::vector<std::string> posture_remarks(const PosedPerson &person,
+                                           const bool stands_up)
+  {
+    const Posture &posture = person.posture;
+    std::vector<std::string> remarks;
+    const auto angles = posture.angles();
+    std::string rotation;
+    for (unsigned int d = 0; d < 3; ++d)
+      rotation += (d > 0 ? ", " : "") + tenths(angles[d]);
+    const std::string source = posture.face_agrees
+                                 ? " (feet and face agree)"
+                                 : " (by the feet; the face points elsewhere)";
+    if (posture.is_standing)
+      remarks.push_back(
+        "the person faces " + direction_name(posture.forward) + ", " +
+        tenths(posture.facing()) + " degrees from +x about z" + source +
+        "; Body/Surface/Facing sets another angle" +
+        (std::abs(posture.facing()) > 2.
+           ? ", Body/Surface/Rotation = " + rotation + " turns them to +x"
+           : ""));
+    else
+      remarks.push_back(
+        "the person lies in the file with the head to " +
+        direction_name(posture.up) + ", facing " +
+        direction_name(posture.forward) + source +
+        (stands_up
+           ? ", and is stood up along z to face +x, as by "
+             "Body/Surface/Rotation = " +
+               rotation + "; Body/Surface/Posture = as given prevents it"
+           : "; Body/Surface/Posture = standing would stand them up"));
+    if (!person.regions.has_arm[0] || !person.regions.has_arm[1])
+      remarks.push_back("an arm could not be told from the trunk, which its "
+                        "bones therefore follow; arms that are apart from the "
+                        "trunk are found");
+    return remarks;
+  }
+
+
+  const PartShape &find_part(const std::vector<PartShape> &parts,
+                             const std::string &name)
+  {
+    for (const PartShape &part : parts)
+      if (part.part.name == name)
+        return part;
+    throw dealii::ExcInternalError();
+  }
+
+
+  /// Brings brain and lungs below the surface of a person who stands.
+  void fit(Warps &warps,
+           OrganFit &organ_fit,
+           const ShapeBody &donor,
+           const Shape &surface,
+           const double scale)
+  {
+    const auto points = [&](const std::string &name) {
+      const Shape &shape = *find_part(donor.part_shapes(), name).shape;
+      const auto box = shape.bounding_box();
+      return surface_points(shape, 0.045 * std::cbrt(box.volume()));
+    };
+    const double depth = OrganFit::least_cover / scale;
+    const auto brain = points("brain"), lungs = points("lungs");
+    SectionWarp &trunk = warps[static_cast<unsigned int>(Region::trunk)];
+    trunk = narrowed(trunk, surface, lungs, depth);
+    trunk = with_head_inside(trunk, surface, brain, depth);
+    organ_fit.brain_cover = least_depth(surface, trunk, brain);
+    organ_fit.lung_cover = least_depth(surface, trunk, lungs);
+  }
+
+
+  /// A shape in the regions of both sides of the body, warped.
+  ShapePointer warp_sides(const ShapePointer &shape,
+                          const SectionWarp &left,
+                          const SectionWarp &right)
+  {
+    constexpr double far = 10.;
+    std::vector<ShapePointer> sides;
+    for (const double side : {1., -1.})
+      sides.push_back(std::make_shared<WarpedShape>(
+        std::make_shared<Intersection>(
+          shape,
+          std::make_shared<RoundedBox>(Point<3>(0., side * far, 0.),
+                                       Point<3>(far, far, far))),
+        side > 0. ? left : right));
+    return std::make_shared<Union>(sides);
+  }
+
+
+  std::vector<PartShape> warp_organs(const ShapeBody &donor, const Warps &warps)
+  {
+    const auto warp = [&](const Region region) {
+      return warps[static_cast<unsigned int>(region)];
+    };
+    std::vector<PartShape> parts;
+    for (const PartShape &part : donor.part_shapes())
+    {
+      if (!is_organ(part.part))
+        continue;
+      ShapePointer shape;
+      if (part.part.name == "arm bones")
+        shape = warp_sides(
+          part.shape, warp(Region::left_arm), warp(Region::right_arm));
+      else if (part.part.name == "leg bones")
+        shape = warp_sides(
+          part.shape, warp(Region::left_leg), warp(Region::right_leg));
+      else
+        shape = std::make_shared<WarpedShape>(part.shape, warp(Region::trunk));
+      parts.push_back({part.part, shape});
+    }
+    return parts;
+  }
+
+
+  /// Part of the organs' volume within a surface.
+  double part_inside(const std::vector<PartShape> &organs, const Shape &surface)
+  {
+    std::vector<ShapePointer> shapes;
+    for (const PartShape &organ : organs)
+      shapes.push_back(organ.shape);
+    const Union all(shapes);
+    const double height = surface.bounding_box().side_length(2);
+    const LabelGrid grid = fill_shape(all, height / 300.);
+    double n_all = 0., n_inside = 0.;
+    for (unsigned int k = 0; k < grid.size[2]; ++k)
+      for (unsigned int j = 0; j < grid.size[1]; ++j)
+        for (unsigned int i = 0; i < grid.size[0]; ++i)
+          if (grid.at(i, j, k) != LabelGrid::outside)
+          {
+            n_all += 1.;
+            n_inside += surface.value(grid.center(i, j, k)) <= 0. ? 1. : 0.;
+          }
+    return n_all > 0. ? n_inside / n_all : 1.;
+  }
+
+
+  /// Volume of a part [m^3].
+  double volume_of(const std::vector<PartShape> &parts, const std::string &name)
+  {
+    const Shape &shape = *find_part(parts, name).shape;
+    const double spacing = 0.04 * std::cbrt(shape.bounding_box().volume());
+    const LabelGrid grid = fill_shape(shape, spacing);
+    return grid.volume() *
+           (grid.labels.size() - std::count(grid.labels.begin(),
+                                            grid.labels.end(),
+                                            LabelGrid::outside));
+  }
+
+
+  std::vector<std::string> fit_remarks(const OrganFit &fit,
+                                       const std::vector<PartShape> &organs,
+                                       const double scale)
+  {
+    const auto litres = [&](const std::string &name) {
+      return brief(1e3 * std::pow(scale, 3) * volume_of(organs, name), 2) +
+             " litre";
+    };
+    const auto verdict = [](const bool holds) {
+      return holds ? std::string(": held") : std::string(": NOT HELD");
+    };
+    const double least = std::min(fit.brain_cover, fit.lung_cover) * scale;
+    return {"organs are those of the phantom, warped to this person section by "
+            "section; they are not this person's: brain " +
+              litres("brain") + ", lungs " + litres("lungs"),
+            "check of the organs' volume inside the surface: " +
+              brief(100. * fit.inside, 3) + " %, at least " +
+              brief(100. * OrganFit::least_inside, 3) + " %" +
+              verdict(fit.inside >= OrganFit::least_inside) +
+              "; the rest is left out",
+            "check of the least tissue over the brain, " +
+              brief(1e3 * scale * fit.brain_cover, 3) +
+              " mm, and over the lungs, " +
+              brief(1e3 * scale * fit.lung_cover, 3) + " mm, at least " +
+              brief(1e3 * OrganFit::least_cover) + " mm" +
+              verdict(least >= OrganFit::least_cover)};
+  }
+
+
+  /// The region at a place of the donor, or that of the nearest voxel to it.
+  Region region_at(const PersonRegions &regions, const Point<3> &place)
+  {
+    const LabelGrid &grid = regions.grid;
+    double nearest = std::numeric_limits<double>::max();
+    Region region = Region::trunk;
+    for (unsigned int k = 0; k < grid.size[2]; ++k)
+      for (unsigned int j = 0; j < grid.size[1]; ++j)
+        for (unsigned int i = 0; i < grid.size[0]; ++i)
+          if (grid.at(i, j, k) != LabelGrid::outside)
+          {
+            const double square = grid.center(i, j, k).distance_square(place);
+            if (square < nearest)
+            {
+              nearest = square;
+              region = static_cast<Region>(grid.at(i, j, k));
+            }
+          }
+    return region;
   }
 } // namespace
 
 
 BodyPointer insert_organs(const Body &recipient,
                           const ShapeBody &donor,
-                          const double largest_loss)
+                          const OrganInsertion &insertion)
 {
-  const ShapePointer skin = recipient.surface();
-  const auto box = skin->bounding_box();
-  const auto original = donor.surface()->bounding_box();
-  const double scale = box.side_length(2) / original.side_length(2);
-  dealii::Tensor<1, 3> shift = box.center() - scale * original.center();
-  const auto placed = std::dynamic_pointer_cast<const ShapeBody>(
-    donor.placed(Placement(scale, dealii::Tensor<1, 3>(), shift)));
-  const double lost = part_outside(*placed, *skin);
-  if (lost > largest_loss)
+  const PosedPerson person = find_person(*recipient.surface(), insertion);
+  const Posture &posture = person.posture;
+  const Placement to_standing = posture.to_standing();
+  const bool stays = posture.is_standing || !insertion.stands_up;
+  const Placement back = stays ? posture.from_standing() : Placement();
+  const auto standing =
+    std::make_shared<PlacedShape>(recipient.surface(), to_standing);
+  const ShapePointer skin = stays ? recipient.surface() : standing;
+
+  const PersonRegions donor_regions = find_regions(*donor.surface());
+  Warps warps = warp_between(donor_regions, person.regions);
+  OrganFit organ_fit;
+  fit(warps, organ_fit, donor, *standing, insertion.scale);
+  std::vector<PartShape> part_shapes = warp_organs(donor, warps);
+  organ_fit.inside = part_inside(part_shapes, *standing);
+  if (1. - organ_fit.inside > insertion.largest_loss)
     throw InputError(
-      "Body/Surface/Organs = phantom: " + brief(100. * lost, 3) +
-      " % of the organs' volume would be outside of the surface, allowed "
-      "are " +
-      brief(100. * largest_loss, 3) +
-      " %; does the person stand upright, face +x and reach from the soles to "
-      "the vertex?");
-  std::vector<ShapeBody::PartShape> part_shapes;
-  for (const ShapeBody::PartShape &part_shape : placed->part_shapes())
-    if (is_organ(part_shape.part))
-      part_shapes.push_back(part_shape);
+      "Body/Surface/Organs = phantom: " +
+      brief(100. * (1. - organ_fit.inside), 3) +
+      " % of the organs' volume would be outside of the surface, "
+      "Body/Surface/Largest loss of organs allows " +
+      brief(100. * insertion.largest_loss, 3) + " %");
+
+  auto remarks = recipient.remarks();
+  for (const auto &lines :
+       {posture_remarks(person, insertion.stands_up),
+        fit_remarks(organ_fit, part_shapes, insertion.scale)})
+    remarks.insert(remarks.end(), lines.begin(), lines.end());
+  for (PartShape &part_shape : part_shapes)
+    part_shape.shape = std::make_shared<PlacedShape>(part_shape.shape, back);
   part_shapes.push_back({recipient.parts()[0], skin});
   const auto body = std::make_shared<ShapeBody>(skin, part_shapes);
-  auto remarks = recipient.remarks();
-  remarks.push_back("organs are those of the phantom, " + brief(scale) +
-                    " times as large; they are not this person's. " +
-                    brief(100. * lost, 2) +
-                    " % of their volume was outside and is left out");
   body->set_remarks(remarks);
-  std::vector<Landmark> landmarks = placed->landmarks();
+  body->set_organ_fit(organ_fit);
+  std::vector<Landmark> landmarks = donor.landmarks();
   for (Landmark &landmark : landmarks)
-    landmark.place = skin->project(landmark.place);
+  {
+    const Region region = region_at(donor_regions, landmark.place);
+    landmark.place = skin->project(back.apply(
+      warps[static_cast<unsigned int>(region)].apply(landmark.place)));
+  }
   body->set_landmarks(landmarks);
   return body;
 }

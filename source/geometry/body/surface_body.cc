@@ -21,6 +21,23 @@ namespace
     return table;
   }
 
+  const std::string found = "found";
+
+  /// Angle of the front of a person [degrees]; nothing: to be found.
+  std::optional<double> read_facing(const dealii::ParameterHandler &prm)
+  {
+    const std::string text = prm.get("Facing");
+    if (text == found)
+      return {};
+    const dealii::Patterns::Double allowed(-360., 360.);
+    if (!allowed.match(text))
+      throw InputError("entry \"Body/Surface/Facing\" cannot be \"" + text +
+                       "\"; allowed: " + found +
+                       ", or a number from -360 to 360 [degrees]");
+    return dealii::Utilities::string_to_double(text);
+  }
+
+
   /// Remarks on defects of a surface.
   std::vector<std::string> make_remarks(const TriangleMesh &mesh,
                                         const RepairReport &report)
@@ -44,6 +61,42 @@ namespace
         " m; what is around more than once counts as inside");
     }
     return remarks;
+  }
+
+  /// Entries of a person with organs.
+  void declare_organs(dealii::ParameterHandler &prm)
+  {
+    declare_selection(
+      prm,
+      "Organs",
+      "none",
+      {"none", "phantom"},
+      "Interior of the body: the given tissue only, or with "
+      "the organs of the phantom (subsection Phantom), warped "
+      "section by section to the surface of one adult, from the "
+      "soles to the vertex, in any direction.");
+    declare_string(
+      prm,
+      "Facing",
+      found,
+      "Angle of the front of a standing person with organs from +x "
+      "about z [degrees, -360 to 360], after Rotation; found: by "
+      "trunk and feet.");
+    declare_selection(prm,
+                      "Posture",
+                      "standing",
+                      {"standing", "as given"},
+                      "Whether a person with organs who lies in the file is "
+                      "stood up along z, facing +x, or stays as given; who "
+                      "stands is not turned.");
+    declare_double(
+      prm,
+      "Largest loss of organs",
+      "0.1",
+      0.,
+      1.,
+      "-",
+      "Fraction of the organs' volume that may be outside the surface.");
   }
 } // namespace
 
@@ -77,22 +130,7 @@ void SurfaceBody::declare_parameters(dealii::ParameterHandler &prm)
                     "soft tissue",
                     {tissue_names().begin() + 1, tissue_names().end()},
                     "Tissue of the body.");
-  declare_selection(prm,
-                    "Organs",
-                    "none",
-                    {"none", "phantom"},
-                    "Interior of the body: the given tissue only, or with "
-                    "the organs of the phantom (subsection Phantom) scaled "
-                    "to the surface's height; the person, after Rotation, "
-                    "must then stand upright along z and face +x.");
-  declare_double(
-    prm,
-    "Largest loss of organs",
-    "0.1",
-    0.,
-    1.,
-    "-",
-    "Fraction of the organs' volume that may be outside the surface.");
+  declare_organs(prm);
   declare_double(prm,
                  "Largest holes",
                  "0.05",
@@ -115,7 +153,9 @@ void SurfaceBody::parse_parameters(dealii::ParameterHandler &prm)
   angles_ = Placement::read_rotation(prm);
   tissue_ = find_tissue(prm.get("Tissue"));
   has_organs_ = prm.get("Organs") == "phantom";
-  largest_loss_ = read_double(prm, "Largest loss of organs");
+  insertion_.largest_loss = read_double(prm, "Largest loss of organs");
+  insertion_.facing = read_facing(prm);
+  insertion_.stands_up = prm.get("Posture") == "standing";
   largest_hole_area_ = read_double(prm, "Largest holes");
 }
 

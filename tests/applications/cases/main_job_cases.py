@@ -3,6 +3,7 @@
 """What tests of the main job prove, a scene from the charge to its report;
 kinds of run_case.py."""
 
+import json
 import os
 import re
 import subprocess
@@ -55,6 +56,15 @@ def main_job_surface(case, check_bound, read_summary):
     surface = os.path.abspath(os.path.join(person, "surface.stl"))
     case.run(output, ["--set", f"Body/Surface/File={surface}"])
     prove(case, output, check_bound, read_summary)
+    with open(os.path.join(output, "scene.json"), encoding="utf-8") as file:
+        scene = json.load(file)
+    fit = scene["organ_fit"]
+    require(fit["checks_held"] == 1. and fit["inside"] >= 0.97
+            and min(fit["brain_cover"], fit["lung_cover"]) >= 0.008,
+            f"organs fit poorly: {fit}")
+    require(any("the person faces +x, 0 degrees" in remark
+                for remark in scene["remarks"]),
+            f"the way that the person faces is not said: {scene['remarks']}")
 
 
 def prove(case, output, check_bound, read_summary):

@@ -7,6 +7,7 @@
 #include <contrecoup/geometry/body/phantom.h>
 #include <contrecoup/geometry/mesh/hex_quality.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -76,6 +77,10 @@ namespace coupling
                          const Shape &surface,
                          const std::vector<OrganReference> &references,
                          const std::string &tissue_set);
+
+  /// Figures of the fit of inserted organs by their names in summary.json, with
+  /// the limits that they should meet; empty without such organs.
+  std::map<std::string, double> organ_fit_figures(const Body &body);
 
   /// Report as text, one string per line.
   std::vector<std::string> to_lines(const BodyReport &report);

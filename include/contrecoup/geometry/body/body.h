@@ -9,6 +9,7 @@
 #include <contrecoup/geometry/shape/shape.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,26 @@ struct Landmark
 {
   std::string name;       ///< lower case
   dealii::Point<3> place; ///< [m]
+};
+
+/// How organs fit into the surface of a person.
+struct OrganFit
+{
+  /// Parts of the volume of all organs within the surface [-]; below this one
+  /// the fit is poor.
+  static constexpr double least_inside = 0.97;
+  /// Least thickness of tissue over lungs and brain [m]; as above.
+  static constexpr double least_cover = 0.008;
+
+  double inside = 1.;
+  double brain_cover = 0.; ///< [m]
+  double lung_cover = 0.;  ///< [m]
+
+  bool holds() const
+  {
+    return inside >= least_inside &&
+           std::min(brain_cover, lung_cover) >= least_cover;
+  }
 };
 
 /// Interface: a body with one or several parts. Lengths in m.
@@ -64,6 +85,16 @@ public:
     landmarks_ = landmarks;
   }
 
+  /// How well organs of another body fit; none unless they were inserted.
+  const std::optional<OrganFit> &organ_fit() const
+  {
+    return organ_fit_;
+  }
+  void set_organ_fit(const std::optional<OrganFit> &organ_fit)
+  {
+    organ_fit_ = organ_fit;
+  }
+
   /// The outer surface, which encloses all parts; the gas solver sees this.
   virtual ShapePointer surface() const = 0;
 
@@ -79,6 +110,7 @@ protected:
 private:
   std::vector<std::string> remarks_;
   std::vector<Landmark> landmarks_;
+  std::optional<OrganFit> organ_fit_;
 };
 
 using BodyPointer = std::shared_ptr<const Body>;
@@ -111,4 +143,7 @@ private:
   ShapePointer surface_;
   std::vector<ShapePointer> shapes_;
 };
+
+/// Voxels of a shape: 0 inside, LabelGrid::outside elsewhere.
+LabelGrid fill_shape(const Shape &shape, double spacing);
 } // namespace contrecoup

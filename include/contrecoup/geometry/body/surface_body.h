@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/geometry/body/body.h>
+#include <contrecoup/geometry/body/inserted_organs.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -37,10 +38,13 @@ public:
     return has_organs_;
   }
 
-  /// Fraction of the organs' volume that may be outside the surface [-].
-  double largest_loss() const
+  /// How organs are inserted.
+  /// @param scale later scale of the body [-]
+  OrganInsertion insertion(double scale) const
   {
-    return largest_loss_;
+    OrganInsertion result = insertion_;
+    result.scale = scale;
+    return result;
   }
 
 private:
@@ -53,7 +57,7 @@ private:
   dealii::Tensor<1, 3> angles_; ///< [rad]
   Tissue tissue_ = Tissue::soft_tissue;
   bool has_organs_ = false;
-  double largest_loss_ = 0.; ///< of organs [-]
+  OrganInsertion insertion_;
   /// area of all holes over that of the surface [-]
   double largest_hole_area_ = 0.;
 };

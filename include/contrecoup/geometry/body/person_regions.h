@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/geometry/image/label_grid.h>
+#include <contrecoup/geometry/shape/shape.h>
+
+#include <array>
+#include <vector>
+
+namespace contrecoup
+{
+/// Regions of a person; labels of the voxels in PersonRegions.
+enum class Region : unsigned char
+{
+  trunk, ///< with neck and head
+  left_arm,
+  right_arm,
+  left_leg,
+  right_leg
+};
+
+constexpr unsigned int n_regions = 5;
+
+/// Voxels of a standing person who faces +x, by region.
+struct PersonRegions
+{
+  LabelGrid grid; ///< labels are numbers of Region, or LabelGrid::outside
+
+  /// Heights, as layers of the grid: the lowest layer of the body, the first
+  /// in which the legs are one, that of the least section of the neck, and the
+  /// one above the vertex.
+  unsigned int sole = 0, crotch = 0, neck = 0, vertex = 0;
+
+  /// Of the left and the right arm: whether it was told from the trunk, also
+  /// at the hand, and the centres of its highest known voxels next to the trunk
+  /// and of those at its tip, or nearest to a hand that touches the trunk [m].
+  std::array<bool, 2> has_arm{{false, false}}, has_hand{{false, false}};
+  std::array<dealii::Point<3>, 2> arm_root, arm_tip;
+
+  bool is(const std::size_t voxel, const Region region) const
+  {
+    return grid.labels[voxel] == static_cast<unsigned char>(region);
+  }
+};
+
+/**
+ * Divides a standing person into regions. Legs are followed upwards, layer by
+ * layer, until they are one; trunk and head from there to the vertex. An arm
+ * is what is farthest from the axis of trunk and head on paths within the
+ * body, up to where its section grows to that of the trunk (geodesic extrema:
+ * Plagemann, Ganapathi, Koller and Thrun 2010). Of an arm whose hand touches
+ * the body, what is beside the trunk counts.
+ * @param surface upright along z; which of both sides faces +x does not matter
+ * @throws InputError that says what is missing or too many: for what is not
+ * one piece, has not two legs and ankles, or no neck and head
+ */
+PersonRegions find_regions(const Shape &surface);
+} // namespace contrecoup

@@ -1,0 +1,395 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/text.h>
+#include <contrecoup/geometry/body/person_layers.h>
+#include <contrecoup/geometry/body/person_regions.h>
+
+#include <queue>
+
+namespace contrecoup
+{
+using dealii::Point;
+
+namespace
+{
+  Region leg_of(const unsigned int side)
+  {
+    return side == 0 ? Region::left_leg : Region::right_leg;
+  }
+
+
+  Region arm_of(const unsigned int side)
+  {
+    return side == 0 ? Region::left_arm : Region::right_arm;
+  }
+
+
+  class RegionFinder : private PersonLayers
+  {
+  public:
+    using PersonLayers::PersonLayers;
+    PersonRegions find();
+
+  private:
+    bool is(const std::size_t voxel, const Region region) const
+    {
+      return grid_.labels[voxel] == static_cast<unsigned char>(region);
+    }
+    void find_legs();
+    void label_feet(unsigned int begin);
+    void label_halves(const Patch &patch, double middle);
+    void find_trunk();
+    void raise_crotch();
+    std::vector<float> distances_from_axis() const;
+    void find_arm(unsigned int side, const std::vector<float> &distances);
+    void find_hanging_arm(unsigned int side);
+    std::vector<std::size_t> beyond(const std::vector<float> &distances,
+                                    std::size_t tip,
+                                    float distance) const;
+    void find_neck();
+
+    PersonRegions result_;
+    std::vector<int> trunk_; ///< patch of the trunk, by layer
+  };
+
+
+  void RegionFinder::label_halves(const Patch &patch, const double middle)
+  {
+    for (const std::size_t voxel : patch.voxels)
+    {
+      const unsigned int j = column(voxel);
+      grid_.labels[voxel] = static_cast<unsigned char>(
+        leg_of(grid_.center(0, j, 0)[1] > middle ? 0 : 1));
+    }
+  }
+
+
+  /// Gives what is below the layer @p begin to the leg above it; to both,
+  /// divided between them, where it is below both or none.
+  void RegionFinder::label_feet(const unsigned int begin)
+  {
+    std::array<double, 2> places{{0., 0.}};
+    for (unsigned int layer = begin; layer-- > sole_;)
+    {
+      std::array<double, 2> sums{{0., 0.}}, counts{{0., 0.}};
+      for (std::size_t voxel = (layer + 1) * layer_size();
+           voxel < (layer + 2) * layer_size();
+           ++voxel)
+        for (const unsigned int side : {0, 1})
+          if (is(voxel, leg_of(side)))
+          {
+            sums[side] += grid_.center(0, column(voxel), 0)[1];
+            counts[side] += 1.;
+          }
+      for (const unsigned int side : {0, 1})
+        if (counts[side] > 0.)
+          places[side] = sums[side] / counts[side];
+      for (const Patch &patch : patches_[layer])
+      {
+        std::array<bool, 2> is_below{{false, false}};
+        for (const std::size_t voxel : patch.voxels)
+          for (const unsigned int side : {0, 1})
+            if (is(voxel + layer_size(), leg_of(side)))
+              is_below[side] = true;
+        const double far = grid_.size[1] * grid_.spacing;
+        const double middle = 0.5 * (places[0] + places[1]);
+        label_halves(patch,
+                     is_below[0] == is_below[1] ? middle
+                     : is_below[0]              ? middle - far
+                                                : middle + far);
+      }
+    }
+  }
+
+
+  void RegionFinder::find_legs()
+  {
+    // Below the knees, hands and skirts rarely reach.
+    const unsigned int begin = sole_ + std::lround(0.25 * n_layers_);
+    const std::vector<int> legs = find_two("leg", begin);
+    const unsigned int most = sole_ + std::lround(0.58 * n_layers_);
+    const double far = std::numeric_limits<double>::max();
+    int left = legs.front(), right = legs.back();
+    unsigned int layer = begin;
+    for (; left != right && layer < most; ++layer)
+    {
+      label_halves(patches_[layer][left], -far);
+      label_halves(patches_[layer][right], far);
+      left = above(patches_[layer][left], layer + 1);
+      right = above(patches_[layer][right], layer + 1);
+      if (left < 0 || right < 0)
+        throw InputError("a leg ends at " +
+                         brief(100. * (layer - sole_) / n_layers_, 2) +
+                         " % of its height");
+    }
+    if (left != right)
+      throw InputError("its legs do not join below 58 % of its height");
+    result_.crotch = layer;
+    trunk_.assign(grid_.size[2], -1);
+    trunk_[layer] = left;
+    if (layer == begin)
+      label_halves(patches_[layer][left], patches_[layer][left].y);
+    label_feet(begin);
+  }
+
+
+  /// Follows the trunk upwards: of several patches above one, the nearest.
+  void RegionFinder::find_trunk()
+  {
+    unsigned int layer = result_.crotch;
+    while (trunk_[layer] >= 0)
+    {
+      const Patch &below = patches_[layer][trunk_[layer]];
+      std::vector<int> candidates;
+      for (const std::size_t voxel : below.voxels)
+      {
+        const int patch = patch_of_[voxel + layer_size()];
+        if (patch >= 0 &&
+            std::find(candidates.begin(), candidates.end(), patch) ==
+              candidates.end())
+          candidates.push_back(patch);
+      }
+      ++layer;
+      double nearest = std::numeric_limits<double>::max();
+      for (const int candidate : candidates)
+      {
+        const Patch &patch = patches_[layer][candidate];
+        const double distance =
+          std::hypot(patch.x - below.x, patch.y - below.y) +
+          (patch.voxels.size() < area(0.0005) ? 1e3 : 0.);
+        if (distance < nearest)
+        {
+          nearest = distance;
+          trunk_[layer] = candidate;
+        }
+      }
+    }
+    result_.vertex = layer;
+  }
+
+
+  /// Thighs that touch each other are legs up to the usual height of the
+  /// crotch.
+  void RegionFinder::raise_crotch()
+  {
+    // Parts of the stature; 0.837 of 1.756 m in the survey that the phantom is
+    // of, recalled.
+    constexpr double least = 0.465, usual = 0.477;
+    const unsigned int height = result_.vertex - sole_;
+    if (result_.crotch >= sole_ + least * height)
+      return;
+    const unsigned int crotch = sole_ + std::lround(usual * height);
+    for (unsigned int layer = result_.crotch; layer < crotch; ++layer)
+    {
+      const Patch &patch = patches_[layer][trunk_[layer]];
+      label_halves(patch, patch.y);
+    }
+    result_.crotch = crotch;
+  }
+
+
+  /// Lengths of paths from the axis of trunk and head, in voxels; 0 for what
+  /// belongs to a leg or is outside.
+  std::vector<float> RegionFinder::distances_from_axis() const
+  {
+    const float far = std::numeric_limits<float>::max();
+    std::vector<float> distances(grid_.labels.size(), far);
+    using Entry = std::pair<float, std::size_t>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+    for (unsigned int layer = result_.crotch; layer < result_.vertex; ++layer)
+    {
+      const Patch &patch = patches_[layer][trunk_[layer]];
+      for (const std::size_t voxel : patch.voxels)
+      {
+        const Point<3> place =
+          grid_.center(voxel % grid_.size[0], column(voxel), layer);
+        if (std::hypot(place[0] - patch.x, place[1] - patch.y) <
+            0.02 * n_layers_ * grid_.spacing)
+          queue.push({distances[voxel] = 0.f, voxel});
+      }
+    }
+    while (!queue.empty())
+    {
+      const auto [distance, voxel] = queue.top();
+      queue.pop();
+      if (distance > distances[voxel])
+        continue;
+      for (int k = -1; k <= 1; ++k)
+        for (int j = -1; j <= 1; ++j)
+          for (int i = -1; i <= 1; ++i)
+          {
+            const std::size_t next =
+              voxel + i + static_cast<int>(grid_.size[0]) * j +
+              static_cast<std::ptrdiff_t>(layer_size()) * k;
+            const float there =
+              distance + std::sqrt(float(i * i + j * j + k * k));
+            if (grid_.labels[next] == unknown_ && is_open(next) &&
+                there < distances[next])
+              queue.push({distances[next] = there, next});
+          }
+    }
+    for (float &distance : distances)
+      distance = distance == far ? 0.f : distance;
+    return distances;
+  }
+
+
+  /// Connected voxels with larger distances than this, from the tip on.
+  std::vector<std::size_t>
+  RegionFinder::beyond(const std::vector<float> &distances,
+                       const std::size_t tip,
+                       const float distance) const
+  {
+    std::vector<bool> is_found(grid_.labels.size());
+    std::vector<std::size_t> found{tip};
+    is_found[tip] = true;
+    for (std::size_t n = 0; n < found.size(); ++n)
+      for (const std::size_t step :
+           {std::size_t(1), std::size_t(grid_.size[0]), layer_size()})
+        for (const std::size_t next : {found[n] - step, found[n] + step})
+          if (!is_found[next] && distances[next] > distance)
+          {
+            is_found[next] = true;
+            found.push_back(next);
+          }
+    return found;
+  }
+
+
+  void RegionFinder::find_arm(const unsigned int side,
+                              const std::vector<float> &distances)
+  {
+    const double axis = patches_[result_.crotch][trunk_[result_.crotch]].y;
+    std::size_t tip = 0;
+    for (std::size_t voxel = 0; voxel < distances.size(); ++voxel)
+    {
+      const unsigned int j = column(voxel);
+      if ((grid_.center(0, j, 0)[1] > axis) == (side == 0) &&
+          distances[voxel] > distances[tip])
+        tip = voxel;
+    }
+    // From the tip to the shoulder: the section is that of an arm as long as
+    // it is not much larger than near the elbow.
+    const double height = result_.vertex - sole_;
+    const float farthest = distances[tip];
+    if (farthest < 0.28 * height)
+      return;
+    constexpr float step = 1.5f;
+    double elbow = 0.;
+    std::vector<std::size_t> arm, band;
+    for (float distance = farthest - step; distance > 0.05 * height;
+         distance -= step)
+    {
+      const auto found = beyond(distances, tip, distance);
+      const double section = (found.size() - arm.size()) / step;
+      const double length = farthest - distance;
+      if (length < 0.28 * height)
+        elbow = length > 0.1 * height ? std::max(elbow, section) : 0.;
+      if (length > 0.12 * height &&
+          section > std::min(1.9 * elbow, area(0.006)))
+        break;
+      band.clear();
+      for (const std::size_t voxel : found)
+        if (distances[voxel] <= distance + 2 * step)
+          band.push_back(voxel);
+      arm = found;
+    }
+    if (arm.empty() || farthest - distances[band.front()] < 0.26 * height)
+      return;
+    result_.has_arm[side] = result_.has_hand[side] = true;
+    result_.arm_root[side] = center(band);
+    result_.arm_tip[side] =
+      center(beyond(distances, tip, farthest - 0.02 * height));
+    for (const std::size_t voxel : arm)
+      grid_.labels[voxel] = static_cast<unsigned char>(arm_of(side));
+  }
+
+
+  /// Finds an arm whose hand touches the body by what is beside the trunk.
+  void RegionFinder::find_hanging_arm(const unsigned int side)
+  {
+    const unsigned int height = result_.vertex - sole_;
+    const double axis = patches_[result_.crotch][trunk_[result_.crotch]].y;
+    std::vector<std::size_t> arm;
+    for (unsigned int layer = result_.crotch;
+         layer < sole_ + std::lround(0.8 * height);
+         ++layer)
+      for (std::size_t i = 0; i < patches_[layer].size(); ++i)
+        if (static_cast<int>(i) != trunk_[layer] &&
+            (patches_[layer][i].y > axis) == (side == 0))
+          for (const std::size_t voxel : patches_[layer][i].voxels)
+            if (grid_.labels[voxel] == unknown_)
+              arm.push_back(voxel);
+    if (arm.empty())
+      return;
+    const unsigned int low = arm.front() / layer_size();
+    const unsigned int high = arm.back() / layer_size();
+    if (high - low < 0.1 * height)
+      return;
+    std::vector<std::size_t> ends[2];
+    for (const std::size_t voxel : arm)
+    {
+      grid_.labels[voxel] = static_cast<unsigned char>(arm_of(side));
+      const double part = (voxel / layer_size() - low) / double(high - low);
+      if (part < 0.2 || part > 0.8)
+        ends[part < 0.5 ? 0 : 1].push_back(voxel);
+    }
+    result_.has_arm[side] = true;
+    result_.arm_root[side] = center(ends[1]);
+    result_.arm_tip[side] = center(ends[0]);
+  }
+
+
+  void RegionFinder::find_neck()
+  {
+    std::vector<std::size_t> areas(grid_.size[2]);
+    for (unsigned int layer = result_.crotch; layer < result_.vertex; ++layer)
+      for (const std::size_t voxel : patches_[layer][trunk_[layer]].voxels)
+        if (grid_.labels[voxel] == static_cast<unsigned char>(Region::trunk))
+          ++areas[layer];
+    const unsigned int height = result_.vertex - sole_;
+    const auto begin =
+      areas.begin() + result_.vertex - std::lround(0.2 * height);
+    const auto end =
+      areas.begin() + result_.vertex - std::lround(0.08 * height);
+    const auto neck = std::min_element(begin, end);
+    const std::size_t head =
+      *std::max_element(neck, areas.begin() + result_.vertex);
+    const std::size_t chest = *std::max_element(areas.begin(), neck);
+    if (result_.vertex - sole_ < 0.6 * n_layers_ || *neck > 0.8 * head ||
+        *neck > 0.5 * chest)
+      throw InputError("no neck with a head was found at its upper end");
+    result_.neck = neck - areas.begin();
+  }
+
+
+  PersonRegions RegionFinder::find()
+  {
+    find_legs();
+    find_trunk();
+    raise_crotch();
+    const auto distances = distances_from_axis();
+    for (const unsigned int side : {0, 1})
+    {
+      find_arm(side, distances);
+      if (!result_.has_arm[side])
+        find_hanging_arm(side);
+    }
+    for (unsigned char &label : grid_.labels)
+      if (label == unknown_)
+        label = static_cast<unsigned char>(Region::trunk);
+    find_neck();
+    result_.grid = grid_;
+    result_.sole = sole_;
+    return result_;
+  }
+} // namespace
+
+
+PersonRegions find_regions(const Shape &surface)
+{
+  return RegionFinder(surface).find();
+}
+} // namespace contrecoup
