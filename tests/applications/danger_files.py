@@ -117,8 +117,8 @@ def record(blast, name, output, low=-0.32, leaves=4):
     """Loads on the body of a file."""
     path = output + "_blast.prm"
     write_text(path, BLAST.format(low=low, leaves=leaves) + BODIES[name])
-    subprocess.run([blast, path, "--output", output], check=True,
-                   stdout=subprocess.DEVNULL)
+    subprocess.run([blast, path, "--output", output, "--overwrite"],
+                   check=True, stdout=subprocess.DEVNULL)
     return os.path.abspath(os.path.join(output, "loads.h5"))
 
 

@@ -111,9 +111,14 @@ def _ears(judged):
     ears = [entry for entry in judged if entry.name.startswith("ear_")]
     if not ears:
         return ""
-    worst = max(entry.value for entry in ears)
-    return "Unprotected eardrums rupture with a probability of " \
-        f"{_in_words(worst)}."
+    if len(ears) == 1:
+        return "Unprotected eardrums rupture with a probability of " \
+            f"{_in_words(ears[0].value)}."
+    left, right = (
+        (entry.name[len("ear_rupture_"):] + "drum", _in_words(entry.value))
+        for entry in ears[:2])
+    return f"Unprotected, the {left[0]} ruptures with a probability of " \
+        f"{left[1]}, the {right[0]} with one of {right[1]}."
 
 
 def _brain(judged):

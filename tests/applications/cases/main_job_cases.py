@@ -23,8 +23,9 @@ PEAKS = {
     "scene_main_job": {"chest": (777648., 829159., -0.062),
                        "forehead": (597915., 592485., 0.009)},
     # The phantom of the same stature and mass, whose skin has no stairs of 10
-    # mm as the STL file has: its peaks with the same cells.
-    "scene_main_job_surface": {"chest": (794364., 805168., -0.013),
+    # mm as the STL file has: its peaks with the same cells. The places on the
+    # surface are warped with the organs.
+    "scene_main_job_surface": {"chest": (824662., 805168., 0.024),
                                "forehead": (705324., 659336., 0.070)}}
 # A person of another stature and mass than the phantom's.
 OTHER_PERSON = ["Body/Phantom/Stature=1.62", "Body/Phantom/Mass=58",

@@ -300,6 +300,23 @@ def _is_halving(row, halving):
     return True
 
 
+def expected_ears(files):
+    """The one probability of both eardrums, or that of each."""
+    ears = {place: value for (measure, place), value in files.skin.items()
+            if measure == "eardrum_rupture" and place.endswith("ear")}
+
+    def shown(before, value):
+        if value > 0.99:
+            return before + r"more than (99 %)", 0.99
+        if value < 0.001:
+            return before + r"less than (0.1 %)", 0.001
+        return rf"{before}({report_reader.NUMBER} %)", value
+    if len(ears) == 1:
+        return [shown("with a probability of ", *ears.values())]
+    return [shown(f"{place}drum (?:ruptures with a probability|with one) of ",
+                  value) for place, value in ears.items()]
+
+
 def check_headline(page, files):
     """Every number of the answer is known, and none is left over."""
     explosive = files.scene["explosive"]
@@ -329,11 +346,7 @@ def check_headline(page, files):
                    (r"by which more than (99 %) of", 0.99)
                    if death > 0.99 else
                    (rf"by which ({number} %) of", death)]
-    ears = [value for (measure, place), value in files.skin.items()
-            if measure == "eardrum_rupture" and place.endswith("ear")]
-    if ears:
-        wanted.append((r"more than (99 %)", 0.99) if max(ears) > 0.99 else
-                      (rf"with a probability of ({number} %)", max(ears)))
+    wanted += expected_ears(files)
     wanted += [
         (rf"Brain pressure ranges from ({number} \w+)",
          files.injury["injury_intracranial_pressure_lowest"]),
