@@ -34,21 +34,28 @@ def draw_maps(maps, path):
     """A panel for each quantity; grey where the blast has not arrived."""
     names = [name for name in QUANTITIES if name in maps]
     first = maps[names[0]]
-    left, right, bottom, top = first.extent()
-    side = 4.6
-    panel = np.clip((side - 1.) * (top - bottom) / (right - left), 1.2, 8.)
-    figure, axes = plt.subplots(2, 2, squeeze=False, sharex=True, sharey=True,
-                                figsize=(2. * side, 2. * (panel + 0.6)))
+    figure, axes = four_panels(first)
     for axis in axes.flat[len(names):]:
         axis.set_axis_off()
     arrived = maps["arrival"].values > 0. if "arrival" in maps else None
     for axis, name in zip(axes.flat, names):
         _draw_panel(figure, axis, maps[name], arrived)
-    for axis in axes[:, 0]:
-        axis.set_ylabel(style.label(first.axes[1], "m"))
-    for axis in axes[-1, :]:
-        axis.set_xlabel(style.label(first.axes[0], "m"))
     style.save(figure, path)
+
+
+def four_panels(plane):
+    """Figure and axes of two by two panels in the shape of a plane, with the
+    names of its axes."""
+    left, right, bottom, top = plane.extent()
+    side = 4.6
+    panel = np.clip((side - 1.) * (top - bottom) / (right - left), 1.2, 8.)
+    figure, axes = plt.subplots(2, 2, squeeze=False, sharex=True, sharey=True,
+                                figsize=(2. * side, 2. * (panel + 0.6)))
+    for axis in axes[:, 0]:
+        axis.set_ylabel(style.label(plane.axes[1], "m"))
+    for axis in axes[-1, :]:
+        axis.set_xlabel(style.label(plane.axes[0], "m"))
+    return figure, axes
 
 
 def _draw_panel(figure, axis, plane, arrived):

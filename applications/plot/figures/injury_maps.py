@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.colors import LogNorm, Normalize
 from matplotlib.patheffects import withStroke
 
-from plot.figures import style
+from plot.figures import blast_maps, style
 
 PSI = 6894.757  # Pa
 # Least part of the positive impulse in the first positive phase of a wave that
@@ -51,21 +51,12 @@ def area_above(maps, name, level):
 def draw(maps, path):
     """A panel for each measure; grey where the blast has not arrived or the
     measure is not known, that of lungs also where the wave is not simple."""
-    first = maps["peak_overpressure"]
-    left, right, bottom, top = first.extent()
-    side = 4.6
-    panel = np.clip((side - 1.) * (top - bottom) / (right - left), 1., 8.)
-    figure, axes = plt.subplots(2, 2, sharex=True, sharey=True,
-                                figsize=(2. * side, 2. * (panel + 0.7)))
+    figure, axes = blast_maps.four_panels(maps["peak_overpressure"])
     arrived = maps["arrival"].values > 0. if "arrival" in maps else True
     for axis, name in zip(axes.flat, PANELS):
         _draw_panel(figure, axis, maps[name],
                     arrived & simple(maps) if name == "lung_lethality"
                     else arrived)
-    for axis in axes[:, 0]:
-        axis.set_ylabel(style.label(first.axes[1], "m"))
-    for axis in axes[-1, :]:
-        axis.set_xlabel(style.label(first.axes[0], "m"))
     style.save(figure, path)
 
 
