@@ -190,9 +190,9 @@ namespace
       if (posture.forward * feet < 0.)
         posture.forward *= -1.;
       if (posture.forward * feet < 0.5 * feet.norm())
-        throw InputError("feet and trunk point different ways; "
-                         "Body/Surface/Facing, in degrees, says which way the "
-                         "person faces");
+        throw InputError("feet and trunk point different ways: a person, and "
+                         "no other shape, is wanted, and Body/Surface/Facing, "
+                         "in degrees, says which way the person faces");
     }
     posture.face_agrees = face * posture.forward > 0.;
     return posture;
