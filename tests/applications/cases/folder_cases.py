@@ -267,19 +267,11 @@ def folder_read_only(case, _check_bound, _read_summary):
     refused(case, os.path.join(output, "a_file"), "output folder")
     refused(case, os.path.join(output, "a_file", "below"), "output folder")
     if full_disk.NAMESPACE not in os.environ:
-        # No mounts here: a folder without the right to write, unless root.
-        require(os.geteuid() != 0, "neither mounts nor rights can be tried")
-        os.chmod(output, stat.S_IRUSR | stat.S_IXUSR)
-        refused(case, output, "is not writable")
-        os.chmod(output, stat.S_IRWXU)
+        without_mounts(case, output)
         return
     with full_disk.small_disk(case.folder("disk"), 256 << 20) as (folder, _, _):
         process = case.start(folder, case.options.argument)
-        if has_steps(case):
-            wait_until(process, lambda: has_checkpoint(folder), "a checkpoint")
-        else:
-            wait_until(process, lambda: os.path.exists(
-                os.path.join(folder, "lock")), "it had begun")
+        wait_until_under_way(case, process, folder)
         with read_only(folder):
             out, err = process.communicate()
         require(process.returncode == 3,
@@ -292,6 +284,33 @@ def folder_read_only(case, _check_bound, _read_summary):
         if is_solver(case):
             extra += ["--set", "Time/Steps in this run=1"]
         case.run(folder, case.options.argument + extra)
+
+
+def wait_until_under_way(case, process, folder):
+    """Until a run has a checkpoint; what has no steps, until it has begun."""
+    if has_steps(case):
+        wait_until(process, lambda: has_checkpoint(folder), "a checkpoint")
+    else:
+        wait_until(process, lambda: os.path.exists(
+            os.path.join(folder, "lock")), "it had begun")
+
+
+def without_mounts(case, output):
+    """As folder_read_only() where nothing can be mounted, as in most containers:
+    a folder without the right to write, and files that may grow no more."""
+    os.chmod(output, stat.S_IRUSR | stat.S_IXUSR)
+    refused(case, output, "is not writable",
+            preexec_fn=full_disk.obey_permissions)
+    os.chmod(output, stat.S_IRWXU)
+    folder = case.folder("limited")
+    process = case.start(folder, case.options.argument, preexec_fn=lambda:
+                         full_disk.limit_files(resource.RLIM_INFINITY))
+    wait_until_under_way(case, process, folder)
+    full_disk.limit_running(process, 1)
+    out, err = process.communicate()
+    require(process.returncode == 3,
+            f"exit code {process.returncode}: {out[-999:]}{err[-999:]}")
+    told_once(err, "File too large", ranks=case.options.mpi)
 
 
 @contextlib.contextmanager

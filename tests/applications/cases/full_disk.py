@@ -6,6 +6,7 @@ file, which the application sees as a failing write just as well.
 """
 
 import contextlib
+import ctypes
 import os
 import resource
 import shutil
@@ -69,6 +70,32 @@ def limit_files(size, ignore=True):
     resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
     os.environ["OMPI_MCA_btl"] = "self,tcp"
     os.environ["PMIX_MCA_gds"] = "hash"
+
+
+def limit_running(process, size):
+    """As limit_files() for a process that runs, and for all that it started."""
+    waiting = [process.pid]
+    while waiting:
+        number = waiting.pop()
+        try:
+            resource.prlimit(number, resource.RLIMIT_FSIZE, (size, size))
+            with open(f"/proc/{number}/task/{number}/children",
+                      encoding="ascii") as file:
+                waiting += map(int, file.read().split())
+        except (ProcessLookupError, FileNotFoundError):
+            continue  # it has ended
+
+
+def obey_permissions():
+    """Takes from root, before another program begins, the right to write where
+    permissions forbid it: CAP_DAC_OVERRIDE and CAP_DAC_READ_SEARCH leave the
+    bounding set (PR_CAPBSET_DROP)."""
+    if os.geteuid() != 0:
+        return
+    system = ctypes.CDLL(None, use_errno=True)
+    for capability in (1, 2):
+        if system.prctl(24, capability, 0, 0, 0) != 0:
+            raise OSError(ctypes.get_errno(), "cannot drop a capability")
 
 
 @contextlib.contextmanager

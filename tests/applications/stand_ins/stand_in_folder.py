@@ -56,6 +56,8 @@ def require_folder():
 
 
 def lock():
+    if os.path.exists(output) and not os.access(output, os.W_OK):
+        refuse(f"{output} is not writable")
     if os.path.exists(path("lock")) and flaw != "shares":
         holder = read("lock")
         if "process" not in holder:
