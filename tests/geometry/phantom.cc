@@ -100,6 +100,10 @@ TEST(Phantom, FollowsStatureAndMass)
     const double growth = std::pow(std::stod(stature) / 1.756, 3);
     EXPECT_NEAR(filled.volume.at("liver") / (1.70e-3 * growth), 1., 0.1);
     EXPECT_NEAR(filled.volume.at("brain") / 1.40e-3, 1., 0.1);
+    ASSERT_EQ(references[5].name, "skeleton");
+    EXPECT_NEAR(volume_of(filled, references[5]) / references[5].volume,
+                1.,
+                references[5].tolerance);
   }
 }
 

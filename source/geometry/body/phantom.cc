@@ -134,6 +134,7 @@ std::vector<OrganReference> Phantom::references() const
   constexpr double litre = 1e-3;
   const double body = std::pow(stature_ / reference_stature, 3) * litre;
   const double head = std::pow(head_scale_, 3) * litre;
+  constexpr double skull = 0.75; // of the skeleton's 8.08; follows the head
   const std::string icrp = "ICRP 89";
   return {
     {"whole body",
@@ -157,8 +158,8 @@ std::vector<OrganReference> Phantom::references() const
       "arm bones",
       "pelvis",
       "leg bones"},
-     8.1 * body,
-     0.15,
+     7.33 * body + skull * head,
+     0.03,
      icrp + ": 10.5 kg of 1300 kg/m^3"}};
 }
 
@@ -237,7 +238,7 @@ namespace phantom
                                          h * Point<3>(0.052, 0.052, 0.0696))},
             {{"liver", Tissue::liver},
              std::make_shared<Ellipsoid>(frame.at(0.018, -0.055, 1.122),
-                                         h * Point<3>(0.077, 0.092, 0.060))},
+                                         h * Point<3>(0.077, 0.092, 0.0605))},
             {{"lungs", Tissue::lung}, std::make_shared<Union>(lungs)}};
   }
 } // namespace phantom
