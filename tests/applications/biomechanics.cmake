@@ -215,6 +215,9 @@ function(biomechanics_endures name bounds)
     BOUNDS "status == finished" ${bounds} LABELS extremes)
 endfunction()
 biomechanics_endures(incompressible "errors.frequency < 8.78e-3")
+biomechanics_endures(strong_relaxation "errors.minimum < 1.1e-4;\
+errors.passing_zero < 3.7e-3;errors.frequency < 3.7e-3;\
+checks.energy_residual < 1.9e-7")
 biomechanics_endures(lung_by_bone "checks.energy_residual < 3.9e-6")
 biomechanics_endures(ten_megapascal "checks.energy_residual < 5.5e-4")
 biomechanics_endures(crushed_lung "errors.displacement < 1.31e-3;\
