@@ -152,6 +152,15 @@ contrecoup_add_application_test(no_support refusal
   FILE ${_folder}/plane_wave.prm
   ARGUMENTS "--set" "Supports/Support top/Directions=up"
   MESSAGE "must be some of x, y, z")
+# One line says that nothing moves, before the run if that is known.
+contrecoup_add_application_test(no_load bounds FILE ${_folder}/plane_wave.prm
+  SET "Output/Fields=false" "Loads/Load end/Where=0"
+  BOUNDS "status == finished" "checks.loaded_facets == 0"
+  MESSAGE "WARNING: nothing moves the body, all results will be zero")
+contrecoup_add_application_test(late_load bounds FILE ${_folder}/plane_wave.prm
+  SET "Output/Fields=false" "Loads/Load end/Pressure=if(t < 1, 0, 1e6)"
+  BOUNDS "status == finished" "checks.loaded_facets > 0"
+  MESSAGE "WARNING: nothing has moved the body until 6e-05 s")
 contrecoup_add_application_test(energy_gate bounds
   FILE ${_folder}/plane_wave.prm
   SET "Output/Fields=false" "Energy audit/Largest residual=0"

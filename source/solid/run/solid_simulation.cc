@@ -168,7 +168,22 @@ void SolidSimulation<Real>::setup()
   body_.start(0.);
   if (probes_.measures())
     probes_.read(body_);
-  check_energy();
+  warn_of_rest(check_energy());
+}
+
+
+template <typename Real>
+void SolidSimulation<Real>::warn_of_rest(const EnergyLedger &ledger)
+{
+  const bool has_cause = body_.loads().n_loaded_facets(communicator_) > 0 ||
+                         supports_.moves() || surroundings_.has_gravity() ||
+                         ledger.initial > 0.;
+  if (has_cause)
+    return;
+  has_warned_of_rest_ = true;
+  log_line("WARNING: nothing moves the body, all results will be zero: no "
+           "facet has a load (Loads/Load */Where, Loads/Recorded/File), no "
+           "support moves, and there is neither gravity nor an initial state");
 }
 
 
@@ -370,7 +385,10 @@ std::vector<NamedValue> SolidSimulation<Real>::checks()
     {"stable_step", "s", stable_step_},
     {"element_step", "s", stability_.element_step},
     {"body_step", "s", stability_.body_step},
-    {"least_volume", "-", body_.least_volume()}};
+    {"least_volume", "-", body_.least_volume()},
+    {"loaded_facets",
+     "-",
+     double(body_.loads().n_loaded_facets(communicator_))}};
   values.insert(values.end(), others);
   for (const NamedValue &value : body_.mass_scaling().report())
     values.push_back(value);
@@ -400,6 +418,10 @@ void SolidSimulation<Real>::finish(const std::string &folder)
 {
   report_injury(folder);
   audit_.judge(check_energy(), body_.mesh().tissues);
+  if (audit_.scale() == 0. && !has_warned_of_rest_)
+    log_line("WARNING: nothing has moved the body until " +
+             brief(body_.time()) +
+             " s, all results are zero: loads are 0 or begin later");
 }
 
 

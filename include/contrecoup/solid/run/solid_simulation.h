@@ -66,6 +66,10 @@ public:
 private:
   void build();
   void report_step() const;
+
+  /// Warns if nothing can move the body. @param ledger of the start
+  void warn_of_rest(const EnergyLedger &ledger);
+
   void report_injury(const std::string &folder);
   EnergyLedger check_energy();
   double allowed_step();
@@ -87,6 +91,7 @@ private:
   double smallest_step_ = 0.; ///< of an element, for mass scaling [s]
   EnergyAudit audit_;
   double end_time_ = 0.;
+  bool has_warned_of_rest_ = false;
 
   SolidBody<Real> body_;
   StableStep stability_;
