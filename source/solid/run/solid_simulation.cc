@@ -72,6 +72,7 @@ void SolidSimulation<Real>::declare_parameters(ParameterHandler &prm)
                    "value get additional mass. 0: none. The added mass is "
                    "false inertia, and is reported by tissue.");
   }
+  SlipTies::declare_parameters(prm);
   Supports::declare_parameters(prm);
   SurfaceLoads::declare_parameters(prm);
   Surroundings::declare_parameters(prm);
@@ -95,6 +96,7 @@ void SolidSimulation<Real>::parse_parameters(ParameterHandler &prm)
     safety_ = read_double(prm, "Step safety");
     smallest_step_ = read_double(prm, "Smallest step");
   }
+  slip_.parse_parameters(prm);
   supports_.parse_parameters(prm);
   loads_.parse_parameters(prm);
   check_load_alignment(prm);
@@ -134,6 +136,7 @@ void SolidSimulation<Real>::build()
     mesh = mesh_description_.create();
   }
   body_.set_smallest_step(smallest_step_ / (safety_ * options_.step_factor()));
+  body_.set_slip(slip_);
   body_.reinit(
     mesh,
     [this](const std::vector<Tissue> &tissues) {
@@ -303,6 +306,8 @@ std::vector<NamedValue> SolidSimulation<Real>::history()
   if (options_.pressure_smoothing > 0.)
     values.push_back(
       {"pressure_smoothing_energy", "J", sum.pressure_smoothing});
+  if (slip_.active())
+    values.push_back({"interface_work", "J", ledger.interface_work});
   if (surroundings_.has_ground())
   {
     values.push_back({"contact_energy", "J", ledger.contact});
@@ -391,6 +396,9 @@ std::vector<NamedValue> SolidSimulation<Real>::checks()
      double(body_.loads().n_loaded_facets(communicator_))}};
   values.insert(values.end(), others);
   for (const NamedValue &value : body_.mass_scaling().report())
+    values.push_back(value);
+  for (const NamedValue &value :
+       body_.slip().measures(body_.nodes(), communicator_))
     values.push_back(value);
   for (const NamedValue &value : body_.loads().check_values())
     values.push_back(value);

@@ -79,6 +79,7 @@ private:
   SolidMaterials materials_;
   ElementOptions options_;
   Supports supports_;
+  SlipTies slip_;
   SurfaceLoads loads_;
   Surroundings surroundings_;
   InitialMotion initial_;
