@@ -19,11 +19,12 @@ namespace
   constexpr const char *section_name = "Interface";
   const std::vector<std::string> contacts{"tied", "slip"};
 
-  /// Forces of a tie in a checkpoint.
+  /// State of a tie in a checkpoint.
   struct TieRecord
   {
     std::uint32_t node; ///< the sliding one, in the whole mesh
     std::array<std::array<double, 3>, 2> force;
+    double opening;
   };
 
   std::string file_of(const std::string &folder, const unsigned int rank)
@@ -125,7 +126,8 @@ void SlipTies::reinit(const SolidMesh &mesh,
                      mesh.global_node[pair.sliding],
                      {},
                      0.,
-                     {}});
+                     {},
+                     0.});
   for (const HexMesh::Facet &facet : mesh.slip.facets)
     facets_.push_back(facet.nodes);
 }
@@ -179,7 +181,7 @@ void SlipTies::set_forces(NodeFields<Real> &nodes,
     const std::array<std::uint32_t, 2> node{
       {tie.nodes.sliding, tie.nodes.held}};
     // Rate at which the sides part, and what a unit of force takes from it.
-    double parting = 0., mobility = 0.;
+    double parting = tie.opening / next, mobility = 0.;
     std::array<Vector, 2> others;
     for (unsigned int side = 0; side < 2; ++side)
     {
@@ -192,8 +194,7 @@ void SlipTies::set_forces(NodeFields<Real> &nodes,
           double(nodes.force_of(node[side])[d]) - tie.force[side][d];
         parting += sign * n *
                    (double(nodes.velocity_of(node[side])[d]) +
-                    half * inverse_mass * others[side][d] +
-                    double(nodes.displacement_of(node[side])[d]) / next);
+                    half * inverse_mass * others[side][d]);
         if (tie.free[side][d])
           mobility += half * inverse_mass * n * n;
       }
@@ -211,6 +212,17 @@ void SlipTies::set_forces(NodeFields<Real> &nodes,
           tie.force[side][d] = double(force) - others[side][d];
         }
   }
+}
+
+
+template <typename Real>
+void SlipTies::advance(const NodeFields<Real> &nodes, const double step)
+{
+  for (Tie &tie : ties_)
+    for (unsigned int d = 0; d < 3; ++d)
+      tie.opening += step * tie.normal[d] *
+                     (double(nodes.velocity_of(tie.nodes.held)[d]) -
+                      double(nodes.velocity_of(tie.nodes.sliding)[d]));
 }
 
 
@@ -248,9 +260,9 @@ std::vector<NamedValue> SlipTies::measures(const NodeFields<Real> &nodes,
     for (unsigned int d = 0; d < 3; ++d)
       apart[d] = double(nodes.displacement_of(tie.nodes.held)[d]) -
                  double(nodes.displacement_of(tie.nodes.sliding)[d]);
-    const double opening = apart * tie.normal;
-    largest[0] = std::max(largest[0], (apart - opening * tie.normal).norm());
-    largest[1] = std::max(largest[1], opening);
+    apart -= (apart * tie.normal) * tie.normal;
+    largest[0] = std::max(largest[0], apart.norm());
+    largest[1] = std::max(largest[1], tie.opening);
     n_pairs += tie.is_counted ? 1. : 0.;
   }
   dealii::Utilities::MPI::max(largest, communicator, largest);
@@ -270,7 +282,7 @@ void SlipTies::save(const std::string &folder, const unsigned int rank) const
     io::write_binary(out, std::uint64_t(ties_.size()));
     for (const Tie &tie : ties_)
     {
-      TieRecord record{tie.global, {}};
+      TieRecord record{tie.global, {}, tie.opening};
       for (unsigned int side = 0; side < 2; ++side)
         for (unsigned int d = 0; d < 3; ++d)
           record.force[side][d] = tie.force[side][d];
@@ -303,10 +315,12 @@ void SlipTies::restore(const std::string &folder, const unsigned int rank)
       TieRecord record{};
       io::read_binary(in, record);
       const auto found = index.find(record.node);
-      if (found != index.end())
-        for (unsigned int side = 0; side < 2; ++side)
-          for (unsigned int d = 0; d < 3; ++d)
-            ties_[found->second].force[side][d] = record.force[side][d];
+      if (found == index.end())
+        continue;
+      ties_[found->second].opening = record.opening;
+      for (unsigned int side = 0; side < 2; ++side)
+        for (unsigned int d = 0; d < 3; ++d)
+          ties_[found->second].force[side][d] = record.force[side][d];
     }
     if (!in)
       throw InputError("Checkpoint file " + file_of(folder, saved) +
@@ -320,6 +334,7 @@ void SlipTies::restore(const std::string &folder, const unsigned int rank)
                                        const NodeExchange &);               \
   template void SlipTies::set_forces(                                       \
     NodeFields<Real> &, const double, const double);                        \
+  template void SlipTies::advance(const NodeFields<Real> &, const double);  \
   template void SlipTies::add_work(const NodeFields<Real> &, const double); \
   template std::vector<NamedValue> SlipTies::measures(                      \
     const NodeFields<Real> &, const MPI_Comm) const;

@@ -207,6 +207,7 @@ void SolidBody<Real>::take_step(const double step)
     const TimerScope timer("nodes");
     nodal_work_ += move_nodes(nodes_, counted_, times_.before, step);
     move_hanging();
+    slip_.advance(nodes_, step);
   }
   const auto add_work = [&]() {
     external_work_ += 0.5 * step *

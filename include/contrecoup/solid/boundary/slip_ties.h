@@ -17,11 +17,15 @@ namespace contrecoup::solid
  * An interface between tissues that slides without friction: subsection
  * "Interface". Each node of the interface is a pair, one of either side. Equal
  * and opposite forces along the normal of the interface give both nodes the
- * same normal displacement at the end of a step, while the pressure between
- * them is at least a given one; below it the interface opens, under that
- * pressure, until both sides meet again. Tangential motion is free. The forces
- * act on what has no support.
+ * same normal velocity, while the pressure between them is at least a given
+ * one; below it the interface opens, under that pressure, until both sides meet
+ * again. Tangential motion is free. The forces act on what has no support.
  *
+ * With finite rotations, normals follow the sliding side. Velocities are
+ * constrained, not positions: forces that hold pairs to a surface that turns
+ * would feed energy to its tilt, and positions along constant normals would
+ * press a shell that turns into what it contains. In exchange, a slip s while
+ * the interface turns by an angle a lets the sides part or overlap by s a.
  * Pairs stay as they are: slips must be smaller than an element.
  */
 class SlipTies
@@ -63,6 +67,10 @@ public:
   template <typename Real>
   void set_forces(NodeFields<Real> &nodes, double before, double next);
 
+  /// Adds up the openings of a step [s] that was made.
+  template <typename Real>
+  void advance(const NodeFields<Real> &nodes, double step);
+
   /// Forgets the forces. Call after forces were assembled anew.
   void reset_forces();
 
@@ -70,8 +78,8 @@ public:
   template <typename Real>
   void add_work(const NodeFields<Real> &nodes, double time);
 
-  /// Work of the forces so far, of this rank [J]: zero while both sides move
-  /// alike along constant normals.
+  /// Work of the forces so far, of this rank [J]: zero while the interface is
+  /// closed and its normals are constant.
   double work() const
   {
     return work_;
@@ -102,6 +110,7 @@ private:
     double area = 0.;     ///< [m^2]
     /// parts of the nodal forces, sliding and held [N]
     std::array<Vector, 2> force;
+    double opening = 0.; ///< [m]
   };
 
   std::vector<Tissue> sliding_, held_;
