@@ -118,6 +118,38 @@ checks.added_mass_skeleton > 1.22e-3;\
 checks.added_mass_skeleton < 1.24e-3" "Elements/Smallest step=2.6e-7")
 biomechanics_verifies(bounce bounce
   "checks.energy_residual < 2.9e-4;errors.velocity_after < 0.048")
+# A sliding interface passes the wave as a tied one does.
+set(_slip "Interface/Contact=slip" "Interface/Tissues=skeleton"
+  "Interface/Against=soft tissue")
+biomechanics_verifies(slip_interface interface
+  "errors.transmitted < 4.37e-3;errors.reflected < 2.83e-3;\
+checks.energy_residual < 1e-12;checks.slip_nodes > 3.5;checks.slip_nodes < 4.5;\
+checks.largest_slip < 1e-12;checks.largest_opening < 1e-12" ${_slip})
+contrecoup_add_application_test(slip_runs ranks,resume
+  FILE ${_folder}/interface.prm SET ${_slip} "Output/Fields=false"
+    "Interface/Least pressure=-100" "Elements/Kinematics=finite rotation"
+    "Mesh/Elements=60, 2, 2" "Supports/Support sides/Where=x < -0.09999"
+    "Mesh/Upper corner=0.2, 0.01, 0.01" "Output/History every steps=1"
+    "Energy audit/Largest hourglass part=1"
+  COMPARE history.csv probes.csv STOP_AFTER 20 CORES 1
+  TOLERANCE 1e-8 "*_energy=1e-13 absolute" "interface_work=1e-13 absolute"
+    "energy_residual=1e-16 absolute" "momentum_*=1e-14 absolute"
+    "probe_*=1e-6 absolute")
+contrecoup_add_application_test(slip_of_nothing refusal
+  FILE ${_folder}/interface.prm ARGUMENTS "--set" "Interface/Contact=slip"
+  MESSAGE "needs the tissues of both sides")
+contrecoup_add_application_test(slip_on_itself refusal
+  FILE ${_folder}/interface.prm ARGUMENTS "--set" "Interface/Contact=slip"
+    "--set" "Interface/Tissues=skeleton"
+    "--set" "Interface/Against=lung, skeleton"
+  MESSAGE "skeleton is in Tissues and in Against")
+contrecoup_add_application_test(slip_apart refusal
+  FILE ${_folder}/interface.prm ARGUMENTS "--set" "Interface/Contact=slip"
+    "--set" "Interface/Tissues=skeleton" "--set" "Interface/Against=lung"
+  MESSAGE "share no face in this mesh")
+contrecoup_add_application_test(slip_misspelt refusal
+  FILE ${_folder}/interface.prm ARGUMENTS "--set" "Interface/Tissues=skelton"
+  MESSAGE "did you mean")
 # Without ground: t^2 g / 2.
 biomechanics_verifies(free_fall bounce
   "errors.velocity_after < 1e-12;checks.energy_residual < 1e-12"
@@ -152,6 +184,15 @@ contrecoup_add_application_test(no_support refusal
   FILE ${_folder}/plane_wave.prm
   ARGUMENTS "--set" "Supports/Support top/Directions=up"
   MESSAGE "must be some of x, y, z")
+# One line says that nothing moves, before the run if that is known.
+contrecoup_add_application_test(no_load bounds FILE ${_folder}/plane_wave.prm
+  SET "Output/Fields=false" "Loads/Load end/Where=0"
+  BOUNDS "status == finished" "checks.loaded_facets < 1"
+  MESSAGE "WARNING: nothing moves the body, all results will be zero")
+contrecoup_add_application_test(late_load bounds FILE ${_folder}/plane_wave.prm
+  SET "Output/Fields=false" "Loads/Load end/Pressure=if(t < 1, 0, 1e6)"
+  BOUNDS "status == finished" "checks.loaded_facets > 0"
+  MESSAGE "WARNING: nothing has moved the body until 6e-05 s")
 contrecoup_add_application_test(energy_gate bounds
   FILE ${_folder}/plane_wave.prm
   SET "Output/Fields=false" "Energy audit/Largest residual=0"

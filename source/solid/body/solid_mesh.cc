@@ -85,8 +85,11 @@ namespace
   class Distribution
   {
   public:
-    Distribution(const HexMesh &mesh, const MPI_Comm communicator)
+    Distribution(const HexMesh &mesh,
+                 const MPI_Comm communicator,
+                 const SlipInterface &slip)
       : mesh_(mesh)
+      , slip_(slip)
       , rank_(dealii::Utilities::MPI::this_mpi_process(communicator))
       , n_ranks_(dealii::Utilities::MPI::n_mpi_processes(communicator))
       , order_(curve(mesh))
@@ -95,6 +98,13 @@ namespace
     {
       for (std::size_t i = 0; i < mesh.hanging_nodes.size(); ++i)
         hanging_[mesh.hanging_nodes[i].node] = i;
+      if (!slip.pairs.empty())
+        partner_.assign(mesh.nodes.size(), none);
+      for (const SlipInterface::Pair &pair : slip.pairs)
+      {
+        partner_[pair.sliding] = pair.held;
+        partner_[pair.held] = pair.sliding;
+      }
     }
 
     SolidMesh build()
@@ -104,7 +114,10 @@ namespace
       find_tissues();
       take_cells();
       take_hanging_nodes();
-      take_boundary();
+      take_slip_pairs();
+      find_local_elements();
+      part_.boundary = local_facets(mesh_.boundary);
+      part_.slip.facets = local_facets(slip_.facets);
       share_nodes();
       return std::move(part_);
     }
@@ -174,19 +187,39 @@ namespace
         }
     }
 
-    void take_boundary()
+    void take_slip_pairs()
     {
-      std::vector<std::uint32_t> local_element(mesh_.cells.size(), none);
+      const std::size_t n_nodes = partner_.empty() ? 0 : part_.nodes.size();
+      for (std::size_t i = 0; i < n_nodes; ++i)
+        if (partner_[part_.global_node[i]] != none)
+          take_node(partner_[part_.global_node[i]]);
+      for (const SlipInterface::Pair &pair : slip_.pairs)
+        if (local_node_[pair.sliding] != none)
+          part_.slip.pairs.push_back(
+            {local_node_[pair.sliding], local_node_[pair.held]});
+    }
+
+    void find_local_elements()
+    {
+      local_element_.assign(mesh_.cells.size(), none);
       for (std::size_t i = 0; i < part_.elements.size(); ++i)
-        local_element[part_.global_element[i]] = i;
-      for (HexMesh::Facet facet : mesh_.boundary)
-        if (local_element[facet.cell] != none)
+        local_element_[part_.global_element[i]] = i;
+    }
+
+    /// The facets of this rank's cells, with local numbers.
+    std::vector<HexMesh::Facet>
+    local_facets(const std::vector<HexMesh::Facet> &facets) const
+    {
+      std::vector<HexMesh::Facet> local;
+      for (HexMesh::Facet facet : facets)
+        if (local_element_[facet.cell] != none)
         {
-          facet.cell = local_element[facet.cell];
+          facet.cell = local_element_[facet.cell];
           for (std::uint32_t &node : facet.nodes)
             node = local_node_[node];
-          part_.boundary.push_back(facet);
+          local.push_back(facet);
         }
+      return local;
     }
 
     /// The other ranks that share each local node.
@@ -203,6 +236,8 @@ namespace
             for (const std::uint32_t node : mesh_.cells[order_[i]])
             {
               add(node, rank);
+              if (!partner_.empty() && partner_[node] != none)
+                add(partner_[node], rank);
               if (hanging_[node] != none)
                 for (const auto master :
                      mesh_.hanging_nodes[hanging_[node]].masters)
@@ -236,20 +271,26 @@ namespace
     }
 
     const HexMesh &mesh_;
+    const SlipInterface &slip_;
     unsigned int rank_;
     unsigned int n_ranks_;
     std::vector<std::uint32_t> order_;
     std::vector<std::uint32_t> hanging_; ///< number in hanging_nodes, by node
     std::vector<std::uint32_t> local_node_; ///< by global node
+    /// other node of the pair, by node; empty if there are no pairs
+    std::vector<std::uint32_t> partner_;
+    std::vector<std::uint32_t> local_element_; ///< by global cell
     std::vector<std::size_t> tissue_of_part_;
     SolidMesh part_;
   };
 } // namespace
 
 
-SolidMesh distribute(const HexMesh &mesh, const MPI_Comm communicator)
+SolidMesh distribute(const HexMesh &mesh,
+                     const MPI_Comm communicator,
+                     const SlipInterface &slip)
 {
-  return Distribution(mesh, communicator).build();
+  return Distribution(mesh, communicator, slip).build();
 }
 
 

@@ -74,6 +74,16 @@ void Supports::reinit(const SolidMesh &mesh)
 }
 
 
+bool Supports::moves() const
+{
+  for (const Support &support : supports_)
+    for (const unsigned int direction : support.directions)
+      if (!support.velocity[direction].is_zero())
+        return true;
+  return false;
+}
+
+
 template <typename Real>
 void Supports::set_forces(NodeFields<Real> &nodes,
                           const double time,

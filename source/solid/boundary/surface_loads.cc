@@ -224,6 +224,13 @@ double SurfaceLoads::power(const NodeFields<Real> &nodes) const
 }
 
 
+std::uint64_t SurfaceLoads::n_loaded_facets(const MPI_Comm communicator) const
+{
+  return dealii::Utilities::MPI::sum(std::uint64_t(facets_.size()),
+                                     communicator);
+}
+
+
 std::vector<NamedValue> SurfaceLoads::check_values() const
 {
   std::vector<NamedValue> values;

@@ -17,7 +17,14 @@ void SolidBody<Real>::reinit(
   const MPI_Comm communicator)
 {
   communicator_ = communicator;
-  mesh_ = distribute(mesh, communicator);
+  if (slip_.active())
+  {
+    HexMesh split = mesh;
+    const SlipInterface interface = slip_.split(split);
+    mesh_ = distribute(split, communicator, interface);
+  }
+  else
+    mesh_ = distribute(mesh, communicator);
   exchange_.reinit(mesh_, communicator);
   operator_.reinit(mesh_, find_materials(mesh_.tissues), options);
   operator_.reinit_nodes(nodes_);
@@ -26,6 +33,8 @@ void SolidBody<Real>::reinit(
   set_smoothing_weights();
   supports_ = supports;
   supports_.reinit(mesh_);
+  slip_.reinit(
+    mesh_, supports_, options.kinematics != SolidKinematics::small_strain);
   loads_ = loads;
   loads_.reinit(mesh_, communicator);
 }
@@ -143,6 +152,8 @@ void SolidBody<Real>::assemble()
   exchange_.add(nodes_.force.data(), width, nodes_.width);
   surroundings_.add_forces(nodes_);
   supports_.reset_reactions();
+  slip_.reset_forces();
+  slip_.find_normals(nodes_, exchange_);
 }
 
 
@@ -178,29 +189,41 @@ void SolidBody<Real>::add_step_change(const double before, const double next)
 
 
 template <typename Real>
+void SolidBody<Real>::set_constraint_forces(const double before,
+                                            const double next)
+{
+  supports_.set_forces(nodes_, time_, before, next);
+  slip_.set_forces(nodes_, before, next);
+}
+
+
+template <typename Real>
 void SolidBody<Real>::take_step(const double step)
 {
-  supports_.set_forces(nodes_, time_, times_.before, step);
+  set_constraint_forces(times_.before, step);
   if (step != times_.before)
     add_step_change(times_.before, step);
   {
     const TimerScope timer("nodes");
     nodal_work_ += move_nodes(nodes_, counted_, times_.before, step);
     move_hanging();
+    slip_.advance(nodes_, step);
   }
-  const auto power = [&]() {
-    return loads_.power(nodes_) + supports_.power(nodes_) +
-           surroundings_.power(nodes_, counted_);
+  const auto add_work = [&]() {
+    external_work_ += 0.5 * step *
+                      (loads_.power(nodes_) + supports_.power(nodes_) +
+                       surroundings_.power(nodes_, counted_));
+    slip_.add_work(nodes_, 0.5 * step);
   };
-  external_work_ += 0.5 * step * power();
+  add_work();
   time_ += step;
   times_.before = step;
   times_.relax_before = time_ - time_of_relaxed_strain_;
   times_.relax_after = 0.5 * step;
   assemble();
   time_of_relaxed_strain_ = time_ + times_.relax_after;
-  supports_.set_forces(nodes_, time_, step, step);
-  external_work_ += 0.5 * step * power();
+  set_constraint_forces(step, step);
+  add_work();
 }
 
 
@@ -220,7 +243,8 @@ EnergyLedger SolidBody<Real>::energy_ledger() const
                               nodal_work_ +
                                 work_until_now(nodes_, counted_, times_.before),
                               step_change_,
-                              surroundings_.contact_energy(nodes_, counted_)};
+                              surroundings_.contact_energy(nodes_, counted_),
+                              slip_.work()};
   for (const TissueEnergies &one : ledger.tissues)
     numbers.insert(numbers.end(),
                    {one.kinetic,
@@ -233,10 +257,12 @@ EnergyLedger SolidBody<Real>::energy_ledger() const
   dealii::Utilities::MPI::sum(numbers, communicator_, numbers);
   ledger.external_work = numbers[0];
   ledger.contact = numbers[3];
-  ledger.nodal_internal_work = numbers[0] - numbers[1] - ledger.contact;
+  ledger.interface_work = numbers[4];
+  ledger.nodal_internal_work =
+    numbers[0] + ledger.interface_work - numbers[1] - ledger.contact;
   ledger.initial = initial_energy_;
   ledger.step_change = numbers[2];
-  const double *next = &numbers[4];
+  const double *next = &numbers[5];
   for (TissueEnergies &one : ledger.tissues)
   {
     one = {next[0], next[1], next[2], next[3], next[4], next[5], next[6]};

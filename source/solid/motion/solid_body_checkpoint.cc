@@ -210,6 +210,7 @@ void SolidBody<Real>::save(const std::string &folder) const
     for (const DampingRecord<Real> &record : damping)
       write_binary(out, record);
   });
+  slip_.save(folder, rank);
 }
 
 
@@ -263,6 +264,9 @@ void SolidBody<Real>::restore(const std::string &folder)
   supports_.for_each_reaction([&](const std::uint32_t i,
                                   const unsigned int d,
                                   double &value) { value = reactions[i][d]; });
+  slip_.restore(folder,
+                dealii::Utilities::MPI::this_mpi_process(communicator_));
+  slip_.find_normals(nodes_, exchange_);
   loads_.set_time(time_);
   // History variables may differ from zero where nodes are at rest.
   nodes_.mark_active_blocks();

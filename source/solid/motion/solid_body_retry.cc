@@ -33,6 +33,7 @@ struct SolidBody<Real>::Snapshot
   HexMemory<Lanes<Real>> memory;
   std::vector<TissueEnergies> losses;
   Supports supports;
+  SlipTies slip;
   double time, relaxed_time;
   StepTimes times;
   double external_work, nodal_work, step_change;
@@ -49,6 +50,7 @@ void SolidBody<Real>::save_snapshot()
   snapshot_->memory = operator_.batches();
   snapshot_->losses = operator_.losses();
   snapshot_->supports = supports_;
+  snapshot_->slip = slip_;
   snapshot_->time = time_;
   snapshot_->relaxed_time = time_of_relaxed_strain_;
   snapshot_->times = times_;
@@ -67,6 +69,7 @@ void SolidBody<Real>::restore_snapshot()
     snapshot_->memory;
   operator_.losses() = snapshot_->losses;
   supports_ = snapshot_->supports;
+  slip_ = snapshot_->slip;
   time_ = snapshot_->time;
   time_of_relaxed_strain_ = snapshot_->relaxed_time;
   times_ = snapshot_->times;

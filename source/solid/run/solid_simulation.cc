@@ -72,6 +72,7 @@ void SolidSimulation<Real>::declare_parameters(ParameterHandler &prm)
                    "value get additional mass. 0: none. The added mass is "
                    "false inertia, and is reported by tissue.");
   }
+  SlipTies::declare_parameters(prm);
   Supports::declare_parameters(prm);
   SurfaceLoads::declare_parameters(prm);
   Surroundings::declare_parameters(prm);
@@ -95,6 +96,7 @@ void SolidSimulation<Real>::parse_parameters(ParameterHandler &prm)
     safety_ = read_double(prm, "Step safety");
     smallest_step_ = read_double(prm, "Smallest step");
   }
+  slip_.parse_parameters(prm);
   supports_.parse_parameters(prm);
   loads_.parse_parameters(prm);
   check_load_alignment(prm);
@@ -134,6 +136,7 @@ void SolidSimulation<Real>::build()
     mesh = mesh_description_.create();
   }
   body_.set_smallest_step(smallest_step_ / (safety_ * options_.step_factor()));
+  body_.set_slip(slip_);
   body_.reinit(
     mesh,
     [this](const std::vector<Tissue> &tissues) {
@@ -168,7 +171,22 @@ void SolidSimulation<Real>::setup()
   body_.start(0.);
   if (probes_.measures())
     probes_.read(body_);
-  check_energy();
+  warn_of_rest(check_energy());
+}
+
+
+template <typename Real>
+void SolidSimulation<Real>::warn_of_rest(const EnergyLedger &ledger)
+{
+  const bool has_cause = body_.loads().n_loaded_facets(communicator_) > 0 ||
+                         supports_.moves() || surroundings_.has_gravity() ||
+                         ledger.initial > 0.;
+  if (has_cause)
+    return;
+  has_warned_of_rest_ = true;
+  log_line("WARNING: nothing moves the body, all results will be zero: no "
+           "facet has a load (Loads/Load */Where, Loads/Recorded/File), no "
+           "support moves, and there is neither gravity nor an initial state");
 }
 
 
@@ -288,6 +306,8 @@ std::vector<NamedValue> SolidSimulation<Real>::history()
   if (options_.pressure_smoothing > 0.)
     values.push_back(
       {"pressure_smoothing_energy", "J", sum.pressure_smoothing});
+  if (slip_.active())
+    values.push_back({"interface_work", "J", ledger.interface_work});
   if (surroundings_.has_ground())
   {
     values.push_back({"contact_energy", "J", ledger.contact});
@@ -370,9 +390,15 @@ std::vector<NamedValue> SolidSimulation<Real>::checks()
     {"stable_step", "s", stable_step_},
     {"element_step", "s", stability_.element_step},
     {"body_step", "s", stability_.body_step},
-    {"least_volume", "-", body_.least_volume()}};
+    {"least_volume", "-", body_.least_volume()},
+    {"loaded_facets",
+     "-",
+     double(body_.loads().n_loaded_facets(communicator_))}};
   values.insert(values.end(), others);
   for (const NamedValue &value : body_.mass_scaling().report())
+    values.push_back(value);
+  for (const NamedValue &value :
+       body_.slip().measures(body_.nodes(), communicator_))
     values.push_back(value);
   for (const NamedValue &value : body_.loads().check_values())
     values.push_back(value);
@@ -400,6 +426,10 @@ void SolidSimulation<Real>::finish(const std::string &folder)
 {
   report_injury(folder);
   audit_.judge(check_energy(), body_.mesh().tissues);
+  if (audit_.scale() == 0. && !has_warned_of_rest_)
+    log_line("WARNING: nothing has moved the body until " +
+             brief(body_.time()) +
+             " s, all results are zero: loads are 0 or begin later");
 }
 
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/geometry/mesh/hex_mesh.h>
+#include <contrecoup/solid/body/slip_interface.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -36,6 +37,9 @@ struct SolidMesh
   std::vector<HexMesh::Facet> boundary;
   /// Hanging nodes of this rank's cells; their masters are local as well.
   std::vector<HexMesh::HangingNode> hanging_nodes;
+  /// Pairs with a node of this rank's cells; both nodes are local. Facets are
+  /// those of this rank's cells.
+  SlipInterface slip;
 
   std::vector<std::uint32_t> global_node;
   std::vector<std::uint32_t> global_element;
@@ -49,9 +53,12 @@ struct SolidMesh
 /**
  * Distributes the mesh: each rank receives an equal piece of the Morton curve
  * through all cells. All ranks must pass the same mesh.
+ * @param slip the interface at which the mesh was split, if any
  * @throws InputError for an inverted cell, naming it
  */
-SolidMesh distribute(const HexMesh &mesh, MPI_Comm communicator);
+SolidMesh distribute(const HexMesh &mesh,
+                     MPI_Comm communicator,
+                     const SlipInterface &slip = {});
 
 /// Undeformed volume of a local cell [m^3].
 double cell_volume(const SolidMesh &mesh, const std::uint32_t cell);

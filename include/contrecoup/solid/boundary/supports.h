@@ -25,6 +25,9 @@ public:
 
   void reinit(const SolidMesh &mesh);
 
+  /// Whether the entries prescribe a velocity that is not the number 0.
+  bool moves() const;
+
   /// Sets the forces on supported components so that the next step gives them
   /// the prescribed velocity. The previous reaction in the force is replaced.
   /// @param time at the beginning of the next step [s]

@@ -41,6 +41,10 @@ public:
   template <typename Real>
   double power(const NodeFields<Real> &nodes) const;
 
+  /// Number of boundary facets with a load, counted once for each load.
+  /// Collective.
+  std::uint64_t n_loaded_facets(MPI_Comm communicator) const;
+
   /// Checks of recorded loads, for the summary. Collective.
   std::vector<NamedValue> check_values() const;
 

@@ -23,6 +23,11 @@ public:
   static void declare_parameters(dealii::ParameterHandler &prm);
   void parse_parameters(dealii::ParameterHandler &prm);
 
+  bool has_gravity() const
+  {
+    return has_gravity_;
+  }
+
   /// Whether the scene has ground.
   bool has_ground() const
   {

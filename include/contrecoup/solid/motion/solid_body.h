@@ -4,9 +4,11 @@
 #pragma once
 
 #include <contrecoup/solid/body/node_exchange.h>
+#include <contrecoup/solid/boundary/slip_ties.h>
 #include <contrecoup/solid/boundary/supports.h>
 #include <contrecoup/solid/boundary/surface_loads.h>
 #include <contrecoup/solid/boundary/surroundings.h>
+#include <contrecoup/solid/motion/energy_ledger.h>
 #include <contrecoup/solid/motion/mass_scaling.h>
 #include <contrecoup/solid/motion/node_motion.h>
 #include <contrecoup/solid/motion/solid_operator.h>
@@ -27,29 +29,6 @@ struct StableStep
   unsigned int iterations = 0;
 };
 
-/// Energies summed over all ranks [J].
-struct EnergyLedger
-{
-  std::vector<TissueEnergies> tissues;
-  TissueEnergies sum;
-  double external_work = 0.; ///< by loads, moving supports and gravity
-  double contact = 0.;       ///< in the springs of the ground
-  /// Work of internal forces on the nodes; should equal the sum of element
-  /// energies.
-  double nodal_internal_work = 0.;
-  double initial = 0.; ///< kinetic and stored energy at the start
-  /// Change by varying step sizes of the energy that central differences
-  /// conserve, H - dt^2 / 8 f M^-1 f.
-  double step_change = 0.;
-
-  /// Energy that is missing in the balance of elements and nodes.
-  double residual() const
-  {
-    return sum.kinetic + sum.internal() + contact - external_work - initial -
-           step_change;
-  }
-};
-
 /// A deformable body: mesh, state, and explicit central-difference time steps
 /// with a lumped mass. Every function is collective.
 template <typename Real>
@@ -61,6 +40,16 @@ public:
   void set_smallest_step(const double step)
   {
     smallest_step_ = step;
+  }
+
+  /// Lets tissues slide. Call before reinit().
+  void set_slip(const SlipTies &slip)
+  {
+    slip_ = slip;
+  }
+  const SlipTies &slip() const
+  {
+    return slip_;
   }
 
   /**
@@ -197,6 +186,7 @@ private:
   struct Snapshot;         ///< an earlier state for retries
 
   void take_step(const double step);
+  void set_constraint_forces(const double before, const double next);
   void save_snapshot();
   void restore_snapshot();
   void find_least_dilatations();
@@ -221,6 +211,7 @@ private:
   NodeFields<Real> nodes_;
   NodeExchange exchange_;
   Supports supports_;
+  SlipTies slip_;
   SurfaceLoads loads_;
   Surroundings surroundings_;
   double smallest_step_ = 0.; ///< of a single element, for mass scaling [s]

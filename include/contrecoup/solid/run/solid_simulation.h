@@ -66,6 +66,10 @@ public:
 private:
   void build();
   void report_step() const;
+
+  /// Warns if nothing can move the body. @param ledger of the start
+  void warn_of_rest(const EnergyLedger &ledger);
+
   void report_injury(const std::string &folder);
   EnergyLedger check_energy();
   double allowed_step();
@@ -75,6 +79,7 @@ private:
   SolidMaterials materials_;
   ElementOptions options_;
   Supports supports_;
+  SlipTies slip_;
   SurfaceLoads loads_;
   Surroundings surroundings_;
   InitialMotion initial_;
@@ -87,6 +92,7 @@ private:
   double smallest_step_ = 0.; ///< of an element, for mass scaling [s]
   EnergyAudit audit_;
   double end_time_ = 0.;
+  bool has_warned_of_rest_ = false;
 
   SolidBody<Real> body_;
   StableStep stability_;
