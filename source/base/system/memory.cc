@@ -4,9 +4,14 @@
 #include <contrecoup/base/system/memory.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <fstream>
 #include <limits>
 #include <string>
+
+#ifdef __linux__
+#  include <sys/mman.h>
+#endif
 
 namespace contrecoup
 {
@@ -68,5 +73,20 @@ double available_memory(const MPI_Comm communicator)
   MPI_Comm_free(&node);
   return dealii::Utilities::MPI::sum(rank_on_node == 0 ? available_here() : 0.,
                                      communicator);
+}
+
+void prefer_large_pages([[maybe_unused]] void *memory,
+                        [[maybe_unused]] const std::size_t n_bytes)
+{
+#ifdef __linux__
+  constexpr std::uintptr_t page = 4096, large_page = 2U << 20;
+  const auto begin = reinterpret_cast<std::uintptr_t>(memory);
+  const std::uintptr_t first = (begin + page - 1) / page * page;
+  const std::uintptr_t end = (begin + n_bytes) / page * page;
+  // A wish: a system without such pages answers with an error, and all goes on
+  // as before.
+  if (end > first && end - first >= large_page)
+    madvise(reinterpret_cast<void *>(first), end - first, MADV_HUGEPAGE);
+#endif
 }
 } // namespace contrecoup

@@ -39,11 +39,15 @@ BatchSweep<dim, Gas, Real>::BatchSweep(
   , compression_beyond_(2 * layout.n_face_points)
   , hanging_flux_(2 * layout.n_face_points)
   , line_subcells_(layout.n + 2 * n_beyond)
+  , line_half_slopes_(layout.n + 2)
+  , line_end_products_(layout.n + 2)
   , line_compression_(layout.n + 2)
 {
   line_.scheme = &scheme;
   line_.n = layout.n;
   line_.subcells = &line_subcells_[n_beyond];
+  line_.half_slopes = &line_half_slopes_[1];
+  line_.end_products = &line_end_products_[1];
 }
 
 
@@ -242,12 +246,17 @@ void BatchSweep<dim, Gas, Real>::fill_line(const unsigned int direction,
   const unsigned int n = layout_.n;
   const unsigned int stride = layout_.stride(direction);
   const unsigned int first = layout_.face_point(2 * direction, line, 0);
-  line_subcells_[0] = beyond(0, 1, line);
-  line_subcells_[1] = beyond(0, 0, line);
+  // The compiler copies a whole array by a call of memcpy.
+  const auto fill = [this](const unsigned int at, const Values &values) {
+    for (unsigned int c = 0; c < nc; ++c)
+      line_subcells_[at][c] = values[c];
+  };
+  fill(0, beyond(0, 1, line));
+  fill(1, beyond(0, 0, line));
   for (unsigned int i = 0; i < n; ++i)
-    line_subcells_[n_beyond + i] = cell(direction, first + i * stride);
-  line_subcells_[n_beyond + n] = beyond(1, 0, line);
-  line_subcells_[n_beyond + n + 1] = beyond(1, 1, line);
+    fill(n_beyond + i, cell(direction, first + i * stride));
+  fill(n_beyond + n, beyond(1, 0, line));
+  fill(n_beyond + n + 1, beyond(1, 1, line));
   if constexpr (Gas::has_products)
   {
     largest_density_ = line_subcells_[0][C::density];

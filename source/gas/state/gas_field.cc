@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/system/memory.h>
 #include <contrecoup/gas/state/gas_field.h>
 
 namespace contrecoup::gas
@@ -12,7 +13,7 @@ void GasField::reinit(const LeafLayout &layout, const unsigned int n_batches)
   visit([&](auto &copies) {
     for (auto &state : copies.states)
     {
-      state.clear();
+      reserve_in_large_pages(state, n_batches * layout.batch_size());
       state.resize(n_batches * layout.batch_size());
     }
     for (auto &sensor : copies.sensors)

@@ -3,7 +3,10 @@
 
 #pragma once
 
+#include <deal.II/base/aligned_vector.h>
 #include <deal.II/base/mpi.h>
+
+#include <cstddef>
 
 namespace contrecoup
 {
@@ -16,4 +19,20 @@ void forget_peak_memory();
 /// Memory still available on the machines of all ranks, including container
 /// limits [byte]; 0 if unknown. Collective.
 double available_memory(MPI_Comm communicator);
+
+/// Asks the system to back memory that nobody has touched yet with pages of 2
+/// MB, where it can.
+void prefer_large_pages(void *memory, std::size_t n_bytes);
+
+/// Empties @p vector and gives it room for @p size elements in large pages: of
+/// pages of 4 kB a processor knows the places of some megabytes at a time, and
+/// kernels that read the neighbours of leaves jump through many more.
+template <typename Number>
+void reserve_in_large_pages(dealii::AlignedVector<Number> &vector,
+                            const std::size_t size)
+{
+  vector.clear();
+  vector.reserve(size);
+  prefer_large_pages(vector.data(), size * sizeof(Number));
+}
 } // namespace contrecoup

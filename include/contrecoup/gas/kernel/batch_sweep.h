@@ -118,6 +118,8 @@ private:
   dealii::AlignedVector<Values> hanging_flux_; ///< [side][line]
   std::array<Number, 2> has_hanging_;          ///< one in lanes that have one
   dealii::AlignedVector<Values> line_subcells_;
+  dealii::AlignedVector<Values> line_half_slopes_; ///< see Line::half_slopes
+  dealii::AlignedVector<std::array<Number, 2>> line_end_products_;
   dealii::AlignedVector<Number> line_compression_;
   Line<Number, nc> line_;
   Number largest_density_;  ///< of the line
@@ -160,19 +162,18 @@ void BatchSweep<dim, Gas, Real>::sweep_line_of(const SomeGas &gas,
     rates[c] = &rate(rotated_component<dim>(c, direction), first);
   const bool is_first = direction == 0;
 
-  // What scenes run in most leaves, with loops and limiter known beforehand.
-  using Limiter = FixedLimiter<SlopeLimiter::mc>;
+  // What scenes run in most leaves, with loops and scheme known beforehand.
   if constexpr (dim == 3)
-    if (scheme_.linear_reconstruction && scheme_.limiter == SlopeLimiter::mc)
+    if (FixedScheme::is(scheme_))
     {
       if (layout_.n == 4)
-        return sweep_line<4, Limiter, dim>(
+        return sweep_line<4, FixedScheme, dim>(
           gas, line_, faces, rates, stride, is_first);
       if constexpr (!Faces::closes_slopes)
         if (layout_.n == 8)
-          return sweep_line<8, Limiter, dim>(
+          return sweep_line<8, FixedScheme, dim>(
             gas, line_, faces, rates, stride, is_first);
     }
-  sweep_line<0, AnyLimiter, dim>(gas, line_, faces, rates, stride, is_first);
+  sweep_line<0, AnyScheme, dim>(gas, line_, faces, rates, stride, is_first);
 }
 } // namespace contrecoup::gas

@@ -35,77 +35,61 @@ namespace internal
     return numerical_flux(kind, left, right, Number(1.));
   }
 
+  /// Primitive values at the low (side 0) or high face of subcell @p i.
   template <int dim, typename Gas, typename Number>
-  __attribute__((noinline)) void
-  bound_velocity(const Gas &gas,
-                 const std::array<Number, n_conserved<dim, Gas>> &cell,
-                 std::array<Number, n_conserved<dim, Gas>> &half)
+  DEAL_II_ALWAYS_INLINE inline std::array<Number, n_conserved<dim, Gas>>
+  trace(const Line<Number, n_conserved<dim, Gas>> &line,
+        const int i,
+        const unsigned int side)
   {
-    limit_velocity_slope<dim>(gas, cell, half);
+    constexpr unsigned int n_linear =
+      n_conserved<dim, Gas> - (Gas::has_products ? 1 : 0);
+    const auto &cell = line.subcells[i];
+    const auto &half = line.half_slopes[i];
+    std::array<Number, n_conserved<dim, Gas>> result;
+    for (unsigned int c = 0; c < n_linear; ++c)
+      result[c] = side == 0 ? cell[c] - half[c] : cell[c] + half[c];
+    if constexpr (Gas::has_products)
+      result[Component<dim>::products] = line.end_products[i][side];
+    return result;
   }
 
-  /// State of the subcell itself in lanes where the trace is not admissible.
+  /// State at a face of subcell @p i; the state of the subcell itself in lanes
+  /// where the trace is not admissible.
   template <int dim, typename Gas, typename Number>
   __attribute__((noinline)) FaceState<dim, Number>
   restored_state(const Gas &gas,
-                 const std::array<Number, n_conserved<dim, Gas>> &cell,
-                 std::array<Number, n_conserved<dim, Gas>> trace)
+                 const Line<Number, n_conserved<dim, Gas>> &line,
+                 const int i,
+                 const unsigned int side)
   {
-    restore_if_inadmissible<dim>(gas, cell, trace);
-    return to_face_state<dim>(gas, trace);
+    auto values = trace<dim, Gas>(line, i, side);
+    restore_if_inadmissible<dim>(gas, line.subcells[i], values);
+    return to_face_state<dim>(gas, values);
+  }
+
+  /// State at a face of subcell @p i, and what lies above the bound of
+  /// admissible energy there.
+  template <int dim, typename Gas, typename Number>
+  DEAL_II_ALWAYS_INLINE inline FaceState<dim, Number>
+  trace_state(const Gas &gas,
+              const Line<Number, n_conserved<dim, Gas>> &line,
+              const int i,
+              const unsigned int side,
+              Number &spare)
+  {
+    const auto values = trace<dim, Gas>(line, i, side);
+    Number internal_energy;
+    const FaceState<dim, Number> state =
+      to_face_state<dim>(gas, values, internal_energy);
+    if constexpr (Gas::has_products)
+      spare =
+        std::min(Number(internal_energy -
+                        gas.cold_energy_density(state.density, state.products)),
+                 state.density);
+    return state;
   }
 } // namespace internal
-
-
-/**
- * State at a face from the trace of the reconstruction in the subcell @p cell;
- * the state of the subcell itself where the trace would hold less energy than
- * the cold gas.
- */
-template <int dim, typename Gas, typename Number>
-DEAL_II_ALWAYS_INLINE inline FaceState<dim, Number>
-trace_state(const Gas &gas,
-            const std::array<Number, n_conserved<dim, Gas>> &cell,
-            const std::array<Number, n_conserved<dim, Gas>> &trace)
-{
-  using C = Component<dim>;
-  Number internal_energy;
-  FaceState<dim, Number> state =
-    to_face_state<dim>(gas, trace, internal_energy);
-  if constexpr (Gas::has_products)
-  {
-    const Number spare =
-      internal_energy -
-      gas.cold_energy_density(trace[C::density], trace[C::products]);
-    if (!internal::all_positive(std::min(spare, trace[C::density])))
-    {
-      const auto own = cell;
-      state = internal::restored_state<dim>(gas, own, trace);
-    }
-  }
-  return state;
-}
-
-
-/// Traces at the low and high face of a subcell; see bound_products().
-/// @param half difference of the primitive values from the centre to the high
-/// face
-template <int dim, typename Gas, typename Number>
-DEAL_II_ALWAYS_INLINE inline void
-find_traces(const std::array<Number, n_conserved<dim, Gas>> &cell,
-            const std::array<Number, n_conserved<dim, Gas>> &half,
-            std::array<Number, n_conserved<dim, Gas>> &low,
-            std::array<Number, n_conserved<dim, Gas>> &high)
-{
-  for (unsigned int c = 0; c < n_conserved<dim, Gas>; ++c)
-  {
-    low[c] = cell[c] - half[c];
-    high[c] = cell[c] + half[c];
-  }
-  if constexpr (Gas::has_products)
-    if (any_less(Number(0.), Number(std::abs(half[Component<dim>::products]))))
-      bound_products<dim, Gas>(cell, half, low, high);
-}
 
 
 /// Share of HLLC in the flux through face @p f, for
@@ -127,16 +111,32 @@ share_of_hllc(const Line<Number, n_conserved<dim, Gas>> &line,
 }
 
 
-/// Numerical flux through face @p f, between subcells f - 1 and f.
-template <int dim, typename Gas, typename Number>
-DEAL_II_ALWAYS_INLINE inline std::array<Number, n_conserved<dim, Gas>>
-face_flux(const Gas &gas,
+/**
+ * Finds the numerical flux through face @p f, between subcells f - 1 and f.
+ *
+ * @param stored_gas the gas in memory, for what few faces call
+ * @param gas a copy, of which the compiler keeps the constants in registers
+ */
+template <int dim, typename Gas, typename SomeScheme, typename Number>
+DEAL_II_ALWAYS_INLINE inline void
+face_flux(const Gas &stored_gas,
+          const Gas &gas,
           const Line<Number, n_conserved<dim, Gas>> &line,
           const int f,
           const int n,
-          FaceState<dim, Number> left,
-          FaceState<dim, Number> right)
+          std::array<Number, n_conserved<dim, Gas>> &flux)
 {
+  Number left_spare, right_spare;
+  FaceState<dim, Number> left =
+    internal::trace_state<dim>(gas, line, f - 1, 1, left_spare);
+  FaceState<dim, Number> right =
+    internal::trace_state<dim>(gas, line, f, 0, right_spare);
+  if constexpr (Gas::has_products)
+    if (!internal::all_positive(std::min(left_spare, right_spare)))
+    {
+      left = internal::restored_state<dim>(stored_gas, line, f - 1, 1);
+      right = internal::restored_state<dim>(stored_gas, line, f, 0);
+    }
   if (line.burn != nullptr)
   {
     line.burn->template apply_burn_pressure<dim>(line.progress[f - 1], left);
@@ -147,16 +147,15 @@ face_flux(const Gas &gas,
     share = share_of_hllc<dim, Gas>(
       line, f, n, std::max(left.sound_speed, right.sound_speed));
 
-  const RiemannFlux kind = line.scheme->flux;
-  std::array<Number, n_conserved<dim, Gas>> flux;
-  if (kind == RiemannFlux::hllc || kind == RiemannFlux::hllc_shock_stable)
-    flux = to_array<dim, Gas>(
-      numerical_flux(RiemannFlux::hllc_shock_stable, left, right, share));
-  else
+  if (!SomeScheme(*line.scheme).has_hllc)
   {
     const auto a = left, b = right;
-    flux = to_array<dim, Gas>(internal::other_flux<dim, Gas>(kind, a, b));
+    flux = to_array<dim, Gas>(
+      internal::other_flux<dim, Gas>(line.scheme->flux, a, b));
   }
+  else
+    flux = to_array<dim, Gas>(
+      numerical_flux(RiemannFlux::hllc_shock_stable, left, right, share));
 
   // Faces to other leaves keep the flux that the neighbour computes too. The
   // wider a front is numerically when it leaves, the less of it comes back.
@@ -176,6 +175,5 @@ face_flux(const Gas &gas,
                               *hanging,
                               (*line.hanging_flux[f == 0 ? 0 : 1])[c],
                               flux[c]);
-  return flux;
 }
 } // namespace contrecoup::gas

@@ -26,6 +26,11 @@ struct Line
   /// Primitive values of the first subcell. Two subcells before it and two
   /// behind the last one have values too.
   const Values *subcells = nullptr;
+  /// Work space for subcells -1 to n: the difference of the primitive values
+  /// from the centre to the high face, and the mass fraction of products at the
+  /// low and the high face.
+  Values *half_slopes = nullptr;
+  std::array<Number, 2> *end_products = nullptr;
   /// Whether velocity slopes are bounded; see Stage::bound_velocity_slopes.
   bool bounds_velocity = false;
 

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <contrecoup/base/system/memory.h>
 #include <contrecoup/gas/octree/leaf_layout.h>
 #include <contrecoup/gas/state/primitive.h>
 
@@ -41,7 +42,9 @@ public:
 
   void reinit(const unsigned int n_stored_batches)
   {
-    values_.resize_fast(n_stored_batches * layout_.batch_size());
+    const std::size_t size = n_stored_batches * layout_.batch_size();
+    reserve_in_large_pages(values_, size);
+    values_.resize_fast(size);
     stage_of_.assign(n_stored_batches, 0);
     stage_ = 0;
   }

@@ -24,17 +24,18 @@ namespace contrecoup::gas
  * end
  */
 template <int dim, typename Gas, typename Number>
-DEAL_II_ALWAYS_INLINE inline void
-bound_products(const std::array<Number, n_conserved<dim, Gas>> &cell,
-               const std::array<Number, n_conserved<dim, Gas>> &half,
-               std::array<Number, n_conserved<dim, Gas>> &low,
-               std::array<Number, n_conserved<dim, Gas>> &high)
+DEAL_II_ALWAYS_INLINE inline std::array<Number, 2>
+bounded_products(const std::array<Number, n_conserved<dim, Gas>> &cell,
+                 const std::array<Number, n_conserved<dim, Gas>> &half)
 {
   using C = Component<dim>;
+  const Number &mean = cell[C::products];
+  // Most cells have no slope.
+  if (!any_less(Number(0.), Number(std::abs(half[C::products]))))
+    return {{mean, mean}};
   const Number one(1.);
   const Number tilt = half[C::density] / cell[C::density];
   const Number slope = half[C::products] / (one + std::abs(tilt));
-  low[C::products] = cell[C::products] - slope * (one + tilt);
-  high[C::products] = cell[C::products] + slope * (one - tilt);
+  return {{mean - slope * (one + tilt), mean + slope * (one - tilt)}};
 }
 } // namespace contrecoup::gas
