@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/numerics/element/hex8_moments.h>
 #include <contrecoup/solid/body/slip_interface.h>
 
 #include <algorithm>
@@ -21,21 +22,13 @@ namespace
   /// their areas.
   constexpr double least_agreement = 0.3;
 
-  /// Corners of a hexahedron's faces, counterclockwise seen from outside.
-  constexpr std::array<std::array<unsigned int, 4>, 6> faces{{{{0, 3, 2, 1}},
-                                                              {{4, 5, 6, 7}},
-                                                              {{0, 1, 5, 4}},
-                                                              {{1, 2, 6, 5}},
-                                                              {{2, 3, 7, 6}},
-                                                              {{3, 0, 4, 7}}}};
-
   using FaceNodes = std::array<std::uint32_t, 4>;
 
   FaceNodes face_of(const HexMesh::Cell &cell, const unsigned int face)
   {
     FaceNodes nodes;
     for (unsigned int v = 0; v < 4; ++v)
-      nodes[v] = cell[faces[face][v]];
+      nodes[v] = cell[hex_faces[face][v]];
     return nodes;
   }
 
