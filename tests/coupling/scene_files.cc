@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/parameters/parameter_tree.h>
 #include <contrecoup/coupling/scene/scene_files.h>
 #include <contrecoup/geometry/body/body.h>
+#include <contrecoup/geometry/body/body_description.h>
 #include <contrecoup/geometry/shape/primitive_shapes.h>
 #include <contrecoup/materials/explosives.h>
 #include <contrecoup/numerics/injury/expected_blast.h>
@@ -248,4 +250,25 @@ TEST(SceneFiles, TakeTheLargestCellsUpToTheSizeOfTheUser)
     EXPECT_DOUBLE_EQ(layout.cell_size(), expected);
     EXPECT_EQ(layout.front_levels + (layout.levels > 0 ? 1 : 0), layout.levels);
   }
+}
+
+
+// The projection of a charge behind him is not the nearest place of his back.
+TEST(SceneFiles, AChargeIsNoFartherThanItsEntrySays)
+{
+  dealii::ParameterHandler prm;
+  BodyDescription::declare_parameters(prm);
+  apply_assignments(
+    {parse_override("Kind=phantom"), parse_override("Rotation=0, 0, 180")},
+    prm);
+  BodyDescription description;
+  description.parse_parameters(prm);
+  const auto body = description.create();
+  SceneParameters scene = scene_with(0., 1.27);
+  scene.place.reset();
+  scene.distance = 2.337;
+  scene.height = 1.27;
+  const SceneLayout layout(scene, *body->surface());
+  EXPECT_LE(layout.distance, 2.337);
+  EXPECT_NEAR(layout.distance, 2.337, 0.02);
 }
