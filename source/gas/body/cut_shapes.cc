@@ -4,7 +4,10 @@
 #include <contrecoup/gas/body/cut_shapes.h>
 #include <contrecoup/gas/octree/leaf_box.h>
 
+#include <deal.II/grid/grid_tools.h>
+
 #include <algorithm>
+#include <optional>
 
 namespace contrecoup::gas
 {
@@ -95,14 +98,12 @@ int CutShapes<dim>::find_shape(const LeafBox<dim> &box)
     if (*std::max_element(parts.begin(), parts.end()) == 0.)
       return number = closed;
     memory_.shapes.push_back(std::move(shape));
-    memory_.former_numbers.push_back(-1);
     return number;
   }
   const int former = known->second;
   if (former < 0)
     return number = former;
   memory_.shapes.push_back(std::move(former_memory_.shapes[former]));
-  memory_.former_numbers.push_back(former);
   return number;
 }
 
@@ -138,6 +139,37 @@ void CutShapes<dim>::close(const Subcell &cell)
   for (unsigned int face = 0; face < 2 * dim; ++face)
     shape.opening[face / 2][layer_of(cell, face) * layout_.n_face_points +
                             line_of(cell.point, face / 2)] = 0.;
+}
+
+
+template <int dim>
+void CutShapes<dim>::update_ghosts()
+{
+  using Iterator = typename dealii::Triangulation<dim>::active_cell_iterator;
+  if (dealii::Utilities::MPI::n_mpi_processes(mesh_->communicator()) == 1)
+    return;
+  using Values = std::vector<std::vector<double>>;
+  const auto pack = [this](const Iterator &cell) -> std::optional<Values> {
+    const unsigned int leaf = mesh_->leaf_of(cell);
+    if (changed_of_[leaf] < 0)
+      return {};
+    const Shape &shape = changed_shape(leaf);
+    Values values(shape.opening.begin(), shape.opening.end());
+    values.push_back(shape.fraction);
+    return values;
+  };
+  const auto unpack = [this](const Iterator &cell, const Values &values) {
+    const unsigned int leaf = mesh_->leaf_of(cell);
+    if (leaf == no_leaf)
+      return;
+    Shape &shape = changed_shape(leaf);
+    std::copy_n(values.begin(), dim, shape.opening.begin());
+    shape.fraction = values.back();
+    update_fractions(leaf);
+  };
+  dealii::GridTools::exchange_cell_data_to_ghosts<Values,
+                                                  dealii::Triangulation<dim>>(
+    mesh_->triangulation(), pack, unpack);
 }
 
 

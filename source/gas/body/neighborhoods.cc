@@ -228,33 +228,19 @@ unsigned char Neighborhoods<dim>::choose_direction(const Subcell &cell) const
 
 
 template <int dim>
-unsigned int Neighborhoods<dim>::kinds_of_sides(const unsigned int leaf) const
-{
-  // The first bit tells it from what was never found.
-  unsigned int result = 1;
-  for (unsigned int face = 0; face < 2 * dim; ++face)
-  {
-    result *= 4;
-    if (matching_.neighbor(leaf, face) != no_leaf)
-      result += 1;
-    else if (const auto *side = matching_.hanging_side(leaf, face))
-      result += side->second == no_leaf ? 2 : 3;
-  }
-  return result;
-}
-
-
-template <int dim>
-void Neighborhoods<dim>::choose_in_leaf(const unsigned int leaf,
+bool Neighborhoods<dim>::choose_in_leaf(const unsigned int leaf,
                                         Codes &codes) const
 {
   codes.resize(layout().n_points, 0);
+  bool has_new_pockets = false;
   for (unsigned int q = 0; q < layout().n_points; ++q)
     if (codes[q] != pocket)
     {
       const double part = shapes_.fractions()(leaf, q);
       codes[q] = part > 0. && part < 0.5 ? choose_direction({leaf, q}) : 0;
+      has_new_pockets = has_new_pockets || codes[q] == pocket;
     }
+  return has_new_pockets;
 }
 
 
@@ -262,47 +248,21 @@ template <int dim>
 void Neighborhoods<dim>::choose_directions()
 {
   directions_.clear();
-  std::vector<Choice> former;
-  former.swap(choices_);
-  for (const int number : shapes_.former_numbers())
-    choices_.push_back(number < 0 ? Choice() : std::move(former[number]));
-  std::vector<unsigned int> new_leaves;
-  for (unsigned int leaf = 0; leaf < shapes_.mesh().n_owned(); ++leaf)
-  {
-    // Others have no small cells.
-    const int number = shapes_.shape_number(leaf);
-    if (number < 0)
-      continue;
-    if (choices_[number].sides == kinds_of_sides(leaf))
-      directions_[leaf] = choices_[number].directions;
-    else
-      new_leaves.push_back(leaf);
-  }
-  close_pockets(directions_);
-  // What is closed may make pockets of what is next to it.
+  shapes_.update_ghosts();
+  // A closed pocket may make pockets of the cells beside it.
   const unsigned int most_rounds = 10;
   for (unsigned int round = 0; round < most_rounds; ++round)
   {
-    unsigned int n_pockets = 0;
     std::map<unsigned int, Codes> pockets;
-    for (const unsigned int leaf : new_leaves)
-    {
-      Codes &codes = directions_[leaf];
-      const auto before = std::count(codes.begin(), codes.end(), pocket);
-      choose_in_leaf(leaf, codes);
-      const auto now = std::count(codes.begin(), codes.end(), pocket);
-      n_pockets += now - before;
-      if (now > before)
-        pockets[leaf] = codes;
-    }
-    if (dealii::Utilities::MPI::max(n_pockets, shapes_.mesh().communicator()) ==
-        0)
+    for (unsigned int leaf = 0; leaf < shapes_.mesh().n_owned(); ++leaf)
+      // Leaves without a measured shape have no small cells.
+      if (shapes_.is_measured(leaf) && choose_in_leaf(leaf, directions_[leaf]))
+        pockets[leaf] = directions_[leaf];
+    const unsigned int n = pockets.size();
+    if (dealii::Utilities::MPI::max(n, shapes_.mesh().communicator()) == 0)
       break;
-    close_pockets(pockets);
+    close_pockets(std::move(pockets));
   }
-  for (const unsigned int leaf : new_leaves)
-    choices_[shapes_.shape_number(leaf)] = {directions_[leaf],
-                                            kinds_of_sides(leaf)};
 }
 
 
@@ -312,14 +272,13 @@ void Neighborhoods<dim>::close_pockets(std::map<unsigned int, Codes> pockets)
   share(pockets);
   for (const auto &[leaf, codes] : pockets)
   {
-    if (std::find(codes.begin(), codes.end(), pocket) == codes.end())
-      continue;
     for (unsigned int q = 0; q < layout().n_points; ++q)
       if (codes[q] == pocket)
         matching_.close({leaf, q});
     shapes_.update_fractions(leaf);
   }
   matching_.match_hanging_faces();
+  shapes_.update_ghosts();
 }
 
 

@@ -226,6 +226,74 @@ TEST(BodyLevels, PocketsAreClosed)
 }
 
 
+namespace
+{
+/// Open parts of the subcells' volumes and faces, by the names of owned leaves.
+template <int dim>
+std::map<std::string, std::vector<double>>
+openings(const GasRun<dim> &run, const CutLeaves<dim> &leaves)
+{
+  std::map<std::string, std::vector<double>> result;
+  for (unsigned int leaf = 0; leaf < run.mesh.n_owned(); ++leaf)
+    if (const auto *shape = leaves.shape(leaf))
+    {
+      auto &values = result[run.mesh.cell(leaf)->id().to_string()];
+      values = shape->fraction;
+      for (const auto &faces : shape->opening)
+        values.insert(values.end(), faces.begin(), faces.end());
+    }
+  return result;
+}
+
+
+/// A person, with narrow gaps between the legs and the arms and the trunk.
+Lines person()
+{
+  return Lines{"Domain/Lower corner=-1.28, -2.56, 0",
+               "Domain/Upper corner=3.84, 2.56, 3.84",
+               "Domain/Coarse leaves=8, 8, 6",
+               "Domain/Initial refinement=0",
+               "Rigid body/Kind=body",
+               "Rigid body/Levels=3",
+               "Body/Kind=phantom",
+               "Body/Rotation=0, 0, 90"} +
+         finite_volume(4);
+}
+} // namespace
+
+
+TEST(BodyLevels, PocketsDoNotDependOnFormerMeshesNorRanks)
+{
+  GasRun<3> run(person());
+  GasRun<3> alone(person(), MPI_COMM_SELF);
+  for (unsigned int change = 0; change < 3; ++change)
+  {
+    // Smaller leaves beside the body move the border between two ranks through
+    // the gap between the thighs.
+    const std::array<unsigned int, 4> n_rows = {{0, 0, 22, 24}};
+    for (auto *each : {&run, &alone})
+      for (unsigned int row = n_rows[change]; row < n_rows[change + 1]; ++row)
+        each->refine([row](const Point<3> &p) {
+          const double y = 0.64 * (row % 8) - 2.56, z = 3.2 - 0.64 * (row / 8);
+          return p[0] > 0.64 && p[1] > y && p[1] < y + 0.64 && p[2] > z &&
+                 p[2] < z + 0.64;
+        });
+    for (auto *each : {&run, &alone})
+      each->set_state([](const Point<3> &) { return still_air<3>(); });
+    CutLeaves<3> anew;
+    anew.reinit(run.mesh, run.layout, run.body);
+    const auto values = openings(run, run.cut_leaves);
+    EXPECT_EQ(values, openings(run, anew)) << change;
+    const auto all = openings(alone, alone.cut_leaves);
+    for (const auto &[name, of_leaf] : values)
+    {
+      ASSERT_EQ(all.count(name), 1u) << name;
+      EXPECT_EQ(of_leaf, all.at(name)) << change << ' ' << name;
+    }
+  }
+}
+
+
 TEST(BodyLevels, AdaptationKeepsMassAndTheSurface)
 {
   GasRun<2> run(ball_of_two_sizes<2>("embedded") +

@@ -91,15 +91,13 @@ public:
     fractions_.set(leaf, changed_shape(leaf).fraction);
   }
 
-  /// Number of the measured shape of a stored leaf, negative without any.
-  int shape_number(const unsigned int leaf) const
+  /// Gives ghosts the changed shapes of their owners. Collective.
+  void update_ghosts();
+
+  /// Whether the surface was measured in a stored leaf.
+  bool is_measured(const unsigned int leaf) const
   {
-    return shape_of_[leaf];
-  }
-  /// For each measured shape the number that it had before measure(), or -1.
-  const std::vector<int> &former_numbers() const
-  {
-    return memory_.former_numbers;
+    return shape_of_[leaf] >= 0;
   }
 
   /// Open part of a face of a subcell.
@@ -145,7 +143,6 @@ private:
   struct Memory
   {
     std::vector<Shape> shapes;
-    std::vector<int> former_numbers;
     std::unordered_map<Place, int, boost::hash<Place>> index;
   };
 
@@ -158,7 +155,7 @@ private:
   /// Per stored leaf of an axisymmetric mesh: inner radius and radial edge of
   /// a subcell [m]; else empty.
   std::vector<std::array<double, 2>> radii_;
-  std::vector<int> shape_of_;   ///< per stored leaf: see shape_number()
+  std::vector<int> shape_of_;   ///< per stored leaf: index, open or closed
   std::vector<int> changed_of_; ///< per stored leaf: index, or open
   std::vector<Shape> changed_shapes_;
 };

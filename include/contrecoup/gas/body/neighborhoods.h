@@ -65,14 +65,6 @@ private:
   using Codes = std::vector<unsigned char>;
   static constexpr unsigned char pocket = 255;
 
-  /// The directions that were chosen in a leaf, and the kinds of sides for
-  /// which they hold.
-  struct Choice
-  {
-    Codes directions;
-    unsigned int sides = 0;
-  };
-
   const LeafLayout &layout() const
   {
     return shapes_.layout();
@@ -92,11 +84,10 @@ private:
   /// parts of a face of its first cell.
   double surface(const Chain &chain, const unsigned int face) const;
   unsigned char choose_direction(const Subcell &cell) const;
-  /// A number for the sizes of what is beyond the sides of an owned leaf.
-  unsigned int kinds_of_sides(const unsigned int leaf) const;
   void choose_directions();
-  /// For all small cells that are not yet known as pockets.
-  void choose_in_leaf(const unsigned int leaf, Codes &codes) const;
+  /// For all small cells that are not yet known as pockets; returns whether
+  /// there are new pockets.
+  bool choose_in_leaf(const unsigned int leaf, Codes &codes) const;
   /// Closes the cells whose code is `pocket`; of ghosts as well. Collective.
   void close_pockets(std::map<unsigned int, Codes> pockets);
   void find_neighborhoods();
@@ -105,7 +96,6 @@ private:
 
   CutShapes<dim> &shapes_;
   FaceMatching<dim> &matching_;
-  std::vector<Choice> choices_;              ///< by CutShapes::shape_number()
   std::map<unsigned int, Codes> directions_; ///< per leaf with small cells
   /// Per leaf with cells in others' neighbourhoods: how many of them.
   std::map<unsigned int, Codes> memberships_;
