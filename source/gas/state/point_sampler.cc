@@ -8,6 +8,8 @@
 
 #include <deal.II/fe/mapping_q1.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 #include <sstream>
 
@@ -85,6 +87,7 @@ void PointSampler<dim>::reinit(const std::vector<dealii::Point<dim>> &places,
   communicator_ = mesh.communicator();
   n_places_ = places.size();
   places_.clear();
+  weights_.clear();
   if (mesh.coarse_mesh().is_axis_aligned())
     find_in_box(places, mesh, points);
   else
@@ -166,27 +169,34 @@ void PointSampler<dim>::add_place(
   const LeafMesh<dim> &mesh,
   const LeafPoints<dim> &points)
 {
-  const unsigned int n_points = dealii::Utilities::pow(points.n(), dim);
-  std::array<std::vector<double>, dim> line;
-  for (unsigned int d = 0; d < dim; ++d)
-    line[d] = points.interpolation(x[d]);
-  Place place{index, mesh.leaf_of(cell), 0, {}};
-  double largest = 0.;
-  for (unsigned int q = 0; q < n_points; ++q)
+  // Tensor product of the weights along the edges, without those that vanish.
+  boost::container::small_vector<Weight, 1U << dim> weights{{0, 1.}}, finer;
+  for (unsigned int d = 0, stride = 1; d < dim; ++d, stride *= points.n())
   {
-    const auto indices = points.indices(q);
-    double weight = 1.;
-    for (unsigned int d = 0; d < dim; ++d)
-      weight *= line[d][indices[d]];
-    if (weight != 0.)
-      place.weights.emplace_back(q, weight);
-    if (weight > largest)
-    {
-      largest = weight;
-      place.nearest = q;
-    }
+    const std::vector<double> line = points.interpolation(x[d]);
+    finer.clear();
+    for (unsigned int i = 0; i < line.size(); ++i)
+      if (line[i] != 0.)
+        for (const auto &[q, weight] : weights)
+          finer.emplace_back(q + i * stride, weight * line[i]);
+    weights.swap(finer);
   }
-  places_.push_back(place);
+  const auto nearest = std::max_element(
+    weights.begin(), weights.end(), [](const Weight &a, const Weight &b) {
+      return a.second < b.second;
+    });
+  const std::size_t begin = weights_.size();
+  weights_.insert(weights_.end(), weights.begin(), weights.end());
+  places_.push_back(
+    {index, mesh.leaf_of(cell), nearest->first, begin, weights_.size()});
+}
+
+
+template <int dim>
+boost::iterator_range<const typename PointSampler<dim>::Weight *>
+PointSampler<dim>::weights_of(const Place &place) const
+{
+  return {weights_.data() + place.begin, weights_.data() + place.end};
 }
 
 
@@ -205,11 +215,11 @@ std::vector<double> PointSampler<dim>::conserved(const GasField &field) const
     double *value = &values[i * (nc + 1)];
     // Points without gas are skipped unless all are without gas.
     double sum = 0.;
-    for (const auto &[q, weight] : place.weights)
+    for (const auto &[q, weight] : weights_of(place))
       if (field.open_fraction(place.leaf, q) > 0.)
         sum += weight;
     const bool is_near_body = sum > 0. && sum < 1. - 1e-9;
-    for (const auto &[q, full_weight] : place.weights)
+    for (const auto &[q, full_weight] : weights_of(place))
     {
       if (is_near_body && field.open_fraction(place.leaf, q) == 0.)
         continue;

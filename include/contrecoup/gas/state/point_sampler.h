@@ -8,6 +8,8 @@
 #include <contrecoup/gas/state/gas_state.h>
 #include <contrecoup/materials/gas_material.h>
 
+#include <boost/range/iterator_range.hpp>
+
 #include <functional>
 #include <vector>
 
@@ -70,14 +72,18 @@ private:
                      const LeafMesh<dim> &mesh,
                      const LeafPoints<dim> &points);
 
+  /// A point of a leaf, and its interpolation weight, which is not zero.
+  using Weight = std::pair<unsigned int, double>;
+
   struct Place
   {
     unsigned int index; ///< in the list of positions
     unsigned int leaf;
-    unsigned int nearest; ///< nearest point of the leaf
-    /// Points of the leaf with non-zero interpolation weight, and the weights.
-    std::vector<std::pair<unsigned int, double>> weights;
+    unsigned int nearest;   ///< nearest point of the leaf
+    std::size_t begin, end; ///< of its weights in weights_
   };
+
+  boost::iterator_range<const Weight *> weights_of(const Place &place) const;
 
   /// Conserved quantities and burned fraction at each position on this rank,
   /// [position][component].
@@ -89,6 +95,7 @@ private:
 
   MPI_Comm communicator_ = MPI_COMM_SELF;
   std::size_t n_places_ = 0;
-  std::vector<Place> places_; ///< positions on this rank
+  std::vector<Place> places_;   ///< positions on this rank
+  std::vector<Weight> weights_; ///< of all positions, one after the other
 };
 } // namespace contrecoup::gas
