@@ -28,7 +28,6 @@ namespace coupling
   namespace
   {
     using Json = nlohmann::ordered_json;
-    using dealii::Point;
 
     /// Builds the mesh of one body and writes it to a folder.
     class AnatomyRun

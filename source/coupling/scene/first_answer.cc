@@ -110,7 +110,7 @@ std::vector<std::string> first_answer(const SceneParameters &scene,
                 reflected,
                 duration,
                 body_mass),
-    "  left out: reflection by the ground, afterburn, shape and tissues of the "
-    "body; a run has them"};
+    ("  left out: reflection by the ground, afterburn, shape and tissues of the "
+     "body; a run has them")};
 }
 } // namespace contrecoup::coupling

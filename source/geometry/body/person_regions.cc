@@ -332,7 +332,8 @@ namespace
     for (const std::size_t voxel : arm)
     {
       grid_.labels[voxel] = static_cast<unsigned char>(arm_of(side));
-      const double part = (voxel / layer_size() - low) / double(high - low);
+      const std::size_t layer = voxel / layer_size();
+      const double part = double(layer - low) / (high - low);
       if (part < 0.2 || part > 0.8)
         ends[part < 0.5 ? 0 : 1].push_back(voxel);
     }

@@ -3,6 +3,8 @@
 
 #include <contrecoup/geometry/body/person_sections.h>
 
+#include <map>
+
 namespace contrecoup
 {
 using dealii::Point;

@@ -4,6 +4,7 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/geometry/shape/triangle_repair.h>
 
+#include <map>
 #include <numeric>
 #include <set>
 

@@ -86,7 +86,8 @@ template <typename Real>
 void HexBatches<Real>::activate(const unsigned int batch,
                                 const NodeFields<Real> &nodes)
 {
-  constexpr unsigned int numbers = NodeFields<Real>::width * nodes.block;
+  constexpr unsigned int numbers =
+    NodeFields<Real>::width * NodeFields<Real>::block;
   const unsigned int *offset = offsets(batch, 0);
   unsigned int any = 0;
   for (unsigned int i = 0; i < 8 * n; ++i)

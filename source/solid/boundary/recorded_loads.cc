@@ -8,6 +8,7 @@
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/solid/boundary/recorded_loads.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/numerics/rtree.h>
 
 namespace contrecoup::solid

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/base/lanes/lanes.h>
+
 #include <contrecoup/solid/motion/node_motion.h>
 
 #include <algorithm>

@@ -7,6 +7,8 @@
 
 #include <deal.II/base/point.h>
 
+#include <array>
+
 namespace contrecoup
 {
 /**
