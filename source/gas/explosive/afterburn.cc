@@ -29,24 +29,25 @@ namespace
   {
     const LeafLayout &layout = field.layout();
     const std::size_t next = layout.value(1, 0);
-    // A leaf of a plane box mesh has the same parts everywhere.
-    std::vector<double> parts;
+    // On a box mesh in plane geometry, a point has the same fraction of the
+    // volume of every leaf; elsewhere no table holds for all leaves.
+    std::vector<double> fractions;
     if (points.exponent() == 0 && mesh.coarse_mesh().is_axis_aligned())
       for (unsigned int q = 0; q < layout.n_points; ++q)
-        parts.push_back(points.relative_volume(q));
+        fractions.push_back(points.relative_volume(q));
     visit_precision(layout.precision, [&](const auto real) {
       auto *state = field.state<std::decay_t<decltype(real)>>();
       for (unsigned int leaf = 0; leaf < mesh.n_owned(); ++leaf)
       {
         const LeafBox<dim> box = leaf_box(mesh, leaf);
-        const double size = parts.empty() ? 1. : box.jacobian({});
+        const double leaf_volume = fractions.empty() ? 1. : box.jacobian({});
         auto *u = state + layout.offset(leaf);
         for (unsigned int q = 0; q < layout.n_points; ++q, u += layout.width)
           if (u[Component<dim>::products * next] > 0.)
             function(u,
                      next,
-                     parts.empty() ? point_volume(box, points, q)
-                                   : parts[q] * size);
+                     fractions.empty() ? point_volume(box, points, q)
+                                       : fractions[q] * leaf_volume);
       }
     });
   }

@@ -170,16 +170,16 @@ void PointSampler<dim>::add_place(
   const LeafPoints<dim> &points)
 {
   // Tensor product of the weights along the edges, without those that vanish.
-  boost::container::small_vector<Weight, 1U << dim> weights{{0, 1.}}, finer;
+  boost::container::small_vector<Weight, 1U << dim> weights{{0, 1.}}, next;
   for (unsigned int d = 0, stride = 1; d < dim; ++d, stride *= points.n())
   {
     const std::vector<double> line = points.interpolation(x[d]);
-    finer.clear();
+    next.clear();
     for (unsigned int i = 0; i < line.size(); ++i)
       if (line[i] != 0.)
         for (const auto &[q, weight] : weights)
-          finer.emplace_back(q + i * stride, weight * line[i]);
-    weights.swap(finer);
+          next.emplace_back(q + i * stride, weight * line[i]);
+    weights.swap(next);
   }
   const auto nearest = std::max_element(
     weights.begin(), weights.end(), [](const Weight &a, const Weight &b) {

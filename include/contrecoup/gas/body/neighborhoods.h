@@ -18,7 +18,7 @@ namespace contrecoup::gas
  * in which none makes a quarter of a cell, or only with too large a surface,
  * are closed, as are creases, where a wall is so close to another wall or to a
  * side of the domain that waves between them forbid a CFL number of 0.9.
- * Nothing here depends on how ranks share the leaves.
+ * Nothing here depends on how ranks share the leaves, nor on former meshes.
  */
 template <int dim>
 class Neighborhoods

@@ -80,9 +80,10 @@ private:
     unsigned int index; ///< in the list of positions
     unsigned int leaf;
     unsigned int nearest;   ///< nearest point of the leaf
-    std::size_t begin, end; ///< of its weights in weights_
+    std::size_t begin, end; ///< range of the position's weights in weights_
   };
 
+  /// Interpolation weights of a position.
   boost::iterator_range<const Weight *> weights_of(const Place &place) const;
 
   /// Conserved quantities and burned fraction at each position on this rank,
