@@ -32,7 +32,7 @@ namespace
     auto mesh = std::make_unique<LeafMesh<dim>>(MPI_COMM_WORLD);
     mesh->create(coarse_mesh);
     mesh->triangulation().refine_global(refinement);
-    mesh->rebuild();
+    mesh->distribute();
     return mesh;
   }
 
