@@ -13,8 +13,8 @@ void GasField::reinit(const LeafLayout &layout, const unsigned int n_batches)
   visit([&](auto &copies) {
     for (auto &state : copies.states)
     {
-      reserve_in_large_pages(state, n_batches * layout.batch_size());
-      state.resize(n_batches * layout.batch_size());
+      resize_in_large_pages(state, n_batches * layout.batch_size());
+      state.fill(0.);
     }
     for (auto &sensor : copies.sensors)
     {
@@ -27,10 +27,8 @@ void GasField::reinit(const LeafLayout &layout, const unsigned int n_batches)
 
 void GasField::begin_change(const unsigned int n_batches)
 {
-  const std::size_t size = n_batches * layout_.batch_size();
   visit([&](auto &copies) {
-    reserve_in_large_pages(copies.states[1], size);
-    copies.states[1].resize_fast(size);
+    resize_in_large_pages(copies.states[1], n_batches * layout_.batch_size());
     copies.states[0].swap(copies.states[1]);
   });
 }
@@ -42,10 +40,7 @@ void GasField::end_change()
   visit([&](auto &copies) {
     const std::size_t size = copies.states[0].size();
     for (unsigned int copy = 1; copy < 3; ++copy)
-    {
-      reserve_in_large_pages(copies.states[copy], size);
-      copies.states[copy].resize(size);
-    }
+      resize_in_large_pages(copies.states[copy], size);
     for (auto &sensor : copies.sensors)
     {
       sensor.clear();

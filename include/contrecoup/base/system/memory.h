@@ -24,15 +24,21 @@ double available_memory(MPI_Comm communicator);
 /// MB, where it can.
 void prefer_large_pages(void *memory, std::size_t n_bytes);
 
-/// Empties @p vector and gives it room for @p size elements in large pages: of
-/// pages of 4 kB a processor knows the places of some megabytes at a time, and
-/// kernels that read the neighbours of leaves jump through many more.
+/// Gives @p vector @p size elements of any value in large pages: of pages of
+/// 4 kB a processor knows the places of some megabytes at a time, and kernels
+/// that read the neighbours of leaves jump through many more. New memory has
+/// room for an eighth more, since the system clears each page that it gives.
 template <typename Number>
-void reserve_in_large_pages(dealii::AlignedVector<Number> &vector,
-                            const std::size_t size)
+void resize_in_large_pages(dealii::AlignedVector<Number> &vector,
+                           const std::size_t size)
 {
-  vector.clear();
-  vector.reserve(size);
-  prefer_large_pages(vector.data(), size * sizeof(Number));
+  if (vector.capacity() < size || vector.capacity() > 2 * size)
+  {
+    const std::size_t room = size + size / 8;
+    vector.clear();
+    vector.reserve(room);
+    prefer_large_pages(vector.data(), room * sizeof(Number));
+  }
+  vector.resize_fast(size);
 }
 } // namespace contrecoup

@@ -42,9 +42,7 @@ public:
 
   void reinit(const unsigned int n_stored_batches)
   {
-    const std::size_t size = n_stored_batches * layout_.batch_size();
-    reserve_in_large_pages(values_, size);
-    values_.resize_fast(size);
+    resize_in_large_pages(values_, n_stored_batches * layout_.batch_size());
     stage_of_.assign(n_stored_batches, 0);
     stage_ = 0;
   }
