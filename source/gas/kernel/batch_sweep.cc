@@ -95,6 +95,24 @@ void BatchSweep<dim, Gas, Real>::read_neighbors(const unsigned int direction)
 
 
 template <int dim, typename Gas, typename Real>
+void BatchSweep<dim, Gas, Real>::prefetch_neighbors(
+  const unsigned int direction,
+  const unsigned int q)
+{
+  for (unsigned int face = 2 * direction; face < 2 * direction + 2; ++face)
+    for (unsigned int layer = 0; layer < n_beyond; ++layer)
+    {
+      const unsigned int point =
+        layout_.face_point(face ^ 1U, q, std::min(layer, layout_.n - 1));
+      leaves_.neighbors(face).prefetch(primitives_.data() +
+                                         Primitives::index(0, point),
+                                       nc * Leaves::width,
+                                       leaves_.batch() * layout_.batch_size());
+    }
+}
+
+
+template <int dim, typename Gas, typename Real>
 void BatchSweep<dim, Gas, Real>::fill_beyond(
   const unsigned int direction,
   const HangingData<dim, Real> &hanging)
@@ -111,16 +129,55 @@ void BatchSweep<dim, Gas, Real>::fill_beyond(
     leaves_.any_leaving(direction) ? &leaves_.leaving(direction) : nullptr;
   line_.has_hanging.fill(nullptr);
   has_hanging_.fill(Number(0.));
+  using Kind = typename Boundary<dim>::Kind;
+  std::array<Number, 2> is_mirrored, is_repeated;
+  is_mirrored.fill(Number(0.));
+  is_repeated.fill(Number(0.));
   for (auto s = mesh_.special_begin(leaves_.batch());
        s != mesh_.special_end(leaves_.batch());
        ++s)
     if (s->face / 2 == direction)
     {
-      if (s->kind == SpecialFace::Kind::boundary)
-        fill_boundary(*s);
-      else
+      if (s->kind != SpecialFace::Kind::boundary)
         fill_hanging(*s, hanging);
+      else if (leaves_.boundary().kind(s->index) == Kind::wall)
+        is_mirrored[s->face % 2][s->lane] = 1.;
+      else if (leaves_.boundary().kind(s->index) == Kind::open &&
+               !(leaves_.leaving(direction)[s->lane] > 0.))
+        is_repeated[s->face % 2][s->lane] = 1.;
+      else
+        fill_boundary(*s);
     }
+  for (unsigned int side = 0; side < 2; ++side)
+    if (any_less(Number(0.), Number(is_mirrored[side] + is_repeated[side])))
+      fill_images(2 * direction + side, is_mirrored[side], is_repeated[side]);
+}
+
+
+template <int dim, typename Gas, typename Real>
+void BatchSweep<dim, Gas, Real>::fill_images(const unsigned int face,
+                                             const Number &is_mirrored,
+                                             const Number &is_repeated)
+{
+  const Number zero(0.);
+  for (unsigned int q = 0; q < layout_.n_face_points; ++q)
+  {
+    const auto image = [&](const unsigned int layer) {
+      return cell(face / 2, layout_.face_point(face, q, layer));
+    };
+    const Values first = image(0);
+    for (unsigned int layer = 0; layer < n_beyond; ++layer)
+    {
+      Values mirrored = image(std::min(layer, layout_.n - 1));
+      mirrored[C::momentum] = zero - mirrored[C::momentum];
+      for (unsigned int c = 0; c < nc; ++c)
+      {
+        Number &value = beyond(face % 2, layer, q)[c];
+        value = select_less(zero, is_mirrored, mirrored[c], value);
+        value = select_less(zero, is_repeated, first[c], value);
+      }
+    }
+  }
 }
 
 
@@ -128,18 +185,12 @@ template <int dim, typename Gas, typename Real>
 void BatchSweep<dim, Gas, Real>::fill_boundary(const SpecialFace &special)
 {
   const unsigned int direction = special.face / 2;
-  const unsigned int n = layout_.n;
-  // A wall mirrors layer by layer; other boundaries repeat the first.
-  const bool is_wall =
-    leaves_.boundary().kind(special.index) == Boundary<dim>::Kind::wall;
   const bool is_leaving =
-    leaves_.leaving(direction)[special.lane] > 0. && n > 1;
+    leaves_.leaving(direction)[special.lane] > 0. && layout_.n > 1;
   for (unsigned int q = 0; q < layout_.n_face_points; ++q)
     for (unsigned int layer = 0; layer < n_beyond; ++layer)
     {
-      const unsigned int depth = is_wall ? std::min(layer, n - 1) : 0;
-      Values inside =
-        cell(direction, layout_.face_point(special.face, q, depth));
+      Values inside = cell(direction, layout_.face_point(special.face, q, 0));
       // A fifth of the next subcell: then hardly anything of a shock that
       // leaves comes back (found by trials at Mach 1.1 to 1.9).
       if (is_leaving)

@@ -85,9 +85,17 @@ private:
   }
   /// Primitive values of two layers beyond the leaves, [side][layer][line].
   void read_neighbors(const unsigned int direction);
+  /// Asks for what read_neighbors() will read at one face point; without, the
+  /// processor waits there as long as it computes a third of all fluxes.
+  void prefetch_neighbors(const unsigned int direction, const unsigned int q);
   void fill_beyond(const unsigned int direction,
                    const HangingData<dim, Real> &hanging);
   void fill_boundary(const SpecialFace &special);
+  /// Beyond one side, in lanes where @p is_mirrored or @p is_repeated is one,
+  /// the image of the leaf's layers in a wall, or its first layer.
+  void fill_images(const unsigned int face,
+                   const Number &is_mirrored,
+                   const Number &is_repeated);
   void fill_hanging(const SpecialFace &special,
                     const HangingData<dim, Real> &hanging);
   void find_compression();
@@ -137,6 +145,8 @@ void BatchSweep<dim, Gas, Real>::sweep(const unsigned int direction,
   for (unsigned int line = 0; line < layout_.n_face_points; ++line)
   {
     fill_line(direction, line);
+    if (direction + 1 < dim)
+      prefetch_neighbors(direction + 1, line);
     if constexpr (Gas::has_products)
       if (gas_.is_air(largest_density_, largest_products_))
       {
