@@ -17,7 +17,8 @@ namespace
   template <int dim>
   std::unique_ptr<LeafMesh<dim>> make_mesh(const std::string &generator,
                                            const std::string &arguments,
-                                           const unsigned int refinement)
+                                           const unsigned int refinement,
+                                           const unsigned int times = 0)
   {
     dealii::ParameterHandler prm;
     CoarseMesh<dim>::declare_parameters(prm);
@@ -33,6 +34,14 @@ namespace
     mesh->create(coarse_mesh);
     mesh->triangulation().refine_global(refinement);
     mesh->rebuild();
+    for (unsigned int i = 0; i < times; ++i)
+    {
+      for (unsigned int leaf = 0; leaf < mesh->n_owned(); ++leaf)
+        if (mesh->cell(leaf)->center()[0] > 0.1 * i)
+          mesh->cell(leaf)->set_refine_flag();
+      mesh->triangulation().execute_coarsening_and_refinement();
+      mesh->rebuild();
+    }
     return mesh;
   }
 
@@ -65,6 +74,28 @@ namespace
               std::max(largest, std::abs(sums[q][d][lane]) / surface[q][lane]);
     }
     return largest;
+  }
+
+  /// Checks that the fine faces of each hanging face of an owned leaf make up
+  /// the coarse one, quarter by quarter; returns how many there are.
+  template <int dim>
+  unsigned int expect_no_gaps(const LeafMesh<dim> &mesh)
+  {
+    unsigned int n = 0;
+    for (const auto &face : mesh.hanging_faces())
+      if (face.coarse_leaf < mesh.n_owned())
+        for (unsigned int part = 0; part < face.n_fine; ++part, ++n)
+        {
+          const auto coarse = outward_area<dim>(mesh.cell(face.coarse_leaf),
+                                                face.coarse_face,
+                                                0.25 + 0.5 * (part % 2),
+                                                0.25 + 0.5 * (part / 2));
+          const auto fine = outward_area<dim>(
+            mesh.stored_cell(face.fine_leaf[part]), face.match.face, 0.5, 0.5);
+          EXPECT_LT((coarse + fine * double(face.n_fine)).norm(),
+                    1e-14 * coarse.norm());
+        }
+    return dealii::Utilities::MPI::sum(n, mesh.communicator());
   }
 
   template <int dim>
@@ -112,6 +143,17 @@ TEST(LeafMetric, SurfacesAreClosed)
   EXPECT_LT(
     largest_gap(*make_mesh<3>("hyper_shell", "0,0,0:1:2:6:false", 1), 4),
     1e-14);
+}
+
+// The manifold of a sphere bends edges that hang; see HangingVertices.
+TEST(LeafMetric, HangingFacesHaveNoGaps)
+{
+  const auto shell = make_mesh<2>("hyper_shell", "0,0:1:2:7:false", 1, 2);
+  EXPECT_GT(expect_no_gaps(*shell), 0U);
+  const auto thick = make_mesh<3>("hyper_shell", "0,0,0:1:2:6:false", 0, 3);
+  EXPECT_GT(expect_no_gaps(*thick), 0U);
+  const auto ball = make_mesh<3>("hyper_ball", "0,0,0:1:false", 0, 2);
+  EXPECT_GT(expect_no_gaps(*ball), 0U);
 }
 
 TEST(LeafMetric, VolumesAreThoseOfTheMap)
