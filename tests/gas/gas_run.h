@@ -72,7 +72,7 @@ public:
                                            coarse_mesh.is_axis_aligned());
     mesh.create(coarse_mesh, scheme.precision);
     mesh.triangulation().refine_global(coarse_mesh.initial_refinement());
-    mesh.rebuild();
+    mesh.distribute();
     gas_operator = make_gas_operator(mesh,
                                      layout,
                                      scheme,
@@ -111,7 +111,7 @@ public:
       if (wanted(mesh.cell(leaf)->center()))
         mesh.cell(leaf)->set_refine_flag();
     mesh.triangulation().execute_coarsening_and_refinement();
-    mesh.rebuild();
+    mesh.distribute();
   }
 
   void set_state(const StateFunction<dim> &state,

@@ -3,13 +3,13 @@
 
 #include <contrecoup/gas/adaptation/adaptation.h>
 #include <contrecoup/gas/adaptation/jump_sensor.h>
-#include <contrecoup/gas/adaptation/leaf_carrier.h>
 #include <contrecoup/gas/adaptation/line_adaptation.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 
 namespace contrecoup::gas
@@ -26,39 +26,27 @@ Adaptation<dim>::Adaptation(const AdaptationParameters &parameters,
   , levels_(parameters_, mesh)
   , pace_(parameters)
 {
-  weigh_leaves();
-}
-
-
-template <int dim>
-void Adaptation<dim>::weigh_leaves()
-{
   if constexpr (dim > 1)
-    weights_ = mesh_.triangulation().signals.weight.connect(
-      [this](const typename LeafMesh<dim>::CellIterator &cell,
+    weigher_ = mesh_.triangulation().signals.weight.connect(
+      [this](const CellIterator &cell,
              const typename LeafMesh<dim>::Tria::CellStatus) {
-        return weight(cell);
+        return weights_.empty() ? 1U : weights_[mesh_.leaf_of(cell)];
       });
 }
 
 
 template <int dim>
-unsigned int
-Adaptation<dim>::weight(const typename LeafMesh<dim>::CellIterator &cell) const
+std::vector<unsigned int> Adaptation<dim>::leaf_weights() const
 {
   // An active leaf costs some hundred times as much per stage as a quiet one,
   // which costs memory, and time in adaptations.
   const unsigned int quiet = 1, active = 50;
-  if (quiet_leaves_ == nullptr)
-    return quiet;
-  if (!cell->has_children())
-    return quiet_leaves_->is_active(mesh_.leaf_of(cell) / mesh_.width())
-             ? active
-             : quiet;
-  for (unsigned int c = 0; c < cell->n_children(); ++c)
-    if (weight(cell->child(c)) == active)
-      return active;
-  return quiet;
+  std::vector<unsigned int> weights(mesh_.n_owned(), quiet);
+  for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
+    if (quiet_leaves_ != nullptr &&
+        quiet_leaves_->is_active(leaf / mesh_.width()))
+      weights[leaf] = active;
+  return weights;
 }
 
 
@@ -154,7 +142,7 @@ bool Adaptation<dim>::adapt_now(GasField &field, BlastMaps<dim> &maps)
                   (cell->refine_flag_set() || cell->coarsen_flag_set()));
   if (dealii::Utilities::MPI::max(any ? 1U : 0U, mesh_.communicator()) == 0)
     return false;
-  carry_over(field, maps);
+  change_mesh(field, maps);
   return true;
 }
 
@@ -268,7 +256,7 @@ bool Adaptation<dim>::refine_flagged()
   if constexpr (dim == 1)
     balance_line(mesh_);
   mesh_.triangulation().execute_coarsening_and_refinement();
-  mesh_.rebuild();
+  mesh_.distribute();
   return true;
 }
 
@@ -298,36 +286,98 @@ void Adaptation<dim>::refine_fine_box()
 
 
 template <int dim>
-void Adaptation<dim>::carry_over(GasField &field, BlastMaps<dim> &maps)
+void Adaptation<dim>::change_mesh(GasField &field, BlastMaps<dim> &maps)
 {
   const LeafCarrier<dim> carrier(mesh_, points_, material_, field, maps);
-  const auto resize_field_and_maps = [&]() {
-    mesh_.rebuild();
-    field.reinit(field.layout(), mesh_.n_stored_batches());
-    if (!maps.empty())
-      maps.reinit(field.layout().n_points, mesh_.n_owned());
-  };
-  if constexpr (dim == 1)
-    adapt_line(mesh_, carrier, resize_field_and_maps);
-  else
+  const auto former_levels = leaf_levels(mesh_);
+  weights_ = leaf_weights();
+  mesh_.triangulation().execute_coarsening_and_refinement();
+  mesh_.rebuild();
+  const auto origins = leaf_origins<dim>(former_levels, leaf_levels(mesh_));
+  carrier.carry_over(origins);
+  carry_weights(origins);
+  if constexpr (dim > 1)
+    if (needs_distribution())
+      distribute(carrier, field, maps);
+  weights_.clear();
+  field.fill_padding(mesh_.n_owned());
+}
+
+
+template <int dim>
+void Adaptation<dim>::carry_weights(const std::vector<LeafOrigin> &origins)
+{
+  std::vector<unsigned int> weights;
+  weights.reserve(origins.size());
+  for (const LeafOrigin &origin : origins)
   {
-    using Cell = typename LeafMesh<dim>::CellIterator;
+    const auto first = weights_.begin() + origin.former;
+    const bool is_merged = origin.change == LeafOrigin::Change::merged;
+    weights.push_back(
+      *std::max_element(first, first + (is_merged ? 1U << dim : 1U)));
+  }
+  weights_.swap(weights);
+}
+
+
+template <int dim>
+bool Adaptation<dim>::needs_distribution() const
+{
+  // A distribution takes about a third of the time of the steps between two
+  // adaptations, in which the work on a rank changes by a few per cent.
+  constexpr double largest_excess = 0.1;
+  const auto communicator = mesh_.communicator();
+  const auto work = dealii::Utilities::MPI::min_max_avg(
+    std::accumulate(weights_.begin(), weights_.end(), 0.), communicator);
+  const unsigned int n = mesh_.n_owned();
+  const bool is_split = n > 0 && (splits_siblings(0) || splits_siblings(n - 1));
+  return work.max > (1. + largest_excess) * work.avg ||
+         dealii::Utilities::MPI::max(is_split ? 1U : 0U, communicator) > 0;
+}
+
+
+template <int dim>
+bool Adaptation<dim>::splits_siblings(const unsigned int leaf) const
+{
+  const auto &cell = mesh_.cell(leaf);
+  if (cell->level() == 0)
+    return false;
+  bool any_elsewhere = false;
+  for (unsigned int c = 0; c < cell->parent()->n_children(); ++c)
+  {
+    const auto sibling = cell->parent()->child(c);
+    if (sibling->has_children())
+      return false;
+    any_elsewhere = any_elsewhere || !sibling->is_locally_owned();
+  }
+  return any_elsewhere;
+}
+
+
+template <int dim>
+void Adaptation<dim>::distribute(const LeafCarrier<dim> &carrier,
+                                 GasField &field,
+                                 BlastMaps<dim> &maps)
+{
+  if constexpr (dim > 1)
+  {
     using Status = typename LeafMesh<dim>::Tria::CellStatus;
     using Bytes = boost::iterator_range<std::vector<char>::const_iterator>;
     auto &tria = mesh_.triangulation();
     const auto handle = tria.register_data_attach(
-      [&](const Cell &cell, const Status status) {
-        return carrier.pack(cell, status == tria.CELL_COARSEN);
+      [&](const CellIterator &cell, const Status) {
+        return carrier.pack(cell);
       },
       false);
-    tria.execute_coarsening_and_refinement();
-    resize_field_and_maps();
+    mesh_.distribute();
+    field.reinit(field.layout(), mesh_.n_stored_batches());
+    if (!maps.empty())
+      maps.reinit(field.layout().n_points, mesh_.n_owned());
     tria.notify_ready_to_unpack(
-      handle, [&](const Cell &cell, const Status status, const Bytes &bytes) {
-        carrier.unpack(cell, status == tria.CELL_REFINE, &*bytes.begin());
+      handle, [&](const CellIterator &cell, const Status, const Bytes &bytes) {
+        carrier.unpack(cell, &*bytes.begin());
       });
   }
-  field.fill_padding(mesh_.n_owned());
 }
 
 

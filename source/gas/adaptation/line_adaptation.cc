@@ -69,35 +69,4 @@ void balance_line(LeafMesh<1> &mesh)
       cell->set_coarsen_flag();
   }
 }
-
-
-void adapt_line(LeafMesh<1> &mesh,
-                const LeafCarrier<1> &carrier,
-                const std::function<void()> &resize_field_and_maps)
-{
-  struct Parcel
-  {
-    dealii::CellId id;
-    bool is_halved;
-    std::vector<char> bytes;
-  };
-  std::vector<Parcel> parcels;
-  for (unsigned int leaf = 0; leaf < mesh.n_owned(); ++leaf)
-  {
-    const auto &cell = mesh.cell(leaf);
-    if (!cell->coarsen_flag_set())
-      parcels.push_back(
-        {cell->id(), bool(cell->refine_flag_set()), carrier.pack(cell, false)});
-    else if (cell->parent()->child(0) == cell)
-      parcels.push_back(
-        {cell->parent()->id(), false, carrier.pack(cell->parent(), true)});
-  }
-  auto &triangulation = mesh.triangulation();
-  triangulation.execute_coarsening_and_refinement();
-  resize_field_and_maps();
-  for (const auto &parcel : parcels)
-    carrier.unpack(triangulation.create_cell_iterator(parcel.id),
-                   parcel.is_halved,
-                   parcel.bytes.data());
-}
 } // namespace contrecoup::gas

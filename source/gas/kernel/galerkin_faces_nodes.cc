@@ -24,13 +24,16 @@ void GalerkinFaces<dim, Gas, Real>::nodal_fluxes()
   {
     std::array<Values, 2> trace;
     for (unsigned int side = 0; side < 2; ++side)
-      trace[side] = any_share_ && batch_->has(side) ? subcell_trace(side, q)
-                                                    : near_[side][q];
+      trace[side] =
+        node_along_axes(q,
+                        any_share_ && batch_->has(side) ? subcell_trace(side, q)
+                                                        : near_[side][q]);
     if (is_boundary)
     {
       const unsigned int outside = 1 - batch_->interior;
       trace[outside] = beyond_boundary(q, trace[batch_->interior], true);
-      near_[outside][q] = trace[outside];
+      near_[outside][q] =
+        space_.is_collocated() ? trace[outside] : axes_[q].from(trace[outside]);
     }
     const auto left = to_face_state<dim>(gas_, trace[0]);
     const auto right = to_face_state<dim>(gas_, trace[1]);
@@ -72,7 +75,7 @@ void GalerkinFaces<dim, Gas, Real>::load_nodes(const unsigned int side)
     const unsigned int point = layout_.face_point(
       batch_->face[side], space_.own_point(*batch_, side, q), depth);
     if (!space_.is_collocated())
-      return axes_[q].to(to_primitive<dim>(gas_, conserved(side, point)));
+      return to_primitive<dim>(gas_, conserved(side, point));
     Values u;
     for (unsigned int c = 0; c < nc; ++c)
       u[c] =
@@ -100,9 +103,15 @@ void GalerkinFaces<dim, Gas, Real>::mirror_nodes()
 {
   const unsigned int outside = 1 - batch_->interior;
   near_[outside] = near_[batch_->interior];
-  if (boundary_.kind(batch_->boundary_id) == Boundary<dim>::Kind::wall)
-    for (Values &value : near_[outside])
-      value[C::momentum] = -value[C::momentum];
+  if (boundary_.kind(batch_->boundary_id) != Boundary<dim>::Kind::wall)
+    return;
+  for (unsigned int q = 0; q < n_points_; ++q)
+  {
+    Values mirrored = node_along_axes(q, near_[outside][q]);
+    mirrored[C::momentum] = -mirrored[C::momentum];
+    near_[outside][q] =
+      space_.is_collocated() ? mirrored : axes_[q].from(mirrored);
+  }
 }
 
 
@@ -243,7 +252,8 @@ GalerkinFaces<dim, Gas, Real>::shear_factor_at(const unsigned int q,
   for (unsigned int side = 0; side < 2; ++side)
     if (batch_->has(side))
       transverse = std::min(transverse, compression(side, q));
-  const Number across = near_[1][q][C::momentum] - near_[0][q][C::momentum];
+  const Number across = node_along_axes(q, near_[1][q])[C::momentum] -
+                        node_along_axes(q, near_[0][q])[C::momentum];
   return select_less(
     Number(0.), share_, shear_factor(speed, across, transverse), Number(1.));
 }
@@ -270,11 +280,11 @@ GalerkinFaces<dim, Gas, Real>::compression(const unsigned int side,
                near_[side][a][C::momentum + axis];
       Vector tangent = node_places(b) - node_places(a);
       tangent *= Number(1.) / std::sqrt(tangent * tangent);
-      const Values from = from_axes(a, near_[side][a]);
-      const Values to = from_axes(b, near_[side][b]);
       Number result(0.);
       for (unsigned int d = 0; d < dim; ++d)
-        result += (to[C::momentum + d] - from[C::momentum + d]) * tangent[d];
+        result +=
+          (near_[side][b][C::momentum + d] - near_[side][a][C::momentum + d]) *
+          tangent[d];
       return result;
     };
     const unsigned int index = (q / stride) % layout_.n;

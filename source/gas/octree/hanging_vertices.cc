@@ -17,6 +17,9 @@ HangingVertices<dim>::HangingVertices(Tria &triangulation)
   : triangulation_(triangulation)
   , before_refinement_(triangulation.signals.pre_distributed_refinement.connect(
       [this]() { restore(); }))
+  , before_repartition_(
+      triangulation.signals.pre_distributed_repartition.connect(
+        [this]() { restore(); }))
   , at_creation_(
       triangulation.signals.create.connect([this]() { before_.clear(); }))
 {}

@@ -15,7 +15,9 @@ LeafMesh<dim>::LeafMesh(const MPI_Comm communicator)
     triangulation_ = std::make_unique<Tria>();
   else
   {
-    triangulation_ = std::make_unique<Tria>(communicator);
+    triangulation_ = std::make_unique<Tria>(communicator,
+                                            dealii::Triangulation<dim>::none,
+                                            Tria::no_automatic_repartitioning);
     hanging_vertices_ = std::make_unique<HangingVertices<dim>>(*triangulation_);
   }
 }
@@ -30,6 +32,16 @@ void LeafMesh<dim>::create(const CoarseMesh<dim> &coarse_mesh,
   coarse_mesh_ = coarse_mesh;
   triangulation_->clear();
   coarse_mesh.create(*triangulation_);
+}
+
+
+template <int dim>
+void LeafMesh<dim>::distribute()
+{
+  if constexpr (dim > 1)
+    if (dealii::Utilities::MPI::n_mpi_processes(communicator_) > 1)
+      triangulation_->repartition();
+  rebuild();
 }
 
 

@@ -170,12 +170,14 @@ void BlastMaps<dim>::add_step(const GasSnapshot<dim> &gas)
 
 
 template <int dim>
-std::vector<float> BlastMaps<dim>::leaf(const unsigned int leaf) const
+std::vector<float>
+BlastMaps<dim>::leaf_of(const dealii::AlignedVector<float> &values,
+                        const unsigned int leaf) const
 {
   std::vector<float> result;
   for (unsigned int v = 0; v < Record::n_values; ++v)
     for (unsigned int q = 0; q < n_points_; ++q)
-      result.push_back(values_[position(leaf, v, q)]);
+      result.push_back(values[position(leaf, v, q)]);
   return result;
 }
 

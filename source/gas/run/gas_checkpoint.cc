@@ -158,6 +158,7 @@ namespace
         throw InputError("The checkpoint belongs to another mesh: its leaves "
                          "differ");
       tria.execute_coarsening_and_refinement();
+      mesh.distribute();
     }
   }
 } // namespace

@@ -95,7 +95,7 @@ template <int dim>
 void GasCore<dim>::refine_octree()
 {
   mesh_.triangulation().refine_global(scene_.coarse_mesh.initial_refinement());
-  mesh_.rebuild();
+  mesh_.distribute();
   adaptation_->refine_fine_box();
   adaptation_->refine_at_body();
 }

@@ -25,6 +25,51 @@ void GasField::reinit(const LeafLayout &layout, const unsigned int n_batches)
 }
 
 
+void GasField::begin_change(const unsigned int n_batches)
+{
+  const std::size_t size = n_batches * layout_.batch_size();
+  visit([&](auto &copies) {
+    reserve_in_large_pages(copies.states[1], size);
+    copies.states[1].resize_fast(size);
+    copies.states[0].swap(copies.states[1]);
+  });
+}
+
+
+void GasField::end_change()
+{
+  burn_ = nullptr;
+  visit([&](auto &copies) {
+    const std::size_t size = copies.states[0].size();
+    for (unsigned int copy = 1; copy < 3; ++copy)
+    {
+      reserve_in_large_pages(copies.states[copy], size);
+      copies.states[copy].resize(size);
+    }
+    for (auto &sensor : copies.sensors)
+    {
+      sensor.clear();
+      sensor.resize(size / layout_.batch_size() * layout_.width);
+    }
+  });
+}
+
+
+void GasField::copy_former_leaves(const unsigned int batch,
+                                  const std::vector<unsigned int> &former)
+{
+  visit([&](auto &copies) {
+    auto *to = copies.states[0].data() + batch * layout_.batch_size();
+    for (unsigned int lane = 0; lane < layout_.width; ++lane)
+    {
+      const auto *from = copies.states[1].data() + layout_.offset(former[lane]);
+      for (std::size_t i = 0; i < layout_.batch_size(); i += layout_.width)
+        to[i + lane] = from[i];
+    }
+  });
+}
+
+
 void GasField::accept_stage(const unsigned int i)
 {
   visit([&](auto &copies) {
@@ -43,10 +88,23 @@ double GasField::sensor_of(const unsigned int leaf) const
 
 std::vector<double> GasField::leaf(const unsigned int leaf) const
 {
+  return leaf_of_copy(0, leaf);
+}
+
+
+std::vector<double> GasField::former_leaf(const unsigned int leaf) const
+{
+  return leaf_of_copy(1, leaf);
+}
+
+
+std::vector<double> GasField::leaf_of_copy(const unsigned int copy,
+                                           const unsigned int leaf) const
+{
   std::vector<double> values(std::size_t(layout_.n_components) *
                              layout_.n_points);
   visit([&](const auto &copies) {
-    const auto *from = copies.states[0].data() + layout_.offset(leaf);
+    const auto *from = copies.states[copy].data() + layout_.offset(leaf);
     for (std::size_t i = 0; i < values.size(); ++i)
       values[i] = from[i * layout_.width];
   });

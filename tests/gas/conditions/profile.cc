@@ -95,7 +95,7 @@ ProfileMapping check_mapping(GasRun<dim> &run,
       if (is_steep_in(placed, leaf_box(run.mesh, leaf), run.layout.n))
         run.mesh.cell(leaf)->set_refine_flag();
     run.mesh.triangulation().execute_coarsening_and_refinement();
-    run.mesh.rebuild();
+    run.mesh.distribute();
   }
   run.set_state([](const Point<dim> &) { return background<dim>(); });
   const auto before = run.totals();

@@ -31,14 +31,15 @@ make_mesh(const std::vector<std::string> &lines,
   auto mesh = std::make_unique<LeafMesh<dim>>(MPI_COMM_WORLD);
   mesh->create(coarse);
   mesh->triangulation().refine_global(coarse.initial_refinement());
+  mesh->distribute();
   for (unsigned int i = 0; i < times; ++i)
   {
     for (const auto &cell : mesh->triangulation().active_cell_iterators())
       if (cell->is_locally_owned() && wanted(cell->center()))
         cell->set_refine_flag();
     mesh->triangulation().execute_coarsening_and_refinement();
+    mesh->distribute();
   }
-  mesh->rebuild();
   return mesh;
 }
 

@@ -33,14 +33,14 @@ namespace
     auto mesh = std::make_unique<LeafMesh<dim>>(MPI_COMM_WORLD);
     mesh->create(coarse_mesh);
     mesh->triangulation().refine_global(refinement);
-    mesh->rebuild();
+    mesh->distribute();
     for (unsigned int i = 0; i < times; ++i)
     {
       for (unsigned int leaf = 0; leaf < mesh->n_owned(); ++leaf)
         if (mesh->cell(leaf)->center()[0] > 0.1 * i)
           mesh->cell(leaf)->set_refine_flag();
       mesh->triangulation().execute_coarsening_and_refinement();
-      mesh->rebuild();
+      mesh->distribute();
     }
     return mesh;
   }

@@ -5,8 +5,8 @@
 
 #include <contrecoup/gas/adaptation/adaptation_pace.h>
 #include <contrecoup/gas/adaptation/front_sensor.h>
+#include <contrecoup/gas/adaptation/leaf_carrier.h>
 #include <contrecoup/gas/adaptation/leaf_levels.h>
-#include <contrecoup/gas/adaptation/leaf_transfer.h>
 #include <contrecoup/gas/record/blast_maps.h>
 #include <contrecoup/gas/state/gas_field.h>
 #include <contrecoup/gas/state/quiet_leaves.h>
@@ -20,7 +20,8 @@ namespace contrecoup::gas
 /**
  * Adapts the octree to the gas: computes the sensor of each leaf, extends the
  * marked leaves by the AMR buffer, and transfers the state, at the intervals of
- * AdaptationPace. Distributes the leaves over ranks by their cost.
+ * AdaptationPace. Distributes the leaves over ranks by their cost, where that
+ * became uneven.
  */
 template <int dim>
 class Adaptation
@@ -132,10 +133,8 @@ private:
   std::vector<FaceMarks> face_marks(const GasField &field) const;
   /// Batches for whose leaves the sensor is computed.
   std::vector<bool> wanted_batches() const;
-  void weigh_leaves();
-  /// Cost of a leaf that stays, is coarsened or is refined, relative to that of
-  /// a quiet leaf.
-  unsigned int weight(const typename LeafMesh<dim>::CellIterator &cell) const;
+  /// Cost of each owned leaf, relative to that of a quiet leaf.
+  std::vector<unsigned int> leaf_weights() const;
   bool refine_flagged();
   void spread(std::vector<FaceMarks> &marks) const;
   /// Takes over the marks of leaves across a face that are at least as fine, if
@@ -145,7 +144,15 @@ private:
                const Marks &marks,
                FaceMarks &result) const;
   void set_flags(const std::vector<FaceMarks> &marks);
-  void carry_over(GasField &field, BlastMaps<dim> &maps);
+  void change_mesh(GasField &field, BlastMaps<dim> &maps);
+  void carry_weights(const std::vector<LeafOrigin> &origins);
+  /// Whether a rank has much more work than the mean, or siblings, which are
+  /// merged on one rank alone, are on several.
+  bool needs_distribution() const;
+  bool splits_siblings(const unsigned int leaf) const;
+  void distribute(const LeafCarrier<dim> &carrier,
+                  GasField &field,
+                  BlastMaps<dim> &maps);
 
   const AdaptationParameters parameters_;
   LeafMesh<dim> &mesh_;
@@ -156,6 +163,7 @@ private:
   std::vector<double> size_ratios_;
   double time_ = 0.; ///< [s]
   QuietLeaves<dim> *quiet_leaves_ = nullptr;
-  boost::signals2::scoped_connection weights_;
+  std::vector<unsigned int> weights_; ///< of the owned leaves; empty: equal
+  boost::signals2::scoped_connection weigher_;
 };
 } // namespace contrecoup::gas

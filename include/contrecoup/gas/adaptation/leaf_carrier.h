@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <contrecoup/gas/adaptation/leaf_origins.h>
 #include <contrecoup/gas/adaptation/leaf_transfer.h>
 #include <contrecoup/gas/record/blast_map_transfer.h>
 
@@ -10,12 +11,12 @@
 
 namespace contrecoup::gas
 {
-/// Serialises the data of leaves (gas and maps) for transfer between ranks and
-/// from the octree before an adaptation to the octree after it.
+/// Carries the data of leaves (gas and maps) from the octree before an
+/// adaptation to the octree after it, and serialises them for other ranks.
 ///
-/// deal.II's CellDataTransfer takes one value per cell of the octree: a second
-/// copy of the field, in double precision, before and after each adaptation,
-/// and knows no meshes of one dimension, which share this class.
+/// deal.II's CellDataTransfer and data attached to cells go through bytes in
+/// memory twice, in double precision, for all leaves, changed or not: a third
+/// of the time of an adaptation. Leaves that stay with their rank are copied.
 template <int dim>
 class LeafCarrier
 {
@@ -29,28 +30,22 @@ public:
               GasField &field,
               BlastMaps<dim> &maps);
 
-  /// Data of @p cell after the adaptation: its own data or, if its children
-  /// are @p merged, the data of the children restricted to @p cell. The number
-  /// of bytes is the same for all cells.
-  std::vector<char> pack(const Cell &cell, const bool merged) const;
+  /// Gives field and maps the size of the present mesh and takes the data of
+  /// each leaf from its origin: of refined leaves interpolated, of merged ones
+  /// restricted.
+  void carry_over(const std::vector<LeafOrigin> &origins) const;
 
-  /// Writes @p bytes to @p cell or, if it was @p is_refined (refined),
-  /// interpolates them to its children. Field and maps must have the size of
-  /// the new octree.
-  void unpack(const Cell &cell,
-              const bool is_refined,
-              const char *const bytes) const;
+  /// Data of @p cell. The number of bytes is the same for all cells.
+  std::vector<char> pack(const Cell &cell) const;
+
+  /// Writes @p bytes to @p cell. Field and maps must have the size of the mesh.
+  void unpack(const Cell &cell, const char *const bytes) const;
 
 private:
-  struct Data
-  {
-    std::vector<double> gas; ///< see GasField::leaf()
-    std::vector<float> maps; ///< see BlastMaps::leaf()
-  };
-
-  Data read(const Cell &cell) const;
-  Data read_children(const Cell &cell) const;
-  void write(const Cell &cell, const Data &data) const;
+  void copy_former_leaves(const std::vector<LeafOrigin> &origins) const;
+  /// Of @p leaf and the next ones, the children of one former leaf.
+  void refine(const unsigned int leaf, const unsigned int former) const;
+  void merge(const unsigned int leaf, const unsigned int former) const;
 
   const LeafMesh<dim> &mesh_;
   const LeafTransfer<dim> transfer_;

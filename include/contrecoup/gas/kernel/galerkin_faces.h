@@ -87,6 +87,11 @@ private:
   void nodal_fluxes();
   void load_nodes(const unsigned int side);
   void mirror_nodes();
+  /// Values of a node, see near_, along the axes of the face.
+  Values node_along_axes(const unsigned int q, const Values &values) const
+  {
+    return space_.is_collocated() ? values : axes_[q].to(values);
+  }
   Values subcell_trace(const unsigned int side, const unsigned int q) const;
   using Places = dealii::Point<dim, Number>;
   Places node_places(const unsigned int q) const;
@@ -194,10 +199,13 @@ private:
   bool needs_shear_factor_ = false;
   /// At each point, the normal from side 0 to side 1; not on boxes.
   dealii::AlignedVector<FaceAxes<dim, Number>> axes_;
-  std::array<Trace, 2> near_; ///< first nodes, primitive, along the axes
-  std::array<Trace, 2> far_;  ///< second nodes
-  Trace opposite_;            ///< last nodes, at boundaries
-  Trace flux_;                ///< from side 0 to side 1, along the axes
+  /// Primitive values of the first nodes, or of quadrature points, along the
+  /// axes of the face, but of nodes of mapped leaves along the coordinate axes:
+  /// what is limited must not depend on which side is the interior one.
+  std::array<Trace, 2> near_;
+  std::array<Trace, 2> far_; ///< second nodes
+  Trace opposite_;           ///< last nodes, at boundaries
+  Trace flux_;               ///< from side 0 to side 1, along the axes
   Trace line_;
   /// Of hanging faces along the radius.
   RadialNodes<Number> fine_radius_;

@@ -18,8 +18,8 @@ namespace contrecoup::gas
  * up the coarse one exactly.
  *
  * A manifold places new vertices by those around them. All vertices are put
- * back where it placed them before each refinement, so that they do not depend
- * on the order of refinements or on the distribution of the leaves.
+ * back where it placed them before each refinement and each distribution over
+ * the ranks, so that they do not depend on the order of either.
  */
 template <int dim>
 class HangingVertices
@@ -42,6 +42,7 @@ private:
 
   Tria &triangulation_;
   boost::signals2::scoped_connection before_refinement_;
+  boost::signals2::scoped_connection before_repartition_;
   boost::signals2::scoped_connection at_creation_;
   /// Places of all vertices before settle(); empty: nothing was moved.
   std::vector<dealii::Point<dim>> before_;

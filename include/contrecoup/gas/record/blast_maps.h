@@ -44,6 +44,22 @@ public:
   /// Allocates records for @p n_leaves leaves that no blast has reached.
   void reinit(const unsigned int n_points, const unsigned int n_leaves);
 
+  /// Allocates like reinit(), and keeps the records before as the former ones
+  /// until end_change().
+  void begin_change(const unsigned int n_leaves)
+  {
+    former_values_.swap(values_);
+    reinit(n_points_, n_leaves);
+  }
+  void end_change()
+  {
+    former_values_.clear();
+  }
+  std::vector<float> former_leaf(const unsigned int leaf) const
+  {
+    return leaf_of(former_values_, leaf);
+  }
+
   /// Whether no records are allocated, as in scenes without maps.
   bool empty() const
   {
@@ -56,7 +72,10 @@ public:
   {
     return Record::n_values * n_points_;
   }
-  std::vector<float> leaf(const unsigned int leaf) const;
+  std::vector<float> leaf(const unsigned int leaf) const
+  {
+    return leaf_of(values_, leaf);
+  }
   void set_leaf(const unsigned int leaf, const std::vector<float> &values);
 
   Record record(const unsigned int leaf, const unsigned int point) const;
@@ -83,6 +102,8 @@ private:
            leaf % double_width;
   }
 
+  std::vector<float> leaf_of(const dealii::AlignedVector<float> &values,
+                             const unsigned int leaf) const;
   template <typename Gas>
   void update_group(const unsigned int group,
                     const GasSnapshot<dim> &gas,
@@ -92,6 +113,7 @@ private:
   unsigned int n_points_ = 1;
   double ambient_ = 0.; ///< pressure [Pa]
   dealii::AlignedVector<float> values_;
+  dealii::AlignedVector<float> former_values_;
 };
 
 

@@ -85,6 +85,18 @@ public:
   std::vector<double> leaf(const unsigned int leaf) const;
   void set_leaf(const unsigned int leaf, const std::vector<double> &values);
 
+  /// Gives the current state room for @p n_batches batches of a changed octree,
+  /// and keeps the state before as the former one until end_change(), which
+  /// gives the stages the same room and sets all sensors to zero. In between,
+  /// every owned leaf is to be written.
+  void begin_change(const unsigned int n_batches);
+  void end_change();
+  /// Copies the former leaves @p former, one for each lane, to a batch.
+  void copy_former_leaves(const unsigned int batch,
+                          const std::vector<unsigned int> &former);
+  /// One former leaf as [component][point].
+  std::vector<double> former_leaf(const unsigned int leaf) const;
+
   /// Sets the programmed burn and the time [s] at which it is evaluated; null
   /// if nothing burns. Valid until reinit().
   void set_burn(const Burn *burn, const double time)
@@ -175,6 +187,10 @@ private:
       return function(copies<std::decay_t<decltype(real)>>());
     });
   }
+
+  /// One leaf of a copy of the state, as [component][point].
+  std::vector<double> leaf_of_copy(const unsigned int copy,
+                                   const unsigned int leaf) const;
 
   LeafLayout layout_;
   const Burn *burn_ = nullptr;
