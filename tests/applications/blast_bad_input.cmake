@@ -29,7 +29,7 @@ blast_refuses(inconsistent_dimension "Domain/" FILE ${_sod}
 blast_refuses(single_precision_1d "Method/Precision = single" FILE ${_sod}
   SET "Method/Precision=single")
 blast_refuses(single_precision_mapped "Method/Precision = single"
-  FILE blast/verification/mapped_ball.prm SET "Method/Precision=single")
+  FILE blast/verification/mapped_vortex.prm SET "Method/Precision=single")
 blast_refuses(empty_box "Domain/Upper corner" FILE ${_sod}
   SET "Domain/Upper corner=-1")
 blast_refuses(huge_mesh "of memory" FILE ${_sod}

@@ -7,6 +7,14 @@ set(_galerkin "Method/Scheme=discontinuous galerkin"
 set(_brief "Output/Fields=false" "Output/History every steps=100")
 set(_steps_20 "Time/Largest number of steps=20" "Output/History every steps=1")
 set(_small "Domain/Initial refinement=1" ${_steps_20})
+# Finer leaves, which hang on their neighbours.
+set(_band "Adaptation/Fine box levels=1"
+  "Adaptation/Fine box lower corner=-5, -1.25"
+  "Adaptation/Fine box upper corner=5, 1.25")
+set(_octant "Adaptation/Fine box levels=1"
+  "Adaptation/Fine box lower corner=-0.2, -0.2, -0.2"
+  "Adaptation/Fine box upper corner=1, 1, 1"
+  "Domain/Generator arguments=0, 0, 0 : 1 : false")
 set(_uniform "Initial state/Kind=uniform" "Reference/Kind=initial"
   "Boundaries/By id=0: initial" "Initial state/Background/Density=1.4"
   "Initial state/Background/Pressure=1" "Output/Fields=false"
@@ -31,6 +39,23 @@ foreach(_case "1|0.5|1.8|3|4" "2|1|2.8|2|3" "3|1|3.8|2|3")
     VARY "Domain/Initial refinement=${_coarse}|${_fine}"
     ERROR errors.density_L1 ORDER ${_order} LABELS verification)
 endforeach()
+contrecoup_add_application_test(mapped_vortex_hanging convergence
+  FILE ${_vortex} SET ${_brief} ${_band} "Time/End time=2"
+  VARY "Domain/Initial refinement=1|2" ERROR errors.density_L1 ORDER 1.8
+  LABELS verification)
+foreach(_case "1|0.5|1.8|3|4" "2|1|2.8|2|3" "3|1|3.8|2|3")
+  string(REPLACE "|" ";" _case ${_case})
+  list(GET _case 0 _degree)
+  list(GET _case 1 _end)
+  list(GET _case 2 _order)
+  list(GET _case 3 _coarse)
+  list(GET _case 4 _fine)
+  contrecoup_add_application_test(mapped_vortex_hanging_degree_${_degree}
+    convergence FILE ${_vortex} SET ${_brief} ${_band} ${_galerkin}
+    "Method/Degree=${_degree}" "Method/Blending=false" "Time/End time=${_end}"
+    VARY "Domain/Initial refinement=${_coarse}|${_fine}"
+    ERROR errors.density_L1 ORDER ${_order} LABELS verification)
+endforeach()
 # Bounds: the errors when the tests were written and a tenth more.
 contrecoup_add_application_test(mapped_vortex_barth_jespersen bounds
   FILE ${_vortex} SET ${_brief} "Domain/Initial refinement=2"
@@ -49,7 +74,19 @@ contrecoup_add_application_test(mapped_wind_3d bounds FILE ${_ball}
   "Domain/Mesh file=${_meshes}/distorted_cube.msh"
   "Initial state/Background/Velocity=0.3,-0.5,0.7" BOUNDS ${_unchanged}
   LABELS verification)
+contrecoup_add_application_test(mapped_wind_hanging bounds FILE ${_ball}
+  SET ${_uniform} ${_octant} "Domain/Mesh=file" "Domain/Initial refinement=1"
+  "Domain/Mesh file=${_meshes}/distorted_cube.msh"
+  "Initial state/Background/Velocity=0.3,-0.5,0.7" BOUNDS ${_unchanged}
+  LABELS verification)
 foreach(_degree 1 2 3)
+  contrecoup_add_application_test(mapped_wind_hanging_degree_${_degree} bounds
+    FILE ${_ball} SET ${_uniform} ${_octant} ${_galerkin}
+    "Method/Degree=${_degree}" "Domain/Mesh=file"
+    "Domain/Initial refinement=1"
+    "Domain/Mesh file=${_meshes}/distorted_cube.msh"
+    "Initial state/Background/Velocity=0.3,-0.5,0.7" BOUNDS ${_unchanged}
+    LABELS verification)
   contrecoup_add_application_test(mapped_wind_2d_degree_${_degree} bounds
     FILE ${_vortex} SET ${_uniform} ${_galerkin} "Method/Degree=${_degree}"
     "Domain/Initial refinement=2"
@@ -82,6 +119,17 @@ endforeach()
 contrecoup_add_application_test(mapped_ball_runs ranks,resume FILE ${_ball}
   SET ${_small} COMPARE history.csv probes.csv
   TOLERANCE 1e-10 "momentum*=1e-12 absolute" CORES 1 STOP_AFTER 7)
+contrecoup_add_application_test(mapped_hanging_runs ranks,resume FILE ${_ball}
+  SET ${_small} ${_octant} COMPARE history.csv probes.csv
+  TOLERANCE 1e-10 "momentum*=1e-12 absolute" CORES 1 STOP_AFTER 7)
+contrecoup_add_application_test(mapped_hanging_galerkin_runs ranks,resume
+  FILE ${_ball} SET ${_small} ${_octant} ${_galerkin} "Method/Degree=2"
+  COMPARE history.csv probes.csv
+  TOLERANCE 1e-10 "momentum*=1e-12 absolute" CORES 1 STOP_AFTER 7)
+contrecoup_add_application_test(mapped_single_runs ranks,resume FILE ${_ball}
+  SET ${_small} ${_octant} "Method/Precision=single"
+  COMPARE history.csv probes.csv
+  TOLERANCE 1e-10 "momentum*=1e-12 absolute" CORES 1 STOP_AFTER 7)
 contrecoup_add_application_test(ranks_mapped_file ranks FILE ${_vortex}
   SET "Domain/Initial refinement=2" ${_steps_20} COMPARE history.csv
   TOLERANCE 1e-10)
@@ -108,7 +156,11 @@ contrecoup_add_application_test(refuses_galerkin_gradient_limiter refusal
   FILE ${_ball} SET ${_galerkin} "Method/Gradient limiter=barth jespersen"
   MESSAGE "only none is available")
 contrecoup_add_application_test(refuses_mapped_adaptation refusal
-  FILE ${_ball} SET "Adaptation/Active=true" MESSAGE "needs Domain/Mesh = box")
+  FILE ${_ball} SET "Adaptation/Active=true"
+  MESSAGE "Adaptation/Active = true needs Domain/Mesh = box")
+contrecoup_add_application_test(refuses_mapped_odd_subcells refusal
+  FILE ${_ball} SET ${_octant} "Method/Subcells=5"
+  MESSAGE "Method/Subcells = 1 or an even number")
 contrecoup_add_application_test(refuses_unknown_boundary refusal
   FILE ${_vortex} SET "Boundaries/By id=7: open"
   MESSAGE "the mesh has no boundary 7, only 0")

@@ -76,7 +76,7 @@ namespace
                     20,
                     "Smallest refinement level, above the initial "
                     "refinement, of leaves with their centre in this box, "
-                    "also if the mesh does not adapt; 0: no such box.");
+                    "on any mesh, also if it does not adapt; 0: no such box.");
   }
 } // namespace
 
@@ -87,7 +87,8 @@ void AdaptationParameters::declare_parameters(ParameterHandler &prm)
   declare_bool(prm,
                "Active",
                "false",
-               "Whether leaves are refined and coarsened during the run.");
+               "Whether leaves are refined and coarsened during the run; "
+               "needs Domain/Mesh = box.");
   declare_integer(prm,
                   "Interval",
                   "5",
@@ -170,8 +171,10 @@ void AdaptationParameters::check(const unsigned int dim,
     throw InputError("Adaptation needs Method/Subcells = 1 or an even number, "
                      "not " +
                      std::to_string(n_points));
-  if (!is_axis_aligned)
-    throw InputError("Adaptation needs Domain/Mesh = box");
+  if (active && !is_axis_aligned)
+    throw InputError("Adaptation/Active = true needs Domain/Mesh = box; other "
+                     "meshes can be refined before the run, by "
+                     "Adaptation/Fine box levels");
   if (coarsen > refine)
     throw InputError("Adaptation/Coarsen below must not be larger than "
                      "Adaptation/Refine above");

@@ -37,6 +37,19 @@ GalerkinFaces<dim, Gas, Real>::GalerkinFaces(const Space &space,
     near_[side].resize(n_points_);
     far_[side].resize(n_points_);
   }
+  const dealii::QGauss<1> gauss(layout.n);
+  for (unsigned int k = 0; k < to_gauss_.size(); ++k)
+  {
+    to_gauss_[k].reinit(layout.n, layout.n);
+    from_gauss_[k].reinit(layout.n, layout.n);
+    for (unsigned int i = 0; i < layout.n; ++i)
+    {
+      const double x = gauss.point(i)[0];
+      const auto values = basis_.values(k == 0 ? x : 0.5 * (x + k - 1.));
+      for (unsigned int j = 0; j < layout.n; ++j)
+        to_gauss_[k](i, j) = from_gauss_[k](j, i) = values[j];
+    }
+  }
 }
 
 
@@ -57,16 +70,27 @@ template <int dim, typename Gas, typename Real>
 void GalerkinFaces<dim, Gas, Real>::measure_areas()
 {
   areas_.resize(space_.n_values(dim));
-  for (unsigned int b = 0; b < space_.faces().size(); ++b)
+  const auto &faces = space_.faces();
+  first_hanging_ = std::find_if(faces.begin(),
+                                faces.end(),
+                                [](const FaceBatch &batch) {
+                                  return batch.kind == FaceBatch::Kind::hanging;
+                                }) -
+                   faces.begin();
+  hanging_areas_.resize((faces.size() - first_hanging_) * n_points_);
+  if constexpr (dim > 1)
+    for (unsigned int b = first_hanging_; b < faces.size(); ++b)
+      measure_hanging_areas(b);
+  for (unsigned int b = 0; b < first_hanging_; ++b)
     for (unsigned int side = 0; side < 2; ++side)
     {
-      const FaceBatch &batch = space_.faces()[b];
+      const FaceBatch &batch = faces[b];
       if (!batch.has(side))
         continue;
       const bool is_interior = side == batch.interior;
       dealii::FEFaceEvaluation<dim, -1, 0, dim, Real, Number> evaluation(
         space_.matrix_free(), is_interior);
-      evaluation.reinit(b);
+      evaluation.reinit(batch.evaluation);
       for (unsigned int q = 0; q < evaluation.n_q_points; ++q)
         evaluation.submit_value(
           evaluation.get_normal_vector(q) * Number(is_interior ? 1. : -1.), q);
@@ -89,10 +113,15 @@ void GalerkinFaces<dim, Gas, Real>::compute(const unsigned int face_batch,
 {
   bind(face_batch, stage);
   const bool is_hanging = batch_->kind == FaceBatch::Kind::hanging;
-  if (!space_.is_collocated())
-    interpolated_fluxes();
-  else if (is_hanging)
+  if (is_hanging && space_.is_collocated())
     hanging_fluxes();
+  else if (is_hanging)
+  {
+    if constexpr (dim > 1)
+      mapped_hanging_fluxes();
+  }
+  else if (!space_.is_collocated())
+    interpolated_fluxes();
   if (!is_hanging && (space_.is_collocated() || any_share_))
     nodal_fluxes();
 }
@@ -105,8 +134,8 @@ void GalerkinFaces<dim, Gas, Real>::bind(const unsigned int face_batch,
   index_ = face_batch;
   batch_ = &space_.faces()[face_batch];
   stage_ = &stage;
-  if (!space_.is_collocated())
-    interior_->reinit(face_batch);
+  if (!space_.is_collocated() && batch_->kind != FaceBatch::Kind::hanging)
+    interior_->reinit(batch_->evaluation);
   share_ = Number(0.);
   for (unsigned int side = 0; side < 2; ++side)
   {
@@ -184,7 +213,7 @@ void GalerkinFaces<dim, Gas, Real>::interpolated_fluxes()
 {
   const bool is_boundary = batch_->kind == FaceBatch::Kind::boundary;
   if (!is_boundary)
-    exterior_->reinit(index_);
+    exterior_->reinit(batch_->evaluation);
   for (unsigned int q = 0; q < n_points_; ++q)
     axes_[q] = FaceAxes<dim, Number>(interior_->get_normal_vector(q));
   for (unsigned int side = 0; side < 2; ++side)

@@ -8,8 +8,6 @@
 
 namespace contrecoup::gas
 {
-// FEFaceEvaluation does the same on mapped meshes; between periodic boxes of
-// different sizes deal.II 9.4 has no face.
 template <int dim, typename Gas, typename Real>
 void GalerkinFaces<dim, Gas, Real>::hanging_fluxes()
 {
@@ -30,27 +28,32 @@ void GalerkinFaces<dim, Gas, Real>::hanging_fluxes()
 // What is interpolated are differences, so that equal values stay what they
 // are, to the last bit.
 template <int dim, typename Gas, typename Real>
-void GalerkinFaces<dim, Gas, Real>::interpolate_coarse_side()
+std::array<typename GalerkinFaces<dim, Gas, Real>::Values, 2>
+GalerkinFaces<dim, Gas, Real>::load_face(const unsigned int side,
+                                         Trace &trace) const
 {
-  const unsigned int coarse = 1 - batch_->interior;
-  const unsigned int face = batch_->face[coarse];
-  const Values base = conserved(coarse, layout_.face_point(face, 0, 0));
+  const unsigned int face = batch_->face[side];
+  const Values base = conserved(side, layout_.face_point(face, 0, 0));
   Values mean = base;
-  Trace &trace = near_[coarse];
   for (unsigned int q = 0; q < n_points_; ++q)
   {
-    const Values u = conserved(coarse, layout_.face_point(face, q, 0));
+    const Values u = conserved(side, layout_.face_point(face, q, 0));
     for (unsigned int c = 0; c < nc; ++c)
     {
       trace[q][c] = u[c] - base[c];
       mean[c] += trace[q][c] * (1. / n_points_);
     }
   }
-  apply_along_face(
-    [&](const unsigned int half) -> const auto & {
-      return basis_.to_child(half);
-    },
-    trace);
+  return {{base, mean}};
+}
+
+
+template <int dim, typename Gas, typename Real>
+void GalerkinFaces<dim, Gas, Real>::interpolate_coarse_side()
+{
+  Trace &trace = near_[1 - batch_->interior];
+  const auto [base, mean] = load_face(1 - batch_->interior, trace);
+  apply_along_face({{&basis_.to_child(0), &basis_.to_child(1)}}, trace);
   for (unsigned int q = 0; q < n_points_; ++q)
   {
     Values u;
@@ -89,11 +92,7 @@ void GalerkinFaces<dim, Gas, Real>::project_onto_coarse_side()
       if (is_along_radius)
         flux_[q][c] *= fine_radius_.jacobian(q);
     }
-  apply_along_face(
-    [&](const unsigned int half) -> const auto & {
-      return basis_.from_child(half);
-    },
-    flux_);
+  apply_along_face({{&basis_.from_child(0), &basis_.from_child(1)}}, flux_);
   Real *const to = record(coarse);
   for (unsigned int q = 0; q < n_points_; ++q)
     for (unsigned int c = 0; c < nc; ++c)
@@ -108,7 +107,6 @@ void GalerkinFaces<dim, Gas, Real>::project_onto_coarse_side()
 
 
 template <int dim, typename Gas, typename Real>
-template <typename MatrixOfHalf>
 void GalerkinFaces<dim, Gas, Real>::apply_along_face(
   const MatrixOfHalf &matrix_of_half,
   Trace &trace)
@@ -117,7 +115,7 @@ void GalerkinFaces<dim, Gas, Real>::apply_along_face(
   unsigned int quarter = batch_->quarter;
   for (unsigned int stride = 1; stride < n_points_; stride *= n, quarter /= 2)
   {
-    const auto &matrix = matrix_of_half(quarter % 2);
+    const auto &matrix = *matrix_of_half[quarter % 2];
     for (unsigned int line = 0; line < n_points_ / n; ++line)
     {
       Values *const first =
@@ -157,8 +155,12 @@ void GalerkinFaces<dim, Gas, Real>::bind_radius()
 }
 
 
-#define CONTRECOUP_INSTANTIATE(dim, Gas, Real) \
-  template void GalerkinFaces<dim, Gas, Real>::hanging_fluxes()
+#define CONTRECOUP_INSTANTIATE(dim, Gas, Real)                           \
+  template void GalerkinFaces<dim, Gas, Real>::hanging_fluxes();         \
+  template void GalerkinFaces<dim, Gas, Real>::apply_along_face(         \
+    const MatrixOfHalf &, Trace &);                                      \
+  template std::array<std::array<Lanes<Real>, n_conserved<dim, Gas>>, 2> \
+  GalerkinFaces<dim, Gas, Real>::load_face(const unsigned int, Trace &) const
 
 CONTRECOUP_INSTANTIATE(1, IdealGas, double);
 CONTRECOUP_INSTANTIATE(2, IdealGas, double);

@@ -14,9 +14,6 @@
 #include <deal.II/matrix_free/matrix_free.templates.h>
 #include <deal.II/matrix_free/shape_info.templates.h>
 
-#include <map>
-#include <stdexcept>
-
 namespace contrecoup::gas
 {
 namespace
@@ -182,7 +179,19 @@ void GalerkinSpace<dim, Real>::find_mapped_faces()
                                  matrix_free_.n_boundary_face_batches() +
                                  matrix_free_.n_ghost_inner_face_batches();
   for (unsigned int b = 0; b < n_batches; ++b)
-    faces_.push_back(mapped_face_batch(b));
+    if (!is_hanging_in_matrix_free(b))
+      faces_.push_back(mapped_face_batch(b));
+  add_mapped_hanging_faces();
+}
+
+
+template <int dim, typename Real>
+bool GalerkinSpace<dim, Real>::is_hanging_in_matrix_free(
+  const unsigned int index) const
+{
+  const auto &info = matrix_free_.get_face_info(index);
+  return info.cells_exterior[0] != dealii::numbers::invalid_unsigned_int &&
+         info.subface_index < dealii::GeometryInfo<dim>::max_children_per_cell;
 }
 
 
@@ -194,11 +203,9 @@ GalerkinSpace<dim, Real>::mapped_face_batch(const unsigned int index) const
   const bool is_boundary =
     info.cells_exterior[0] == dealii::numbers::invalid_unsigned_int;
   FaceBatch batch;
+  batch.evaluation = index;
   batch.kind =
-    is_boundary ? FaceBatch::Kind::boundary
-    : info.subface_index < dealii::GeometryInfo<dim>::max_children_per_cell
-      ? FaceBatch::Kind::hanging
-      : FaceBatch::Kind::regular;
+    is_boundary ? FaceBatch::Kind::boundary : FaceBatch::Kind::regular;
   batch.boundary_id = is_boundary ? info.exterior_face_no : 0;
   batch.interior = 0;
   batch.face[0] = info.interior_face_no;
@@ -230,31 +237,53 @@ GalerkinSpace<dim, Real>::mapped_face_batch(const unsigned int index) const
 }
 
 
-// deal.II 9.4 has no faces between periodic leaves of different sizes, and no
-// periodic lines.
+// Those of owned fine leaves, and all of owned coarse ones.
 template <int dim, typename Real>
-void GalerkinSpace<dim, Real>::find_box_faces()
+void GalerkinSpace<dim, Real>::add_mapped_hanging_faces()
 {
-  std::map<std::array<unsigned int, 3>, FaceBatch> open;
-  const auto add = [&](const FaceBatch &batch,
-                       const unsigned int left,
-                       const unsigned int right) {
-    const std::array<unsigned int, 3> key = {
-      {static_cast<unsigned int>(batch.kind),
-       batch.face[batch.interior],
-       batch.kind == FaceBatch::Kind::boundary ? batch.boundary_id
-                                               : batch.quarter}};
-    FaceBatch &same = open.try_emplace(key, batch).first->second;
-    same.leaf[0][same.n_filled] = left;
-    same.leaf[1][same.n_filled] = right;
-    if (++same.n_filled == width)
-    {
-      faces_.push_back(same);
-      open.erase(key);
-    }
-  };
-  for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
-    add_faces_of_box(leaf, add);
+  OpenBatches open;
+  for (const HangingFace<dim> &hanging : mesh_.hanging_faces())
+  {
+    FaceBatch part;
+    part.kind = FaceBatch::Kind::hanging;
+    part.face = {{hanging.match.face, hanging.coarse_face}};
+    part.match = hanging.match;
+    for (part.quarter = 0; part.quarter < HangingFace<dim>::n_fine;
+         ++part.quarter)
+      if (hanging.fine_leaf[part.quarter] != no_leaf)
+        add_face(
+          open, part, hanging.fine_leaf[part.quarter], hanging.coarse_leaf);
+  }
+  close(open);
+}
+
+
+template <int dim, typename Real>
+void GalerkinSpace<dim, Real>::add_face(OpenBatches &open,
+                                        const FaceBatch &batch,
+                                        const unsigned int left,
+                                        const unsigned int right)
+{
+  const std::array<unsigned int, 4> key = {
+    {static_cast<unsigned int>(batch.kind),
+     batch.face[batch.interior],
+     batch.kind == FaceBatch::Kind::boundary ? batch.boundary_id
+                                             : batch.quarter,
+     batch.face[1 - batch.interior] * 8U + batch.match.orientation}};
+  FaceBatch &same = open.try_emplace(key, batch).first->second;
+  same.leaf[0][same.n_filled] = left;
+  same.leaf[1][same.n_filled] = right;
+  if (++same.n_filled == width)
+  {
+    faces_.push_back(same);
+    open.erase(key);
+  }
+}
+
+
+template <int dim, typename Real>
+void GalerkinSpace<dim, Real>::close(const OpenBatches &open)
+{
   for (const auto &item : open)
   {
     faces_.push_back(item.second);
@@ -262,6 +291,23 @@ void GalerkinSpace<dim, Real>::find_box_faces()
       std::fill(
         leaves.begin() + faces_.back().n_filled, leaves.end(), leaves[0]);
   }
+}
+
+
+// deal.II 9.4 has no faces between periodic leaves of different sizes, and no
+// periodic lines.
+template <int dim, typename Real>
+void GalerkinSpace<dim, Real>::find_box_faces()
+{
+  OpenBatches open;
+  const auto add = [&](const FaceBatch &batch,
+                       const unsigned int left,
+                       const unsigned int right) {
+    add_face(open, batch, left, right);
+  };
+  for (unsigned int leaf = 0; leaf < mesh_.n_owned(); ++leaf)
+    add_faces_of_box(leaf, add);
+  close(open);
 }
 
 
@@ -340,21 +386,20 @@ void GalerkinSpace<dim, Real>::attach_records()
       batch.record[side] = n_records_ - width;
       if (batch.has(side))
         for (unsigned int lane = 0; lane < batch.n_filled; ++lane)
-          attach_record(batch.leaf[side][lane],
-                        batch.face[side],
-                        b,
-                        batch.record[side] + lane);
+          attach_record(
+            batch.leaf[side][lane], side, b, batch.record[side] + lane);
     }
   }
   for (CellBatch &batch : cells_)
   {
+    sort_parts(batch);
     for (LaneIndices &record : batch.record)
-      if (std::find(record.begin(), record.begin() + batch.n_filled, no_leaf) !=
-          record.begin() + batch.n_filled)
-        throw std::logic_error("deal.II 9.4 gives a rank no hanging faces of "
-                               "mapped leaves whose finer side is a ghost");
-    for (LaneIndices &record : batch.record)
+    {
+      Assert(std::count(
+               record.begin(), record.begin() + batch.n_filled, no_leaf) == 0,
+             dealii::ExcInternalError());
       std::fill(record.begin() + batch.n_filled, record.end(), record[0]);
+    }
     std::sort(batch.faces.begin(), batch.faces.end());
     batch.faces.erase(std::unique(batch.faces.begin(), batch.faces.end()),
                       batch.faces.end());
@@ -364,19 +409,36 @@ void GalerkinSpace<dim, Real>::attach_records()
 
 template <int dim, typename Real>
 void GalerkinSpace<dim, Real>::attach_record(const unsigned int leaf,
-                                             const unsigned int face,
+                                             const unsigned int side,
                                              const unsigned int face_batch,
                                              const unsigned int record)
 {
   if (leaf >= mesh_.n_owned())
     return;
+  const FaceBatch &from = faces_[face_batch];
   CellBatch &batch = cells_[place_of_leaf_[leaf] / width];
   const unsigned int lane = place_of_leaf_[leaf] % width;
   batch.faces.push_back(face_batch);
-  if (batch.record[face][lane] == no_leaf)
-    batch.record[face][lane] = record;
+  if (from.kind == FaceBatch::Kind::hanging && side != from.interior)
+    batch.more.push_back({lane, from.face[side], record, from.quarter});
   else
-    batch.more.push_back({lane, face, record});
+    batch.record[from.face[side]][lane] = record;
+}
+
+
+template <int dim, typename Real>
+void GalerkinSpace<dim, Real>::sort_parts(CellBatch &batch)
+{
+  std::sort(batch.more.begin(),
+            batch.more.end(),
+            [](const Part &a, const Part &b) { return a.quarter < b.quarter; });
+  const auto first_end =
+    std::find_if(batch.more.begin(), batch.more.end(), [](const Part &part) {
+      return part.quarter > 0;
+    });
+  for (auto part = batch.more.begin(); part != first_end; ++part)
+    batch.record[part->face][part->lane] = part->record;
+  batch.more.erase(batch.more.begin(), first_end);
 }
 
 

@@ -3,55 +3,10 @@
 
 #include <contrecoup/gas/kernel/embedded_operator.h>
 #include <contrecoup/gas/kernel/finite_volume_operator.h>
-#include <contrecoup/gas/kernel/mapped_finite_volume_kernel.h>
+#include <contrecoup/gas/kernel/mapped_finite_volume_operator.h>
 
 namespace contrecoup::gas
 {
-namespace
-{
-  /// Finite volumes on leaves of any shape.
-  template <int dim, typename Gas>
-  class MappedFiniteVolumeOperator : public GasOperator<dim>
-  {
-  public:
-    using GasOperator<dim>::apply;
-    using GasOperator<dim>::analyse;
-
-    MappedFiniteVolumeOperator(const LeafMesh<dim> &mesh,
-                               const LeafLayout &layout,
-                               const Scheme &scheme,
-                               const Gas &gas,
-                               const Boundary<dim> &boundary)
-      : GasOperator<dim>(mesh, layout, boundary)
-      , kernel_(mesh, layout, scheme, gas, boundary)
-    {}
-
-    void reinit() override
-    {}
-
-    void apply(const Stage &stage, QuietLeaves<dim> &quiet_leaves) override
-    {
-      quiet_leaves.begin_stage(stage.in);
-      for (unsigned int batch = 0; batch < this->mesh_.n_batches(); ++batch)
-        if (quiet_leaves.is_active(batch))
-        {
-          kernel_.update(batch, stage);
-          quiet_leaves.find_woken_leaves(batch, stage.results.state);
-        }
-    }
-
-    void analyse(const Stage &stage) override
-    {
-      for (unsigned int batch = 0; batch < this->mesh_.n_batches(); ++batch)
-        kernel_.analyse(batch, stage);
-    }
-
-  private:
-    MappedFiniteVolumeKernel<dim, Gas> kernel_;
-  };
-} // namespace
-
-
 template <int dim>
 std::unique_ptr<GasOperator<dim>>
 make_finite_volume_operator(const LeafMesh<dim> &mesh,
@@ -64,14 +19,15 @@ make_finite_volume_operator(const LeafMesh<dim> &mesh,
   return std::visit(
     [&](const auto &gas) -> std::unique_ptr<GasOperator<dim>> {
       using Gas = std::decay_t<decltype(gas)>;
-      if constexpr (dim > 1)
-        if (!mesh.coarse_mesh().is_axis_aligned())
-          return std::make_unique<MappedFiniteVolumeOperator<dim, Gas>>(
-            mesh, layout, scheme, gas, boundary);
       return visit_precision(
         layout.precision,
         [&](const auto real) -> std::unique_ptr<GasOperator<dim>> {
           using Real = kernel_number<dim, std::decay_t<decltype(real)>>;
+          if constexpr (dim > 1)
+            if (!mesh.coarse_mesh().is_axis_aligned())
+              return std::make_unique<
+                MappedFiniteVolumeOperator<dim, Gas, Real>>(
+                mesh, layout, scheme, gas, boundary);
           if constexpr (dim > 1)
             if (cut_leaves != nullptr)
               return std::make_unique<EmbeddedOperator<dim, Gas, Real>>(

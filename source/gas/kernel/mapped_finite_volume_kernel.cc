@@ -9,8 +9,8 @@
 
 namespace contrecoup::gas
 {
-template <int dim, typename Gas>
-MappedFiniteVolumeKernel<dim, Gas>::MappedFiniteVolumeKernel(
+template <int dim, typename Gas, typename Real>
+MappedFiniteVolumeKernel<dim, Gas, Real>::MappedFiniteVolumeKernel(
   const LeafMesh<dim> &mesh,
   const LeafLayout &layout,
   const Scheme &scheme,
@@ -31,19 +31,21 @@ MappedFiniteVolumeKernel<dim, Gas>::MappedFiniteVolumeKernel(
 {}
 
 
-template <int dim, typename Gas>
-void MappedFiniteVolumeKernel<dim, Gas>::update(const unsigned int batch,
-                                                const Stage &stage)
+template <int dim, typename Gas, typename Real>
+void MappedFiniteVolumeKernel<dim, Gas, Real>::update(
+  const unsigned int batch,
+  const BasicStage<Real> &stage,
+  const HangingData<dim, Real> &hanging)
 {
   Base::bind(batch, stage);
   metric_.reinit(mesh_, batch);
   load(stage.in);
-  Base::fill_ghosts(primitive_.data());
+  Base::fill_ghosts(primitive_.data(), hanging);
   if (scheme_.gradient_limiter)
     limit_gradients();
   residual_.fill(Number(0.));
   for (unsigned int direction = 0; direction < dim; ++direction)
-    sweep(direction);
+    sweep(direction, hanging);
   finish(stage);
   if (stage.results.signal_rate != nullptr)
   {
@@ -51,13 +53,14 @@ void MappedFiniteVolumeKernel<dim, Gas>::update(const unsigned int batch,
     store_sensors(stage);
   }
   else
-    Base::sensor_.store(stage.results.sensor + batch * double_width);
+    Base::sensor_.store(stage.results.sensor + batch * Base::width);
 }
 
 
-template <int dim, typename Gas>
-void MappedFiniteVolumeKernel<dim, Gas>::analyse(const unsigned int batch,
-                                                 const Stage &stage)
+template <int dim, typename Gas, typename Real>
+void MappedFiniteVolumeKernel<dim, Gas, Real>::analyse(
+  const unsigned int batch,
+  const BasicStage<Real> &stage)
 {
   Base::bind_burn(batch, stage);
   metric_.reinit(mesh_, batch);
@@ -66,10 +69,10 @@ void MappedFiniteVolumeKernel<dim, Gas>::analyse(const unsigned int batch,
 }
 
 
-template <int dim, typename Gas>
-void MappedFiniteVolumeKernel<dim, Gas>::load(const double *state)
+template <int dim, typename Gas, typename Real>
+void MappedFiniteVolumeKernel<dim, Gas, Real>::load(const Real *state)
 {
-  const double *values = state + batch_ * layout_.batch_size();
+  const Real *values = state + batch_ * layout_.batch_size();
   for (unsigned int q = 0; q < layout_.n_points; ++q)
   {
     Values u;
@@ -82,8 +85,10 @@ void MappedFiniteVolumeKernel<dim, Gas>::load(const double *state)
 }
 
 
-template <int dim, typename Gas>
-void MappedFiniteVolumeKernel<dim, Gas>::sweep(const unsigned int direction)
+template <int dim, typename Gas, typename Real>
+void MappedFiniteVolumeKernel<dim, Gas, Real>::sweep(
+  const unsigned int direction,
+  const HangingData<dim, Real> &hanging)
 {
   for (unsigned int line = 0; line < layout_.n_face_points; ++line)
   {
@@ -92,14 +97,16 @@ void MappedFiniteVolumeKernel<dim, Gas>::sweep(const unsigned int direction)
       Base::fill_progress(direction, line);
     reconstruct(direction, line);
     line_fluxes(direction, line);
+    take_hanging_fluxes(direction, line, hanging);
     add_flux_differences(direction, line);
   }
 }
 
 
-template <int dim, typename Gas>
-void MappedFiniteVolumeKernel<dim, Gas>::fill_line(const unsigned int direction,
-                                                   const unsigned int line)
+template <int dim, typename Gas, typename Real>
+void MappedFiniteVolumeKernel<dim, Gas, Real>::fill_line(
+  const unsigned int direction,
+  const unsigned int line)
 {
   const int n = layout_.n;
   const unsigned int stride = layout_.stride(direction);
@@ -118,8 +125,8 @@ void MappedFiniteVolumeKernel<dim, Gas>::fill_line(const unsigned int direction,
 }
 
 
-template <int dim, typename Gas>
-void MappedFiniteVolumeKernel<dim, Gas>::reconstruct(
+template <int dim, typename Gas, typename Real>
+void MappedFiniteVolumeKernel<dim, Gas, Real>::reconstruct(
   const unsigned int direction,
   const unsigned int line)
 {
@@ -161,8 +168,8 @@ void MappedFiniteVolumeKernel<dim, Gas>::reconstruct(
 }
 
 
-template <int dim, typename Gas>
-void MappedFiniteVolumeKernel<dim, Gas>::line_fluxes(
+template <int dim, typename Gas, typename Real>
+void MappedFiniteVolumeKernel<dim, Gas, Real>::line_fluxes(
   const unsigned int direction,
   const unsigned int line)
 {
@@ -191,8 +198,29 @@ void MappedFiniteVolumeKernel<dim, Gas>::line_fluxes(
 }
 
 
-template <int dim, typename Gas>
-void MappedFiniteVolumeKernel<dim, Gas>::add_flux_differences(
+// They are what remains beside the pressure of the cell itself.
+template <int dim, typename Gas, typename Real>
+void MappedFiniteVolumeKernel<dim, Gas, Real>::take_hanging_fluxes(
+  const unsigned int direction,
+  const unsigned int line,
+  const HangingData<dim, Real> &hanging)
+{
+  const unsigned int n = layout_.n;
+  for (auto s = mesh_.special_begin(batch_); s != mesh_.special_end(batch_);
+       ++s)
+    if (s->face / 2 == direction && s->kind != SpecialFace::Kind::boundary)
+    {
+      const unsigned int f = s->face % 2 ? n : 0, i = s->face % 2 ? n - 1 : 0;
+      for (unsigned int c = 0; c < nc; ++c)
+        flux_[f][c][s->lane] =
+          hanging.flux(s->index, Base::slot_of(*s), c)[line];
+      normal_stress_[f][s->lane] = Base::exerted_pressure(i, cell(i))[s->lane];
+    }
+}
+
+
+template <int dim, typename Gas, typename Real>
+void MappedFiniteVolumeKernel<dim, Gas, Real>::add_flux_differences(
   const unsigned int direction,
   const unsigned int line)
 {
@@ -216,12 +244,13 @@ void MappedFiniteVolumeKernel<dim, Gas>::add_flux_differences(
 }
 
 
-template <int dim, typename Gas>
-void MappedFiniteVolumeKernel<dim, Gas>::finish(const Stage &stage)
+template <int dim, typename Gas, typename Real>
+void MappedFiniteVolumeKernel<dim, Gas, Real>::finish(
+  const BasicStage<Real> &stage)
 {
-  const double *in = stage.in + batch_ * layout_.batch_size();
-  const double *start = stage.start + batch_ * layout_.batch_size();
-  double *out = stage.results.state + batch_ * layout_.batch_size();
+  const Real *in = stage.in + batch_ * layout_.batch_size();
+  const Real *start = stage.start + batch_ * layout_.batch_size();
+  Real *out = stage.results.state + batch_ * layout_.batch_size();
   Number smallest(1.);
   for (unsigned int q = 0; q < layout_.n_points; ++q)
   {
@@ -244,15 +273,17 @@ void MappedFiniteVolumeKernel<dim, Gas>::finish(const Stage &stage)
   const unsigned int n_filled = mesh_.n_filled_lanes(batch_);
   for (unsigned int lane = 0; lane < n_filled; ++lane)
     if (!(smallest[lane] > 0.))
-      *stage.results.unphysical_leaf = batch_ * double_width + lane;
-  for (unsigned int lane = n_filled; lane < double_width; ++lane)
-    for (std::size_t i = 0; i < layout_.batch_size(); i += double_width)
+      *stage.results.unphysical_leaf = batch_ * Base::width + lane;
+  for (unsigned int lane = n_filled; lane < Base::width; ++lane)
+    for (std::size_t i = 0; i < layout_.batch_size(); i += Base::width)
       out[i + lane] = out[i];
 }
 
 
 template class MappedFiniteVolumeKernel<2, IdealGas>;
 template class MappedFiniteVolumeKernel<3, IdealGas>;
+template class MappedFiniteVolumeKernel<3, IdealGas, float>;
 template class MappedFiniteVolumeKernel<2, MieGrueneisen>;
 template class MappedFiniteVolumeKernel<3, MieGrueneisen>;
+template class MappedFiniteVolumeKernel<3, MieGrueneisen, float>;
 } // namespace contrecoup::gas

@@ -8,25 +8,26 @@
 
 namespace contrecoup::gas
 {
-template <int dim, typename Gas>
-void MappedFiniteVolumeKernel<dim, Gas>::store_sensors(const Stage &stage)
+template <int dim, typename Gas, typename Real>
+void MappedFiniteVolumeKernel<dim, Gas, Real>::store_sensors(
+  const BasicStage<Real> &stage)
 {
   largest_signal_rate(stage.end_time)
-    .store(stage.results.signal_rate + batch_ * double_width);
+    .store(stage.results.signal_rate + batch_ * Base::width);
   if (Base::burn_ != nullptr)
     for (unsigned int q = 0; q < layout_.n_points; ++q)
     {
       Number &pressure = primitive_[C::energy * layout_.n_points + q];
       pressure = Base::burn_->pressure(pressure, burned(q, stage.end_time));
     }
-  shock_sensor().store(stage.results.sensor + batch_ * double_width);
+  shock_sensor().store(stage.results.sensor + batch_ * Base::width);
 }
 
 
-template <int dim, typename Gas>
-typename MappedFiniteVolumeKernel<dim, Gas>::Number
-MappedFiniteVolumeKernel<dim, Gas>::burned(const unsigned int point,
-                                           const double time) const
+template <int dim, typename Gas, typename Real>
+typename MappedFiniteVolumeKernel<dim, Gas, Real>::Number
+MappedFiniteVolumeKernel<dim, Gas, Real>::burned(const unsigned int point,
+                                                 const double time) const
 {
   return Base::burn_->fraction(Base::progress(point, time), primitive_[point]);
 }
@@ -34,9 +35,10 @@ MappedFiniteVolumeKernel<dim, Gas>::burned(const unsigned int point,
 
 // Half the sum over the faces of (|u . S| + c |S|) / V, which is
 // sum_d (|u_d| + c) / h_d of a box; over n, as if the leaf had one subcell.
-template <int dim, typename Gas>
-typename MappedFiniteVolumeKernel<dim, Gas>::Number
-MappedFiniteVolumeKernel<dim, Gas>::largest_signal_rate(const double time) const
+template <int dim, typename Gas, typename Real>
+typename MappedFiniteVolumeKernel<dim, Gas, Real>::Number
+MappedFiniteVolumeKernel<dim, Gas, Real>::largest_signal_rate(
+  const double time) const
 {
   const unsigned int n_points = layout_.n_points;
   Number largest(0.);
@@ -74,9 +76,9 @@ MappedFiniteVolumeKernel<dim, Gas>::largest_signal_rate(const double time) const
 }
 
 
-template <int dim, typename Gas>
-typename MappedFiniteVolumeKernel<dim, Gas>::Number
-MappedFiniteVolumeKernel<dim, Gas>::shock_sensor() const
+template <int dim, typename Gas, typename Real>
+typename MappedFiniteVolumeKernel<dim, Gas, Real>::Number
+MappedFiniteVolumeKernel<dim, Gas, Real>::shock_sensor() const
 {
   // A jump of the pressure by a tenth in compressed gas counts as a shock.
   const double threshold = 0.1;
@@ -107,8 +109,8 @@ MappedFiniteVolumeKernel<dim, Gas>::shock_sensor() const
 }
 
 
-template <int dim, typename Gas>
-void MappedFiniteVolumeKernel<dim, Gas>::limit_gradients()
+template <int dim, typename Gas, typename Real>
+void MappedFiniteVolumeKernel<dim, Gas, Real>::limit_gradients()
 {
   const int n = layout_.n;
   below_.fill(Number(0.));
@@ -139,8 +141,8 @@ void MappedFiniteVolumeKernel<dim, Gas>::limit_gradients()
 }
 
 
-template <int dim, typename Gas>
-void MappedFiniteVolumeKernel<dim, Gas>::limit_increments(
+template <int dim, typename Gas, typename Real>
+void MappedFiniteVolumeKernel<dim, Gas, Real>::limit_increments(
   const int i,
   const unsigned int point)
 {
@@ -172,6 +174,8 @@ void MappedFiniteVolumeKernel<dim, Gas>::limit_increments(
 
 template class MappedFiniteVolumeKernel<2, IdealGas>;
 template class MappedFiniteVolumeKernel<3, IdealGas>;
+template class MappedFiniteVolumeKernel<3, IdealGas, float>;
 template class MappedFiniteVolumeKernel<2, MieGrueneisen>;
 template class MappedFiniteVolumeKernel<3, MieGrueneisen>;
+template class MappedFiniteVolumeKernel<3, MieGrueneisen, float>;
 } // namespace contrecoup::gas

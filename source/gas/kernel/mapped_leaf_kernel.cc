@@ -8,21 +8,24 @@
 
 namespace contrecoup::gas
 {
-template <int dim, typename Gas>
-MappedLeafKernel<dim, Gas>::MappedLeafKernel(const LeafMesh<dim> &mesh,
-                                             const LeafLayout &layout,
-                                             const Scheme &scheme,
-                                             const Gas &gas,
-                                             const Boundary<dim> &boundary,
-                                             const LeafMetric<dim> &metric)
+template <int dim, typename Gas, typename Real>
+MappedLeafKernel<dim, Gas, Real>::MappedLeafKernel(
+  const LeafMesh<dim> &mesh,
+  const LeafLayout &layout,
+  const Scheme &scheme,
+  const Gas &gas,
+  const Boundary<dim> &boundary,
+  const Metric &metric)
   : Base(mesh, layout, scheme, gas, boundary, std::vector<double>())
   , leaf_metric_(metric)
   , ghosts_(2 * dim * ghosts * layout.n_face_points)
 {}
 
 
-template <int dim, typename Gas>
-void MappedLeafKernel<dim, Gas>::fill_ghosts(const Number *primitive)
+template <int dim, typename Gas, typename Real>
+void MappedLeafKernel<dim, Gas, Real>::fill_ghosts(
+  const Number *primitive,
+  const HangingData<dim, Real> &hanging)
 {
   primitive_ = primitive;
   for (unsigned int face = 0; face < 2 * dim; ++face)
@@ -30,21 +33,39 @@ void MappedLeafKernel<dim, Gas>::fill_ghosts(const Number *primitive)
   wall_.fill(Number(0.));
   for (auto s = mesh_.special_begin(batch_); s != mesh_.special_end(batch_);
        ++s)
-    fill_boundary_lane(*s);
+    if (s->kind == SpecialFace::Kind::boundary)
+      fill_boundary_lane(*s);
+    else
+      fill_hanging_lane(*s, hanging);
 }
 
 
-template <int dim, typename Gas>
-void MappedLeafKernel<dim, Gas>::fill_neighbors(const unsigned int face)
+template <int dim, typename Gas, typename Real>
+void MappedLeafKernel<dim, Gas, Real>::fill_hanging_lane(
+  const SpecialFace &special,
+  const HangingData<dim, Real> &hanging)
+{
+  for (unsigned int c = 0; c < nc; ++c)
+  {
+    const Real *halo = hanging.halo(special.index, Base::slot_of(special), c);
+    for (unsigned int line = 0; line < layout_.n_face_points; ++line)
+      for (unsigned int depth = 0; depth < ghosts; ++depth)
+        ghost(special.face, line, depth)[c][special.lane] = halo[line];
+  }
+}
+
+
+template <int dim, typename Gas, typename Real>
+void MappedLeafKernel<dim, Gas, Real>::fill_neighbors(const unsigned int face)
 {
   const unsigned int n = layout_.n;
   const auto &neighbors = mesh_.neighbors(batch_, face);
   const auto &matches = mesh_.matches(batch_, face);
-  std::array<unsigned int, double_width> offsets;
+  std::array<unsigned int, Base::width> offsets;
   for (unsigned int line = 0; line < layout_.n_face_points; ++line)
     for (unsigned int depth = 0; depth < ghosts; ++depth)
     {
-      for (unsigned int lane = 0; lane < double_width; ++lane)
+      for (unsigned int lane = 0; lane < Base::width; ++lane)
       {
         const unsigned int q =
           matched_face_point(matches[lane].orientation, line % n, line / n, n);
@@ -62,10 +83,10 @@ void MappedLeafKernel<dim, Gas>::fill_neighbors(const unsigned int face)
 }
 
 
-template <int dim, typename Gas>
+template <int dim, typename Gas, typename Real>
 GasState<dim>
-MappedLeafKernel<dim, Gas>::primitive_lane(const unsigned int point,
-                                           const unsigned int lane) const
+MappedLeafKernel<dim, Gas, Real>::primitive_lane(const unsigned int point,
+                                                 const unsigned int lane) const
 {
   const auto value = [&](const unsigned int c) {
     return primitive_[c * layout_.n_points + point][lane];
@@ -81,8 +102,9 @@ MappedLeafKernel<dim, Gas>::primitive_lane(const unsigned int point,
 }
 
 
-template <int dim, typename Gas>
-void MappedLeafKernel<dim, Gas>::fill_boundary_lane(const SpecialFace &special)
+template <int dim, typename Gas, typename Real>
+void MappedLeafKernel<dim, Gas, Real>::fill_boundary_lane(
+  const SpecialFace &special)
 {
   const unsigned int lane = special.lane;
   const unsigned int layer = special.face % 2 ? layout_.n : 0;
@@ -92,7 +114,7 @@ void MappedLeafKernel<dim, Gas>::fill_boundary_lane(const SpecialFace &special)
   for (unsigned int line = 0; line < layout_.n_face_points; ++line)
   {
     const Vector &area = leaf_metric_.area(special.face / 2, layer, line);
-    const Vector &center =
+    const Vector center =
       leaf_metric_.face_center(special.face / 2, layer, line);
     dealii::Tensor<1, dim> normal;
     dealii::Point<dim> place;
@@ -123,11 +145,12 @@ void MappedLeafKernel<dim, Gas>::fill_boundary_lane(const SpecialFace &special)
 // The limiters work on velocity components along the axes, so that the two
 // traces at a slanted wall are no exact mirror images by themselves; what
 // would leak through it is kept in by mirroring the inner one.
-template <int dim, typename Gas>
-void MappedLeafKernel<dim, Gas>::mirror_at_walls(const unsigned int direction,
-                                                 const unsigned int layer,
-                                                 Values &left,
-                                                 Values &right) const
+template <int dim, typename Gas, typename Real>
+void MappedLeafKernel<dim, Gas, Real>::mirror_at_walls(
+  const unsigned int direction,
+  const unsigned int layer,
+  Values &left,
+  Values &right) const
 {
   if (layer != 0 && layer != layout_.n)
     return;
@@ -142,12 +165,12 @@ void MappedLeafKernel<dim, Gas>::mirror_at_walls(const unsigned int direction,
 }
 
 
-template <int dim, typename Gas>
-const typename MappedLeafKernel<dim, Gas>::Number &
-MappedLeafKernel<dim, Gas>::velocity(const unsigned int direction,
-                                     const unsigned int line,
-                                     const int i,
-                                     const unsigned int component) const
+template <int dim, typename Gas, typename Real>
+const typename MappedLeafKernel<dim, Gas, Real>::Number &
+MappedLeafKernel<dim, Gas, Real>::velocity(const unsigned int direction,
+                                           const unsigned int line,
+                                           const int i,
+                                           const unsigned int component) const
 {
   const int n = layout_.n;
   if (i < 0)
@@ -161,11 +184,11 @@ MappedLeafKernel<dim, Gas>::velocity(const unsigned int direction,
 
 // The most negative velocity difference along the face, of the cells on both
 // sides of it and their neighbours within their leaves.
-template <int dim, typename Gas>
-typename MappedLeafKernel<dim, Gas>::Number
-MappedLeafKernel<dim, Gas>::compression(const unsigned int direction,
-                                        const unsigned int layer,
-                                        const unsigned int line) const
+template <int dim, typename Gas, typename Real>
+typename MappedLeafKernel<dim, Gas, Real>::Number
+MappedLeafKernel<dim, Gas, Real>::compression(const unsigned int direction,
+                                              const unsigned int layer,
+                                              const unsigned int line) const
 {
   Number smallest(0.);
   unsigned int stride = 1;
@@ -196,15 +219,15 @@ MappedLeafKernel<dim, Gas>::compression(const unsigned int direction,
 }
 
 
-template <int dim, typename Gas>
-typename MappedLeafKernel<dim, Gas>::Values
-MappedLeafKernel<dim, Gas>::face_flux(const unsigned int direction,
-                                      const unsigned int layer,
-                                      const unsigned int line,
-                                      const FaceFrame<dim, Number> &frame,
-                                      const std::array<Values, 2> &traces,
-                                      const std::array<Values, 2> &points,
-                                      const Number &inner_shock) const
+template <int dim, typename Gas, typename Real>
+typename MappedLeafKernel<dim, Gas, Real>::Values
+MappedLeafKernel<dim, Gas, Real>::face_flux(const unsigned int direction,
+                                            const unsigned int layer,
+                                            const unsigned int line,
+                                            const FaceFrame<dim, Number> &frame,
+                                            const std::array<Values, 2> &traces,
+                                            const std::array<Values, 2> &points,
+                                            const Number &inner_shock) const
 {
   Values left = in_frame(frame, traces[0]);
   Values right = in_frame(frame, traces[1]);
@@ -240,6 +263,8 @@ MappedLeafKernel<dim, Gas>::face_flux(const unsigned int direction,
 
 template class MappedLeafKernel<2, IdealGas>;
 template class MappedLeafKernel<3, IdealGas>;
+template class MappedLeafKernel<3, IdealGas, float>;
 template class MappedLeafKernel<2, MieGrueneisen>;
 template class MappedLeafKernel<3, MieGrueneisen>;
+template class MappedLeafKernel<3, MieGrueneisen, float>;
 } // namespace contrecoup::gas

@@ -40,6 +40,44 @@ match_faces(const typename dealii::Triangulation<dim>::cell_iterator &cell,
 }
 
 
+// Linear along either coordinate: the middle of a rectangle stands for all of
+// it.
+template <int dim>
+dealii::Tensor<1, dim>
+outward_area(const typename dealii::Triangulation<dim>::cell_iterator &cell,
+             const unsigned int face,
+             const double a,
+             const double b)
+{
+  const auto vertex = [&](const unsigned int i, const unsigned int j) {
+    return cell->vertex(face_corner<dim>(face, i, j));
+  };
+  // The other directions of a face across y are in reverse cyclic order.
+  const double sign = (face % 2 == 1) == (face / 2 != 1) ? 1. : -1.;
+  const dealii::Tensor<1, dim> low = vertex(1, 0) - vertex(0, 0);
+  if constexpr (dim == 2)
+    return sign * dealii::cross_product_2d(low);
+  else
+  {
+    const dealii::Tensor<1, dim> high = vertex(1, 1) - vertex(0, 1);
+    const dealii::Tensor<1, dim> left = vertex(0, 1) - vertex(0, 0);
+    const dealii::Tensor<1, dim> right = vertex(1, 1) - vertex(1, 0);
+    return sign * dealii::cross_product_3d(low + b * (high - low),
+                                           left + a * (right - left));
+  }
+}
+
+
+template dealii::Tensor<1, 2>
+outward_area(const dealii::Triangulation<2>::cell_iterator &,
+             unsigned int,
+             double,
+             double);
+template dealii::Tensor<1, 3>
+outward_area(const dealii::Triangulation<3>::cell_iterator &,
+             unsigned int,
+             double,
+             double);
 template FaceMatch
 match_faces<1>(const dealii::Triangulation<1>::cell_iterator &,
                unsigned int,

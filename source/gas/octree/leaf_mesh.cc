@@ -14,9 +14,12 @@ LeafMesh<dim>::LeafMesh(const MPI_Comm communicator)
   if constexpr (dim == 1)
     triangulation_ = std::make_unique<Tria>();
   else
+  {
     triangulation_ = std::make_unique<Tria>(communicator,
                                             dealii::Triangulation<dim>::none,
                                             Tria::no_automatic_repartitioning);
+    hanging_vertices_ = std::make_unique<HangingVertices<dim>>(*triangulation_);
+  }
 }
 
 
@@ -45,6 +48,9 @@ void LeafMesh<dim>::distribute()
 template <int dim>
 void LeafMesh<dim>::rebuild()
 {
+  if constexpr (dim > 1)
+    if (!coarse_mesh_.is_axis_aligned())
+      hanging_vertices_->settle();
   number_leaves();
   ghosts_.clear();
   hanging_faces_.clear();
@@ -250,7 +256,7 @@ unsigned int LeafMesh<dim>::stored_leaf(const CellIterator &cell,
   {
     leaf = first_ghost() + n_ghosts();
     ghosts_.push_back(
-      {cell->subdomain_id(), cell->global_active_cell_index(), 0});
+      {cell->subdomain_id(), cell->global_active_cell_index(), 0, cell});
   }
   if (leaf >= first_ghost())
     ghosts_[leaf - first_ghost()].faces |= 1U << face;

@@ -95,7 +95,7 @@ namespace
       "Precision",
       "double",
       {"double", "single"},
-      "Floating-point format of the gas: single (3-D boxes only) is faster "
+      "Floating-point format of the gas: single (3-D only) is faster "
       "and takes half the memory, but conserves mass, momentum and energy to "
       "about seven digits only and does not resolve waves weaker than 1e-6 "
       "of the pressure.");
@@ -117,7 +117,7 @@ void Scheme::declare_parameters(ParameterHandler &prm)
                   1,
                   16,
                   "Finite volume: subcells of a leaf in each direction; 1 "
-                  "or an even number where the mesh adapts.");
+                  "or an even number where leaves of different sizes meet.");
   declare_selection(
     prm,
     "Reconstruction",
@@ -188,9 +188,6 @@ void Scheme::parse_parameters(ParameterHandler &prm, const unsigned int dim)
 
 void Scheme::check_mesh(const bool is_axis_aligned) const
 {
-  if (!is_axis_aligned && precision == Precision::single_precision)
-    throw InputError("Method/Precision = single needs Domain/Mesh = box; on "
-                     "other meshes use double");
   if (is_axis_aligned && gradient_limiter)
     throw InputError("Method/Gradient limiter: for Domain/Mesh = box only "
                      "none is available");

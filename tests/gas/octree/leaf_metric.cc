@@ -15,9 +15,13 @@ namespace
 {
   /// A mesh from one of deal.II's generators.
   template <int dim>
-  std::unique_ptr<LeafMesh<dim>> make_mesh(const std::string &generator,
-                                           const std::string &arguments,
-                                           const unsigned int refinement)
+  std::unique_ptr<LeafMesh<dim>>
+  make_mesh(const std::string &generator,
+            const std::string &arguments,
+            const unsigned int refinement,
+            const unsigned int times = 0,
+            const bool rebuilds_always = true,
+            const MPI_Comm communicator = MPI_COMM_WORLD)
   {
     dealii::ParameterHandler prm;
     CoarseMesh<dim>::declare_parameters(prm);
@@ -29,10 +33,19 @@ namespace
       prm);
     CoarseMesh<dim> coarse_mesh;
     coarse_mesh.parse_parameters(prm);
-    auto mesh = std::make_unique<LeafMesh<dim>>(MPI_COMM_WORLD);
+    auto mesh = std::make_unique<LeafMesh<dim>>(communicator);
     mesh->create(coarse_mesh);
     mesh->triangulation().refine_global(refinement);
     mesh->distribute();
+    for (unsigned int i = 0; i < times; ++i)
+    {
+      for (const auto &cell : mesh->triangulation().active_cell_iterators())
+        if (cell->is_locally_owned() && cell->center()[0] > 0.1 + 0.2 * i)
+          cell->set_refine_flag();
+      mesh->triangulation().execute_coarsening_and_refinement();
+      if (rebuilds_always || i + 1 == times)
+        mesh->distribute();
+    }
     return mesh;
   }
 
@@ -65,6 +78,55 @@ namespace
               std::max(largest, std::abs(sums[q][d][lane]) / surface[q][lane]);
     }
     return largest;
+  }
+
+  /// Checks that the fine faces of each hanging face of an owned leaf make up
+  /// the coarse one, quarter by quarter; returns how many there are.
+  template <int dim>
+  unsigned int expect_no_gaps(const LeafMesh<dim> &mesh)
+  {
+    unsigned int n = 0;
+    for (const auto &face : mesh.hanging_faces())
+      if (face.coarse_leaf < mesh.n_owned())
+        for (unsigned int part = 0; part < face.n_fine; ++part, ++n)
+        {
+          const auto coarse = outward_area<dim>(mesh.cell(face.coarse_leaf),
+                                                face.coarse_face,
+                                                0.25 + 0.5 * (part % 2),
+                                                0.25 + 0.5 * (part / 2));
+          const auto fine = outward_area<dim>(
+            mesh.stored_cell(face.fine_leaf[part]), face.match.face, 0.5, 0.5);
+          EXPECT_LT((coarse + fine * double(face.n_fine)).norm(),
+                    1e-14 * coarse.norm());
+        }
+    return dealii::Utilities::MPI::sum(n, mesh.communicator());
+  }
+
+  /// Vertices of owned and ghost leaves by the names of their cells.
+  template <int dim>
+  std::map<std::string, std::vector<dealii::Point<dim>>>
+  vertices_of(const LeafMesh<dim> &mesh)
+  {
+    std::map<std::string, std::vector<dealii::Point<dim>>> result;
+    for (const auto &cell : mesh.triangulation().active_cell_iterators())
+      if (!cell->is_artificial())
+        for (const unsigned int v : cell->vertex_indices())
+          result[cell->id().to_string()].push_back(cell->vertex(v));
+    return result;
+  }
+
+  /// Checks that all vertices of a mesh are where another one, which has all
+  /// leaves, has them.
+  template <int dim>
+  void expect_vertices(const LeafMesh<dim> &mesh, const LeafMesh<dim> &whole)
+  {
+    const auto expected = vertices_of(whole);
+    for (const auto &[name, places] : vertices_of(mesh))
+    {
+      ASSERT_TRUE(expected.count(name)) << name;
+      for (unsigned int v = 0; v < places.size(); ++v)
+        EXPECT_LT(places[v].distance(expected.at(name)[v]), 1e-14) << name;
+    }
   }
 
   template <int dim>
@@ -112,6 +174,28 @@ TEST(LeafMetric, SurfacesAreClosed)
   EXPECT_LT(
     largest_gap(*make_mesh<3>("hyper_shell", "0,0,0:1:2:6:false", 1), 4),
     1e-14);
+}
+
+// The manifold of a sphere bends edges that hang; see HangingVertices.
+TEST(LeafMetric, HangingFacesHaveNoGaps)
+{
+  const auto shell = make_mesh<2>("hyper_shell", "0,0:1:2:7:false", 1, 2);
+  EXPECT_GT(expect_no_gaps(*shell), 0U);
+  const auto thick = make_mesh<3>("hyper_shell", "0,0,0:1:2:6:false", 0, 3);
+  EXPECT_GT(expect_no_gaps(*thick), 0U);
+  const auto ball = make_mesh<3>("hyper_ball", "0,0,0:1:false", 0, 2);
+  EXPECT_GT(expect_no_gaps(*ball), 0U);
+}
+
+TEST(LeafMetric, HangingVerticesDependOnTheLeavesAlone)
+{
+  const auto make = [](const bool rebuilds_always, const MPI_Comm comm) {
+    return make_mesh<3>(
+      "hyper_shell", "0,0,0:1:2:6:false", 0, 4, rebuilds_always, comm);
+  };
+  const auto whole = make(false, MPI_COMM_SELF);
+  expect_vertices(*make(true, MPI_COMM_SELF), *whole);
+  expect_vertices(*make(true, MPI_COMM_WORLD), *whole);
 }
 
 TEST(LeafMetric, VolumesAreThoseOfTheMap)

@@ -16,7 +16,8 @@ namespace contrecoup::gas
 struct AdaptationParameters
 {
   static void declare_parameters(dealii::ParameterHandler &prm);
-  /// @throws InputError when smallest and largest level contradict each other.
+  /// @throws InputError when smallest and largest level contradict each other,
+  /// and for a mesh that adapts unless @p is_axis_aligned.
   void parse_parameters(dealii::ParameterHandler &prm,
                         const unsigned int dim,
                         const unsigned int initial_refinement,

@@ -50,7 +50,7 @@ public:
   {
     Base::begin_stage(stage, quiet_leaves);
     for (unsigned int g = 0; g < groups_.size(); ++g)
-      if (Base::is_active(groups_[g], quiet_leaves))
+      if (quiet_leaves.is_active_group(groups_[g]))
         hanging_kernel_.compute(groups_[g],
                                 stage,
                                 hanging_,

@@ -8,7 +8,6 @@
 #include <contrecoup/gas/kernel/gas_operator.h>
 #include <contrecoup/gas/octree/hanging_group.h>
 
-#include <algorithm>
 #include <vector>
 
 namespace contrecoup::gas
@@ -44,7 +43,7 @@ public:
   {
     begin_stage(stage, quiet_leaves);
     for (const auto &group : groups_)
-      if (is_active(group, quiet_leaves))
+      if (quiet_leaves.is_active_group(group))
         hanging_kernel_.compute(group, stage, hanging_);
     for (unsigned int batch = 0; batch < mesh_.n_batches(); ++batch)
       if (quiet_leaves.is_active(batch))
@@ -63,17 +62,6 @@ public:
 protected:
   using GasOperator<dim>::layout_;
   using GasOperator<dim>::mesh_;
-
-  /// Whether a batch that is active meets a face of the group.
-  static bool is_active(const HangingGroup<dim> &group,
-                        const QuietLeaves<dim> &quiet_leaves)
-  {
-    return std::any_of(group.face.begin(),
-                       group.face.begin() + group.n_filled,
-                       [&](const unsigned int face) {
-                         return quiet_leaves.is_active_face(face);
-                       });
-  }
 
   void begin_stage(const BasicStage<Real> &stage,
                    QuietLeaves<dim> &quiet_leaves)

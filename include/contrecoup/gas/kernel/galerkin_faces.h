@@ -72,6 +72,7 @@ private:
   using Trace = dealii::AlignedVector<Values>;
 
   void measure_areas();
+  void measure_hanging_areas(const unsigned int face_batch);
   void bind(const unsigned int face_batch, const BasicStage<Real> &stage);
   Values conserved(const unsigned int side, const unsigned int point) const;
   /// Component that stands at place @p c along the axes of boxes' faces.
@@ -116,11 +117,43 @@ private:
   Values flux(const Values &left, const Values &right) const;
 
   void hanging_fluxes();
+  /// Fills @p trace with what the nodes of a side's face have more than its
+  /// first one, and returns the values of that one and the mean.
+  std::array<Values, 2> load_face(const unsigned int side, Trace &trace) const;
   void interpolate_coarse_side();
   void project_onto_coarse_side();
-  template <typename MatrixOfHalf>
+  /// For the lower and the upper half of an edge.
+  using MatrixOfHalf = std::array<const dealii::FullMatrix<double> *, 2>;
+  /// Applies, along each direction of the face, the matrix of that half which
+  /// the batch's quarter lies in.
   void apply_along_face(const MatrixOfHalf &matrix_of_half, Trace &trace);
   void bind_radius();
+
+  void mapped_hanging_fluxes();
+  void interpolate_hanging(const unsigned int side);
+  void integrate_hanging(const unsigned int side);
+  /// Of a side: to_gauss_ or from_gauss_.
+  static MatrixOfHalf
+  matrix_of(const std::array<dealii::FullMatrix<double>, 3> &matrices,
+            const unsigned int side)
+  {
+    return side == 0 ? MatrixOfHalf{{&matrices[0], &matrices[0]}}
+                     : MatrixOfHalf{{&matrices[1], &matrices[2]}};
+  }
+  Vector &hanging_area(const unsigned int face_batch, const unsigned int q)
+  {
+    return hanging_areas_[(face_batch - first_hanging_) * n_points_ + q];
+  }
+  /// Number of a point of a hanging face on a side's own face.
+  unsigned int hanging_point(const unsigned int side,
+                             const unsigned int point) const
+  {
+    return side == 1 || dim == 1 ? point
+                                 : matched_face_point(batch_->match.orientation,
+                                                      point % layout_.n,
+                                                      point / layout_.n,
+                                                      layout_.n);
+  }
 
   /// What flows out of a leaf through a face, per area, but for the force of
   /// its reference pressure, along the coordinate axes.
@@ -146,8 +179,17 @@ private:
   std::unique_ptr<Evaluation> exterior_;
   dealii::AlignedVector<Real> fluxes_;
   dealii::AlignedVector<Real> areas_;
+  /// Of hanging faces of mapped leaves, from the fine to the coarse leaf, at
+  /// their points: area vector times quadrature weight [batch][point], and the
+  /// number of the first such batch.
+  dealii::AlignedVector<Vector> hanging_areas_;
+  unsigned int first_hanging_ = 0;
+  /// From nodes to Gauss points, of a fine leaf and of the lower and the upper
+  /// half of a coarse one, and their transposes.
+  std::array<dealii::FullMatrix<double>, 3> to_gauss_;
+  std::array<dealii::FullMatrix<double>, 3> from_gauss_;
 
-  unsigned int index_ = 0;
+  unsigned int index_ = 0; ///< of batch_
   const FaceBatch *batch_ = nullptr;
   const BasicStage<Real> *stage_ = nullptr;
   std::array<NeighborReader<Real>, 2> reader_;

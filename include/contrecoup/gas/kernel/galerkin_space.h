@@ -10,6 +10,8 @@
 #include <deal.II/fe/mapping.h>
 #include <deal.II/matrix_free/matrix_free.h>
 
+#include <array>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -31,7 +33,11 @@ namespace contrecoup::gas
  * each side has a record of its own: of each node, the flux out of that leaf
  * times the test function, integrated over the face, less the force of the
  * leaf's reference pressure. A coarse leaf has a record for each finer
- * neighbour, which add up.
+ * neighbour, which add up in the order of the quarters, on any number of ranks.
+ *
+ * deal.II 9.4 gives a rank no hanging faces whose finer side is a ghost, and
+ * none between periodic leaves of different sizes: hanging faces are taken from
+ * LeafMesh, and each rank that owns a leaf beside one computes it.
  */
 template <int dim, typename Real>
 class GalerkinSpace
@@ -48,6 +54,7 @@ public:
     unsigned int lane;
     unsigned int face;
     unsigned int record;
+    unsigned int quarter;
   };
 
   struct CellBatch
@@ -71,7 +78,10 @@ public:
     Kind kind = Kind::regular;
     unsigned int boundary_id = 0;
     unsigned int n_filled = 0;
-    /// Of a hanging face of boxes, which part of the coarse leaf's face; see
+    /// deal.II's number of the batch, where that has it: on mapped meshes,
+    /// unless the faces hang.
+    unsigned int evaluation = 0;
+    /// Of a hanging face, which part of the coarse leaf's face; see
     /// HangingFace::fine_leaf.
     unsigned int quarter = 0;
     /// The side that deal.II calls interior: the finer one, or the only one.
@@ -81,7 +91,8 @@ public:
     std::array<LaneIndices, 2> leaf; ///< unused lanes repeat lane 0
     std::array<unsigned int, 2> face;
     std::array<unsigned int, 2> record; ///< of each side, for lane 0
-    /// Of the interior side; the same in all lanes.
+    /// Of the interior side, but of the coarse one on hanging faces of mapped
+    /// leaves; the same in all lanes.
     FaceMatch match;
     /// Whether deal.II's quadrature points follow the exterior side's axes.
     bool is_numbered_by_exterior = false;
@@ -160,9 +171,20 @@ public:
 private:
   void reinit_matrix_free();
   void find_cells();
+  /// Batches that still have room, by what their faces have in common.
+  using OpenBatches = std::map<std::array<unsigned int, 4>, FaceBatch>;
+
   void find_mapped_faces();
+  bool is_hanging_in_matrix_free(const unsigned int index) const;
   FaceBatch mapped_face_batch(const unsigned int index) const;
+  void add_mapped_hanging_faces();
   void find_box_faces();
+  /// Adds a face between two leaves to the batch that is like @p batch.
+  void add_face(OpenBatches &open,
+                const FaceBatch &batch,
+                const unsigned int left,
+                const unsigned int right);
+  void close(const OpenBatches &open);
   /// Calls @p add(batch, left leaf, right leaf) for each face.
   template <typename Add>
   void add_faces_of_box(const unsigned int leaf, const Add &add) const;
@@ -170,9 +192,10 @@ private:
   static FaceBatch box_face_batch(const unsigned int face);
   void attach_records();
   void attach_record(const unsigned int leaf,
-                     const unsigned int face,
+                     const unsigned int side,
                      const unsigned int face_batch,
                      const unsigned int record);
+  static void sort_parts(CellBatch &batch);
 
   const LeafMesh<dim> &mesh_;
   const LeafLayout layout_;

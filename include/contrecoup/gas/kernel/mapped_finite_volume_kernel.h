@@ -4,7 +4,6 @@
 #pragma once
 
 #include <contrecoup/gas/kernel/mapped_leaf_kernel.h>
-#include <contrecoup/gas/octree/leaf_metric.h>
 
 #include <deal.II/base/aligned_vector.h>
 
@@ -21,13 +20,13 @@ namespace contrecoup::gas
  * limits the differences of all directions together; faces between leaves
  * are limited along the line in any case, so that both sides agree.
  *
- * Without hanging faces.
+ * Fluxes through hanging faces are those of MappedHanging.
  */
-template <int dim, typename Gas>
-class MappedFiniteVolumeKernel : private MappedLeafKernel<dim, Gas>
+template <int dim, typename Gas, typename Real = double>
+class MappedFiniteVolumeKernel : private MappedLeafKernel<dim, Gas, Real>
 {
 public:
-  using Base = MappedLeafKernel<dim, Gas>;
+  using Base = MappedLeafKernel<dim, Gas, Real>;
   using Number = typename Base::Number;
   using Values = typename Base::Values;
   using C = Component<dim>;
@@ -39,13 +38,15 @@ public:
                            const Boundary<dim> &boundary);
 
   /// Does @p stage on the leaves of @p batch.
-  void update(const unsigned int batch, const Stage &stage);
+  void update(const unsigned int batch,
+              const BasicStage<Real> &stage,
+              const HangingData<dim, Real> &hanging);
 
   /// Computes only sensor and signal rate of the state stage.results.state.
-  void analyse(const unsigned int batch, const Stage &stage);
+  void analyse(const unsigned int batch, const BasicStage<Real> &stage);
 
 private:
-  using Vector = typename LeafMetric<dim>::Vector;
+  using Vector = typename Base::Vector;
   using Base::batch_;
   using Base::gas_;
   using Base::layout_;
@@ -54,17 +55,22 @@ private:
   using Base::scheme_;
   static constexpr int ghosts = Base::ghosts;
 
-  void load(const double *state);
+  void load(const Real *state);
   void limit_gradients();
   void limit_increments(const int i, const unsigned int point);
-  void sweep(const unsigned int direction);
+  void sweep(const unsigned int direction,
+             const HangingData<dim, Real> &hanging);
   void fill_line(const unsigned int direction, const unsigned int line);
   void reconstruct(const unsigned int direction, const unsigned int line);
   void line_fluxes(const unsigned int direction, const unsigned int line);
+  /// Replaces fluxes through hanging faces at the ends of the line.
+  void take_hanging_fluxes(const unsigned int direction,
+                           const unsigned int line,
+                           const HangingData<dim, Real> &hanging);
   void add_flux_differences(const unsigned int direction,
                             const unsigned int line);
-  void finish(const Stage &stage);
-  void store_sensors(const Stage &stage);
+  void finish(const BasicStage<Real> &stage);
+  void store_sensors(const BasicStage<Real> &stage);
   /// Burned fraction of a point, where burn_ is set.
   Number burned(const unsigned int point, const double time) const;
   Number largest_signal_rate(const double time) const;
@@ -76,7 +82,7 @@ private:
     return line_[i + ghosts];
   }
 
-  LeafMetric<dim> metric_;
+  typename Base::Metric metric_;
   dealii::AlignedVector<Number> primitive_; ///< [component][point]
   dealii::AlignedVector<Number> residual_;  ///< [component][point]
   dealii::AlignedVector<Number> factor_;    ///< of gradients, likewise

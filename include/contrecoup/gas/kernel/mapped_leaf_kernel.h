@@ -5,7 +5,7 @@
 
 #include <contrecoup/gas/kernel/leaf_kernel.h>
 #include <contrecoup/gas/octree/face_frame.h>
-#include <contrecoup/gas/octree/leaf_metric.h>
+#include <contrecoup/gas/octree/kernel_metric.h>
 
 #include <deal.II/base/aligned_vector.h>
 
@@ -13,21 +13,22 @@ namespace contrecoup::gas
 {
 /**
  * What the kernels of all schemes share on one batch of leaves of any shape:
- * the gas beyond the leaf faces, with neighbours in any orientation, and
- * Riemann fluxes in the frames of subcell faces. Velocities are along the
- * coordinate axes unless said otherwise.
+ * the gas beyond the leaf faces, with neighbours in any orientation or beyond
+ * hanging faces, and Riemann fluxes in the frames of subcell faces. Velocities
+ * are along the coordinate axes unless said otherwise.
  */
-template <int dim, typename Gas>
-class MappedLeafKernel : protected LeafKernel<dim, Gas>
+template <int dim, typename Gas, typename Real = double>
+class MappedLeafKernel : protected LeafKernel<dim, Gas, Real>
 {
 public:
-  using Base = LeafKernel<dim, Gas>;
+  using Base = LeafKernel<dim, Gas, Real>;
   using Number = typename Base::Number;
   using Values = typename Base::Values;
   using C = Component<dim>;
 
 protected:
-  using Vector = typename LeafMetric<dim>::Vector;
+  using Metric = KernelMetric<dim, Real>;
+  using Vector = typename Metric::Vector;
   using Base::batch_;
   using Base::boundary_;
   using Base::gas_;
@@ -47,12 +48,14 @@ protected:
                    const Scheme &scheme,
                    const Gas &gas,
                    const Boundary<dim> &boundary,
-                   const LeafMetric<dim> &metric);
+                   const Metric &metric);
 
   /// Reads the neighbours and evaluates the boundaries of the bound leaves.
   /// @param primitive their own values, [component][point], read by
   /// face_flux() too
-  void fill_ghosts(const Number *primitive);
+  /// @param hanging halos are what lies beyond hanging faces
+  void fill_ghosts(const Number *primitive,
+                   const HangingData<dim, Real> &hanging);
 
   /// Primitive state beyond a leaf face, in the layer at @p depth.
   Values &ghost(const unsigned int face,
@@ -108,6 +111,8 @@ protected:
 private:
   void fill_neighbors(const unsigned int face);
   void fill_boundary_lane(const SpecialFace &special);
+  void fill_hanging_lane(const SpecialFace &special,
+                         const HangingData<dim, Real> &hanging);
   GasState<dim> primitive_lane(const unsigned int point,
                                const unsigned int lane) const;
   void mirror_at_walls(const unsigned int direction,
@@ -123,7 +128,7 @@ private:
                          const int i,
                          const unsigned int component) const;
 
-  const LeafMetric<dim> &leaf_metric_;
+  const Metric &leaf_metric_;
   const Number *primitive_ = nullptr;
   std::array<Number, 2 * dim> wall_;     ///< one in lanes with a wall
   dealii::AlignedVector<Values> ghosts_; ///< see ghost()

@@ -79,9 +79,9 @@ public:
     halo_.resize(flux_.size());
   }
 
-  /// Numerical flux towards positive coordinates, in the numbering of the
-  /// face points of that side; consecutive values belong to consecutive
-  /// face points.
+  /// Numerical flux towards positive coordinates per area, or, on leaves of
+  /// any shape, as MappedHanging says; in the numbering of the face points of
+  /// that side. Consecutive values belong to consecutive face points.
   Real *flux(const unsigned int face,
              const unsigned int slot,
              const unsigned int component)

@@ -109,4 +109,17 @@ match_faces(const typename dealii::Triangulation<dim>::cell_iterator &cell,
             const unsigned int face,
             const typename dealii::Triangulation<dim>::cell_iterator &neighbor,
             const unsigned int neighbor_face);
+
+/**
+ * Area vector out of a cell [m^(dim-1)], per area of the unit square, at the
+ * coordinates (@p a, @p b) from 0 to 1 of a face, in the numbering of
+ * FaceMatch. Times the square's area this is exact for a rectangle of the face
+ * around that place.
+ */
+template <int dim>
+dealii::Tensor<1, dim>
+outward_area(const typename dealii::Triangulation<dim>::cell_iterator &cell,
+             const unsigned int face,
+             const double a,
+             const double b);
 } // namespace contrecoup::gas

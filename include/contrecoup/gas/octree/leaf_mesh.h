@@ -5,6 +5,7 @@
 
 #include <contrecoup/base/lanes/lanes.h>
 
+#include <contrecoup/gas/octree/hanging_vertices.h>
 #include <contrecoup/gas/octree/leaf_face.h>
 #include <contrecoup/gas/octree/precision.h>
 #include <contrecoup/geometry/mesh/coarse_mesh.h>
@@ -51,7 +52,8 @@ public:
   /// triangulation leave every leaf with its rank. Collective.
   void distribute();
 
-  /// Recomputes leaf numbers and connectivity after the octree changed.
+  /// Recomputes leaf numbers and connectivity after the octree changed, and
+  /// the places of hanging vertices of leaves that are no boxes. Collective.
   void rebuild();
 
   Tria &triangulation()
@@ -116,6 +118,11 @@ public:
   {
     return cells_[leaf];
   }
+  /// Cell of an owned or ghost leaf.
+  const CellIterator &stored_cell(const unsigned int leaf) const
+  {
+    return leaf < n_owned() ? cells_[leaf] : ghosts_[leaf - first_ghost()].cell;
+  }
   /// Leaf number of a locally owned active cell; no_leaf for others.
   unsigned int leaf_of(const CellIterator &cell) const
   {
@@ -175,6 +182,7 @@ public:
     std::uint64_t global_index;
     /// Bit f: an owned leaf shares face f of the ghost.
     unsigned char faces;
+    CellIterator cell;
   };
   const std::vector<Ghost> &ghosts() const
   {
@@ -216,6 +224,7 @@ private:
 
   MPI_Comm communicator_;
   std::unique_ptr<Tria> triangulation_;
+  std::unique_ptr<HangingVertices<dim>> hanging_vertices_; ///< not in 1-D
   CoarseMesh<dim> coarse_mesh_;
   Precision precision_ = Precision::double_precision;
   unsigned int width_ = double_width; ///< a power of two

@@ -31,9 +31,8 @@ public:
   /// @throws InputError for combinations that do not exist.
   void parse_parameters(dealii::ParameterHandler &prm, const unsigned int dim);
 
-  /// @throws InputError for options that the mesh does not allow: single
-  /// precision unless @p is_axis_aligned, a gradient limiter on axis-aligned
-  /// boxes or with the Galerkin scheme.
+  /// @throws InputError for options that the mesh does not allow: a gradient
+  /// limiter on axis-aligned boxes or with the Galerkin scheme.
   void check_mesh(const bool is_axis_aligned) const;
 
   Kind kind = Kind::finite_volume;

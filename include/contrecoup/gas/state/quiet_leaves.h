@@ -3,11 +3,13 @@
 
 #pragma once
 
+#include <contrecoup/gas/octree/hanging_group.h>
 #include <contrecoup/gas/octree/leaf_mesh.h>
 #include <contrecoup/gas/state/gas_field.h>
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <vector>
@@ -77,6 +79,14 @@ public:
   bool is_active_face(const unsigned int hanging_face) const
   {
     return active_face_[hanging_face] != 0;
+  }
+  /// Whether an active batch has a leaf at a face of the group.
+  bool is_active_group(const HangingGroup<dim> &group) const
+  {
+    return std::any_of(
+      group.face.begin(),
+      group.face.begin() + group.n_filled,
+      [this](const unsigned int face) { return is_active_face(face); });
   }
 
   /// Finds leaves of an active batch that are not quiet in @p out, the result
