@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-// Hanging faces between distorted leaves, which the Galerkin scheme has and no
-// parameter file can ask for yet: deal.II 9.4 has them on one rank alone.
+// Hanging faces between distorted leaves in the Galerkin scheme, on one rank;
+// see mapped_galerkin.cc for several.
 
 #include "../gas_run.h"
 #include <gtest/gtest.h>
@@ -13,6 +13,8 @@ using dealii::Point;
 
 namespace
 {
+/// Refined twice, a ball of three dimensions would have inverted leaves inside
+/// with the sphere's manifold there.
 template <int dim>
 std::vector<std::string> ball(const unsigned int degree)
 {
@@ -21,12 +23,11 @@ std::vector<std::string> ball(const unsigned int degree)
                                   "Domain/Mesh=generator",
                                   "Domain/Generator=hyper_ball",
                                   std::string("Domain/Generator arguments=") +
-                                    (dim == 2 ? "0,0:1:true" : "0,0,0:1:true"),
+                                    (dim == 2 ? "0,0:1:true" : "0,0,0:1:false"),
                                   "Domain/Initial refinement=1"};
 }
 
-/// Four distorted leaves with plane faces. In a ball of three dimensions a fine
-/// leaf's vertices lie beside its coarse neighbour's face.
+/// Four distorted leaves with plane faces.
 std::vector<std::string> simplex(const unsigned int degree)
 {
   return galerkin(degree) +
@@ -124,7 +125,10 @@ TEST(GalerkinHanging, UniformFlowStays)
   for (const unsigned int degree : {1U, 2U, 3U, 5U})
     check_wind<2>(ball<2>(degree), 0.1, degree);
   for (const unsigned int degree : {1U, 3U})
+  {
     check_wind<3>(simplex(degree), 0.4, degree);
+    check_wind<3>(ball<3>(degree), 0.1, degree);
+  }
 }
 
 

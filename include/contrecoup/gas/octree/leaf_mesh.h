@@ -47,13 +47,11 @@ public:
   void create(const CoarseMesh<dim> &coarse_mesh,
               const Precision precision = Precision::double_precision);
 
-  /// Distributes the leaves over the ranks by weight (the triangulation's
-  /// signals.weight; without, evenly), and calls rebuild(). Changes of the
-  /// triangulation leave every leaf with its rank. Collective.
+  /// Distributes the leaves over the ranks by the triangulation's weights, or
+  /// evenly, which changes of it do not, and calls rebuild(). Collective.
   void distribute();
 
-  /// Recomputes leaf numbers and connectivity after the octree changed, and
-  /// the places of hanging vertices of leaves that are no boxes. Collective.
+  /// Renews numbers, connections, HangingVertices after a change. Collective.
   void rebuild();
 
   Tria &triangulation()
