@@ -34,18 +34,16 @@ BatchSweep<dim, Gas, Real>::BatchSweep(
   , primitives_(primitives)
   , leaves_(mesh, layout, scheme, gas, boundary, subcell_centers(layout.n))
   , rates_(nc * layout.n_points)
-  , beyond_(2 * n_beyond * layout.n_face_points)
+  , subcells_((layout.n + 2 * n_beyond) * layout.n_face_points)
   , compression_(dim * layout.n_points)
   , compression_beyond_(2 * layout.n_face_points)
   , hanging_flux_(2 * layout.n_face_points)
-  , line_subcells_(layout.n + 2 * n_beyond)
   , line_half_slopes_(layout.n + 2)
   , line_end_products_(layout.n + 2)
   , line_compression_(layout.n + 2)
 {
   line_.scheme = &scheme;
   line_.n = layout.n;
-  line_.subcells = &line_subcells_[n_beyond];
   line_.half_slopes = &line_half_slopes_[1];
   line_.end_products = &line_end_products_[1];
 }
@@ -297,25 +295,23 @@ void BatchSweep<dim, Gas, Real>::fill_line(const unsigned int direction,
   const unsigned int n = layout_.n;
   const unsigned int stride = layout_.stride(direction);
   const unsigned int first = layout_.face_point(2 * direction, line, 0);
+  Values *const cells = subcells(line);
+  line_.subcells = cells;
   // The compiler copies a whole array by a call of memcpy.
-  const auto fill = [this](const unsigned int at, const Values &values) {
-    for (unsigned int c = 0; c < nc; ++c)
-      line_subcells_[at][c] = values[c];
-  };
-  fill(0, beyond(0, 1, line));
-  fill(1, beyond(0, 0, line));
   for (unsigned int i = 0; i < n; ++i)
-    fill(n_beyond + i, cell(direction, first + i * stride));
-  fill(n_beyond + n, beyond(1, 0, line));
-  fill(n_beyond + n + 1, beyond(1, 1, line));
+  {
+    const Values values = cell(direction, first + i * stride);
+    for (unsigned int c = 0; c < nc; ++c)
+      cells[i][c] = values[c];
+  }
   if constexpr (Gas::has_products)
   {
-    largest_density_ = line_subcells_[0][C::density];
-    largest_products_ = line_subcells_[0][C::products];
-    for (const Values &values : line_subcells_)
+    largest_density_ = cells[0][C::density];
+    largest_products_ = cells[0][C::products];
+    for (int i = -int(n_beyond); i < int(n + n_beyond); ++i)
     {
-      largest_density_ = std::max(largest_density_, values[C::density]);
-      largest_products_ = std::max(largest_products_, values[C::products]);
+      largest_density_ = std::max(largest_density_, cells[i][C::density]);
+      largest_products_ = std::max(largest_products_, cells[i][C::products]);
     }
   }
   for (unsigned int side = 0; side < 2; ++side)

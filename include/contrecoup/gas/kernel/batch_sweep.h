@@ -67,11 +67,16 @@ public:
 private:
   static constexpr unsigned int n_beyond = 2;
 
+  /// The subcells -2 to n + 1 of a line; see Line::subcells.
+  Values *subcells(const unsigned int line)
+  {
+    return &subcells_[line * (layout_.n + 2 * n_beyond) + n_beyond];
+  }
   Values &beyond(const unsigned int side,
                  const unsigned int layer,
                  const unsigned int q)
   {
-    return beyond_[(side * n_beyond + layer) * layout_.n_face_points + q];
+    return subcells(q)[side == 0 ? -1 - int(layer) : int(layout_.n + layer)];
   }
   /// Primitive values of a point in the frame of lines along a direction.
   Values cell(const unsigned int direction, const unsigned int point) const
@@ -83,7 +88,7 @@ private:
         Primitives::index(rotated_component<dim>(c, direction), point));
     return result;
   }
-  /// Primitive values of two layers beyond the leaves, [side][layer][line].
+  /// Sets the subcells beyond the leaves in all lines along a direction.
   void read_neighbors(const unsigned int direction);
   /// Asks for what read_neighbors() will read at one face point; without, the
   /// processor waits there as long as it computes a third of all fluxes.
@@ -116,8 +121,8 @@ private:
   Leaves leaves_;
 
   const Real *primitive_ = nullptr;
-  dealii::AlignedVector<Number> rates_;  ///< see rate()
-  dealii::AlignedVector<Values> beyond_; ///< see beyond()
+  dealii::AlignedVector<Number> rates_;    ///< see rate()
+  dealii::AlignedVector<Values> subcells_; ///< see subcells()
   /// Most negative velocity difference along each direction between a point
   /// and its neighbours on the leaf, [direction][point]; and beyond each side,
   /// the least of those across the line, [side][line].
@@ -125,7 +130,6 @@ private:
   dealii::AlignedVector<Number> compression_beyond_;
   dealii::AlignedVector<Values> hanging_flux_; ///< [side][line]
   std::array<Number, 2> has_hanging_;          ///< one in lanes that have one
-  dealii::AlignedVector<Values> line_subcells_;
   dealii::AlignedVector<Values> line_half_slopes_; ///< see Line::half_slopes
   dealii::AlignedVector<std::array<Number, 2>> line_end_products_;
   dealii::AlignedVector<Number> line_compression_;
