@@ -147,6 +147,9 @@ contrecoup_add_application_test(ranks_mapped_galerkin_blending ranks
 contrecoup_add_application_test(refuses_inverted_cell refusal FILE ${_vortex}
   SET "Domain/Mesh file=${CMAKE_CURRENT_SOURCE_DIR}/meshes/inverted_cell.msh"
   MESSAGE "cell 1 with centre")
+contrecoup_add_application_test(refuses_inverted_refinement refusal
+  FILE ${_ball} SET "Domain/Generator arguments=0, 0, 0 : 1 : true"
+  MESSAGE "refined 2 times, is inverted")
 contrecoup_add_application_test(refuses_triangle refusal FILE ${_vortex}
   SET "Domain/Mesh file=${CMAKE_CURRENT_SOURCE_DIR}/meshes/triangle.msh"
   MESSAGE "quadrilaterals")

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/parameters.h>
+#include <contrecoup/base/system/collective.h>
 #include <contrecoup/base/system/exceptions.h>
 #include <contrecoup/base/system/gather.h>
 #include <contrecoup/base/system/timers.h>
@@ -11,6 +12,7 @@
 #include <contrecoup/gas/run/gas_checkpoint.h>
 #include <contrecoup/gas/run/gas_core.h>
 #include <contrecoup/gas/run/initial_fill.h>
+#include <contrecoup/geometry/mesh/cell_shapes.h>
 
 #include <sstream>
 
@@ -97,6 +99,10 @@ void GasCore<dim>::refine_octree()
   mesh_.triangulation().refine_global(scene_.coarse_mesh.initial_refinement());
   mesh_.distribute();
   adaptation_->refine_fine_box();
+  if (!scene_.coarse_mesh.is_axis_aligned())
+    Collective(mesh_.communicator()).run([&]() {
+      check_cell_shapes(mesh_.triangulation(), "Domain/Initial refinement");
+    });
   adaptation_->refine_at_body();
 }
 

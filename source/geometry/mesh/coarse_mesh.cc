@@ -3,6 +3,7 @@
 
 #include <contrecoup/base/parameters/bounds.h>
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/geometry/mesh/cell_shapes.h>
 #include <contrecoup/geometry/mesh/coarse_mesh.h>
 #include <contrecoup/geometry/mesh/mesh_file.h>
 
@@ -299,29 +300,7 @@ void CoarseMesh<dim>::check_cells(
   if (!triangulation.all_reference_cells_are_hyper_cube())
     throw InputError("Domain/Mesh " + kind_ + ": some cells are no " +
                      (dim == 3 ? "hexahedra" : "quadrilaterals"));
-  for (const auto &cell : triangulation.active_cell_iterators())
-    for (const unsigned int v : cell->vertex_indices())
-    {
-      // Jacobian determinant at vertex v from its edges, each taken along the
-      // positive coordinate direction.
-      dealii::Tensor<2, dim> edges;
-      for (unsigned int d = 0; d < dim; ++d)
-      {
-        const unsigned int bit = 1U << d;
-        const auto edge = cell->vertex(v | bit) - cell->vertex(v & ~bit);
-        edges[d] = edge;
-      }
-      const double jacobian = dealii::determinant(edges);
-      if (!(jacobian > 0.))
-      {
-        std::ostringstream message;
-        message << "Domain/Mesh " << kind_ << ": cell "
-                << cell->active_cell_index() << " with centre "
-                << cell->center() << " m is inverted or flat (Jacobian "
-                << jacobian << " at a vertex; must be positive)";
-        throw InputError(message.str());
-      }
-    }
+  check_cell_shapes(triangulation, "Domain/Mesh " + kind_);
 }
 
 
