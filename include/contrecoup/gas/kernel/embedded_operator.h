@@ -11,6 +11,9 @@ namespace contrecoup::gas
 {
 /// Finite volumes around a rigid body: the plain kernel where leaves are open,
 /// another where they are cut, nothing where there is no gas.
+///
+/// Cut leaves stand in Morton order like all others, not in batches of their
+/// own: batches with a cut leaf take 4 % of the time of the quickstart's blast.
 template <int dim, typename Gas, typename Real = double>
 class EmbeddedOperator : public FiniteVolumeOperator<dim, Gas, Real>
 {
