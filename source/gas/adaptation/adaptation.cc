@@ -25,14 +25,7 @@ Adaptation<dim>::Adaptation(const AdaptationParameters &parameters,
   , material_(material)
   , levels_(parameters_, mesh)
   , pace_(parameters)
-{
-  if constexpr (dim > 1)
-    weigher_ = mesh_.triangulation().signals.weight.connect(
-      [this](const CellIterator &cell,
-             const typename LeafMesh<dim>::Tria::CellStatus) {
-        return weights_.empty() ? 1U : weights_[mesh_.leaf_of(cell)];
-      });
-}
+{}
 
 
 template <int dim>
@@ -297,7 +290,8 @@ void Adaptation<dim>::change_mesh(GasField &field, BlastMaps<dim> &maps)
   carrier.carry_over(origins);
   carry_weights(origins);
   if constexpr (dim > 1)
-    if (needs_distribution())
+    if (dealii::Utilities::MPI::n_mpi_processes(mesh_.communicator()) > 1 &&
+        needs_distribution())
       distribute(carrier, field, maps);
   weights_.clear();
   field.fill_padding(mesh_.n_owned());
@@ -329,8 +323,9 @@ bool Adaptation<dim>::needs_distribution() const
   const auto communicator = mesh_.communicator();
   const auto work = dealii::Utilities::MPI::min_max_avg(
     std::accumulate(weights_.begin(), weights_.end(), 0.), communicator);
-  const unsigned int n = mesh_.n_owned();
-  const bool is_split = n > 0 && (splits_siblings(0) || splits_siblings(n - 1));
+  bool is_split = false;
+  for (unsigned int leaf = 0; leaf < mesh_.n_owned() && !is_split; ++leaf)
+    is_split = splits_siblings(leaf);
   return work.max > (1. + largest_excess) * work.avg ||
          dealii::Utilities::MPI::max(is_split ? 1U : 0U, communicator) > 0;
 }
@@ -369,7 +364,12 @@ void Adaptation<dim>::distribute(const LeafCarrier<dim> &carrier,
         return carrier.pack(cell);
       },
       false);
+    weigher_ = tria.signals.weight.connect(
+      [this](const CellIterator &cell, const Status) {
+        return weights_[mesh_.leaf_of(cell)];
+      });
     mesh_.distribute();
+    weigher_.disconnect();
     field.reinit(field.layout(), mesh_.n_stored_batches());
     if (!maps.empty())
       maps.reinit(field.layout().n_points, mesh_.n_owned());

@@ -40,7 +40,17 @@ void LeafMesh<dim>::distribute()
 {
   if constexpr (dim > 1)
     if (dealii::Utilities::MPI::n_mpi_processes(communicator_) > 1)
+    {
+      // deal.II keeps siblings, which merge on one rank alone, together if
+      // there are weights, and not without.
+      boost::signals2::scoped_connection equal_weights;
+      if (triangulation_->signals.weight.empty())
+        equal_weights = triangulation_->signals.weight.connect(
+          [](const CellIterator &, const typename Tria::CellStatus) {
+            return 1U;
+          });
       triangulation_->repartition();
+    }
   rebuild();
 }
 

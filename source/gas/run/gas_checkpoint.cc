@@ -7,9 +7,13 @@
 
 #include <deal.II/grid/cell_id.h>
 
+#include <boost/signals2/connection.hpp>
+
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <set>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -161,6 +165,55 @@ namespace
       mesh.distribute();
     }
   }
+
+  /// Of each file, its last leaf in the order of p4est: by tree, then by path.
+  template <int dim>
+  std::map<unsigned int, dealii::CellId> last_leaves(const LeafMesh<dim> &mesh,
+                                                     const Locations &locations)
+  {
+    const auto &trees =
+      mesh.triangulation().get_coarse_cell_to_p4est_tree_permutation();
+    const auto key = [&](const dealii::CellId &id) {
+      const auto path = id.get_child_indices();
+      return std::make_pair(
+        trees[id.get_coarse_cell_id()],
+        std::vector<std::uint8_t>(path.begin(), path.end()));
+    };
+    std::map<unsigned int, dealii::CellId> last;
+    for (const auto &[leaf, location] : locations)
+    {
+      const dealii::CellId id(leaf);
+      const auto entry = last.try_emplace(location.file, id);
+      if (!entry.second && key(entry.first->second) < key(id))
+        entry.first->second = id;
+    }
+    return last;
+  }
+
+  /// Gives each rank the leaves that it had, if they were saved by as many
+  /// ranks and none had none: then sums over the ranks go on with the same last
+  /// bits. p4est cuts behind the leaves where the sum of the weights reaches
+  /// multiples of its mean over the ranks.
+  template <int dim>
+  void distribute_as_saved(LeafMesh<dim> &mesh, const Locations &locations)
+  {
+    if constexpr (dim > 1)
+    {
+      std::set<dealii::CellId> last;
+      for (const auto &[file, id] : last_leaves(mesh, locations))
+        last.insert(id);
+      if (last.size() !=
+          dealii::Utilities::MPI::n_mpi_processes(mesh.communicator()))
+        return;
+      const boost::signals2::scoped_connection weigher =
+        mesh.triangulation().signals.weight.connect(
+          [&](const typename LeafMesh<dim>::CellIterator &cell,
+              const typename LeafMesh<dim>::Tria::CellStatus) {
+            return last.count(cell->id()) > 0 ? 1U : 0U;
+          });
+      mesh.distribute();
+    }
+  }
 } // namespace
 
 
@@ -216,6 +269,7 @@ void restore_leaves(LeafMesh<dim> &mesh,
   const Locations locations = read_tables(folder, dim, layout, maps != nullptr);
   refine_to(mesh, locations);
   mesh.rebuild();
+  distribute_as_saved(mesh, locations);
   field.reinit(layout, mesh.n_stored_batches());
   std::vector<float> records;
   if (maps != nullptr)
