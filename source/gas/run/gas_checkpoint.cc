@@ -166,25 +166,16 @@ namespace
     }
   }
 
-  /// Of each file, its last leaf in the order of p4est: by tree, then by path.
-  template <int dim>
-  std::map<unsigned int, dealii::CellId> last_leaves(const LeafMesh<dim> &mesh,
-                                                     const Locations &locations)
+  /// Last leaf of each file in the order of p4est, which is that of the names:
+  /// the coarse cell in a name is the number of p4est's tree.
+  std::map<unsigned int, dealii::CellId> last_leaves(const Locations &locations)
   {
-    const auto &trees =
-      mesh.triangulation().get_coarse_cell_to_p4est_tree_permutation();
-    const auto key = [&](const dealii::CellId &id) {
-      const auto path = id.get_child_indices();
-      return std::make_pair(
-        trees[id.get_coarse_cell_id()],
-        std::vector<std::uint8_t>(path.begin(), path.end()));
-    };
     std::map<unsigned int, dealii::CellId> last;
     for (const auto &[leaf, location] : locations)
     {
       const dealii::CellId id(leaf);
       const auto entry = last.try_emplace(location.file, id);
-      if (!entry.second && key(entry.first->second) < key(id))
+      if (entry.first->second < id)
         entry.first->second = id;
     }
     return last;
@@ -200,7 +191,7 @@ namespace
     if constexpr (dim > 1)
     {
       std::set<dealii::CellId> last;
-      for (const auto &[file, id] : last_leaves(mesh, locations))
+      for (const auto &[file, id] : last_leaves(locations))
         last.insert(id);
       if (last.size() !=
           dealii::Utilities::MPI::n_mpi_processes(mesh.communicator()))
