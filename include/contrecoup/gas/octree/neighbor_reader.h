@@ -75,8 +75,8 @@ public:
 #endif
   }
 
-  /// Asks for @p n numbers from address @p at on, of leaf 0, in the batches
-  /// other than that at offset @p own, so that read() finds them in the cache.
+  /// Prefetches into the cache what read() will read: @p n numbers from the
+  /// address @p at of leaf 0 on, in all batches but that at offset @p own.
   DEAL_II_ALWAYS_INLINE void
   prefetch(const Real *at, const unsigned int n, const std::size_t own) const
   {
