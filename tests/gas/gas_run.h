@@ -70,7 +70,7 @@ public:
                                            scheme.kind ==
                                              Scheme::Kind::finite_volume,
                                            coarse_mesh.is_axis_aligned());
-    mesh.create(coarse_mesh, scheme.precision);
+    mesh.create(coarse_mesh, scheme.precision, scheme.cell_degree);
     mesh.triangulation().refine_global(coarse_mesh.initial_refinement());
     mesh.distribute();
     gas_operator = make_gas_operator(mesh,

@@ -25,9 +25,11 @@ void GalerkinFaces<dim, Gas, Real>::measure_hanging_areas(
     const unsigned int i = own % layout_.n, j = own / layout_.n;
     for (unsigned int lane = 0; lane < width; ++lane)
     {
-      const auto &cell = space_.mesh().stored_cell(batch_->leaf[0][lane]);
-      const auto area = outward_area<dim>(
-        cell, batch_->face[0], gauss.point(i)[0], gauss.point(j)[0]);
+      const auto area = outward_area(space_.mesh(),
+                                     batch_->leaf[0][lane],
+                                     batch_->face[0],
+                                     gauss.point(i)[0],
+                                     gauss.point(j)[0]);
       const double weight = gauss.weight(i) * (dim == 3 ? gauss.weight(j) : 1.);
       for (unsigned int d = 0; d < dim; ++d)
         hanging_area(face_batch, q)[d][lane] = weight * area[d];

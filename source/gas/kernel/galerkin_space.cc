@@ -36,6 +36,8 @@ namespace
   template <int dim>
   bool has_only_boxes(const LeafMesh<dim> &mesh)
   {
+    if (mesh.curved_shapes() != nullptr)
+      return false;
     if (mesh.coarse_mesh().is_axis_aligned())
       return true;
     for (const auto &cell : mesh.triangulation().cell_iterators_on_level(0))
@@ -75,10 +77,11 @@ namespace
   // MappingQ differs by less than 2e-9: uniform flow would change by 5e-11. It
   // keeps 2e-13 with other mappings, in more time.
   template <int dim>
-  std::unique_ptr<dealii::Mapping<dim>>
-  multilinear_mapping(const bool has_boxes_alone)
+  std::unique_ptr<dealii::Mapping<dim>> mapping_of(const LeafMesh<dim> &mesh)
   {
-    if (has_boxes_alone)
+    if (mesh.curved_shapes() != nullptr)
+      return mesh.curved_shapes()->mapping().clone();
+    if (has_only_boxes(mesh))
       return std::make_unique<dealii::MappingQ<dim>>(1);
     return std::make_unique<MultilinearMapping<dim>>();
   }
@@ -93,7 +96,7 @@ GalerkinSpace<dim, Real>::GalerkinSpace(const LeafMesh<dim> &mesh,
   , record_layout_(layout)
   , is_collocated_(has_only_boxes(mesh))
   , element_(dealii::QGaussLobatto<1>(layout.n))
-  , mapping_(multilinear_mapping<dim>(is_collocated_))
+  , mapping_(mapping_of(mesh))
 {
   record_layout_.n_points = layout.n_face_points;
 }

@@ -11,6 +11,8 @@ namespace contrecoup::gas
 template <int dim>
 dealii::Point<dim> LeafBox<dim>::place(const dealii::Point<dim> &x) const
 {
+  if (curved_shapes != nullptr)
+    return curved_shapes->place(cell, x);
   if (!is_box())
   {
     dealii::Point<dim> result;
@@ -29,6 +31,8 @@ dealii::Point<dim> LeafBox<dim>::place(const dealii::Point<dim> &x) const
 template <int dim>
 double LeafBox<dim>::jacobian(const dealii::Point<dim> &x) const
 {
+  if (curved_shapes != nullptr)
+    return dealii::determinant(curved_shapes->derivative(cell, x));
   dealii::Tensor<2, dim> derivative;
   for (unsigned int v = 0; v < vertices.size(); ++v)
     derivative += dealii::outer_product(
@@ -79,6 +83,8 @@ LeafBox<dim> leaf_box(const LeafMesh<dim> &mesh, const unsigned int leaf)
     const auto around = cell->bounding_box().get_boundary_points();
     box.origin = around.first;
     box.extents = around.second - around.first;
+    box.curved_shapes = mesh.curved_shapes();
+    box.cell = cell->active_cell_index();
     return box;
   }
   for (unsigned int d = 0; d < dim; ++d)
@@ -89,6 +95,26 @@ LeafBox<dim> leaf_box(const LeafMesh<dim> &mesh, const unsigned int leaf)
   return box;
 }
 
+
+template <int dim>
+dealii::Tensor<1, dim> outward_area(const LeafMesh<dim> &mesh,
+                                    const unsigned int leaf,
+                                    const unsigned int face,
+                                    const double a,
+                                    const double b)
+{
+  const auto &cell = mesh.stored_cell(leaf);
+  return mesh.curved_shapes() != nullptr
+           ? mesh.curved_shapes()->outward_area(
+               cell->active_cell_index(), face, a, b)
+           : outward_area<dim>(cell, face, a, b);
+}
+
+
+template dealii::Tensor<1, 2>
+outward_area(const LeafMesh<2> &, unsigned int, unsigned int, double, double);
+template dealii::Tensor<1, 3>
+outward_area(const LeafMesh<3> &, unsigned int, unsigned int, double, double);
 
 #define CONTRECOUP_INSTANTIATE(dim)                               \
   template struct LeafBox<dim>;                                   \

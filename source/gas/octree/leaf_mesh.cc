@@ -25,13 +25,18 @@ LeafMesh<dim>::LeafMesh(const MPI_Comm communicator)
 
 template <int dim>
 void LeafMesh<dim>::create(const CoarseMesh<dim> &coarse_mesh,
-                           const Precision precision)
+                           const Precision precision,
+                           const unsigned int cell_degree)
 {
   precision_ = precision;
   width_ = batch_width(precision);
   coarse_mesh_ = coarse_mesh;
   triangulation_->clear();
   coarse_mesh.create(*triangulation_);
+  curved_shapes_.reset();
+  if (cell_degree > 1 && has_curved_manifold<dim>(*triangulation_))
+    curved_shapes_ =
+      std::make_unique<CurvedShapes<dim>>(*triangulation_, cell_degree);
 }
 
 
@@ -58,7 +63,9 @@ void LeafMesh<dim>::distribute()
 template <int dim>
 void LeafMesh<dim>::rebuild()
 {
-  if constexpr (dim > 1)
+  if (curved_shapes_)
+    curved_shapes_->reinit();
+  else if constexpr (dim > 1)
     if (!coarse_mesh_.is_axis_aligned())
       hanging_vertices_->settle();
   number_leaves();
@@ -358,7 +365,8 @@ std::size_t LeafMesh<dim>::memory() const
          matches_.capacity() * sizeof(matches_[0]) +
          special_faces_.capacity() * sizeof(SpecialFace) +
          hanging_faces_.capacity() * sizeof(HangingFace<dim>) +
-         cells_.capacity() * sizeof(CellIterator);
+         cells_.capacity() * sizeof(CellIterator) +
+         (curved_shapes_ ? curved_shapes_->memory() : 0);
 }
 
 

@@ -25,6 +25,16 @@ namespace
                     1,
                     5,
                     "Discontinuous Galerkin: polynomial degree in a leaf.");
+    declare_integer(prm,
+                    "Cell degree",
+                    "0",
+                    0,
+                    6,
+                    "Discontinuous Galerkin: polynomial degree of the cells of "
+                    "a mesh with curved manifolds, such as hyper_ball [-]; 0: "
+                    "the largest that keeps uniform flow exactly (Degree + 1 "
+                    "in 2-D, Degree / 2 + 1, rounded down, in 3-D), 1: "
+                    "straight edges.");
     declare_bool(prm,
                  "Blending",
                  "true",
@@ -178,6 +188,20 @@ void Scheme::parse_parameters(ParameterHandler &prm, const unsigned int dim)
     throw InputError("Method/Precision = single works in 3-D; with "
                      "Domain/Dimension = " +
                      std::to_string(dim) + " use double");
+  cell_degree = 1;
+  if (kind == Kind::discontinuous_galerkin)
+  {
+    const unsigned int largest = largest_cell_degree(degree(), dim);
+    cell_degree = read_unsigned(prm, "Cell degree");
+    if (cell_degree > largest)
+      throw InputError("Method/Cell degree = " + std::to_string(cell_degree) +
+                       ": with Method/Degree = " + std::to_string(degree()) +
+                       " in " + std::to_string(dim) + "-D at most " +
+                       std::to_string(largest) +
+                       " keeps uniform flow; 0 chooses it");
+    if (cell_degree == 0)
+      cell_degree = largest;
+  }
   if (kind == Kind::finite_volume && linear_reconstruction && n_points == 1)
     throw InputError("Method/Reconstruction = linear needs Method/Subcells "
                      "of 2 or more (8 is a good number in " +

@@ -76,7 +76,8 @@ void GasCore<dim>::parse_parameters(ParameterHandler &prm)
 template <int dim>
 void GasCore<dim>::create_octree()
 {
-  mesh_.create(scene_.coarse_mesh, scene_.scheme.precision);
+  mesh_.create(
+    scene_.coarse_mesh, scene_.scheme.precision, scene_.scheme.cell_degree);
   operator_ = make_gas_operator(mesh_,
                                 scene_.layout,
                                 scene_.scheme,
@@ -101,7 +102,10 @@ void GasCore<dim>::refine_octree()
   adaptation_->refine_fine_box();
   if (!scene_.coarse_mesh.is_axis_aligned())
     Collective(mesh_.communicator()).run([&]() {
-      check_cell_shapes(mesh_.triangulation(), "Domain/Initial refinement");
+      const std::string entry = "Domain/Initial refinement";
+      check_cell_shapes(mesh_.triangulation(), entry);
+      if (mesh_.curved_shapes() != nullptr)
+        mesh_.curved_shapes()->check(entry);
     });
   adaptation_->refine_at_body();
 }

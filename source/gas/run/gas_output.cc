@@ -282,7 +282,8 @@ std::string GasOutput<dim>::write_leaves(const GasSnapshot<dim> &gas,
   for (unsigned int leaf = 0; is_writer<dim>() && leaf < gas.mesh.n_owned();
        ++leaf)
   {
-    auto patch = output.make_patch(n);
+    const LeafBox<dim> box = leaf_box(gas.mesh, leaf);
+    auto patch = output.make_patch(n, box.curved_shapes != nullptr);
     const auto values = gas.field.leaf(leaf);
     for (const unsigned int v : dealii::GeometryInfo<dim>::vertex_indices())
       patch.vertices[v] = gas.mesh.cell(leaf)->vertex(v);
@@ -315,6 +316,15 @@ std::string GasOutput<dim>::write_leaves(const GasSnapshot<dim> &gas,
           patch.data(row++, o) = value;
       if (gas.field.open_fractions() != nullptr)
         patch.data(row++, o) = open_fraction(gas.field, leaf, stencils[o]);
+      if (patch.points_are_available)
+      {
+        dealii::Point<dim> x;
+        for (unsigned int d = 0; d < dim; ++d)
+          x[d] = double(lattice_indices<dim>(o, n + 1)[d]) / n;
+        const dealii::Point<dim> place = box.place(x);
+        for (unsigned int d = 0; d < dim; ++d)
+          patch.data(row++, o) = place[d];
+      }
     }
     output.add_patch(std::move(patch));
   }

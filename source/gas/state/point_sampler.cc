@@ -53,6 +53,9 @@ namespace
                                       const LeafMesh<dim> &mesh)
   {
     const double tolerance = 1e-10;
+    const dealii::Mapping<dim> &mapping =
+      mesh.curved_shapes() != nullptr ? mesh.curved_shapes()->mapping()
+                                      : dealii::StaticMappingQ1<dim>::mapping;
     ContainingLeaf<dim> leaf_here;
     for (unsigned int leaf = 0; leaf < mesh.n_owned(); ++leaf)
     {
@@ -62,8 +65,7 @@ namespace
       dealii::Point<dim> x;
       try
       {
-        x = dealii::StaticMappingQ1<dim>::mapping.transform_real_to_unit_cell(
-          cell, place);
+        x = mapping.transform_real_to_unit_cell(cell, place);
       }
       catch (const typename dealii::Mapping<dim>::ExcTransformationFailed &)
       {

@@ -96,13 +96,14 @@ namespace io
 
   template <int dim, int spacedim>
   typename FieldOutput<dim, spacedim>::Patch
-  FieldOutput<dim, spacedim>::make_patch(
-    const unsigned int n_subdivisions) const
+  FieldOutput<dim, spacedim>::make_patch(const unsigned int n_subdivisions,
+                                         const bool has_points) const
   {
     Patch patch;
+    patch.points_are_available = has_points;
     if constexpr (dim > 0)
       patch.n_subdivisions = n_subdivisions;
-    patch.data.reinit(n_components(),
+    patch.data.reinit(n_components() + (has_points ? spacedim : 0),
                       dealii::Utilities::fixed_power<dim>(n_subdivisions + 1));
     return patch;
   }

@@ -4,7 +4,7 @@
 #include <contrecoup/gas/octree/leaf_box.h>
 #include <contrecoup/gas/octree/leaf_metric.h>
 
-#include "scene.h"
+#include "octree/generated_mesh.h"
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,44 +13,6 @@ namespace contrecoup::gas
 {
 namespace
 {
-  /// A mesh from one of deal.II's generators.
-  template <int dim>
-  std::unique_ptr<LeafMesh<dim>>
-  make_mesh(const std::string &generator,
-            const std::string &arguments,
-            const unsigned int refinement,
-            const unsigned int times = 0,
-            const bool rebuilds_always = true,
-            const MPI_Comm communicator = MPI_COMM_WORLD)
-  {
-    dealii::ParameterHandler prm;
-    CoarseMesh<dim>::declare_parameters(prm);
-    apply_assignments(
-      {parse_override("Domain/Dimension=" + std::to_string(dim)),
-       parse_override("Domain/Mesh=generator"),
-       parse_override("Domain/Generator=" + generator),
-       parse_override("Domain/Generator arguments=" + arguments)},
-      prm);
-    CoarseMesh<dim> coarse_mesh;
-    coarse_mesh.parse_parameters(prm);
-    auto mesh = std::make_unique<LeafMesh<dim>>(communicator);
-    mesh->create(coarse_mesh);
-    mesh->triangulation().refine_global(refinement);
-    mesh->distribute();
-    for (unsigned int i = 0; i < times; ++i)
-    {
-      // As if by chance, but by the leaf alone.
-      for (const auto &cell : mesh->triangulation().active_cell_iterators())
-        if (cell->is_locally_owned() &&
-            std::hash<std::string>()(cell->id().to_string()) % 5 < 2)
-          cell->set_refine_flag();
-      mesh->triangulation().execute_coarsening_and_refinement();
-      if (rebuilds_always || i + 1 == times)
-        mesh->distribute();
-    }
-    return mesh;
-  }
-
   /// Largest sum of outward areas of a subcell over its surface.
   template <int dim>
   double largest_gap(const LeafMesh<dim> &mesh, const unsigned int n)

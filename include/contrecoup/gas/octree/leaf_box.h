@@ -10,8 +10,8 @@
 
 namespace contrecoup::gas
 {
-/// Shape of a leaf: an axis-aligned box, or the multilinear image of the unit
-/// cube.
+/// Shape of a leaf: an axis-aligned box, the multilinear image of the unit
+/// cube, or that by a polynomial of CurvedShapes.
 template <int dim>
 struct LeafBox
 {
@@ -20,6 +20,8 @@ struct LeafBox
   dealii::Tensor<1, dim> extents; ///< edge lengths of leaf or bounding box [m]
   /// Vertices in deal.II's order [m]; empty for an axis-aligned box.
   std::vector<dealii::Point<dim>> vertices;
+  const CurvedShapes<dim> *curved_shapes = nullptr; ///< if not multilinear
+  unsigned int cell = 0; ///< active cell, for curved_shapes
 
   bool is_box() const
   {
@@ -43,4 +45,13 @@ double point_volume(const LeafBox<dim> &box,
 /// Shape of a leaf; a box on axis-aligned meshes.
 template <int dim>
 LeafBox<dim> leaf_box(const LeafMesh<dim> &mesh, const unsigned int leaf);
+
+/// Area vector out of an owned or ghost leaf, whatever its shape; see
+/// outward_area() in leaf_face.h.
+template <int dim>
+dealii::Tensor<1, dim> outward_area(const LeafMesh<dim> &mesh,
+                                    const unsigned int leaf,
+                                    const unsigned int face,
+                                    const double a,
+                                    const double b);
 } // namespace contrecoup::gas

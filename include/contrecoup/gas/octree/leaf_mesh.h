@@ -5,6 +5,7 @@
 
 #include <contrecoup/base/lanes/lanes.h>
 
+#include <contrecoup/gas/octree/curved_shapes.h>
 #include <contrecoup/gas/octree/hanging_vertices.h>
 #include <contrecoup/gas/octree/leaf_face.h>
 #include <contrecoup/gas/octree/precision.h>
@@ -43,15 +44,17 @@ public:
   explicit LeafMesh(const MPI_Comm communicator);
 
   /// Creates the coarse mesh, unrefined, with the batch width of @p precision.
-  /// Call rebuild() after refinement.
+  /// Where the mesh has curved manifolds, leaves are polynomials of degree
+  /// @p cell_degree. Call rebuild() after refinement.
   void create(const CoarseMesh<dim> &coarse_mesh,
-              const Precision precision = Precision::double_precision);
+              const Precision precision = Precision::double_precision,
+              const unsigned int cell_degree = 1);
 
   /// Distributes the leaves over the ranks by the triangulation's weights, or
   /// evenly, which changes of it do not, and calls rebuild(). Collective.
   void distribute();
 
-  /// Renews numbers, connections, HangingVertices after a change. Collective.
+  /// Renews numbers, connections, shapes after a change. Collective.
   void rebuild();
 
   Tria &triangulation()
@@ -65,6 +68,11 @@ public:
   const CoarseMesh<dim> &coarse_mesh() const
   {
     return coarse_mesh_;
+  }
+  /// Shapes of the leaves; nullptr: their vertices shape them.
+  const CurvedShapes<dim> *curved_shapes() const
+  {
+    return curved_shapes_.get();
   }
   /// Communicator of the ranks that share this mesh: one rank in 1-D.
   MPI_Comm communicator() const
@@ -223,6 +231,7 @@ private:
   MPI_Comm communicator_;
   std::unique_ptr<Tria> triangulation_;
   std::unique_ptr<HangingVertices<dim>> hanging_vertices_; ///< not in 1-D
+  std::unique_ptr<CurvedShapes<dim>> curved_shapes_;
   CoarseMesh<dim> coarse_mesh_;
   Precision precision_ = Precision::double_precision;
   unsigned int width_ = double_width; ///< a power of two

@@ -44,7 +44,9 @@ public:
   RiemannFlux flux = RiemannFlux::hllc;
   RungeKuttaTable time_stepping;
   Precision precision = Precision::double_precision;
-  double cfl = 0.5;             ///< CFL number [-]
+  double cfl = 0.5; ///< CFL number [-]
+  /// Polynomial degree of leaves on curved manifolds (DG).
+  unsigned int cell_degree = 1;
   bool blending = true;         ///< subcell shock capturing (DG)
   double largest_blending = 1.; ///< [-]
   /// Factor on the default threshold (DG) [-]
@@ -61,5 +63,16 @@ public:
   /// Largest stable time step times the signal rate sum_d (|u_d| + c) / h_d,
   /// h_d the edge lengths of the leaf, at CFL number 1 [-].
   double stability_limit() const;
+
+  /// Largest polynomial degree of curved leaves [-] that keeps uniform flow:
+  /// the Gauss points, as many along each direction as nodes, integrate area
+  /// vectors times test functions exactly. Area vectors of leaves of degree k
+  /// have degree 2 k - 1 in three dimensions; in two, degree + 1 is exact and
+  /// places walls as accurately as the gas.
+  static unsigned int largest_cell_degree(const unsigned int degree,
+                                          const unsigned int dim)
+  {
+    return dim == 3 ? degree / 2 + 1 : degree + 1;
+  }
 };
 } // namespace contrecoup::gas

@@ -54,8 +54,11 @@ namespace io
     /// Number of components of all fields: rows of Patch::data.
     unsigned int n_components() const;
 
-    /// Creates a patch of the right size; set its vertices and data.
-    Patch make_patch(unsigned int n_subdivisions) const;
+    /// Creates a patch of the right size; set its vertices and data. With
+    /// @p has_points, set the spacedim coordinates of all points [m] instead of
+    /// the vertices, in the rows of data after those of the fields.
+    Patch make_patch(unsigned int n_subdivisions,
+                     bool has_points = false) const;
 
     /// Adds a patch; neighbours and patch index need not be set.
     void add_patch(Patch &&patch);
