@@ -205,8 +205,9 @@ ProbeSet<dim>::report(const GasSnapshot<dim> &gas) const
 template <int dim>
 void ProbeSet<dim>::finish()
 {
+  // In 1-D each rank has all of the mesh, and communicators of its own.
   if (folder_.empty() ||
-      dealii::Utilities::MPI::this_mpi_process(communicator_) != 0)
+      dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
     return;
   std::vector<AirBlast> air;
   const auto found = blasts();

@@ -31,7 +31,6 @@ public:
 
   void mesh_changed(const GasSnapshot<dim> &gas) override
   {
-    communicator_ = gas.mesh.communicator();
     gauges_.mesh_changed(gas);
   }
   void begin(const GasSnapshot<dim> &gas) override
@@ -84,7 +83,6 @@ public:
 
 private:
   BlastProbes<dim> gauges_;
-  MPI_Comm communicator_ = MPI_COMM_SELF;
   std::string folder_;      ///< of the results; empty in trial runs
   double body_mass_ = 78.5; ///< [kg]
   double last_time_ = 0.;   ///< [s]
