@@ -31,7 +31,7 @@ public:
 
   void mesh_changed(const GasSnapshot<dim> &gas) override
   {
-    gauges_.mesh_changed(gas);
+    probes_.mesh_changed(gas);
   }
   void begin(const GasSnapshot<dim> &gas) override
   {
@@ -45,7 +45,7 @@ public:
 
   const std::vector<dealii::Point<dim>> &places() const
   {
-    return gauges_.places();
+    return probes_.places();
   }
 
   /// States at the last recorded time, one per probe.
@@ -82,7 +82,7 @@ public:
   void load(std::istream &stream, const std::string &folder) override;
 
 private:
-  BlastProbes<dim> gauges_;
+  BlastProbes<dim> probes_;
   std::string folder_;      ///< of the results; empty in trial runs
   double body_mass_ = 78.5; ///< [kg]
   double last_time_ = 0.;   ///< [s]
