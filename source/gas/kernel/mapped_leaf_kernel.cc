@@ -18,12 +18,12 @@ MappedLeafKernel<dim, Gas, Real>::MappedLeafKernel(
   const Metric &metric)
   : Base(mesh, layout, scheme, gas, boundary, std::vector<double>())
   , leaf_metric_(metric)
-  , ghosts_(2 * dim * ghosts * layout.n_face_points)
+  , beyond_(2 * dim * n_beyond * layout.n_face_points)
 {}
 
 
 template <int dim, typename Gas, typename Real>
-void MappedLeafKernel<dim, Gas, Real>::fill_ghosts(
+void MappedLeafKernel<dim, Gas, Real>::fill_beyond(
   const Number *primitive,
   const HangingData<dim, Real> &hanging)
 {
@@ -49,8 +49,8 @@ void MappedLeafKernel<dim, Gas, Real>::fill_hanging_lane(
   {
     const Real *halo = hanging.halo(special.index, Base::slot_of(special), c);
     for (unsigned int line = 0; line < layout_.n_face_points; ++line)
-      for (unsigned int depth = 0; depth < ghosts; ++depth)
-        ghost(special.face, line, depth)[c][special.lane] = halo[line];
+      for (unsigned int depth = 0; depth < n_beyond; ++depth)
+        beyond(special.face, line, depth)[c][special.lane] = halo[line];
   }
 }
 
@@ -63,7 +63,7 @@ void MappedLeafKernel<dim, Gas, Real>::fill_neighbors(const unsigned int face)
   const auto &matches = mesh_.matches(batch_, face);
   std::array<unsigned int, Base::width> offsets;
   for (unsigned int line = 0; line < layout_.n_face_points; ++line)
-    for (unsigned int depth = 0; depth < ghosts; ++depth)
+    for (unsigned int depth = 0; depth < n_beyond; ++depth)
     {
       for (unsigned int lane = 0; lane < Base::width; ++lane)
       {
@@ -78,7 +78,7 @@ void MappedLeafKernel<dim, Gas, Real>::fill_neighbors(const unsigned int face)
       Values u;
       for (unsigned int c = 0; c < nc; ++c)
         u[c].gather(in_ + layout_.value(c, 0), offsets.data());
-      ghost(face, line, depth) = to_primitive<dim>(gas_, u);
+      beyond(face, line, depth) = to_primitive<dim>(gas_, u);
     }
 }
 
@@ -124,13 +124,13 @@ void MappedLeafKernel<dim, Gas, Real>::fill_boundary_lane(
       place[d] = center[d][lane];
     }
     normal /= normal.norm();
-    for (unsigned int depth = 0; depth < ghosts; ++depth)
+    for (unsigned int depth = 0; depth < n_beyond; ++depth)
     {
       const unsigned int point = layout_.face_point(
         special.face, line, wall ? std::min(depth, layout_.n - 1) : 0);
       const GasState<dim> state = boundary_.outside(
         special.index, primitive_lane(point, lane), normal, place, time_);
-      Values &outside = ghost(special.face, line, depth);
+      Values &outside = beyond(special.face, line, depth);
       outside[C::density][lane] = state.density;
       for (unsigned int d = 0; d < dim; ++d)
         outside[C::momentum + d][lane] = state.velocity[d];
@@ -174,9 +174,9 @@ MappedLeafKernel<dim, Gas, Real>::velocity(const unsigned int direction,
 {
   const int n = layout_.n;
   if (i < 0)
-    return ghost(2 * direction, line, 0)[C::momentum + component];
+    return beyond(2 * direction, line, 0)[C::momentum + component];
   if (i >= n)
-    return ghost(2 * direction + 1, line, 0)[C::momentum + component];
+    return beyond(2 * direction + 1, line, 0)[C::momentum + component];
   return primitive_[(C::momentum + component) * layout_.n_points +
                     layout_.face_point(2 * direction, line, i)];
 }
