@@ -199,7 +199,7 @@ GalerkinLeaves<dim, Gas, Real>::beyond(const unsigned int face,
   const Values &end = line_[face % 2 ? n : 1];
   for (unsigned int c = 0; c < nc; ++c)
     result[c] = select_less(Number(0.), beside.is_absent, end[c], result[c]);
-  result[C::momentum + face / 2] *= beside.sign;
+  result[C::velocity + face / 2] *= beside.sign;
   return result;
 }
 
@@ -251,7 +251,7 @@ GalerkinLeaves<dim, Gas, Real>::subcell_flux(const unsigned int direction,
       blending_,
       shear_factor(
         std::max(left.sound_speed, right.sound_speed),
-        behind[C::momentum] - before[C::momentum],
+        behind[C::velocity] - before[C::velocity],
         std::min(
           compression(direction,
                       layout_.face_point(2 * direction, line, f - 1)),
@@ -288,12 +288,12 @@ GalerkinLeaves<dim, Gas, Real>::compression(const unsigned int direction,
     }
     const auto difference = [&](const unsigned int a, const unsigned int b) {
       if (space_.is_collocated())
-        return Number(primitive_[(C::momentum + along) * n_points_ + b] -
-                      primitive_[(C::momentum + along) * n_points_ + a]);
+        return Number(primitive_[(C::velocity + along) * n_points_ + b] -
+                      primitive_[(C::velocity + along) * n_points_ + a]);
       Number result(0.);
       for (unsigned int d = 0; d < dim; ++d)
-        result += (primitive_[(C::momentum + d) * n_points_ + b] -
-                   primitive_[(C::momentum + d) * n_points_ + a]) *
+        result += (primitive_[(C::velocity + d) * n_points_ + b] -
+                   primitive_[(C::velocity + d) * n_points_ + a]) *
                   tangent[d];
       return result;
     };

@@ -194,16 +194,16 @@ void LeafKernel<dim, Gas, Real>::fill_boundary(const SpecialFace &special,
 
   GasState<dim> state;
   state.density = inside[C::density][lane];
-  state.pressure = inside[C::energy][lane];
+  state.pressure = inside[C::pressure][lane];
   for (unsigned int d = 0; d < dim; ++d)
-    state.velocity[(direction + d) % dim] = inside[C::momentum + d][lane];
+    state.velocity[(direction + d) % dim] = inside[C::velocity + d][lane];
   if constexpr (Gas::has_products)
     state.products = inside[C::products][lane];
   state = boundary_.outside(special.index, state, normal, point, time_);
   outside[C::density][lane] = state.density;
-  outside[C::energy][lane] = state.pressure;
+  outside[C::pressure][lane] = state.pressure;
   for (unsigned int d = 0; d < dim; ++d)
-    outside[C::momentum + d][lane] = state.velocity[(direction + d) % dim];
+    outside[C::velocity + d][lane] = state.velocity[(direction + d) % dim];
   if constexpr (Gas::has_products)
     outside[C::products][lane] = state.products;
 }

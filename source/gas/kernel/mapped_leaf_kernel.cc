@@ -94,8 +94,8 @@ MappedLeafKernel<dim, Gas, Real>::primitive_lane(const unsigned int point,
   GasState<dim> state;
   state.density = value(C::density);
   for (unsigned int d = 0; d < dim; ++d)
-    state.velocity[d] = value(C::momentum + d);
-  state.pressure = value(C::energy);
+    state.velocity[d] = value(C::velocity + d);
+  state.pressure = value(C::pressure);
   if constexpr (Gas::has_products)
     state.products = value(C::products);
   return state;
@@ -133,8 +133,8 @@ void MappedLeafKernel<dim, Gas, Real>::fill_boundary_lane(
       Values &outside = beyond(special.face, line, depth);
       outside[C::density][lane] = state.density;
       for (unsigned int d = 0; d < dim; ++d)
-        outside[C::momentum + d][lane] = state.velocity[d];
-      outside[C::energy][lane] = state.pressure;
+        outside[C::velocity + d][lane] = state.velocity[d];
+      outside[C::pressure][lane] = state.pressure;
       if constexpr (Gas::has_products)
         outside[C::products][lane] = state.products;
     }
@@ -161,7 +161,7 @@ void MappedLeafKernel<dim, Gas, Real>::mirror_at_walls(
   Values &outside = layer == 0 ? left : right;
   for (unsigned int c = 0; c < nc; ++c)
     outside[c] = select_less(
-      Number(0.), wall, c == C::momentum ? -inside[c] : inside[c], outside[c]);
+      Number(0.), wall, c == C::velocity ? -inside[c] : inside[c], outside[c]);
 }
 
 
@@ -174,10 +174,10 @@ MappedLeafKernel<dim, Gas, Real>::velocity(const unsigned int direction,
 {
   const int n = layout_.n;
   if (i < 0)
-    return beyond(2 * direction, line, 0)[C::momentum + component];
+    return beyond(2 * direction, line, 0)[C::velocity + component];
   if (i >= n)
-    return beyond(2 * direction + 1, line, 0)[C::momentum + component];
-  return primitive_[(C::momentum + component) * layout_.n_points +
+    return beyond(2 * direction + 1, line, 0)[C::velocity + component];
+  return primitive_[(C::velocity + component) * layout_.n_points +
                     layout_.face_point(2 * direction, line, i)];
 }
 
@@ -247,8 +247,8 @@ MappedLeafKernel<dim, Gas, Real>::face_flux(const unsigned int direction,
     theta = Base::gated_shear_factor(
       shock,
       std::max(left_state.sound_speed, right_state.sound_speed),
-      in_frame(frame, points[1])[C::momentum] -
-        in_frame(frame, points[0])[C::momentum],
+      in_frame(frame, points[1])[C::velocity] -
+        in_frame(frame, points[0])[C::velocity],
       compression(direction, layer, line));
   }
   Values flux = to_array<dim, Gas>(

@@ -101,7 +101,7 @@ share_of_hllc(const Line<Number, n_conserved<dim, Gas>> &line,
               const int n,
               const Number &sound_speed)
 {
-  constexpr unsigned int normal = Component<dim>::momentum;
+  constexpr unsigned int normal = Component<dim>::velocity;
   const Number &shock = line.shock[f == 0 ? 0 : (f == n ? 2 : 1)];
   const Number factor = shear_factor(
     sound_speed,

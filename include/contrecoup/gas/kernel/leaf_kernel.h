@@ -68,9 +68,9 @@ public:
   Number exerted_pressure(const unsigned int i, const Values &cell) const
   {
     if (burn_ == nullptr)
-      return cell[C::energy];
+      return cell[C::pressure];
     return burn_->pressure(
-      cell[C::energy],
+      cell[C::pressure],
       burn_->fraction(line_progress_[i + 1], cell[C::density]));
   }
 

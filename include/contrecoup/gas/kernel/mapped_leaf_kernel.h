@@ -84,9 +84,9 @@ protected:
     Values result = values;
     for (unsigned int d = 0; d < dim; ++d)
     {
-      result[C::momentum + d] = values[C::momentum] * frame.axes[d][0];
+      result[C::velocity + d] = values[C::velocity] * frame.axes[d][0];
       for (unsigned int e = 1; e < dim; ++e)
-        result[C::momentum + d] += values[C::momentum + e] * frame.axes[d][e];
+        result[C::velocity + d] += values[C::velocity + e] * frame.axes[d][e];
     }
     return result;
   }
