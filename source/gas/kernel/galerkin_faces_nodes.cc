@@ -37,12 +37,12 @@ void GalerkinFaces<dim, Gas, Real>::nodal_fluxes()
     }
     const auto left = to_face_state<dim>(gas_, trace[0]);
     const auto right = to_face_state<dim>(gas_, trace[1]);
-    const Number theta =
+    const Number factor =
       needs_shear_factor_
         ? shear_factor_at(q, std::max(left.sound_speed, right.sound_speed))
         : Number(1.);
     flux_[q] =
-      to_array<dim, Gas>(numerical_flux(scheme_.flux, left, right, theta));
+      to_array<dim, Gas>(numerical_flux(scheme_.flux, left, right, factor));
   }
   if (space_.is_collocated())
     store_flux();
@@ -254,8 +254,7 @@ GalerkinFaces<dim, Gas, Real>::shear_factor_at(const unsigned int q,
       transverse = std::min(transverse, compression(side, q));
   const Number across = node_along_axes(q, near_[1][q])[C::velocity] -
                         node_along_axes(q, near_[0][q])[C::velocity];
-  return select_less(
-    Number(0.), share_, shear_factor(speed, across, transverse), Number(1.));
+  return shear_factor(share_, speed, across, transverse);
 }
 
 

@@ -242,24 +242,20 @@ GalerkinLeaves<dim, Gas, Real>::subcell_flux(const unsigned int direction,
   const FaceAxes<dim, Number> axes = subcell_face(direction, line, f);
   const auto left = to_face_state<dim>(gas_, axes.to(trace[0]));
   const auto right = to_face_state<dim>(gas_, axes.to(trace[1]));
-  Number theta(1.);
+  Number factor(1.);
   if (dim > 1 && scheme_.flux == RiemannFlux::hllc_shock_stable)
   {
     const Values before = axes.to(line_[f]), behind = axes.to(line_[f + 1]);
-    theta = select_less(
-      Number(0.),
+    factor = shear_factor(
       blending_,
-      shear_factor(
-        std::max(left.sound_speed, right.sound_speed),
-        behind[C::velocity] - before[C::velocity],
-        std::min(
-          compression(direction,
-                      layout_.face_point(2 * direction, line, f - 1)),
-          compression(direction, layout_.face_point(2 * direction, line, f)))),
-      Number(1.));
+      std::max(left.sound_speed, right.sound_speed),
+      Number(behind[C::velocity] - before[C::velocity]),
+      std::min(
+        compression(direction, layout_.face_point(2 * direction, line, f - 1)),
+        compression(direction, layout_.face_point(2 * direction, line, f))));
   }
   Values flux =
-    to_array<dim, Gas>(numerical_flux(scheme_.flux, left, right, theta));
+    to_array<dim, Gas>(numerical_flux(scheme_.flux, left, right, factor));
   flux[C::momentum] -= reference_pressure_;
   flux = axes.from(flux);
   for (Number &value : flux)

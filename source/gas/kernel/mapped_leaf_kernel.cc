@@ -5,6 +5,7 @@
 #include <contrecoup/gas/kernel/mapped_leaf_kernel.h>
 #include <contrecoup/materials/ideal_gas.h>
 #include <contrecoup/materials/mie_grueneisen.h>
+#include <contrecoup/numerics/scheme/shear_factor.h>
 
 namespace contrecoup::gas
 {
@@ -237,22 +238,22 @@ MappedLeafKernel<dim, Gas, Real>::face_flux(const unsigned int direction,
   if (Base::burn_ != nullptr)
     Base::apply_burn_pressure(layer, left_state, right_state);
   const bool is_inside = layer > 0 && layer < layout_.n;
-  Number theta(1.);
+  Number factor(1.);
   if (Base::needs_shear_factor())
   {
     Number shock = inner_shock;
     if (!is_inside)
       shock = std::max(sensor_,
                        neighbor_sensor_[2 * direction + (layer == 0 ? 0 : 1)]);
-    theta = Base::gated_shear_factor(
-      shock,
-      std::max(left_state.sound_speed, right_state.sound_speed),
-      in_frame(frame, points[1])[C::velocity] -
-        in_frame(frame, points[0])[C::velocity],
-      compression(direction, layer, line));
+    factor =
+      shear_factor(shock,
+                   std::max(left_state.sound_speed, right_state.sound_speed),
+                   Number(in_frame(frame, points[1])[C::velocity] -
+                          in_frame(frame, points[0])[C::velocity]),
+                   compression(direction, layer, line));
   }
   Values flux = to_array<dim, Gas>(
-    numerical_flux(scheme_.flux, left_state, right_state, theta));
+    numerical_flux(scheme_.flux, left_state, right_state, factor));
   // Faces to other leaves keep the flux that the neighbour computes too.
   if (Base::any_leaving(direction) && is_inside && Base::burn_ == nullptr)
     Base::widen_open_flux(

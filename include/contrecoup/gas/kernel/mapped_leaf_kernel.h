@@ -12,10 +12,10 @@
 namespace contrecoup::gas
 {
 /**
- * What the kernels of all schemes share on one batch of leaves of any shape:
- * the gas beyond the leaf faces, with neighbours in any orientation or beyond
- * hanging faces, and Riemann fluxes in the frames of subcell faces. Velocities
- * are along the coordinate axes unless said otherwise.
+ * Adds leaves of any shape to LeafKernel: the gas beyond the leaf faces, with
+ * neighbours in any orientation or beyond hanging faces, and Riemann fluxes in
+ * the frames of subcell faces. Velocities are along the coordinate axes unless
+ * said otherwise.
  */
 template <int dim, typename Gas, typename Real = double>
 class MappedLeafKernel : protected LeafKernel<dim, Gas, Real>
