@@ -44,7 +44,7 @@ public:
   {
     visit_precision(field.layout().precision, [&](const auto real) {
       using Real = std::decay_t<decltype(real)>;
-      exchange_.update(field.state<Real>(), field.shock_indicator<Real>());
+      exchange_.update(field.state<Real>(), field.sensors<Real>());
     });
   }
 
