@@ -25,7 +25,7 @@ namespace internal
     return !any_less(select_less(zero, x, one, zero), one);
   }
 
-  // What few lines need stays out of the pass that all others take.
+  // Not inlined: most runs use HLLC alone, and sweep_line() stays small.
   template <int dim, typename Gas, typename Number>
   __attribute__((noinline)) FaceFlux<dim, Number>
   other_flux(const RiemannFlux kind,

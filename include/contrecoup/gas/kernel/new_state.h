@@ -10,8 +10,8 @@
 namespace contrecoup::gas
 {
 /**
- * What is asked of the state that a finite-volume stage wrote, or of a given
- * one, in a batch of axis-aligned leaves: shock sensor and signal rate.
+ * Computes shock sensor and signal rate of a new state, reports unphysical
+ * leaves and fills padding lanes; for finite volumes on boxes.
  */
 template <int dim, typename Gas, typename Real = double>
 class NewState

@@ -76,7 +76,8 @@ public:
                const unsigned int component,
                const unsigned int point) const;
 
-  /// Values of W consecutive leaves; @p leaf, the first, is a multiple of W.
+  /// Values of double_width consecutive leaves; @p leaf, the first, is a
+  /// multiple of double_width.
   Lanes<double> values(const unsigned int leaf,
                        const unsigned int component,
                        const unsigned int point) const;
