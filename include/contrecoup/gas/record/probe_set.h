@@ -83,7 +83,7 @@ public:
 
 private:
   BlastProbes<dim> probes_;
-  std::string folder_;      ///< of the results; empty in trial runs
+  std::string folder_;      ///< of the results; empty in first stages
   double body_mass_ = 78.5; ///< [kg]
   double last_time_ = 0.;   ///< [s]
   std::vector<GasState<dim>> states_;
