@@ -42,10 +42,16 @@ contrecoup_add_application_test(ranks_sedov_2d ranks
   FILE blast/verification/sedov_2d.prm
   SET "Time/Largest number of steps=40" TOLERANCE 1e-10)
 
-# Meshes in 1-D live on each rank, and only the first one writes fields.
+# Meshes in 1-D live on each rank, and only the first one writes files.
 contrecoup_add_application_test(fields_1d_on_two_ranks bounds
   FILE blast/verification/sod.prm MPI 2 SET "Output/Fields=true"
   "Time/Largest number of steps=10" BOUNDS "status == finished")
+contrecoup_add_application_test(probes_1d ranks
+  FILE blast/verification/kingery_bulmash.prm
+  SET "Domain/Coarse leaves=50" "Probes/Points=0.25; 0.5" "Time/End time=5e-4"
+    "Output/History every steps=10" "Output/Fields=false"
+  COMPARE history.csv probes.csv probe_injury.csv TOLERANCE 1e-12 RANKS 2 4
+  CORES 1)
 
 # Quiet leaves, skipped or computed, give the same results. They are skipped in
 # batches, fewer where processors have more lanes: 0.77 with four numbers in

@@ -131,14 +131,14 @@ bool in_second_stage(Simulation &simulation)
 
 
 /// Goes on until @p n steps after the hand-over; all totals stay, no column
-/// changes, and gauges do not jump.
+/// changes, and probes do not jump.
 template <int dim>
 void check_run(StagedSimulation<dim> &simulation, const unsigned int n)
 {
   simulation.setup();
   const auto first = row(simulation.history());
   const std::string columns = names(simulation.history());
-  const std::string gauges = names(simulation.probes());
+  const std::string probes = names(simulation.probes());
   ASSERT_FALSE(in_second_stage(simulation));
   unsigned int after = 0;
   for (unsigned int step = 0; after < n && step < 2000; ++step)
@@ -146,11 +146,11 @@ void check_run(StagedSimulation<dim> &simulation, const unsigned int n)
     const double before = simulation.time();
     simulation.advance(1.);
     EXPECT_GT(simulation.time(), before);
-    const auto gauge = row(simulation.probes());
+    const auto probe = row(simulation.probes());
     const bool was_second = in_second_stage(simulation);
     simulation.adapt();
     EXPECT_EQ(names(simulation.history()), columns);
-    EXPECT_EQ(names(simulation.probes()), gauges);
+    EXPECT_EQ(names(simulation.probes()), probes);
     const auto totals = row(simulation.history());
     const bool afterburn = totals.count("energy_before_afterburn") > 0;
     for (const std::string name :
@@ -166,7 +166,7 @@ void check_run(StagedSimulation<dim> &simulation, const unsigned int n)
       const auto now = row(simulation.probes());
       for (const std::string name :
            {"probe_1_pressure", "probe_2_pressure", "probe_3_pressure"})
-        EXPECT_NEAR(now.at(name), gauge.at(name), 0.3 * now.at(name)) << name;
+        EXPECT_NEAR(now.at(name), probe.at(name), 0.3 * now.at(name)) << name;
     }
   }
   EXPECT_EQ(after, n);

@@ -309,6 +309,8 @@ TEST(ShearFactor, ActsAlongShocksAlone)
   EXPECT_EQ(shear_factor(300., 200., 100.), 1.);
   EXPECT_DOUBLE_EQ(shear_factor(300., 0., -300.), 1. / 16.);
   EXPECT_EQ(shear_factor(0., 0., 0.), 0.);
+  EXPECT_EQ(shear_factor(0., 300., 0., -300.), 1.);
+  EXPECT_DOUBLE_EQ(shear_factor(0.5, 300., 0., -300.), 1. / 16.);
   EXPECT_NEAR(shear_factor(Lanes<double>(300.),
                            Lanes<double>(0.),
                            Lanes<double>(-300.))[0],

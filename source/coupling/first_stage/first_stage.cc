@@ -11,12 +11,12 @@ namespace
   using gas::GasSimulation;
   using gas::GasState;
 
-  /// Position of a gauge in the domain of the stage, and the unit vectors of
+  /// Position of a probe in the domain of the stage, and the unit vectors of
   /// the stage's directions there.
   template <int dim, int stage_dim>
-  struct Gauge
+  struct Probe
   {
-    Gauge(const dealii::Point<dim> &place, const dealii::Point<dim> &centre)
+    Probe(const dealii::Point<dim> &place, const dealii::Point<dim> &centre)
     {
       dealii::Tensor<1, dim> radial = place - centre;
       if constexpr (stage_dim == 2)
@@ -70,19 +70,19 @@ namespace
                  const std::function<void(ParameterHandler &)> &declare,
                  const FirstStageParameters &parameters,
                  const FirstStageLayout<dim> &plan,
-                 const std::vector<dealii::Point<dim>> &gauges,
+                 const std::vector<dealii::Point<dim>> &probes,
                  const MPI_Comm communicator)
       : plan_(plan)
       , solver_(communicator)
     {
-      for (const auto &place : gauges)
-        gauges_.emplace_back(place, plan.centre);
+      for (const auto &place : probes)
+        probes_.emplace_back(place, plan.centre);
       ParameterHandler prm;
       declare(prm);
       std::vector<dealii::Point<stage_dim>> places;
-      for (const auto &gauge : gauges_)
-        if (is_inside(gauge))
-          places.push_back(gauge.place);
+      for (const auto &probe : probes_)
+        if (is_inside(probe))
+          places.push_back(probe.place);
       derive_first_stage<dim, stage_dim>(scene, parameters, plan, places, prm);
       solver_.parse_parameters(prm);
     }
@@ -123,21 +123,21 @@ namespace
       return gas().profile();
     }
 
-    std::vector<GasState<dim>> gauges() override
+    std::vector<GasState<dim>> probes() override
     {
       const GasState<stage_dim> ambient = gas().scene().ambient();
       const auto &states = gas().probe_set().states();
       std::size_t next = 0;
       std::vector<GasState<dim>> result;
-      for (const auto &gauge : gauges_)
+      for (const auto &probe : probes_)
       {
-        const auto &here = is_inside(gauge) ? states[next++] : ambient;
+        const auto &here = is_inside(probe) ? states[next++] : ambient;
         GasState<dim> state;
         state.density = here.density;
         state.pressure = here.pressure;
         state.products = here.products;
         for (unsigned int i = 0; i < stage_dim; ++i)
-          state.velocity += here.velocity[i] * gauge.directions[i];
+          state.velocity += here.velocity[i] * probe.directions[i];
         result.push_back(state);
       }
       return result;
@@ -178,9 +178,9 @@ namespace
       return gas_of(solver_);
     }
 
-    bool is_inside(const Gauge<dim, stage_dim> &gauge) const
+    bool is_inside(const Probe<dim, stage_dim> &probe) const
     {
-      return gauge.place[0] <= plan_.domain_radius;
+      return probe.place[0] <= plan_.domain_radius;
     }
 
     /// Mass [kg], energy [J] and mass of products [kg] of ambient gas in the
@@ -228,7 +228,7 @@ namespace
     }
 
     const FirstStageLayout<dim> plan_;
-    std::vector<Gauge<dim, stage_dim>> gauges_;
+    std::vector<Probe<dim, stage_dim>> probes_;
     /// mutable because const queries call non-const functions of the solver.
     mutable Solver solver_;
   };
@@ -241,7 +241,7 @@ make_first_stage(const ParameterHandler &scene,
                  const std::function<void(ParameterHandler &)> &declare,
                  const FirstStageParameters &parameters,
                  const FirstStageLayout<dim> &plan,
-                 const std::vector<dealii::Point<dim>> &gauges,
+                 const std::vector<dealii::Point<dim>> &probes,
                  const MPI_Comm communicator)
 {
   if constexpr (dim == 3)
@@ -249,12 +249,12 @@ make_first_stage(const ParameterHandler &scene,
     {
       if (parameters.spherical_cell_size > 0.)
         return std::make_unique<ReducedStage<dim, 2, StagedSimulation<2>>>(
-          scene, declare, parameters, plan, gauges, communicator);
+          scene, declare, parameters, plan, probes, communicator);
       return std::make_unique<ReducedStage<dim, 2, GasSimulation<2>>>(
-        scene, declare, parameters, plan, gauges, communicator);
+        scene, declare, parameters, plan, probes, communicator);
     }
   return std::make_unique<ReducedStage<dim, 1, GasSimulation<1>>>(
-    scene, declare, parameters, plan, gauges, communicator);
+    scene, declare, parameters, plan, probes, communicator);
 }
 
 

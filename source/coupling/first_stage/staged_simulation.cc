@@ -133,16 +133,16 @@ template <int dim>
 void StagedSimulation<dim>::setup()
 {
   first_->simulation().setup();
-  read_gauges();
+  read_probes();
   if (is_due())
     hand_over();
 }
 
 
 template <int dim>
-void StagedSimulation<dim>::read_gauges()
+void StagedSimulation<dim>::read_probes()
 {
-  scene_.probe_set().take(first_->gauges(), first_->simulation().time());
+  scene_.probe_set().take(first_->probes(), first_->simulation().time());
 }
 
 
@@ -230,7 +230,7 @@ StepReport StagedSimulation<dim>::advance(const double largest_step)
                     parameters_.time > time() ? parameters_.time - time()
                                               : largest_step);
   const StepReport report = first_->simulation().advance(step);
-  read_gauges();
+  read_probes();
   return report;
 }
 

@@ -43,7 +43,7 @@ namespace
         {
           reader_.template read<2>(d,
                                    line,
-                                   {{C::energy, C::momentum + d}},
+                                   {{C::pressure, C::velocity + d}},
                                    {{pressure_.data(), velocity_.data()}});
           const auto [up, down] = line_rises(d, line);
           largest[2 * d] = std::max(largest[2 * d], up);
@@ -80,7 +80,7 @@ namespace
         edges += reader_.distance(i + 1);
       if (edges == 0.)
         return Number(0.);
-      const Number *u = reader_.values(C::momentum + component) + q;
+      const Number *u = reader_.values(C::velocity + component) + q;
       return (u[after * s] - *(u - before * s)) /
              (reader_.extent(direction) * edges);
     }

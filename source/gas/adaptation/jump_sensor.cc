@@ -40,7 +40,7 @@ namespace
           reader_.template read<2>(
             d,
             line,
-            {{Component<dim>::density, Component<dim>::energy}},
+            {{Component<dim>::density, Component<dim>::pressure}},
             {{density_.data(), pressure_.data()}});
           if (!pressure_only_)
             largest = std::max(largest, line_sensor(density_));

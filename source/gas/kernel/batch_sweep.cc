@@ -167,7 +167,7 @@ void BatchSweep<dim, Gas, Real>::fill_images(const unsigned int face,
     for (unsigned int layer = 0; layer < n_beyond; ++layer)
     {
       Values mirrored = image(std::min(layer, layout_.n - 1));
-      mirrored[C::momentum] = zero - mirrored[C::momentum];
+      mirrored[C::velocity] = zero - mirrored[C::velocity];
       for (unsigned int c = 0; c < nc; ++c)
       {
         Number &value = beyond(face % 2, layer, q)[c];
@@ -237,7 +237,7 @@ void BatchSweep<dim, Gas, Real>::find_compression()
   {
     const unsigned int s = layout_.stride(d);
     const auto velocity = [&](const unsigned int q) {
-      return primitive_ + Primitives::index(C::momentum + d, q);
+      return primitive_ + Primitives::index(C::velocity + d, q);
     };
     for (unsigned int q = 0; q < layout_.n_points; ++q)
     {
@@ -273,7 +273,7 @@ void BatchSweep<dim, Gas, Real>::find_compression_beyond(
     for (unsigned int d = 0; d < dim; ++d)
       if (d != direction)
       {
-        const unsigned int c = C::momentum + (d + dim - direction) % dim;
+        const unsigned int c = C::velocity + (d + dim - direction) % dim;
         const Number &here = beyond(side, 0, q)[c];
         if (q / s % n > 0)
           smallest =

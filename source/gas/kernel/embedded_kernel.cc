@@ -217,7 +217,7 @@ void EmbeddedKernel<dim, Gas, Real>::add_embedded_walls(const WallPack &walls,
         burn_->progress(batch_ * width + walls.lane[i], walls.point[i], time);
   Number speed(0.);
   for (unsigned int d = 0; d < dim; ++d)
-    speed += inside[C::momentum + d] * walls.normal[d];
+    speed += inside[C::velocity + d] * walls.normal[d];
   const Number pressure = wall_pressure(inside, speed, progress);
   const Number excess =
     (pressure - exerted_pressure(inside, progress)) * walls.area;
@@ -253,7 +253,7 @@ void EmbeddedKernel<dim, Gas, Real>::add_staircase_wall(
     const Number high = is_gas - opening_of(point, d, 1) * is_gas;
     if (!(largest_lane(Number(low + high)) > 0.))
       continue;
-    const Number speed = inside[C::momentum + d];
+    const Number speed = inside[C::velocity + d];
     const Number below = wall_pressure(inside, -speed, progress);
     const Number above = wall_pressure(inside, speed, progress);
     sweep_.rate(C::momentum + d, point) +=
@@ -272,10 +272,10 @@ EmbeddedKernel<dim, Gas, Real>::wall_pressure(Values inside,
                                               const Number &progress) const
 {
   for (unsigned int d = 0; d < dim; ++d)
-    inside[C::momentum + d] = Number(0.);
+    inside[C::velocity + d] = Number(0.);
   Values image = inside;
-  inside[C::momentum] = speed;
-  image[C::momentum] = -speed;
+  inside[C::velocity] = speed;
+  image[C::velocity] = -speed;
   auto left = to_face_state<dim>(gas_, inside);
   auto right = to_face_state<dim>(gas_, image);
   if (burn_ != nullptr)
@@ -293,7 +293,7 @@ typename EmbeddedKernel<dim, Gas, Real>::Number
 EmbeddedKernel<dim, Gas, Real>::exerted_pressure(const Values &inside,
                                                  const Number &progress) const
 {
-  const Number &pressure = inside[C::energy];
+  const Number &pressure = inside[C::pressure];
   if (burn_ == nullptr)
     return pressure;
   return burn_->pressure(pressure,

@@ -239,7 +239,7 @@ void GalerkinFaces<dim, Gas, Real>::interpolate(const unsigned int side)
 {
   Evaluation &phi = evaluation(side);
   reference_pressure_[side] =
-    to_primitive<dim>(gas_, conserved(side, 0))[C::energy];
+    to_primitive<dim>(gas_, conserved(side, 0))[C::pressure];
   const unsigned int face = batch_->face[side];
   const Values base = conserved(side, layout_.face_point(face, 0, 0));
   Number *const dofs = phi.begin_dof_values();

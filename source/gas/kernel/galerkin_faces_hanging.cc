@@ -75,7 +75,7 @@ void GalerkinFaces<dim, Gas, Real>::project_onto_coarse_side()
   const Values at_first =
     conserved(coarse, layout_.face_point(batch_->face[coarse], 0, 0));
   reference_pressure_[coarse] =
-    to_primitive<dim>(gas_, conserved(coarse, 0))[C::energy];
+    to_primitive<dim>(gas_, conserved(coarse, 0))[C::pressure];
   Values even;
   even.fill(Number(0.));
   even[C::momentum] = reference_pressure_[coarse];

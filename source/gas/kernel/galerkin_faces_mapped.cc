@@ -56,7 +56,7 @@ template <int dim, typename Gas, typename Real>
 void GalerkinFaces<dim, Gas, Real>::interpolate_hanging(const unsigned int side)
 {
   reference_pressure_[side] =
-    to_primitive<dim>(gas_, conserved(side, 0))[C::energy];
+    to_primitive<dim>(gas_, conserved(side, 0))[C::pressure];
   Trace &differences = far_[side];
   const auto [base, mean] = load_face(side, differences);
   apply_along_face(matrix_of(to_gauss_, side), differences);

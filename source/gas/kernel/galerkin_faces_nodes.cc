@@ -37,12 +37,12 @@ void GalerkinFaces<dim, Gas, Real>::nodal_fluxes()
     }
     const auto left = to_face_state<dim>(gas_, trace[0]);
     const auto right = to_face_state<dim>(gas_, trace[1]);
-    const Number theta =
+    const Number factor =
       needs_shear_factor_
         ? shear_factor_at(q, std::max(left.sound_speed, right.sound_speed))
         : Number(1.);
     flux_[q] =
-      to_array<dim, Gas>(numerical_flux(scheme_.flux, left, right, theta));
+      to_array<dim, Gas>(numerical_flux(scheme_.flux, left, right, factor));
   }
   if (space_.is_collocated())
     store_flux();
@@ -108,7 +108,7 @@ void GalerkinFaces<dim, Gas, Real>::mirror_nodes()
   for (unsigned int q = 0; q < n_points_; ++q)
   {
     Values mirrored = node_along_axes(q, near_[outside][q]);
-    mirrored[C::momentum] = -mirrored[C::momentum];
+    mirrored[C::velocity] = -mirrored[C::velocity];
     near_[outside][q] =
       space_.is_collocated() ? mirrored : axes_[q].from(mirrored);
   }
@@ -182,7 +182,7 @@ GalerkinFaces<dim, Gas, Real>::beyond_boundary(const unsigned int q,
   Values outside = inside;
   if (kind == Kind::wall)
   {
-    outside[C::momentum] = -inside[C::momentum];
+    outside[C::velocity] = -inside[C::velocity];
     return outside;
   }
   if (kind == Kind::open)
@@ -211,7 +211,7 @@ GalerkinFaces<dim, Gas, Real>::given_state(const unsigned int q,
     is_node ? node_places(q) : Places(interior_->quadrature_point(q));
   Values unit;
   unit.fill(Number(0.));
-  unit[C::momentum] = batch_->interior == 0 ? 1. : -1.;
+  unit[C::velocity] = batch_->interior == 0 ? 1. : -1.;
   const Values normals = from_axes(q, unit);
   // Lanes without a face stay as they are inside, which is as good as any.
   Values values = from_axes(q, inside);
@@ -221,11 +221,11 @@ GalerkinFaces<dim, Gas, Real>::given_state(const unsigned int q,
     dealii::Tensor<1, dim> normal;
     dealii::Point<dim> point;
     state.density = values[C::density][lane];
-    state.pressure = values[C::energy][lane];
+    state.pressure = values[C::pressure][lane];
     for (unsigned int d = 0; d < dim; ++d)
     {
-      state.velocity[d] = values[C::momentum + d][lane];
-      normal[d] = normals[C::momentum + d][lane];
+      state.velocity[d] = values[C::velocity + d][lane];
+      normal[d] = normals[C::velocity + d][lane];
       point[d] = places[d][lane];
     }
     if constexpr (Gas::has_products)
@@ -233,9 +233,9 @@ GalerkinFaces<dim, Gas, Real>::given_state(const unsigned int q,
     state = boundary_.outside(
       batch_->boundary_id, state, normal, point, stage_->time);
     values[C::density][lane] = state.density;
-    values[C::energy][lane] = state.pressure;
+    values[C::pressure][lane] = state.pressure;
     for (unsigned int d = 0; d < dim; ++d)
-      values[C::momentum + d][lane] = state.velocity[d];
+      values[C::velocity + d][lane] = state.velocity[d];
     if constexpr (Gas::has_products)
       values[C::products][lane] = state.products;
   }
@@ -252,10 +252,9 @@ GalerkinFaces<dim, Gas, Real>::shear_factor_at(const unsigned int q,
   for (unsigned int side = 0; side < 2; ++side)
     if (batch_->has(side))
       transverse = std::min(transverse, compression(side, q));
-  const Number across = node_along_axes(q, near_[1][q])[C::momentum] -
-                        node_along_axes(q, near_[0][q])[C::momentum];
-  return select_less(
-    Number(0.), share_, shear_factor(speed, across, transverse), Number(1.));
+  const Number across = node_along_axes(q, near_[1][q])[C::velocity] -
+                        node_along_axes(q, near_[0][q])[C::velocity];
+  return shear_factor(share_, speed, across, transverse);
 }
 
 
@@ -276,14 +275,14 @@ GalerkinFaces<dim, Gas, Real>::compression(const unsigned int side,
     const auto difference = [&](const unsigned int a, const unsigned int b) {
       const unsigned int axis = (along + dim - normal) % dim;
       if (space_.is_collocated())
-        return near_[side][b][C::momentum + axis] -
-               near_[side][a][C::momentum + axis];
+        return near_[side][b][C::velocity + axis] -
+               near_[side][a][C::velocity + axis];
       Vector tangent = node_places(b) - node_places(a);
       tangent *= Number(1.) / std::sqrt(tangent * tangent);
       Number result(0.);
       for (unsigned int d = 0; d < dim; ++d)
         result +=
-          (near_[side][b][C::momentum + d] - near_[side][a][C::momentum + d]) *
+          (near_[side][b][C::velocity + d] - near_[side][a][C::velocity + d]) *
           tangent[d];
       return result;
     };

@@ -141,7 +141,7 @@ void GalerkinLeaves<dim, Gas, Real>::load(const Real *state)
   }
   // Only differences of the pressure act inside a leaf; measured from one
   // of its nodes they vanish exactly in gas at rest.
-  reference_pressure_ = primitive_[C::energy * n_points_];
+  reference_pressure_ = primitive_[C::pressure * n_points_];
 }
 
 
@@ -247,11 +247,11 @@ void GalerkinLeaves<dim, Gas, Real>::submit_flux(const unsigned int q,
   dealii::Tensor<1, nc, Vector> flux;
   for (unsigned int d = 0; d < dim; ++d)
   {
-    const Number &velocity = p[C::momentum + d];
+    const Number &velocity = p[C::velocity + d];
     for (unsigned int c = 0; c < nc; ++c)
       flux[c][d] = u[c] * velocity;
-    flux[C::momentum + d][d] += p[C::energy] - reference_pressure_;
-    flux[C::energy][d] += p[C::energy] * velocity;
+    flux[C::momentum + d][d] += p[C::pressure] - reference_pressure_;
+    flux[C::energy][d] += p[C::pressure] * velocity;
   }
   if (!radial_.is_plane())
     for (unsigned int c = 0; c < nc; ++c)
@@ -349,7 +349,7 @@ void GalerkinLeaves<dim, Gas, Real>::add_radial_pressure()
     {
       const unsigned int q = layout_.face_point(0, line, i);
       rate_[C::momentum * n_points_ + q] +=
-        (primitive_[C::energy * n_points_ + q] - reference_pressure_) *
+        (primitive_[C::pressure * n_points_ + q] - reference_pressure_) *
         (radial_area(line, i + 1) - radial_area(line, i)) / volume_[q];
     }
 }
@@ -410,7 +410,7 @@ void GalerkinLeaves<dim, Gas, Real>::store_sensors(
     const Values p = to_primitive<dim>(gas_, node(conserved_, q));
     for (unsigned int c = 0; c < nc; ++c)
       primitive_[c * n_points_ + q] = p[c];
-    signal_[q] = p[C::density] * p[C::energy];
+    signal_[q] = p[C::density] * p[C::pressure];
   }
   // In single precision the squares of density times pressure may overflow.
   Number largest(std::numeric_limits<float>::min());
@@ -455,9 +455,9 @@ GalerkinLeaves<dim, Gas, Real>::largest_signal_rate() const
     Number products(0.);
     if constexpr (Gas::has_products)
       products = p[C::products];
-    const Number sound_speed = std::sqrt(
-      std::max(gas_.sound_speed_squared(p[C::density], p[C::energy], products),
-               Number(0.)));
+    const Number sound_speed = std::sqrt(std::max(
+      gas_.sound_speed_squared(p[C::density], p[C::pressure], products),
+      Number(0.)));
     const auto inverse = phi_->inverse_jacobian(q);
     Number sum(0.);
     for (unsigned int d = 0; d < dim; ++d)
@@ -465,7 +465,7 @@ GalerkinLeaves<dim, Gas, Real>::largest_signal_rate() const
       Number speed(0.), square(0.);
       for (unsigned int e = 0; e < dim; ++e)
       {
-        speed += p[C::momentum + e] * inverse[e][d];
+        speed += p[C::velocity + e] * inverse[e][d];
         square += inverse[e][d] * inverse[e][d];
       }
       sum += std::abs(speed) + sound_speed * std::sqrt(square);

@@ -199,7 +199,7 @@ GalerkinLeaves<dim, Gas, Real>::beyond(const unsigned int face,
   const Values &end = line_[face % 2 ? n : 1];
   for (unsigned int c = 0; c < nc; ++c)
     result[c] = select_less(Number(0.), beside.is_absent, end[c], result[c]);
-  result[C::momentum + face / 2] *= beside.sign;
+  result[C::velocity + face / 2] *= beside.sign;
   return result;
 }
 
@@ -242,24 +242,20 @@ GalerkinLeaves<dim, Gas, Real>::subcell_flux(const unsigned int direction,
   const FaceAxes<dim, Number> axes = subcell_face(direction, line, f);
   const auto left = to_face_state<dim>(gas_, axes.to(trace[0]));
   const auto right = to_face_state<dim>(gas_, axes.to(trace[1]));
-  Number theta(1.);
+  Number factor(1.);
   if (dim > 1 && scheme_.flux == RiemannFlux::hllc_shock_stable)
   {
     const Values before = axes.to(line_[f]), behind = axes.to(line_[f + 1]);
-    theta = select_less(
-      Number(0.),
+    factor = shear_factor(
       blending_,
-      shear_factor(
-        std::max(left.sound_speed, right.sound_speed),
-        behind[C::momentum] - before[C::momentum],
-        std::min(
-          compression(direction,
-                      layout_.face_point(2 * direction, line, f - 1)),
-          compression(direction, layout_.face_point(2 * direction, line, f)))),
-      Number(1.));
+      std::max(left.sound_speed, right.sound_speed),
+      Number(behind[C::velocity] - before[C::velocity]),
+      std::min(
+        compression(direction, layout_.face_point(2 * direction, line, f - 1)),
+        compression(direction, layout_.face_point(2 * direction, line, f))));
   }
   Values flux =
-    to_array<dim, Gas>(numerical_flux(scheme_.flux, left, right, theta));
+    to_array<dim, Gas>(numerical_flux(scheme_.flux, left, right, factor));
   flux[C::momentum] -= reference_pressure_;
   flux = axes.from(flux);
   for (Number &value : flux)
@@ -288,12 +284,12 @@ GalerkinLeaves<dim, Gas, Real>::compression(const unsigned int direction,
     }
     const auto difference = [&](const unsigned int a, const unsigned int b) {
       if (space_.is_collocated())
-        return Number(primitive_[(C::momentum + along) * n_points_ + b] -
-                      primitive_[(C::momentum + along) * n_points_ + a]);
+        return Number(primitive_[(C::velocity + along) * n_points_ + b] -
+                      primitive_[(C::velocity + along) * n_points_ + a]);
       Number result(0.);
       for (unsigned int d = 0; d < dim; ++d)
-        result += (primitive_[(C::momentum + d) * n_points_ + b] -
-                   primitive_[(C::momentum + d) * n_points_ + a]) *
+        result += (primitive_[(C::velocity + d) * n_points_ + b] -
+                   primitive_[(C::velocity + d) * n_points_ + a]) *
                   tangent[d];
       return result;
     };

@@ -269,7 +269,7 @@ void HangingTraces<dim, Gas, Real>::limit_coarse_slopes()
     {
       Number largest(0.);
       for (unsigned int t = 0; t < dim; ++t)
-        largest += std::abs(coarse_slope_[t][q][C::momentum + d]) *
+        largest += std::abs(coarse_slope_[t][q][C::velocity + d]) *
                    (t + 1 == dim ? 0.5 : 0.25);
       square += largest * largest;
     }
@@ -295,7 +295,7 @@ void HangingTraces<dim, Gas, Real>::limit_coarse_slopes()
                    zero,
                    part[C::density],
                    Number(gas_.internal_energy_density(
-                            part[C::density], part[C::energy], products) -
+                            part[C::density], part[C::pressure], products) -
                           gas_.cold_energy_density(part[C::density], products)),
                    zero));
     }

@@ -5,7 +5,6 @@
 #include <contrecoup/gas/kernel/leaf_kernel.h>
 #include <contrecoup/materials/ideal_gas.h>
 #include <contrecoup/materials/mie_grueneisen.h>
-#include <contrecoup/numerics/scheme/shear_factor.h>
 
 namespace contrecoup::gas
 {
@@ -48,7 +47,7 @@ void LeafKernel<dim, Gas, Real>::bind(const unsigned int batch,
                         scheme_.flux == RiemannFlux::hllc_shock_stable &&
                         largest_lane(any) > 0.;
   bind_burn(batch, stage);
-  find_open_leaves(any);
+  find_leaving(any);
 }
 
 
@@ -129,22 +128,18 @@ void LeafKernel<dim, Gas, Real>::fill_progress_beyond(const unsigned int face,
 
 
 template <int dim, typename Gas, typename Real>
-void LeafKernel<dim, Gas, Real>::find_open_leaves(const Number &shock)
+void LeafKernel<dim, Gas, Real>::find_leaving(const Number &shock)
 {
-  open_.fill(Number(0.));
   leaving_.fill(Number(0.));
   any_leaving_.fill(false);
   for (auto s = mesh_.special_begin(batch_); s != mesh_.special_end(batch_);
        ++s)
     if (s->kind == SpecialFace::Kind::boundary &&
-        boundary_.kind(s->index) == Boundary<dim>::Kind::open)
+        boundary_.kind(s->index) == Boundary<dim>::Kind::open &&
+        shock[s->lane] > 0.)
     {
-      open_[s->face / 2][s->lane] = 1.;
-      if (shock[s->lane] > 0.)
-      {
-        leaving_[s->face / 2][s->lane] = 1.;
-        any_leaving_[s->face / 2] = true;
-      }
+      leaving_[s->face / 2][s->lane] = 1.;
+      any_leaving_[s->face / 2] = true;
     }
 }
 
@@ -194,34 +189,18 @@ void LeafKernel<dim, Gas, Real>::fill_boundary(const SpecialFace &special,
 
   GasState<dim> state;
   state.density = inside[C::density][lane];
-  state.pressure = inside[C::energy][lane];
+  state.pressure = inside[C::pressure][lane];
   for (unsigned int d = 0; d < dim; ++d)
-    state.velocity[(direction + d) % dim] = inside[C::momentum + d][lane];
+    state.velocity[(direction + d) % dim] = inside[C::velocity + d][lane];
   if constexpr (Gas::has_products)
     state.products = inside[C::products][lane];
   state = boundary_.outside(special.index, state, normal, point, time_);
   outside[C::density][lane] = state.density;
-  outside[C::energy][lane] = state.pressure;
+  outside[C::pressure][lane] = state.pressure;
   for (unsigned int d = 0; d < dim; ++d)
-    outside[C::momentum + d][lane] = state.velocity[(direction + d) % dim];
+    outside[C::velocity + d][lane] = state.velocity[(direction + d) % dim];
   if constexpr (Gas::has_products)
     outside[C::products][lane] = state.products;
-}
-
-
-template <int dim, typename Gas, typename Real>
-typename LeafKernel<dim, Gas, Real>::Number
-LeafKernel<dim, Gas, Real>::gated_shear_factor(
-  const Number &shock,
-  const Number &sound_speed,
-  const Number &normal_difference,
-  const Number &transverse_difference)
-{
-  return select_less(
-    Number(0.),
-    shock,
-    shear_factor(sound_speed, normal_difference, transverse_difference),
-    Number(1.));
 }
 
 

@@ -23,7 +23,7 @@ MappedFiniteVolumeKernel<dim, Gas, Real>::MappedFiniteVolumeKernel(
   , factor_(nc * layout.n_points)
   , below_(nc * layout.n_points)
   , above_(nc * layout.n_points)
-  , line_(layout.n + 2 * ghosts)
+  , line_(layout.n + 2 * n_beyond)
   , left_(layout.n + 1)
   , right_(layout.n + 1)
   , flux_(layout.n + 1)
@@ -40,7 +40,7 @@ void MappedFiniteVolumeKernel<dim, Gas, Real>::update(
   Base::bind(batch, stage);
   metric_.reinit(mesh_, batch);
   load(stage.in);
-  Base::fill_ghosts(primitive_.data(), hanging);
+  Base::fill_beyond(primitive_.data(), hanging);
   if (scheme_.gradient_limiter)
     limit_gradients();
   residual_.fill(Number(0.));
@@ -117,10 +117,10 @@ void MappedFiniteVolumeKernel<dim, Gas, Real>::fill_line(
     for (int i = 0; i < n; ++i)
       cell(i)[c] = values[i * stride];
   }
-  for (int depth = 0; depth < ghosts; ++depth)
+  for (int depth = 0; depth < n_beyond; ++depth)
   {
-    cell(-1 - depth) = Base::ghost(2 * direction, line, depth);
-    cell(n + depth) = Base::ghost(2 * direction + 1, line, depth);
+    cell(-1 - depth) = Base::beyond(2 * direction, line, depth);
+    cell(n + depth) = Base::beyond(2 * direction + 1, line, depth);
   }
 }
 

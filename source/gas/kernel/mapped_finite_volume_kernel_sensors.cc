@@ -17,7 +17,7 @@ void MappedFiniteVolumeKernel<dim, Gas, Real>::store_sensors(
   if (Base::burn_ != nullptr)
     for (unsigned int q = 0; q < layout_.n_points; ++q)
     {
-      Number &pressure = primitive_[C::energy * layout_.n_points + q];
+      Number &pressure = primitive_[C::pressure * layout_.n_points + q];
       pressure = Base::burn_->pressure(pressure, burned(q, stage.end_time));
     }
   shock_sensor().store(stage.results.sensor + batch_ * Base::width);
@@ -47,10 +47,10 @@ MappedFiniteVolumeKernel<dim, Gas, Real>::largest_signal_rate(
     Number products(0.);
     if constexpr (Gas::has_products)
       products = primitive_[C::products * n_points + q];
-    Number sound_speed = std::sqrt(
-      std::max(gas_.sound_speed_squared(
-                 primitive_[q], primitive_[C::energy * n_points + q], products),
-               Number(0.)));
+    Number sound_speed = std::sqrt(std::max(
+      gas_.sound_speed_squared(
+        primitive_[q], primitive_[C::pressure * n_points + q], products),
+      Number(0.)));
     if (Base::burn_ != nullptr)
       sound_speed =
         std::max(sound_speed,
@@ -66,7 +66,7 @@ MappedFiniteVolumeKernel<dim, Gas, Real>::largest_signal_rate(
         const Vector &area = metric_.area(direction, layer + side, line);
         Number normal(0.);
         for (unsigned int d = 0; d < dim; ++d)
-          normal += primitive_[(C::momentum + d) * n_points + q] * area[d];
+          normal += primitive_[(C::velocity + d) * n_points + q] * area[d];
         sum += std::abs(normal) + sound_speed * std::sqrt(area * area);
       }
     }
@@ -91,12 +91,12 @@ MappedFiniteVolumeKernel<dim, Gas, Real>::shock_sensor() const
       for (unsigned int i = 0; i + 1 < layout_.n; ++i)
       {
         const unsigned int q = layout_.face_point(2 * direction, line, i);
-        const Number *p = &primitive_[C::energy * n_points + q];
+        const Number *p = &primitive_[C::pressure * n_points + q];
         const Vector &area = metric_.area(direction, i + 1, line);
         Number divergence(0.);
         for (unsigned int d = 0; d < dim; ++d)
         {
-          const Number *u = &primitive_[(C::momentum + d) * n_points + q];
+          const Number *u = &primitive_[(C::velocity + d) * n_points + q];
           divergence += (u[s] - u[0]) * area[d];
         }
         const Number jump =
@@ -154,12 +154,12 @@ void MappedFiniteVolumeKernel<dim, Gas, Real>::limit_increments(
   if constexpr (Gas::has_products)
     products = here[C::products];
   const Number speed_squared = std::max(
-    gas_.sound_speed_squared(here[C::density], here[C::energy], products),
+    gas_.sound_speed_squared(here[C::density], here[C::pressure], products),
     Number(0.));
   for (unsigned int c = 0; c < nc; ++c)
   {
     const unsigned int k = c * layout_.n_points + point;
-    const bool is_velocity = c >= C::momentum && c < C::energy;
+    const bool is_velocity = c >= C::velocity && c < C::pressure;
     const Number square =
       (is_velocity ? speed_squared : here[c] * here[c]) * (plateau * plateau);
     const Number increment = (cell(i + 1)[c] - cell(i - 1)[c]) * 0.25;

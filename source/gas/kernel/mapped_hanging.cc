@@ -133,8 +133,8 @@ MappedHanging<dim, Gas, Real>::exerted_pressure(const Values &state,
                                                 const Number &progress) const
 {
   if (burn_ == nullptr)
-    return state[C::energy];
-  return burn_->pressure(state[C::energy],
+    return state[C::pressure];
+  return burn_->pressure(state[C::pressure],
                          burn_->fraction(progress, state[C::density]));
 }
 

@@ -5,6 +5,7 @@
 #include <contrecoup/gas/kernel/mapped_leaf_kernel.h>
 #include <contrecoup/materials/ideal_gas.h>
 #include <contrecoup/materials/mie_grueneisen.h>
+#include <contrecoup/numerics/scheme/shear_factor.h>
 
 namespace contrecoup::gas
 {
@@ -18,12 +19,12 @@ MappedLeafKernel<dim, Gas, Real>::MappedLeafKernel(
   const Metric &metric)
   : Base(mesh, layout, scheme, gas, boundary, std::vector<double>())
   , leaf_metric_(metric)
-  , ghosts_(2 * dim * ghosts * layout.n_face_points)
+  , beyond_(2 * dim * n_beyond * layout.n_face_points)
 {}
 
 
 template <int dim, typename Gas, typename Real>
-void MappedLeafKernel<dim, Gas, Real>::fill_ghosts(
+void MappedLeafKernel<dim, Gas, Real>::fill_beyond(
   const Number *primitive,
   const HangingData<dim, Real> &hanging)
 {
@@ -49,8 +50,8 @@ void MappedLeafKernel<dim, Gas, Real>::fill_hanging_lane(
   {
     const Real *halo = hanging.halo(special.index, Base::slot_of(special), c);
     for (unsigned int line = 0; line < layout_.n_face_points; ++line)
-      for (unsigned int depth = 0; depth < ghosts; ++depth)
-        ghost(special.face, line, depth)[c][special.lane] = halo[line];
+      for (unsigned int depth = 0; depth < n_beyond; ++depth)
+        beyond(special.face, line, depth)[c][special.lane] = halo[line];
   }
 }
 
@@ -63,7 +64,7 @@ void MappedLeafKernel<dim, Gas, Real>::fill_neighbors(const unsigned int face)
   const auto &matches = mesh_.matches(batch_, face);
   std::array<unsigned int, Base::width> offsets;
   for (unsigned int line = 0; line < layout_.n_face_points; ++line)
-    for (unsigned int depth = 0; depth < ghosts; ++depth)
+    for (unsigned int depth = 0; depth < n_beyond; ++depth)
     {
       for (unsigned int lane = 0; lane < Base::width; ++lane)
       {
@@ -78,7 +79,7 @@ void MappedLeafKernel<dim, Gas, Real>::fill_neighbors(const unsigned int face)
       Values u;
       for (unsigned int c = 0; c < nc; ++c)
         u[c].gather(in_ + layout_.value(c, 0), offsets.data());
-      ghost(face, line, depth) = to_primitive<dim>(gas_, u);
+      beyond(face, line, depth) = to_primitive<dim>(gas_, u);
     }
 }
 
@@ -94,8 +95,8 @@ MappedLeafKernel<dim, Gas, Real>::primitive_lane(const unsigned int point,
   GasState<dim> state;
   state.density = value(C::density);
   for (unsigned int d = 0; d < dim; ++d)
-    state.velocity[d] = value(C::momentum + d);
-  state.pressure = value(C::energy);
+    state.velocity[d] = value(C::velocity + d);
+  state.pressure = value(C::pressure);
   if constexpr (Gas::has_products)
     state.products = value(C::products);
   return state;
@@ -124,17 +125,17 @@ void MappedLeafKernel<dim, Gas, Real>::fill_boundary_lane(
       place[d] = center[d][lane];
     }
     normal /= normal.norm();
-    for (unsigned int depth = 0; depth < ghosts; ++depth)
+    for (unsigned int depth = 0; depth < n_beyond; ++depth)
     {
       const unsigned int point = layout_.face_point(
         special.face, line, wall ? std::min(depth, layout_.n - 1) : 0);
       const GasState<dim> state = boundary_.outside(
         special.index, primitive_lane(point, lane), normal, place, time_);
-      Values &outside = ghost(special.face, line, depth);
+      Values &outside = beyond(special.face, line, depth);
       outside[C::density][lane] = state.density;
       for (unsigned int d = 0; d < dim; ++d)
-        outside[C::momentum + d][lane] = state.velocity[d];
-      outside[C::energy][lane] = state.pressure;
+        outside[C::velocity + d][lane] = state.velocity[d];
+      outside[C::pressure][lane] = state.pressure;
       if constexpr (Gas::has_products)
         outside[C::products][lane] = state.products;
     }
@@ -161,7 +162,7 @@ void MappedLeafKernel<dim, Gas, Real>::mirror_at_walls(
   Values &outside = layer == 0 ? left : right;
   for (unsigned int c = 0; c < nc; ++c)
     outside[c] = select_less(
-      Number(0.), wall, c == C::momentum ? -inside[c] : inside[c], outside[c]);
+      Number(0.), wall, c == C::velocity ? -inside[c] : inside[c], outside[c]);
 }
 
 
@@ -174,10 +175,10 @@ MappedLeafKernel<dim, Gas, Real>::velocity(const unsigned int direction,
 {
   const int n = layout_.n;
   if (i < 0)
-    return ghost(2 * direction, line, 0)[C::momentum + component];
+    return beyond(2 * direction, line, 0)[C::velocity + component];
   if (i >= n)
-    return ghost(2 * direction + 1, line, 0)[C::momentum + component];
-  return primitive_[(C::momentum + component) * layout_.n_points +
+    return beyond(2 * direction + 1, line, 0)[C::velocity + component];
+  return primitive_[(C::velocity + component) * layout_.n_points +
                     layout_.face_point(2 * direction, line, i)];
 }
 
@@ -237,22 +238,22 @@ MappedLeafKernel<dim, Gas, Real>::face_flux(const unsigned int direction,
   if (Base::burn_ != nullptr)
     Base::apply_burn_pressure(layer, left_state, right_state);
   const bool is_inside = layer > 0 && layer < layout_.n;
-  Number theta(1.);
+  Number factor(1.);
   if (Base::needs_shear_factor())
   {
     Number shock = inner_shock;
     if (!is_inside)
       shock = std::max(sensor_,
                        neighbor_sensor_[2 * direction + (layer == 0 ? 0 : 1)]);
-    theta = Base::gated_shear_factor(
-      shock,
-      std::max(left_state.sound_speed, right_state.sound_speed),
-      in_frame(frame, points[1])[C::momentum] -
-        in_frame(frame, points[0])[C::momentum],
-      compression(direction, layer, line));
+    factor =
+      shear_factor(shock,
+                   std::max(left_state.sound_speed, right_state.sound_speed),
+                   Number(in_frame(frame, points[1])[C::velocity] -
+                          in_frame(frame, points[0])[C::velocity]),
+                   compression(direction, layer, line));
   }
   Values flux = to_array<dim, Gas>(
-    numerical_flux(scheme_.flux, left_state, right_state, theta));
+    numerical_flux(scheme_.flux, left_state, right_state, factor));
   // Faces to other leaves keep the flux that the neighbour computes too.
   if (Base::any_leaving(direction) && is_inside && Base::burn_ == nullptr)
     Base::widen_open_flux(

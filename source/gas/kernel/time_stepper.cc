@@ -50,7 +50,7 @@ void TimeStepper<dim>::compute_sensors(GasField &field)
     using Real = std::decay_t<decltype(real)>;
     BasicStage<Real> stage;
     stage.results.state = field.state<Real>();
-    stage.results.sensor = field.shock_indicator<Real>();
+    stage.results.sensor = field.sensors<Real>();
     stage.results.signal_rate = signal_rates<Real>().data();
     stage.burn = field.burn();
     stage.end_time = field.time();
@@ -86,7 +86,7 @@ TimeStepper<dim>::try_step(GasField &field,
 {
   const auto &stages = scheme_.time_stepping.stages;
   Real *in = field.state<Real>();
-  Real *sensor = field.shock_indicator<Real>();
+  Real *sensor = field.sensors<Real>();
   unsigned int target = 0;
   unphysical_leaf_ = no_leaf;
   wall_force_.fill(0.);
@@ -107,7 +107,7 @@ TimeStepper<dim>::try_step(GasField &field,
     stage.end_time = time + step;
     stage.burn = field.burn();
     stage.sensor = sensor;
-    stage.results.sensor = field.stage_shock_indicator<Real>(target);
+    stage.results.sensor = field.stage_sensors<Real>(target);
     stage.results.signal_rate =
       s + 1 == stages.size() ? signal_rates<Real>().data() : nullptr;
     stage.bound_velocity_slopes = bound_velocity_slopes;
@@ -122,7 +122,7 @@ TimeStepper<dim>::try_step(GasField &field,
       operator_.redistribute(stage, quiet_leaves_);
     }
     in = field.stage<Real>(target);
-    sensor = field.stage_shock_indicator<Real>(target);
+    sensor = field.stage_sensors<Real>(target);
   }
   // One agreement for all stages: later ones of a bad step do no harm.
   const bool is_bad = unphysical_leaf_ != no_leaf;

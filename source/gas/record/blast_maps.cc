@@ -109,7 +109,7 @@ void BlastMaps<dim>::update_group(const unsigned int group,
     for (unsigned int c = 0; c < nc; ++c)
       u[c] = field.values(group * double_width, c, q);
     Lanes<double> pressure =
-      to_primitive<dim>(model, u)[Component<dim>::energy];
+      to_primitive<dim>(model, u)[Component<dim>::pressure];
     for (unsigned int lane = 0; lane < double_width && field.burn() != nullptr;
          ++lane)
       pressure[lane] = field.exerted_pressure(

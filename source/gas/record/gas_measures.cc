@@ -197,17 +197,17 @@ namespace
       }
       auto p = to_primitive<dim>(gas, u);
       for (unsigned int lane = 0; lane < n && field.burn() != nullptr; ++lane)
-        p[C::energy][lane] = field.exerted_pressure(
-          p[C::energy][lane], field.burned(first_leaf + lane, q));
+        p[C::pressure][lane] = field.exerted_pressure(
+          p[C::pressure][lane], field.burned(first_leaf + lane, q));
       for (unsigned int d = 0; d < dim; ++d)
-        sums[nc] += volume * p[C::momentum + d] * u[C::momentum + d] * 0.5;
+        sums[nc] += volume * p[C::velocity + d] * u[C::momentum + d] * 0.5;
       const auto if_gas = [&](const Number &value) {
         return select_less(Number(0.), is_gas, value, none);
       };
       largest[0] = std::max(largest[0], if_gas(Number(-p[C::density])));
       largest[1] = std::max(largest[1], if_gas(p[C::density]));
-      largest[2] = std::max(largest[2], if_gas(Number(-p[C::energy])));
-      largest[3] = std::max(largest[3], if_gas(p[C::energy]));
+      largest[2] = std::max(largest[2], if_gas(Number(-p[C::pressure])));
+      largest[3] = std::max(largest[3], if_gas(p[C::pressure]));
     }
     for (unsigned int lane = 0; lane < n && first_leaf + lane < mesh.n_owned();
          ++lane)

@@ -109,9 +109,9 @@ void ProbeRasters<dim>::parse_parameters(ParameterHandler &prm,
   if (wanted && places.empty() && prm.get("Points").empty())
     throw InputError("Probes/Injury: there are no probes to show injuries at; "
                      "set Points, Lines or Gauge planes");
-  gauges_.place(places,
+  probes_.place(places,
                 scene,
-                "Probes/Lines and Gauge planes: the gauge",
+                "Probes/Lines and Gauge planes: the probe",
                 wanted ? Exposure::load_and_chest : Exposure::none);
   is_shared_ = true;
 }
@@ -195,7 +195,7 @@ void ProbeRasters<dim>::mesh_changed(const GasSnapshot<dim> &gas)
 {
   reduce_over_ranks();
   communicator_ = gas.mesh.communicator();
-  gauges_.mesh_changed(gas);
+  probes_.mesh_changed(gas);
 }
 
 
@@ -203,9 +203,9 @@ template <int dim>
 void ProbeRasters<dim>::inherit(const KnownRecord<dim> &record,
                                 const GasSnapshot<dim> & /*gas*/)
 {
-  for (std::size_t i = 0; i < gauges_.size(); ++i)
-    if (const auto known = record(gauges_.places()[i]))
-      gauges_.inherit(i, *known);
+  for (std::size_t i = 0; i < probes_.size(); ++i)
+    if (const auto known = record(probes_.places()[i]))
+      probes_.inherit(i, *known);
 }
 
 
@@ -214,11 +214,11 @@ void ProbeRasters<dim>::add_step(const GasSnapshot<dim> &gas)
 {
   if (rasters_.empty())
     return;
-  gauges_.sampler().for_each(
+  probes_.sampler().for_each(
     gas.field,
     gas.scene.material,
     [&](const unsigned int i, const GasState<dim> &state) {
-      gauges_.add(i, state, gas.time, gas.step);
+      probes_.add(i, state, gas.time, gas.step);
     });
   is_shared_ = false;
 }
@@ -229,10 +229,10 @@ void ProbeRasters<dim>::reduce_over_ranks()
 {
   if (is_shared_)
     return;
-  const std::vector<unsigned int> local = gauges_.sampler().local_places();
-  share(gauges_.records(), local, communicator_);
+  const std::vector<unsigned int> local = probes_.sampler().local_places();
+  share(probes_.records(), local, communicator_);
   if (has_injuries())
-    share(gauges_.exposures(), local, communicator_);
+    share(probes_.exposures(), local, communicator_);
   is_shared_ = true;
 }
 
@@ -241,7 +241,7 @@ template <int dim>
 void ProbeRasters<dim>::save(std::ostream &stream,
                              const std::string & /*folder*/) const
 {
-  gauges_.save(stream);
+  probes_.save(stream);
 }
 
 
@@ -249,7 +249,7 @@ template <int dim>
 void ProbeRasters<dim>::load(std::istream &stream,
                              const std::string & /*folder*/)
 {
-  gauges_.load(stream);
+  probes_.load(stream);
   is_shared_ = true;
 }
 
@@ -290,15 +290,15 @@ template <int dim>
 std::vector<double> ProbeRasters<dim>::values(const std::size_t i,
                                               const double time) const
 {
-  const BlastMeasures blast = gauges_.records()[i].measures(time);
+  const BlastMeasures blast = probes_.records()[i].measures(time);
   const auto measures = map_values(blast);
   std::vector<double> result(measures.begin(), measures.end());
   if (has_injuries())
     for (const double value : air_injury_values({"",
                                                  blast,
-                                                 gauges_.ambient()[i],
-                                                 gauges_.exposures()[i],
-                                                 gauges_.records()[i].running},
+                                                 probes_.ambient()[i],
+                                                 probes_.exposures()[i],
+                                                 probes_.records()[i].running},
                                                 body_mass_))
       result.push_back(value);
   return result;
@@ -321,7 +321,7 @@ void ProbeRasters<dim>::write_line(const std::string &file,
     {
       words.clear();
       for (unsigned int d = 0; d < dim; ++d)
-        words.push_back(brief(gauges_.places()[i][d], 9));
+        words.push_back(brief(probes_.places()[i][d], 9));
       for (const double value : values(i, time))
         words.push_back(std::isnan(value) ? "nan" : brief(value, 9));
       out << join(words, ",") << '\n';

@@ -52,7 +52,7 @@ void ProbeSet<dim>::parse_parameters(ParameterHandler &prm,
     body_mass_ = read_double(prm, "Body mass");
   }
   const Section section(prm, "Probes");
-  gauges_.place(read_points<dim>(prm, "Points"),
+  probes_.place(read_points<dim>(prm, "Points"),
                 scene,
                 "Probes/Points: the point",
                 prm.get_bool("Injury") ? Exposure::load_and_chest
@@ -72,7 +72,7 @@ template <int dim>
 void ProbeSet<dim>::add_step(const GasSnapshot<dim> &gas)
 {
   if (!places().empty())
-    take(gauges_.sampler().sample(gas.field, gas.scene.material), gas.time);
+    take(probes_.sampler().sample(gas.field, gas.scene.material), gas.time);
 }
 
 
@@ -82,7 +82,7 @@ void ProbeSet<dim>::take(const std::vector<GasState<dim>> &states,
 {
   states_ = states;
   for (std::size_t i = 0; i < states_.size(); ++i)
-    gauges_.add(i, states_[i], time, time - last_time_);
+    probes_.add(i, states_[i], time, time - last_time_);
   last_time_ = time;
 }
 
@@ -111,7 +111,7 @@ template <int dim>
 std::vector<BlastMeasures> ProbeSet<dim>::blasts() const
 {
   std::vector<BlastMeasures> result;
-  for (const auto &record : gauges_.records())
+  for (const auto &record : probes_.records())
     result.push_back(record.measures(last_time_));
   return result;
 }
@@ -205,19 +205,20 @@ ProbeSet<dim>::report(const GasSnapshot<dim> &gas) const
 template <int dim>
 void ProbeSet<dim>::finish()
 {
+  // In 1-D each rank has all of the mesh, and communicators of its own.
   if (folder_.empty() ||
-      dealii::Utilities::MPI::this_mpi_process(communicator_) != 0)
+      dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
     return;
   std::vector<AirBlast> air;
   const auto found = blasts();
   for (std::size_t i = 0; i < found.size(); ++i)
     air.push_back({"probe " + std::to_string(i + 1),
                    found[i],
-                   gauges_.ambient()[i],
-                   gauges_.exposures()[i],
-                   gauges_.records()[i].running});
+                   probes_.ambient()[i],
+                   probes_.exposures()[i],
+                   probes_.records()[i].running});
   const std::string table = air_injury_table(
-    air, body_mass_, gauges_.exposure() == Exposure::load_and_chest);
+    air, body_mass_, probes_.exposure() == Exposure::load_and_chest);
   if (!table.empty())
     io::write_file(folder_ + "/probe_injury.csv",
                    [&](std::ostream &out) { out << table; });
@@ -229,7 +230,7 @@ void ProbeSet<dim>::save(std::ostream &stream,
                          const std::string & /*folder*/) const
 {
   stream.write(reinterpret_cast<const char *>(&last_time_), sizeof(last_time_));
-  gauges_.save(stream);
+  probes_.save(stream);
 }
 
 
@@ -237,7 +238,7 @@ template <int dim>
 void ProbeSet<dim>::load(std::istream &stream, const std::string & /*folder*/)
 {
   stream.read(reinterpret_cast<char *>(&last_time_), sizeof(last_time_));
-  gauges_.load(stream);
+  probes_.load(stream);
 }
 
 

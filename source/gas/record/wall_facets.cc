@@ -86,12 +86,12 @@ namespace
     double speed = 0.;
     for (unsigned int d = 0; d < dim; ++d)
     {
-      speed += inside[C::momentum + d] * facet.area[d] / facet.area.norm();
-      inside[C::momentum + d] = 0.;
+      speed += inside[C::velocity + d] * facet.area[d] / facet.area.norm();
+      inside[C::velocity + d] = 0.;
     }
     auto image = inside;
-    inside[C::momentum] = speed;
-    image[C::momentum] = -speed;
+    inside[C::velocity] = speed;
+    image[C::velocity] = -speed;
     const double pressure = numerical_flux(flux,
                                            to_face_state<dim>(gas, inside),
                                            to_face_state<dim>(gas, image),

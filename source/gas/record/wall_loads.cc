@@ -343,7 +343,7 @@ void WallLoads<dim>::reduce_over_ranks()
     return;
   if (file_.empty())
   {
-    // A run without output folder, such as a trial run.
+    // A run without output folder.
     times_.clear();
     samples_.clear();
     return;

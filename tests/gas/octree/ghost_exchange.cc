@@ -74,14 +74,14 @@ void check_exchange(const std::vector<std::string> &lines)
     for (unsigned int i = 0; i < n_values; ++i)
       values[i] = signature(cell, i);
     run.field.set_leaf(leaf, values);
-    run.field.shock_indicator()[leaf] = signature(cell, n_values);
+    run.field.sensors()[leaf] = signature(cell, n_values);
   }
 
   GhostExchange<dim> exchange;
   exchange.reinit(run.mesh, run.layout);
   // Twice: the second finds its buffers used.
   for (unsigned int repeat = 0; repeat < 2; ++repeat)
-    exchange.update(run.field.state(), run.field.shock_indicator());
+    exchange.update(run.field.state(), run.field.sensors());
 
   const auto faces = faces_met(run.mesh);
   EXPECT_EQ(faces.size(), run.mesh.n_ghosts());
@@ -101,7 +101,7 @@ void check_exchange(const std::vector<std::string> &lines)
         const unsigned int k = c * run.layout.n_points + q;
         ASSERT_EQ(values[k], signature(cell, k));
       }
-    EXPECT_EQ(run.field.shock_indicator()[leaf], signature(cell, n_values));
+    EXPECT_EQ(run.field.sensors()[leaf], signature(cell, n_values));
   }
   for (unsigned int leaf = 0; leaf < run.mesh.n_owned(); ++leaf)
     EXPECT_EQ(run.field.leaf(leaf)[0],

@@ -19,11 +19,11 @@ using dealii::Point;
 namespace
 {
 template <int dim>
-class Gauges
+class Rasters
 {
 public:
-  Gauges(const std::vector<std::string> &lines,
-         const MPI_Comm communicator = MPI_COMM_WORLD)
+  Rasters(const std::vector<std::string> &lines,
+          const MPI_Comm communicator = MPI_COMM_WORLD)
     : run(std::vector<std::string>{"Domain/Coarse leaves=2, 2, 2",
                                    "Domain/Initial refinement=2",
                                    "Adaptation/Active=true",
@@ -37,20 +37,20 @@ public:
     for (const std::string &line : lines)
       assignments.push_back(parse_override(line));
     apply_assignments(assignments, prm);
-    gauges.parse_parameters(prm, run);
+    rasters.parse_parameters(prm, run);
   }
 
   /// Text of what save() would write.
   std::string saved()
   {
-    gauges.reduce_over_ranks();
+    rasters.reduce_over_ranks();
     std::ostringstream stream;
-    gauges.save(stream, "");
+    rasters.save(stream, "");
     return stream.str();
   }
 
   GasRun<dim> run;
-  ProbeRasters<dim> gauges;
+  ProbeRasters<dim> rasters;
 };
 
 
@@ -61,7 +61,7 @@ std::string refusal(const std::string &line,
   lines.push_back(line);
   try
   {
-    Gauges<2> gauges(lines);
+    Rasters<2> rasters(lines);
   }
   catch (const InputError &error)
   {
@@ -88,9 +88,9 @@ struct History
 };
 
 
-/// Lets gauges record gas in which every place sees Friedlander's wave [Pa, s],
-/// with a wind that later exceeds that of a shock.
-History record_wave(Gauges<2> &scene,
+/// Lets probes record gas in which every place sees Friedlander's wave [Pa,
+/// s], with a wind that later exceeds that of a shock.
+History record_wave(Rasters<2> &scene,
                     const double peak,
                     const double duration,
                     const double step)
@@ -111,8 +111,8 @@ History record_wave(Gauges<2> &scene,
     });
     scene.run.time = (i + 1) * step;
     if (i == 0)
-      scene.gauges.mesh_changed(scene.run.snapshot());
-    scene.gauges.add_step(scene.run.snapshot(step));
+      scene.rasters.mesh_changed(scene.run.snapshot());
+    scene.rasters.add_step(scene.run.snapshot(step));
     history.times.push_back(scene.run.time);
     history.overpressures.push_back(overpressure);
     if (overpressure > 0.)
@@ -138,9 +138,9 @@ double uniform(const io::VtkInput &plane, const std::string &name)
 
 TEST(ProbeRasters, WriteLinesAndPlanes)
 {
-  Gauges<3> scene({"Probes/Lines=0.1,0.5,0.5 : 0.9,0.5,0.5 : 9",
-                   "Probes/Gauge planes=0.2,0.5,0.1 : 0.8,0.5,0.9 : 4, 5"},
-                  MPI_COMM_SELF);
+  Rasters<3> scene({"Probes/Lines=0.1,0.5,0.5 : 0.9,0.5,0.5 : 9",
+                    "Probes/Gauge planes=0.2,0.5,0.1 : 0.8,0.5,0.9 : 4, 5"},
+                   MPI_COMM_SELF);
   // The pressure depends on x alone, linearly, from the background's one.
   scene.run.set_state([](const Point<3> &p) {
     GasState<3> state;
@@ -149,10 +149,10 @@ TEST(ProbeRasters, WriteLinesAndPlanes)
     return state;
   });
   scene.run.time = 2e-3;
-  scene.gauges.mesh_changed(scene.run.snapshot());
-  scene.gauges.add_step(scene.run.snapshot(1e-3));
+  scene.rasters.mesh_changed(scene.run.snapshot());
+  scene.rasters.add_step(scene.run.snapshot(1e-3));
   const std::string folder = make_folder();
-  scene.gauges.write(scene.run.snapshot(), folder);
+  scene.rasters.write(scene.run.snapshot(), folder);
   // The first of all ranks alone writes.
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
   {
@@ -175,7 +175,7 @@ TEST(ProbeRasters, WriteLinesAndPlanes)
       row.push_back(std::stod(word));
     ASSERT_EQ(row.size(), 7U);
     EXPECT_NEAR(row[0], 0.1 + 0.1 * n_rows, 1e-8);
-    // Off by half a subcell at most, where gauges stand at a leaf's rim.
+    // Off by half a subcell at most, where probes stand at a leaf's rim.
     EXPECT_NEAR(row[3], 1e5 * row[0], 1e5 / 64.);
     EXPECT_NEAR(row[4], 1e-3 * row[3], 1e-8 * row[3]);
     EXPECT_NEAR(row[5], 1.5e-3, 1e-9);
@@ -200,14 +200,14 @@ TEST(ProbeRasters, WriteLinesAndPlanes)
 TEST(ProbeRasters, InjuriesAreThoseOfTheHistory)
 {
   const double peak = 300e3, step = 1e-5;
-  Gauges<2> scene({"Probes/Gauge planes=0.2,0.1 : 0.8,0.9 : 2, 3",
-                   "Probes/Injury=true",
-                   "Loads/Body mass=70"},
-                  MPI_COMM_SELF);
+  Rasters<2> scene({"Probes/Gauge planes=0.2,0.1 : 0.8,0.9 : 2, 3",
+                    "Probes/Injury=true",
+                    "Loads/Body mass=70"},
+                   MPI_COMM_SELF);
   const History history = record_wave(scene, peak, 4.005e-3, step);
   EXPECT_GT(history.load, 1.3 * peak * (1. - 1e-9));
   const std::string folder = make_folder();
-  scene.gauges.write(scene.run.snapshot(), folder);
+  scene.rasters.write(scene.run.snapshot(), folder);
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
   {
     const io::VtkInput plane(folder + "/gauges_plane_1.vti");
@@ -240,15 +240,15 @@ TEST(ProbeRasters, InjuriesAreThoseOfTheHistory)
 // What a first stage recorded says nothing of the motion of a chest.
 TEST(ProbeRasters, ChestsAreUnknownWhereAnEarlierStageHadTheBlast)
 {
-  Gauges<2> scene({"Probes/Lines=0.1,0.5 : 0.9,0.5 : 2", "Probes/Injury=true"},
-                  MPI_COMM_SELF);
+  Rasters<2> scene({"Probes/Lines=0.1,0.5 : 0.9,0.5 : 2", "Probes/Injury=true"},
+                   MPI_COMM_SELF);
   BlastRecord<double> known;
   known.peak = 100e3;
   known.arrival = 1e-3;
   known.impulse = known.running = 100.;
   known.end = 3e-3;
   scene.run.time = 4e-3;
-  scene.gauges.inherit(
+  scene.rasters.inherit(
     [&](const Point<2> &place) -> std::optional<BlastRecord<double>> {
       if (place[0] < 0.5)
         return known;
@@ -256,7 +256,7 @@ TEST(ProbeRasters, ChestsAreUnknownWhereAnEarlierStageHadTheBlast)
     },
     scene.run.snapshot());
   const std::string folder = make_folder();
-  scene.gauges.write(scene.run.snapshot(), folder);
+  scene.rasters.write(scene.run.snapshot(), folder);
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
   {
     std::ifstream line(folder + "/gauges_line_1.csv");
@@ -292,23 +292,23 @@ TEST(ProbeRasters, RanksAndCheckpointsDoNotChangeABit)
     "Probes/Lines=0,0 : 1,1 : 23; 0.5,0 : 0.5,1 : 17",
     "Probes/Gauge planes=0,0 : 1,1 : 6, 7"};
   const auto start = [&](const MPI_Comm communicator) {
-    auto scene = std::make_unique<Gauges<2>>(lines, communicator);
+    auto scene = std::make_unique<Rasters<2>>(lines, communicator);
     scene->run.set_state([](const Point<2> &p) {
       GasState<2> state;
       state.density = 1.2;
       state.pressure = p.norm() < 0.4 ? 2e6 : 101325.;
       return state;
     });
-    scene->gauges.mesh_changed(scene->run.snapshot());
+    scene->rasters.mesh_changed(scene->run.snapshot());
     return scene;
   };
-  const auto go = [](Gauges<2> &scene, const unsigned int n) {
+  const auto go = [](Rasters<2> &scene, const unsigned int n) {
     for (unsigned int i = 0; i < n; ++i)
     {
       const auto result = scene.run.step();
-      scene.gauges.add_step(scene.run.snapshot(result.step));
+      scene.rasters.add_step(scene.run.snapshot(result.step));
       if (i % 3 == 2 && scene.run.adapt())
-        scene.gauges.mesh_changed(scene.run.snapshot());
+        scene.rasters.mesh_changed(scene.run.snapshot());
     }
   };
   const auto alone = start(MPI_COMM_SELF), together = start(MPI_COMM_WORLD);
@@ -319,13 +319,13 @@ TEST(ProbeRasters, RanksAndCheckpointsDoNotChangeABit)
 
   // Records that were saved and loaded go on alike.
   go(*alone, 12);
-  Gauges<2> fresh(lines);
+  Rasters<2> fresh(lines);
   std::istringstream stream(middle);
-  fresh.gauges.load(stream, "");
+  fresh.rasters.load(stream, "");
   EXPECT_TRUE(stream);
   EXPECT_EQ(fresh.saved(), middle);
-  std::swap(together->gauges, fresh.gauges);
-  together->gauges.mesh_changed(together->run.snapshot());
+  std::swap(together->rasters, fresh.rasters);
+  together->rasters.mesh_changed(together->run.snapshot());
   go(*together, 12);
   EXPECT_EQ(alone->saved(), together->saved());
 }

@@ -31,8 +31,8 @@ public:
   virtual std::vector<NamedValue>
   history(const std::array<double, 3> &ambient) = 0;
 
-  /// States at the gauges of the scene.
-  virtual std::vector<gas::GasState<dim>> gauges() = 0;
+  /// States at the probes of the scene.
+  virtual std::vector<gas::GasState<dim>> probes() = 0;
 
   /// Blast as predicted by the stage's plan, before its first step.
   struct Blast
@@ -62,7 +62,7 @@ public:
 /**
  * Creates the first stage.
  * @param scene all entries; @p declare declares them
- * @param gauges positions of the scene's gauges [m]
+ * @param probes positions of the scene's probes [m]
  */
 template <int dim>
 std::unique_ptr<FirstStage<dim>>
@@ -70,6 +70,6 @@ make_first_stage(const ParameterHandler &scene,
                  const std::function<void(ParameterHandler &)> &declare,
                  const FirstStageParameters &parameters,
                  const FirstStageLayout<dim> &plan,
-                 const std::vector<dealii::Point<dim>> &gauges,
+                 const std::vector<dealii::Point<dim>> &probes,
                  const MPI_Comm communicator);
 } // namespace contrecoup::coupling

@@ -81,7 +81,7 @@ make_first_stage_layout(ParameterHandler &scene,
  * Sets the entries of the first stage, which has @p stage_dim dimensions, from
  * those of the scene: the same material, charge, ambient gas and method in a
  * domain of its own. @p stage has the same declarations.
- * @param probes positions of gauges in the domain of the stage [m]
+ * @param probes positions of probes in the domain of the stage [m]
  */
 template <int dim, int stage_dim>
 void derive_first_stage(const ParameterHandler &scene,

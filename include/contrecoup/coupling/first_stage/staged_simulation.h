@@ -13,7 +13,7 @@ namespace contrecoup::coupling
 /**
  * Blast that begins with a first stage in fewer dimensions and continues in
  * the dimensions of the scene. The scene's gas takes over the profile of the
- * first stage between two steps (hand-over). Histories and gauges are those of
+ * first stage between two steps (hand-over). Histories and probes are those of
  * the scene throughout; fields are those of the active stage.
  */
 template <int dim>
@@ -80,7 +80,7 @@ private:
   /// @throws InputError when an axisymmetric stage would hand over before its
   /// spherical stage does.
   void check_hand_over_order() const;
-  void read_gauges();
+  void read_probes();
   /// Distance of the front to the nearest side at which "auto" hands over [m].
   double margin() const;
   /// Distance of the front from the charge at the hand-over, unless the time

@@ -13,8 +13,8 @@ namespace contrecoup::gas
  * The finite-volume scheme on batches with leaves that a rigid body cuts.
  * Fluxes pass through the open part of each subcell face; the wall in a
  * subcell exerts the pressure of the Riemann problem between the gas in it and
- * its mirror image, along the wall's normal. Slopes do not look through what
- * is closed. Points without gas keep their values.
+ * its mirror image, along the wall's normal. Differences across closed faces
+ * count as zero in the limiter. Points without gas keep their values.
  */
 template <int dim, typename Gas, typename Real = double>
 class EmbeddedKernel
@@ -38,13 +38,13 @@ public:
   /// Takes over the shapes of all leaves in cut batches.
   void reinit();
 
-  /// Does @p stage on the leaves of @p batch, up to what small cells share
-  /// with others.
+  /// Does @p stage on the leaves of @p batch, without state redistribution;
+  /// GasOperator::redistribute() completes the stage.
   void update(const unsigned int batch,
               const BasicStage<Real> &stage,
               const HangingData<dim, Real> &hanging);
 
-  /// Checks and analyses the new state, when it is complete.
+  /// Checks and analyses the new state, after its redistribution.
   void conclude(const unsigned int batch, const BasicStage<Real> &stage);
 
   /// Computes only sensor and signal rate of the state stage.results.state.
@@ -54,7 +54,7 @@ private:
   static constexpr unsigned int nc = Sweep::nc;
   static constexpr unsigned int width = n_lanes<Real>;
 
-  /// Pieces of the wall, as many as lanes, of any points and leaves of a batch.
+  /// Facets, one in each lane, of any points and leaves of a batch.
   struct WallPack
   {
     std::array<unsigned int, width> point;
@@ -63,7 +63,7 @@ private:
     std::array<unsigned int, width> offset;
     /// Vector out of the gas, of which the unit length is kept apart.
     std::array<Number, dim> normal;
-    Number area;   ///< over the cell's volume [1/m]; 0: no piece
+    Number area;   ///< over the cell's volume [1/m]; 0: no facet
     Number volume; ///< see CutLeaves::cell_volume()
   };
 
@@ -83,7 +83,7 @@ private:
   /// Copies the shape of a leaf to a lane.
   void
   take(const unsigned int leaf, const unsigned int lane, Openings &to) const;
-  /// Finds the pieces of the wall, for which the openings are there already.
+  /// Packs the facets of a batch, whose openings are known.
   void pack_walls(const unsigned int batch, Openings &openings) const;
   void bind_openings(const unsigned int batch)
   {

@@ -37,6 +37,8 @@ public:
     }
   }
 
+  /// Turns the velocity of primitive values, or the momentum of a flux, from
+  /// the coordinate axes to those of the face.
   template <typename Values>
   DEAL_II_ALWAYS_INLINE Values to(const Values &values) const
   {
@@ -53,6 +55,7 @@ public:
     return result;
   }
 
+  /// Turns them from the axes of the face to the coordinate axes.
   template <typename Values>
   DEAL_II_ALWAYS_INLINE Values from(const Values &values) const
   {

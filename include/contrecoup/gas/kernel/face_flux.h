@@ -25,7 +25,7 @@ namespace internal
     return !any_less(select_less(zero, x, one, zero), one);
   }
 
-  // What few lines need stays out of the pass that all others take.
+  // Not inlined: most runs use HLLC alone, and sweep_line() stays small.
   template <int dim, typename Gas, typename Number>
   __attribute__((noinline)) FaceFlux<dim, Number>
   other_flux(const RiemannFlux kind,
@@ -92,22 +92,20 @@ namespace internal
 } // namespace internal
 
 
-/// Share of HLLC in the flux through face @p f, for
-/// RiemannFlux::hllc_shock_stable; see shear_factor().
+/// shear_factor() at face @p f, between subcells f - 1 and f.
 template <int dim, typename Gas, typename Number>
 DEAL_II_ALWAYS_INLINE inline Number
-share_of_hllc(const Line<Number, n_conserved<dim, Gas>> &line,
-              const int f,
-              const int n,
-              const Number &sound_speed)
+shear_factor_at(const Line<Number, n_conserved<dim, Gas>> &line,
+                const int f,
+                const int n,
+                const Number &sound_speed)
 {
-  constexpr unsigned int normal = Component<dim>::momentum;
-  const Number &shock = line.shock[f == 0 ? 0 : (f == n ? 2 : 1)];
-  const Number factor = shear_factor(
+  constexpr unsigned int normal = Component<dim>::velocity;
+  return shear_factor(
+    line.shock[f == 0 ? 0 : (f == n ? 2 : 1)],
     sound_speed,
     Number(line.subcells[f][normal] - line.subcells[f - 1][normal]),
     std::min(line.compression[f - 1], line.compression[f]));
-  return select_less(Number(0.), shock, factor, Number(1.));
 }
 
 
@@ -142,9 +140,9 @@ face_flux(const Gas &stored_gas,
     line.burn->template apply_burn_pressure<dim>(line.progress[f - 1], left);
     line.burn->template apply_burn_pressure<dim>(line.progress[f], right);
   }
-  Number share(1.);
+  Number factor(1.);
   if (line.compression != nullptr)
-    share = share_of_hllc<dim, Gas>(
+    factor = shear_factor_at<dim, Gas>(
       line, f, n, std::max(left.sound_speed, right.sound_speed));
 
   if (!SomeScheme(*line.scheme).has_hllc)
@@ -155,7 +153,7 @@ face_flux(const Gas &stored_gas,
   }
   else
     flux = to_array<dim, Gas>(
-      numerical_flux(RiemannFlux::hllc_shock_stable, left, right, share));
+      numerical_flux(RiemannFlux::hllc_shock_stable, left, right, factor));
 
   // Faces to other leaves keep the flux that the neighbour computes too. The
   // wider a front is numerically when it leaves, the less of it comes back.

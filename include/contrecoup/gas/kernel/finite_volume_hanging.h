@@ -27,9 +27,9 @@ public:
                       const Gas &gas,
                       PrimitiveField<dim, Gas, Real> &primitives);
 
-  /// @param openings where a rigid body is, what it leaves open: slopes do not
-  /// look through what is closed, and the coarse side gets the mean over what
-  /// is open
+  /// @param openings where a rigid body is, what it leaves open: differences
+  /// across closed faces count as zero in the limiter, and the coarse side gets
+  /// the mean over what is open
   void compute(const HangingGroup<dim> &group,
                const BasicStage<Real> &stage,
                HangingData<dim, Real> &hanging,

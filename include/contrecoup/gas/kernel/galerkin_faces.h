@@ -155,8 +155,8 @@ private:
                                                       layout_.n);
   }
 
-  /// What flows out of a leaf through a face, per area, but for the force of
-  /// its reference pressure, along the coordinate axes.
+  /// What flows out of a leaf through a face, per area, along the coordinate
+  /// axes; pressures are relative to reference_pressure_.
   Values outflow(const unsigned int side, const unsigned int q) const;
   Evaluation &evaluation(const unsigned int side)
   {

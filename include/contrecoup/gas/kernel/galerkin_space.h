@@ -31,9 +31,13 @@ namespace contrecoup::gas
  * says. On boxes a record holds the flux per area towards larger coordinates at
  * the face nodes, for both sides at once where they are equal. On other meshes
  * each side has a record of its own: of each node, the flux out of that leaf
- * times the test function, integrated over the face, less the force of the
- * leaf's reference pressure. A coarse leaf has a record for each finer
- * neighbour, which add up in the order of the quarters, on any number of ranks.
+ * times the test function, integrated over the face. A coarse leaf has a record
+ * for each finer neighbour, which add up in the order of the quarters, on any
+ * number of ranks.
+ *
+ * The pressure at node 0 of the leaf, its reference pressure, is subtracted
+ * from pressures before they are integrated over its surface: a constant exerts
+ * no net force, and gas at rest then keeps every bit.
  *
  * deal.II 9.4 gives a rank no hanging faces whose finer side is a ghost, and
  * none between periodic leaves of different sizes: hanging faces are taken from

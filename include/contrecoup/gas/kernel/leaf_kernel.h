@@ -17,9 +17,9 @@
 namespace contrecoup::gas
 {
 /**
- * What the kernels of all schemes share on one batch of axis-aligned
- * leaves: reading the neighbours, the gas beyond the domain's boundary, and
- * the shear factor of the shock-stable flux.
+ * What the finite-volume kernels share on a batch of leaves: readers of the
+ * neighbours, the state beyond the domain's boundary on boxes, programmed burn,
+ * and which leaves hold a shock or let one out.
  *
  * A line is a row of points of a leaf along one direction; it is numbered
  * like the points of the leaf face that it starts from.
@@ -68,9 +68,9 @@ public:
   Number exerted_pressure(const unsigned int i, const Values &cell) const
   {
     if (burn_ == nullptr)
-      return cell[C::energy];
+      return cell[C::pressure];
     return burn_->pressure(
-      cell[C::energy],
+      cell[C::pressure],
       burn_->fraction(line_progress_[i + 1], cell[C::density]));
   }
 
@@ -129,26 +129,12 @@ public:
                                                           : 1 + special.part;
   }
 
-  /// Most negative velocity difference across a direction other than
-  /// @p direction between point and its neighbours on the leaf [m/s];
-  /// @p velocity(t, point) gives velocity component t.
-  template <typename Velocity>
-  Number transverse_compression(const unsigned int direction,
-                                const unsigned int point,
-                                const Velocity &velocity) const;
-
   /// Whether shocked leaves are among the batch and its neighbours and the
   /// flux asks for shear factors.
   bool needs_shear_factor() const
   {
     return needs_shear_factor_;
   }
-
-  /// Shear factor where either side is shocked, else one.
-  static Number gated_shear_factor(const Number &shock,
-                                   const Number &sound_speed,
-                                   const Number &normal_difference,
-                                   const Number &transverse_difference);
 
   /// Whether a shock may be leaving any leaf of the batch through an open
   /// boundary along a direction.
@@ -186,42 +172,15 @@ protected:
   dealii::AlignedVector<Number> line_progress_;
   Number sensor_; ///< of the leaves themselves
   std::array<Number, 2 * dim> neighbor_sensor_;
-  /// One in lanes with an open boundary along a direction, else zero.
-  std::array<Number, dim> open_;
-  /// The same, only where a shock may be leaving.
-  std::array<Number, dim> leaving_;
+  std::array<Number, dim> leaving_; ///< see leaving()
   std::array<bool, dim> any_leaving_;
 
 private:
   /// @param shock positive in lanes of leaves that hold or meet a shock
-  void find_open_leaves(const Number &shock);
+  void find_leaving(const Number &shock);
   void fill_progress_beyond(const unsigned int face, const unsigned int line);
 
   bool needs_shear_factor_ = false;
   std::array<NeighborReader<Real>, 2 * dim> neighbors_;
 };
-
-
-template <int dim, typename Gas, typename Real>
-template <typename Velocity>
-DEAL_II_ALWAYS_INLINE inline typename LeafKernel<dim, Gas, Real>::Number
-LeafKernel<dim, Gas, Real>::transverse_compression(
-  const unsigned int direction,
-  const unsigned int point,
-  const Velocity &velocity) const
-{
-  Number smallest(0.);
-  for (unsigned int t = 0; t < dim; ++t)
-    if (t != direction)
-    {
-      const unsigned int s = layout_.stride(t);
-      const unsigned int index = (point / s) % layout_.n;
-      const Number here = velocity(t, point);
-      if (index > 0)
-        smallest = std::min(smallest, Number(here - velocity(t, point - s)));
-      if (index + 1 < layout_.n)
-        smallest = std::min(smallest, Number(velocity(t, point + s) - here));
-    }
-  return smallest;
-}
 } // namespace contrecoup::gas

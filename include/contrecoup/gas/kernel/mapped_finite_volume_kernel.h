@@ -53,7 +53,7 @@ private:
   using Base::mesh_;
   using Base::nc;
   using Base::scheme_;
-  static constexpr int ghosts = Base::ghosts;
+  static constexpr int n_beyond = Base::n_beyond;
 
   void load(const Real *state);
   void limit_gradients();
@@ -79,7 +79,7 @@ private:
   /// Cells of the line from -2 to n + 1.
   Values &cell(const int i)
   {
-    return line_[i + ghosts];
+    return line_[i + n_beyond];
   }
 
   typename Base::Metric metric_;
@@ -88,7 +88,7 @@ private:
   dealii::AlignedVector<Number> factor_;    ///< of gradients, likewise
   dealii::AlignedVector<Number> below_;     ///< room towards the smallest
   dealii::AlignedVector<Number> above_;     ///< and largest neighbour
-  dealii::AlignedVector<Values> line_;      ///< cells with ghosts
+  dealii::AlignedVector<Values> line_;      ///< see cell()
   dealii::AlignedVector<Values> left_;      ///< trace left of each face
   dealii::AlignedVector<Values> right_;     ///< trace right of each face
   /// Through each face of the line: integrals, of the momentum only that of

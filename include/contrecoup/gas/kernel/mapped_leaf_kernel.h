@@ -12,10 +12,10 @@
 namespace contrecoup::gas
 {
 /**
- * What the kernels of all schemes share on one batch of leaves of any shape:
- * the gas beyond the leaf faces, with neighbours in any orientation or beyond
- * hanging faces, and Riemann fluxes in the frames of subcell faces. Velocities
- * are along the coordinate axes unless said otherwise.
+ * Adds leaves of any shape to LeafKernel: the gas beyond the leaf faces, with
+ * neighbours in any orientation or beyond hanging faces, and Riemann fluxes in
+ * the frames of subcell faces. Velocities are along the coordinate axes unless
+ * said otherwise.
  */
 template <int dim, typename Gas, typename Real = double>
 class MappedLeafKernel : protected LeafKernel<dim, Gas, Real>
@@ -40,7 +40,7 @@ protected:
   using Base::scheme_;
   using Base::sensor_;
   using Base::time_;
-  static constexpr int ghosts = 2;
+  static constexpr int n_beyond = 2;
 
   /// @param metric of the leaves that are bound; must outlive this object
   MappedLeafKernel(const LeafMesh<dim> &mesh,
@@ -54,21 +54,21 @@ protected:
   /// @param primitive their own values, [component][point], read by
   /// face_flux() too
   /// @param hanging halos are what lies beyond hanging faces
-  void fill_ghosts(const Number *primitive,
+  void fill_beyond(const Number *primitive,
                    const HangingData<dim, Real> &hanging);
 
   /// Primitive state beyond a leaf face, in the layer at @p depth.
-  Values &ghost(const unsigned int face,
-                const unsigned int line,
-                const unsigned int depth)
+  Values &beyond(const unsigned int face,
+                 const unsigned int line,
+                 const unsigned int depth)
   {
-    return ghosts_[(face * ghosts + depth) * layout_.n_face_points + line];
+    return beyond_[(face * n_beyond + depth) * layout_.n_face_points + line];
   }
-  const Values &ghost(const unsigned int face,
-                      const unsigned int line,
-                      const unsigned int depth) const
+  const Values &beyond(const unsigned int face,
+                       const unsigned int line,
+                       const unsigned int depth) const
   {
-    return ghosts_[(face * ghosts + depth) * layout_.n_face_points + line];
+    return beyond_[(face * n_beyond + depth) * layout_.n_face_points + line];
   }
 
   bool is_wall(const SpecialFace &special) const
@@ -84,9 +84,9 @@ protected:
     Values result = values;
     for (unsigned int d = 0; d < dim; ++d)
     {
-      result[C::momentum + d] = values[C::momentum] * frame.axes[d][0];
+      result[C::velocity + d] = values[C::velocity] * frame.axes[d][0];
       for (unsigned int e = 1; e < dim; ++e)
-        result[C::momentum + d] += values[C::momentum + e] * frame.axes[d][e];
+        result[C::velocity + d] += values[C::velocity + e] * frame.axes[d][e];
     }
     return result;
   }
@@ -131,6 +131,6 @@ private:
   const Metric &leaf_metric_;
   const Number *primitive_ = nullptr;
   std::array<Number, 2 * dim> wall_;     ///< one in lanes with a wall
-  dealii::AlignedVector<Values> ghosts_; ///< see ghost()
+  dealii::AlignedVector<Values> beyond_; ///< see beyond()
 };
 } // namespace contrecoup::gas

@@ -10,8 +10,8 @@
 namespace contrecoup::gas
 {
 /**
- * What is asked of the state that a finite-volume stage wrote, or of a given
- * one, in a batch of axis-aligned leaves: shock sensor and signal rate.
+ * Computes shock sensor and signal rate of a new state, reports unphysical
+ * leaves and fills padding lanes; for finite volumes on boxes.
  */
 template <int dim, typename Gas, typename Real = double>
 class NewState
@@ -122,8 +122,8 @@ NewState<dim, Gas, Real>::find_largest_rate(const BasicStage<Real> &stage)
       const Number burned =
         burn->fraction(leaves_.progress(q, stage.end_time), p[C::density]);
       least_speed = (Number(1.) - burned) * burn->speed;
-      primitive_[C::energy * layout_.n_points + q] =
-        burn->pressure(p[C::energy], burned);
+      primitive_[C::pressure * layout_.n_points + q] =
+        burn->pressure(p[C::pressure], burned);
     }
     rate =
       std::max(rate,
@@ -147,8 +147,8 @@ NewState<dim, Gas, Real>::largest_jump(const Weight &weight) const
     for (unsigned int q = 0; q < layout_.n_points; ++q)
       if ((q / s) % layout_.n + 1 < layout_.n)
       {
-        const Number *p = &primitive_[C::energy * layout_.n_points + q];
-        const Number *u = &primitive_[(C::momentum + d) * layout_.n_points + q];
+        const Number *p = &primitive_[C::pressure * layout_.n_points + q];
+        const Number *u = &primitive_[(C::velocity + d) * layout_.n_points + q];
         const Number jump =
           (std::abs(p[s] - p[0]) - std::min(p[0], p[s]) * threshold) *
           weight(d, q);

@@ -147,7 +147,7 @@ add_rates(const Line<Number, n_conserved<dim, Gas>> &line,
   if constexpr (Faces::takes_own_pressure)
   {
     const auto &inside = line.subcells[i];
-    own = inside[C::energy];
+    own = inside[C::pressure];
     if (line.burn != nullptr)
       own = line.burn->pressure(
         own, line.burn->fraction(line.progress[i], inside[C::density]));

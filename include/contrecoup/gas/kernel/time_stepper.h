@@ -44,19 +44,21 @@ public:
   {
     visit_precision(field.layout().precision, [&](const auto real) {
       using Real = std::decay_t<decltype(real)>;
-      exchange_.update(field.state<Real>(), field.shock_indicator<Real>());
+      exchange_.update(field.state<Real>(), field.sensors<Real>());
     });
   }
 
   /// Largest signal rates of the current state [1/s].
   struct Rates
   {
-    double all = 0.;        ///< of all leaves
-    double front_rate = 0.; ///< each times its size ratio
+    double all = 0.; ///< of all leaves
+    /// Each times LeafLevels::size_ratios(); over the rate of all leaves this
+    /// is how far a front travels in a step, for AdaptationPace.
+    double front_rate = 0.;
   };
 
   /// Collective.
-  /// @param size_ratios see Adaptation; empty: all are one
+  /// @param size_ratios see LeafLevels; empty: all are one
   Rates largest_rates(const std::vector<double> &size_ratios = {}) const;
 
   /// Largest stable step [s] from a state with the largest signal rate

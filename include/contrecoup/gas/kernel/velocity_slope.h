@@ -32,7 +32,7 @@ energy_left(const Gas &gas,
   if constexpr (Gas::has_products)
     products = cell[C::products];
   return gas.internal_energy_density(
-           cell[C::density], cell[C::energy], products) -
+           cell[C::density], cell[C::pressure], products) -
          gas.cold_energy_density(cell[C::density], products) -
          cell[C::density] * s_square;
 }
@@ -53,10 +53,10 @@ limit_velocity_slope(const Gas &gas,
   const Number zero(0.), one(1.);
   Number square(0.);
   for (unsigned int d = 0; d < dim; ++d)
-    square += half[C::momentum + d] * half[C::momentum + d];
+    square += half[C::velocity + d] * half[C::velocity + d];
   const Number kinetic = cell[C::density] * square;
   // Most cells are far from the bound; cold curves are dear.
-  if (Gas::has_products && !any_less(cell[C::energy], Number(kinetic * 16.)))
+  if (Gas::has_products && !any_less(cell[C::pressure], Number(kinetic * 16.)))
     return;
   const Number left = energy_left<dim>(gas, cell, square);
   if (!any_less(left, zero))
@@ -68,6 +68,6 @@ limit_velocity_slope(const Gas &gas,
               std::max(kinetic, Number(std::numeric_limits<float>::min()))),
     one);
   for (unsigned int d = 0; d < dim; ++d)
-    half[C::momentum + d] = half[C::momentum + d] * factor;
+    half[C::velocity + d] = half[C::velocity + d] * factor;
 }
 } // namespace contrecoup::gas

@@ -11,11 +11,11 @@
 namespace contrecoup::gas
 {
 /**
- * Closes the gaps beside hanging faces of an octree with curved manifolds: a
- * vertex in the middle of an edge or a face of a leaf, which deal.II's manifold
- * of a sphere or a cylinder moves away from it, is put back on the edge or face
- * of that coarse leaf, which its vertices alone shape. Then the fine faces make
- * up the coarse one exactly.
+ * Closes the gaps beside hanging faces of an octree with curved manifolds. The
+ * edges and faces of a leaf are shaped by its vertices alone; a new vertex in
+ * the middle of one is moved away from it by deal.II's manifold of a sphere or
+ * a cylinder. Where that vertex hangs on a coarse leaf, it is put back on the
+ * coarse edge or face. Then the fine faces make up the coarse one exactly.
  *
  * A manifold places new vertices by those around them. All vertices are put
  * back where it placed them before each refinement and each distribution over

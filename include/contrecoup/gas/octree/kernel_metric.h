@@ -11,9 +11,9 @@ namespace contrecoup::gas
 {
 /**
  * Face areas and volumes of the subcells of one batch in single precision:
- * those of LeafMetric, rounded, so that leaves that share a face agree on its
- * area to the last bit but for rare roundings, and a uniform flow keeps seven
- * digits.
+ * those of LeafMetric, rounded. Two leaves compute the area of their common
+ * face separately, in double precision; rounded, both values are nearly always
+ * equal to the last bit. A uniform flow keeps seven digits.
  */
 template <int dim>
 class SingleLeafMetric

@@ -50,8 +50,9 @@ public:
               const Precision precision = Precision::double_precision,
               const unsigned int cell_degree = 1);
 
-  /// Distributes the leaves over the ranks by the triangulation's weights, or
-  /// evenly, which changes of it do not, and calls rebuild(). Collective.
+  /// Distributes the leaves over the ranks, by the triangulation's weights if
+  /// it has any, else evenly, and calls rebuild(). Refinement alone moves no
+  /// leaves to other ranks. Collective.
   void distribute();
 
   /// Renews numbers, connections, shapes after a change. Collective.
@@ -174,7 +175,7 @@ public:
     else
       return extents_[batch];
   }
-  /// Lower corner of axis-aligned leaves [m], for batches of W leaves.
+  /// Lower corner of axis-aligned leaves [m], for batches of double_width.
   const std::array<Lanes<double>, dim> &origins(const unsigned int batch) const
   {
     return origins_[batch];
@@ -255,5 +256,4 @@ private:
   dealii::AlignedVector<std::array<Lanes<double>, dim>> origins_;
   dealii::AlignedVector<std::array<Lanes<float>, dim>> single_extents_;
 };
-
 } // namespace contrecoup::gas

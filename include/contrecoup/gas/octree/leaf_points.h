@@ -97,6 +97,8 @@ public:
     return result;
   }
 
+  /// Exponent of the radius in volumes: 0 in plane, 1 in cylindrical and
+  /// axisymmetric, 2 in spherical geometry.
   unsigned int exponent() const
   {
     return exponent_;

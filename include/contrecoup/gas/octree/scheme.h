@@ -38,10 +38,10 @@ public:
   Kind kind = Kind::finite_volume;
   unsigned int n_points = 8;         ///< points per direction of a leaf
   bool linear_reconstruction = true; ///< finite volume: linear reconstruction
-  SlopeLimiter limiter = SlopeLimiter::van_leer;
+  SlopeLimiter limiter = SlopeLimiter::mc;
   /// Multidimensional limiter, for mapped meshes only.
   std::optional<GradientLimiter> gradient_limiter;
-  RiemannFlux flux = RiemannFlux::hllc;
+  RiemannFlux flux = RiemannFlux::hllc_shock_stable;
   RungeKuttaTable time_stepping;
   Precision precision = Precision::double_precision;
   double cfl = 0.5; ///< CFL number [-]

@@ -90,7 +90,7 @@ public:
   }
 
 private:
-  /// Leaves are stored in groups of W: [group][value][point][leaf].
+  /// Leaves are stored in groups of double_width: [group][value][point][leaf].
   std::size_t position(const unsigned int leaf,
                        const unsigned int value,
                        const unsigned int point) const

@@ -28,8 +28,8 @@ public:
 
   /// Sets up probes at @p places [m] that no blast has reached.
   /// @throws InputError for a position outside of the domain, see
-  /// GasScene::require_inside(), and where the chest is to be followed at an
-  /// ambient pressure that nobody lives at
+  /// GasScene::require_inside(), and for Exposure::load_and_chest at an ambient
+  /// pressure out of the 45 to 115 kPa at which people live, is_habitable()
   void place(std::vector<dealii::Point<dim>> places,
              const GasScene<dim> &scene,
              const std::string &what,

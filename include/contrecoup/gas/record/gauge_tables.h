@@ -76,8 +76,9 @@ std::array<double, 5> air_injury_values(const AirBlast &air,
 
 /**
  * CSV table, as gauge_injury_table(), of air_injury_values() at each place.
- * Places that no blast has reached, or whose ambient pressure is none that
- * people live at, are left out; empty without others.
+ * Places are left out that no blast has reached, or whose ambient pressure is
+ * out of the 45 to 115 kPa at which people live, see is_habitable(); empty
+ * without others.
  *
  * @param with_chest whether the motion of the chest was recorded; then the
  * table has the chest wall velocity where it is known, and the peak

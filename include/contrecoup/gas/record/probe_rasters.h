@@ -57,7 +57,7 @@ private:
                   std::vector<dealii::Point<dim>> &places);
   bool has_injuries() const
   {
-    return gauges_.exposure() != Exposure::none;
+    return probes_.exposure() != Exposure::none;
   }
   /// Names and units of values().
   std::vector<std::pair<std::string, std::string>> quantities() const;
@@ -72,7 +72,7 @@ private:
 
   double body_mass_ = 78.5; ///< [kg]
   std::vector<Raster> rasters_;
-  BlastProbes<dim> gauges_;
+  BlastProbes<dim> probes_;
   MPI_Comm communicator_ = MPI_COMM_SELF;
   bool is_shared_ = true; ///< whether every rank has all records
 };

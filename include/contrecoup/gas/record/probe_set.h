@@ -31,8 +31,7 @@ public:
 
   void mesh_changed(const GasSnapshot<dim> &gas) override
   {
-    communicator_ = gas.mesh.communicator();
-    gauges_.mesh_changed(gas);
+    probes_.mesh_changed(gas);
   }
   void begin(const GasSnapshot<dim> &gas) override
   {
@@ -46,7 +45,7 @@ public:
 
   const std::vector<dealii::Point<dim>> &places() const
   {
-    return gauges_.places();
+    return probes_.places();
   }
 
   /// States at the last recorded time, one per probe.
@@ -83,9 +82,8 @@ public:
   void load(std::istream &stream, const std::string &folder) override;
 
 private:
-  BlastProbes<dim> gauges_;
-  MPI_Comm communicator_ = MPI_COMM_SELF;
-  std::string folder_;      ///< of the results; empty in trial runs
+  BlastProbes<dim> probes_;
+  std::string folder_;      ///< of the results; empty in first stages
   double body_mass_ = 78.5; ///< [kg]
   double last_time_ = 0.;   ///< [s]
   std::vector<GasState<dim>> states_;

@@ -47,8 +47,10 @@ using KnownRecord =
  * Interface of the objects that observe the gas after each time step and keep a
  * record of it. A derived class overrides the functions that it needs, declares
  * its entries of the parameter file by a static function declare_parameters(),
- * and is listed in RecorderList. All functions except load() and save() are
- * collective.
+ * and is listed in RecorderList. All recorders exist in every run: one that is
+ * off returns at once. All functions except load() and save() are collective.
+ * The first rank of MPI_COMM_WORLD writes files: in 1-D each rank has all of
+ * the mesh, and a communicator of its own.
  */
 template <int dim>
 class Recorder
@@ -62,13 +64,15 @@ public:
   virtual void parse_parameters(dealii::ParameterHandler &prm,
                                 const GasScene<dim> &scene) = 0;
 
-  /// Sets the output folder of the run. Not called in trial runs, which write
-  /// no files.
+  /// Sets the output folder of the run, for files that grow or that finish()
+  /// writes; LoadGauges shows how a table continues after a checkpoint. Not
+  /// called for a first stage, which has none.
   virtual void set_output_folder(const std::string & /*folder*/)
   {}
 
   /// Updates references to leaves. Called before begin(), after load(), and
-  /// after each change of the mesh.
+  /// after each change of the mesh, when leaves may be on other ranks than
+  /// before: first combine the records that only the owner of a leaf kept.
   virtual void mesh_changed(const GasSnapshot<dim> & /*gas*/)
   {}
 
@@ -85,7 +89,8 @@ public:
   virtual void add_step(const GasSnapshot<dim> & /*gas*/)
   {}
 
-  /// Writes results at each output of fields into @p folder.
+  /// Writes results at each output of fields into @p folder, fields/ in the
+  /// output folder.
   virtual void write(const GasSnapshot<dim> & /*gas*/,
                      const std::string & /*folder*/)
   {}
@@ -104,7 +109,7 @@ public:
   virtual void load(std::istream & /*stream*/, const std::string & /*folder*/)
   {}
 
-  /// Completes the record at the end of the run.
+  /// Completes the record at the end of the run; not called in trial runs.
   virtual void finish()
   {}
 

@@ -58,12 +58,12 @@ public:
 
   /// Sensor of each leaf for the current state.
   template <typename Real = double>
-  Real *shock_indicator()
+  Real *sensors()
   {
     return copies<Real>().sensors[0].data();
   }
   template <typename Real = double>
-  Real *stage_shock_indicator(const unsigned int i)
+  Real *stage_sensors(const unsigned int i)
   {
     return copies<Real>().sensors[1 + i].data();
   }
@@ -76,7 +76,8 @@ public:
                const unsigned int component,
                const unsigned int point) const;
 
-  /// Values of W consecutive leaves; @p leaf, the first, is a multiple of W.
+  /// Values of double_width consecutive leaves; @p leaf, the first, is a
+  /// multiple of double_width.
   Lanes<double> values(const unsigned int leaf,
                        const unsigned int component,
                        const unsigned int point) const;

@@ -130,7 +130,7 @@ private:
                            const unsigned int lane,
                            Values &p) const
   {
-    Number &pressure = p[Component<dim>::energy];
+    Number &pressure = p[Component<dim>::pressure];
     if (field_.burn() != nullptr)
       pressure[lane] =
         field_.exerted_pressure(pressure[lane], field_.burned(leaf, point));

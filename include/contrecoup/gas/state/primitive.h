@@ -17,13 +17,17 @@ template <int dim, typename Gas>
 inline constexpr unsigned int n_conserved = dim + 2 +
                                             (Gas::has_products ? 1 : 0);
 
-/// Indices in an array of primitive or conserved quantities.
+/// Indices in an array of conserved quantities or of their fluxes, or of
+/// primitive quantities, which have velocity and pressure (and the mass
+/// fraction of products) in the same places.
 template <int dim>
 struct Component
 {
   static constexpr unsigned int density = 0;
-  static constexpr unsigned int momentum = 1;     ///< or velocity
-  static constexpr unsigned int energy = dim + 1; ///< or pressure
+  static constexpr unsigned int momentum = 1;
+  static constexpr unsigned int velocity = momentum;
+  static constexpr unsigned int energy = dim + 1;
+  static constexpr unsigned int pressure = energy;
   static constexpr unsigned int products = dim + 2;
 };
 
@@ -42,13 +46,13 @@ to_primitive(const Gas &gas, const std::array<Number, n_conserved<dim, Gas>> &u)
   Number kinetic(0.);
   for (unsigned int d = 0; d < dim; ++d)
   {
-    p[C::momentum + d] = u[C::momentum + d] * inverse_density;
-    kinetic += p[C::momentum + d] * u[C::momentum + d];
+    p[C::velocity + d] = u[C::momentum + d] * inverse_density;
+    kinetic += p[C::velocity + d] * u[C::momentum + d];
   }
   Number products(0.);
   if constexpr (Gas::has_products)
     products = p[C::products] = u[C::products] * inverse_density;
-  p[C::energy] =
+  p[C::pressure] =
     gas.pressure(u[C::density], Number(u[C::energy] - kinetic * 0.5), products);
   return p;
 }
@@ -68,10 +72,10 @@ to_face_state(const Gas &gas,
   Number square(0.);
   for (unsigned int d = 0; d < dim; ++d)
   {
-    state.velocity[d] = p[C::momentum + d];
+    state.velocity[d] = p[C::velocity + d];
     square += state.velocity[d] * state.velocity[d];
   }
-  state.pressure = p[C::energy];
+  state.pressure = p[C::pressure];
   if constexpr (Gas::has_products)
     state.products = p[C::products];
   else
@@ -173,9 +177,9 @@ restore_if_inadmissible(const Gas &gas,
   Number products(0.);
   if constexpr (Gas::has_products)
     products = trace[C::products];
-  const Number spare =
-    gas.internal_energy_density(trace[C::density], trace[C::energy], products) -
-    gas.cold_energy_density(trace[C::density], products);
+  const Number spare = gas.internal_energy_density(
+                         trace[C::density], trace[C::pressure], products) -
+                       gas.cold_energy_density(trace[C::density], products);
   for (unsigned int c = 0; c < n_conserved<dim, Gas>; ++c)
     trace[c] =
       select_less(zero, std::min(spare, trace[C::density]), trace[c], cell[c]);
@@ -195,11 +199,11 @@ signal_rate(const Gas &gas,
   if constexpr (Gas::has_products)
     products = p[C::products];
   const Number sound_speed = std::sqrt(
-    std::max(gas.sound_speed_squared(p[C::density], p[C::energy], products),
+    std::max(gas.sound_speed_squared(p[C::density], p[C::pressure], products),
              least_sound_speed * least_sound_speed));
   Number rate(0.);
   for (unsigned int d = 0; d < dim; ++d)
-    rate += (std::abs(p[C::momentum + d]) + sound_speed) / extents[d];
+    rate += (std::abs(p[C::velocity + d]) + sound_speed) / extents[d];
   return rate;
 }
 } // namespace contrecoup::gas

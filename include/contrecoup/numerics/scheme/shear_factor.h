@@ -43,4 +43,17 @@ inline DEAL_II_ALWAYS_INLINE Number shear_factor(const Number &sound_speed,
   const Number square = ratio * ratio;
   return square * square;
 }
+
+/// The same in lanes where @p shock is positive, else 1.
+template <typename Number>
+inline DEAL_II_ALWAYS_INLINE Number shear_factor(const Number &shock,
+                                                 const Number &sound_speed,
+                                                 const Number &normal_jump,
+                                                 const Number &transverse_jump)
+{
+  return select_less(Number(0.),
+                     shock,
+                     shear_factor(sound_speed, normal_jump, transverse_jump),
+                     Number(1.));
+}
 } // namespace contrecoup
