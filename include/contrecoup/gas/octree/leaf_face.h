@@ -8,6 +8,7 @@
 #include <deal.II/grid/tria.h>
 
 #include <array>
+#include <cstdint>
 #include <utility>
 
 namespace contrecoup::gas
@@ -97,6 +98,16 @@ struct SpecialFace
   unsigned char face;
   unsigned char part;
   unsigned int index;
+};
+
+/// Leaf of another rank that shares a face with an owned leaf.
+template <int dim>
+struct GhostLeaf
+{
+  unsigned int owner;         ///< its rank
+  std::uint64_t global_index; ///< global active cell index
+  unsigned char faces; ///< bit f: an owned leaf shares face f of the ghost
+  typename dealii::Triangulation<dim>::cell_iterator cell;
 };
 
 /**

@@ -181,17 +181,8 @@ public:
     return origins_[batch];
   }
 
-  /// Ghost leaf, stored in the order of leaf numbers: owner rank and global
-  /// active cell index.
-  struct Ghost
-  {
-    unsigned int owner;
-    std::uint64_t global_index;
-    /// Bit f: an owned leaf shares face f of the ghost.
-    unsigned char faces;
-    CellIterator cell;
-  };
-  const std::vector<Ghost> &ghosts() const
+  /// In the order of leaf numbers.
+  const std::vector<GhostLeaf<dim>> &ghosts() const
   {
     return ghosts_;
   }
@@ -239,7 +230,7 @@ private:
 
   std::vector<CellIterator> cells_;
   std::vector<unsigned int> leaf_of_cell_;
-  std::vector<Ghost> ghosts_;
+  std::vector<GhostLeaf<dim>> ghosts_;
   std::vector<unsigned int> leaf_of_own_index_;
   std::uint64_t first_global_index_ = 0;
 

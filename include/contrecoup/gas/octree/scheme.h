@@ -44,7 +44,7 @@ public:
   RiemannFlux flux = RiemannFlux::hllc_shock_stable;
   RungeKuttaTable time_stepping;
   Precision precision = Precision::double_precision;
-  double cfl = 0.5; ///< CFL number [-]
+  double cfl = 0.4; ///< CFL number [-]
   /// Polynomial degree of leaves on curved manifolds (DG).
   unsigned int cell_degree = 1;
   bool blending = true;         ///< subcell shock capturing (DG)
