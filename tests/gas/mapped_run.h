@@ -144,7 +144,7 @@ std::vector<Lines> ball_and_shell()
     return {mesh(2, "hyper_ball", "0,0:1:true", 2),
             mesh(2, "hyper_shell", "0,0:1:2:7:false", 1)};
   else
-    return {mesh(3, "hyper_ball", "0,0,0:1:true", 1),
+    return {mesh(3, "hyper_ball", "0,0,0:1:false", 1),
             mesh(3, "hyper_shell", "0,0,0:1:2:6:false", 1)};
 }
 } // namespace contrecoup::gas

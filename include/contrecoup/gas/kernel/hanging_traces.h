@@ -88,6 +88,7 @@ protected:
   const LeafLayout layout_;
   const Scheme &scheme_;
   const Gas gas_;
+  PrimitiveField<dim, Gas, Real> &primitives_;
   const HangingOpenings<dim, Real> *openings_ = nullptr;
   /// Set where a leaf of the group is still to burn.
   const Burn *burn_ = nullptr;
@@ -125,7 +126,6 @@ private:
   /// from the neighbours on the same leaf.
   Values tangential_slope(const unsigned int point, const unsigned int t) const;
 
-  PrimitiveField<dim, Gas, Real> &primitives_;
   NeighborReader<Real> reader_;
   bool bounds_velocity_slopes_ = false; ///< see Stage::bound_velocity_slopes
   /// Slopes by [direction][face point]: along the face coordinates, then
