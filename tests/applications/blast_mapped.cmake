@@ -1,6 +1,13 @@
 # Meshes of any hexahedra and quadrilaterals, from generators and files.
 set(_vortex blast/verification/mapped_vortex.prm)
 set(_ball blast/verification/mapped_ball.prm)
+set(_ring blast/verification/curved_ring.prm)
+set(_shell "Domain/Dimension=3" "Time/End time=0.3"
+  "Domain/Generator arguments=0, 0, 0 : 1 : 2 : 6 : false"
+  "Initial state/Expression/Density=(1+0.018*(x^2+y^2))^2.5"
+  "Initial state/Expression/Pressure=(1+0.018*(x^2+y^2))^3.5/1.4"
+  "Initial state/Expression/Velocity x=-0.3*y"
+  "Initial state/Expression/Velocity y=0.3*x")
 set(_meshes ${PROJECT_SOURCE_DIR}/parameter_files/blast/meshes)
 set(_galerkin "Method/Scheme=discontinuous galerkin"
   "Method/Time stepping=ssp rk3")
@@ -47,6 +54,29 @@ foreach(_case "1|0.5|1.8|3|4" "2|1|2.8|2|3" "3|1|3.8|2|3")
     "Method/Degree=${_degree}" "Method/Blending=false" "Time/End time=${_end}"
     VARY "Domain/Initial refinement=${_coarse}|${_fine}"
     ERROR errors.density_L1 ORDER ${_order} LABELS verification)
+endforeach()
+# Orders measured: 1.96, 3.09 and 4.01.
+set(_half_ring "Adaptation/Fine box levels=1"
+  "Adaptation/Fine box lower corner=-2, -2"
+  "Adaptation/Fine box upper corner=0.1, 2")
+foreach(_degree 1 2 3)
+  set(_curved ${_ring} SET ${_brief} "Method/Degree=${_degree}")
+  set(_required VARY "Domain/Initial refinement=1|2"
+    ERROR errors.density_L1 ORDER ${_degree}.8 LABELS verification)
+  contrecoup_add_application_test(curved_ring_degree_${_degree} convergence
+    FILE ${_curved} ${_required})
+  contrecoup_add_application_test(curved_ring_hanging_degree_${_degree}
+    convergence FILE ${_curved} ${_half_ring} ${_required})
+endforeach()
+# Orders measured: 3.48 and 3.85.
+foreach(_case "2|2.8" "3|3.4")
+  string(REPLACE "|" ";" _case ${_case})
+  list(GET _case 0 _degree)
+  list(GET _case 1 _order)
+  contrecoup_add_application_test(curved_shell_degree_${_degree} convergence
+    FILE ${_ring} SET ${_brief} ${_shell} "Method/Degree=${_degree}"
+    VARY "Domain/Initial refinement=1|2" ERROR errors.density_L1
+    ORDER ${_order} LABELS verification)
 endforeach()
 # Bounds: the errors when the tests were written and a tenth more.
 contrecoup_add_application_test(mapped_vortex_barth_jespersen bounds
@@ -118,6 +148,11 @@ contrecoup_add_application_test(mapped_hanging_galerkin_runs ranks,resume
   FILE ${_ball} SET ${_small} ${_octant} ${_galerkin} "Method/Degree=2"
   COMPARE history.csv probes.csv
   TOLERANCE 1e-10 "momentum*=1e-12 absolute" CORES 1 STOP_AFTER 7)
+# A probe between the curved wall and the straight edge of its cell.
+contrecoup_add_application_test(curved_runs ranks,resume FILE ${_ring}
+  SET "Domain/Initial refinement=1" ${_half_ring} ${_steps_20}
+  "Probes/Points=1.9518, 0.3882" COMPARE history.csv probes.csv
+  TOLERANCE 1e-10 "momentum*=1e-12 absolute" CORES 1 STOP_AFTER 7)
 contrecoup_add_application_test(mapped_single_runs ranks,resume FILE ${_ball}
   SET ${_small} ${_octant} "Method/Precision=single"
   COMPARE history.csv probes.csv
@@ -142,6 +177,13 @@ contrecoup_add_application_test(refuses_inverted_cell refusal FILE ${_vortex}
 contrecoup_add_application_test(refuses_inverted_refinement refusal
   FILE ${_ball} SET "Domain/Generator arguments=0, 0, 0 : 1 : true"
   MESSAGE "refined 2 times, is inverted")
+contrecoup_add_application_test(refuses_inverted_curved_cell refusal
+  FILE ${_ball} SET ${_galerkin} "Domain/Initial refinement=1"
+  "Domain/Generator arguments=0, 0, 0 : 1 : true"
+  MESSAGE "set Method/Cell degree = 1 for straight cells")
+contrecoup_add_application_test(refuses_cell_degree refusal FILE ${_ring}
+  SET "Method/Cell degree=5"
+  MESSAGE "Method/Cell degree = 5: with Method/Degree = 3 in 2-D at most 4")
 contrecoup_add_application_test(refuses_triangle refusal FILE ${_vortex}
   SET "Domain/Mesh file=${CMAKE_CURRENT_SOURCE_DIR}/meshes/triangle.msh"
   MESSAGE "quadrilaterals")
