@@ -56,6 +56,25 @@ namespace
     return stencils;
   }
 
+  /// Sets the positions of the output points of a leaf, the last rows of its
+  /// data; see io::FieldOutput::make_patch().
+  template <int dim>
+  void set_points(const LeafBox<dim> &box,
+                  typename io::FieldOutput<dim>::Patch &patch)
+  {
+    const unsigned int n = patch.n_subdivisions;
+    const unsigned int first_row = patch.data.n_rows() - dim;
+    for (unsigned int o = 0; o < patch.data.n_cols(); ++o)
+    {
+      dealii::Point<dim> x;
+      for (unsigned int d = 0; d < dim; ++d)
+        x[d] = double(lattice_indices<dim>(o, n + 1)[d]) / n;
+      const dealii::Point<dim> place = box.place(x);
+      for (unsigned int d = 0; d < dim; ++d)
+        patch.data(first_row + d, o) = place[d];
+    }
+  }
+
   /// Samples at the centres of the pixels of a picture, with the given
   /// resolution along its longer side.
   template <int dim>
@@ -316,16 +335,9 @@ std::string GasOutput<dim>::write_leaves(const GasSnapshot<dim> &gas,
           patch.data(row++, o) = value;
       if (gas.field.open_fractions() != nullptr)
         patch.data(row++, o) = open_fraction(gas.field, leaf, stencils[o]);
-      if (patch.points_are_available)
-      {
-        dealii::Point<dim> x;
-        for (unsigned int d = 0; d < dim; ++d)
-          x[d] = double(lattice_indices<dim>(o, n + 1)[d]) / n;
-        const dealii::Point<dim> place = box.place(x);
-        for (unsigned int d = 0; d < dim; ++d)
-          patch.data(row++, o) = place[d];
-      }
     }
+    if (patch.points_are_available)
+      set_points(box, patch);
     output.add_patch(std::move(patch));
   }
   if (!is_writer<dim>())
