@@ -13,12 +13,14 @@ using namespace contrecoup::io;
 namespace
 {
 /// One patch on the unit cube with density x + 10 y + 100 z.
+/// @param stretch if not zero, each point has a place of its own, stretched
+/// along x
 template <int dim>
-FieldOutput<dim> one_patch(const unsigned int n)
+FieldOutput<dim> one_patch(const unsigned int n, const double stretch = 0.)
 {
   FieldOutput<dim> output({{"density", "kg/m^3"}, {"velocity", "m/s", true}});
   EXPECT_EQ(output.n_components(), 1 + dim);
-  auto patch = output.make_patch(n);
+  auto patch = output.make_patch(n, stretch != 0.);
   for (unsigned int v = 0; v < (1u << dim); ++v)
     for (unsigned int d = 0; d < dim; ++d)
       patch.vertices[v][d] = (v >> d) & 1u;
@@ -28,8 +30,13 @@ FieldOutput<dim> one_patch(const unsigned int n)
     unsigned int rest = point;
     float weight = 1.F;
     for (unsigned int d = 0; d < dim; ++d, rest /= n + 1, weight *= 10.F)
-      patch.data(0, point) +=
-        weight * static_cast<float>(rest % (n + 1)) / static_cast<float>(n);
+    {
+      const float x =
+        static_cast<float>(rest % (n + 1)) / static_cast<float>(n);
+      patch.data(0, point) += weight * x;
+      if (stretch != 0.)
+        patch.data(1 + dim + d, point) = d == 0 ? stretch * x : x;
+    }
   }
   output.add_patch(std::move(patch));
   return output;
@@ -71,6 +78,17 @@ TEST(FieldOutput, TheSameFieldsGiveTheSameBytes)
   one_patch<2>(3).write_vtu("vtu", "one", 0, MPI_COMM_SELF);
   one_patch<2>(3).write_vtu("vtu", "two", 0, MPI_COMM_SELF);
   EXPECT_EQ(read_file("vtu/one_0000.vtu"), read_file("vtu/two_0000.vtu"));
+}
+
+TEST(FieldOutput, PointsMayHavePlacesOfTheirOwn)
+{
+  std::filesystem::create_directories("vtu");
+  one_patch<2>(2).write_vtu("vtu", "corners", 0, MPI_COMM_SELF);
+  one_patch<2>(2, 1.).write_vtu("vtu", "points", 0, MPI_COMM_SELF);
+  one_patch<2>(2, 2.).write_vtu("vtu", "stretched", 0, MPI_COMM_SELF);
+  const std::string corners = read_file("vtu/corners_0000.vtu");
+  EXPECT_EQ(read_file("vtu/points_0000.vtu"), corners);
+  EXPECT_NE(read_file("vtu/stretched_0000.vtu"), corners);
 }
 
 TEST(FieldOutput, WritesHdf5WithXdmf)
