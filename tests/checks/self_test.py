@@ -97,8 +97,8 @@ class TreeTest(unittest.TestCase):
         self.assertEqual(check_tree.rooms(self.root), [])
         self.write("source/gas/octree/mesh.cc",
                    TOP + "#include <contrecoup/gas/octree/mesh.h>\n"
-                   "#include <contrecoup/gas/kernel/stage.h>\n")
-        self.expect("rooms", "mesh.cc:5", "'octree'", "'kernel'")
+                   "#include <contrecoup/gas/stage/stage.h>\n")
+        self.expect("rooms", "mesh.cc:5", "'octree'", "'stage'")
 
     def test_unknown_room(self):
         self.write("source/gas/attic/mesh.cc", GOOD_SOURCE)

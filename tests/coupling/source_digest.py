@@ -13,7 +13,7 @@ import tempfile
 
 ALL = {"anatomy", "blast", "biomechanics"}
 # A file that is changed, and the applications that are made from it.
-CHANGES = (("source/gas/kernel/leaf_kernel.cc", {"blast"}),
+CHANGES = (("source/gas/finite_volume/leaf_kernel.cc", {"blast"}),
            ("source/solid/motion/solid_operator.cc", {"biomechanics"}),
            ("include/contrecoup/numerics/scheme/riemann_flux.h",
             {"blast", "biomechanics"}),

@@ -8,13 +8,13 @@
 #include <contrecoup/gas/adaptation/adaptation.h>
 #include <contrecoup/gas/body/cut_leaves.h>
 #include <contrecoup/gas/explosive/detonation.h>
-#include <contrecoup/gas/kernel/gas_operator.h>
-#include <contrecoup/gas/kernel/time_stepper.h>
 #include <contrecoup/gas/octree/leaf_box.h>
 #include <contrecoup/gas/octree/leaf_mesh.h>
 #include <contrecoup/gas/record/gas_measures.h>
 #include <contrecoup/gas/record/recorder.h>
 #include <contrecoup/gas/state/leaf_sampling.h>
+#include <contrecoup/gas/stepping/make_gas_operator.h>
+#include <contrecoup/gas/stepping/time_stepper.h>
 
 #include "run_lines.h"
 

@@ -12,6 +12,7 @@
 #include <contrecoup/gas/run/gas_checkpoint.h>
 #include <contrecoup/gas/run/gas_core.h>
 #include <contrecoup/gas/run/initial_fill.h>
+#include <contrecoup/gas/stepping/make_gas_operator.h>
 #include <contrecoup/geometry/mesh/cell_shapes.h>
 
 #include <sstream>

@@ -7,9 +7,9 @@
 #include <contrecoup/gas/body/body_in_gas.h>
 #include <contrecoup/gas/explosive/afterburn.h>
 #include <contrecoup/gas/explosive/detonation.h>
-#include <contrecoup/gas/kernel/time_stepper.h>
 #include <contrecoup/gas/record/recorder.h>
 #include <contrecoup/gas/run/work_forecast.h>
+#include <contrecoup/gas/stepping/time_stepper.h>
 
 #include <memory>
 

@@ -5,7 +5,7 @@
 
 #include <contrecoup/base/run/remaining_time.h>
 #include <contrecoup/gas/adaptation/adaptation.h>
-#include <contrecoup/gas/kernel/time_stepper.h>
+#include <contrecoup/gas/stepping/time_stepper.h>
 
 #include <deal.II/base/point.h>
 

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/gas/finite_volume/finite_volume_hanging.h>
+#include <contrecoup/gas/finite_volume/finite_volume_kernel.h>
+#include <contrecoup/gas/octree/hanging_group.h>
+#include <contrecoup/gas/stage/gas_operator.h>
+
+#include <vector>
+
+namespace contrecoup::gas
+{
+/// Finite volumes on axis-aligned leaves without a body.
+template <int dim, typename Gas, typename Real = double>
+class FiniteVolumeOperator : public GasOperator<dim>
+{
+public:
+  using GasOperator<dim>::apply;
+  using GasOperator<dim>::analyse;
+
+  FiniteVolumeOperator(const LeafMesh<dim> &mesh,
+                       const LeafLayout &layout,
+                       const Scheme &scheme,
+                       const Gas &gas,
+                       const Boundary<dim> &boundary)
+    : GasOperator<dim>(mesh, layout, boundary)
+    , primitives_(layout, gas)
+    , kernel_(mesh, layout, scheme, gas, boundary, primitives_)
+    , hanging_kernel_(layout, scheme, gas, primitives_)
+  {}
+
+  void reinit() override
+  {
+    primitives_.reinit(mesh_.n_stored_batches());
+    groups_ = group_hanging_faces(mesh_, layout_);
+    hanging_.resize(mesh_.hanging_faces().size(), layout_);
+  }
+
+  void apply(const BasicStage<Real> &stage,
+             QuietLeaves<dim> &quiet_leaves) override
+  {
+    begin_stage(stage, quiet_leaves);
+    for (const auto &group : groups_)
+      if (quiet_leaves.is_active_group(group))
+        hanging_kernel_.compute(group, stage, hanging_);
+    for (unsigned int batch = 0; batch < mesh_.n_batches(); ++batch)
+      if (quiet_leaves.is_active(batch))
+      {
+        kernel_.update(batch, stage, hanging_);
+        quiet_leaves.find_woken_leaves(batch, stage.results.state);
+      }
+  }
+
+  void analyse(const BasicStage<Real> &stage) override
+  {
+    for (unsigned int batch = 0; batch < mesh_.n_batches(); ++batch)
+      kernel_.analyse(batch, stage);
+  }
+
+protected:
+  using GasOperator<dim>::layout_;
+  using GasOperator<dim>::mesh_;
+
+  void begin_stage(const BasicStage<Real> &stage,
+                   QuietLeaves<dim> &quiet_leaves)
+  {
+    quiet_leaves.begin_stage(stage.in);
+    primitives_.begin_stage(stage.in);
+  }
+
+  PrimitiveField<dim, Gas, Real> primitives_;
+  FiniteVolumeKernel<dim, Gas, Real> kernel_;
+  FiniteVolumeHanging<dim, Gas, Real> hanging_kernel_;
+  std::vector<HangingGroup<dim>> groups_;
+  HangingData<dim, Real> hanging_;
+};
+} // namespace contrecoup::gas

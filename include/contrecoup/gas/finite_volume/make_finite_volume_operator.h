@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/gas/stage/gas_operator.h>
+
+namespace contrecoup::gas
+{
+/// Makes finite-volume operators; see make_gas_operator().
+template <int dim>
+std::unique_ptr<GasOperator<dim>>
+make_finite_volume_operator(const LeafMesh<dim> &mesh,
+                            const LeafLayout &layout,
+                            const Scheme &scheme,
+                            const GasMaterial &material,
+                            const Boundary<dim> &boundary,
+                            const CutLeaves<dim> *cut_leaves);
+} // namespace contrecoup::gas

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#pragma once
+
+#include <contrecoup/gas/finite_volume/mapped_finite_volume_kernel.h>
+#include <contrecoup/gas/finite_volume/mapped_hanging.h>
+#include <contrecoup/gas/stage/gas_operator.h>
+
+#include <vector>
+
+namespace contrecoup::gas
+{
+/// Finite volumes on leaves of any shape.
+template <int dim, typename Gas, typename Real = double>
+class MappedFiniteVolumeOperator : public GasOperator<dim>
+{
+public:
+  using GasOperator<dim>::apply;
+  using GasOperator<dim>::analyse;
+
+  MappedFiniteVolumeOperator(const LeafMesh<dim> &mesh,
+                             const LeafLayout &layout,
+                             const Scheme &scheme,
+                             const Gas &gas,
+                             const Boundary<dim> &boundary)
+    : GasOperator<dim>(mesh, layout, boundary)
+    , primitives_(layout, gas)
+    , kernel_(mesh, layout, scheme, gas, boundary)
+    , hanging_kernel_(layout, scheme, gas, primitives_)
+  {}
+
+  void reinit() override
+  {
+    groups_ = group_hanging_faces(mesh_, layout_);
+    hanging_.resize(mesh_.hanging_faces().size(), layout_);
+    hanging_kernel_.reinit(mesh_, groups_);
+    // Only hanging faces read them.
+    primitives_.reinit(groups_.empty() ? 0 : mesh_.n_stored_batches());
+  }
+
+  void apply(const BasicStage<Real> &stage,
+             QuietLeaves<dim> &quiet_leaves) override
+  {
+    quiet_leaves.begin_stage(stage.in);
+    primitives_.begin_stage(stage.in);
+    for (unsigned int g = 0; g < groups_.size(); ++g)
+      if (quiet_leaves.is_active_group(groups_[g]))
+        hanging_kernel_.compute(g, groups_[g], stage, hanging_);
+    for (unsigned int batch = 0; batch < mesh_.n_batches(); ++batch)
+      if (quiet_leaves.is_active(batch))
+      {
+        kernel_.update(batch, stage, hanging_);
+        quiet_leaves.find_woken_leaves(batch, stage.results.state);
+      }
+  }
+
+  void analyse(const BasicStage<Real> &stage) override
+  {
+    for (unsigned int batch = 0; batch < mesh_.n_batches(); ++batch)
+      kernel_.analyse(batch, stage);
+  }
+
+private:
+  using GasOperator<dim>::layout_;
+  using GasOperator<dim>::mesh_;
+
+  PrimitiveField<dim, Gas, Real> primitives_;
+  MappedFiniteVolumeKernel<dim, Gas, Real> kernel_;
+  MappedHanging<dim, Gas, Real> hanging_kernel_;
+  std::vector<HangingGroup<dim>> groups_;
+  HangingData<dim, Real> hanging_;
+};
+} // namespace contrecoup::gas

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 by the Contrecoup authors
+
+#include <contrecoup/gas/finite_volume/finite_volume_kernel.h>
+#include <contrecoup/materials/ideal_gas.h>
+#include <contrecoup/materials/mie_grueneisen.h>
+
+namespace contrecoup::gas
+{
+template <int dim, typename Gas, typename Real>
+FiniteVolumeKernel<dim, Gas, Real>::FiniteVolumeKernel(
+  const LeafMesh<dim> &mesh,
+  const LeafLayout &layout,
+  const Scheme &scheme,
+  const Gas &gas,
+  const Boundary<dim> &boundary,
+  PrimitiveField<dim, Gas, Real> &primitives)
+  : mesh_(mesh)
+  , layout_(layout)
+  , gas_(gas)
+  , radial_(radial_exponent(mesh.coarse_mesh().geometry()), layout.n)
+  , sweep_(mesh, layout, scheme, gas, boundary, primitives)
+  , new_state_(mesh, layout, gas, sweep_.leaves())
+{}
+
+
+template <int dim, typename Gas, typename Real>
+void FiniteVolumeKernel<dim, Gas, Real>::update(
+  const unsigned int batch,
+  const BasicStage<Real> &stage,
+  const HangingData<dim, Real> &hanging)
+{
+  sweep_.bind(batch, stage);
+  for (unsigned int direction = 0; direction < dim; ++direction)
+    sweep(batch, direction, hanging);
+  finish(batch, stage);
+  // The sensor of the last stage serves a whole step.
+  if (stage.results.signal_rate != nullptr)
+    analyse(batch, stage);
+  else
+    sweep_.leaves().sensor().store(stage.results.sensor +
+                                   batch * n_lanes<Real>);
+}
+
+
+template <int dim, typename Gas, typename Real>
+void FiniteVolumeKernel<dim, Gas, Real>::sweep(
+  const unsigned int batch,
+  const unsigned int direction,
+  const HangingData<dim, Real> &hanging)
+{
+  if constexpr (dim < 3)
+    if (direction == 0 && !radial_.is_plane())
+    {
+      radial_.reinit(mesh_.origins(batch)[0], mesh_.extents(batch)[0]);
+      const RadialFaces<Number> faces{&radial_};
+      sweep_.sweep(
+        direction, hanging, [&](const unsigned int) { return faces; });
+      return;
+    }
+  const BoxFaces<Number> faces{Number(layout_.n) /
+                               mesh_.template extents<Real>(batch)[direction]};
+  sweep_.sweep(direction, hanging, [&](const unsigned int) { return faces; });
+}
+
+
+template <int dim, typename Gas, typename Real>
+void FiniteVolumeKernel<dim, Gas, Real>::finish(const unsigned int batch,
+                                                const BasicStage<Real> &stage)
+{
+  const std::size_t first = batch * layout_.batch_size();
+  // One component after the other: those of a point lie a multiple of 2 kB
+  // apart, in three states, and displace each other from the cache.
+  for (unsigned int c = 0; c < Sweep::nc; ++c)
+    for (unsigned int q = 0; q < layout_.n_points; ++q)
+    {
+      const std::size_t at = first + layout_.value(c, q);
+      Number u;
+      u.load(stage.in + at);
+      u += sweep_.rate(c, q) * stage.step;
+      if (stage.a != 0.)
+      {
+        // Written so that a state at rest keeps every bit.
+        Number old;
+        old.load(stage.start + at);
+        u += (old - u) * stage.a;
+      }
+      u.store(stage.results.state + at);
+    }
+  Number smallest(1.);
+  for (unsigned int q = 0; q < layout_.n_points; ++q)
+  {
+    Values u;
+    for (unsigned int c = 0; c < Sweep::nc; ++c)
+      u[c].load(stage.results.state + first + layout_.value(c, q));
+    smallest = std::min(smallest, is_admissible<dim>(gas_, u));
+  }
+  new_state_.report(batch, smallest, stage);
+  new_state_.fill_padding(batch, stage.results.state + first);
+}
+
+
+template <int dim, typename Gas, typename Real>
+void FiniteVolumeKernel<dim, Gas, Real>::analyse(const unsigned int batch,
+                                                 const BasicStage<Real> &stage)
+{
+  new_state_.analyse(
+    batch, stage, [](unsigned int, unsigned int) { return Number(1.); });
+}
+
+
+template class FiniteVolumeKernel<1, IdealGas>;
+template class FiniteVolumeKernel<2, IdealGas>;
+template class FiniteVolumeKernel<3, IdealGas>;
+template class FiniteVolumeKernel<3, IdealGas, float>;
+template class FiniteVolumeKernel<1, MieGrueneisen>;
+template class FiniteVolumeKernel<2, MieGrueneisen>;
+template class FiniteVolumeKernel<3, MieGrueneisen>;
+template class FiniteVolumeKernel<3, MieGrueneisen, float>;
+} // namespace contrecoup::gas
