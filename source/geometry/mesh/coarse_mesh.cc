@@ -66,7 +66,9 @@ namespace
     prm.declare_entry("Generator",
                       "hyper_ball",
                       Patterns::Anything(),
-                      "Name of the deal.II GridGenerator function.");
+                      "Name of the deal.II GridGenerator function. Where it has "
+                      "curved manifolds, refined cells follow these, and cells "
+                      "of the Galerkin scheme are curved (Method/Cell degree).");
     prm.declare_entry("Generator arguments",
                       "",
                       Patterns::Anything(),

@@ -25,7 +25,8 @@ namespace contrecoup::gas
  * The nodes of a leaf are the Gauss-Lobatto points, numbered as LeafLayout
  * says. Where all leaves are boxes along the axes, whatever mesh they come
  * from, they are the quadrature points, too; on other meshes these are Gauss
- * points, which keep the order of accuracy on distorted leaves.
+ * points, which keep the order of accuracy on distorted leaves. Leaves have the
+ * shapes of LeafMesh::curved_shapes(), or those that their vertices give them.
  *
  * The fluxes through faces are kept in records, laid out as record_layout()
  * says. On boxes a record holds the flux per area towards larger coordinates at
