@@ -63,12 +63,13 @@ namespace
                       "the tip is the origin, and x ranges from that of "
                       "Lower corner, which must be positive, to that of "
                       "Upper corner.");
-    prm.declare_entry("Generator",
-                      "hyper_ball",
-                      Patterns::Anything(),
-                      "Name of the deal.II GridGenerator function. Where it has "
-                      "curved manifolds, refined cells follow these, and cells "
-                      "of the Galerkin scheme are curved (Method/Cell degree).");
+    prm.declare_entry(
+      "Generator",
+      "hyper_ball",
+      Patterns::Anything(),
+      "Name of the deal.II GridGenerator function. Where it has "
+      "curved manifolds, refined cells follow these, and cells "
+      "of the Galerkin scheme are curved (Method/Cell degree).");
     prm.declare_entry("Generator arguments",
                       "",
                       Patterns::Anything(),
