@@ -128,6 +128,13 @@ foreach(_degree 1 2 3)
     BOUNDS "status == finished"
     "conservation.mass_relative_change < 1e-12"
     "conservation.energy_relative_change < 1e-12" LABELS verification)
+  contrecoup_add_application_test(curved_shock_degree_${_degree} bounds
+    FILE ${_ball} SET ${_galerkin} "Method/Degree=${_degree}"
+    "Domain/Initial refinement=1" "Output/Fields=false"
+    "Initial state/Region charge/Pressure=1000" "Time/End time=0.05"
+    BOUNDS "status == finished"
+    "conservation.mass_relative_change < 1e-12"
+    "conservation.energy_relative_change < 1e-12" LABELS verification)
 endforeach()
 foreach(_limiter "none" "barth jespersen" "venkatakrishnan")
   string(REPLACE " " "_" _name ${_limiter})
