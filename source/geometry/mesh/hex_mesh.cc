@@ -21,6 +21,15 @@ namespace
      {{1, 1, 1}},
      {{0, 1, 1}}}};
 
+  /// Corners of the faces at -x, +x, -y, +y, -z, +z, seen from outside.
+  constexpr std::array<std::array<unsigned int, 4>, 6> face_corners{
+    {{{0, 4, 7, 3}},
+     {{1, 2, 6, 5}},
+     {{0, 1, 5, 4}},
+     {{3, 7, 6, 2}},
+     {{0, 3, 2, 1}},
+     {{4, 5, 6, 7}}}};
+
   constexpr std::uint32_t none = -1;
 
   using Place = std::array<unsigned int, 3>;
@@ -159,7 +168,7 @@ namespace
         continue;
       HexMesh::Facet facet;
       for (unsigned int v = 0; v < 4; ++v)
-        facet.nodes[v] = cell[hex_faces[face][v]];
+        facet.nodes[v] = cell[face_corners[face][v]];
       facet.cell = mesh.cells.size() - 1;
       if (other == LabelGrid::outside)
         mesh.boundary.push_back(facet);

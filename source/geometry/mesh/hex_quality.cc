@@ -21,6 +21,13 @@ namespace
      {{5, 7, 2}},
      {{6, 4, 3}}}};
 
+  constexpr std::array<std::array<unsigned int, 4>, 6> faces{{{{0, 4, 7, 3}},
+                                                              {{1, 2, 6, 5}},
+                                                              {{0, 1, 5, 4}},
+                                                              {{3, 7, 6, 2}},
+                                                              {{0, 3, 2, 1}},
+                                                              {{4, 5, 6, 7}}}};
+
   double determinant(const Tensor<1, 3> &a,
                      const Tensor<1, 3> &b,
                      const Tensor<1, 3> &c)
@@ -50,7 +57,7 @@ double volume(const HexCorners &x)
   // Divergence theorem: a third of the flux of the position through the faces
   // x(u, v) = a + b u + c v + d u v, integrated exactly.
   double flux = 0.;
-  for (const auto &face : hex_faces)
+  for (const auto &face : faces)
   {
     const Tensor<1, 3> &a = x[face[0]];
     const Tensor<1, 3> b = x[face[1]] - x[face[0]];
@@ -66,7 +73,7 @@ double volume(const HexCorners &x)
 double characteristic_length(const HexCorners &corners)
 {
   double largest = 0.;
-  for (const auto &face : hex_faces)
+  for (const auto &face : faces)
   {
     const Tensor<1, 3> area =
       0.5 * cross_product_3d(corners[face[2]] - corners[face[0]],

@@ -15,6 +15,14 @@ namespace
   /// deal.II's vertex number of each corner of HexMesh.
   constexpr unsigned int vertex_of_corner[] = {0, 1, 3, 2, 4, 5, 7, 6};
 
+  /// Corners of deal.II's faces at -x, +x, -y, ..., seen from outside.
+  constexpr unsigned int face_corners[6][4] = {{0, 4, 7, 3},
+                                               {1, 2, 6, 5},
+                                               {0, 1, 5, 4},
+                                               {3, 7, 6, 2},
+                                               {0, 3, 2, 1},
+                                               {4, 5, 6, 7}};
+
   /// Masters of hanging vertices in the middle of edges and faces that are
   /// refined on one side only, by deal.II vertex.
   std::map<unsigned int, std::vector<unsigned int>>
@@ -86,7 +94,7 @@ namespace
           HexMesh::Facet facet;
           facet.cell = number;
           for (unsigned int v = 0; v < 4; ++v)
-            facet.nodes[v] = corners[hex_faces[f][v]];
+            facet.nodes[v] = corners[face_corners[f][v]];
           result.boundary.push_back(facet);
         }
     }

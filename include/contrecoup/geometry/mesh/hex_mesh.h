@@ -11,16 +11,6 @@
 
 namespace contrecoup
 {
-/// Corners of the faces of a hexahedron at -x, +x, -y, +y, -z, +z, numbered as
-/// in HexMesh, counterclockwise seen from outside.
-inline constexpr std::array<std::array<unsigned int, 4>, 6> hex_faces{
-  {{{0, 4, 7, 3}},
-   {{1, 2, 6, 5}},
-   {{0, 1, 5, 4}},
-   {{3, 7, 6, 2}},
-   {{0, 3, 2, 1}},
-   {{4, 5, 6, 7}}}};
-
 /// A hexahedral mesh of a body. Corners are numbered as in VTK and Gmsh:
 /// around the bottom, then around the top; corner 0 is joined to corners 1, 3
 /// and 4.
