@@ -29,6 +29,8 @@ void HangingOpenings<dim, Real>::reinit(const HangingGroup<dim> &group,
       values.resize(n);
   }
   for (unsigned int lane = 0; lane < layout.width; ++lane)
+    is_cut[lane] = cut_leaves.is_cut_face(group.face[lane]) ? 1. : 0.;
+  for (unsigned int lane = 0; lane < layout.width; ++lane)
     for (unsigned int q = 0; q < n; ++q)
     {
       const unsigned int coarse = group.coarse_leaf[lane];

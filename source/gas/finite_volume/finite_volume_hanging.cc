@@ -28,9 +28,8 @@ void FiniteVolumeHanging<dim, Gas, Real>::compute(
   Base::prepare(group, stage, openings);
   for (unsigned int part = 0; part < n_fine; ++part)
     part_fluxes(group, part);
-  if (openings_ == nullptr)
-    average_fluxes(group);
-  else
+  average_fluxes(group);
+  if (openings_ != nullptr)
     average_open_fluxes(group);
   Base::store(group, hanging);
 }
@@ -116,6 +115,8 @@ void FiniteVolumeHanging<dim, Gas, Real>::average_open_fluxes(
   const HangingGroup<dim> &group)
 {
   const Number inner = inner_radii(group);
+  dealii::AlignedVector<Values> &mean = Base::open_mean_;
+  mean.fill(Values());
   open_sum_.fill(Number(0.));
   std::array<double, dim == 1 ? 1 : dim - 1> distance{};
   for (unsigned int part = 0; part < n_fine; ++part)
@@ -134,13 +135,13 @@ void FiniteVolumeHanging<dim, Gas, Real>::average_open_fluxes(
       const Number share =
         select_less(Number(0.), open, Number(open / open_sum_[at]), Number(0.));
       for (unsigned int c = 0; c < nc; ++c)
-        coarse_flux_[at][c] =
+        mean[at][c] =
           select_less(Number(0.),
                       is_first,
                       flux[c],
-                      Number(coarse_flux_[at][c] +
-                             (flux[c] - coarse_flux_[at][c]) * share));
+                      Number(mean[at][c] + (flux[c] - mean[at][c]) * share));
     }
+  Base::take_in_cut_lanes(coarse_flux_);
 }
 
 

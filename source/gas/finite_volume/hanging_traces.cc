@@ -21,6 +21,7 @@ HangingTraces<dim, Gas, Real>::HangingTraces(
   , coarse_progress_(layout.n_face_points)
   , coarse_flux_(layout.n_face_points)
   , open_sum_(layout.n_face_points)
+  , open_mean_(layout.n_face_points)
   , coarse_halo_(layout.n_face_points)
   , writer_(layout.n_face_points)
 {
@@ -51,9 +52,8 @@ void HangingTraces<dim, Gas, Real>::prepare(
   openings_ = openings;
   load(group);
   load_progress(group, stage);
-  if (openings_ == nullptr)
-    average_fine_side();
-  else
+  average_fine_side();
+  if (openings_ != nullptr)
     average_open_fine_side();
   if (scheme_.linear_reconstruction)
     limit_coarse_slopes();
@@ -193,7 +193,8 @@ template <int dim, typename Gas, typename Real>
 void HangingTraces<dim, Gas, Real>::average_open_fine_side()
 {
   // Differences from the coarse value, so that equal ones keep every bit.
-  coarse_halo_ = coarse_[0];
+  dealii::AlignedVector<Values> &halo = open_mean_;
+  halo = coarse_[0];
   open_sum_.fill(Number(0.));
   std::array<double, dim == 1 ? 1 : dim - 1> distance;
   for (unsigned int part = 0; part < n_fine; ++part)
@@ -206,9 +207,20 @@ void HangingTraces<dim, Gas, Real>::average_open_fine_side()
         const Number share = select_less(
           Number(0.), volume, Number(volume / open_sum_[at]), Number(0.));
         for (unsigned int c = 0; c < nc; ++c)
-          coarse_halo_[at][c] +=
-            (fine_[part][layer][q][c] - coarse_halo_[at][c]) * share;
+          halo[at][c] += (fine_[part][layer][q][c] - halo[at][c]) * share;
       }
+  take_in_cut_lanes(coarse_halo_);
+}
+
+
+template <int dim, typename Gas, typename Real>
+void HangingTraces<dim, Gas, Real>::take_in_cut_lanes(
+  dealii::AlignedVector<Values> &means) const
+{
+  for (unsigned int q = 0; q < means.size(); ++q)
+    for (unsigned int c = 0; c < nc; ++c)
+      means[q][c] = select_less(
+        Number(0.), openings_->is_cut, open_mean_[q][c], means[q][c]);
 }
 
 

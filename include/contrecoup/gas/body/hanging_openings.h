@@ -28,6 +28,10 @@ struct HangingOpenings
               const LeafLayout &layout,
               const CutLeaves<dim> &cut_leaves);
 
+  /// One in lanes of faces beside a cut leaf, else zero. The means over fine
+  /// subcells of other faces are those of groups without openings, to the last
+  /// bit: which faces share a group depends on the ranks.
+  Number is_cut;
   /// One or zero: whether gas of a coarse subcell touches that of the next one
   /// along each face coordinate, and of the one below.
   std::array<Values, dim == 1 ? 1 : dim - 1> along;

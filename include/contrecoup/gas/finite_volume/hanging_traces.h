@@ -104,6 +104,10 @@ protected:
   /// Sum of what the fine parts of a coarse subcell face have open, or of the
   /// volumes beyond it.
   dealii::AlignedVector<Number> open_sum_;
+  dealii::AlignedVector<Values> open_mean_; ///< of open_sum_
+
+  /// Takes open_mean_ for the @p means in lanes of cut faces.
+  void take_in_cut_lanes(dealii::AlignedVector<Values> &means) const;
 
 private:
   void load(const HangingGroup<dim> &group);
