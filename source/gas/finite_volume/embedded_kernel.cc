@@ -73,6 +73,7 @@ void EmbeddedKernel<dim, Gas, Real>::take(const unsigned int leaf,
                                           Openings &to) const
 {
   const auto *shape = cut_leaves_.shape(leaf);
+  to.is_cut[lane] = shape == nullptr ? 0. : 1.;
   const Real all = cut_leaves_.fractions().is_open(leaf) ? 1. : 0.;
   for (unsigned int q = 0; q < layout_.n_points; ++q)
     to.fraction[q][lane] = shape == nullptr ? all : Real(shape->fraction[q]);
@@ -161,11 +162,13 @@ void EmbeddedKernel<dim, Gas, Real>::sweep(
   CutFaces<Number> faces;
   faces.stride = layout_.n_face_points;
   faces.inverse_size = inverse_size(direction);
+  faces.has_unequal_areas = openings_->is_cut;
   if constexpr (dim == 2)
     if (direction == 0 && !radial_.is_plane())
     {
       radial_.reinit(mesh_.origins(batch_)[0], mesh_.extents(batch_)[0]);
       faces.weights = &radial_;
+      faces.has_unequal_areas = Number(1.);
     }
   sweep_.sweep(direction, hanging, [&](const unsigned int line) {
     faces.opening = &opening(direction, 0, line);

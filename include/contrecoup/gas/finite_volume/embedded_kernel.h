@@ -71,6 +71,7 @@ private:
   struct Openings
   {
     std::vector<WallPack> walls;            ///< of embedded bodies
+    Number is_cut = Number(0.);             ///< one in lanes of cut leaves
     dealii::AlignedVector<Number> fraction; ///< per point
     /// Per point, of staircases: see CutLeaves::cell_volume().
     dealii::AlignedVector<Number> volume;

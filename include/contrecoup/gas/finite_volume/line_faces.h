@@ -45,6 +45,12 @@ struct RadialFaces
 
   const RadialWeights *weights;
 
+  /// What is subtracted where a subcell has the pressure @p own [Pa].
+  DEAL_II_ALWAYS_INLINE Number subtracted(const Number &own) const
+  {
+    return own;
+  }
+
   DEAL_II_ALWAYS_INLINE Number rate(const unsigned int i,
                                     const Number &low,
                                     const Number &high) const
@@ -55,7 +61,9 @@ struct RadialFaces
 };
 
 
-/// Subcells of leaves that a rigid body cuts.
+/// Subcells in a batch with leaves that a rigid body cuts. In plane geometry
+/// the other leaves get the rates of BoxFaces to the last bit: which leaves
+/// share a batch depends on the ranks.
 template <typename Number>
 struct CutFaces
 {
@@ -67,8 +75,14 @@ struct CutFaces
   unsigned int stride;
   /// Open part of the faces between the two subcells beyond each end.
   std::array<const Number *, 2> beyond;
-  Number inverse_size;                    ///< of a subcell along the line [1/m]
+  Number inverse_size;      ///< of a subcell along the line [1/m]
+  Number has_unequal_areas; ///< one in lanes where face areas differ, or zero
   const RadialWeights *weights = nullptr; ///< along the radius; else null
+
+  DEAL_II_ALWAYS_INLINE Number subtracted(const Number &own) const
+  {
+    return own * has_unequal_areas;
+  }
 
   /// One where the face between subcells i - 1 and i is open, else zero.
   DEAL_II_ALWAYS_INLINE Number is_open(const int i, const int n) const

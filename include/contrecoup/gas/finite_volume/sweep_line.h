@@ -151,6 +151,7 @@ add_rates(const Line<Number, n_conserved<dim, Gas>> &line,
     if (line.burn != nullptr)
       own = line.burn->pressure(
         own, line.burn->fraction(line.progress[i], inside[C::density]));
+    own = faces.subtracted(own);
   }
   std::array<Number, n_conserved<dim, Gas>> change;
   for (unsigned int c = 0; c < n_conserved<dim, Gas>; ++c)
