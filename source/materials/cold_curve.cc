@@ -48,9 +48,12 @@ ColdCurve ColdCurve::jwl_in_air(const JwlParameters &products,
 {
   ColdCurve curve = jwl(products);
   curve.uses_products_ = true;
+  curve.constant_weight_ = 0.;
   curve.base_omega_ = gamma_air - 1.;
   curve.inverse_base_omega_ = 1. / curve.base_omega_;
-  curve.omega_difference_ = products.omega - curve.base_omega_;
+  curve.base_gas_constant_ = gas_constant;
+  curve.gas_constant_difference_ =
+    products.omega * products.specific_heat - gas_constant;
   curve.base_specific_heat_ = gas_constant / curve.base_omega_;
   curve.specific_heat_products_ = products.specific_heat;
   curve.specific_heat_difference_ =

@@ -85,13 +85,31 @@ public:
     return at(density, Number(1.)).energy_density;
   }
 
+  /// Whether lanes that have at most this density [kg/m^3] hold products and
+  /// air, for which mixed_dilute() is the cold state.
+  template <typename Number>
+  DEAL_II_ALWAYS_INLINE bool is_dilute(const Number &density) const
+  {
+    return uses_products_ && !any_less(Number(dilute_density_), density);
+  }
+
+  /// Cold state of products in air where the exponentials vanish.
+  template <typename Number>
+  DEAL_II_ALWAYS_INLINE ColdState<Number>
+  mixed_dilute(const Number &products) const
+  {
+    ColdState<Number> cold = {};
+    mix_products(products, cold);
+    return cold;
+  }
+
   /// Whether a gas whose lanes have at most this density and mass fraction of
   /// products is an ideal gas of Grueneisen coefficient base_omega().
   template <typename Number>
   DEAL_II_ALWAYS_INLINE bool is_air(const Number &density,
                                     const Number &products) const
   {
-    return uses_products_ && !any_less(Number(dilute_density_), density) &&
+    return is_dilute(density) &&
            !any_less(Number(negligible_products<Number>), products);
   }
   /// omega without products [-].
@@ -104,8 +122,7 @@ public:
   template <typename Number>
   DEAL_II_ALWAYS_INLINE Number specific_heat(const Number &products) const
   {
-    return uses_products_ ? Number(clip(products) * specific_heat_difference_ +
-                                   base_specific_heat_)
+    return uses_products_ ? mixed_specific_heat(products)
                           : Number(base_specific_heat_);
   }
 
@@ -116,31 +133,52 @@ private:
     return std::min(std::max(products, Number(0.)), Number(1.));
   }
 
+  template <typename Number>
+  DEAL_II_ALWAYS_INLINE Number mixed_specific_heat(const Number &products) const
+  {
+    return clip(products) * specific_heat_difference_ + base_specific_heat_;
+  }
+
   /// Sets omega, and returns the weight w of the exponentials.
   template <typename Number>
   DEAL_II_ALWAYS_INLINE Number mix(const Number &products,
                                    ColdState<Number> &cold) const
   {
+    if (uses_products_ &&
+        any_less(Number(negligible_products<Number>), products))
+      return mix_products(products, cold);
     cold.omega = Number(base_omega_);
     cold.inverse_omega = Number(inverse_base_omega_);
-    if (!uses_products_)
-      return Number(constant_weight_);
+    return Number(constant_weight_);
+  }
 
-    const Number negligible(negligible_products<Number>);
-    if (!any_less(negligible, products))
-      return Number(0.);
-    const Number weight =
+  /// Likewise, of products mixed with air: omega is gas constant over specific
+  /// heat of the mixture.
+  template <typename Number>
+  DEAL_II_ALWAYS_INLINE Number mix_products(const Number &products,
+                                            ColdState<Number> &cold) const
+  {
+    const Number negligible(negligible_products<Number>),
+      clipped = clip(products);
+    const Number specific_heat = mixed_specific_heat(products);
+    const Number gas_constant =
+      clipped * gas_constant_difference_ + base_gas_constant_;
+    // Divisions take most of the time.
+    const Number inverse = Number(1.) / (specific_heat * gas_constant);
+    const Number inverse_heat = gas_constant * inverse;
+    cold.omega = select_less(negligible,
+                             products,
+                             Number(gas_constant * inverse_heat),
+                             Number(base_omega_));
+    cold.inverse_omega =
       select_less(negligible,
                   products,
-                  Number(clip(products) * specific_heat_products_ /
-                         specific_heat(products)),
-                  Number(0.));
-    cold.omega = weight * omega_difference_ + base_omega_;
-    cold.inverse_omega = select_less(negligible,
-                                     products,
-                                     Number(Number(1.) / cold.omega),
-                                     cold.inverse_omega);
-    return weight;
+                  Number(specific_heat * (specific_heat * inverse)),
+                  Number(inverse_base_omega_));
+    return select_less(negligible,
+                       products,
+                       Number(clipped * specific_heat_products_ * inverse_heat),
+                       Number(0.));
   }
 
   /// Adds the exponential terms with the @p weight.
@@ -170,10 +208,11 @@ private:
   bool uses_products_ = false;
   double p_infinity_ = 0.;
   double dilute_density_ = 0.;
-  double constant_weight_ = 0.; ///< w if Y is not used
+  double constant_weight_ = 0.; ///< w if Y is not used, or without products
   double base_omega_ = 0.;      ///< omega without products
   double inverse_base_omega_ = 0.;
-  double omega_difference_ = 0.;
+  double base_gas_constant_ = 0.;
+  double gas_constant_difference_ = 0.; ///< of products and air
   double base_specific_heat_ = 1.;
   double specific_heat_products_ = 1.;
   double specific_heat_difference_ = 0.;

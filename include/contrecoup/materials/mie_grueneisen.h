@@ -4,6 +4,7 @@
 #pragma once
 
 #include <contrecoup/materials/cold_curve.h>
+#include <contrecoup/materials/dilute_mixture.h>
 #include <contrecoup/materials/traced_air.h>
 
 namespace contrecoup
@@ -62,6 +63,18 @@ public:
   TracedAir air() const
   {
     return TracedAir(curve_.base_omega());
+  }
+
+  /// Whether a gas whose lanes have at most this density behaves as dilute(),
+  /// to the last bit.
+  template <typename Number>
+  DEAL_II_ALWAYS_INLINE bool is_dilute(const Number &density) const
+  {
+    return curve_.is_dilute(density);
+  }
+  DiluteMixture dilute() const
+  {
+    return DiluteMixture(curve_);
   }
 
   /// Whether the state depends on the mass fraction of products.

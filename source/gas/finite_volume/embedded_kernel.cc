@@ -20,6 +20,20 @@ namespace
 } // namespace
 
 
+/// One where the face between a point and the next is open, else zero.
+template <int dim, typename Gas, typename Real>
+struct EmbeddedKernel<dim, Gas, Real>::OpenFaces
+{
+  Number operator()(const unsigned int direction,
+                    const unsigned int point) const
+  {
+    return positive(kernel.opening_of(point, direction, 1));
+  }
+
+  const EmbeddedKernel &kernel;
+};
+
+
 template <int dim, typename Gas, typename Real>
 EmbeddedKernel<dim, Gas, Real>::EmbeddedKernel(
   const LeafMesh<dim> &mesh,
@@ -351,20 +365,8 @@ template <int dim, typename Gas, typename Real>
 void EmbeddedKernel<dim, Gas, Real>::conclude(const unsigned int batch,
                                               const BasicStage<Real> &stage)
 {
-  const Real *out = stage.results.state + batch * layout_.batch_size();
-  Number smallest(1.);
-  for (unsigned int q = 0; q < layout_.n_points; ++q)
-  {
-    Values u;
-    for (unsigned int c = 0; c < nc; ++c)
-      u[c].load(out + layout_.value(c, q));
-    smallest = std::min(smallest, is_admissible<dim>(gas_, u));
-  }
-  new_state_.report(batch, smallest, stage);
-  new_state_.fill_padding(batch,
-                          stage.results.state + batch * layout_.batch_size());
-  if (stage.results.signal_rate != nullptr)
-    analyse(batch, stage);
+  bind_openings(batch);
+  new_state_.conclude(batch, stage, OpenFaces{*this});
 }
 
 
@@ -373,10 +375,7 @@ void EmbeddedKernel<dim, Gas, Real>::analyse(const unsigned int batch,
                                              const BasicStage<Real> &stage)
 {
   bind_openings(batch);
-  new_state_.analyse(
-    batch, stage, [this](const unsigned int d, const unsigned int q) {
-      return positive(opening_of(q, d, 1));
-    });
+  new_state_.analyse(batch, stage, OpenFaces{*this});
 }
 
 

@@ -33,11 +33,10 @@ void FiniteVolumeKernel<dim, Gas, Real>::update(
   sweep_.bind(batch, stage);
   for (unsigned int direction = 0; direction < dim; ++direction)
     sweep(batch, direction, hanging);
-  finish(batch, stage);
+  write(batch, stage);
+  new_state_.conclude(batch, stage, is_open);
   // The sensor of the last stage serves a whole step.
-  if (stage.results.signal_rate != nullptr)
-    analyse(batch, stage);
-  else
+  if (stage.results.signal_rate == nullptr)
     sweep_.leaves().sensor().store(stage.results.sensor +
                                    batch * n_lanes<Real>);
 }
@@ -65,8 +64,8 @@ void FiniteVolumeKernel<dim, Gas, Real>::sweep(
 
 
 template <int dim, typename Gas, typename Real>
-void FiniteVolumeKernel<dim, Gas, Real>::finish(const unsigned int batch,
-                                                const BasicStage<Real> &stage)
+void FiniteVolumeKernel<dim, Gas, Real>::write(const unsigned int batch,
+                                               const BasicStage<Real> &stage)
 {
   const std::size_t first = batch * layout_.batch_size();
   // One component after the other: those of a point lie a multiple of 2 kB
@@ -87,16 +86,6 @@ void FiniteVolumeKernel<dim, Gas, Real>::finish(const unsigned int batch,
       }
       u.store(stage.results.state + at);
     }
-  Number smallest(1.);
-  for (unsigned int q = 0; q < layout_.n_points; ++q)
-  {
-    Values u;
-    for (unsigned int c = 0; c < Sweep::nc; ++c)
-      u[c].load(stage.results.state + first + layout_.value(c, q));
-    smallest = std::min(smallest, is_admissible<dim>(gas_, u));
-  }
-  new_state_.report(batch, smallest, stage);
-  new_state_.fill_padding(batch, stage.results.state + first);
 }
 
 
@@ -104,8 +93,7 @@ template <int dim, typename Gas, typename Real>
 void FiniteVolumeKernel<dim, Gas, Real>::analyse(const unsigned int batch,
                                                  const BasicStage<Real> &stage)
 {
-  new_state_.analyse(
-    batch, stage, [](unsigned int, unsigned int) { return Number(1.); });
+  new_state_.analyse(batch, stage, is_open);
 }
 
 

@@ -6,6 +6,7 @@
 #include <contrecoup/gas/finite_volume/leaf_kernel.h>
 #include <contrecoup/gas/finite_volume/primitive_field.h>
 #include <contrecoup/gas/finite_volume/sweep_line.h>
+#include <contrecoup/materials/mie_grueneisen.h>
 
 #include <deal.II/base/aligned_vector.h>
 
@@ -153,11 +154,19 @@ void BatchSweep<dim, Gas, Real>::sweep(const unsigned int direction,
     if (direction + 1 < dim)
       prefetch_neighbors(direction + 1, line);
     if constexpr (Gas::has_products)
+    {
       if (gas_.is_air(largest_density_, largest_products_))
       {
         sweep_line_of(gas_.air(), faces(line), direction, line);
         continue;
       }
+      if constexpr (dim == 3)
+        if (gas_.is_dilute(largest_density_))
+        {
+          sweep_line_of(gas_.dilute(), faces(line), direction, line);
+          continue;
+        }
+    }
     sweep_line_of(gas_, faces(line), direction, line);
   }
 }
@@ -189,6 +198,10 @@ void BatchSweep<dim, Gas, Real>::sweep_line_of(const SomeGas &gas,
           return sweep_line<8, FixedScheme, dim>(
             gas, line_, faces, rates, stride, is_first);
     }
-  sweep_line<0, AnyScheme, dim>(gas, line_, faces, rates, stride, is_first);
+  // Other runs need no kernel of their own for dilute mixtures.
+  if constexpr (std::is_same_v<SomeGas, DiluteMixture>)
+    sweep_line<0, AnyScheme, dim>(gas_, line_, faces, rates, stride, is_first);
+  else
+    sweep_line<0, AnyScheme, dim>(gas, line_, faces, rates, stride, is_first);
 }
 } // namespace contrecoup::gas

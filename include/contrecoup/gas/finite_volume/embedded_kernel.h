@@ -51,6 +51,8 @@ public:
   void analyse(const unsigned int batch, const BasicStage<Real> &stage);
 
 private:
+  struct OpenFaces;
+
   static constexpr unsigned int nc = Sweep::nc;
   static constexpr unsigned int width = n_lanes<Real>;
 

@@ -41,7 +41,12 @@ private:
   void sweep(const unsigned int batch,
              const unsigned int direction,
              const HangingData<dim, Real> &hanging);
-  void finish(const unsigned int batch, const BasicStage<Real> &stage);
+  void write(const unsigned int batch, const BasicStage<Real> &stage);
+  /// Open part of the face between a point and the next.
+  static Number is_open(const unsigned int, const unsigned int)
+  {
+    return Number(1.);
+  }
 
   const LeafMesh<dim> &mesh_;
   const LeafLayout layout_;

@@ -33,6 +33,25 @@ public:
     , primitive_(Leaves::nc * layout.n_points)
   {}
 
+  /// Reports unphysical leaves of @p batch in stage.results.state, fills its
+  /// padding lanes and, where stage.results.signal_rate is asked for, computes
+  /// that and stage.results.sensor.
+  /// @param weight see analyse()
+  template <typename Weight>
+  void conclude(const unsigned int batch,
+                const BasicStage<Real> &stage,
+                const Weight &weight)
+  {
+    Real *values = stage.results.state + batch * layout_.batch_size();
+    fill_padding(batch, values);
+    const bool converts = stage.results.signal_rate != nullptr;
+    report(batch,
+           converts ? load<true, true>(values) : load<true, false>(values),
+           stage);
+    if (converts)
+      find_rate_and_sensor(batch, stage, weight);
+  }
+
   /// Computes stage.results.sensor and stage.results.signal_rate of
   /// stage.results.state in @p batch.
   /// @param weight weight(direction, point) is the factor of the pressure jump
@@ -42,8 +61,26 @@ public:
                const BasicStage<Real> &stage,
                const Weight &weight)
   {
+    load<false, true>(stage.results.state + batch * layout_.batch_size());
+    find_rate_and_sensor(batch, stage, weight);
+  }
+
+  /// Padding lanes of the batch copy the first, so that they never overflow.
+  void fill_padding(const unsigned int batch, Real *out) const
+  {
+    for (unsigned int lane = mesh_.n_filled_lanes(batch); lane < Leaves::width;
+         ++lane)
+      for (std::size_t i = 0; i < layout_.batch_size(); i += Leaves::width)
+        out[i + lane] = out[i];
+  }
+
+private:
+  template <typename Weight>
+  void find_rate_and_sensor(const unsigned int batch,
+                            const BasicStage<Real> &stage,
+                            const Weight &weight)
+  {
     leaves_.bind_burn(batch, stage);
-    load(stage.results.state + batch * layout_.batch_size());
     find_largest_rate(stage).store(stage.results.signal_rate +
                                    batch * Leaves::width);
     const Number shock =
@@ -62,17 +99,11 @@ public:
         *stage.results.unphysical_leaf = batch * Leaves::width + lane;
   }
 
-  /// Padding lanes of the batch copy the first, so that they never overflow.
-  void fill_padding(const unsigned int batch, Real *out) const
-  {
-    for (unsigned int lane = mesh_.n_filled_lanes(batch); lane < Leaves::width;
-         ++lane)
-      for (std::size_t i = 0; i < layout_.batch_size(); i += Leaves::width)
-        out[i + lane] = out[i];
-  }
-
-private:
-  void load(const Real *values);
+  /// Reads the values of a batch. With @p converts they become primitive_; with
+  /// @p checks the result has no positive number in lanes with an unphysical
+  /// point.
+  template <bool checks, bool converts>
+  Number load(const Real *values);
   /// Largest signal rate; the pressures become those that unburned explosive
   /// exerts.
   Number find_largest_rate(const BasicStage<Real> &stage);
@@ -90,17 +121,26 @@ private:
 
 
 template <int dim, typename Gas, typename Real>
-void NewState<dim, Gas, Real>::load(const Real *values)
+template <bool checks, bool converts>
+typename NewState<dim, Gas, Real>::Number
+NewState<dim, Gas, Real>::load(const Real *values)
 {
+  Number smallest(1.);
   for (unsigned int q = 0; q < layout_.n_points; ++q)
   {
     Values u;
     for (unsigned int c = 0; c < Leaves::nc; ++c)
       u[c].load(values + layout_.value(c, q));
-    const Values p = to_primitive<dim>(gas_, u);
-    for (unsigned int c = 0; c < Leaves::nc; ++c)
-      primitive_[c * layout_.n_points + q] = p[c];
+    if constexpr (checks)
+      smallest = std::min(smallest, is_admissible<dim>(gas_, u));
+    if constexpr (converts)
+    {
+      const Values p = to_primitive<dim>(gas_, u);
+      for (unsigned int c = 0; c < Leaves::nc; ++c)
+        primitive_[c * layout_.n_points + q] = p[c];
+    }
   }
+  return smallest;
 }
 
 
