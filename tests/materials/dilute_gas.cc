@@ -15,51 +15,80 @@ const JwlParameters &tnt_products()
   return find_explosive("tnt").jwl;
 }
 
-// Where kernels take products in air for dilute, results must not depend on
+MieGrueneisen tnt_in_air()
+{
+  return MieGrueneisen::jwl_in_air(tnt_products());
+}
+
+// Where kernels take a mixture for a simpler gas, results must not depend on
 // which other cells share the lanes.
+template <typename Gas, typename Number>
+void expect_mixture(const Gas &gas,
+                    const Number &density,
+                    const Number &pressure,
+                    const Number &products)
+{
+  const auto expect_equal = [](const Number &a, const Number &b) {
+    EXPECT_EQ(largest_lane(a - b), 0.);
+    EXPECT_EQ(smallest_lane(a - b), 0.);
+  };
+  const MieGrueneisen mixture = tnt_in_air();
+  Number energy, other_energy, square, other_square;
+  mixture.energy_and_sound_speed(density, pressure, products, energy, square);
+  gas.energy_and_sound_speed(
+    density, pressure, products, other_energy, other_square);
+  expect_equal(energy, other_energy);
+  expect_equal(square, other_square);
+  expect_equal(energy,
+               gas.internal_energy_density(density, pressure, products));
+  expect_equal(mixture.cold_energy_density(density, products),
+               gas.cold_energy_density(density, products));
+}
+
 template <typename Number>
 void expect_dilute_mixture(const Number &density, const Number &pressure)
 {
-  const MieGrueneisen mixture = MieGrueneisen::jwl_in_air(tnt_products());
-  const DiluteMixture dilute = mixture.dilute();
-  ASSERT_TRUE(mixture.is_dilute(density));
-  for (const double part : {0., negligible_products<Number>, 1e-3, 0.4, 1.})
+  ASSERT_TRUE(tnt_in_air().is_dilute(density));
+  for (const double products : {0., negligible_products<Number>, 1e-3, 0.4, 1.})
+    expect_mixture(tnt_in_air().dilute(), density, pressure, Number(products));
+}
+
+template <typename Number>
+void expect_traced_air(const Number &density, const Number &pressure)
+{
+  for (const double part : {0., 1e-3, 1.})
   {
-    const Number products(part);
-    Number energy, other_energy, square, other_square;
-    mixture.energy_and_sound_speed(density, pressure, products, energy, square);
-    dilute.energy_and_sound_speed(
-      density, pressure, products, other_energy, other_square);
-    EXPECT_EQ(largest_lane(energy - other_energy), 0.);
-    EXPECT_EQ(smallest_lane(energy - other_energy), 0.);
-    EXPECT_EQ(largest_lane(square - other_square), 0.);
-    EXPECT_EQ(smallest_lane(square - other_square), 0.);
-    other_energy = dilute.internal_energy_density(density, pressure, products);
-    EXPECT_EQ(largest_lane(energy - other_energy), 0.);
-    EXPECT_EQ(smallest_lane(energy - other_energy), 0.);
-    EXPECT_EQ(largest_lane(mixture.cold_energy_density(density, products) -
-                           dilute.cold_energy_density(density, products)),
-              0.);
+    const Number products(part * negligible_products<Number>);
+    ASSERT_TRUE(tnt_in_air().is_air(density, products));
+    expect_mixture(tnt_in_air().air(), density, pressure, products);
   }
 }
 
-} // namespace
-
-TEST(DiluteMixture, IsTheMixtureToTheLastBit)
+template <typename Number>
+void expect_dilute_gases()
 {
   for (const double density : {1e-3, 0.3, 1.2, 12.})
     for (const double pressure : {1., 1e5, 3.3e7})
     {
-      expect_dilute_mixture<double>(density, pressure);
-      expect_dilute_mixture<Lanes<double>>(density, pressure);
-      expect_dilute_mixture<float>(density, pressure);
-      expect_dilute_mixture<Lanes<float>>(density, pressure);
+      expect_dilute_mixture<Number>(density, pressure);
+      expect_traced_air<Number>(density, pressure);
     }
 }
+} // namespace
+
+
+TEST(DiluteGases, AreTheMixtureToTheLastBit)
+{
+  expect_dilute_gases<double>();
+  expect_dilute_gases<Lanes<double>>();
+  expect_dilute_gases<float>();
+  expect_dilute_gases<Lanes<float>>();
+}
+
 
 TEST(DiluteMixture, IsNotTakenForOtherGases)
 {
-  const MieGrueneisen mixture = MieGrueneisen::jwl_in_air(tnt_products());
+  const MieGrueneisen mixture = tnt_in_air();
   EXPECT_TRUE(mixture.is_dilute(1.2));
   EXPECT_FALSE(mixture.is_dilute(100.));
   EXPECT_FALSE(MieGrueneisen::jwl(tnt_products()).is_dilute(1.2));
@@ -69,6 +98,7 @@ TEST(DiluteMixture, IsNotTakenForOtherGases)
   density[n_lanes<float> - 1] = 100.f;
   EXPECT_FALSE(mixture.is_dilute(density));
 }
+
 
 // omega is gas constant over specific heat, each weighted by mass.
 TEST(DiluteMixture, MixesGasConstantsAndSpecificHeats)
@@ -90,50 +120,10 @@ TEST(DiluteMixture, MixesGasConstantsAndSpecificHeats)
   }
 }
 
-namespace
-{
-// Where kernels take air that carries hardly any products for air, results
-// must not depend on which other cells share the lanes.
-template <typename Number>
-void expect_traced_air(const Number &density, const Number &pressure)
-{
-  const MieGrueneisen mixture = MieGrueneisen::jwl_in_air(tnt_products());
-  const TracedAir air = mixture.air();
-  for (const double part : {0., 1e-3, 1.})
-  {
-    const Number products(part * negligible_products<Number>);
-    ASSERT_TRUE(mixture.is_air(density, products));
-    Number energy, other_energy, square, other_square;
-    mixture.energy_and_sound_speed(density, pressure, products, energy, square);
-    air.energy_and_sound_speed(
-      density, pressure, products, other_energy, other_square);
-    EXPECT_EQ(largest_lane(energy - other_energy), 0.);
-    EXPECT_EQ(smallest_lane(energy - other_energy), 0.);
-    EXPECT_EQ(largest_lane(square - other_square), 0.);
-    EXPECT_EQ(smallest_lane(square - other_square), 0.);
-    EXPECT_EQ(largest_lane(mixture.cold_energy_density(density, products) -
-                           air.cold_energy_density(density, products)),
-              0.);
-  }
-}
-
-} // namespace
-
-TEST(TracedAir, IsTheMixtureToTheLastBit)
-{
-  for (const double density : {1e-3, 0.3, 1.2, 12.})
-    for (const double pressure : {1., 1e5, 3.3e7})
-    {
-      expect_traced_air<double>(density, pressure);
-      expect_traced_air<Lanes<double>>(density, pressure);
-      expect_traced_air<float>(density, pressure);
-      expect_traced_air<Lanes<float>>(density, pressure);
-    }
-}
 
 TEST(TracedAir, IsNotTakenForOtherGases)
 {
-  const MieGrueneisen mixture = MieGrueneisen::jwl_in_air(tnt_products());
+  const MieGrueneisen mixture = tnt_in_air();
   EXPECT_TRUE(mixture.is_air(1.2, 0.));
   EXPECT_FALSE(mixture.is_air(1.2, 1e-12));
   EXPECT_FALSE(mixture.is_air(100., 0.));

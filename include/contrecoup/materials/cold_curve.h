@@ -158,12 +158,12 @@ private:
   DEAL_II_ALWAYS_INLINE Number mix_products(const Number &products,
                                             ColdState<Number> &cold) const
   {
-    const Number negligible(negligible_products<Number>),
-      clipped = clip(products);
+    const Number negligible(negligible_products<Number>);
+    const Number clipped = clip(products);
     const Number specific_heat = mixed_specific_heat(products);
     const Number gas_constant =
       clipped * gas_constant_difference_ + base_gas_constant_;
-    // Divisions take most of the time.
+    // One division for both: it takes longer than all other operations here.
     const Number inverse = Number(1.) / (specific_heat * gas_constant);
     const Number inverse_heat = gas_constant * inverse;
     cold.omega = select_less(negligible,

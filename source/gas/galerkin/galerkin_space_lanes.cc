@@ -2,11 +2,12 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 // What FEEvaluation and FEFaceEvaluation need of deal.II for the lanes of
-// base/lanes.h. deal.II's own definitions compile kernels of each degree for
-// four numbers of quadrature points, for elements without symmetry and for
-// derivatives on faces, in five times the time. Here each degree has kernels
-// for as many points as nodes and, on faces, for values alone; deal.II's kernel
-// for any degree does the rest, which only the set-up of MatrixFree needs.
+// base/lanes.h. deal.II's selectors compile kernels of each degree for elements
+// without symmetry and for derivatives on faces as well: with these, and one
+// number of quadrature points for each degree, this file took 192 s to compile
+// instead of 51 s. Here each degree has kernels for as many points as nodes
+// and, on faces, for values alone. deal.II's kernel for any degree does the
+// rest, which only the set-up of MatrixFree needs.
 
 #include <contrecoup/base/lanes/lanes.h>
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
+#include <contrecoup/gas/body/hanging_openings.h>
+
 #include "body_run.h"
 #include <gtest/gtest.h>
 
@@ -142,6 +144,28 @@ TEST(BodyLevels, RanksAgree)
   for (const std::string treatment : {"embedded", "staircase"})
     check_ranks<3>(ball_of_two_sizes<3>(treatment) + finite_volume(4),
                    is_driven);
+}
+
+
+TEST(BodyLevels, CutFacesDoNotChangeTheMeansOfTheirGroup)
+{
+  GasRun<3> run(ball_of_two_sizes<3>("embedded") + finite_volume(4));
+  run.set_state([](const Point<3> &) { return still_air<3>(); });
+  unsigned int n_mixed = 0;
+  HangingOpenings<3, double> openings;
+  for (const auto &group : group_hanging_faces(run.mesh, run.layout))
+  {
+    openings.reinit(group, run.mesh, run.layout, run.cut_leaves);
+    unsigned int n_cut = 0;
+    for (unsigned int lane = 0; lane < group.n_filled; ++lane)
+    {
+      const bool is_cut = run.cut_leaves.is_cut_face(group.face[lane]);
+      EXPECT_EQ(openings.is_cut[lane], is_cut ? 1. : 0.);
+      n_cut += is_cut ? 1 : 0;
+    }
+    n_mixed += n_cut > 0 && n_cut < group.n_filled ? 1 : 0;
+  }
+  EXPECT_GT(dealii::Utilities::MPI::sum(n_mixed, MPI_COMM_WORLD), 0u);
 }
 
 
