@@ -55,6 +55,8 @@ void BatchSweep<dim, Gas, Real>::bind(const unsigned int batch,
 {
   leaves_.bind(batch, stage);
   primitive_ = primitives_.batch(batch);
+  const std::size_t first = batch * layout_.batch_size();
+  states_ = {{stage.start + first, stage.results.state + first}};
   line_.bounds_velocity = stage.bound_velocity_slopes;
   line_.burn = leaves_.burn();
   line_.compression = nullptr;
@@ -107,6 +109,17 @@ void BatchSweep<dim, Gas, Real>::prefetch_neighbors(
                                        nc * Leaves::width,
                                        leaves_.batch() * layout_.batch_size());
     }
+}
+
+
+template <int dim, typename Gas, typename Real>
+void BatchSweep<dim, Gas, Real>::prefetch_states(const unsigned int line)
+{
+  constexpr unsigned int n_in_cache_line = 64 / sizeof(Real);
+  const std::size_t n = layout_.batch_size() / layout_.n_face_points;
+  for (const Real *state : states_)
+    for (std::size_t i = line * n; i < (line + 1) * n; i += n_in_cache_line)
+      __builtin_prefetch(state + i);
 }
 
 
@@ -215,6 +228,8 @@ void BatchSweep<dim, Gas, Real>::fill_hanging(
   Values *fluxes = &hanging_flux_[side * layout_.n_face_points];
   has_hanging_[side][lane] = 1.;
   line_.has_hanging[side] = &has_hanging_[side];
+  // The second layer does not count: only the slope of the first depends on it,
+  // and the flux through the face is known.
   for (unsigned int c = 0; c < nc; ++c)
   {
     const unsigned int from = rotated_component<dim>(c, special.face / 2);
@@ -223,7 +238,6 @@ void BatchSweep<dim, Gas, Real>::fill_hanging(
     for (unsigned int q = 0; q < layout_.n_face_points; ++q)
     {
       beyond(side, 0, q)[c][lane] = halo[q];
-      beyond(side, 1, q)[c][lane] = halo[q];
       fluxes[q][c][lane] = flux[q];
     }
   }
