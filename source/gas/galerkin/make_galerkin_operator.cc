@@ -9,8 +9,8 @@ namespace contrecoup::gas
 namespace
 {
   /// The discontinuous Galerkin scheme of any degree on deal.II's MatrixFree:
-  /// fluxes of all faces first, then leaf by leaf, so that sums do not depend
-  /// on the order in which ranks see faces.
+  /// the faces of a batch of cells just before its leaves. Each leaf adds its
+  /// fluxes in one order, which does not depend on the ranks.
   template <int dim, typename Gas, typename Real>
   class GalerkinOperator : public GasOperator<dim>
   {

@@ -63,7 +63,7 @@ private:
     std::array<unsigned int, width> lane;
     /// Where the points' values stand among the primitive ones of the batch.
     std::array<unsigned int, width> offset;
-    /// Vector out of the gas, of which the unit length is kept apart.
+    /// Unit normal of the facet, out of the gas.
     std::array<Number, dim> normal;
     Number area;   ///< over the cell's volume [1/m]; 0: no facet
     Number volume; ///< see CutLeaves::cell_volume()

@@ -69,6 +69,6 @@ private:
   }
 
   dealii::AlignedVector<Number> component_; ///< of one side, by face point
-  std::vector<Real> nowhere_; ///< takes what lanes without a face hold
+  std::vector<Real> nowhere_;               ///< written in lanes without a face
 };
 } // namespace contrecoup::gas

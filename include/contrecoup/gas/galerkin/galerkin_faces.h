@@ -117,8 +117,8 @@ private:
   Values flux(const Values &left, const Values &right) const;
 
   void hanging_fluxes();
-  /// Fills @p trace with what the nodes of a side's face have more than its
-  /// first one, and returns the values of that one and the mean.
+  /// Fills @p trace with the difference of each node of a side's face from the
+  /// first node; returns the values of the first node and the mean.
   std::array<Values, 2> load_face(const unsigned int side, Trace &trace) const;
   void interpolate_coarse_side();
   void project_onto_coarse_side();

@@ -24,9 +24,9 @@ namespace contrecoup::gas
  * faces have the areas with which finite volumes and the weak form agree about
  * uniform flow.
  *
- * In curvilinear coordinates volumes and areas grow with the radius; along the
- * radius the leaves at the axis, where a node's volume would vanish, are finite
- * volumes.
+ * In curvilinear coordinates volumes and areas grow with the radius. Leaves at
+ * the axis, where a node's volume would vanish, use finite volumes along the
+ * radius.
  */
 template <int dim, typename Gas, typename Real>
 class GalerkinLeaves
@@ -162,8 +162,8 @@ private:
   unsigned int index_ = 0;
   NeighborReader<Real> reader_;
   std::array<Number, dim> extents_; ///< of boxes [m]
-  /// From the volume of a node to its part of the face, positive where out of
-  /// the leaf is towards larger coordinates [1/m].
+  /// Factor from the volume of a node to its area on a face of the leaf,
+  /// positive on upper faces, negative on lower ones [1/m].
   std::array<Number, 2 * dim> to_area_;
   dealii::AlignedVector<Number> conserved_; ///< [component][node]
   dealii::AlignedVector<Number> primitive_;

@@ -16,8 +16,7 @@
 namespace contrecoup::gas
 {
 /// Writes the field output of a run: all leaves as VTU, and the planes of
-/// subsection "Pictures" as
-/// VTK images.
+/// subsection "Pictures" as VTK images.
 template <int dim>
 class GasOutput
 {
