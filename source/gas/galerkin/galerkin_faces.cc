@@ -127,6 +127,29 @@ void GalerkinFaces<dim, Gas, Real>::compute(const unsigned int face_batch,
 }
 
 
+// The faces' leaves lie in few batches, next to one another in the lanes.
+template <int dim, typename Gas, typename Real>
+void GalerkinFaces<dim, Gas, Real>::prefetch(const unsigned int face_batch,
+                                             const Real *state) const
+{
+  const FaceBatch &faces = space_.faces()[face_batch];
+  for (unsigned int side = 0; side < 2; ++side)
+    for (unsigned int lane = 0; lane < faces.n_filled; ++lane)
+    {
+      const unsigned int leaf_batch = faces.leaf[side][lane] / width;
+      if (lane > 0 && leaf_batch == faces.leaf[side][lane - 1] / width)
+        continue;
+      const Real *const batch = state + leaf_batch * layout_.batch_size();
+      for (unsigned int q = 0; q < n_points_; ++q)
+      {
+        const unsigned int point = layout_.face_point(faces.face[side], q, 0);
+        for (unsigned int c = 0; c < nc; ++c)
+          __builtin_prefetch(batch + layout_.value(c, point), 0, 2);
+      }
+    }
+}
+
+
 template <int dim, typename Gas, typename Real>
 void GalerkinFaces<dim, Gas, Real>::bind(const unsigned int face_batch,
                                          const BasicStage<Real> &stage)

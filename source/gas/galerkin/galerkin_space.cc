@@ -112,6 +112,7 @@ void GalerkinSpace<dim, Real>::reinit()
     find_box_faces();
   else
     find_mapped_faces();
+  reserve_records();
   attach_records();
 }
 
@@ -370,78 +371,6 @@ GalerkinSpace<dim, Real>::box_face_batch(const unsigned int face)
   batch.face = {{face | 1U, face & ~1U}};
   batch.match = {static_cast<unsigned char>(face ^ 1U), 0};
   return batch;
-}
-
-
-template <int dim, typename Real>
-void GalerkinSpace<dim, Real>::attach_records()
-{
-  n_records_ = 0;
-  for (unsigned int b = 0; b < faces_.size(); ++b)
-  {
-    FaceBatch &batch = faces_[b];
-    const bool is_shared =
-      is_collocated_ && batch.kind != FaceBatch::Kind::hanging;
-    for (unsigned int side = 0; side < 2; ++side)
-    {
-      if (side == 0 || !is_shared)
-        n_records_ += width;
-      batch.record[side] = n_records_ - width;
-      if (batch.has(side))
-        for (unsigned int lane = 0; lane < batch.n_filled; ++lane)
-          attach_record(
-            batch.leaf[side][lane], side, b, batch.record[side] + lane);
-    }
-  }
-  for (CellBatch &batch : cells_)
-  {
-    sort_parts(batch);
-    for (LaneIndices &record : batch.record)
-    {
-      Assert(std::count(
-               record.begin(), record.begin() + batch.n_filled, no_leaf) == 0,
-             dealii::ExcInternalError());
-      std::fill(record.begin() + batch.n_filled, record.end(), record[0]);
-    }
-    std::sort(batch.faces.begin(), batch.faces.end());
-    batch.faces.erase(std::unique(batch.faces.begin(), batch.faces.end()),
-                      batch.faces.end());
-  }
-}
-
-
-template <int dim, typename Real>
-void GalerkinSpace<dim, Real>::attach_record(const unsigned int leaf,
-                                             const unsigned int side,
-                                             const unsigned int face_batch,
-                                             const unsigned int record)
-{
-  if (leaf >= mesh_.n_owned())
-    return;
-  const FaceBatch &from = faces_[face_batch];
-  CellBatch &batch = cells_[place_of_leaf_[leaf] / width];
-  const unsigned int lane = place_of_leaf_[leaf] % width;
-  batch.faces.push_back(face_batch);
-  if (from.kind == FaceBatch::Kind::hanging && side != from.interior)
-    batch.more.push_back({lane, from.face[side], record, from.quarter});
-  else
-    batch.record[from.face[side]][lane] = record;
-}
-
-
-template <int dim, typename Real>
-void GalerkinSpace<dim, Real>::sort_parts(CellBatch &batch)
-{
-  std::sort(batch.more.begin(),
-            batch.more.end(),
-            [](const Part &a, const Part &b) { return a.quarter < b.quarter; });
-  const auto first_end =
-    std::find_if(batch.more.begin(), batch.more.end(), [](const Part &part) {
-      return part.quarter > 0;
-    });
-  for (auto part = batch.more.begin(); part != first_end; ++part)
-    batch.record[part->face][part->lane] = part->record;
-  batch.more.erase(batch.more.begin(), first_end);
 }
 
 

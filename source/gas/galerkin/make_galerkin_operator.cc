@@ -54,6 +54,10 @@ namespace
         const auto &cells = space_.cells()[b];
         if (!is_active(cells.leaf))
           continue;
+        if (b + 1 < space_.cells().size())
+          for (const unsigned int face : space_.cells()[b + 1].faces)
+            if (!is_done[face])
+              faces_.prefetch(face, stage.in);
         for (const unsigned int face : cells.faces)
           if (!is_done[face])
           {

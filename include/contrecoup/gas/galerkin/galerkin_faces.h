@@ -53,6 +53,10 @@ public:
   /// Fills the records of a batch of faces.
   void compute(const unsigned int face_batch, const BasicStage<Real> &stage);
 
+  /// Prefetches into the cache the values of @p state at the nodes of a batch
+  /// of faces.
+  void prefetch(const unsigned int face_batch, const Real *state) const;
+
   /// The records of the fluxes [component][face point][lane].
   const Real *fluxes() const
   {

@@ -13,6 +13,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace contrecoup::gas
@@ -34,7 +35,8 @@ namespace contrecoup::gas
  * each side has a record of its own: of each node, the flux out of that leaf
  * times the test function, integrated over the face. A coarse leaf has a record
  * for each finer neighbour, which add up in the order of the quarters, on any
- * number of ranks.
+ * number of ranks. Where batches of cells are updated in their order, a record
+ * on boxes holds its flux from the first batch that needs it to the last.
  *
  * The pressure at node 0 of the leaf, its reference pressure, is subtracted
  * from pressures before they are integrated over its surface: a constant exerts
@@ -195,6 +197,15 @@ private:
   void add_faces_of_box(const unsigned int leaf, const Add &add) const;
   /// A batch whose interior side has face @p face.
   static FaceBatch box_face_batch(const unsigned int face);
+  void reserve_records();
+  /// Numbers of the batches of cells that need a batch of faces.
+  std::pair<unsigned int, unsigned int>
+  first_and_last_reader(const FaceBatch &batch) const;
+  /// Whether the flux is the same for both sides.
+  bool has_one_record(const FaceBatch &batch) const
+  {
+    return is_collocated_ && batch.kind != FaceBatch::Kind::hanging;
+  }
   void attach_records();
   void attach_record(const unsigned int leaf,
                      const unsigned int side,
