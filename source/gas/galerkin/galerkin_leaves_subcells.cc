@@ -162,8 +162,8 @@ void GalerkinLeaves<dim, Gas, Real>::find_neighbors()
 }
 
 
-// The neighbour's node next to the face; a wall mirrors, and at other ends
-// without an equal neighbour the last subcell has no slope.
+// The neighbour's node next to the face; a wall mirrors on boxes, and at other
+// ends without an equal neighbour the last subcell has no slope.
 template <int dim, typename Gas, typename Real>
 typename GalerkinLeaves<dim, Gas, Real>::Values
 GalerkinLeaves<dim, Gas, Real>::beyond(const unsigned int face,

@@ -43,9 +43,11 @@ void GalerkinSpace<dim, Real>::reserve_records()
     }
     if (is_collocated_)
       for (const unsigned int b : last_read[cell_batch])
-        released.insert(released.end(),
-                        faces_[b].record.begin(),
-                        faces_[b].record.end() - has_one_record(faces_[b]));
+      {
+        released.push_back(faces_[b].record[0]);
+        if (!has_one_record(faces_[b]))
+          released.push_back(faces_[b].record[1]);
+      }
   }
 }
 

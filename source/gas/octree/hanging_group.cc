@@ -3,6 +3,7 @@
 
 #include <contrecoup/gas/octree/hanging_group.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <tuple>
@@ -36,6 +37,12 @@ namespace
     for (const unsigned int leaf : face.fine_leaf)
       if (leaf != no_leaf)
         present = leaf;
+    const auto count = [&](const unsigned int leaf) {
+      if (leaf < mesh.n_owned())
+        group.first_batch = std::min(group.first_batch, leaf / layout.width);
+    };
+    count(face.coarse_leaf);
+    std::for_each(face.fine_leaf.begin(), face.fine_leaf.end(), count);
     for (unsigned int part = 0; part < face.n_fine; ++part)
     {
       const unsigned int leaf =
@@ -90,6 +97,10 @@ std::vector<HangingGroup<dim>> group_hanging_faces(const LeafMesh<dim> &mesh,
     }
     fill_lane(groups.back(), groups.back().n_filled++, index, mesh, layout);
   }
+  std::stable_sort(
+    groups.begin(), groups.end(), [](const auto &a, const auto &b) {
+      return a.first_batch < b.first_batch;
+    });
   return groups;
 }
 

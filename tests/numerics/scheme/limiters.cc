@@ -15,12 +15,16 @@ using namespace contrecoup;
 
 namespace
 {
-const std::vector<SlopeLimiter> all_limiters{SlopeLimiter::none,
-                                             SlopeLimiter::minmod,
-                                             SlopeLimiter::van_albada,
-                                             SlopeLimiter::van_leer,
-                                             SlopeLimiter::mc,
-                                             SlopeLimiter::superbee};
+// A limiter that limited_slope() does not know limits nothing.
+std::vector<SlopeLimiter> named_limiters()
+{
+  std::vector<SlopeLimiter> limiters;
+  for (const std::string &name : slope_limiter_names())
+    limiters.push_back(parse_slope_limiter(name));
+  return limiters;
+}
+
+const std::vector<SlopeLimiter> all_limiters = named_limiters();
 
 bool is_tvd(const SlopeLimiter limiter)
 {
@@ -215,11 +219,12 @@ TEST(GradientLimiter, KnowsItsValues)
 
 TEST(Limiters, AreFoundByName)
 {
-  const auto names = slope_limiter_names();
-  ASSERT_EQ(names.size(), all_limiters.size());
-  for (unsigned int i = 0; i < names.size(); ++i)
-    EXPECT_EQ(parse_slope_limiter(names[i]), all_limiters[i]);
+  EXPECT_EQ(parse_slope_limiter("none"), SlopeLimiter::none);
+  EXPECT_EQ(parse_slope_limiter("minmod"), SlopeLimiter::minmod);
+  EXPECT_EQ(parse_slope_limiter("van albada"), SlopeLimiter::van_albada);
   EXPECT_EQ(parse_slope_limiter("van leer"), SlopeLimiter::van_leer);
+  EXPECT_EQ(parse_slope_limiter("mc"), SlopeLimiter::mc);
+  EXPECT_EQ(parse_slope_limiter("superbee"), SlopeLimiter::superbee);
   EXPECT_THROW(parse_slope_limiter("koren"), InputError);
   EXPECT_EQ(parse_gradient_limiter(gradient_limiter_names()[1]),
             GradientLimiter::venkatakrishnan);

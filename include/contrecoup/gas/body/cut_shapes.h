@@ -35,8 +35,8 @@ struct Subcell
 /**
  * The shapes of the leaves that a rigid body cuts: the open part of each
  * subcell's volume and faces, from the signed distance at the subcells' corners
- * (embedded) or centres (staircase). The areas of what is closed add up, in
- * each subcell, to the area vector of the wall in it.
+ * (embedded) or centres (staircase). The closed parts of a subcell's faces sum
+ * to the area vector of the wall in it.
  *
  * In axisymmetric geometry, where the cut at z = 0 is turned about the axis,
  * subcells count with the radius in their middle.

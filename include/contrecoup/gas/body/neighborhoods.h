@@ -27,8 +27,8 @@ public:
   /// Cells side by side, at most 1 + 1 + 2^(dim-1).
   using Chain = boost::container::static_vector<Subcell, 6>;
 
-  /// A small cell and the next ones, across face, that it shares its
-  /// change with.
+  /// A small cell and the next ones beyond one of its faces, with which it
+  /// shares its change.
   struct Neighborhood
   {
     unsigned int face;
@@ -72,8 +72,8 @@ private:
   /// The cell of equal size across a face; leaf no_leaf where there is none,
   /// or where the face is closed.
   Subcell next(const Subcell &cell, const unsigned int face) const;
-  /// Adds to a chain what lies across a face, in leaves of another size, of
-  /// its last cell; returns whether there is anything.
+  /// Extends a chain beyond @p face of its last cell by the cells of a leaf
+  /// of another size; returns whether there are any.
   bool cross(const unsigned int face, Chain &chain) const;
   /// The cell and the next @p length ones across a face, where leaves of
   /// another size end it; empty where there are not so many.

@@ -52,15 +52,17 @@ public:
              QuietLeaves<dim> &quiet_leaves) override
   {
     Base::begin_stage(stage, quiet_leaves);
-    for (unsigned int g = 0; g < groups_.size(); ++g)
-      if (quiet_leaves.is_active_group(groups_[g]))
-        hanging_kernel_.compute(groups_[g],
-                                stage,
-                                hanging_,
-                                openings_of_group_[g] < 0
-                                  ? nullptr
-                                  : &openings_[openings_of_group_[g]]);
+    unsigned int g = 0;
     for (unsigned int batch = 0; batch < mesh_.n_batches(); ++batch)
+    {
+      for (; g < groups_.size() && groups_[g].first_batch <= batch; ++g)
+        if (quiet_leaves.is_active_group(groups_[g]))
+          hanging_kernel_.compute(groups_[g],
+                                  stage,
+                                  hanging_,
+                                  openings_of_group_[g] < 0
+                                    ? nullptr
+                                    : &openings_[openings_of_group_[g]]);
       if (quiet_leaves.is_active(batch) && !cut_leaves_.is_closed(batch))
       {
         if (cut_leaves_.is_cut(batch))
@@ -71,6 +73,7 @@ public:
           quiet_leaves.find_woken_leaves(batch, stage.results.state);
         }
       }
+    }
   }
 
   bool redistributes() const override

@@ -42,15 +42,20 @@ public:
              QuietLeaves<dim> &quiet_leaves) override
   {
     begin_stage(stage, quiet_leaves);
-    for (const auto &group : groups_)
-      if (quiet_leaves.is_active_group(group))
-        hanging_kernel_.compute(group, stage, hanging_);
+    auto group = groups_.begin();
     for (unsigned int batch = 0; batch < mesh_.n_batches(); ++batch)
+    {
+      // Just before the first batch that needs them: what they read is still in
+      // the cache then.
+      for (; group != groups_.end() && group->first_batch <= batch; ++group)
+        if (quiet_leaves.is_active_group(*group))
+          hanging_kernel_.compute(*group, stage, hanging_);
       if (quiet_leaves.is_active(batch))
       {
         kernel_.update(batch, stage, hanging_);
         quiet_leaves.find_woken_leaves(batch, stage.results.state);
       }
+    }
   }
 
   void analyse(const BasicStage<Real> &stage) override

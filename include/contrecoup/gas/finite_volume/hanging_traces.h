@@ -101,12 +101,12 @@ protected:
   std::array<dealii::AlignedVector<Number>, n_fine> fine_progress_;
   dealii::AlignedVector<Values> coarse_flux_;
   std::array<dealii::AlignedVector<Values>, n_fine> fine_flux_;
-  /// Sum of what the fine parts of a coarse subcell face have open, or of the
-  /// volumes beyond it.
+  /// Of each coarse subcell's face, the sum of its fine faces' openings, or of
+  /// the volumes of the fine subcells beyond it.
   dealii::AlignedVector<Number> open_sum_;
   dealii::AlignedVector<Values> open_mean_; ///< of open_sum_
 
-  /// Takes open_mean_ for the @p means in lanes of cut faces.
+  /// Replaces @p means by open_mean_ in lanes whose face is cut.
   void take_in_cut_lanes(dealii::AlignedVector<Values> &means) const;
 
 private:

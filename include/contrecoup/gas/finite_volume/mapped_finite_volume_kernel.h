@@ -91,8 +91,8 @@ private:
   dealii::AlignedVector<Values> line_;      ///< see cell()
   dealii::AlignedVector<Values> left_;      ///< trace left of each face
   dealii::AlignedVector<Values> right_;     ///< trace right of each face
-  /// Through each face of the line: integrals, of the momentum only that of
-  /// tangential stress.
+  /// Fluxes integrated over each face of the line; of the momentum flux, the
+  /// tangential stress alone.
   dealii::AlignedVector<Values> flux_;
   dealii::AlignedVector<Number> normal_stress_; ///< at each face [Pa]
 };

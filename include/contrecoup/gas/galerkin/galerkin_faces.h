@@ -117,7 +117,7 @@ private:
   /// Primitive values of @p u, or of @p mean where @p u is not admissible. The
   /// mean of admissible nodes is.
   Values admissible_primitive(Values u, const Values &mean) const;
-  /// Between two traces along the axes of the face.
+  /// The numerical flux between two traces, along the axes of the face.
   Values flux(const Values &left, const Values &right) const;
 
   void hanging_fluxes();

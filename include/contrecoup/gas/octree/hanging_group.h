@@ -30,7 +30,8 @@ struct HangingGroup
   std::array<std::array<unsigned int, max_batch_width>, n_fine> fine_offset;
   /// See relative_inner_radius(); per lane.
   std::array<double, max_batch_width> inner_radius;
-  bool is_radial = false; ///< whether any inner_radius is finite
+  bool is_radial = false;             ///< whether any inner_radius is finite
+  unsigned int first_batch = no_leaf; ///< lowest of the owned leaves' batches
 };
 
 /// Inner radius of the coarse leaf divided by its radial edge length, where
@@ -57,8 +58,9 @@ inline Number relative_radius(const Number &inner,
   return Number(distance) / (inner * double(n) + (index + 0.5)) + 1.;
 }
 
-/// Sorts the hanging faces of @p mesh into groups. Where this rank does not
-/// need a fine leaf, another fine leaf of the same face takes its lane.
+/// Sorts the hanging faces of @p mesh into groups, in increasing order of
+/// HangingGroup::first_batch. Where this rank does not need a fine leaf,
+/// another fine leaf of the same face takes its lane.
 template <int dim>
 std::vector<HangingGroup<dim>> group_hanging_faces(const LeafMesh<dim> &mesh,
                                                    const LeafLayout &layout);

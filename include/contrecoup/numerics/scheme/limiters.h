@@ -10,7 +10,7 @@
 
 namespace contrecoup
 {
-/// Slope limiters, in the order of increasing compression.
+/// Slope limiters; after `none`, in the order of increasing compression.
 enum class SlopeLimiter
 {
   none,       ///< central difference, for smooth flow only
