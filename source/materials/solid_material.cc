@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/system/exceptions.h>
+#include <contrecoup/base/system/names.h>
 #include <contrecoup/base/system/text.h>
 #include <contrecoup/materials/solid_material.h>
 
@@ -20,12 +21,8 @@ const std::vector<std::string> &solid_kinematics_names()
 
 SolidKinematics find_solid_kinematics(const std::string &name)
 {
-  const auto &names = solid_kinematics_names();
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (names[i] == name)
-      return static_cast<SolidKinematics>(i);
-  throw InputError("\"" + name + "\" is no kinematics of solids" +
-                   suggestion(name, names));
+  return static_cast<SolidKinematics>(
+    position_of(name, solid_kinematics_names(), "kinematics of solids"));
 }
 
 

@@ -2,10 +2,9 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/system/exceptions.h>
-#include <contrecoup/base/system/text.h>
+#include <contrecoup/base/system/names.h>
 #include <contrecoup/materials/tissue_library.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace contrecoup
@@ -227,12 +226,9 @@ const TissueProperties &find_tissue_properties(const std::string &set,
 {
   static const std::vector<std::vector<TissueProperties>> sets{
     paper_set(), physiological_set(), aerated_set()};
-  const std::vector<std::string> &names = tissue_set_names();
-  const auto name = std::find(names.begin(), names.end(), set);
-  if (name == names.end())
-    throw InputError("\"" + set + "\" is not a set of tissues" +
-                     suggestion(set, names));
-  for (const TissueProperties &one : sets[name - names.begin()])
+  const std::size_t position =
+    position_of(set, tissue_set_names(), "set of tissues");
+  for (const TissueProperties &one : sets[position])
     if (one.tissue == tissue)
       return one;
   throw InputError("the set of tissues \"" + set +

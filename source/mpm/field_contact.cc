@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/system/exceptions.h>
-#include <contrecoup/base/system/text.h>
+#include <contrecoup/base/system/names.h>
 #include <contrecoup/mpm/contact_kernels.h>
 #include <contrecoup/mpm/field_contact.h>
 
@@ -52,12 +51,8 @@ const std::vector<std::string> &field_interface_names()
 
 FieldInterface find_field_interface(const std::string &name)
 {
-  const auto &names = field_interface_names();
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end())
-    throw InputError("\"" + name + "\" is no interface of velocity fields" +
-                     suggestion(name, names));
-  return static_cast<FieldInterface>(found - names.begin());
+  return static_cast<FieldInterface>(
+    position_of(name, field_interface_names(), "interface of velocity fields"));
 }
 
 

@@ -329,7 +329,7 @@ contrecoup_add_application_test(cavity_runs ranks,resume
 contrecoup_add_application_test(no_cavitating_tissue refusal
   FILE ${_folder}/cavitation.prm
   ARGUMENTS "--set" "Materials/Cavitating tissues=watr"
-  MESSAGE "Materials/Cavitating tissues: \"watr\" is not a tissue")
+  MESSAGE "Materials/Cavitating tissues: \"watr\" is no tissue")
 biomechanics_endures(collapse_at_wall "errors.rise < 1.54e-2;\
 errors.collapse < 2.19e-2;checks.energy_residual < 1.22e-3;\
 results.largest_vapour_volume_water > 5.48e-11;\

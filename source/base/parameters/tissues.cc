@@ -2,10 +2,7 @@
 // Copyright (C) 2026 by the Contrecoup authors
 
 #include <contrecoup/base/parameters/tissues.h>
-#include <contrecoup/base/system/exceptions.h>
-#include <contrecoup/base/system/text.h>
-
-#include <algorithm>
+#include <contrecoup/base/system/names.h>
 
 namespace contrecoup
 {
@@ -34,11 +31,6 @@ const std::string &name_of(const Tissue tissue)
 
 Tissue find_tissue(const std::string &name)
 {
-  const std::vector<std::string> &names = tissue_names();
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end())
-    throw InputError("\"" + name + "\" is not a tissue" +
-                     suggestion(name, names));
-  return static_cast<Tissue>(found - names.begin());
+  return static_cast<Tissue>(position_of(name, tissue_names(), "tissue"));
 }
 } // namespace contrecoup

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/system/exceptions.h>
-#include <contrecoup/base/system/text.h>
+#include <contrecoup/base/system/names.h>
 #include <contrecoup/numerics/element/hourglass.h>
 
 namespace contrecoup
@@ -17,11 +16,7 @@ const std::vector<std::string> &hourglass_names()
 
 HourglassKind find_hourglass(const std::string &name)
 {
-  const auto &names = hourglass_names();
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (names[i] == name)
-      return static_cast<HourglassKind>(i);
-  throw InputError("\"" + name + "\" is no hourglass control" +
-                   suggestion(name, names));
+  return static_cast<HourglassKind>(
+    position_of(name, hourglass_names(), "hourglass control"));
 }
 } // namespace contrecoup

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 by the Contrecoup authors
 
-#include <contrecoup/base/system/exceptions.h>
-#include <contrecoup/base/system/text.h>
+#include <contrecoup/base/system/names.h>
 #include <contrecoup/numerics/scheme/riemann_flux.h>
-
-#include <algorithm>
 
 namespace contrecoup
 {
@@ -17,11 +14,7 @@ std::vector<std::string> riemann_flux_names()
 
 RiemannFlux parse_riemann_flux(const std::string &name)
 {
-  const std::vector<std::string> names = riemann_flux_names();
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end())
-    throw InputError("There is no Riemann flux named '" + name + "'" +
-                     suggestion(name, names));
-  return static_cast<RiemannFlux>(found - names.begin());
+  return static_cast<RiemannFlux>(
+    position_of(name, riemann_flux_names(), "Riemann flux"));
 }
 } // namespace contrecoup

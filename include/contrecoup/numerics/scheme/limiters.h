@@ -86,9 +86,9 @@ inline DEAL_II_ALWAYS_INLINE Number limited_slope(const SlopeLimiter limiter,
       return std::max(a, b) + std::min(a, b) - minmod(a, b);
     }
     case SlopeLimiter::none:
-    default:
-      return sum * 0.5;
+      break;
   }
+  return sum * 0.5;
 }
 
 /// Weights of limited_slope() at a point of a non-uniform grid, computed once
