@@ -50,7 +50,7 @@ EmbeddedKernel<dim, Gas, Real>::EmbeddedKernel(
   , cut_leaves_(cut_leaves)
   , radial_(radial_exponent(mesh.coarse_mesh().geometry()), layout.n)
   , sweep_(mesh, layout, scheme, gas, boundary, primitives)
-  , new_state_(mesh, layout, gas, sweep_.leaves())
+  , state_analysis_(mesh, layout, gas, sweep_.leaves())
 {}
 
 
@@ -342,7 +342,7 @@ void EmbeddedKernel<dim, Gas, Real>::write(const BasicStage<Real> &stage)
       u.store(out + layout_.value(c, q));
     }
   }
-  new_state_.fill_padding(batch_, out);
+  state_analysis_.fill_padding(batch_, out);
 }
 
 
@@ -366,7 +366,7 @@ void EmbeddedKernel<dim, Gas, Real>::conclude(const unsigned int batch,
                                               const BasicStage<Real> &stage)
 {
   bind_openings(batch);
-  new_state_.conclude(batch, stage, OpenFaces{*this});
+  state_analysis_.conclude(batch, stage, OpenFaces{*this});
 }
 
 
@@ -375,7 +375,7 @@ void EmbeddedKernel<dim, Gas, Real>::analyse(const unsigned int batch,
                                              const BasicStage<Real> &stage)
 {
   bind_openings(batch);
-  new_state_.analyse(batch, stage, OpenFaces{*this});
+  state_analysis_.analyse(batch, stage, OpenFaces{*this});
 }
 
 

@@ -20,7 +20,7 @@ FiniteVolumeKernel<dim, Gas, Real>::FiniteVolumeKernel(
   , gas_(gas)
   , radial_(radial_exponent(mesh.coarse_mesh().geometry()), layout.n)
   , sweep_(mesh, layout, scheme, gas, boundary, primitives)
-  , new_state_(mesh, layout, gas, sweep_.leaves())
+  , state_analysis_(mesh, layout, gas, sweep_.leaves())
 {}
 
 
@@ -34,7 +34,7 @@ void FiniteVolumeKernel<dim, Gas, Real>::update(
   for (unsigned int direction = 0; direction < dim; ++direction)
     sweep(batch, direction, hanging);
   write(batch, stage);
-  new_state_.conclude(batch, stage, is_open);
+  state_analysis_.conclude(batch, stage, is_open);
   // The sensor of the last stage serves a whole step.
   if (stage.results.signal_rate == nullptr)
     sweep_.leaves().sensor().store(stage.results.sensor +
@@ -93,7 +93,7 @@ template <int dim, typename Gas, typename Real>
 void FiniteVolumeKernel<dim, Gas, Real>::analyse(const unsigned int batch,
                                                  const BasicStage<Real> &stage)
 {
-  new_state_.analyse(batch, stage, is_open);
+  state_analysis_.analyse(batch, stage, is_open);
 }
 
 

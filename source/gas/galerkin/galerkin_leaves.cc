@@ -276,12 +276,12 @@ void GalerkinLeaves<dim, Gas, Real>::add_face_fluxes()
     reader.reinit(batch_->record[face].data(), records);
     for (unsigned int i = 0; i < n_values; ++i)
       outflow[i] = reader.read(faces_.fluxes() + i * width);
-    for (const auto &part : batch_->more)
-      if (part.face == face)
+    for (const auto &neighbor : batch_->finer_neighbors)
+      if (neighbor.face == face)
       {
-        const Real *from = faces_.fluxes() + records.offset(part.record);
+        const Real *from = faces_.fluxes() + records.offset(neighbor.record);
         for (unsigned int i = 0; i < n_values; ++i)
-          outflow[i][part.lane] += from[i * width];
+          outflow[i][neighbor.lane] += from[i * width];
       }
     for (unsigned int q = 0; q < records.n_points; ++q)
     {

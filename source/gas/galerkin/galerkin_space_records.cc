@@ -82,7 +82,7 @@ void GalerkinSpace<dim, Real>::attach_records()
             faces_[b].leaf[side][lane], side, b, faces_[b].record[side] + lane);
   for (CellBatch &batch : cells_)
   {
-    sort_parts(batch);
+    sort_finer_neighbors(batch);
     for (LaneIndices &record : batch.record)
     {
       Assert(std::count(
@@ -110,25 +110,29 @@ void GalerkinSpace<dim, Real>::attach_record(const unsigned int leaf,
   const unsigned int lane = place_of_leaf_[leaf] % width;
   batch.faces.push_back(face_batch);
   if (from.kind == FaceBatch::Kind::hanging && side != from.interior)
-    batch.more.push_back({lane, from.face[side], record, from.quarter});
+    batch.finer_neighbors.push_back(
+      {lane, from.face[side], record, from.quarter});
   else
     batch.record[from.face[side]][lane] = record;
 }
 
 
 template <int dim, typename Real>
-void GalerkinSpace<dim, Real>::sort_parts(CellBatch &batch)
+void GalerkinSpace<dim, Real>::sort_finer_neighbors(CellBatch &batch)
 {
-  std::sort(batch.more.begin(),
-            batch.more.end(),
-            [](const Part &a, const Part &b) { return a.quarter < b.quarter; });
+  auto &neighbors = batch.finer_neighbors;
+  std::sort(neighbors.begin(),
+            neighbors.end(),
+            [](const FinerNeighbor &a, const FinerNeighbor &b) {
+              return a.quarter < b.quarter;
+            });
   const auto first_end =
-    std::find_if(batch.more.begin(), batch.more.end(), [](const Part &part) {
-      return part.quarter > 0;
-    });
-  for (auto part = batch.more.begin(); part != first_end; ++part)
-    batch.record[part->face][part->lane] = part->record;
-  batch.more.erase(batch.more.begin(), first_end);
+    std::find_if(neighbors.begin(),
+                 neighbors.end(),
+                 [](const FinerNeighbor &n) { return n.quarter > 0; });
+  for (auto first = neighbors.begin(); first != first_end; ++first)
+    batch.record[first->face][first->lane] = first->record;
+  neighbors.erase(neighbors.begin(), first_end);
 }
 
 

@@ -20,15 +20,16 @@ namespace contrecoup::gas
  * @{
  */
 
-/// Of the surface that positive_part() sees between corners with positive
-/// @p distances and the others; it cuts edges and the diagonals of faces. The
-/// area vector is exactly that of LeafShape's openings, and subcells that share
-/// a face share the points on it.
+/// Outline of the surface between the corners with positive @p distances, which
+/// are in the gas, and the others, as positive_part() places it: its corners
+/// lie on edges and on the diagonals of faces. The area vector is exactly that
+/// of LeafShape's openings, and subcells that share a face share the points on
+/// it.
 template <int dim>
 std::vector<dealii::Point<dim>>
 cut_outline(const std::array<double, (1U << dim)> &distances);
 
-/// Of the closed faces of an open subcell, in deal.II's order.
+/// Outline of the closed faces of an open subcell, in deal.II's order.
 template <int dim>
 std::vector<dealii::Point<dim>>
 closed_outline(const std::array<bool, 2 * dim> &is_closed);

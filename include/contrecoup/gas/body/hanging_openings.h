@@ -36,13 +36,13 @@ struct HangingOpenings
   /// along each face coordinate, and of the one below.
   std::array<Values, dim == 1 ? 1 : dim - 1> along;
   Values below;
-  /// Per part: open part of the face.
+  /// Per quarter of the face: its open fraction.
   std::array<Values, n_fine> opening;
-  /// Per part: one or zero, whether gas of a fine subcell touches that of the
-  /// one below.
+  /// Per quarter: one or zero, whether gas of a fine subcell touches that of
+  /// the one below.
   std::array<Values, n_fine> fine_below;
-  /// Per part and layer: open part of the volume of subcells that are reached
-  /// through the face, else zero.
+  /// Per quarter and layer: open fraction of the volume of subcells that are
+  /// reached through the face, else zero.
   std::array<std::array<Values, 2>, n_fine> fraction;
 };
 } // namespace contrecoup::gas

@@ -5,7 +5,7 @@
 
 #include <contrecoup/gas/body/cut_leaves.h>
 #include <contrecoup/gas/finite_volume/batch_sweep.h>
-#include <contrecoup/gas/finite_volume/new_state.h>
+#include <contrecoup/gas/finite_volume/state_analysis.h>
 
 namespace contrecoup::gas
 {
@@ -129,7 +129,7 @@ private:
   const CutLeaves<dim> &cut_leaves_;
   RadialWeights radial_;
   Sweep sweep_;
-  NewState<dim, Gas, Real> new_state_;
+  StateAnalysis<dim, Gas, Real> state_analysis_;
   unsigned int batch_ = 0;
   const Burn *burn_ = nullptr;         ///< see LeafKernel
   std::vector<int> openings_of_batch_; ///< index, or -1

@@ -52,17 +52,15 @@ public:
              QuietLeaves<dim> &quiet_leaves) override
   {
     Base::begin_stage(stage, quiet_leaves);
-    unsigned int g = 0;
+    const auto compute_group = [&](const unsigned int g,
+                                   const HangingGroup<dim> &group) {
+      const int openings = openings_of_group_[g];
+      hanging_kernel_.compute(
+        group, stage, hanging_, openings < 0 ? nullptr : &openings_[openings]);
+    };
     for (unsigned int batch = 0; batch < mesh_.n_batches(); ++batch)
     {
-      for (; g < groups_.size() && groups_[g].first_batch <= batch; ++g)
-        if (quiet_leaves.is_active_group(groups_[g]))
-          hanging_kernel_.compute(groups_[g],
-                                  stage,
-                                  hanging_,
-                                  openings_of_group_[g] < 0
-                                    ? nullptr
-                                    : &openings_[openings_of_group_[g]]);
+      schedule_.compute_before(batch, quiet_leaves, compute_group);
       if (quiet_leaves.is_active(batch) && !cut_leaves_.is_closed(batch))
       {
         if (cut_leaves_.is_cut(batch))
@@ -118,18 +116,18 @@ public:
   }
 
 private:
-  using Base::groups_;
   using Base::hanging_;
   using Base::hanging_kernel_;
   using Base::kernel_;
   using Base::layout_;
   using Base::mesh_;
+  using Base::schedule_;
 
   void reinit_openings()
   {
     openings_.clear();
     openings_of_group_.clear();
-    for (const auto &group : groups_)
+    for (const auto &group : schedule_.groups())
     {
       const bool is_cut = std::any_of(
         group.face.begin(),

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <contrecoup/gas/finite_volume/batch_sweep.h>
-#include <contrecoup/gas/finite_volume/new_state.h>
+#include <contrecoup/gas/finite_volume/state_analysis.h>
 
 namespace contrecoup::gas
 {
@@ -53,6 +53,6 @@ private:
   const Gas gas_;
   RadialWeights radial_;
   Sweep sweep_;
-  NewState<dim, Gas, Real> new_state_;
+  StateAnalysis<dim, Gas, Real> state_analysis_;
 };
 } // namespace contrecoup::gas

@@ -5,10 +5,8 @@
 
 #include <contrecoup/gas/finite_volume/finite_volume_hanging.h>
 #include <contrecoup/gas/finite_volume/finite_volume_kernel.h>
-#include <contrecoup/gas/octree/hanging_group.h>
+#include <contrecoup/gas/finite_volume/hanging_schedule.h>
 #include <contrecoup/gas/stage/gas_operator.h>
-
-#include <vector>
 
 namespace contrecoup::gas
 {
@@ -34,7 +32,7 @@ public:
   void reinit() override
   {
     primitives_.reinit(mesh_.n_stored_batches());
-    groups_ = group_hanging_faces(mesh_, layout_);
+    schedule_.reinit(mesh_, layout_);
     hanging_.resize(mesh_.hanging_faces().size(), layout_);
   }
 
@@ -42,14 +40,13 @@ public:
              QuietLeaves<dim> &quiet_leaves) override
   {
     begin_stage(stage, quiet_leaves);
-    auto group = groups_.begin();
+    const auto compute_group = [&](const unsigned int,
+                                   const HangingGroup<dim> &group) {
+      hanging_kernel_.compute(group, stage, hanging_);
+    };
     for (unsigned int batch = 0; batch < mesh_.n_batches(); ++batch)
     {
-      // Just before the first batch that needs them: what they read is still in
-      // the cache then.
-      for (; group != groups_.end() && group->first_batch <= batch; ++group)
-        if (quiet_leaves.is_active_group(*group))
-          hanging_kernel_.compute(*group, stage, hanging_);
+      schedule_.compute_before(batch, quiet_leaves, compute_group);
       if (quiet_leaves.is_active(batch))
       {
         kernel_.update(batch, stage, hanging_);
@@ -73,12 +70,13 @@ protected:
   {
     quiet_leaves.begin_stage(stage.in);
     primitives_.begin_stage(stage.in);
+    schedule_.begin_stage();
   }
 
   PrimitiveField<dim, Gas, Real> primitives_;
   FiniteVolumeKernel<dim, Gas, Real> kernel_;
   FiniteVolumeHanging<dim, Gas, Real> hanging_kernel_;
-  std::vector<HangingGroup<dim>> groups_;
+  HangingSchedule<dim> schedule_;
   HangingData<dim, Real> hanging_;
 };
 } // namespace contrecoup::gas

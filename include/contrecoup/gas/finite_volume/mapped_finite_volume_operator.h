@@ -3,11 +3,10 @@
 
 #pragma once
 
+#include <contrecoup/gas/finite_volume/hanging_schedule.h>
 #include <contrecoup/gas/finite_volume/mapped_finite_volume_kernel.h>
 #include <contrecoup/gas/finite_volume/mapped_hanging.h>
 #include <contrecoup/gas/stage/gas_operator.h>
-
-#include <vector>
 
 namespace contrecoup::gas
 {
@@ -32,11 +31,12 @@ public:
 
   void reinit() override
   {
-    groups_ = group_hanging_faces(mesh_, layout_);
+    schedule_.reinit(mesh_, layout_);
     hanging_.resize(mesh_.hanging_faces().size(), layout_);
-    hanging_kernel_.reinit(mesh_, groups_);
+    hanging_kernel_.reinit(mesh_, schedule_.groups());
     // Only hanging faces read them.
-    primitives_.reinit(groups_.empty() ? 0 : mesh_.n_stored_batches());
+    primitives_.reinit(schedule_.groups().empty() ? 0
+                                                  : mesh_.n_stored_batches());
   }
 
   void apply(const BasicStage<Real> &stage,
@@ -44,15 +44,20 @@ public:
   {
     quiet_leaves.begin_stage(stage.in);
     primitives_.begin_stage(stage.in);
-    for (unsigned int g = 0; g < groups_.size(); ++g)
-      if (quiet_leaves.is_active_group(groups_[g]))
-        hanging_kernel_.compute(g, groups_[g], stage, hanging_);
+    schedule_.begin_stage();
+    const auto compute_group = [&](const unsigned int g,
+                                   const HangingGroup<dim> &group) {
+      hanging_kernel_.compute(g, group, stage, hanging_);
+    };
     for (unsigned int batch = 0; batch < mesh_.n_batches(); ++batch)
+    {
+      schedule_.compute_before(batch, quiet_leaves, compute_group);
       if (quiet_leaves.is_active(batch))
       {
         kernel_.update(batch, stage, hanging_);
         quiet_leaves.find_woken_leaves(batch, stage.results.state);
       }
+    }
   }
 
   void analyse(const BasicStage<Real> &stage) override
@@ -68,7 +73,7 @@ private:
   PrimitiveField<dim, Gas, Real> primitives_;
   MappedFiniteVolumeKernel<dim, Gas, Real> kernel_;
   MappedHanging<dim, Gas, Real> hanging_kernel_;
-  std::vector<HangingGroup<dim>> groups_;
+  HangingSchedule<dim> schedule_;
   HangingData<dim, Real> hanging_;
 };
 } // namespace contrecoup::gas

@@ -14,7 +14,7 @@ namespace contrecoup::gas
  * leaves and fills padding lanes; for finite volumes on boxes.
  */
 template <int dim, typename Gas, typename Real = double>
-class NewState
+class StateAnalysis
 {
 public:
   using Leaves = LeafKernel<dim, Gas, Real>;
@@ -22,10 +22,10 @@ public:
   using Values = typename Leaves::Values;
   using C = Component<dim>;
 
-  NewState(const LeafMesh<dim> &mesh,
-           const LeafLayout &layout,
-           const Gas &gas,
-           Leaves &leaves)
+  StateAnalysis(const LeafMesh<dim> &mesh,
+                const LeafLayout &layout,
+                const Gas &gas,
+                Leaves &leaves)
     : mesh_(mesh)
     , layout_(layout)
     , gas_(gas)
@@ -122,8 +122,8 @@ private:
 
 template <int dim, typename Gas, typename Real>
 template <bool checks, bool converts>
-typename NewState<dim, Gas, Real>::Number
-NewState<dim, Gas, Real>::load(const Real *values)
+typename StateAnalysis<dim, Gas, Real>::Number
+StateAnalysis<dim, Gas, Real>::load(const Real *values)
 {
   Number smallest(1.);
   for (unsigned int q = 0; q < layout_.n_points; ++q)
@@ -145,8 +145,8 @@ NewState<dim, Gas, Real>::load(const Real *values)
 
 
 template <int dim, typename Gas, typename Real>
-typename NewState<dim, Gas, Real>::Number
-NewState<dim, Gas, Real>::find_largest_rate(const BasicStage<Real> &stage)
+typename StateAnalysis<dim, Gas, Real>::Number
+StateAnalysis<dim, Gas, Real>::find_largest_rate(const BasicStage<Real> &stage)
 {
   const unsigned int batch = leaves_.batch();
   const Burn *burn = leaves_.burn();
@@ -176,8 +176,8 @@ NewState<dim, Gas, Real>::find_largest_rate(const BasicStage<Real> &stage)
 
 template <int dim, typename Gas, typename Real>
 template <typename Weight>
-typename NewState<dim, Gas, Real>::Number
-NewState<dim, Gas, Real>::largest_jump(const Weight &weight) const
+typename StateAnalysis<dim, Gas, Real>::Number
+StateAnalysis<dim, Gas, Real>::largest_jump(const Weight &weight) const
 {
   const double threshold = 0.1;
   Number shock(0.);

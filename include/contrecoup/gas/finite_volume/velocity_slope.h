@@ -55,7 +55,7 @@ limit_velocity_slope(const Gas &gas,
   for (unsigned int d = 0; d < dim; ++d)
     square += half[C::velocity + d] * half[C::velocity + d];
   const Number kinetic = cell[C::density] * square;
-  // Most cells are far from the bound; cold curves are dear.
+  // Cold curves are costly, and most cells are far from the bound.
   if (Gas::has_products && !any_less(cell[C::pressure], Number(kinetic * 16.)))
     return;
   const Number left = energy_left<dim>(gas, cell, square);

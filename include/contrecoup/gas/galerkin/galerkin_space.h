@@ -55,13 +55,13 @@ public:
   static constexpr unsigned int width = n_lanes<Real>;
   using LaneIndices = std::array<unsigned int, width>;
 
-  /// One lane's share of a coarse leaf's face.
-  struct Part
+  /// A finer neighbour of the leaf in a lane.
+  struct FinerNeighbor
   {
     unsigned int lane;
-    unsigned int face;
-    unsigned int record;
-    unsigned int quarter;
+    unsigned int face;    ///< of the leaf
+    unsigned int record;  ///< of the flux into the neighbour
+    unsigned int quarter; ///< of the face
   };
 
   struct CellBatch
@@ -69,8 +69,8 @@ public:
     LaneIndices leaf; ///< unused lanes repeat lane 0
     unsigned int n_filled;
     bool is_leaf_batch; ///< the leaves of a batch of LeafMesh, in their order
-    std::array<LaneIndices, 2 * dim> record; ///< of each face
-    std::vector<Part> more;                  ///< finer neighbours but one
+    std::array<LaneIndices, 2 * dim> record;    ///< of each face
+    std::vector<FinerNeighbor> finer_neighbors; ///< at quarters above 0
     std::vector<unsigned int> faces; ///< batches that hold these records
   };
 
@@ -211,7 +211,7 @@ private:
                      const unsigned int side,
                      const unsigned int face_batch,
                      const unsigned int record);
-  static void sort_parts(CellBatch &batch);
+  static void sort_finer_neighbors(CellBatch &batch);
 
   const LeafMesh<dim> &mesh_;
   const LeafLayout layout_;

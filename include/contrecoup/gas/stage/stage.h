@@ -52,8 +52,9 @@ struct BasicStage
   /// Per stored leaf, from the previous stage: the blending factor (DG) or
   /// one where a shock stands (finite volume) [-].
   const Real *sensor = nullptr;
-  /// Whether finite volumes bound their velocity slopes by the energy of each
-  /// subcell: needed where a step failed without, and first order in cold gas.
+  /// Whether finite volumes bound their velocity slopes by the internal energy
+  /// of each subcell. Set after a step without the bound has failed; in cold
+  /// gas the scheme is then of first order.
   bool bound_velocity_slopes = false;
   /// Fraction of this stage's rate of change in that of the step [-].
   double weight = 1.;
