@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <utility>
 
 using namespace contrecoup;
 using namespace contrecoup::coupling;
@@ -228,7 +229,9 @@ TEST(SceneFiles, GiveShortPositivePhasesFinerCells)
     EXPECT_GE(near.cells_per_phase(), scene.accuracy.cells_per_phase);
     // One level less would not do.
     if (extra > 0)
+    {
       EXPECT_LT(near.cells_per_phase() / 2., scene.accuracy.cells_per_phase);
+    }
   }
   EXPECT_EQ(layout_of(1).levels, 4U);
   const auto entries = values_of(blast_entries(scene, layout_of(1), 78.5));
@@ -241,7 +244,7 @@ TEST(SceneFiles, TakeTheLargestCellsUpToTheSizeOfTheUser)
 {
   SceneParameters scene = scene_with(2.337, 1.27);
   scene.accuracy = SceneParameters::accuracies[2]; // fronts one level coarser
-  const std::vector<std::array<double, 2>> sizes = {
+  const std::vector<std::pair<double, double>> sizes = {
     {0.02, 0.02}, {0.03, 0.02}, {0.005, 0.005}, {0.16, 0.16}};
   for (const auto &[wanted, expected] : sizes)
   {

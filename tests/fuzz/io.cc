@@ -48,8 +48,9 @@ void read_parameters(const std::string &path)
 void prepare_loads(const std::string &folder)
 {
   io::LoadFile loads(folder + "/loads.h5");
-  loads.create({{0., 0., 0., 1., 0., 0.}, {-1., 0., 0., 1., 0., 0.}, {1., 2.}},
-               {{"application", "fuzz"}});
+  loads.create(
+    {{0., 0., 0., 1., 0., 0.}, {-1., 0., 0., 1., 0., 0.}, {1., 2.}, {}},
+    {{"application", "fuzz"}});
   loads.append({1e-3, 2e-3}, {100.F, 10.F, 300.F, 30.F});
 }
 
@@ -127,7 +128,7 @@ void prepare_run(const std::string &folder)
   io::RunDescription run;
   run.application = "blast";
   run.parameters = {{"Time/End time", "1"}};
-  run.fields = {{0.5, "fields_1"}};
+  run.fields = {{0.5, "", "fields_1"}};
   run.first_values = {{"mass", "kg", 1., true}};
   io::write_file(folder + "/run.json",
                  [&](std::ostream &out) { out << io::to_text(run); });

@@ -20,8 +20,9 @@ namespace
 void write_loads(const std::string &file)
 {
   io::LoadFile loads(file);
-  loads.create({{0., 0., 0., 1., 0., 0.}, {-1., 0., 0., 1., 0., 0.}, {1., 2.}},
-               {{"application", "test"}});
+  loads.create(
+    {{0., 0., 0., 1., 0., 0.}, {-1., 0., 0., 1., 0., 0.}, {1., 2.}, {}},
+    {{"application", "test"}});
   loads.append({1e-3, 2e-3}, {100.F, 10.F, 300.F, 30.F});
   loads.append({3e-3, 4e-3}, {200.F, 20.F, 0.F, 0.F});
 }
@@ -128,7 +129,8 @@ TEST(RecordedLoads, RecordedFromArrival)
   const std::string file = "recorded_late.h5";
   {
     io::LoadFile loads(file);
-    loads.create({{0., 0., 0.}, {-1., 0., 0.}, {1.}}, {{"application", "t"}});
+    loads.create({{0., 0., 0.}, {-1., 0., 0.}, {1.}, {}},
+                 {{"application", "t"}});
     loads.append({1.000, 1.001, 1.002, 1.003}, {0.F, 0.F, 400.F, 200.F});
   }
   const auto loads = read_loads(file);
@@ -153,7 +155,8 @@ TEST(RecordedLoads, MirroredAcrossTwoPlanes)
   const std::string file = "recorded_quarter.h5";
   {
     io::LoadFile loads(file);
-    loads.create({{0., 1., 1.}, {-1., 0., 0.}, {1.}}, {{"application", "t"}});
+    loads.create({{0., 1., 1.}, {-1., 0., 0.}, {1.}, {}},
+                 {{"application", "t"}});
     loads.append({1e-3, 2e-3}, {100.F, 100.F});
   }
   ParameterHandler prm;
@@ -184,7 +187,7 @@ TEST(RecordedLoads, MirroredFacetsFeelWhatFacesThem)
   {
     io::LoadFile loads(file);
     loads.create(
-      {{0., 0.5, 0., 0., 0.52, 0.}, {0., -1., 0., 0., 1., 0.}, {1., 1.}},
+      {{0., 0.5, 0., 0., 0.52, 0.}, {0., -1., 0., 0., 1., 0.}, {1., 1.}, {}},
       {{"application", "t"}});
     loads.append({1e-3, 2e-3}, {100.F, 300.F, 100.F, 300.F});
   }
@@ -245,7 +248,7 @@ namespace
 void write_ramp(const std::string &file, const std::vector<double> &lengths)
 {
   io::LoadFile loads(file);
-  loads.create({{0., 0., 0.}, {-1., 0., 0.}, {1.}}, {{"application", "t"}});
+  loads.create({{0., 0., 0.}, {-1., 0., 0.}, {1.}, {}}, {{"application", "t"}});
   loads.append({9e-3, 10e-3}, {0.F, 0.F});
   double time = 0.;
   for (unsigned int i = 0; time < 20.; ++i)

@@ -135,7 +135,10 @@ void SolidProbes::parse_parameters(ParameterHandler &prm)
   {
     const Section section(prm, "Probes");
     for (const dealii::Point<3> &point : read_points<3>(prm, "Points"))
-      locations_.push_back({point, false, 0, false, 0});
+    {
+      locations_.emplace_back();
+      locations_.back().point = point;
+    }
   }
   const std::size_t n_quantities = probe_quantities().size();
   values_.assign(n_quantities * locations_.size(), 0.);
