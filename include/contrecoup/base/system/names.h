@@ -8,9 +8,9 @@
 
 namespace contrecoup
 {
-/// Position of @p name in @p names, the order of an enumeration.
-/// @param kind of what has these names, for the message: "slope limiter"
-/// @throws InputError that suggests the nearest name if there is none
+/// Position of @p name in @p names, which stand in the order of an enumeration.
+/// @param kind what is chosen by name, for the message: "slope limiter"
+/// @throws InputError that suggests the nearest name, for an unknown name
 std::size_t position_of(const std::string &name,
                         const std::vector<std::string> &names,
                         const std::string &kind);

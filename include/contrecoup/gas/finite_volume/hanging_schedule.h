@@ -32,9 +32,9 @@ public:
     next_ = 0;
   }
 
-  /// Calls compute(g, groups()[g]) for each active group that @p batch or one
-  /// before it is the first to read, unless a call in this stage has done so.
-  /// Batches come in ascending order.
+  /// Calls compute(g, groups()[g]) for each active group whose first reader is
+  /// @p batch, or a batch that this stage has left out. To be called with
+  /// batches in ascending order.
   template <typename Compute>
   void compute_before(const unsigned int batch,
                       const QuietLeaves<dim> &quiet_leaves,
